@@ -83,11 +83,8 @@ public:
   {
     for (std::size_t k = 0; k < this->Task.Sources.size(); ++k)
     {
-      const dgg::Status status = this->Task.Solver.CheckPole(this->Task.Sources[k]);
-      if (!status.IsOk())
-      {
-        return dgg::Status::Invalid("source " + std::to_string(k) + ": " + status.GetMessage());
-      }
+      DGG_RETURN_IF_ERROR(
+        this->Task.Solver.CheckPole(this->Task.Sources[k]).Of("source " + std::to_string(k)));
     }
     return dgg::Status::Success();
   }
@@ -117,20 +114,16 @@ public:
   dgg::Status OneByOne(dgg::GreensInterpolation& interpolation)
   {
     const auto count = static_cast<double>(this->Task.Sources.size());
-    dgg::Status status;
-    for (std::size_t k = 0; k < this->Task.Sources.size() && status.IsOk(); ++k)
+    for (std::size_t k = 0; k < this->Task.Sources.size(); ++k)
     {
       const auto done = static_cast<double>(k);
       dgg::GreensQuery query = this->Query;
       query.Progress = dgg::ProgressPart(this->Task.Progress, done / count, (done + 1.0) / count);
       dgg::GreensResult result;
-      status = interpolation.Run(this->Task.Sources[k], query, result);
-      if (status.IsOk())
-      {
-        this->Store(k, result);
-      }
+      DGG_RETURN_IF_ERROR(interpolation.Run(this->Task.Sources[k], query, result));
+      this->Store(k, result);
     }
-    return status.IsOk() && !this->Task.Progress(1.0) ? dgg::Status::Abort() : status;
+    return dgg::ReportTo(this->Task.Progress, 1.0);
   }
 
 private:
@@ -304,24 +297,21 @@ dgg::Status vtkDiscreteGreensFunction::ComputeValues(DGGSpectralTask& task)
   internals.Used.clear();
   std::vector<UsedMethod> used;
   Run run(task, query, used);
-  dgg::Status status = run.Check();
-  if (status.IsOk() && isInterpolated)
+  DGG_RETURN_IF_ERROR(run.Check());
+  if (isInterpolated)
   {
     const double most = 0.5 * static_cast<double>(std::numeric_limits<std::size_t>::max());
     internals.Kept->Interpolation.SetMemoryLimit(
       static_cast<std::size_t>(std::min(most, task.FreeMemory)));
-    status = run.OneByOne(internals.Kept->Interpolation);
+    DGG_RETURN_IF_ERROR(run.OneByOne(internals.Kept->Interpolation));
   }
-  else if (status.IsOk())
+  else
   {
-    status = run.InBlocks(internals.Kept->Function);
+    DGG_RETURN_IF_ERROR(run.InBlocks(internals.Kept->Function));
   }
-  if (status.IsOk())
-  {
-    internals.Used.swap(used);
-    this->WarnOfRemarks();
-  }
-  return status;
+  internals.Used.swap(used);
+  this->WarnOfRemarks();
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -179,11 +179,7 @@ public:
         Integrate(this->Task.Context.Surface, this->Task.Solver, numbers, isDensity, imbalance);
       status = this->Splines.Solve(sources, {}, coefficients);
     }
-    status = status.IsOk() ? this->Splines.Combine(coefficients, {}, solution) : status;
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(status.IsOk() ? this->Splines.Combine(coefficients, {}, solution) : status);
     std::vector<double> atTargets = Interpolate(this->Mesh, this->Task.Targets, solution);
     if (!this->Evaluated.empty())
     {

@@ -246,11 +246,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
     mesh, numberOfPoints, targets.size(), sources.size(), this->ResultArrayName);
   DGGSpectralTask task{ context, keeper.GetSolver(), sources, targets, std::max(0.0, left),
     dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
-  status = this->ComputeValues(task);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->ComputeValues(task));
   AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
   vtkNew<vtkPolyData> none;

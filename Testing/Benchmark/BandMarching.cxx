@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BandMarching.h"
 
-#include "dggMinimumHeap.h"
+#include "dggHeap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ public:
     std::size_t done = 0;
     while (!this->Heap.IsEmpty())
     {
-      const auto place = static_cast<std::size_t>(this->Heap.Pop().Vertex);
+      const auto place = static_cast<std::size_t>(this->Heap.Pop().Index);
       if (this->IsFinal[place])
       {
         continue;

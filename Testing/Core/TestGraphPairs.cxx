@@ -5,7 +5,7 @@
 #include "SearchChecks.h"
 
 #include "dggBucketQueue.h"
-#include "dggMinimumHeap.h"
+#include "dggHeap.h"
 #include "dggSourceGroups.h"
 
 #include <algorithm>

@@ -149,29 +149,6 @@ TEST(GraphSearch, NearestSourceWins)
   }
 }
 
-TEST(GraphSearch, EarlyExitIsExactAtTargets)
-{
-  for (const auto& c : SearchCases())
-  {
-    const Id n = c->GetNumberOfVertices();
-    const std::vector<GraphSeed> seeds = RandomSeeds(n, 2, 11);
-    const std::vector<double> expected = ReferenceDistances(c->GetGraph(), seeds);
-    const std::vector<Id> targets{ seeds[0].Vertex, n / 3, n / 3, std::min(n - 1, n / 3 + 1) };
-    const SearchResult result = c->Run(seeds, [&](SearchOptions& o) { o.Targets = targets; });
-    for (Id t : targets)
-    {
-      EXPECT_NEAR(std::min(expected[t], 1e9), std::min(result.Distances[t], 1e9), 1e-11)
-        << c->GetName();
-    }
-    ExpectConsistentTree(c->GetGraph(), seeds, result, c->GetName());
-  }
-  const SearchCase plane("plane", Plane(40, 40, 0.2, 3), 0.05);
-  const SearchResult near = plane.Run({ SeedAt(0) }, [](SearchOptions& o) {
-    o.Targets = { 1, 42 };
-  });
-  EXPECT_LT(near.NumberOfPops, 40u);
-}
-
 TEST(GraphSearch, GraphsWithoutEdges)
 {
   const dgg::Offset zero[] = { 0, 0 };
@@ -373,8 +350,6 @@ TEST(GraphSearch, BadInputIsNamed)
   expect("below its initial distance", { { 0, 1.0, 2.0, 0, 0.5 } });
   expect("maximum distance is not a number", { SeedAt(0) },
     [=](SearchOptions& o) { o.MaximumDistance = notANumber; });
-  expect("target 1: vertex 25", { SeedAt(0) }, [](SearchOptions& o) { o.Targets = { 0, 25 }; });
-  expect("target 0: vertex -7", { SeedAt(0) }, [](SearchOptions& o) { o.Targets = { -7 }; });
   // A later correct call works.
   EXPECT_EQ(c.Run({ SeedAt(0) }).Distances.size(), 25u);
 }

@@ -209,10 +209,8 @@ Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector
         if (looks > LooksPerReport)
         {
           looks = 0;
-          if (progress && !progress(static_cast<double>(i) / static_cast<double>(points.size())))
-          {
-            return Status::Abort();
-          }
+          DGG_RETURN_IF_ERROR(
+            ReportTo(progress, static_cast<double>(i) / static_cast<double>(points.size())));
         }
       }
     }
@@ -233,10 +231,8 @@ Status VoxelBand::MarkBalls(const std::vector<Point3>& points, const std::vector
   const auto count = static_cast<Offset>(points.size());
   for (Offset first = 0; first < count;)
   {
-    if (progress && !progress(0.5 + 0.5 * static_cast<double>(first) / static_cast<double>(count)))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(
+      ReportTo(progress, 0.5 + 0.5 * static_cast<double>(first) / static_cast<double>(count)));
     // As many balls as take some time together.
     Offset last = first;
     for (double voxels = 0.0; last < count && voxels < VoxelsPerReport; ++last)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFastMarching.h"
 
-#include "dggDistanceHeap.h"
+#include "dggHeap.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -283,9 +283,9 @@ public:
   {
     Id finished = 0;
     const double count = std::max<Id>(1, this->Mesh.GetNumberOfVertices());
-    while (!this->Heap.IsEmpty() && this->Heap.Top().Distance <= radius)
+    while (!this->Heap.IsEmpty() && this->Heap.Top().Key <= radius)
     {
-      const DistanceHeap::Key top = this->Heap.Pop();
+      const DistanceHeap::Entry top = this->Heap.Pop();
       const Id v = top.Index;
       if (this->IsFinal[v])
       {
@@ -297,11 +297,11 @@ public:
       }
       ++finished;
       this->IsFinal[v] = 1;
-      this->WalkFrom(v, top.Distance);
-      this->CrossFaces(v, top.Distance);
+      this->WalkFrom(v, top.Key);
+      this->CrossFaces(v, top.Key);
       for (const Id* i = this->Unfolded.Begin(v); i != this->Unfolded.End(v); ++i)
       {
-        this->Cross(this->Unfolded.Get(*i), top.Distance);
+        this->Cross(this->Unfolded.Get(*i), top.Key);
       }
     }
     return true;

@@ -8,7 +8,7 @@
 #include "dggGraphWindow.h"        // for GraphWindow
 #include "dggGraphWindowMemory.h"  // for tracing with care
 #include "dggGraphWindowTargets.h" // for points that windows meet
-#include "dggDistanceHeap.h"       // for windows by distance
+#include "dggHeap.h"               // for windows by distance
 #include "dggGraphRules.h"         // for relays beside a window
 #include "dggSurfacePoint.h"       // for sources inside faces
 #include "dggUnfoldingTable.h"     // for the mesh
@@ -337,13 +337,13 @@ private:
   {
     while (!this->Order.IsEmpty() && !this->HasExceededLimit)
     {
-      const DistanceHeap::Key key = this->Order.Pop();
-      while (!this->Reached.IsEmpty() && this->Reached.Top().Distance <= key.Distance)
+      const DistanceHeap::Entry key = this->Order.Pop();
+      while (!this->Reached.IsEmpty() && this->Reached.Top().Key <= key.Key)
       {
-        const DistanceHeap::Key reached = this->Reached.Pop();
-        if (this->Vertices[reached.Index].Label == reached.Distance)
+        const DistanceHeap::Entry reached = this->Reached.Pop();
+        if (this->Vertices[reached.Index].Label == reached.Key)
         {
-          this->ReachNeighbours(reached.Index, reached.Distance);
+          this->ReachNeighbours(reached.Index, reached.Key);
         }
       }
       this->FollowNext(key.Index);
@@ -358,14 +358,14 @@ private:
     double last = Infinity;
     while (!this->Order.IsEmpty())
     {
-      const DistanceHeap::Key key = this->Order.Pop();
+      const DistanceHeap::Entry key = this->Order.Pop();
       while (count < this->TheRule.Count && !this->Reached.IsEmpty() &&
-        this->Reached.Top().Distance <= key.Distance)
+        this->Reached.Top().Key <= key.Key)
       {
-        const DistanceHeap::Key reached = this->Reached.Pop();
-        if (this->Vertices[reached.Index].Label == reached.Distance)
+        const DistanceHeap::Entry reached = this->Reached.Pop();
+        if (this->Vertices[reached.Index].Label == reached.Key)
         {
-          last = reached.Distance;
+          last = reached.Key;
           ++count;
         }
       }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphDijkstra.h"
 
-#include <cstdint>
-
 namespace dgg
 {
 namespace
@@ -11,45 +9,15 @@ namespace
 /// Vertices between two reports: some milliseconds.
 constexpr std::size_t ProgressInterval = 16384;
 
-/// Which vertices are yet to be reached.
-class OpenTargets
-{
-public:
-  OpenTargets(Id numberOfVertices, const std::vector<Id>& targets)
-    : IsOpen(targets.empty() ? 0 : numberOfVertices, 0)
-  {
-    for (Id t : targets)
-    {
-      this->NumberOfOpen += this->IsOpen[t] ? 0 : 1;
-      this->IsOpen[t] = 1;
-    }
-  }
-
-  /// True when this was the last one.
-  bool Close(Id v)
-  {
-    if (this->IsOpen.empty() || !this->IsOpen[v])
-    {
-      return false;
-    }
-    this->IsOpen[v] = 0;
-    return --this->NumberOfOpen == 0;
-  }
-
-private:
-  std::vector<std::uint8_t> IsOpen;
-  std::size_t NumberOfOpen = 0;
-};
-
 template <typename Length>
-bool Run(const GraphView& graph, const Length* lengths, OpenTargets& targets,
-  const ProgressCallback& progress, MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort)
+bool Run(const GraphView& graph, const Length* lengths, const ProgressCallback& progress,
+  MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort)
 {
   double* const distances = labels.Distances.data();
   while (!heap.IsEmpty())
   {
     const MinimumHeap::Entry top = heap.Pop();
-    const Id v = top.Vertex;
+    const Id v = top.Index;
     if (top.Key > distances[v]) // a smaller label came later
     {
       continue;
@@ -59,10 +27,6 @@ bool Run(const GraphView& graph, const Length* lengths, OpenTargets& targets,
       !progress(static_cast<double>(effort.Pops) / graph.NumberOfVertices))
     {
       return false;
-    }
-    if (targets.Close(v))
-    {
-      break;
     }
     const Offset end = graph.Offsets[v + 1];
     effort.Relaxations += static_cast<std::size_t>(end - graph.Offsets[v]);
@@ -84,8 +48,7 @@ bool Run(const GraphView& graph, const Length* lengths, OpenTargets& targets,
 }
 
 bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
-  const std::vector<Id>& targets, const ProgressCallback& progress, MinimumHeap& heap,
-  SearchLabels& labels, SearchEffort& effort)
+  const ProgressCallback& progress, MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort)
 {
   heap.Clear();
   for (const GraphSeed& seed : seeds)
@@ -95,8 +58,7 @@ bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
       heap.Push(seed.Distance, seed.Vertex);
     }
   }
-  OpenTargets open(graph.NumberOfVertices, targets);
   return WithLengths(graph,
-    [&](const auto* lengths) { return Run(graph, lengths, open, progress, heap, labels, effort); });
+    [&](const auto* lengths) { return Run(graph, lengths, progress, heap, labels, effort); });
 }
 }

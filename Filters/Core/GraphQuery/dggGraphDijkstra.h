@@ -5,18 +5,16 @@
 #ifndef dggGraphDijkstra_h
 #define dggGraphDijkstra_h
 
-#include "dggMinimumHeap.h"  // for MinimumHeap
+#include "dggHeap.h"         // for MinimumHeap
 #include "dggSearchLabels.h" // for SearchLabels
 
-#include <vector> // for the targets
+#include <vector> // for the seeds
 
 namespace dgg
 {
-/// Make labels that have been started final, nearest first. With targets, stop as soon as theirs
-/// are. False when aborted.
+/// Make labels that have been started final, nearest first. False when aborted.
 bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
-  const std::vector<Id>& targets, const ProgressCallback& progress, MinimumHeap& heap,
-  SearchLabels& labels, SearchEffort& effort);
+  const ProgressCallback& progress, MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort);
 }
 
 #endif

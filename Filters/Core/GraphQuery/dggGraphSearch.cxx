@@ -9,7 +9,7 @@
 #include "dggLandmarks.h"
 #include "dggBucketSearch.h"
 #include "dggManySources.h"
-#include "dggMinimumHeap.h"
+#include "dggHeap.h"
 #include "dggPointToPoint.h"
 #include "dggProgressPart.h"
 #include "dggSearchLabels.h"
@@ -27,53 +27,31 @@ namespace dgg
 {
 namespace
 {
-Status InvalidSeed(std::size_t index, const std::string& what)
+Status CheckSeed(const GraphSeed& seed, Id numberOfVertices)
 {
-  return Status::Invalid("source " + std::to_string(index) + ": " + what);
-}
-
-Status CheckSeed(const GraphSeed& seed, std::size_t index, Id numberOfVertices)
-{
-  const Status status = CheckVertex(seed.Vertex, numberOfVertices);
-  if (!status.IsOk())
-  {
-    return InvalidSeed(index, status.GetMessage());
-  }
+  DGG_RETURN_IF_ERROR(CheckVertex(seed.Vertex, numberOfVertices));
   std::ostringstream what;
   if (!std::isfinite(seed.Distance) || !std::isfinite(seed.InitialDistance))
   {
     what << "the distances " << seed.Distance << " and " << seed.InitialDistance
          << " that it starts with are not finite";
-    return InvalidSeed(index, what.str());
   }
-  if (!std::isfinite(seed.ArrivalAngle))
+  else if (!std::isfinite(seed.ArrivalAngle))
   {
-    return InvalidSeed(index, "its arrival angle is not finite");
+    what << "its arrival angle is not finite";
   }
-  if (seed.ArrivalAngle >= 0.0 && seed.Distance < seed.InitialDistance)
+  else if (seed.ArrivalAngle >= 0.0 && seed.Distance < seed.InitialDistance)
   {
     what << "it starts with the distance " << seed.Distance
          << ", which is below its initial distance " << seed.InitialDistance;
-    return InvalidSeed(index, what.str());
   }
-  return Status::Success();
+  return what.str().empty() ? Status::Success() : Status::Invalid(what.str());
 }
 
-Status CheckOptions(const SearchOptions& options, Id numberOfVertices)
+Status CheckRadius(double maximumDistance)
 {
-  if (std::isnan(options.MaximumDistance))
-  {
-    return Status::Invalid("the maximum distance is not a number");
-  }
-  for (std::size_t i = 0; i < options.Targets.size(); ++i)
-  {
-    const Status status = CheckVertex(options.Targets[i], numberOfVertices);
-    if (!status.IsOk())
-    {
-      return Status::Invalid("target " + std::to_string(i) + ": " + status.GetMessage());
-    }
-  }
-  return Status::Success();
+  return std::isnan(maximumDistance) ? Status::Invalid("the maximum distance is not a number")
+                                     : Status::Success();
 }
 
 /// Mean number of edges per vertex from which on fans pay.
@@ -191,7 +169,7 @@ Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices)
   }
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
-    DGG_RETURN_IF_ERROR(CheckSeed(seeds[i], i, numberOfVertices));
+    DGG_RETURN_IF_ERROR(CheckSeed(seeds[i], numberOfVertices).Of("source " + std::to_string(i)));
   }
   return Status::Success();
 }
@@ -230,10 +208,9 @@ public:
   bool FindDistances(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
     SearchWorkspace& workspace, SearchLabels& labels, SearchEffort& effort) const
   {
-    if (options.Method == SearchMethod::Dijkstra || !options.Targets.empty())
+    if (options.Method == SearchMethod::Dijkstra)
     {
-      return RunDijkstra(
-        this->Graph, seeds, options.Targets, options.Progress, workspace.Heap, labels, effort);
+      return RunDijkstra(this->Graph, seeds, options.Progress, workspace.Heap, labels, effort);
     }
     const bool overFans = options.Method == SearchMethod::Certified && this->HasLongRows();
     const GraphFans* fans = overFans ? this->Fans.get() : nullptr;
@@ -351,10 +328,7 @@ Status GraphSearch::Run(
   const Implementation& internals = *this->Internals;
   const Id n = internals.Graph.NumberOfVertices;
   Status status = CheckSeeds(seeds, n);
-  if (status.IsOk())
-  {
-    status = CheckOptions(options, n);
-  }
+  status = status.IsOk() ? CheckRadius(options.MaximumDistance) : status;
   if (!status.IsOk())
   {
     result = SearchResult();
@@ -444,18 +418,12 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, dou
   const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume) const
 {
   const Implementation& internals = *this->Internals;
-  if (std::isnan(maximumDistance))
-  {
-    return Status::Invalid("the maximum distance is not a number");
-  }
+  DGG_RETURN_IF_ERROR(CheckRadius(maximumDistance));
   std::vector<Id> vertices;
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    const Status status = CheckSeeds(sources[i], internals.Graph.NumberOfVertices);
-    if (!status.IsOk())
-    {
-      return Status::Invalid("set " + std::to_string(i) + " of sources: " + status.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR(CheckSeeds(sources[i], internals.Graph.NumberOfVertices)
+                          .Of("set " + std::to_string(i) + " of sources"));
     vertices.push_back(NearestOf(sources[i]).Vertex);
   }
   const auto groups = internals.GroupByPlace(vertices);
@@ -472,10 +440,7 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, dou
       }
     });
     const auto done = static_cast<double>(std::min(first + step, numberOfGroups));
-    if (progress && !progress(done / static_cast<double>(numberOfGroups)))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(progress, done / static_cast<double>(numberOfGroups)));
   }
   return Status::Success();
 }

@@ -53,9 +53,6 @@ struct SearchOptions
   SearchMethod Method = SearchMethod::Certified;
   /// Vertices farther than this are left unreached.
   double MaximumDistance = Infinity;
-  /// Stop as soon as the labels of these vertices are final; others may be left too large or
-  /// unreached. Dijkstra is used whatever the method.
-  std::vector<Id> Targets;
   /// Whether to fill Corrected.
   bool Correct = false;
   ProgressCallback Progress; ///< may be empty

@@ -138,11 +138,7 @@ Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query)
   }
   for (std::size_t k = 0; k < query.Targets.size(); ++k)
   {
-    const Status status = query.Targets[k].Check(solver.GetMesh());
-    if (!status.IsOk())
-    {
-      return Status::Invalid("target " + std::to_string(k) + ": " + status.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR(query.Targets[k].Check(solver.GetMesh()).Of("target " + std::to_string(k)));
   }
   return Status::Success();
 }
@@ -173,8 +169,7 @@ Status GreensColumn::Start(const SurfacePoint& pole, const GreensQuery& query,
   this->Remark = GreensRemark::None;
   this->Mean = 0.0;
   this->Sources.assign(this->System.GetNumberOfVertices(), 0.0);
-  this->Component =
-    this->System.GetComponent(IsVertex(pole) ? pole.Vertex : mesh.Origin(3 * pole.Face));
+  this->Component = this->System.GetComponent(pole);
   if (this->Method == GreensMethod::Vertex && !IsVertex(pole))
   {
     const Id corner = this->FindNearestFreeCorner();
@@ -323,8 +318,7 @@ bool GreensColumn::FindFlippedPoleFace(std::vector<PoleFace>& faces) const
       continue;
     }
     const double base = triangulation.Length(3 * f);
-    const Point2 apex =
-      LayOut(base, triangulation.Length(3 * f + 2), triangulation.Length(3 * f + 1));
+    const Point2 apex = triangulation.Apex(f);
     const Point2 pole = LayOut(base, d[0], d[1]);
     const double misfit = std::abs(Distance(pole, apex) - d[2]) / longest;
     const double third = pole.Y / apex.Y;
@@ -383,11 +377,7 @@ Status GreensColumn::ChooseRadius(GreensWorkspace& workspace, double& radius, do
   while (true)
   {
     reached = radius + margin;
-    Status status = this->FindDistances(reached, workspace);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(this->FindDistances(reached, workspace));
     const double ridge =
       RidgeMargin * FindRidgeRadius(mesh, { { this->Pole, 0.0 } }, result, checked);
     if (ridge < radius)
@@ -395,12 +385,12 @@ Status GreensColumn::ChooseRadius(GreensWorkspace& workspace, double& radius, do
       const double least = std::min(most, RidgeEdges * edge);
       this->Remark = ridge < least ? GreensRemark::NearRidge : this->Remark;
       radius = std::max(ridge, least);
-      return status;
+      return Status::Success();
     }
     const double cost = static_cast<double>(result.NumberOfWindows) * Growth * Growth;
     if (radius >= most || cost > budget)
     {
-      return status;
+      return Status::Success();
     }
     checked = reached;
     radius = std::min(most, Growth * radius);
@@ -415,20 +405,20 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
   double radius = std::min(this->Query.Radius, LargestMultiple * size);
   double reached = radius + UsualMargin * system.GetMeanEdge(this->Component);
   const ExactResult& result = workspace.Exact.GetKept();
-  Status status = radius > 0.0 ? this->FindDistances(reached, workspace)
-                               : this->ChooseRadius(workspace, radius, reached);
-  if (status.IsOk() && this->Query.Radius > 0.0)
+  DGG_RETURN_IF_ERROR(radius > 0.0 ? this->FindDistances(reached, workspace)
+                                   : this->ChooseRadius(workspace, radius, reached));
+  if (this->Query.Radius > 0.0)
   {
     const double ridge = FindRidgeRadius(system.GetMesh(), { { this->Pole, 0.0 } }, result);
     this->Remark = ridge < radius ? GreensRemark::NearRidge : this->Remark;
   }
-  else if (status.IsOk())
+  else
   {
     // A little less is better than to find all ways again because of a long edge.
     const double complete = FindCompleteRadius(system.GetTriangulation(), result.Distances);
     radius = complete > CompletePart * radius ? std::min(radius, complete) : radius;
   }
-  DGG_RETURN_IF_ERROR(status.IsOk() ? this->CompleteDistances(radius, reached, workspace) : status);
+  DGG_RETURN_IF_ERROR(this->CompleteDistances(radius, reached, workspace));
   if (IsTooCoarse(system, this->Component, radius))
   {
     this->Method = GreensMethod::Interpolated;

@@ -37,31 +37,25 @@ Status GreensFunction::Run(
   const SurfacePoint& pole, const GreensQuery& query, GreensResult& result) const
 {
   result = GreensResult();
-  Status status = CheckGreensQuery(this->Solver, query);
-  status = status.IsOk() ? this->Solver.CheckPole(pole) : status;
+  DGG_RETURN_IF_ERROR(CheckGreensQuery(this->Solver, query));
+  DGG_RETURN_IF_ERROR(this->Solver.CheckPole(pole));
   std::vector<GreensResult> results(1);
-  status = status.IsOk() ? this->RunBlock({ pole }, 0, 1, query, query.Progress, results) : status;
-  if (status.IsOk())
-  {
-    result = std::move(results[0]);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(this->RunBlock({ pole }, 0, 1, query, query.Progress, results));
+  result = std::move(results[0]);
+  return Status::Success();
 }
 
 Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQuery& query,
   std::vector<GreensResult>& results) const
 {
   results.clear();
-  Status status = CheckGreensQuery(this->Solver, query);
-  for (std::size_t k = 0; k < poles.size() && status.IsOk(); ++k)
+  DGG_RETURN_IF_ERROR(CheckGreensQuery(this->Solver, query));
+  for (std::size_t k = 0; k < poles.size(); ++k)
   {
-    status = this->Solver.CheckPole(poles[k]);
-    if (!status.IsOk())
-    {
-      return Status::Invalid("pole " + std::to_string(k) + ": " + status.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR(this->Solver.CheckPole(poles[k]).Of("pole " + std::to_string(k)));
   }
-  results.resize(status.IsOk() ? poles.size() : 0);
+  Status status;
+  results.resize(poles.size());
   const auto count = static_cast<double>(poles.size());
   for (std::size_t first = 0; first < results.size() && status.IsOk(); first += PolesInBlock)
   {
@@ -96,27 +90,17 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
     const ProgressCallback part = partOf(k, 0.0, StartDone);
-    const Status status = columns[k].Start(poles[first + k], query, part, *workspace);
-    if (!status.IsOk() || !Goes(part, 1.0))
-    {
-      return status.IsOk() ? Status::Abort() : status;
-    }
+    DGG_RETURN_IF_ERROR(columns[k].Start(poles[first + k], query, part, *workspace));
+    DGG_RETURN_IF_ERROR(ReportTo(part, 1.0));
     solutions[k] = columns[k].TakeSources();
   }
   system.Solve(solutions);
-  if (!Goes(progress, SolveDone))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(ReportTo(progress, SolveDone));
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
-    const Status status =
-      columns[k].Finish(solutions[k], partOf(k, SolveDone, 1.0), *workspace, results[first + k]);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(
+      columns[k].Finish(solutions[k], partOf(k, SolveDone, 1.0), *workspace, results[first + k]));
   }
-  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+  return ReportTo(progress, 1.0);
 }
 }

@@ -128,13 +128,12 @@ Status GreensInterpolation::Run(
   result = GreensResult();
   GreensQuery same = query;
   same.Method = GreensMethod::SingularitySubtraction;
-  Status status = CheckGreensQuery(this->Solver, same);
-  DGG_RETURN_IF_ERROR(status.IsOk() ? this->Solver.CheckPole(pole) : status);
+  DGG_RETURN_IF_ERROR(CheckGreensQuery(this->Solver, same));
+  DGG_RETURN_IF_ERROR(this->Solver.CheckPole(pole));
   const PoissonSystem& system = this->Solver.GetSystem();
   const SurfaceMesh& mesh = system.GetMesh();
   this->Columns->Update(system, this->MemoryLimit);
-  const Id component =
-    system.GetComponent(IsVertex(pole) ? pole.Vertex : mesh.Origin(3 * pole.Face));
+  const Id component = system.GetComponent(pole);
   // Where columns of vertices will not do.
   const auto runFunction = [&](double begin) {
     GreensQuery other = query;
@@ -167,17 +166,10 @@ Status GreensInterpolation::Run(
   for (const auto& [v, weight] : corners)
   {
     const std::vector<float>* values = nullptr;
-    status =
-      this->Columns->Find(system, v, same, ProgressPart(query.Progress, done, done + part), values);
+    DGG_RETURN_IF_ERROR(this->Columns->Find(
+      system, v, same, ProgressPart(query.Progress, done, done + part), values));
     done += part;
-    if (status.IsOk() && query.Progress && !query.Progress(done))
-    {
-      status = Status::Abort();
-    }
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(query.Progress, done));
     for (std::size_t i = 0; i < regular.size(); ++i)
     {
       regular[i] += weight * static_cast<double>((*values)[i]);
@@ -191,10 +183,10 @@ Status GreensInterpolation::Run(
     return runFunction(1.0 - LastPart);
   }
   column.AddLogarithm(regular, result);
-  if (query.Progress && !query.Progress(1.0))
+  Status status = ReportTo(query.Progress, 1.0);
+  if (!status.IsOk())
   {
     result = GreensResult();
-    status = Status::Abort();
   }
   return status;
 }

@@ -3,6 +3,7 @@
 #include "dggLocalizedGreens.h"
 
 #include "dggGeodesicSource.h"
+#include "dggProgressPart.h"
 
 #include <Eigen/Dense>
 
@@ -145,10 +146,7 @@ Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeod
   std::vector<double> column;
   for (Eigen::Index i = 0; i <= near; ++i)
   {
-    if (progress && !progress(static_cast<double>(i) / static_cast<double>(near + 2)))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(i) / static_cast<double>(near + 2)));
     const SurfacePoint source = i < near ? SurfacePoint::AtVertex(vertices[i]) : pole;
     if (!FindDistances(exact, source, vertices, column))
     {
@@ -191,6 +189,6 @@ Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeod
   }
   system.Center(values);
   isLocalized = true;
-  return progress && !progress(1.0) ? Status::Abort() : Status::Success();
+  return ReportTo(progress, 1.0);
 }
 }

@@ -104,25 +104,13 @@ private:
   bool Inside = false;
 };
 
-Id FirstOfEdge(const IntrinsicTriangulation& triangulation, Id h)
-{
-  Id first = h;
-  for (Id g = triangulation.Twin(h); g != NoId && g != h; g = triangulation.Twin(g))
-  {
-    first = std::min(first, g);
-  }
-  return first;
-}
-
 /// The integral of s over a triangle close to the pole. The triangle is laid out on its first side,
 /// the pole above or below it, whichever fits better.
 double IntegrateNear(const Logarithm& logarithm, const IntrinsicTriangulation& triangulation, Id f,
   const std::array<double, 3>& d)
 {
-  const Id h = 3 * f;
-  const double base = triangulation.Length(h);
-  const std::array<Point2, 3> corners{ { { 0.0, 0.0 }, { base, 0.0 },
-    LayOut(base, triangulation.Length(h + 2), triangulation.Length(h + 1)) } };
+  const double base = triangulation.Length(3 * f);
+  const std::array<Point2, 3> corners{ { { 0.0, 0.0 }, { base, 0.0 }, triangulation.Apex(f) } };
   Point2 pole = LayOut(base, d[0], d[1]);
   const double above = std::abs(Distance(pole, corners[2]) - d[2]);
   const double below = std::abs(Distance({ pole.X, -pole.Y }, corners[2]) - d[2]);
@@ -132,8 +120,8 @@ double IntegrateNear(const Logarithm& logarithm, const IntrinsicTriangulation& t
   {
     const Point2& a = corners[k];
     const Point2& b = corners[(k + 1) % 3];
-    const double sector =
-      logarithm.IntegrateSector(triangulation.Length(h + k), Distance(pole, a), Distance(pole, b));
+    const double sector = logarithm.IntegrateSector(
+      triangulation.Length(3 * f + k), Distance(pole, a), Distance(pole, b));
     sum += Cross(Difference(b, a), Difference(pole, a)) < 0.0 ? -sector : sector;
   }
   return sum;
@@ -238,7 +226,7 @@ void SingularPart::Assemble(const Logarithm& logarithm, const std::vector<double
     {
       const Id h = 3 * pole.Face + k;
       poleEdges.push_back(
-        { FirstOfEdge(triangulation, h), pole.Distances[k], pole.Distances[(k + 1) % 3] });
+        { triangulation.FirstOfEdge(h), pole.Distances[k], pole.Distances[(k + 1) % 3] });
     }
   }
   const double radius = logarithm.GetRadius();
@@ -267,7 +255,7 @@ void SingularPart::Assemble(const Logarithm& logarithm, const std::vector<double
     {
       const Id h = 3 * f + k;
       const double length = triangulation.Length(h);
-      const Id first = FirstOfEdge(triangulation, h);
+      const Id first = triangulation.FirstOfEdge(h);
       longest = std::max(longest, length);
       if (!this->IsDone[first])
       {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggHeatMethod.h"
 
-#include "dggDistanceHeap.h"
+#include "dggHeap.h"
 #include "dggHeatSystem.h"
 #include "dggProgressPart.h"
 #include "dggUnfolding.h"
@@ -163,14 +163,6 @@ void ShiftToDistances(const HeatSystem& system, const std::vector<GeodesicSource
   }
 }
 
-/// A vertex that is reached from a source straight.
-struct DescentSeed
-{
-  Id Vertex;
-  Id Source;
-  double Distance;
-};
-
 template <typename Visitor>
 void ForEachNeighbour(const SurfaceMesh& mesh, Id v, Visitor&& visit)
 {
@@ -209,32 +201,35 @@ bool PointToSource(const SurfaceMesh& mesh, Id h, double offset,
 /// The source of every vertex, found by going down the distances along edges as steeply as
 /// possible, and over the lowest pass where there is no way down; NoId where distances are
 /// Infinity.
-std::vector<Id> FindNearestByDescent(const SurfaceMesh& mesh, const std::vector<double>& distances,
-  const std::vector<DescentSeed>& seeds)
+std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
+  const std::vector<GeodesicSource>& sources, const std::vector<Corner>& corners,
+  const std::vector<double>& distances)
 {
   std::vector<Id> nearest(distances.size(), NoId);
-  std::vector<double> best(distances.size(), Infinity); // of seeds
+  std::vector<double> best(distances.size(), Infinity); // of corners
   std::vector<std::uint8_t> isDone(distances.size(), 0);
   std::vector<std::uint8_t> isPushed(distances.size(), 0);
   DistanceHeap heap;
-  for (const DescentSeed& seed : seeds)
+  for (const Corner& corner : corners)
   {
-    if (seed.Distance < best[seed.Vertex])
+    const Id v = corner.Vertex;
+    const double straight = sources[corner.Source].InitialDistance + corner.Distance;
+    if (straight < best[v])
     {
-      best[seed.Vertex] = seed.Distance;
-      nearest[seed.Vertex] = seed.Source;
+      best[v] = straight;
+      nearest[v] = corner.Source;
     }
-    if (!isPushed[seed.Vertex])
+    if (!isPushed[v])
     {
-      isPushed[seed.Vertex] = 1;
-      heap.Push(distances[seed.Vertex], seed.Vertex);
+      isPushed[v] = 1;
+      heap.Push(distances[v], v);
     }
   }
   while (!heap.IsEmpty())
   {
-    const DistanceHeap::Key top = heap.Pop();
+    const DistanceHeap::Entry top = heap.Pop();
     const Id v = top.Index;
-    // A seed keeps its source unless the field passes below it.
+    // A corner keeps its source unless the field passes below it.
     double steepest = distances[v] < best[v] ? -Infinity : Infinity;
     ForEachNeighbour(mesh, v, [&](Id u, double length) {
       if (isDone[u] && (distances[v] - distances[u]) > steepest * length)
@@ -248,7 +243,7 @@ std::vector<Id> FindNearestByDescent(const SurfaceMesh& mesh, const std::vector<
       if (!isPushed[u] && distances[u] < Infinity)
       {
         isPushed[u] = 1;
-        heap.Push(std::max(top.Distance, distances[u]), u);
+        heap.Push(std::max(top.Key, distances[u]), u);
       }
     });
   }
@@ -319,21 +314,6 @@ std::vector<double> FindDirectionsOfDescent(
   return angles;
 }
 
-/// The source that is met on the way down the distances.
-std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
-  const std::vector<GeodesicSource>& sources, const std::vector<Corner>& corners,
-  const std::vector<double>& distances)
-{
-  std::vector<DescentSeed> seeds;
-  seeds.reserve(corners.size());
-  for (const Corner& corner : corners)
-  {
-    seeds.push_back(
-      { corner.Vertex, corner.Source, sources[corner.Source].InitialDistance + corner.Distance });
-  }
-  return FindNearestByDescent(mesh, distances, seeds);
-}
-
 /// The nearest source, seen against the gradient.
 VirtualSources FindVirtualSources(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, const HeatResult& result)
@@ -341,22 +321,19 @@ VirtualSources FindVirtualSources(
   const std::vector<double>& distances = result.Distances;
   VirtualSources found;
   found.Offsets.assign(distances.size(), Infinity);
+  found.Lengths.assign(distances.size(), Infinity);
   for (std::size_t v = 0; v < distances.size(); ++v)
   {
     if (result.NearestSource[v] != NoId)
     {
       found.Offsets[v] = std::min(sources[result.NearestSource[v]].InitialDistance, distances[v]);
     }
-  }
-  found.Angles = FindDirectionsOfDescent(mesh, distances, found.Offsets);
-  found.Lengths.assign(distances.size(), Infinity);
-  for (std::size_t v = 0; v < distances.size(); ++v)
-  {
     if (distances[v] < Infinity)
     {
       found.Lengths[v] = distances[v] - found.Offsets[v];
     }
   }
+  found.Angles = FindDirectionsOfDescent(mesh, distances, found.Offsets);
   return found;
 }
 
@@ -397,12 +374,11 @@ Status HeatMethod::Prepare(const HeatOptions& options, const ProgressCallback& p
   const std::function<Status(double bytes)>& checkMemory)
 {
   HeatSystem& system = *this->System;
-  Status status = system.Analyze(options, ProgressPart(progress, 0.0, AnalysisDone));
-  if (status.IsOk() && checkMemory && !system.HoldsFactors())
-  {
-    status = checkMemory(system.GetEstimatedMemory());
-  }
-  return status.IsOk() ? system.Factorize(ProgressPart(progress, AnalysisDone, 1.0)) : status;
+  DGG_RETURN_IF_ERROR(system.Analyze(options, ProgressPart(progress, 0.0, AnalysisDone)));
+  DGG_RETURN_IF_ERROR(checkMemory && !system.HoldsFactors()
+      ? checkMemory(system.GetEstimatedMemory())
+      : Status::Success());
+  return system.Factorize(ProgressPart(progress, AnalysisDone, 1.0));
 }
 
 double HeatMethod::GetEstimatedMemory() const
@@ -412,17 +388,13 @@ double HeatMethod::GetEstimatedMemory() const
 
 Status HeatMethod::Check(const std::vector<GeodesicSource>& sources, const HeatQuery& query) const
 {
-  Status status = CheckSources(this->Mesh, sources);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckSources(this->Mesh, sources));
   if (std::isnan(query.MaximumDistance))
   {
     return Status::Invalid("the maximum distance is not a number");
   }
   return this->System->IsReady()
-    ? status
+    ? Status::Success()
     : Status::Invalid("the systems have not been factorized: call Prepare() first");
 }
 

@@ -89,7 +89,7 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   this->TakeFrames();
   this->Triangulation = IntrinsicTriangulation();
   this->IsAnalyzed = true;
-  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+  return ReportTo(progress, 1.0);
 }
 
 void HeatSystem::MeasureEdges()
@@ -100,13 +100,8 @@ void HeatSystem::MeasureEdges()
   std::vector<Offset> edges(count, 0);
   for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
   {
-    bool isFirst = true;
-    for (Id g = triangulation.Twin(h); g != NoId && g != h; g = triangulation.Twin(g))
-    {
-      isFirst = isFirst && h < g;
-    }
     const Id component = this->Components[triangulation.Origin(h)];
-    if (isFirst)
+    if (triangulation.FirstOfEdge(h) == h)
     {
       this->MeanEdges[component] += triangulation.Length(h);
       ++edges[component];
@@ -127,8 +122,7 @@ void HeatSystem::TakeFrames()
   for (Id f = 0; f < triangulation.GetNumberOfFaces(); ++f)
   {
     const Id h = 3 * f;
-    const Point2 apex =
-      LayOut(triangulation.Length(h), triangulation.Length(h + 2), triangulation.Length(h + 1));
+    const Point2 apex = triangulation.Apex(f);
     this->Frames.push_back(
       { { { triangulation.Origin(h), triangulation.Origin(h + 1), triangulation.Origin(h + 2) } },
         triangulation.Length(h), apex.X, apex.Y });
@@ -157,8 +151,6 @@ HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
 Status HeatSystem::Factorize(const ProgressCallback& progress)
 {
   DGG_RETURN_IF_ERROR(this->Order.Check());
-  Status failure = Status::Invalid(
-    "a linear system could not be factorized: remove triangles that have next to no area");
   const double factor = this->Options.TimeStepFactor;
   struct Part
   {
@@ -179,10 +171,7 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   double done = 0.0;
   for (const Part& part : parts)
   {
-    if (!Goes(progress, done))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(progress, done));
     done += 1.0 / 3.0;
     if (!part.IsWanted)
     {
@@ -200,14 +189,15 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
       : part.Factor->Compute(this->Order, this->Stiffness, isPinned);
     if (!isFactored)
     {
-      return failure;
+      return Status::Invalid(
+        "a linear system could not be factorized: remove triangles that have next to no area");
     }
     if (part.Key)
     {
       *part.Key = factor;
     }
   }
-  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+  return ReportTo(progress, 1.0);
 }
 
 bool HeatSystem::IsReady() const

@@ -4,7 +4,7 @@
 
 #include "dggDisjointSets.h"
 #include "dggEdges.h"
-#include "dggMinimumHeap.h"
+#include "dggHeap.h"
 
 #include <algorithm>
 #include <string>
@@ -37,24 +37,24 @@ struct EdgeTree
     while (!heap.IsEmpty())
     {
       const MinimumHeap::Entry top = heap.Pop();
-      if (top.Key > this->DistanceOf(top.Vertex))
+      if (top.Key > this->DistanceOf(top.Index))
       {
         continue;
       }
-      steps += mesh.FanEnd(top.Vertex) - mesh.FanBegin(top.Vertex);
-      for (const Id* g = mesh.FanBegin(top.Vertex); g != mesh.FanEnd(top.Vertex); ++g)
+      steps += mesh.FanEnd(top.Index) - mesh.FanBegin(top.Index);
+      for (const Id* g = mesh.FanBegin(top.Index); g != mesh.FanEnd(top.Index); ++g)
       {
         // Both edges of the face: on a boundary one of them is in no other face of the vertex.
         for (const Id h : { *g, SurfaceMesh::Previous(*g) })
         {
-          const Id v = mesh.Origin(h) == top.Vertex ? mesh.Destination(h) : mesh.Origin(h);
+          const Id v = mesh.Origin(h) == top.Index ? mesh.Destination(h) : mesh.Origin(h);
           const double distance = top.Key + mesh.Length(h);
           const Id number = this->Number(v);
           if (distance < this->Distances[number])
           {
             this->Distances[number] = distance;
             this->HalfEdges[number] = h;
-            this->Parents[number] = top.Vertex;
+            this->Parents[number] = top.Index;
             heap.Push(distance, v);
           }
         }

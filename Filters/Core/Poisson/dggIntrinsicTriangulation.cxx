@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggIntrinsicTriangulation.h"
 
-#include "dggUnfolding.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -64,6 +62,22 @@ IntrinsicTriangulation::IntrinsicTriangulation(const SurfaceMesh& mesh)
     this->Lengths.push_back(mesh.Length(h));
     this->RunsAlong.push_back(t != NoId && !isLoop && mesh.Origin(t) == mesh.Origin(h) ? 1 : 0);
   }
+}
+
+Id IntrinsicTriangulation::FirstOfEdge(Id h) const
+{
+  Id first = h;
+  for (Id g = this->Twins[h]; g != NoId && g != h; g = this->Twins[g])
+  {
+    first = std::min(first, g);
+  }
+  return first;
+}
+
+Point2 IntrinsicTriangulation::Apex(Id face) const
+{
+  const Id h = 3 * face;
+  return LayOut(this->Lengths[h], this->Lengths[h + 2], this->Lengths[h + 1]);
 }
 
 double IntrinsicTriangulation::Cotangent(Id h) const

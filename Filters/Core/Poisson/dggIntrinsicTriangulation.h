@@ -6,6 +6,7 @@
 #define dggIntrinsicTriangulation_h
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
+#include "dggUnfolding.h"   // for Point2
 
 #include <cstdint> // for flags
 #include <vector>  // for the arrays
@@ -30,6 +31,11 @@ public:
   /// Next half-edge in the circular list of the edge; NoId on the boundary.
   Id Twin(Id h) const { return this->Twins[h]; }
   double Length(Id h) const { return this->Lengths[h]; }
+
+  /// The smallest of the half-edges of the edge.
+  Id FirstOfEdge(Id h) const;
+  /// The corner of a face across from its first side, in the plane with that on the x axis.
+  Point2 Apex(Id face) const;
 
   /// Cotangent of the corner at the origin of the half-edge, inside its face. Accurate for slivers.
   double Cotangent(Id h) const;

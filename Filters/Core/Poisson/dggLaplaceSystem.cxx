@@ -79,19 +79,13 @@ CotanLaplacian MakeCotanLaplacian(
 Status LaplaceSystem::Build(
   bool isDelaunay, double largestCotangent, const ProgressCallback& progress)
 {
-  if (!Goes(progress, 0.0))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
   this->Triangulation = IntrinsicTriangulation(this->Mesh);
   Offset flips = 0;
-  const Status status = isDelaunay
-    ? MakeDelaunay(this->Triangulation, ProgressPart(progress, 0.0, FlipsDone), flips)
-    : Status::Success();
-  if (!status.IsOk() || !Goes(progress, FlipsDone))
-  {
-    return status.IsOk() ? Status::Abort() : status;
-  }
+  DGG_RETURN_IF_ERROR(isDelaunay
+      ? MakeDelaunay(this->Triangulation, ProgressPart(progress, 0.0, FlipsDone), flips)
+      : Status::Success());
+  DGG_RETURN_IF_ERROR(ReportTo(progress, FlipsDone));
   CotanLaplacian laplacian = MakeCotanLaplacian(this->Triangulation, largestCotangent);
   this->Stiffness.swap(laplacian.Stiffness);
   this->Areas.assign(laplacian.Mass.data(), laplacian.Mass.data() + laplacian.Mass.size());
@@ -105,12 +99,9 @@ Status LaplaceSystem::Build(
       this->OnBoundary[this->Triangulation.Destination(h)] = 1;
     }
   }
-  if (!Goes(progress, MatrixDone))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(ReportTo(progress, MatrixDone));
   this->Order = EliminationOrder(this->Stiffness);
   this->Pinned = this->Order.FindLast(this->Components, this->NumberOfComponents);
-  return Goes(progress, OrderDone) ? Status::Success() : Status::Abort();
+  return ReportTo(progress, OrderDone);
 }
 }

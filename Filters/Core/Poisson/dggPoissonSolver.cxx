@@ -18,6 +18,12 @@ namespace
 constexpr double AnalysisDone = 0.4;
 }
 
+std::string NameOf(const SurfacePoint& point)
+{
+  return IsVertex(point) ? "vertex " + std::to_string(point.Vertex)
+                         : "a point of face " + std::to_string(point.Face);
+}
+
 PoissonSolver::PoissonSolver(const SurfaceMesh& mesh)
   : System(std::make_unique<PoissonSystem>(mesh))
 {
@@ -29,18 +35,15 @@ Status PoissonSolver::Prepare(
   const PoissonOptions& options, const ProgressCallback& progress, const MemoryCheck& checkMemory)
 {
   PoissonSystem& system = *this->System;
-  Status status = system.Analyze(options, ProgressPart(progress, 0.0, AnalysisDone));
-  if (status.IsOk() && checkMemory)
+  DGG_RETURN_IF_ERROR(system.Analyze(options, ProgressPart(progress, 0.0, AnalysisDone)));
+  if (checkMemory)
   {
     const double bytes = system.GetEstimatedMemory();
-    status = checkMemory(bytes, system.IsReady() ? 0.0 : bytes);
+    DGG_RETURN_IF_ERROR(checkMemory(bytes, system.IsReady() ? 0.0 : bytes));
   }
-  if (status.IsOk() && !Goes(progress, AnalysisDone))
-  {
-    return Status::Abort();
-  }
-  status = status.IsOk() ? system.Factorize() : status;
-  return status.IsOk() && !Goes(progress, 1.0) ? Status::Abort() : status;
+  DGG_RETURN_IF_ERROR(ReportTo(progress, AnalysisDone));
+  DGG_RETURN_IF_ERROR(system.Factorize());
+  return ReportTo(progress, 1.0);
 }
 
 double PoissonSolver::GetEstimatedMemory() const
@@ -77,18 +80,15 @@ Status PoissonSolver::CheckNumbers(const std::vector<double>& values) const
 
 Status PoissonSolver::CheckValues(const std::vector<double>& values) const
 {
-  Status status = this->CheckNumbers(values);
-  return status.IsOk() ? CheckThinSources(*this->System, values, "source") : status;
+  DGG_RETURN_IF_ERROR(this->CheckNumbers(values));
+  return CheckThinSources(*this->System, values, "source");
 }
 
 Status PoissonSolver::Solve(std::vector<double>& values) const
 {
-  Status status = this->CheckValues(values);
-  if (status.IsOk())
-  {
-    this->System->Solve(values);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(this->CheckValues(values));
+  this->System->Solve(values);
+  return Status::Success();
 }
 
 Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
@@ -126,18 +126,22 @@ bool PoissonSolver::IsFixed(Id v) const
   return this->System->IsFixed(v);
 }
 
-Status PoissonSolver::CheckPole(const SurfacePoint& point) const
+Status PoissonSolver::CheckPlace(const SurfacePoint& point) const
 {
   const SurfaceMesh& mesh = this->GetMesh();
   DGG_RETURN_IF_ERROR(point.Check(mesh));
+  return IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex)
+    ? Status::Invalid(NameOf(point) + " has no face: nothing is defined there")
+    : Status::Success();
+}
+
+Status PoissonSolver::CheckPole(const SurfacePoint& point) const
+{
+  DGG_RETURN_IF_ERROR(this->CheckPlace(point));
+  const SurfaceMesh& mesh = this->GetMesh();
   const bool isVertex = IsVertex(point);
   const Id v = isVertex ? point.Vertex : mesh.Origin(3 * point.Face);
-  const std::string where = isVertex ? "vertex " + std::to_string(point.Vertex)
-                                     : "a point of face " + std::to_string(point.Face);
-  if (isVertex && mesh.FanBegin(v) == mesh.FanEnd(v))
-  {
-    return Status::Invalid(where + " has no face: nothing is defined there");
-  }
+  const std::string where = NameOf(point);
   DGG_RETURN_IF_ERROR(CheckThinPlace(*this->System, this->System->GetComponent(v), where));
   if (isVertex && this->GetOptions().Boundary == PoissonBoundary::Neumann &&
     this->System->IsFixed(v))
@@ -160,11 +164,6 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
       " lies on the boundary, where values are given: move it inside, or use Neumann conditions");
   }
   return Status::Success();
-}
-
-std::uint64_t PoissonSolver::GetRevision() const
-{
-  return this->System->GetRevision();
 }
 
 int PoissonSolver::GetNumberOfFactorizations() const

@@ -9,14 +9,17 @@
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 #include "dggSurfacePoint.h" // for SurfacePoint
 
-#include <cstdint>    // for the revision
 #include <functional> // for the check of memory
 #include <memory>     // for the system
+#include <string>     // for names
 #include <vector>     // for sources and solutions
 
 namespace dgg
 {
 class PoissonSystem;
+
+/// How messages name a point of a surface.
+std::string NameOf(const SurfacePoint& point);
 
 /// What happens at the boundary of the surface.
 enum class PoissonBoundary
@@ -97,13 +100,13 @@ public:
   /// Whether the value of a vertex is given.
   bool IsFixed(Id v) const;
 
+  /// Fails when a point is not on the mesh, or a vertex without a face.
+  Status CheckPlace(const SurfacePoint& point) const;
   /// Fails when a point is no place for a pole: not on the mesh, without a face, or on a boundary
   /// where values are given, or in a closed component although Dirichlet conditions are asked for,
   /// or in a component whose triangles are too thin.
   Status CheckPole(const SurfacePoint& point) const;
 
-  /// Another number when Prepare() has made other solutions of the same sources.
-  std::uint64_t GetRevision() const;
   /// Factorizations done so far, for tests.
   int GetNumberOfFactorizations() const;
   Offset GetNumberOfFactorEntries() const;

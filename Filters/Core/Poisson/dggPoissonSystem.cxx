@@ -95,7 +95,7 @@ Status PoissonSystem::Analyze(const PoissonOptions& options, const ProgressCallb
     this->Pinned[c] = this->IsFree(c) ? this->Pinned[c] : NoId;
   }
   this->IsAnalyzed = true;
-  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+  return ReportTo(progress, 1.0);
 }
 
 void PoissonSystem::MeasureComponents()
@@ -203,11 +203,7 @@ Status PoissonSystem::Factorize()
   {
     return Status::Success();
   }
-  Status status = this->Order.Check();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Order.Check());
   std::vector<std::uint8_t> isKnown(this->Components.size(), 0);
   for (Id v = 0; v < this->GetNumberOfVertices(); ++v)
   {
@@ -219,7 +215,7 @@ Status PoissonSystem::Factorize()
     return Status::Invalid(
       "the linear system could not be factorized: remove triangles that have next to no area");
   }
-  status =
+  Status status =
     this->NeedsRefinement() ? CheckThinTriangles(*this, this->ComponentIsThin) : Status::Success();
   if (!status.IsOk())
   {

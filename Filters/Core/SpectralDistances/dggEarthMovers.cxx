@@ -4,6 +4,7 @@
 
 #include "dggGeodesicSource.h"
 #include "dggPoissonSystem.h"
+#include "dggProgressPart.h"
 #include "dggSparseFactor.h"
 #include "dggThinTriangles.h"
 #include "dggUnfolding.h"
@@ -82,7 +83,7 @@ public:
         face.Corners[k] = triangulation.Origin(h + k);
       }
       face.Length = triangulation.Length(h);
-      face.Apex = LayOut(face.Length, triangulation.Length(h + 2), triangulation.Length(h + 1));
+      face.Apex = triangulation.Apex(f);
       // Where the element was made softer, so is the flow, for both to fit together. A triangle
       // of near-zero area is made larger, which conducts the same: slopes across it would be
       // noise.
@@ -358,11 +359,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   {
     sources[v] = to[v] - from[v];
   }
-  Status status = CheckThinSources(system, sources, "mass");
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(CheckThinSources(system, sources, "mass"));
   const Flows flows(system);
   const std::size_t m = flows.GetSize();
   const auto earned = [&](const std::vector<double>& potential) {
@@ -418,7 +415,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   }
   if (!(result.Distance > 0.0))
   {
-    return status;
+    return Status::Success();
   }
   // An interior point method: slopes stay below 1, flows keep their divergence, and e goes to 0.
   const double firstGap = result.Distance - result.LowerBound;
@@ -438,12 +435,8 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     const double gap = result.Distance - result.LowerBound;
     const double done =
       std::log(firstGap / gap) / std::log(firstGap / (tolerance * result.Distance));
-    if (options.Progress &&
-      !options.Progress(
-        std::max(done, static_cast<double>(result.Iterations) / options.MostIterations)))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(options.Progress,
+      std::max(done, static_cast<double>(result.Iterations) / options.MostIterations)));
     const double e = aim * gap / area;
     const auto linearFlow = [&](std::size_t f) {
       return Linearize(exact[f], flows.GradientOf(f, potential), e);
@@ -497,7 +490,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     keepFlow();
     keepPotential(potential);
   }
-  return options.Progress && !options.Progress(1.0) ? Status::Abort() : status;
+  return ReportTo(options.Progress, 1.0);
 }
 
 Status BalanceMasses(const SurfaceMesh& mesh, bool normalize, std::vector<double>& from,
@@ -509,15 +502,8 @@ Status BalanceMasses(const SurfaceMesh& mesh, bool normalize, std::vector<double
     return Status::Invalid("both distributions need one mass for each vertex");
   }
   double totals[2] = { 0.0, 0.0 };
-  Status status = ScaleToOne(from, totals[0]);
-  if (status.IsOk())
-  {
-    status = ScaleToOne(to, totals[1]);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(ScaleToOne(from, totals[0]));
+  DGG_RETURN_IF_ERROR(ScaleToOne(to, totals[1]));
   std::ostringstream message;
   if (normalize && !(std::min(totals[0], totals[1]) > 0.0))
   {

@@ -290,10 +290,7 @@ Status FindAllAtOnce(
 {
   Operator op(system);
   count = std::min(count, op.GetRank());
-  if (!Goes(progress, 0.0))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
   if (count == 0)
   {
     pairs.IsComplete = true;
@@ -427,12 +424,11 @@ Status FindEigenpairs(
   }
   std::vector<Eigenpairs> found(parts.size());
   const auto findOf = [&](std::size_t p, Id wanted, const ProgressCallback& reported) {
-    Status status = parts[p].Build(mesh);
+    DGG_RETURN_IF_ERROR(parts[p].Build(mesh));
     PoissonSystem own(parts[p].Mesh);
-    status = status.IsOk() ? own.Analyze(OptionsOf(system, parts[p]), nullptr) : status;
-    status = status.IsOk() ? own.Factorize() : status;
-    status = status.IsOk() ? FindAllAtOnce(own, wanted, reported, found[p]) : status;
-    return status;
+    DGG_RETURN_IF_ERROR(own.Analyze(OptionsOf(system, parts[p]), nullptr));
+    DGG_RETURN_IF_ERROR(own.Factorize());
+    return FindAllAtOnce(own, wanted, reported, found[p]);
   };
   // As many as the part should have by its area (Weyl's law), then more where the last one is not
   // too large. Nothing is asked for where triangles are too thin.
@@ -465,6 +461,6 @@ Status FindEigenpairs(
     limit = FindLimit(found, count);
   }
   Merge(parts, found, count, static_cast<std::size_t>(mesh.GetNumberOfVertices()), pairs);
-  return Goes(progress, 1.0) ? Status::Success() : Status::Abort();
+  return ReportTo(progress, 1.0);
 }
 }

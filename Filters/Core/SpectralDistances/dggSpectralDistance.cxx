@@ -60,7 +60,7 @@ Status SpectralDistance::Prepare(
   {
     return Status::Invalid("diffusion distances need eigenvalues: use the method Spectrum");
   }
-  const std::uint64_t revision = this->Solver.GetRevision();
+  const std::uint64_t revision = this->Solver.GetSystem().GetRevision();
   const bool isSameSystem = this->IsPrepared && this->Revision == revision;
   const bool hasSpectrum = isSameSystem && !isExact &&
     this->Options.Method == SpectralMethod::Spectrum &&
@@ -122,35 +122,20 @@ Status SpectralDistance::CheckPrepared() const
   return Status::Success();
 }
 
-namespace
-{
-std::string NameOf(const SurfacePoint& point)
-{
-  return IsVertex(point) ? "vertex " + std::to_string(point.Vertex)
-                         : "a point of face " + std::to_string(point.Face);
-}
-}
-
 Status SpectralDistance::CheckPlace(const SurfacePoint& point) const
 {
   if (!this->Solver.IsReady())
   {
     return Status::Invalid("the solver has not been prepared: call Prepare() first");
   }
-  const SurfaceMesh& mesh = this->Solver.GetMesh();
-  Status status = point.Check(mesh);
-  if (status.IsOk() && IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex))
-  {
-    return Status::Invalid(NameOf(point) + " has no face: nothing is defined there");
-  }
-  return status;
+  return this->Solver.CheckPlace(point);
 }
 
 Status SpectralDistance::CheckSource(const SurfacePoint& point) const
 {
+  DGG_RETURN_IF_ERROR(this->CheckPlace(point));
   const PoissonSystem& system = this->Solver.GetSystem();
-  Status status = this->CheckPlace(point);
-  return status.IsOk() ? CheckThinPlace(system, system.GetComponent(point), NameOf(point)) : status;
+  return CheckThinPlace(system, system.GetComponent(point), NameOf(point));
 }
 
 /// Unit load, 0 where values are given.
@@ -245,14 +230,11 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
     }
     return Status::Success();
   };
-  Status status = ForBlocks(
+  DGG_RETURN_IF_ERROR(ForBlocks(
     static_cast<Offset>(rounds.size()), BlockSize, parallel, progress, [] { return Block(); },
-    solveBlock);
-  if (status.IsOk())
-  {
-    this->Diagonal.swap(diagonal);
-  }
-  return status;
+    solveBlock));
+  this->Diagonal.swap(diagonal);
+  return Status::Success();
 }
 
 /// The Green's function of a point from its potential.
@@ -273,8 +255,8 @@ std::vector<double> SpectralDistance::ColumnOf(std::vector<double> potential) co
 Status SpectralDistance::FromPoint(const SurfacePoint& source, std::vector<double>& distances) const
 {
   distances.clear();
-  Status status = this->CheckPrepared();
-  DGG_RETURN_IF_ERROR(status.IsOk() ? this->CheckSource(source) : status);
+  DGG_RETURN_IF_ERROR(this->CheckPrepared());
+  DGG_RETURN_IF_ERROR(this->CheckSource(source));
   const PoissonSystem& system = this->Solver.GetSystem();
   const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
   std::vector<double> squares(n, 0.0);
@@ -313,7 +295,7 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, std::vector<doubl
     distances[v] =
       system.GetComponent(static_cast<Id>(v)) == component ? Root(squares[v]) : Infinity;
   }
-  return status;
+  return Status::Success();
 }
 
 Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
@@ -321,22 +303,15 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   const ProgressCallback& progress, std::vector<double>& distances) const
 {
   distances.clear();
-  Status status = this->CheckPrepared();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->CheckPrepared());
   for (const std::vector<SurfacePoint>* points : { &first, &second })
   {
     for (std::size_t k = 0; k < points->size(); ++k)
     {
       const SurfacePoint& point = (*points)[k];
       // In a thin component the distance is not known, but to those in others it is Infinity.
-      status = points == &first ? this->CheckSource(point) : this->CheckPlace(point);
-      if (!status.IsOk())
-      {
-        return Status::Invalid("point " + std::to_string(k) + ": " + status.GetMessage());
-      }
+      DGG_RETURN_IF_ERROR((points == &first ? this->CheckSource(point) : this->CheckPlace(point))
+                            .Of("point " + std::to_string(k)));
     }
   }
   // Vectors whose distances are the distances: potentials, with areas as weights, or embeddings.
@@ -358,15 +333,9 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   };
   const bool isSame = &first == &second;
   std::vector<std::vector<double>> found[2];
-  status = findVectors(first, 0.0, isSame ? SolvesDone : 0.5 * SolvesDone, found[0]);
-  if (status.IsOk() && !isSame)
-  {
-    status = findVectors(second, 0.5 * SolvesDone, SolvesDone, found[1]);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(findVectors(first, 0.0, isSame ? SolvesDone : 0.5 * SolvesDone, found[0]));
+  DGG_RETURN_IF_ERROR(
+    isSame ? Status::Success() : findVectors(second, 0.5 * SolvesDone, SolvesDone, found[1]));
   const std::vector<std::vector<double>>& rows = found[0];
   const std::vector<std::vector<double>>& columns = found[isSame ? 0 : 1];
   distances.assign(first.size() * second.size(), Infinity);
@@ -399,15 +368,16 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   };
   const auto pairs = static_cast<Offset>(distances.size());
   const double numbers = rows.empty() ? 1.0 : static_cast<double>(rows[0].size());
-  status = ForBlocks(pairs, BlockOf(numbers), parallel, ProgressPart(progress, SolvesDone, 1.0),
-    [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
-      for (Offset k = begin; k < end; ++k)
-      {
-        const auto pair = static_cast<std::size_t>(k);
-        distances[pair] = distanceOf(pair / second.size(), pair % second.size());
-      }
-      return Status::Success();
-    });
+  Status status =
+    ForBlocks(pairs, BlockOf(numbers), parallel, ProgressPart(progress, SolvesDone, 1.0),
+      [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
+        for (Offset k = begin; k < end; ++k)
+        {
+          const auto pair = static_cast<std::size_t>(k);
+          distances[pair] = distanceOf(pair / second.size(), pair % second.size());
+        }
+        return Status::Success();
+      });
   if (!status.IsOk())
   {
     distances.clear();

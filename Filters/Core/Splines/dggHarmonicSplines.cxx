@@ -58,16 +58,13 @@ Status FindGreensFunctions(const PoissonSolver& solver, const GreensFunction& fu
   std::vector<std::size_t> free; // of the points, those with a Green's function
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    Status status = points[k].Check(system.GetMesh());
-    if (status.IsOk() && (IsGiven(system, points[k]) || IsInThinPart(system, points[k])))
+    const std::string name = "point " + std::to_string(k);
+    DGG_RETURN_IF_ERROR(points[k].Check(system.GetMesh()).Of(name));
+    if (IsGiven(system, points[k]) || IsInThinPart(system, points[k]))
     {
       continue;
     }
-    status = status.IsOk() ? solver.CheckPole(points[k]) : status;
-    if (!status.IsOk())
-    {
-      return Status::Invalid("point " + std::to_string(k) + ": " + status.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR(solver.CheckPole(points[k]).Of(name));
     free.push_back(k);
   }
   const auto runBlock = [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
@@ -178,17 +175,12 @@ Status HarmonicSplines::Prepare(
   {
     return Status::Invalid("there is no site: give one at least");
   }
-  Status status = CheckSplineSites(internals.Solver, sites);
-  if (status.IsOk())
-  {
-    status = FindSplineCells(internals.System, sites, parallel, progress, internals.Cells);
-  }
-  if (status.IsOk())
-  {
-    internals.Sites = sites;
-    internals.Revision = internals.System.GetRevision();
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(CheckSplineSites(internals.Solver, sites));
+  DGG_RETURN_IF_ERROR(
+    FindSplineCells(internals.System, sites, parallel, progress, internals.Cells));
+  internals.Sites = sites;
+  internals.Revision = internals.System.GetRevision();
+  return Status::Success();
 }
 
 const std::vector<Id>& HarmonicSplines::GetCells() const
@@ -242,16 +234,12 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
 {
   values.clear();
   const Implementation& internals = *this->Internals;
-  Status status = internals.Check();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(internals.Check());
   const std::size_t count = internals.Sites.size();
   const PoissonSystem& system = internals.System;
   std::vector<double> found(points.size() * count, 0.0);
-  status = FindGreensFunctions(internals.Solver, internals.Function, points, method, parallel,
-    progress, [&](std::size_t k, const std::vector<double>& greens) {
+  DGG_RETURN_IF_ERROR(FindGreensFunctions(internals.Solver, internals.Function, points, method,
+    parallel, progress, [&](std::size_t k, const std::vector<double>& greens) {
       const Id component = system.GetComponent(points[k]);
       std::vector<double> means(count, 0.0); // of the Green's function, over the cells
       for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
@@ -271,8 +259,8 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
         const bool isHere = internals.Cells.Components[j] == component;
         found[k * count + j] = isHere ? internals.MeanOf(j) + sum : 0.0;
       }
-    });
-  for (std::size_t k = 0; k < points.size() && status.IsOk(); ++k)
+    }));
+  for (std::size_t k = 0; k < points.size(); ++k)
   {
     const Id component = system.GetComponent(points[k]);
     for (std::size_t j = 0; j < count && IsInThinPart(system, points[k]); ++j)
@@ -281,19 +269,16 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
       found[k * count + j] = internals.Cells.Components[j] == component ? 1.0 : 0.0;
     }
   }
-  if (status.IsOk())
-  {
-    values.swap(found);
-  }
-  return status;
+  values.swap(found);
+  return Status::Success();
 }
 
 Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
   const std::vector<Id>& given, std::vector<double>& coefficients) const
 {
   const Implementation& internals = *this->Internals;
-  Status status = internals.Check();
-  DGG_RETURN_IF_ERROR(status.IsOk() ? internals.Solver.CheckValues(rightHandSide) : status);
+  DGG_RETURN_IF_ERROR(internals.Check());
+  DGG_RETURN_IF_ERROR(internals.Solver.CheckValues(rightHandSide));
   const Id count = internals.GetNumberOfSites();
   for (const Id site : given)
   {
@@ -314,7 +299,7 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
               : "some cells do not conduct, choose other sites or flip edges (IntrinsicDelaunay)"));
   }
   coefficients.swap(solution);
-  return status;
+  return Status::Success();
 }
 
 Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
@@ -324,17 +309,13 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
   const Implementation& internals = *this->Internals;
   const PoissonSystem& system = internals.System;
   const SplineCells& cells = internals.Cells;
-  Status status = internals.Check();
-  status =
-    status.IsOk() && !givenValues.empty() ? internals.Solver.CheckNumbers(givenValues) : status;
-  if (status.IsOk() && coefficients.size() != internals.Sites.size())
+  DGG_RETURN_IF_ERROR(internals.Check());
+  DGG_RETURN_IF_ERROR(
+    givenValues.empty() ? Status::Success() : internals.Solver.CheckNumbers(givenValues));
+  if (coefficients.size() != internals.Sites.size())
   {
-    status = Status::Invalid("there are " + std::to_string(coefficients.size()) +
+    return Status::Invalid("there are " + std::to_string(coefficients.size()) +
       " coefficients for " + std::to_string(internals.Sites.size()) + " sites: give one for each");
-  }
-  if (!status.IsOk())
-  {
-    return status;
   }
   std::vector<double> means(system.GetNumberOfComponents(), 0.0);
   std::vector<double> charges(coefficients.size(), 0.0);
@@ -363,6 +344,6 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
   {
     values[v] += cells.Cells[v] == NoId ? 0.0 : means[system.GetComponent(v)];
   }
-  return status;
+  return Status::Success();
 }
 }

@@ -4,6 +4,7 @@
 
 #include "dggBlockLoop.h"
 #include "dggExactGeodesics.h"
+#include "dggGroups.h"
 #include "dggProgressPart.h"
 
 #include <Eigen/SparseCholesky> // for the factorization
@@ -47,26 +48,9 @@ public:
     : System(system)
     , Sites(sites)
     , Cells(cells)
-    , Offsets(sites.size() + 1, 0)
+    , Vertices(MakeGroups(cells, sites.size()))
     , Radii(sites.size(), 0.0)
   {
-    for (const Id cell : cells)
-    {
-      this->Offsets[cell == NoId ? 0 : cell + 1] += cell == NoId ? 0 : 1;
-    }
-    for (std::size_t i = 0; i < sites.size(); ++i)
-    {
-      this->Offsets[i + 1] += this->Offsets[i];
-    }
-    this->Vertices.resize(static_cast<std::size_t>(this->Offsets.back()));
-    std::vector<Offset> next(this->Offsets.begin(), this->Offsets.end() - 1);
-    for (std::size_t v = 0; v < cells.size(); ++v)
-    {
-      if (cells[v] != NoId)
-      {
-        this->Vertices[next[cells[v]]++] = static_cast<Id>(v);
-      }
-    }
   }
 
   /// How far distances are needed from each site: to the vertices next to its cell and the sites
@@ -100,16 +84,12 @@ public:
     options.MaximumDistance = radius;
     options.Progress = progress;
     ExactResult result;
-    const Status status =
-      exact.Run({ { SurfacePoint::AtVertex(this->Sites[site]), 0.0 } }, options, result);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(
+      exact.Run({ { SurfacePoint::AtVertex(this->Sites[site]), 0.0 } }, options, result));
     const auto distance = [&](Id v) { return std::min(result.Distances[v], radius); };
-    for (Offset k = this->Offsets[site]; k < this->Offsets[site + 1]; ++k)
+    for (Offset k = this->Vertices.Begins[site]; k < this->Vertices.Begins[site + 1]; ++k)
     {
-      const Id u = this->Vertices[k];
+      const Id u = this->Vertices.Members[k];
       const double near = distance(u);
       for (Entries entry(this->System.GetStiffness(), u); entry; ++entry)
       {
@@ -124,16 +104,15 @@ public:
         }
       }
     }
-    return status;
+    return Status::Success();
   }
 
 private:
   const PoissonSystem& System;
   const std::vector<Id>& Sites;
   const std::vector<Id>& Cells;
-  std::vector<Offset> Offsets; // per site, where its vertices start
-  std::vector<Id> Vertices;    // cell by cell
-  std::vector<double> Radii;   // per site
+  Groups Vertices;           // by cell
+  std::vector<double> Radii; // per site
 };
 
 Status FindDistances(const PoissonSystem& system, const std::vector<Id>& vertices,
@@ -184,13 +163,12 @@ Status FindRims(const PoissonSystem& system, const ProgressCallback& progress, S
       given.push_back(v);
     }
   }
-  ExactResult result;
-  const Status status =
-    given.empty() ? Status::Success() : FindDistances(system, given, progress, result);
-  if (!status.IsOk() || given.empty())
+  if (given.empty())
   {
-    return status;
+    return Status::Success();
   }
+  ExactResult result;
+  DGG_RETURN_IF_ERROR(FindDistances(system, given, progress, result));
   std::vector<double> means(cells.Weights.size(), 0.0);
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
   {
@@ -212,7 +190,7 @@ Status FindRims(const PoissonSystem& system, const ProgressCallback& progress, S
       }
     }
   }
-  return status;
+  return Status::Success();
 }
 
 /// The matrix of coefficients, with the sums of rows on the diagonal.
@@ -283,16 +261,12 @@ Status FindCoefficients(const PoissonSystem& system, const std::vector<Id>& site
   CellFluxes fluxes(system, sites, cells);
   fluxes.FindRadii(distances);
   std::vector<SiteRow> rows(sites.size());
-  const Status status = ForBlocks(
+  DGG_RETURN_IF_ERROR(ForBlocks(
     static_cast<Offset>(sites.size()), 1, parallel, progress,
     [&] { return ExactGeodesics(system.GetMesh()); },
     [&](ExactGeodesics& exact, Offset site, Offset, Offset, const ProgressCallback& within) {
       return fluxes.Run(static_cast<std::size_t>(site), within, exact, rows[site]);
-    });
-  if (!status.IsOk())
-  {
-    return status;
-  }
+    }));
   std::size_t count = 0;
   for (const SiteRow& row : rows)
   {
@@ -307,7 +281,7 @@ Status FindCoefficients(const PoissonSystem& system, const std::vector<Id>& site
       conductances.emplace_back(j, static_cast<int>(i), -value);
     }
   }
-  return status;
+  return Status::Success();
 }
 }
 
@@ -320,44 +294,37 @@ Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites
   {
     inCells += IsInACell(system, v) ? 1 : 0;
   }
+  SplineCells found;
   Triplets conductances;
   std::vector<double> distances;
   const bool isWhole = sites.size() == inCells; // every vertex is a site
-  Status status;
   if (isWhole)
   {
-    cells.Cells.assign(system.GetNumberOfVertices(), NoId);
+    found.Cells.assign(system.GetNumberOfVertices(), NoId);
     for (std::size_t i = 0; i < sites.size(); ++i)
     {
-      cells.Cells[sites[i]] = static_cast<Id>(i);
+      found.Cells[sites[i]] = static_cast<Id>(i);
     }
   }
   else
   {
-    status = FindPartition(
-      system, sites, ProgressPart(progress, 0.0, PartitionDone), cells.Cells, distances);
+    DGG_RETURN_IF_ERROR(FindPartition(
+      system, sites, ProgressPart(progress, 0.0, PartitionDone), found.Cells, distances));
   }
-  if (status.IsOk())
+  Measure(system, sites, found);
+  DGG_RETURN_IF_ERROR(FindRims(system, ProgressPart(progress, PartitionDone, RimsDone), found));
+  if (isWhole)
   {
-    Measure(system, sites, cells);
-    status = FindRims(system, ProgressPart(progress, PartitionDone, RimsDone), cells);
+    TakeWeights(system, found, conductances);
   }
-  if (status.IsOk() && isWhole)
+  else
   {
-    TakeWeights(system, cells, conductances);
+    DGG_RETURN_IF_ERROR(FindCoefficients(system, sites, found.Cells, distances, parallel,
+      ProgressPart(progress, RimsDone, 1.0), conductances));
   }
-  else if (status.IsOk())
-  {
-    status = FindCoefficients(system, sites, cells.Cells, distances, parallel,
-      ProgressPart(progress, RimsDone, 1.0), conductances);
-  }
-  if (!status.IsOk())
-  {
-    cells = SplineCells();
-    return status;
-  }
-  Assemble(sites.size(), conductances, cells);
-  return progress && !progress(1.0) ? Status::Abort() : status;
+  Assemble(sites.size(), conductances, found);
+  cells = std::move(found);
+  return ReportTo(progress, 1.0);
 }
 
 bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,

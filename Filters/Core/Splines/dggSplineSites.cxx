@@ -147,36 +147,27 @@ Status ChooseSplineSites(
     }
   }
   const auto part = [&](double begin, double end) { return ProgressPart(progress, begin, end); };
-  Status status = given.empty() ? Status::Success() : points.Add(given, part(0.0, GivenDone));
+  DGG_RETURN_IF_ERROR(given.empty() ? Status::Success() : points.Add(given, part(0.0, GivenDone)));
   // One in each component first: farther ones in others may be there before.
   std::vector<Id> found = FindFarthest(system, points.GetDistances());
   const Id wanted = std::max(count, static_cast<Id>(found.size()));
-  while (status.IsOk() && static_cast<Id>(sites.size()) < wanted)
+  const std::size_t first = found.size();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(wanted); ++k)
   {
-    const bool isFirst = sites.size() < found.size();
-    const Id farthest = isFirst ? found[sites.size()] : points.Find().Vertex;
+    const Id farthest = k < first ? found[k] : points.Find().Vertex;
     if (farthest == NoId)
     {
       break;
     }
-    sites.push_back(farthest);
+    found.resize(std::max(found.size(), k + 1), farthest);
     const double step = (1.0 - GivenDone) / static_cast<double>(wanted);
-    const double done = GivenDone + step * static_cast<double>(sites.size());
-    status = points.Add(SeedsOf(system, farthest), part(done - step, done));
-    if (status.IsOk() && progress && !progress(std::min(1.0, done)))
-    {
-      status = Status::Abort();
-    }
+    const double done = GivenDone + step * static_cast<double>(k + 1);
+    DGG_RETURN_IF_ERROR(points.Add(SeedsOf(system, farthest), part(done - step, done)));
+    DGG_RETURN_IF_ERROR(ReportTo(progress, std::min(1.0, done)));
   }
-  if (status.IsOk() && progress && !progress(1.0))
-  {
-    status = Status::Abort();
-  }
-  if (!status.IsOk())
-  {
-    sites.clear();
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 1.0));
+  sites.swap(found);
+  return Status::Success();
 }
 
 Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites)

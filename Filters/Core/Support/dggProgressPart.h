@@ -15,6 +15,12 @@ inline bool Goes(const ProgressCallback& progress, double fraction)
   return !progress || progress(fraction);
 }
 
+/// The same, as the outcome of a step.
+inline Status ReportTo(const ProgressCallback& progress, double fraction)
+{
+  return Goes(progress, fraction) ? Status::Success() : Status::Abort();
+}
+
 /// What a step is given that makes the part [begin, end] of all: its fractions 0 and 1 are these
 /// ones of `progress`. Empty when `progress` is.
 inline ProgressCallback ProgressPart(const ProgressCallback& progress, double begin, double end)

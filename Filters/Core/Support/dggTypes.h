@@ -47,6 +47,11 @@ public:
   bool IsAborted() const { return this->Kind == Code::Aborted; }
   Code GetCode() const { return this->Kind; }
   const std::string& GetMessage() const { return this->Message; }
+  /// The same with a message that begins with `subject`, what the error is about.
+  Status Of(const std::string& subject) const
+  {
+    return this->Kind == Code::InvalidInput ? Invalid(subject + ": " + this->Message) : *this;
+  }
 
 private:
   Status(Code kind, std::string message)

@@ -57,9 +57,7 @@ Id FindHalfEdge(const SurfaceMesh& mesh, const EdgeSide& side, bool& isBackward)
 
 void AddSource(const SurfacePoint& point, double parameter, SideDistances& distances)
 {
-  GeodesicSource source;
-  source.Point = point;
-  distances.Sources.push_back(source);
+  distances.Sources.push_back({ point, 0.0 });
   distances.Parameters.push_back(parameter);
 }
 
@@ -128,88 +126,79 @@ public:
   /// their triangles are too thin for that, there are no strengths, see Get().
   Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
     const CurveChain& chain, const GraphicsCurve& curve, int channels,
-    const ProgressCallback& progress);
+    const ProgressCallback& progress)
+  {
+    MeshPart part;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      if (IsFaceInBand(mesh, f, isInBand))
+      {
+        part.Faces.push_back(f);
+      }
+    }
+    DGG_RETURN_IF_ERROR(part.Build(mesh));
+    const SurfaceMesh& band = part.Mesh;
+    this->Places.assign(isInBand.size(), NoId);
+    for (std::size_t v = 0; v < part.Vertices.size(); ++v)
+    {
+      this->Places[part.Vertices[v]] = static_cast<Id>(v);
+    }
+    const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
+    const auto count = static_cast<std::size_t>(channels);
+    std::vector<double> given(n, 0.0); // how often
+    PoissonOptions options;
+    options.IntrinsicDelaunay = true;
+    ForEachEnd(sides, chain, [&](Id v, bool, double) {
+      options.DirichletVertices.push_back(this->Places[v]);
+      given[this->Places[v]] += 1.0;
+    });
+    PoissonSolver solver(band);
+    Status status = solver.Prepare(options, progress);
+    if (!status.IsOk())
+    {
+      this->Places.clear();
+      return !status.IsAborted() && solver.GetSystem().HasThin() ? Status::Success() : status;
+    }
+    this->Columns.assign(2 * count, std::vector<double>(n, 0.0));
+    std::vector<double> strength(count);
+    for (const std::size_t side : { 0, 1 })
+    {
+      ForEachEnd(sides, chain, [&](Id v, bool, double parameter) {
+        InterpolateOnCurve(side == 0 ? curve.Left : curve.Right, channels, curve.IsClosed,
+          parameter, strength.data());
+        for (std::size_t c = 0; c < count; ++c)
+        {
+          this->Columns[side * count + c][this->Places[v]] += strength[c] / given[this->Places[v]];
+        }
+      });
+    }
+    status = solver.Solve(this->Columns);
+    const PoissonSystem& system = solver.GetSystem();
+    for (Id& place : this->Places)
+    {
+      place = place != NoId && system.IsFree(system.GetComponent(place)) ? NoId : place;
+    }
+    return status;
+  }
 
   /// The strengths at a vertex, one per channel. False, and nothing, where faces of the band do not
   /// lead to the curve, or are too thin.
-  bool Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const;
+  bool Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const
+  {
+    const Id place = this->Places.empty() ? NoId : this->Places[vertex];
+    for (std::size_t c = 0; c < left.size() && place != NoId; ++c)
+    {
+      left[c] = this->Columns[c][place];
+      right[c] = this->Columns[left.size() + c][place];
+    }
+    return place != NoId;
+  }
 
 private:
   std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
   std::vector<std::vector<double>> Columns; // channels of the left, then those of the right
 };
 
-Status StrengthBlend::Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand,
-  const CurveSides& sides, const CurveChain& chain, const GraphicsCurve& curve, int channels,
-  const ProgressCallback& progress)
-{
-  MeshPart part;
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    if (IsFaceInBand(mesh, f, isInBand))
-    {
-      part.Faces.push_back(f);
-    }
-  }
-  Status status = part.Build(mesh);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  const SurfaceMesh& band = part.Mesh;
-  this->Places.assign(isInBand.size(), NoId);
-  for (std::size_t v = 0; v < part.Vertices.size(); ++v)
-  {
-    this->Places[part.Vertices[v]] = static_cast<Id>(v);
-  }
-  const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
-  const auto count = static_cast<std::size_t>(channels);
-  std::vector<double> given(n, 0.0); // how often
-  PoissonOptions options;
-  options.IntrinsicDelaunay = true;
-  ForEachEnd(sides, chain, [&](Id v, bool, double) {
-    options.DirichletVertices.push_back(this->Places[v]);
-    given[this->Places[v]] += 1.0;
-  });
-  PoissonSolver solver(band);
-  status = solver.Prepare(options, progress);
-  if (!status.IsOk())
-  {
-    this->Places.clear();
-    return !status.IsAborted() && solver.GetSystem().HasThin() ? Status::Success() : status;
-  }
-  this->Columns.assign(2 * count, std::vector<double>(n, 0.0));
-  std::vector<double> strength(count);
-  for (const std::size_t side : { 0, 1 })
-  {
-    ForEachEnd(sides, chain, [&](Id v, bool, double parameter) {
-      InterpolateOnCurve(
-        side == 0 ? curve.Left : curve.Right, channels, curve.IsClosed, parameter, strength.data());
-      for (std::size_t c = 0; c < count; ++c)
-      {
-        this->Columns[side * count + c][this->Places[v]] += strength[c] / given[this->Places[v]];
-      }
-    });
-  }
-  status = solver.Solve(this->Columns);
-  const PoissonSystem& system = solver.GetSystem();
-  for (Id& place : this->Places)
-  {
-    place = place != NoId && system.IsFree(system.GetComponent(place)) ? NoId : place;
-  }
-  return status;
-}
-
-bool StrengthBlend::Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const
-{
-  const Id place = this->Places.empty() ? NoId : this->Places[vertex];
-  for (std::size_t c = 0; c < left.size() && place != NoId; ++c)
-  {
-    left[c] = this->Columns[c][place];
-    right[c] = this->Columns[left.size() + c][place];
-  }
-  return place != NoId;
-}
 }
 
 bool IsBlended(const GraphicsCurve& curve, int channels)
@@ -223,8 +212,7 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
   std::vector<double>& values)
 {
   SideDistances distances[2];
-  Status status;
-  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  for (int k = 0; k < 2; ++k)
   {
     AddSources(mesh, k == 0 ? sides.Left : sides.Right, chain, distances[k]);
     if (distances[k].Sources.empty())
@@ -234,23 +222,19 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
     ExactOptions options;
     options.MaximumDistance = curve.Width;
     options.Progress = ProgressPart(progress, 0.5 * MeasuredAt * k, 0.5 * MeasuredAt * (k + 1));
-    status = exact.Run(distances[k].Sources, options, distances[k].Result);
+    DGG_RETURN_IF_ERROR(exact.Run(distances[k].Sources, options, distances[k].Result));
   }
   const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
   StrengthBlend blend;
-  if (status.IsOk() && IsBlended(curve, channels))
+  if (IsBlended(curve, channels))
   {
     std::vector<char> isInBand(n);
     for (std::size_t v = 0; v < n; ++v)
     {
       isInBand[v] = distances[0].IsReached(v) || distances[1].IsReached(v) ? 1 : 0;
     }
-    status = blend.Spread(
-      mesh, isInBand, sides, chain, curve, channels, ProgressPart(progress, MeasuredAt, 1.0));
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    DGG_RETURN_IF_ERROR(blend.Spread(
+      mesh, isInBand, sides, chain, curve, channels, ProgressPart(progress, MeasuredAt, 1.0)));
   }
   std::vector<double> left(channels);
   std::vector<double> right(channels);
@@ -280,6 +264,6 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
       }
     }
   }
-  return status;
+  return Status::Success();
 }
 }

@@ -30,12 +30,9 @@ Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& ch
   Status status = CutAlongCurves(surface, paths, cut);
   for (std::size_t k = 0; k < curves.size() && !status.IsOk(); ++k)
   {
-    const Status own =
-      isMeant(curves[k].Type) ? CheckSides(surface, { chains[k].Vertices }) : Status::Success();
-    if (!own.IsOk())
-    {
-      return Status::Invalid(NameOf(curves[k], k) + ": " + own.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR(isMeant(curves[k].Type)
+        ? CheckSides(surface, { chains[k].Vertices }).Of(NameOf(curves[k], k))
+        : Status::Success());
   }
   return status;
 }
@@ -83,28 +80,19 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   const auto isCut = [](GraphicsCurveType type) {
     return type == GraphicsCurveType::Diffusion || type == GraphicsCurveType::Poisson;
   };
-  Status status =
-    CutAlong(surface, chains, curves, isDiffusion, domain.Solved, domain.SidesInSolved);
-  status = status.IsOk() ? domain.Solved.Surface.Build(mesh, domain.SolvedMesh) : status;
-  if (status.IsOk())
+  DGG_RETURN_IF_ERROR(
+    CutAlong(surface, chains, curves, isDiffusion, domain.Solved, domain.SidesInSolved));
+  DGG_RETURN_IF_ERROR(domain.Solved.Surface.Build(mesh, domain.SolvedMesh));
+  if (hasPoisson)
   {
-    if (hasPoisson)
-    {
-      status = CutAlong(surface, chains, curves, isCut, domain.Drawn, domain.SidesInDrawn);
-    }
-    else
-    {
-      domain.Drawn = domain.Solved;
-      domain.SidesInDrawn = domain.SidesInSolved;
-    }
+    DGG_RETURN_IF_ERROR(
+      CutAlong(surface, chains, curves, isCut, domain.Drawn, domain.SidesInDrawn));
+    DGG_RETURN_IF_ERROR(domain.Drawn.Surface.Build(mesh, domain.DrawnMesh));
   }
-  if (status.IsOk() && hasPoisson)
+  else
   {
-    status = domain.Drawn.Surface.Build(mesh, domain.DrawnMesh);
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    domain.Drawn = domain.Solved;
+    domain.SidesInDrawn = domain.SidesInSolved;
   }
   domain.SolvedVertexOf.assign(domain.Drawn.Surface.Points.size(), NoId);
   for (std::size_t v = 0; v < surface.Points.size(); ++v)
@@ -115,7 +103,7 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   {
     domain.SolvedVertexOf[domain.Drawn.Surface.Triangles[h]] = domain.Solved.Surface.Triangles[h];
   }
-  return status;
+  return Status::Success();
 }
 
 void InterpolateOnCurve(

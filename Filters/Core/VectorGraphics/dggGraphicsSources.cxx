@@ -1,49 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsSources.h"
+#include "dggGroups.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 namespace dgg
 {
 namespace
 {
-/// The parts of the faces of the mesh that was refined.
-class FaceParts
-{
-public:
-  FaceParts(const RefinedSurface& surface, Id numberOfFaces)
-    : Begins(static_cast<std::size_t>(numberOfFaces) + 1, 0)
-    , Parts(numberOfFaces > 0 ? surface.Faces.size() : 0)
-  {
-    if (numberOfFaces == 0)
-    {
-      return;
-    }
-    for (const Id f : surface.Faces)
-    {
-      ++this->Begins[f];
-    }
-    std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
-    for (auto part = static_cast<Id>(surface.Faces.size()); part-- > 0;)
-    {
-      this->Parts[--this->Begins[surface.Faces[part]]] = part;
-    }
-  }
-  void Append(Id face, std::vector<Id>& parts) const
-  {
-    parts.insert(parts.end(), this->Parts.begin() + this->Begins[face],
-      this->Parts.begin() + this->Begins[face + 1]);
-  }
-
-private:
-  std::vector<Id> Begins; // per face; one more at the end
-  std::vector<Id> Parts;
-};
-
 std::pair<Id, Id> Unordered(Id a, Id b)
 {
   return { std::min(a, b), std::max(a, b) };
@@ -174,11 +141,7 @@ Status LeftFaces::Find(const CurveChain& chain, bool isClosed, std::vector<Id>& 
                            "id of its first point; a point at the same place is another one");
   }
   ChainSides sides;
-  Status status = this->FindSides(chain, sides);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->FindSides(chain, sides));
   const auto setWalls = [&](char value) {
     for (const std::vector<Id>* side : { &sides.Left, &sides.Right })
     {
@@ -189,7 +152,7 @@ Status LeftFaces::Find(const CurveChain& chain, bool isClosed, std::vector<Id>& 
     }
   };
   setWalls(1);
-  status = this->Spread(sides, faces);
+  Status status = this->Spread(sides, faces);
   setWalls(0);
   for (const Id f : faces)
   {
@@ -402,17 +365,10 @@ Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<Cur
       continue;
     }
     const double bytes = this->GetMemorySize() + 2.0 * faces * sizeof(Id);
-    Status status = checkMemory ? checkMemory(bytes, bytes) : Status::Success();
-    if (status.IsOk())
-    {
-      status = left.Find(chains[k], curves[k].IsClosed, this->RegionFaces[k]);
-      status =
-        status.IsOk() ? status : Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
-    }
-    if (!status.IsOk() || !Goes(progress, static_cast<double>(k + 1) / count))
-    {
-      return status.IsOk() ? Status::Abort() : status;
-    }
+    DGG_RETURN_IF_ERROR(checkMemory ? checkMemory(bytes, bytes) : Status::Success());
+    DGG_RETURN_IF_ERROR(
+      left.Find(chains[k], curves[k].IsClosed, this->RegionFaces[k]).Of(NameOf(curves[k], k)));
+    DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(k + 1) / count));
   }
   return Status::Success();
 }
@@ -433,7 +389,11 @@ Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveC
   std::vector<std::vector<double>>& columns) const
 {
   const CutSurface& surface = domain.Solved.Surface;
-  const FaceParts parts(surface, regions.empty() ? 0 : this->NumberOfFaces);
+  Groups parts; // of the faces of the mesh that was refined
+  if (!regions.empty())
+  {
+    parts = MakeGroups(surface.Faces, static_cast<std::size_t>(this->NumberOfFaces));
+  }
   RegionSources adder(domain.SolvedMesh, surface);
   const auto count = static_cast<double>(curves.size() + regions.size());
   for (std::size_t k = 0; k < curves.size(); ++k)
@@ -446,10 +406,7 @@ Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveC
     {
       adder.Add(this->RegionFaces[k], curves[k].Left, columns);
     }
-    if (!Goes(progress, static_cast<double>(k + 1) / count))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(k + 1) / count));
   }
   std::vector<Id> faces;
   for (std::size_t r = 0; r < regions.size(); ++r)
@@ -457,13 +414,11 @@ Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveC
     faces.clear();
     for (const Id f : regions[r].Faces)
     {
-      parts.Append(f, faces);
+      faces.insert(faces.end(), parts.Members.begin() + parts.Begins[f],
+        parts.Members.begin() + parts.Begins[f + 1]);
     }
     adder.Add(faces, strengths[r], columns);
-    if (!Goes(progress, static_cast<double>(curves.size() + r + 1) / count))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(curves.size() + r + 1) / count));
   }
   return Status::Success();
 }

@@ -55,159 +55,86 @@ class ChannelScale
 public:
   /// By the largest number of each channel. All must be finite, and as many as are needed.
   ChannelScale(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
-    const GraphicsOptions& options);
+    const GraphicsOptions& options)
+  {
+    std::vector<double> largest(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
+    FindLargest(options.Background, largest);
+    for (const GraphicsCurve& curve : curves)
+    {
+      FindLargest(curve.Left, largest);
+      FindLargest(curve.Right, largest);
+    }
+    for (const GraphicsRegion& region : regions)
+    {
+      FindLargest(region.Strength, largest);
+    }
+    for (const double value : largest)
+    {
+      const int exponent = value > 0.0 ? std::ilogb(value) : 0;
+      this->Exponents.push_back(exponent - std::clamp(exponent, -UsualExponent, UsualExponent));
+    }
+  }
 
   /// Divide numbers, all channels after each other.
-  std::vector<double> Apply(std::vector<double> values) const;
+  std::vector<double> Apply(std::vector<double> values) const
+  {
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = std::ldexp(values[i], -this->Exponents[i % this->Exponents.size()]);
+    }
+    return values;
+  }
+
   /// The colours of curves divided.
-  std::vector<GraphicsCurve> Apply(std::vector<GraphicsCurve> curves) const;
-  /// The strengths of regions divided.
-  std::vector<std::vector<double>> Apply(const std::vector<GraphicsRegion>& regions) const;
+  std::vector<GraphicsCurve> Apply(std::vector<GraphicsCurve> curves) const
+  {
+    for (GraphicsCurve& curve : curves)
+    {
+      curve.Left = this->Apply(std::move(curve.Left));
+      curve.Right = this->Apply(std::move(curve.Right));
+    }
+    return curves;
+  }
+
   /// Multiply results again. Fails, with a message that says `what` they are, where one is beyond
   /// the largest number.
-  Status Undo(std::vector<double>& values, const std::string& what) const;
+  Status Undo(std::vector<double>& values, const std::string& what) const
+  {
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const std::size_t channel = i % this->Exponents.size();
+      values[i] = std::ldexp(values[i], this->Exponents[channel]);
+      if (!std::isfinite(values[i]))
+      {
+        return Status::Invalid(what + " of channel " + std::to_string(channel) +
+          " are beyond the largest number, 1.8e308: divide its colours, strengths and background "
+          "by a number");
+      }
+    }
+    return Status::Success();
+  }
 
 private:
   std::vector<int> Exponents; // per channel
-  bool IsNeeded = false;      // one of them is not 0
 };
-
-ChannelScale::ChannelScale(const std::vector<GraphicsCurve>& curves,
-  const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options)
-{
-  std::vector<double> largest(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
-  FindLargest(options.Background, largest);
-  for (const GraphicsCurve& curve : curves)
-  {
-    FindLargest(curve.Left, largest);
-    FindLargest(curve.Right, largest);
-  }
-  for (const GraphicsRegion& region : regions)
-  {
-    FindLargest(region.Strength, largest);
-  }
-  for (const double value : largest)
-  {
-    const int exponent = value > 0.0 ? std::ilogb(value) : 0;
-    const int usual = std::min(std::max(exponent, -UsualExponent), UsualExponent);
-    this->Exponents.push_back(exponent - usual);
-    this->IsNeeded = this->IsNeeded || exponent != usual;
-  }
 }
 
-std::vector<double> ChannelScale::Apply(std::vector<double> values) const
+/// What is prepared.
+struct VectorGraphics::Implementation
 {
-  for (std::size_t i = 0; i < values.size() && this->IsNeeded; ++i)
-  {
-    values[i] = std::ldexp(values[i], -this->Exponents[i % this->Exponents.size()]);
-  }
-  return values;
-}
-
-std::vector<GraphicsCurve> ChannelScale::Apply(std::vector<GraphicsCurve> curves) const
-{
-  for (GraphicsCurve& curve : curves)
-  {
-    curve.Left = this->Apply(std::move(curve.Left));
-    curve.Right = this->Apply(std::move(curve.Right));
-  }
-  return curves;
-}
-
-std::vector<std::vector<double>> ChannelScale::Apply(
-  const std::vector<GraphicsRegion>& regions) const
-{
-  std::vector<std::vector<double>> strengths;
-  for (const GraphicsRegion& region : regions)
-  {
-    strengths.push_back(this->Apply(region.Strength));
-  }
-  return strengths;
-}
-
-Status ChannelScale::Undo(std::vector<double>& values, const std::string& what) const
-{
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    const std::size_t channel = i % this->Exponents.size();
-    values[i] = this->IsNeeded ? std::ldexp(values[i], this->Exponents[channel]) : values[i];
-    if (!std::isfinite(values[i]))
-    {
-      return Status::Invalid(what + " of channel " + std::to_string(channel) +
-        " are beyond the largest number, 1.8e308: divide its colours, strengths and background by "
-        "a number");
-    }
-  }
-  return Status::Success();
-}
-}
-
-class VectorGraphics::Implementation
-{
-public:
-  Status Prepare(const SurfaceMesh& mesh, const RefinedSurface& surface,
-    const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
-    const GraphicsOptions& options);
-  Status Run(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
-    const GraphicsOptions& options, GraphicsResult& result);
-
   double EstimateHeld() const;
-
-  GraphicsDomain Domain;
-  std::unique_ptr<PoissonSolver> Solver; // of the domain's mesh
-
-private:
+  double EstimateRun(const std::vector<GraphicsCurve>& curves, int channels) const;
   Status AddBands(const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options,
     const ProgressCallback& progress, std::vector<double>& values) const;
-  double EstimateRun(const std::vector<GraphicsCurve>& curves, int channels) const;
   void MeasureNet(
     const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
 
+  GraphicsDomain Domain;
+  std::unique_ptr<PoissonSolver> Solver; // of the domain's mesh
   std::vector<CurveChain> Chains;
   GraphicsLoads Loads;
   bool HasPoisson = false; // a curve of that type
 };
-
-Status VectorGraphics::Implementation::Prepare(const SurfaceMesh& mesh,
-  const RefinedSurface& surface, const std::vector<CurveChain>& chains,
-  const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options)
-{
-  this->Solver.reset();
-  if (!Goes(options.Progress, 0.0))
-  {
-    return Status::Abort();
-  }
-  this->HasPoisson = std::any_of(curves.begin(), curves.end(),
-    [](const GraphicsCurve& curve) { return curve.Type == GraphicsCurveType::Poisson; });
-  this->Chains = chains;
-  GraphicsMemoryCheck checkRegions;
-  if (options.CheckMemory)
-  {
-    checkRegions = [&](double bytes, double) {
-      const double all = BytesPerFace * static_cast<double>(surface.Faces.size()) + bytes;
-      return options.CheckMemory(all, all);
-    };
-  }
-  Status status = CutForGraphics(mesh, surface, chains, curves, this->Domain);
-  if (status.IsOk() && !Goes(options.Progress, CutDone))
-  {
-    status = Status::Abort();
-  }
-  DGG_RETURN_IF_ERROR(status.IsOk()
-      ? this->Loads.Prepare(surface, mesh.GetNumberOfFaces(), chains, curves, checkRegions,
-          ProgressPart(options.Progress, CutDone, MeasuredDone))
-      : status);
-  PoissonOptions poisson;
-  poisson.IntrinsicDelaunay = options.IntrinsicDelaunay;
-  poisson.DirichletVertices = FindDirichletVertices(this->Domain, chains, curves);
-  this->Solver = std::make_unique<PoissonSolver>(this->Domain.SolvedMesh);
-  return this->Solver->Prepare(
-    poisson, ProgressPart(options.Progress, MeasuredDone, 1.0), [&](double, double missing) {
-      const double run = this->EstimateRun(curves, options.NumberOfChannels);
-      return options.CheckMemory ? options.CheckMemory(this->EstimateHeld() + run, missing + run)
-                                 : Status::Success();
-    });
-}
 
 double VectorGraphics::Implementation::EstimateHeld() const
 {
@@ -248,19 +175,11 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
     }
     const auto count = static_cast<double>(curves.size());
     const double begin = static_cast<double>(k) / count;
-    if (!Goes(progress, begin))
-    {
-      return Status::Abort();
-    }
-    Status status = AddBand(this->Domain.DrawnMesh,
+    DGG_RETURN_IF_ERROR(ReportTo(progress, begin));
+    DGG_RETURN_IF_ERROR(AddBand(this->Domain.DrawnMesh,
       this->Domain.Drawn.Sides[this->Domain.SidesInDrawn[k]], this->Chains[k], curves[k], channels,
-      *exact, ProgressPart(progress, begin, begin + 1.0 / count), values);
-    if (!status.IsOk())
-    {
-      return status.IsAborted()
-        ? status
-        : Status::Invalid(NameOf(curves[k], k) + ": " + status.GetMessage());
-    }
+      *exact, ProgressPart(progress, begin, begin + 1.0 / count), values)
+                          .Of(NameOf(curves[k], k)));
   }
   return Status::Success();
 }
@@ -281,84 +200,6 @@ void VectorGraphics::Implementation::MeasureNet(
   }
 }
 
-Status VectorGraphics::Implementation::Run(const std::vector<GraphicsCurve>& curves,
-  const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options,
-  GraphicsResult& result)
-{
-  result = GraphicsResult();
-  Status status;
-  if (!this->Solver || !this->Solver->IsReady() || curves.size() != this->Chains.size())
-  {
-    return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
-  }
-  if (options.CheckMemory)
-  {
-    // Channels may be others than before.
-    const double run = this->EstimateRun(curves, options.NumberOfChannels);
-    status = options.CheckMemory(this->EstimateHeld() + run, run);
-  }
-  if (status.IsOk() && !Goes(options.Progress, 0.0))
-  {
-    status = Status::Abort();
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  const auto channels = static_cast<std::size_t>(options.NumberOfChannels);
-  const std::size_t drawn = this->Domain.Drawn.Surface.Points.size();
-  const ChannelScale scale(curves, regions, options);
-  const std::vector<GraphicsCurve> scaled = scale.Apply(curves);
-  const std::vector<double> background = scale.Apply(options.Background);
-  std::vector<double> bands(channels * drawn, 0.0);
-  DGG_RETURN_IF_ERROR(
-    this->AddBands(scaled, options, ProgressPart(options.Progress, 0.0, BandsDone), bands));
-  std::vector<std::vector<double>> columns(
-    channels, std::vector<double>(this->Domain.Solved.Surface.Points.size(), 0.0));
-  status = this->Loads.Add(this->Domain, this->Chains, scaled, regions, scale.Apply(regions),
-    ProgressPart(options.Progress, BandsDone, SourcesDone), columns);
-  if (status.IsOk() && !Goes(options.Progress, SourcesDone))
-  {
-    status = Status::Abort();
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  this->MeasureNet(columns, result.NetSources);
-  SetDirichletValues(this->Domain, this->Chains, scaled, bands, columns);
-  status = this->Solver->Solve(columns);
-  if (status.IsOk() && !Goes(options.Progress, 1.0))
-  {
-    status = Status::Abort();
-  }
-  if (!status.IsOk())
-  {
-    result = GraphicsResult();
-    return status;
-  }
-  const PoissonSystem& system = this->Solver->GetSystem();
-  result.Values = std::move(bands);
-  result.Components.resize(drawn);
-  for (std::size_t d = 0; d < drawn; ++d)
-  {
-    const Id v = this->Domain.SolvedVertexOf[d];
-    result.Components[d] = system.GetComponent(v);
-    const bool isFree = !background.empty() && system.IsFree(system.GetComponent(v));
-    for (std::size_t c = 0; c < channels; ++c)
-    {
-      result.Values[channels * d + c] += columns[c][v] + (isFree ? background[c] : 0.0);
-    }
-  }
-  status = scale.Undo(result.Values, "colours");
-  status = status.IsOk() ? scale.Undo(result.NetSources, "net sources") : status;
-  if (!status.IsOk())
-  {
-    result = GraphicsResult();
-  }
-  return status;
-}
-
 VectorGraphics::VectorGraphics()
   : Internals(std::make_unique<Implementation>())
 {
@@ -370,14 +211,92 @@ Status VectorGraphics::Prepare(const SurfaceMesh& mesh, const RefinedSurface& su
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   const GraphicsOptions& options)
 {
-  return this->Internals->Prepare(mesh, surface, chains, curves, options);
+  Implementation& held = *this->Internals;
+  held.Solver.reset();
+  DGG_RETURN_IF_ERROR(ReportTo(options.Progress, 0.0));
+  held.HasPoisson = std::any_of(curves.begin(), curves.end(),
+    [](const GraphicsCurve& curve) { return curve.Type == GraphicsCurveType::Poisson; });
+  held.Chains = chains;
+  GraphicsMemoryCheck checkRegions;
+  if (options.CheckMemory)
+  {
+    checkRegions = [&](double bytes, double) {
+      const double all = BytesPerFace * static_cast<double>(surface.Faces.size()) + bytes;
+      return options.CheckMemory(all, all);
+    };
+  }
+  DGG_RETURN_IF_ERROR(CutForGraphics(mesh, surface, chains, curves, held.Domain));
+  DGG_RETURN_IF_ERROR(ReportTo(options.Progress, CutDone));
+  DGG_RETURN_IF_ERROR(held.Loads.Prepare(surface, mesh.GetNumberOfFaces(), chains, curves,
+    checkRegions, ProgressPart(options.Progress, CutDone, MeasuredDone)));
+  PoissonOptions poisson;
+  poisson.IntrinsicDelaunay = options.IntrinsicDelaunay;
+  poisson.DirichletVertices = FindDirichletVertices(held.Domain, chains, curves);
+  held.Solver = std::make_unique<PoissonSolver>(held.Domain.SolvedMesh);
+  return held.Solver->Prepare(
+    poisson, ProgressPart(options.Progress, MeasuredDone, 1.0), [&](double, double missing) {
+      const double run = held.EstimateRun(curves, options.NumberOfChannels);
+      return options.CheckMemory ? options.CheckMemory(held.EstimateHeld() + run, missing + run)
+                                 : Status::Success();
+    });
 }
 
 Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
   const std::vector<GraphicsRegion>& regions, const GraphicsOptions& options,
   GraphicsResult& result)
 {
-  return this->Internals->Run(curves, regions, options, result);
+  result = GraphicsResult();
+  const Implementation& held = *this->Internals;
+  if (!held.Solver || !held.Solver->IsReady() || curves.size() != held.Chains.size())
+  {
+    return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
+  }
+  if (options.CheckMemory)
+  {
+    // Channels may be others than before.
+    const double run = held.EstimateRun(curves, options.NumberOfChannels);
+    DGG_RETURN_IF_ERROR(options.CheckMemory(held.EstimateHeld() + run, run));
+  }
+  DGG_RETURN_IF_ERROR(ReportTo(options.Progress, 0.0));
+  const auto channels = static_cast<std::size_t>(options.NumberOfChannels);
+  const std::size_t drawn = held.Domain.Drawn.Surface.Points.size();
+  const ChannelScale scale(curves, regions, options);
+  const std::vector<GraphicsCurve> scaled = scale.Apply(curves);
+  const std::vector<double> background = scale.Apply(options.Background);
+  std::vector<std::vector<double>> strengths;
+  for (const GraphicsRegion& region : regions)
+  {
+    strengths.push_back(scale.Apply(region.Strength));
+  }
+  std::vector<double> bands(channels * drawn, 0.0);
+  DGG_RETURN_IF_ERROR(
+    held.AddBands(scaled, options, ProgressPart(options.Progress, 0.0, BandsDone), bands));
+  std::vector<std::vector<double>> columns(
+    channels, std::vector<double>(held.Domain.Solved.Surface.Points.size(), 0.0));
+  DGG_RETURN_IF_ERROR(held.Loads.Add(held.Domain, held.Chains, scaled, regions, strengths,
+    ProgressPart(options.Progress, BandsDone, SourcesDone), columns));
+  DGG_RETURN_IF_ERROR(ReportTo(options.Progress, SourcesDone));
+  std::vector<double> netSources;
+  held.MeasureNet(columns, netSources);
+  SetDirichletValues(held.Domain, held.Chains, scaled, bands, columns);
+  DGG_RETURN_IF_ERROR(held.Solver->Solve(columns));
+  DGG_RETURN_IF_ERROR(ReportTo(options.Progress, 1.0));
+  const PoissonSystem& system = held.Solver->GetSystem();
+  std::vector<Id> components(drawn);
+  for (std::size_t d = 0; d < drawn; ++d)
+  {
+    const Id v = held.Domain.SolvedVertexOf[d];
+    components[d] = system.GetComponent(v);
+    const bool isFree = !background.empty() && system.IsFree(components[d]);
+    for (std::size_t c = 0; c < channels; ++c)
+    {
+      bands[channels * d + c] += columns[c][v] + (isFree ? background[c] : 0.0);
+    }
+  }
+  DGG_RETURN_IF_ERROR(scale.Undo(bands, "colours"));
+  DGG_RETURN_IF_ERROR(scale.Undo(netSources, "net sources"));
+  result = { std::move(bands), std::move(netSources), std::move(components) };
+  return Status::Success();
 }
 
 const CutSurface& VectorGraphics::GetSurface() const

@@ -166,7 +166,7 @@ public:
   double GetEstimatedMemory() const;
 
 private:
-  class Implementation;
+  struct Implementation;
   std::unique_ptr<Implementation> Internals;
 };
 }

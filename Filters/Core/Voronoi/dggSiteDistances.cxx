@@ -3,7 +3,7 @@
 #include "dggSiteDistances.h"
 
 #include "dggLabelCorrection.h"
-#include "dggMinimumHeap.h"
+#include "dggHeap.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -125,7 +125,7 @@ public:
     while (!this->Heap.IsEmpty())
     {
       const MinimumHeap::Entry top = this->Heap.Pop();
-      const Id index = top.Vertex;
+      const Id index = top.Index;
       if (top.Key > this->Labels[index].Distance) // a smaller one came later
       {
         continue;

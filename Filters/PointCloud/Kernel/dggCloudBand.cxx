@@ -130,11 +130,7 @@ public:
     if (this->Options.MemoryLimit > 0)
     {
       const std::size_t used = this->Setup.GetMemorySize();
-      Status status = CheckSetupMemory(used + 1, this->Options); // and something for the band
-      if (!status.IsOk())
-      {
-        return status;
-      }
+      DGG_RETURN_IF_ERROR(CheckSetupMemory(used + 1, this->Options)); // and something for the band
       // With room for the nearest points of the voxels.
       const double brick = VoxelBand::PredictMemory(1.0);
       const double share = brick / (brick + BytesOfNearest);
@@ -269,15 +265,9 @@ Status BuildCloudBand(const CloudGraphOptions& options, double medianSpacing, Se
   CloudSetup& setup, CloudGraphStatistics& statistics)
 {
   BandBuilder builder(options, medianSpacing, loop, setup, statistics);
-  Status status = builder.ChooseSizes();
-  if (status.IsOk())
-  {
-    status = builder.MarkVoxels();
-  }
-  if (status.IsOk())
-  {
-    builder.FindNearest();
-  }
-  return status.IsOk() && loop.IsStopped() ? Status::Abort() : status;
+  DGG_RETURN_IF_ERROR(builder.ChooseSizes());
+  DGG_RETURN_IF_ERROR(builder.MarkVoxels());
+  builder.FindNearest();
+  return loop.IsStopped() ? Status::Abort() : Status::Success();
 }
 }

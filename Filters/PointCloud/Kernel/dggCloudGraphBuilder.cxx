@@ -80,26 +80,15 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   CloudGraph& result, CloudGraphStatistics& statistics)
 {
   CloudSetup setup;
-  Status status = SetUpCloud(points, numberOfPoints, options,
-    ProgressPart(options.Progress, 0.0, ShareOfSetup), setup, statistics);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(SetUpCloud(points, numberOfPoints, options,
+    ProgressPart(options.Progress, 0.0, ShareOfSetup), setup, statistics));
   statistics.BandMemory += setup.Pairs.Nearest.size() * sizeof(Id);
   RowSample sample;
-  status = SampleRows(
-    setup, options, ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), sample);
-  if (status.IsOk())
-  {
-    // Rows are built by as many threads as fit: whether there is a graph does not depend on them.
-    const double least = PredictFrom(setup, options, 1, numberOfPoints, sample).Peak;
-    status = CheckRowMemory(least, options.MemoryLimit);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(SampleRows(
+    setup, options, ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), sample));
+  // Rows are built by as many threads as fit: whether there is a graph does not depend on them.
+  const double least = PredictFrom(setup, options, 1, numberOfPoints, sample).Peak;
+  DGG_RETURN_IF_ERROR(CheckRowMemory(least, options.MemoryLimit));
   std::vector<CloudRowBlock> blocks;
   DGG_RETURN_IF_ERROR(BuildRows(
     setup, options, ProgressPart(options.Progress, EndOfPrediction, EndOfRows), sample, blocks));
@@ -125,15 +114,12 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
     result.Radii[point] = result.Radii[original];
   }
   result.VoxelSize = toPoints * setup.Pairs.Band.GetVoxelSize();
-  if (options.Progress && !options.Progress(EndOfGraph))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(ReportTo(options.Progress, EndOfGraph));
   FindCloudComponents(result.Graph, isUsed, result.Components, result.ComponentSizes);
   result.Graph.Info.Kind = GraphKind::Cloud;
   result.Graph.Info.Construction = ConstructionOf(options.Scheme);
   result.Graph.Info.Accuracy = options.Accuracy;
-  return options.Progress && !options.Progress(1.0) ? Status::Abort() : Status::Success();
+  return ReportTo(options.Progress, 1.0);
 }
 }
 
@@ -180,26 +166,17 @@ Status CloudGraphBuilder::Estimate(
   const CloudGraphOptions& options, CloudGraphEstimate& estimate) const
 {
   estimate = CloudGraphEstimate();
-  Status status = Check(options);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(Check(options));
   CloudSetup setup;
   CloudGraphStatistics statistics;
   const ProgressCallback& progress = options.Progress;
-  status = SetUpCloud(this->Points, this->NumberOfPoints, options,
-    ProgressPart(progress, 0.0, ShareOfSetupToPredict), setup, statistics);
+  DGG_RETURN_IF_ERROR(SetUpCloud(this->Points, this->NumberOfPoints, options,
+    ProgressPart(progress, 0.0, ShareOfSetupToPredict), setup, statistics));
   RowSample sample;
-  if (status.IsOk())
-  {
-    status = SampleRows(setup, options, ProgressPart(progress, ShareOfSetupToPredict, 1.0), sample);
-  }
-  if (status.IsOk())
-  {
-    estimate = PredictFrom(setup, options, options.NumberOfThreads, this->NumberOfPoints, sample);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(
+    SampleRows(setup, options, ProgressPart(progress, ShareOfSetupToPredict, 1.0), sample));
+  estimate = PredictFrom(setup, options, options.NumberOfThreads, this->NumberOfPoints, sample);
+  return Status::Success();
 }
 
 Status CloudGraphBuilder::Build(
@@ -208,10 +185,8 @@ Status CloudGraphBuilder::Build(
   result = CloudGraph();
   CloudGraphStatistics local;
   Status status = Check(options);
-  if (status.IsOk())
-  {
-    status = BuildGraph(this->Points, this->NumberOfPoints, options, result, local);
-  }
+  status =
+    status.IsOk() ? BuildGraph(this->Points, this->NumberOfPoints, options, result, local) : status;
   if (!status.IsOk())
   {
     result = CloudGraph();

@@ -99,7 +99,7 @@ bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
   fits.ToSurface.assign(n, Point3());
   std::atomic<std::size_t> off{ 0 };
   const std::size_t cost = count / FitNeighbors * (passes == FitPasses::Two ? 2 : 1);
-  const bool goesOn = loop.ForNodes(n, cost, share, [&](Id begin, Id end) {
+  const auto fitAll = [&](Id begin, Id end) {
     std::vector<CloudNeighbor> neighbors;
     std::vector<Point3> places;
     std::size_t misses = 0;
@@ -136,7 +136,8 @@ bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
       fits.ToSurface[node] = fit.ToSurface;
     }
     off += misses;
-  });
+  };
+  const bool goesOn = loop.ForNodes(n, share, fitAll, cost);
   fits.OffSurface = n > 0 ? static_cast<double>(off) / static_cast<double>(n) : 0.0;
   return goesOn;
 }
@@ -157,8 +158,7 @@ TypicalResidual MeasureResidual(
   const std::size_t size = std::min(n, sampleSize);
   std::vector<float> bySpacing(size);
   std::vector<float> byRadius(size);
-  const std::size_t cost = count / FitNeighbors;
-  loop.ForNodes(size, cost, ShareOfMeasurement * share, [&](Id begin, Id end) {
+  const auto measure = [&](Id begin, Id end) {
     std::vector<CloudNeighbor> neighbors;
     std::vector<Point3> places;
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
@@ -171,7 +171,8 @@ TypicalResidual MeasureResidual(
       const double radius = std::sqrt(neighbors.back().SquaredDistance);
       byRadius[i] = radius > 0.0 ? static_cast<float>(fit.Residual / radius) : 0.0f;
     }
-  });
+  };
+  loop.ForNodes(size, ShareOfMeasurement * share, measure, count / FitNeighbors);
   return { Quantile(bySpacing, 0.5), Quantile(byRadius, 0.5) };
 }
 
@@ -282,17 +283,20 @@ bool RemoveNoise(
   noise.Removed = Quantile(lengths, 0.5);
   noise.OffSurface = fits.OffSurface;
   noise.Scatter = MeasureScatter(setup, noise.OffSurface, share, loop);
+  if (loop.IsStopped())
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < n; ++i)
   {
     pairs.Points[i] = pairs.Points[i] + fits.ToSurface[i];
   }
-  const bool goesOn = loop.ForOne(ShareOfTree * share, [&] {
-    setup.Neighbors.reset(); // before another one is taken
-    setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
-  });
+  setup.Neighbors.reset(); // before another one is taken
+  setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
   // What is left of the noise is not to be followed.
   std::fill(pairs.IsSmooth.begin(), pairs.IsSmooth.end(), 1);
-  if (!goesOn || !FitTo(count, FitPasses::One, setup, ShareOfFit * share, loop, fits))
+  if (!loop.Skip(ShareOfTree * share) ||
+    !FitTo(count, FitPasses::One, setup, ShareOfFit * share, loop, fits))
   {
     return false;
   }

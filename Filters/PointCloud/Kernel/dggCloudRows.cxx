@@ -4,6 +4,7 @@
 
 #include "dggCloudPruning.h"
 #include "dggMemoryLimit.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <atomic>
@@ -133,10 +134,8 @@ Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
   Offset size = 0;
   for (Offset first = 0; first < count; first += size)
   {
-    if (progress && !progress(static_cast<double>(first) / static_cast<double>(count)))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(
+      ReportTo(progress, static_cast<double>(first) / static_cast<double>(count)));
     perBlock = first > 0 ? static_cast<double>(candidates) / static_cast<double>(first) : perBlock;
     size = static_cast<Offset>(std::clamp(CandidatesPerWave / std::max(1.0, perBlock),
       static_cast<double>(LeastBlocksPerWave), static_cast<double>(MostBlocksPerWave)));

@@ -87,12 +87,8 @@ public:
     {
       this->TakeNormals();
     }
-    Status status =
-      BuildCloudBand(this->Options, this->MedianSpacing, this->Loop, this->Setup, this->Statistics);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(BuildCloudBand(
+      this->Options, this->MedianSpacing, this->Loop, this->Setup, this->Statistics));
     this->Pairs.FindNearestPoint = [&neighbors = *this->Setup.Neighbors](const Point3& place) {
       thread_local std::vector<CloudNeighbor> found;
       neighbors.FindNearest(place, 1, found);
@@ -100,7 +96,7 @@ public:
     };
     ChooseReaches(this->Options, this->MedianSpacing, this->Fits.Curvatures, this->Loop,
       this->Setup, this->Statistics);
-    return this->Loop.IsStopped() ? Status::Abort() : status;
+    return this->Loop.IsStopped() ? Status::Abort() : Status::Success();
   }
 
 private:
@@ -196,12 +192,8 @@ Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptio
 {
   setup.NormalsMemory =
     options.Normals ? static_cast<std::size_t>(numberOfPoints) * sizeof(Point3) : 0;
-  Status status = CheckSetupMemory(setup.GetMemoryBefore(numberOfPoints), options);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  status = FindNodes(points, numberOfPoints, setup.Nodes, setup.Pairs.Points);
+  DGG_RETURN_IF_ERROR(CheckSetupMemory(setup.GetMemoryBefore(numberOfPoints), options));
+  Status status = FindNodes(points, numberOfPoints, setup.Nodes, setup.Pairs.Points);
   statistics.UnusedPoints = setup.Nodes.Unused;
   statistics.Outliers = setup.Nodes.NumberOfOutliers;
   statistics.CoincidentPoints = static_cast<Id>(setup.Nodes.Coincident.size());
@@ -210,10 +202,7 @@ Status SetUpCloud(const double* points, Id numberOfPoints, const CloudGraphOptio
     return status;
   }
   DGG_RETURN_IF_ERROR(CheckSetupMemory(setup.GetMemorySize(), options));
-  if (progress && !progress(0.0))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
   return SetupBuilder(options, progress, setup, statistics).Run();
 }
 }

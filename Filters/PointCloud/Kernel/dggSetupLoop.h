@@ -27,8 +27,13 @@ public:
 
   /// All steps so far have made that part of the progress.
   void FinishAt(double done) { this->Done = done; }
-  /// A step of that share has been made.
-  void Skip(double share) { this->Done += share; }
+  /// A step of that share has been made, which reported for itself or cannot be interrupted. False
+  /// when stopped.
+  bool Skip(double share)
+  {
+    this->Done += share;
+    return this->Report(0.0, 0.0);
+  }
 
   /// Report a part of a step that has that share. False when stopped.
   bool Report(double share, double part)
@@ -59,30 +64,12 @@ public:
   /// The same over nodes: `body(begin, end)` takes their numbers. Pieces are smaller where a node
   /// takes `cost` times as long as in most loops.
   template <typename Body>
-  bool ForNodes(std::size_t nodes, std::size_t cost, double share, Body&& body)
+  bool ForNodes(std::size_t nodes, double share, Body&& body, std::size_t cost = 1)
   {
     const Offset grain =
       std::max<Offset>(1, NodesPerTask / std::max<Offset>(1, static_cast<Offset>(cost)));
     return this->ForPieces(static_cast<Offset>(nodes), grain, share,
       [&](Offset begin, Offset end) { body(static_cast<Id>(begin), static_cast<Id>(end)); });
-  }
-  template <typename Body>
-  bool ForNodes(std::size_t nodes, double share, Body&& body)
-  {
-    return this->ForNodes(nodes, 1, share, body);
-  }
-
-  /// Do a single thing that cannot be interrupted. False when stopped.
-  template <typename Body>
-  bool ForOne(double share, Body&& body)
-  {
-    if (!this->Stopped)
-    {
-      body();
-      this->Report(share, 1.0);
-    }
-    this->Done += share;
-    return !this->Stopped;
   }
 
 private:

@@ -38,11 +38,7 @@ dgg::Status MakeCloud(
   const dgg::Outliers far(positions, numberOfPoints, dgg::Outliers::RatioOfFar);
   const dgg::CloudFrame frame(
     positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsOutlier(p); });
-  const dgg::Status status = frame.CheckRange();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(frame.CheckRange());
   cloud.reset(new Cloud);
   cloud->reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
   ids.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
@@ -57,7 +53,7 @@ dgg::Status MakeCloud(
         pcl::PointXYZ(static_cast<float>(p.X), static_cast<float>(p.Y), static_cast<float>(p.Z)));
     }
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 /// Whether points are in a line, or in one place: any plane through it would fit them.
@@ -92,11 +88,7 @@ dgg::Status DGGEstimateNormals(const double* positions, dgg::Id numberOfPoints,
   normals.assign(3 * static_cast<std::size_t>(numberOfPoints), 0.0);
   std::vector<dgg::Id> ids;
   Cloud::Ptr cloud;
-  const dgg::Status status = MakeCloud(positions, numberOfPoints, ids, cloud);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(MakeCloud(positions, numberOfPoints, ids, cloud));
   const int count = std::min(numberOfNeighbors, static_cast<int>(ids.size()));
   if (count < FewestPoints)
   {

@@ -128,12 +128,8 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
   if (vtkDataArray* given = source.Given)
   {
-    const dgg::Status status = DGGCheckMemory("a copy of the normals",
-      3.0 * sizeof(double) * points, this->MemoryLimit, "use fewer points");
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(DGGCheckMemory("a copy of the normals", 3.0 * sizeof(double) * points,
+      this->MemoryLimit, "use fewer points"));
     auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(points));
     for (vtkIdType i = 0; i < points; ++i)
     {
@@ -151,19 +147,11 @@ dgg::Status vtkPointCloudDGG::FindNormals(
     internals.NormalsMesh == mesh.GetBuildTime();
   if (!isKept)
   {
-    dgg::Status status = DGGCheckMemory("finding normals", BytesPerNormal * points,
-      this->MemoryLimit, "use fewer points, or turn EstimateNormals off");
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(DGGCheckMemory("finding normals", BytesPerNormal * points,
+      this->MemoryLimit, "use fewer points, or turn EstimateNormals off"));
     auto found = std::make_shared<std::vector<double>>();
-    status = DGGEstimateNormals(mesh.GetPositions(), points, source.NumberOfNeighbors,
-      dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found);
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(DGGEstimateNormals(mesh.GetPositions(), points, source.NumberOfNeighbors,
+      dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found));
     internals.PlaneNormals = found;
     internals.NormalsNeighbors = source.NumberOfNeighbors;
     internals.NormalsMesh = mesh.GetBuildTime();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The smallest key first: a heap with four children per node. Internal.
-#ifndef dggMinimumHeap_h
-#define dggMinimumHeap_h
+#ifndef dggHeap_h
+#define dggHeap_h
 
 #include "dggTypes.h" // for Id
 
@@ -16,34 +16,39 @@ namespace dgg
 /// Keys are never changed: a vertex whose key drops is pushed again, and the one who pops sees that
 /// the older entry is out of date. Four children make the heap half as high as two, and they share
 /// a cache line.
-class MinimumHeap
+///
+/// With `BreaksTies` the smaller index comes first of equal keys, whatever else is in the heap:
+/// what windows find does not depend on ties.
+template <bool BreaksTies>
+class Heap
 {
 public:
   struct Entry
   {
     double Key;
-    Id Vertex;
+    Id Index;
   };
 
   bool IsEmpty() const { return this->Entries.empty(); }
   void Clear() { this->Entries.clear(); }
   const Entry& Top() const { return this->Entries.front(); }
 
-  void Push(double key, Id vertex)
+  void Push(double key, Id index)
   {
+    const Entry entry{ key, index };
     std::size_t place = this->Entries.size();
-    this->Entries.push_back({ key, vertex });
+    this->Entries.push_back(entry);
     while (place > 0)
     {
       const std::size_t parent = (place - 1) / 4;
-      if (this->Entries[parent].Key <= key)
+      if (!IsBefore(entry, this->Entries[parent]))
       {
         break;
       }
       this->Entries[place] = this->Entries[parent];
       place = parent;
     }
-    this->Entries[place] = { key, vertex };
+    this->Entries[place] = entry;
   }
 
   Entry Pop()
@@ -59,6 +64,11 @@ public:
   }
 
 private:
+  static bool IsBefore(const Entry& a, const Entry& b)
+  {
+    return a.Key < b.Key || (BreaksTies && a.Key == b.Key && a.Index < b.Index);
+  }
+
   /// Put an entry into the gap at the top.
   void SiftDown(const Entry& entry)
   {
@@ -70,9 +80,9 @@ private:
       std::size_t smallest = child;
       for (std::size_t other = child + 1; other < end; ++other)
       {
-        smallest = this->Entries[other].Key < this->Entries[smallest].Key ? other : smallest;
+        smallest = IsBefore(this->Entries[other], this->Entries[smallest]) ? other : smallest;
       }
-      if (this->Entries[smallest].Key >= entry.Key)
+      if (!IsBefore(this->Entries[smallest], entry))
       {
         break;
       }
@@ -84,6 +94,9 @@ private:
 
   std::vector<Entry> Entries;
 };
+
+using MinimumHeap = Heap<false>;
+using DistanceHeap = Heap<true>;
 }
 
 #endif
