@@ -19,7 +19,7 @@
  *  - `DGG.Offsets` (int64, n + 1): edges of point i: [Offsets[i], Offsets[i + 1]);
  *  - `DGG.Targets` (int32, m): point at the end of each edge, sorted within each row;
  *  - `DGG.Lengths` (float32, m): length; float64 for 0 < Accuracy < 1e-5;
- *  - `DGG.Radii` (float64, n): radius of the ball around each point, 0 if not finite or stray;
+ *  - `DGG.Radii` (float64, n): radius of the ball around each point, 0 if not finite or an outlier;
  *  - `DGG.Info` (int64, 12): see below.
  *
  * Lengths are in units of the coordinates, and float64 too for extents out of the range of floats.
@@ -27,7 +27,7 @@
  * Scheme; the bits of Accuracy; 0; 0; a signature of the points (2 values); the bits of the size of
  * voxels; 0; 0; a checksum. Any change of points, a rigid motion included, invalidates the graph.
  *
- * Points that are not finite, and outliers (stray points), are kept with a warning that counts
+ * Points that are not finite, and outliers, are kept with a warning that counts
  * them. Outliers, each more than 1000 times as far from the cloud's middle as any other point and
  * in fewer than 17 places, are components of their own that do not change the graph of the others.
  * Copies of a point are joined by edges of near-zero length.

@@ -226,12 +226,12 @@ TEST(Outliers, AreAThousandTimesAsFarAsAllOthers)
   Add(points, { 0.0, 0.0, 1410.0 });
   EXPECT_EQ(CountStray(points), 0);
   points.back() = 1420.0;
-  const Outliers stray(points.data(), static_cast<Id>(points.size() / 3));
-  EXPECT_EQ(stray.GetNumberOfPoints(), 1);
-  EXPECT_TRUE(stray.IsOutlier({ 0.0, 0.0, 1420.0 }));
-  EXPECT_TRUE(stray.IsOutlier({ -1420.0, 0.0, 0.0 }));
-  EXPECT_FALSE(stray.IsOutlier({ 1.0, -1.0, 0.0 }));
-  // From the gap on all are stray, however close to each other.
+  const Outliers outliers(points.data(), static_cast<Id>(points.size() / 3));
+  EXPECT_EQ(outliers.GetNumberOfPoints(), 1);
+  EXPECT_TRUE(outliers.IsOutlier({ 0.0, 0.0, 1420.0 }));
+  EXPECT_TRUE(outliers.IsOutlier({ -1420.0, 0.0, 0.0 }));
+  EXPECT_FALSE(outliers.IsOutlier({ 1.0, -1.0, 0.0 }));
+  // From the gap on all are outliers, however close to each other.
   Add(points, { 0.0, 0.0, 1500.0 });
   Add(points, { 0.0, -1e300, 5.0 });
   EXPECT_EQ(CountStray(points), 3);

@@ -188,7 +188,7 @@ TEST_F(CloudDistance, SourcesFarFromTheCloud)
   ExpectSuccess(distance);
 }
 
-TEST_F(CloudDistance, StrayPointsDoNotBringSourcesCloser)
+TEST_F(CloudDistance, OutliersDoNotBringSourcesCloser)
 {
   // The tolerance is that of the cloud without them; they are places for sources all the same.
   const Points part = MakeFlatPoints(20, 0.2);
@@ -208,15 +208,16 @@ TEST_F(CloudDistance, StrayPointsDoNotBringSourcesCloser)
   EXPECT_TRUE(std::isnan(GetDistances(distance)[400]));
 }
 
-TEST_F(CloudDistance, SourcesAreFoundWhereverStrayPointsAre)
+TEST_F(CloudDistance, SourcesAreFoundWhereverOutliersAre)
 {
   // In a frame with points that far off, all others would be in one place.
   const Points part = MakeFlatPoints(20, 0.2);
   for (const double off : { 20.0, 1e6, 1e16, 3.4e38, 1e200 })
   {
     SCOPED_TRACE(off);
-    const Points stray = { { { off, 0.0, -off } }, { { off, 0.0, -off } }, { { 0.0, -off, 0.0 } } };
-    this->Use(Join(part, stray));
+    const Points outliers = { { { off, 0.0, -off } }, { { off, 0.0, -off } },
+      { { 0.0, -off, 0.0 } } };
+    this->Use(Join(part, outliers));
     this->Graph->Update(); // warns
     vtkNew<vtkGeodesicSampler> sampler;
     this->Connect(sampler);
@@ -230,9 +231,9 @@ TEST_F(CloudDistance, SourcesAreFoundWhereverStrayPointsAre)
     {
       EXPECT_EQ(find({ { part[i][0] + 1e-3, part[i][1] - 1e-3, 1e-3 } }), double(i));
     }
-    EXPECT_EQ(find(stray[0]), 400);
-    EXPECT_EQ(find(stray[2]), 402);
-    // Above the cloud, and near a stray point but not at it.
+    EXPECT_EQ(find(outliers[0]), 400);
+    EXPECT_EQ(find(outliers[2]), 402);
+    // Above the cloud, and near an outlier but not at it.
     for (const std::array<double, 3>& place :
       { std::array<double, 3>{ { 0.5, 0.5, 0.3 } }, { { 0.9 * off, 0.0, -off } } })
     {

@@ -201,7 +201,7 @@ TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
   };
   const double length = getLength();
 
-  // Points far off that are too many to be stray.
+  // Points far off that are too many to be outliers.
   Points few = MakeSpherePoints(30);
   for (auto& point : few)
   {

@@ -138,7 +138,7 @@ TEST(CloudDensity, HolesOfDensePartsAreGoneAround)
 
 TEST(CloudDensity, ManyPointsFarOff)
 {
-  // Too many to be stray, and their balls are larger than the rest of the cloud is.
+  // Too many to be outliers, and their balls are larger than the rest of the cloud is.
   const Cloud clean = Sphere(1000, 22);
   Cloud cloud = clean;
   const Cloud off = Sphere(25, 23);

@@ -218,28 +218,28 @@ TEST(CloudGraphInput, CoordinatesOutOfRange)
   }
 }
 
-TEST(CloudGraphInput, StrayPointsChangeNothing)
+TEST(CloudGraphInput, OutliersChangeNothing)
 {
   // As far off as that, they would leave no digits, no voxels and no short edges to the others.
   const Cloud clean = Sphere(800, 21);
   const CloudGraph expected = BuildGraph(clean);
   const std::vector<double> truth = DistancesFrom(expected.Graph.View(), 7);
-  const auto check = [&](const std::vector<Point3>& stray, std::size_t places) {
+  const auto check = [&](const std::vector<Point3>& outliers, std::size_t places) {
     Cloud cloud;
-    const auto half = static_cast<Id>(stray.size() / 2);
+    const auto half = static_cast<Id>(outliers.size() / 2);
     for (Id i = 0; i < half; ++i)
     {
-      cloud.Add(stray[i]);
+      cloud.Add(outliers[i]);
     }
     cloud.Points.insert(cloud.Points.end(), clean.Points.begin(), clean.Points.end());
-    for (std::size_t i = half; i < stray.size(); ++i)
+    for (std::size_t i = half; i < outliers.size(); ++i)
     {
-      cloud.Add(stray[i]);
+      cloud.Add(outliers[i]);
     }
     CloudGraphStatistics statistics;
     const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-    EXPECT_EQ(statistics.Outliers, static_cast<Id>(stray.size()));
-    EXPECT_EQ(statistics.CoincidentPoints, static_cast<Id>(stray.size() - places));
+    EXPECT_EQ(statistics.Outliers, static_cast<Id>(outliers.size()));
+    EXPECT_EQ(statistics.CoincidentPoints, static_cast<Id>(outliers.size() - places));
     EXPECT_EQ(graph.ComponentSizes.size(), 1 + places);
     EXPECT_EQ(graph.ComponentSizes[0], 800);
     EXPECT_EQ(graph.VoxelSize, expected.VoxelSize);
@@ -317,7 +317,7 @@ TEST(CloudGraphInput, PointsEvenlySpreadOverManyScales)
 
 TEST(CloudGraphInput, PartsThatAreFarApart)
 {
-  // Too many points to be stray: each part is as it would be on its own, but for the accuracy.
+  // Too many points to be outliers: each part is as it would be on its own, but for the accuracy.
   const Cloud clean = Sphere(1000, 22);
   const std::vector<double> truth = DistancesFrom(BuildGraph(clean).Graph.View(), 0);
   const auto add = [&](double off, Id count) {
@@ -425,7 +425,7 @@ TEST(CloudGraphInput, AFewPointsTogetherOffTheOthers)
 
 TEST(CloudGraphInput, ShortEdgesAreAsLongAsTheyAre)
 {
-  // Shorter than what joins points in the same place; stray points do not make that longer either.
+  // Shorter than what joins points in the same place; outliers do not make that longer either.
   Cloud cloud = Sphere(1000, 24);
   cloud.Points[0] = cloud.Points[1] = cloud.Points[2] = 0.0;
   cloud.Points[3] = 1e-14;

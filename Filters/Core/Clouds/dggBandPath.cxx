@@ -218,7 +218,7 @@ Status BandPathShortener::Prepare(double voxelSize, std::size_t memoryLimit,
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
     const Point3 p = dgg::PointAt(this->Points, v);
-    // Points without a ball are not in the band: stray ones would make its box very large.
+    // Points without a ball are not in the band: outliers would make its box very large.
     if (IsFinite(p) && std::isfinite(this->Radii[v]) && this->Radii[v] > 0.0)
     {
       points.push_back(p);

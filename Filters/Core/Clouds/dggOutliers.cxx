@@ -75,7 +75,7 @@ Outliers::Outliers(const double* points, Id numberOfPoints, double ratio)
     points, numberOfPoints, [&](const Point3& p) { values.push_back(this->QuarterDistance(p)); });
   const double median = Quantile(values, 0.5);
 
-  // At least half of the points are not farther than the median, so stray ones are by that much.
+  // At least half of the points are not farther than the median, so outliers are by that much.
   std::vector<FarPoint> far;
   double inner = 0.0;
   ForEachFinite(points, numberOfPoints, [&](const Point3& p) {
@@ -114,7 +114,7 @@ Outliers::Outliers(const double* points, Id numberOfPoints, double ratio)
   this->NumberOfPoints = 0;
 }
 
-/// Whether the points that are not stray are enough to be a cloud.
+/// Whether the points that are no outliers are enough to be a cloud.
 bool Outliers::HasManyPlaces(const double* points, Id numberOfPoints) const
 {
   Places places;

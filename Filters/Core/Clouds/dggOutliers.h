@@ -15,7 +15,7 @@ namespace dgg
 /// numbers that stand for no reading. Such points must not decide how large the cloud is, nor where
 /// its middle is: nothing would be left of its digits, or of its voxels.
 ///
-/// Distances are from the middle of the cloud, its median along each axis. Points are stray when
+/// Distances are from the middle of the cloud, its median along each axis. Points are outliers when
 /// each of them is more than `ratio` times as far as any of the others, when they are in fewer than
 /// 17 places, and the others in 17 places at least: a spacing needs 16 neighbours, so that more
 /// places are a part of the cloud, however far. Places count, not points. Outliers may be as
@@ -24,7 +24,7 @@ namespace dgg
 class DGG_CORE_EXPORT Outliers
 {
 public:
-  /// One rule, with a ratio for each of two ends. For graphs: stray points are connected to
+  /// One rule, with a ratio for each of two ends. For graphs: outliers are connected to
   /// nothing, so that they must be beyond doubt. Nearer ones may be objects of few points, and cost
   /// a cloud less than 10 bits of its digits.
   static constexpr double LargestRatio = 1000.0;

@@ -29,7 +29,7 @@ struct CloudGraphOptions
   /// Radius h of the balls that make the band, in voxels. 0: from the local spacing of the points,
   /// so that it may differ from point to point.
   double OffsetInVoxels = 0.0;
-  /// Voxels along the longest side of the box of the points, stray ones left out, without those
+  /// Voxels along the longest side of the box of the points, outliers left out, without those
   /// around it that balls reach into. 0: from the spacing of the points.
   Id Resolution = 0;
   /// What it means depends on the scheme. 0: the default of the scheme.
@@ -64,7 +64,7 @@ struct CloudGraph
   /// numbered from the largest on.
   std::vector<Id> Components;
   std::vector<Id> ComponentSizes;
-  /// Per point, the radius of its ball; 0 where it is not finite, or stray.
+  /// Per point, the radius of its ball; 0 where it is not finite, or an outlier.
   std::vector<double> Radii;
   double VoxelSize = 0.0;
 };

@@ -84,13 +84,13 @@ void ReportPlaces(const std::vector<NodeEntry>& entries, std::size_t places,
 Status FindNodes(
   const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places)
 {
-  const Outliers stray(points, numberOfPoints);
+  const Outliers outliers(points, numberOfPoints);
   const CloudFrame frame(
-    points, numberOfPoints, [&](const Point3& p) { return stray.IsOutlier(p); });
+    points, numberOfPoints, [&](const Point3& p) { return outliers.IsOutlier(p); });
   nodes = CloudNodes();
   places.clear();
-  nodes.NumberOfOutliers = stray.GetNumberOfPoints();
-  nodes.Unused = numberOfPoints - frame.GetNumberOfPoints() - stray.GetNumberOfPoints();
+  nodes.NumberOfOutliers = outliers.GetNumberOfPoints();
+  nodes.Unused = numberOfPoints - frame.GetNumberOfPoints() - outliers.GetNumberOfPoints();
   if (frame.GetNumberOfPoints() == 0)
   {
     return Status::Success();
@@ -100,15 +100,15 @@ Status FindNodes(
   nodes.Extent = 2.0 * frame.GetHalfExtent() * nodes.Scale;
 
   std::vector<NodeEntry> entries;
-  std::vector<NodeEntry> strayEntries;
+  std::vector<NodeEntry> outlierEntries;
   entries.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
-  strayEntries.reserve(static_cast<std::size_t>(stray.GetNumberOfPoints()));
+  outlierEntries.reserve(static_cast<std::size_t>(outliers.GetNumberOfPoints()));
   for (Id i = 0; i < numberOfPoints; ++i)
   {
     const Point3 point = PointAt(points, i);
-    if (IsFinite(point) && stray.IsOutlier(point))
+    if (IsFinite(point) && outliers.IsOutlier(point))
     {
-      strayEntries.push_back({ 0, point, i });
+      outlierEntries.push_back({ 0, point, i });
     }
     else if (IsFinite(point))
     {
@@ -117,10 +117,10 @@ Status FindNodes(
     }
   }
   const std::size_t count = SortEntries(entries);
-  const std::size_t strayCount = SortEntries(strayEntries);
-  nodes.Coincident.reserve(entries.size() - count + strayEntries.size() - strayCount);
+  const std::size_t outlierCount = SortEntries(outlierEntries);
+  nodes.Coincident.reserve(entries.size() - count + outlierEntries.size() - outlierCount);
   ReportPlaces(entries, count, nodes.Originals, nodes.Coincident);
-  ReportPlaces(strayEntries, strayCount, nodes.Outliers, nodes.Coincident);
+  ReportPlaces(outlierEntries, outlierCount, nodes.Outliers, nodes.Coincident);
   places.reserve(count);
   for (std::size_t i = 0; i < entries.size(); ++i)
   {

@@ -13,7 +13,7 @@
 
 namespace dgg
 {
-/// The points that a graph is built of, the nodes: finite, not stray, no two in the same place,
+/// The points that a graph is built of, the nodes: finite, no outliers, no two in the same place,
 /// those that are close to each other close in memory. Their coordinates are centred and scaled by
 /// a power of two to [-1, 1].
 struct CloudNodes

@@ -30,11 +30,11 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /// The finite points as floats: in the frame of the cloud, as floats have few digits and a small
 /// range. Those far off all others would leave few of these digits: they are outside of the frame,
-/// stray ones are left out.
+/// outliers are left out.
 dgg::Status MakeCloud(
   const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids, Cloud::Ptr& cloud)
 {
-  const dgg::Outliers stray(positions, numberOfPoints);
+  const dgg::Outliers outliers(positions, numberOfPoints);
   const dgg::Outliers far(positions, numberOfPoints, dgg::Outliers::RatioOfFar);
   const dgg::CloudFrame frame(
     positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsOutlier(p); });
@@ -45,7 +45,7 @@ dgg::Status MakeCloud(
   for (dgg::Id v = 0; v < numberOfPoints; ++v)
   {
     const dgg::Point3 point = dgg::PointAt(positions, v);
-    if (dgg::IsFinite(point) && !stray.IsOutlier(point))
+    if (dgg::IsFinite(point) && !outliers.IsOutlier(point))
     {
       const dgg::Point3 p = frame.ToLocal(point);
       ids.push_back(v);

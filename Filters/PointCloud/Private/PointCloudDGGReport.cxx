@@ -140,11 +140,12 @@ void vtkPointCloudDGG::WarnAboutPoints()
                     << " not finite. " << (isOne ? "It is" : "They are")
                     << " kept, and connected to nothing.");
   }
-  const dgg::Id stray = this->Internals->Current.Statistics.Outliers;
-  if (stray > 0)
+  const dgg::Id outliers = this->Internals->Current.Statistics.Outliers;
+  if (outliers > 0)
   {
-    const bool isOne = stray == 1;
-    vtkWarningMacro(<< "the cloud has " << stray << (isOne ? " point that is" : " points that are")
+    const bool isOne = outliers == 1;
+    vtkWarningMacro(<< "the cloud has " << outliers
+                    << (isOne ? " point that is" : " points that are")
                     << " more than 1000 times as far off as all others. "
                     << (isOne ? "It is" : "They are")
                     << " kept, and connected to nothing but points in the same place.");
