@@ -30,7 +30,7 @@
   static_assert(true, #Name)
 
 /// The i-th id; -1 when there is none.
-vtkIdType DGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);
+VTKDGGFILTERSCOMMON_EXPORT vtkIdType DGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);
 /// A line with the name and the ids.
 VTKDGGFILTERSCOMMON_EXPORT void DGGPrintIds(
   std::ostream& os, vtkIndent indent, const char* name, const std::vector<vtkIdType>& ids);
