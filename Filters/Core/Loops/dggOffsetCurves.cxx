@@ -23,7 +23,7 @@ constexpr double Spacing = 9e-3;
 /// Points on a path, at most.
 constexpr double MostSources = 1e5;
 /// Edges that a rim may cross are no longer than this, as a fraction of half of the width.
-constexpr double LongestEdge = 0.2;
+constexpr double LongestEdge = 0.5;
 /// How far a rim may be from the curve, as the same fraction: a hundred times what the points on
 /// the path leave open.
 constexpr double ChordTolerance = 1e-3;
