@@ -15,8 +15,8 @@ namespace
 /// Lines between two reports.
 constexpr std::size_t ProgressInterval = 1024;
 
-/// The curves that make up lines: of each line the first one comes first, or else, in lines that
-/// are not closed, is run through forwards. Lines are in the order of levels, then of those curves.
+/// The curves of each line. A line runs as its curve of smallest number does, and begins with it
+/// when it is closed. Lines are in the order of levels, then of those curves.
 std::vector<PieceChain> JoinCurves(const std::vector<FaceCurve>& curves)
 {
   std::vector<std::array<Id, 2>> ends;

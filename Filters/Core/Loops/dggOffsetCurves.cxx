@@ -23,12 +23,11 @@ constexpr double Spacing = 9e-3;
 /// Points on a path, at most.
 constexpr double MostSources = 1e5;
 /// Edges that a rim may cross are no longer than this, as a fraction of half of the width.
-constexpr double LongestEdge = 0.2;
+constexpr double LongestEdge = 0.5;
 /// How far a rim may be from the curve, as the same fraction: a hundred times what the points on
 /// the path leave open.
 constexpr double ChordTolerance = 1e-3;
-/// Closed rims shorter than this, as a fraction of half of the width, are left out: where the
-/// width is about that of the surface, they are what rounding leaves.
+/// Closed rims shorter than this, as a fraction of half of the width, are left out.
 constexpr double ShortestRim = 0.5;
 /// While edges are split the path may be sampled more coarsely: as fractions of the edges and of
 /// half of the width.
