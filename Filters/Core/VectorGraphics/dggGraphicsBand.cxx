@@ -198,7 +198,6 @@ private:
   std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
   std::vector<std::vector<double>> Columns; // channels of the left, then those of the right
 };
-
 }
 
 bool IsBlended(const GraphicsCurve& curve, int channels)

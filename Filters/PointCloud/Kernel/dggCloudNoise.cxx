@@ -293,10 +293,10 @@ bool RemoveNoise(
   }
   setup.Neighbors.reset(); // before another one is taken
   setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
+  loop.Skip(ShareOfTree * share);
   // What is left of the noise is not to be followed.
   std::fill(pairs.IsSmooth.begin(), pairs.IsSmooth.end(), 1);
-  if (!loop.Skip(ShareOfTree * share) ||
-    !FitTo(count, FitPasses::One, setup, ShareOfFit * share, loop, fits))
+  if (!FitTo(count, FitPasses::One, setup, ShareOfFit * share, loop, fits))
   {
     return false;
   }

@@ -27,14 +27,8 @@ public:
 
   /// All steps so far have made that part of the progress.
   void FinishAt(double done) { this->Done = done; }
-  /// A step of that share has been made, which reported for itself or cannot be interrupted. False
-  /// when stopped.
-  bool Skip(double share)
-  {
-    this->Done += share;
-    return this->Report(0.0, 0.0);
-  }
-
+  /// A step of that share has been made, outside of these loops.
+  void Skip(double share) { this->Done += share; }
   /// Report a part of a step that has that share. False when stopped.
   bool Report(double share, double part)
   {
