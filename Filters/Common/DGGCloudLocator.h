@@ -19,7 +19,7 @@
 
 /// Finds closest points of a cloud, of those that are finite. Coordinates are taken from the middle
 /// of the cloud and scaled by a power of two for the search, so that any scale gives the same
-/// answer, bit by bit. The few that are far off all others (dggOutliers.h, by four times) are
+/// answer, bit by bit. The few that are far off all others (dggOutliers.h) are
 /// looked at one by one: in the frame of all points the others would lose their digits, and share
 /// one bucket of the search.
 class VTKDGGFILTERSCOMMON_EXPORT DGGCloudLocator : public DGGLocator

@@ -216,8 +216,7 @@ dgg::Status DGGPreparedMesh::Make(
   if (status.IsOk())
   {
     made->BuildTime.Modified();
-    prepared = made;
-    GetMeshesInUse().Add(fingerprint, prepared);
+    prepared = GetMeshesInUse().Add(fingerprint, made);
   }
   return status;
 }
@@ -290,10 +289,10 @@ dgg::Status DGGPreparedMesh::BuildCloud(vtkPolyData* input)
   this->Signature = dgg::ComputeSignature(coordinates.GetData(), n, nullptr, 0);
   this->Report.Vertices = n;
   this->Report.IsolatedVertices = n;
-  const dgg::Status status =
-    dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh);
+  DGG_RETURN_IF_ERROR(
+    dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh));
   this->GetPositions(input->GetPoints());
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -26,14 +26,22 @@ public:
     return found == this->Values.end() ? nullptr : found->second.lock();
   }
 
-  void Add(const Key& key, const Pointer& value)
+  /// What is in use by this key: the value, unless another thread has added one before.
+  Pointer Add(const Key& key, const Pointer& value)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     for (auto entry = this->Values.begin(); entry != this->Values.end();)
     {
       entry = entry->second.expired() ? this->Values.erase(entry) : std::next(entry);
     }
-    this->Values[key] = value;
+    std::weak_ptr<const Value>& place = this->Values[key];
+    Pointer inUse = place.lock();
+    if (!inUse)
+    {
+      place = value;
+      inUse = value;
+    }
+    return inUse;
   }
 
 private:

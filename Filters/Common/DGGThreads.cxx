@@ -12,6 +12,7 @@
 #include <exception>
 #include <future>
 #include <mutex>
+#include <system_error>
 
 namespace
 {
@@ -82,14 +83,21 @@ dgg::ParallelFor DGGMakeParallelFor(const dgg::ProgressCallback& progress)
     {
       // Not by this thread: with STDThread it would wait without a share of the loop, and with any
       // backend until the last range is done.
-      done = std::async(std::launch::async, [&queue, others] {
-        vtkSMPTools::For(0, others, 1, [&queue](vtkIdType begin, vtkIdType end) {
-          for (vtkIdType i = begin; i < end; ++i)
-          {
-            queue.Run();
-          }
+      try
+      {
+        done = std::async(std::launch::async, [&queue, others] {
+          vtkSMPTools::For(0, others, 1, [&queue](vtkIdType begin, vtkIdType end) {
+            for (vtkIdType i = begin; i < end; ++i)
+            {
+              queue.Run();
+            }
+          });
         });
-      });
+      }
+      catch (const std::system_error&)
+      {
+        // The system gives no more threads: this one does it all.
+      }
     }
     queue.Run();
     while (done.valid() && done.wait_for(PollInterval) != std::future_status::ready)

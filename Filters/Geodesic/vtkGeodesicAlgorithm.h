@@ -54,7 +54,7 @@
  * An input without points and cells is a warning, with an empty output. AbortExecute, set by an
  * observer of ProgressEvent, empties the output with error code zero; the next update starts anew.
  *
- * Not for subclassing outside of this project: virtual functions take types that are not installed.
+ * Not for subclassing outside of this project: what virtual functions are given is internal.
  *
  * @sa vtkGeodesicDistanceAlgorithm vtkDiscreteGeodesicGraph
  */

@@ -52,7 +52,7 @@ dgg::Status CheckAll(const dgg::SpectralDistance& distance, PlaceCheck check,
 /// Kept until the mesh changes.
 struct vtkBiharmonicDistance::Preparation
 {
-  vtkMTimeType MeshTime;
+  vtkMTimeType SolverTime;
   dgg::SpectralDistance Distance;
 };
 
@@ -157,12 +157,11 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(DGGSpectralTask& task)
     this->Method == Exact ? dgg::SpectralMethod::Exact : dgg::SpectralMethod::Spectrum;
   options.NumberOfEigenvalues = this->NumberOfEigenvalues;
   options.Time = this->DiffusionTime;
-  if (!this->Prepared || this->Prepared->MeshTime != task.Context.Surface.GetBuildTime())
+  if (!this->Prepared || this->Prepared->SolverTime != task.SolverTime)
   {
     this->NumberOfSpectra = this->GetNumberOfSpectra();
     this->Prepared.reset(); // before there are two
-    this->Prepared.reset(
-      new Preparation{ task.Context.Surface.GetBuildTime(), dgg::SpectralDistance(task.Solver) });
+    this->Prepared.reset(new Preparation{ task.SolverTime, dgg::SpectralDistance(task.Solver) });
   }
   dgg::SpectralDistance& distance = this->Prepared->Distance;
   dgg::Status status =

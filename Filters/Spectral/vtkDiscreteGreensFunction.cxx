@@ -55,14 +55,14 @@ struct UsedMethod
 /// What is kept for a mesh.
 struct Functions
 {
-  Functions(const dgg::PoissonSolver& solver, vtkMTimeType meshTime)
-    : MeshTime(meshTime)
+  Functions(const dgg::PoissonSolver& solver, vtkMTimeType solverTime)
+    : SolverTime(solverTime)
     , Function(solver)
     , Interpolation(solver)
   {
   }
 
-  vtkMTimeType MeshTime;
+  vtkMTimeType SolverTime;
   dgg::GreensFunction Function;
   dgg::GreensInterpolation Interpolation;
 };
@@ -289,10 +289,10 @@ dgg::Status vtkDiscreteGreensFunction::ComputeValues(DGGSpectralTask& task)
     this->InterpolateRegularPart && this->Method == SingularitySubtraction;
 
   vtkInternals& internals = *this->Internals;
-  if (!internals.Kept || internals.Kept->MeshTime != task.Context.Surface.GetBuildTime())
+  if (!internals.Kept || internals.Kept->SolverTime != task.SolverTime)
   {
     internals.Kept.reset(); // before there are two
-    internals.Kept = std::make_unique<Functions>(task.Solver, task.Context.Surface.GetBuildTime());
+    internals.Kept = std::make_unique<Functions>(task.Solver, task.SolverTime);
   }
   internals.Used.clear();
   std::vector<UsedMethod> used;

@@ -55,7 +55,7 @@ vtkSpectralAlgorithm::vtkSpectralAlgorithm(const std::string& resultArrayName)
   , Boundary(Neumann)
   , IntrinsicDelaunay(false)
   , ResultArrayName(resultArrayName)
-  , Keeper(new DGGPoissonCache)
+  , Cache(new DGGPoissonCache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
@@ -106,13 +106,13 @@ const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 //------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const
 {
-  return this->Keeper->GetNumberOfFactorizations();
+  return this->Cache->GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSpectralAlgorithm::GetMemorySize() const
 {
-  return this->Keeper->GetMemorySize();
+  return this->Cache->GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -196,7 +196,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const DGGPreparedMesh& mesh = context.Surface;
-  DGGPoissonCache& keeper = *this->Keeper;
+  DGGPoissonCache& cache = *this->Cache;
   const DGGSourceSet targetSet = GetTargets(inputVector);
   const DGGSourceSet sourceSet = this->GetSources(inputVector);
   const bool hasTargets = !IsEmpty(targetSet);
@@ -226,26 +226,26 @@ dgg::Status vtkSpectralAlgorithm::Execute(
       this->EstimateWorkingMemory(solver, count, targets.size());
     return needed;
   };
-  const double prepared = keeper.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
+  const double prepared = cache.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
   const double chosen =
     prepared + (this->CanChooseSources() ? ChoosingPart * (1.0 - prepared) : 0.0);
-  status = keeper.Prepare(context, options, others, this->GetMemoryRemedy(),
+  status = cache.Prepare(context, options, others, this->GetMemoryRemedy(),
     dgg::ProgressPart(context.Progress, 0.0, prepared));
   if (status.IsOk())
   {
     status = this->ChooseSources(
-      keeper.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources);
+      cache.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources);
   }
   if (!status.IsOk())
   {
     return status;
   }
-  const double held = context.MemoryLimit == 0 ? 0.0 : keeper.GetSolver().GetEstimatedMemory();
+  const double held = context.MemoryLimit == 0 ? 0.0 : cache.GetSolver().GetEstimatedMemory();
   const double left = static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit)) - held - needed;
   DGGSpectralOutputs outputs(
     mesh, numberOfPoints, targets.size(), sources.size(), this->ResultArrayName);
-  DGGSpectralTask task{ context, keeper.GetSolver(), sources, targets, std::max(0.0, left),
-    dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
+  DGGSpectralTask task{ context, cache.GetSolver(), cache.GetSolverTime(), sources, targets,
+    std::max(0.0, left), dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
   DGG_RETURN_IF_ERROR(this->ComputeValues(task));
   AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));

@@ -222,7 +222,7 @@ private:
   int Boundary;
   bool IntrinsicDelaunay;
   std::string ResultArrayName;
-  std::unique_ptr<DGGPoissonCache> Keeper;
+  std::unique_ptr<DGGPoissonCache> Cache;
 };
 
 #endif

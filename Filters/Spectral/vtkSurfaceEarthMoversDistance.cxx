@@ -141,7 +141,7 @@ vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   , Tolerance(1e-2)
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(false)
-  , Keeper(new DGGPoissonCache)
+  , Cache(new DGGPoissonCache)
 {
   this->SetNumberOfInputPorts(3);
   this->ForgetResults();
@@ -187,13 +187,13 @@ vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, To, 2);
 //------------------------------------------------------------------------------
 int vtkSurfaceEarthMoversDistance::GetNumberOfFactorizations() const
 {
-  return this->Keeper->GetNumberOfFactorizations();
+  return this->Cache->GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSurfaceEarthMoversDistance::GetMemorySize() const
 {
-  return this->Keeper->GetMemorySize();
+  return this->Cache->GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -255,7 +255,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const DGGPreparedMesh& mesh = context.Surface;
-  DGGPoissonCache& keeper = *this->Keeper;
+  DGGPoissonCache& cache = *this->Cache;
   DGGDistribution distributions[2];
   dgg::Status status;
   for (int k = 0; k < 2 && status.IsOk(); ++k)
@@ -277,14 +277,14 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   options.MostIterations = this->MaximumNumberOfIterations;
   options.Tolerance = this->Tolerance;
 
-  const double prepared = keeper.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
+  const double prepared = cache.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
   const auto others = [&](const dgg::PoissonSolver& solver) {
     return SearchPart * solver.GetEstimatedMemory();
   };
-  status = keeper.Prepare(context, poisson, others, this->GetMemoryRemedy(),
+  status = cache.Prepare(context, poisson, others, this->GetMemoryRemedy(),
     dgg::ProgressPart(context.Progress, 0.0, prepared));
   const std::vector<double>* areas =
-    status.IsOk() && this->ArrayMeaning == Density ? &keeper.GetSolver().GetAreas() : nullptr;
+    status.IsOk() && this->ArrayMeaning == Density ? &cache.GetSolver().GetAreas() : nullptr;
   std::vector<double> masses[2];
   for (int k = 0; k < 2 && status.IsOk(); ++k)
   {
@@ -299,7 +299,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   if (status.IsOk())
   {
     options.Progress = dgg::ProgressPart(context.Progress, prepared, 1.0);
-    status = dgg::EarthMovers(keeper.GetSolver()).Run(masses[0], masses[1], options, result);
+    status = dgg::EarthMovers(cache.GetSolver()).Run(masses[0], masses[1], options, result);
   }
   if (status.IsOk() && !context.Progress(1.0))
   {

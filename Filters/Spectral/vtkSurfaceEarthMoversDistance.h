@@ -241,7 +241,7 @@ private:
   double LowerBound;
   double Gap;
   int NumberOfIterations;
-  std::unique_ptr<DGGPoissonCache> Keeper;
+  std::unique_ptr<DGGPoissonCache> Cache;
 };
 
 #endif

@@ -66,7 +66,7 @@ TEST(CloudGraph, PredictionsReportProgressAndStop)
   EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
   EXPECT_GT(reported.back(), 0.9);
   EXPECT_LE(reported.back(), 1.0);
-  for (std::size_t calls = 1; calls < reported.size(); calls += 3)
+  for (std::size_t calls = 1; calls < reported.size(); calls += 1 + reported.size() / 8)
   {
     ExpectStopOfPrediction(calls, cloud);
   }
@@ -118,7 +118,7 @@ TEST(CloudGraph, ProgressGrowsWhileMuchNoiseIsRemoved)
   EXPECT_TRUE(MakeBuilder(cloud).Estimate(options, estimate).IsAborted());
   EXPECT_GT(reported.size(), 25U);
   ExpectGrowth(reported);
-  for (std::size_t calls = 1; calls < reported.size(); calls += 5)
+  for (std::size_t calls = 1; calls < reported.size(); calls += 1 + reported.size() / 8)
   {
     ExpectStopOfPrediction(calls, cloud);
   }

@@ -14,8 +14,8 @@ constexpr double AccuracyMargin = 1e-5;
 /// Subtracted from the angle, radians.
 constexpr float AngleMargin = 1e-4f;
 
-/// Radius around a vertex up to which the surface is a window.
-double WindowRadius(const SurfaceMesh& mesh, Id v)
+/// Radius around a vertex up to which the surface is a cone.
+double ConeRadius(const SurfaceMesh& mesh, Id v)
 {
   double radius = Infinity;
   for (const Id* h = mesh.FanBegin(v); h != mesh.FanEnd(v); ++h)
@@ -43,8 +43,8 @@ TurnLimits::TurnLimits(const GraphView& graph, const SurfaceMesh& mesh)
     {
       continue;
     }
-    // No edge is shorter: there is no vertex inside the window.
-    const double radius = WindowRadius(mesh, v);
+    // No edge is shorter: there is no vertex inside the cone.
+    const double radius = ConeRadius(mesh, v);
     double longest = 0.0;
     for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
     {

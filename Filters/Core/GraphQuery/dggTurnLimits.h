@@ -15,7 +15,7 @@ namespace dgg
 {
 /// A path over edges of lengths a and b that meet in vertex u at an angle phi on the surface is not
 /// a shortest one when phi is small. Around u, up to the nearest opposite edge of its faces, the
-/// surface is a window; so cutting the corner at the distance x of that edge saves
+/// surface is a cone; so cutting the corner at the distance x of that edge saves
 /// 2x (1 - sin(phi / 2)). In a guaranteed graph there is a way that is longer than this short-cut
 /// by no more than its accuracy, and shorter than a + b if phi is below a limit.
 ///

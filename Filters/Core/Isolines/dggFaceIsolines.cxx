@@ -10,7 +10,7 @@ namespace dgg
 {
 namespace
 {
-/// MarchingTriangles that are tried one after the other.
+/// Grids that are tried one after the other.
 constexpr std::array<int, 5> CellsOfMarchingTriangles{ { 4, 8, 16, 32, 64 } };
 /// Twice the cells that a lattice has for each place around which lines may be closed, but for the
 /// finest lattice.

@@ -34,7 +34,7 @@ Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
   }
   if (!field.HasWindows() && !field.HasSources())
   {
-    return Status::Invalid("distances at vertices alone do not tell ridges: give the windows of "
+    return Status::Invalid("distances at vertices alone do not show ridges: give the windows of "
                            "exact distances, or virtual sources");
   }
   if (!(options.MinimumAngle >= 0.0 && options.MinimumAngle <= Pi))

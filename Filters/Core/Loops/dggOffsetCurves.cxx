@@ -18,7 +18,7 @@ namespace dgg
 namespace
 {
 /// Points on the path are this close to each other, as a fraction of half of the width: their
-/// distance differs from that of the path by up to its square, by 8.
+/// distance differs from that of the path by up to an eighth of its square.
 constexpr double Spacing = 9e-3;
 /// Points on a path, at most.
 constexpr double MostSources = 1e5;

@@ -79,7 +79,7 @@ public:
 
   /// As FromLengths(), with the gluing given as well: `twins[h]` is the other half of the edge of
   /// half-edge `h`, or NoId. Needed where faces meet along edges that vertex pairs do not
-  /// distinguish apart, as on a flat torus of few triangles.
+  /// distinguish, as on a flat torus of few triangles.
   static Status FromGluedLengths(Offset numberOfVertices, const Id* triangles,
     Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh,
     const PartOfMesh& origin = {});

@@ -100,7 +100,7 @@ public:
   void Append(const SurfacePath& path) { this->Chain.Append(path); }
 
   std::vector<Strip>& GetStrips() { return this->Chain.GetStrips(); }
-  /// GraphEdges whose direction did not lead to their head.
+  /// Edges whose direction did not lead to their head.
   Id GetNumberOfFallbacks() const { return this->NumberOfFallbacks; }
 
   /// Bytes of the solver that is kept; nothing else is as large as the mesh.

@@ -19,7 +19,7 @@ namespace dgg
 class PoissonSystem;
 
 /// How messages name a point of a surface.
-std::string NameOf(const SurfacePoint& point);
+DGG_CORE_EXPORT std::string NameOf(const SurfacePoint& point);
 
 /// What happens at the boundary of the surface.
 enum class PoissonBoundary

@@ -52,7 +52,7 @@ struct SpectralOptions
 /// functions are linear. All are distances of vectors, so metrics on each component; points in
 /// different components are at distance Infinity.
 ///
-/// The threads of a parallel loop report its progress, one at a time, so it must not care which.
+/// The threads of a parallel loop report its progress, several at once.
 class DGG_CORE_EXPORT SpectralDistance
 {
 public:

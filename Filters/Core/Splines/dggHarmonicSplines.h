@@ -43,7 +43,7 @@ namespace dgg
 /// cells, whatever the c_ij are: K is symmetric, so u = mean + sum_i b_i gbar_i. The error falls
 /// like the square of the size of cells.
 ///
-/// Progress is reported by the threads of `parallel`, one at a time.
+/// Progress is reported by the threads of `parallel`, several at once.
 class DGG_CORE_EXPORT HarmonicSplines
 {
 public:

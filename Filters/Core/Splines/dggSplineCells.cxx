@@ -323,8 +323,9 @@ Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites
       ProgressPart(progress, RimsDone, 1.0), conductances));
   }
   Assemble(sites.size(), conductances, found);
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 1.0));
   cells = std::move(found);
-  return ReportTo(progress, 1.0);
+  return Status::Success();
 }
 
 bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,

@@ -63,7 +63,14 @@ Status ForBlocks(Offset count, Offset size, const ParallelFor& parallel,
   std::vector<Status> outcomes(static_cast<std::size_t>(blocks));
   std::atomic<Offset> failed{ blocks }; // the first block that is known to have an error
   SharedProgress shared(progress, blocks);
-  ForRange(parallel, blocks, 1, [&](Offset first, Offset last) {
+  // Threads take one block after the other, whatever ranges they are given: one worker for each.
+  std::atomic<Offset> next{ 0 };
+  ForRange(parallel, blocks, 1, [&](Offset, Offset) {
+    Offset b = next++;
+    if (b >= blocks)
+    {
+      return;
+    }
     auto worker = makeWorker();
     const auto run = [&](Offset b, const ProgressCallback& within) {
       const Offset end = std::min(count, (b + 1) * size);
@@ -78,7 +85,7 @@ Status ForBlocks(Offset count, Offset size, const ParallelFor& parallel,
         return Status::Success();
       }
     };
-    for (Offset b = first; b < last && b < failed; ++b)
+    for (; b < blocks && b < failed; b = next++)
     {
       double reported = 0.0;
       const ProgressCallback within = [&](double done) { return shared.Report(done, reported); };

@@ -103,7 +103,7 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   vtkFieldData* data = context.Input->GetFieldData();
   if (this->IsFromInput() && !this->InputGraph.IsSame(data, context.Surface))
   {
-    this->ForgetGraph(); // before its arrays are let go
+    this->ForgetGraph();
   }
   const bool isCloud = context.Surface.IsCloud();
   if (isCloud && !this->InputGraph.IsValid())
@@ -176,6 +176,7 @@ void DGGGraphUser::ForgetGraph()
 void DGGGraphUser::SearchIn(const DGGGraphArrays& arrays, const DGGPreparedMesh& mesh)
 {
   this->Finder.reset();
+  this->Shortener.reset();
   this->Search.reset();
   this->Graph.reset(); // before there are two
   this->Graph = DGGPreparedGraph::Make(arrays, mesh);

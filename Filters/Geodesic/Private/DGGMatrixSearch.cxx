@@ -128,7 +128,7 @@ dgg::Status DGGMatrixSearch::Run(bool symmetric)
   {
     status = this->Search();
   }
-  if (symmetric)
+  if (status.IsOk() && symmetric)
   {
     this->Mirror();
   }

@@ -171,7 +171,6 @@ dgg::Status DGGPathSearch::RunOnCloud(DGGGraphUser& graph, bool smooth, Paths& p
     return prepared;
   }
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
-  // Only the calling thread reports: a single path, or blocks of them.
   const auto find = [&](std::size_t i, const dgg::ProgressCallback& within) {
     return DGGExplain(this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i]),
       "pair " + std::to_string(i) + ": ");

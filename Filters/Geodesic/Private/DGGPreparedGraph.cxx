@@ -36,8 +36,7 @@ DGGPreparedGraph::Pointer DGGPreparedGraph::Make(
   Pointer graph = GetGraphsInUse().Find(key);
   if (!graph)
   {
-    graph = std::make_shared<const DGGPreparedGraph>(arrays, surface);
-    GetGraphsInUse().Add(key, graph);
+    graph = GetGraphsInUse().Add(key, std::make_shared<const DGGPreparedGraph>(arrays, surface));
   }
   return graph;
 }

@@ -61,13 +61,13 @@ public:
   bool ForNodes(std::size_t nodes, double share, Body&& body, std::size_t cost = 1)
   {
     const Offset grain =
-      std::max<Offset>(1, NodesPerTask / std::max<Offset>(1, static_cast<Offset>(cost)));
+      std::max<Offset>(1, NodesPerBlock / std::max<Offset>(1, static_cast<Offset>(cost)));
     return this->ForPieces(static_cast<Offset>(nodes), grain, share,
       [&](Offset begin, Offset end) { body(static_cast<Id>(begin), static_cast<Id>(end)); });
   }
 
 private:
-  static constexpr Offset NodesPerTask = 64;
+  static constexpr Offset NodesPerBlock = 1024;
 
   const ParallelFor& Parallel;
   const ProgressCallback& Progress;

@@ -11,7 +11,7 @@
 
 /// Fit a plane to the nearest `numberOfNeighbors` points of each point, itself included, on the
 /// threads of VTK. `normals` receives three numbers per point, of length 1 or all 0 where a point
-/// is not finite, or an outlier (dggOutliers.h), or its neighbours tell no plane. Which side they
+/// is not finite, or an outlier (dggOutliers.h), or its neighbours define no plane. Which side they
 /// point to is arbitrary, though always the same. `positions` are x y z per point.
 dgg::Status DGGEstimateNormals(const double* positions, dgg::Id numberOfPoints,
   int numberOfNeighbors, const dgg::ProgressCallback& progress, std::vector<double>& normals);

@@ -33,6 +33,7 @@ dgg::Status DGGPoissonCache::Prepare(const DGGContext& context, const dgg::Poiss
     this->EarlierFactorizations = this->GetNumberOfFactorizations();
     this->Solver.reset(); // before there are two
     this->Solver = std::make_unique<dgg::PoissonSolver>(mesh.GetMesh());
+    this->SolverTime.Modified();
     this->MeshTime = mesh.GetBuildTime();
   }
   return this->Solver->Prepare(options, progress, [&](double bytes, double missing) {

@@ -7,7 +7,8 @@
 
 #include "dggPoissonSolver.h" // for PoissonSolver
 
-#include "vtkType.h" // for vtkTypeUInt64
+#include "vtkTimeStamp.h" // for the solver
+#include "vtkType.h"      // for vtkTypeUInt64
 
 #include <functional> // for what else takes memory
 #include <memory>     // for the solver
@@ -24,8 +25,8 @@ public:
   using OtherMemory = std::function<double(const dgg::PoissonSolver&)>;
 
   /// Bring the solver up to date. Fails when it and what else is wanted would take more memory than
-  /// the limit of the context. Must be called in every update, since the
-  /// solver reads the mesh.
+  /// the limit of the context. Must be called in every update: the solver reads the mesh, which
+  /// may be another one.
   dgg::Status Prepare(const DGGContext& context, const dgg::PoissonOptions& options,
     const OtherMemory& others, const std::string& remedy, const dgg::ProgressCallback& progress);
 
@@ -34,6 +35,8 @@ public:
 
   /// After Prepare().
   const dgg::PoissonSolver& GetSolver() const { return *this->Solver; }
+  /// When that solver was made. What refers to it goes with it.
+  vtkMTimeType GetSolverTime() const { return this->SolverTime.GetMTime(); }
 
   int GetNumberOfFactorizations() const;
   /// About how many bytes are held.
@@ -44,6 +47,7 @@ public:
 
 private:
   std::unique_ptr<dgg::PoissonSolver> Solver;
+  vtkTimeStamp SolverTime;
   vtkMTimeType MeshTime = 0;
   int EarlierFactorizations = 0; // for meshes before this one
 };

@@ -65,8 +65,9 @@ private:
 /// ready; what a filter adds to inputs and properties of its own, it has checked or checks itself.
 struct DGGSpectralTask
 {
-  const DGGContext& Context;                     ///< with another surface the solver is another
+  const DGGContext& Context;                     ///< of the update
   const dgg::PoissonSolver& Solver;              ///< ready
+  vtkMTimeType SolverTime;                       ///< changes with the solver
   const std::vector<dgg::SurfacePoint>& Sources; ///< none only where the filter may choose them
   const std::vector<dgg::SurfacePoint>& Targets; ///< may be none
   double FreeMemory;                             ///< bytes of the limit that are left for caches
