@@ -227,3 +227,23 @@ TEST(BiharmonicDistance, ProgressGrowsAndStops)
     ExpectProgressAndStops(terrain.Filter, { 0.05, 0.9 }, [&] { return terrain.Values(3); });
   }
 }
+
+// Filters share surfaces, so one that comes back is the very same. The solver is not, after a
+// failure in between: nothing may refer to the one before.
+TEST(BiharmonicDistance, SurfaceThatComesBackHasANewSolver)
+{
+  const auto sphere = MakeSphere(2);
+  const auto other = MakeSphere(3);
+  Fixture keeps(sphere);
+  ExpectSuccess(keeps.Filter);
+  Fixture distance(sphere);
+  ExpectSuccess(distance.Filter);
+  const std::vector<double> expected = distance.Values();
+  distance.Filter->SetInputData(other);
+  distance.Filter->SetMemoryLimit(1000);
+  ExpectError(distance.Filter, { "MemoryLimit" });
+  distance.Filter->SetMemoryLimit(0);
+  distance.Filter->SetInputData(sphere);
+  ExpectSuccess(distance.Filter);
+  EXPECT_EQ(distance.Values(), expected);
+}
