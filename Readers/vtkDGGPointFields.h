@@ -103,7 +103,7 @@ private:
 VTKDGGREADERS_EXPORT std::vector<PointFieldSource> ListPointFields(vtkPolyData* data);
 
 /// The sources for fields of these names, null where the data have nothing of that name and number
-/// of values; `rgb` and `rgba` stand for each other. The sources lie in `storage`.
+/// of values; `rgb` and `rgba` may replace each other. The sources lie in `storage`.
 VTKDGGREADERS_EXPORT std::vector<const PointFieldSource*> FindPointFields(
   vtkPolyData* data, const std::vector<PointField>& wanted, std::vector<PointFieldSource>& storage);
 

@@ -21,7 +21,7 @@ struct DGGContext
 {
   vtkPolyData* Input;             ///< the surface as it came
   const DGGPreparedMesh& Surface; ///< as the kernel sees it
-  vtkTypeUInt64 MemoryLimit;      ///< bytes; 0 stands for a part of what is free
+  vtkTypeUInt64 MemoryLimit;      ///< bytes; 0 for a part of what is free
   /// Of the update; any thread may report. False means stop.
   dgg::ProgressCallback Progress;
   /// On the threads of VTK, with Progress.

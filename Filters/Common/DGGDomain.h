@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a vtkPolyData is taken for. Internal.
+/// What a vtkPolyData is treated as. Internal.
 #ifndef DGGDomain_h
 #define DGGDomain_h
 

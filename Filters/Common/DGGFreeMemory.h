@@ -12,7 +12,7 @@
 
 #include <string> // for messages
 
-/// The limit that a property stands for: itself, or when it is 0 70 % of what is free by the
+/// The limit that a property asks for: itself, or when it is 0, 70 % of what is free by the
 /// machine, the limits of the process and, on Linux, of its control groups. The largest number when
 /// nothing is known.
 VTKDGGFILTERSCOMMON_EXPORT vtkTypeUInt64 DGGGetMemoryLimit(vtkTypeUInt64 property);
@@ -23,7 +23,7 @@ VTKDGGFILTERSCOMMON_EXPORT vtkTypeUInt64 DGGGetMemoryLimit(vtkTypeUInt64 propert
 VTKDGGFILTERSCOMMON_EXPORT vtkTypeUInt64 DGGGetFreeInControlGroup(
   const std::string& membership, const std::string& mount);
 
-/// Fails when `bytes` are more than the limit that a property stands for. `what` would take them;
+/// Fails when `bytes` are more than the limit that a property asks for. `what` would take them;
 /// `remedy` is what to do besides raising MemoryLimit.
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckMemory(
   const std::string& what, double bytes, vtkTypeUInt64 property, const std::string& remedy);

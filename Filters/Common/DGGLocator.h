@@ -22,7 +22,7 @@ public:
   /// Diagonal of the bounding box.
   virtual double GetDiagonal() const = 0;
 
-  /// Whether a point that far away from its closest place is taken for one of the surface, as are
+  /// Whether a point that far away from its closest place is treated as one of the surface, as are
   /// all that are no farther away than `farthest`.
   virtual bool IsClose(const dgg::SurfacePoint& place, double distance, double farthest) = 0;
 

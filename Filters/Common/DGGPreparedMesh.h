@@ -63,7 +63,7 @@ public:
   /// Unlike that of any other mesh; 0 when there is none.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
-  /// The vertex that stands for a point of the input.
+  /// The vertex that represents a point of the input.
   dgg::Id GetVertex(vtkIdType point) const
   {
     return this->Vertices.empty() ? static_cast<dgg::Id>(point) : this->Vertices[point];

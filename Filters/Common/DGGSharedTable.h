@@ -10,8 +10,8 @@
 #include <memory>   // for sharing
 #include <mutex>    // for threads
 
-/// What is in use, by a key that identifies it. The table owns nothing: a value goes with the last
-/// filter that has it.
+/// What is in use, by a key that identifies it. The table owns nothing: a value is released with
+/// the last filter that has it.
 template <typename Key, typename Value>
 class DGGSharedTable
 {

@@ -129,7 +129,7 @@ public:
 
   ///@{
   /**
-   * How far pieces of lines may be from the curves that they stand for, as a fraction of the mean
+   * How far pieces of lines may be from the curves that they approximate, as a fraction of the mean
    * edge length. Default 0.001; at least 1e-6. For LocalSources and ridges.
    */
   vtkSetMacro(ChordTolerance, double);

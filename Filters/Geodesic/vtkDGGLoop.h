@@ -30,7 +30,7 @@
  *
  * <b>Guarantee and cost</b>. No curve next to a loop is shorter; next to a kinked one, none through
  * the same points. Where there are several loops, the shortest is found of those that the graph
- * tells apart, in a limited number of tries. Points of offset curves are exact to 1e-5 of the
+ * distinguishes, in a limited number of tries. Points of offset curves are exact to 1e-5 of the
  * width, their lengths to about 1e-3; ones shorter than the width may be missed. A loop through a
  * point takes a search over the surface, AroundHandles up to 17 along edges for each component,
  * offset curves about a second for each hundred widths of loop.

@@ -60,7 +60,7 @@ dgg::Status CheckLine(vtkIdType line, vtkIdType size, const vtkIdType* ids, vtkI
   return dgg::Status::Success();
 }
 
-/// The lines of a vtkPolyData, each of which stands for the pair of its first and last point.
+/// The lines of a vtkPolyData, each of which gives the pair of its first and last point.
 struct PairLines
 {
   std::vector<vtkIdType> Ends;  ///< points, two for each line

@@ -44,7 +44,7 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   options.KeepWindows = this->GenerateWindows;
   if (options.KeepWindows)
   {
-    // Never 0, which stands for no limit there.
+    // Never 0, which means no limit there.
     options.MemoryLimit = static_cast<std::size_t>(
       std::max<vtkTypeUInt64>(1, DGGGetMemoryLimit(task.Context.MemoryLimit)));
   }

@@ -17,7 +17,7 @@
 #include <cstddef> // for std::size_t
 #include <vector>  // for the output
 
-/// More than that many bytes per compressed byte cannot come out: three bytes stand for 264.
+/// More than that many bytes per compressed byte cannot come out: three bytes give 264.
 constexpr std::size_t DGGLZFMaximumRatio = 88;
 
 /// True when the input is well-formed and gives just as many bytes as there is room for.

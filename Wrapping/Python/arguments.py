@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 def numbers(values, name, kind="number"):
     """`values` as an array of the kind ("integer", "number")."""
-    if np.ma.is_masked(values):  # what is masked would be taken for numbers
+    if np.ma.is_masked(values):  # what is masked would be treated as numbers
         raise ValueError(f"{name}: has masked entries; remove or fill them")
     try:
         array = np.asarray(values)

@@ -50,7 +50,7 @@ def check(algorithm: vtkAlgorithm) -> Any:
     Python warnings.
 
     An update that an observer stops by AbortExecute is no error, here as in VTK: the output is
-    empty then, and ``algorithm.GetAbortExecute()`` tells why.
+    empty then, and ``algorithm.GetAbortExecute()`` says why.
 
     Parameters
     ----------

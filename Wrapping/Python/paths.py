@@ -197,7 +197,7 @@ def _path(output):
 
 
 def _place(finder, end, name, points):
-    """Coordinates of an end. Those of a point given by id have to tell which one it is."""
+    """Coordinates of an end. Those of a point given by id must identify it."""
     if not isinstance(end, int):
         return end
     same = np.flatnonzero((points == points[end]).all(axis=1))

@@ -12,7 +12,7 @@
 namespace dgg
 {
 /// Separates the few points that are far off a cloud from the rest, as readings gone wrong are, or
-/// numbers that stand for no reading. Such points must not decide how large the cloud is, nor where
+/// numbers that mean no reading. Such points must not decide how large the cloud is, nor where
 /// its middle is: nothing would be left of its digits, or of its voxels.
 ///
 /// Distances are from the middle of the cloud, its median along each axis. Points are outliers when

@@ -23,7 +23,7 @@ constexpr double SmallTolerance = 0.02;
 /// with the tolerance that many times as large.
 constexpr double WideFactor = 25.0;
 constexpr double GoodMisfit = 0.2;
-/// Curvatures are between these, over the mean length of the edges. The smallest one stands for a
+/// Curvatures are between these, over the mean length of the edges. The smallest one means a
 /// plane wave: on closed surfaces and behind extended sources waves are flatter than those of a
 /// point source at the same distance.
 constexpr double SmallestCurvature = 1e-6;

@@ -12,7 +12,7 @@
 
 namespace dgg
 {
-/// A path in the graph zigzags about the geodesic for which it stands. Unfolded edge by edge into
+/// A path in the graph zigzags about the geodesic that it approximates. Unfolded edge by edge into
 /// the plane it can be pulled straight: down the tree of paths, each vertex gets the place of the
 /// source as seen from itself, a virtual source at some distance in some direction. Where the path
 /// bends, the vertex of the bend becomes the virtual source of what comes after.

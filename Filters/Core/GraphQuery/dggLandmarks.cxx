@@ -202,7 +202,7 @@ void Landmarks::Aim(const std::vector<GraphSeed>& seeds, Goal& goal) const
   goal.High.fill(LargestCode);
   for (std::size_t k = 0; k < this->Vertices.size(); ++k)
   {
-    // In steps; a code c stands for distances in [c, c + 1].
+    // In steps; a code c means distances in [c, c + 1].
     double low = Infinity;
     double high = -Infinity;
     for (const GraphSeed& seed : seeds)

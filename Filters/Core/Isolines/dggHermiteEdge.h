@@ -41,7 +41,7 @@ public:
   /// Look at the edge of a half-edge, whose ends must be reached.
   void Enter(Id h);
 
-  /// The half-edge that stands for the edge. Abscissae run from its origin to its destination.
+  /// The half-edge that represents the edge. Abscissae run from its origin to its destination.
   Id GetHalfEdge() const { return this->HalfEdge; }
   double GetLength() const { return this->Length; }
   /// Whether the ends get their distance on different ways.

@@ -27,7 +27,7 @@ constexpr int MaximumSteinerPoints = 50;
 struct IsolineOptions
 {
   IsolineMethod Method = IsolineMethod::LocalSources;
-  /// How far a line may be from the level set, a length; 0 stands for a thousandth of the mean edge
+  /// How far a line may be from the level set, a length; 0 means a thousandth of the mean edge
   /// length.
   double ChordTolerance = 0.0;
   /// Of Apollonius, as ChordTolerance is of LocalSources: points per edge that the distance comes

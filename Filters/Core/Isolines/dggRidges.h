@@ -21,7 +21,7 @@ struct RidgeOptions
   /// Angles below a tenth of a degree count as that; with virtual sources, angles below ten
   /// degrees, where these show how one model gives way to the next.
   double MinimumAngle = 20.0 * Pi / 180.0;
-  /// How far a line may be from the ridge, a length; 0 stands for a thousandth of the mean edge
+  /// How far a line may be from the ridge, a length; 0 means a thousandth of the mean edge
   /// length.
   double ChordTolerance = 0.0;
 };

@@ -40,7 +40,7 @@ private:
   const SurfaceComponents& Components;
   Status TheStatus;
   std::size_t Dimension = 0;
-  /// Per half-edge of the component that stands for an edge, the dual cycles that it is a part of.
+  /// Per half-edge of the component that represents an edge, the dual cycles that it is a part of.
   std::vector<std::vector<Id>> Cycles;
 };
 

@@ -60,7 +60,7 @@ public:
     }
   }
 
-  /// The corner that stands for the fan of corner h (a corner is named by its outgoing half-edge).
+  /// The corner that represents the fan of corner h (a corner is named by its outgoing half-edge).
   Id Fan(Id h) { return this->Fans.Find(h); }
 
   Offset CountAt(Id v)

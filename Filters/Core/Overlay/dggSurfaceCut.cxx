@@ -115,7 +115,7 @@ private:
     }
     this->Cut.VertexOf.resize(vertices);
     std::iota(this->Cut.VertexOf.begin(), this->Cut.VertexOf.end(), 0);
-    std::vector<Id> copyOf(this->HalfEdges, NoId); // per corner that stands for a sector
+    std::vector<Id> copyOf(this->HalfEdges, NoId); // per corner that represents a sector
     std::vector<char> hasCopy(vertices, 0);
     for (Id h = 0; h < this->HalfEdges; ++h)
     {

@@ -219,7 +219,7 @@ Status MakeDelaunay(
   flips = 0;
   const Id size = triangulation.GetNumberOfHalfEdges();
   const Offset bound = FlipsPerEdge * (size / 2 + 1);
-  // Half-edges stand for their edges. A flip renames some of its neighbours, so all four sides of
+  // Half-edges represent their edges. A flip renames some of its neighbours, so all four sides of
   // the two faces are looked at again.
   std::vector<Id> stack;
   std::vector<std::uint8_t> isWaiting(size, 0);

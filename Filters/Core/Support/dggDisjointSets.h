@@ -15,7 +15,7 @@
 namespace dgg
 {
 /// Disjoint sets of the numbers from 0 on, each number in a set of its own at first. The smallest
-/// number of a set stands for it.
+/// number of a set represents it.
 class DisjointSets
 {
 public:
@@ -25,7 +25,7 @@ public:
     std::iota(this->Parents.begin(), this->Parents.end(), 0);
   }
 
-  /// The number that stands for the set of a number.
+  /// The number that represents the set of a number.
   Id Find(Id i)
   {
     while (this->Parents[i] != i)

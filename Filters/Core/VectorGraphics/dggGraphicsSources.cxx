@@ -199,7 +199,7 @@ void RegionSources::FindPatch(Id face)
 }
 
 /// Edges of the patch with a face that is not of the region. Where it has several of the faces at
-/// such an edge, the smallest half-edge stands for it.
+/// such an edge, the smallest half-edge represents it.
 void RegionSources::FindRim()
 {
   this->Rim.clear();

@@ -21,7 +21,7 @@ struct SamplerOptions
   double CoveringRadius = 0.0;
   /// Samples to start with; all of them are kept.
   std::vector<SurfacePoint> Given;
-  /// The first sample when none is given. NoId stands for the vertex that is farthest from the
+  /// The first sample when none is given. NoId means the vertex that is farthest from the
   /// first vertex that has edges.
   Id FirstVertex = NoId;
   /// Whether samples may lie inside faces: instead of the farthest vertex, the farthest point close

@@ -36,7 +36,7 @@ public:
   /// The same where FindDistances() was not asked.
   static std::string GetName(vtkInformation* filter, const std::string& property);
 
-  /// The number that stands for points that are not reached, besides NaN and infinity; NaN for the
+  /// The number that marks points that are not reached, besides NaN and infinity; NaN for the
   /// points that the array beside the distances names (DGGUnreachedArray), which is the default.
   void SetUnreachedValue(double value) { this->UnreachedValue = value; }
 

@@ -18,7 +18,7 @@ class vtkPolyData;
 dgg::Status DGGReadNumbers(vtkPolyData* data, const std::string& name, const std::string& where,
   const std::string& setter, bool areMasses, std::vector<double>& values);
 
-/// Where a distribution comes from; empty names and null stand for nothing.
+/// Where a distribution comes from; empty names and null mean none.
 struct DGGMassOrigin
 {
   std::string Name;      ///< "from" or "to"
