@@ -84,14 +84,14 @@ dgg::Status ReadSources(vtkPolyData* surface, const std::string& name, std::vect
 
 /// Sources per vertex from numbers per point; none where values are given. `imbalance` is the
 /// largest sum that has to be balanced in a component, relative to the sum of sizes.
-std::vector<double> Integrate(const DGGPreparedMesh& adapter, const dgg::PoissonSolver& solver,
+std::vector<double> Integrate(const DGGPreparedMesh& prepared, const dgg::PoissonSolver& solver,
   const std::vector<double>& numbers, bool isDensity, double& imbalance)
 {
   const std::size_t n = solver.GetAreas().size();
   std::vector<double> sources(n, 0.0);
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    const dgg::Id v = adapter.GetVertex(static_cast<vtkIdType>(i));
+    const dgg::Id v = prepared.GetVertex(static_cast<vtkIdType>(i));
     const bool isFirst = v == static_cast<dgg::Id>(i);
     if (!solver.IsFixed(v) && (isFirst || !isDensity))
     {

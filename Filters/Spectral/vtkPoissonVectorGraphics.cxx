@@ -313,7 +313,7 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 dgg::Status vtkPoissonVectorGraphics::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const DGGPreparedMesh& adapter = context.Surface;
+  const DGGPreparedMesh& prepared = context.Surface;
   vtkInternals& internals = *this->Internals;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   DGGGraphicsNames names = this->GetNames();
@@ -326,7 +326,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   dgg::Status status = input.Read(lines, context.Input, names);
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
   Drawing drawing;
-  drawing.MeshTime = adapter.GetBuildTime();
+  drawing.MeshTime = prepared.GetBuildTime();
   drawing.Curves = curves;
   drawing.Places.resize(curves.size());
   static const std::vector<vtkIdType> none;
@@ -355,7 +355,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   drawing.Refinement.Part = parts[this->RefinementRegion];
   if (this->RefinementRegion == Cells)
   {
-    drawing.Refinement.Faces = DGGGraphicsInput::FindRefinedFaces(context.Input, names, adapter);
+    drawing.Refinement.Faces = DGGGraphicsInput::FindRefinedFaces(context.Input, names, prepared);
   }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
   dgg::GraphicsOptions options;
@@ -376,7 +376,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
       own + points * output.GetBytesPerPoint(options.NumberOfChannels), context.MemoryLimit,
       this->GetMemoryRemedy());
   };
-  const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(adapter);
+  const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(prepared);
   const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
   if (status.IsOk() && !isKept)
@@ -407,7 +407,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   }
   if (status.IsOk() && this->GenerateFragments)
   {
-    output.FillFragments(dgg::MakeFragments(adapter.GetMesh(), cut, internals.RefinedFaces,
+    output.FillFragments(dgg::MakeFragments(prepared.GetMesh(), cut, internals.RefinedFaces,
                            result.Values, channels, this->FragmentDivision),
       channels, vtkPolyData::GetData(outputVector, 1));
   }

@@ -102,8 +102,6 @@ const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 }
 
 //------------------------------------------------------------------------------
-
-//------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const
 {
   return this->Cache->GetNumberOfFactorizations();

@@ -67,24 +67,24 @@ std::array<double, 3> InSpace(
 }
 
 /// Per cell, the mean of its triangles.
-vtkSmartPointer<vtkDoubleArray> MakeFlow(const DGGPreparedMesh& adapter, vtkPolyData* surface,
+vtkSmartPointer<vtkDoubleArray> MakeFlow(const DGGPreparedMesh& prepared, vtkPolyData* surface,
   const std::vector<dgg::Point2>& flow, double total)
 {
   const auto n = static_cast<std::size_t>(surface->GetNumberOfCells());
   auto array = DGGMakeArray<vtkDoubleArray>(FlowName, n, 3);
   array->Fill(0.0);
-  const dgg::SurfaceMesh& mesh = adapter.GetMesh();
+  const dgg::SurfaceMesh& mesh = prepared.GetMesh();
   const auto areaOf = [&](dgg::Id f) { return 0.5 * mesh.Length(3 * f) * mesh.ApexY(3 * f); };
   std::vector<double> areas(n, 0.0);
   for (dgg::Id k = 0; k < mesh.GetNumberOfFaces(); ++k)
   {
     const dgg::Id f = mesh.GetOriginal(k);
-    areas[static_cast<std::size_t>(adapter.GetCell(k))] += mesh.IsDropped(f) ? 0.0 : areaOf(f);
+    areas[static_cast<std::size_t>(prepared.GetCell(k))] += mesh.IsDropped(f) ? 0.0 : areaOf(f);
   }
   for (dgg::Id k = 0; k < mesh.GetNumberOfFaces(); ++k)
   {
     const dgg::Id f = mesh.GetOriginal(k);
-    const vtkIdType cell = adapter.GetCell(k);
+    const vtkIdType cell = prepared.GetCell(k);
     const double area = areas[static_cast<std::size_t>(cell)];
     if (mesh.IsDropped(f) || !(area > 0.0))
     {
@@ -101,13 +101,13 @@ vtkSmartPointer<vtkDoubleArray> MakeFlow(const DGGPreparedMesh& adapter, vtkPoly
 }
 
 vtkSmartPointer<vtkDoubleArray> MakePotential(
-  const DGGPreparedMesh& adapter, vtkIdType numberOfPoints, const std::vector<double>& potential)
+  const DGGPreparedMesh& prepared, vtkIdType numberOfPoints, const std::vector<double>& potential)
 {
   auto array =
     DGGMakeArray<vtkDoubleArray>(PotentialName, static_cast<std::size_t>(numberOfPoints));
   for (vtkIdType i = 0; i < numberOfPoints; ++i)
   {
-    array->SetValue(i, potential[adapter.GetVertex(i)]);
+    array->SetValue(i, potential[prepared.GetVertex(i)]);
   }
   return array;
 }

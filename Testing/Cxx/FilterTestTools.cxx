@@ -6,6 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -13,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace dggtest
 {
@@ -144,6 +146,28 @@ vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift
     }
   }
   return MakeSurface(points, cells);
+}
+
+std::string DescribeGeometry(vtkPolyData* output)
+{
+  std::ostringstream os;
+  os.precision(17);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double* p = output->GetPoint(i);
+    os << p[0] << " " << p[1] << " " << p[2] << "\n";
+  }
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    output->GetCellPoints(i, ids);
+    for (const vtkIdType id : *ids)
+    {
+      os << id << " ";
+    }
+    os << "\n";
+  }
+  return os.str();
 }
 
 std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter)

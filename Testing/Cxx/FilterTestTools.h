@@ -48,6 +48,9 @@ double GetTerrainHeight(double x, double y);
 /// Two surfaces of polygons as one, the second one shifted along x.
 vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift);
 
+/// Points and cells, as text.
+std::string DescribeGeometry(vtkPolyData* output);
+
 /// The distances in the output, or nothing when they are missing.
 std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter);
 std::vector<int> GetNearestSources(vtkGeodesicDistanceAlgorithm* filter);

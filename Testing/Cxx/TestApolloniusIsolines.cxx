@@ -89,29 +89,6 @@ protected:
   vtkNew<vtkExactGeodesicDistance> Distance;
   vtkNew<vtkApolloniusIsolines> Isolines;
 };
-
-/// Everything that it puts out, as text.
-std::string Describe(vtkPolyData* output)
-{
-  std::ostringstream os;
-  os.precision(17);
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    const double* p = output->GetPoint(i);
-    os << p[0] << " " << p[1] << " " << p[2] << "\n";
-  }
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
-  {
-    output->GetCellPoints(i, ids);
-    for (const vtkIdType id : *ids)
-    {
-      os << id << " ";
-    }
-    os << "\n";
-  }
-  return os.str();
-}
 }
 
 TEST_F(ApolloniusIsolines, Defaults)
@@ -461,13 +438,13 @@ TEST_F(ApolloniusIsolines, DoNotDependOnThreads)
   this->Isolines->GenerateValues(12, 0.05, 1.2);
   vtkSMPTools::Initialize(1);
   ExpectSuccess(this->Isolines);
-  const std::string expected = Describe(this->Isolines->GetOutput());
+  const std::string expected = DescribeGeometry(this->Isolines->GetOutput());
   for (const int threads : { 2, 5 })
   {
     vtkSMPTools::Initialize(threads);
     this->Isolines->Modified();
     ExpectSuccess(this->Isolines);
-    EXPECT_EQ(Describe(this->Isolines->GetOutput()), expected);
+    EXPECT_EQ(DescribeGeometry(this->Isolines->GetOutput()), expected);
   }
   vtkSMPTools::Initialize();
 }

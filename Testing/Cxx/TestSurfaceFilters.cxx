@@ -35,21 +35,7 @@ std::string Describe(vtkGeodesicAlgorithm* filter)
   for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
   {
     vtkPolyData* output = filter->GetOutput(port);
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      const double* p = output->GetPoint(i);
-      os << p[0] << " " << p[1] << " " << p[2] << "\n";
-    }
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
-    {
-      output->GetCellPoints(i, ids);
-      for (const vtkIdType id : *ids)
-      {
-        os << id << " ";
-      }
-      os << "\n";
-    }
+    os << DescribeGeometry(output);
     for (vtkFieldData* data : { static_cast<vtkFieldData*>(output->GetPointData()),
            static_cast<vtkFieldData*>(output->GetCellData()) })
     {

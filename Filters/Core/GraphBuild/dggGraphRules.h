@@ -190,6 +190,27 @@ struct OneRelayRule
   double Scale;
 };
 
+/// What rules have in common by which no relay covers anything: all vertices reached are
+/// candidates.
+struct AllReachedRule
+{
+  static constexpr bool StartsLate = false;
+  static constexpr bool EndsBesideCovered = false;
+  static constexpr bool KeepsOuterRelays = false;
+
+  static double CostOfEdge(double length) { return length; }
+  static double CostBehind(const Relay& /*relay*/, double /*behind*/) { return Infinity; }
+  static bool Covers(double /*cost*/, double /*distance*/) { return false; }
+  static Relay MakeRelay(const Point2& position, double distance, double cost)
+  {
+    return { position, distance, cost };
+  }
+  static bool Start(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& /*window*/)
+  {
+    return true;
+  }
+};
+
 /// The first step of the published indirect construction (Fang 2019, sec. 3.2): every vertex
 /// reached is a candidate. A window ends beyond the distance from which on a path through an edge
 /// that it has crossed can be bent through an end of that edge at a relative cost of the accuracy.
@@ -204,28 +225,13 @@ struct OneRelayRule
 /// if t is straight behind v. So there is no finite distance from which on the ends of an edge
 /// cover all, before it is known which candidates are kept: nothing bounds the maximum of the error
 /// strictly, though no graph has been seen to exceed the accuracy.
-struct CandidateRule
+struct CandidateRule : AllReachedRule
 {
-  static constexpr bool StartsLate = false;
-  static constexpr bool EndsBesideCovered = false;
-  static constexpr bool KeepsOuterRelays = false;
   static constexpr bool ByDistance = false;
 
   explicit CandidateRule(double accuracy)
     : Accuracy(accuracy)
   {
-  }
-
-  static double CostOfEdge(double length) { return length; }
-  static double CostBehind(const Relay& /*relay*/, double /*behind*/) { return Infinity; }
-  static bool Covers(double /*cost*/, double /*distance*/) { return false; }
-  static Relay MakeRelay(const Point2& position, double distance, double cost)
-  {
-    return { position, distance, cost };
-  }
-  static bool Start(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& /*window*/)
-  {
-    return true;
   }
 
   /// The bound is inherited and tightened from edge to edge; Stop.X holds its inverse.
@@ -250,11 +256,8 @@ struct CandidateRule
 /// The saddle vertex graph (Ying, Wang and He, "Saddle vertex graph (SVG): a novel solution to the
 /// discrete geodesic problem", 2013): the nearest vertices, those of them that are seen straight.
 /// The search ends when there are enough of them.
-struct NearestRule
+struct NearestRule : AllReachedRule
 {
-  static constexpr bool StartsLate = false;
-  static constexpr bool EndsBesideCovered = false;
-  static constexpr bool KeepsOuterRelays = false;
   static constexpr bool ByDistance = true;
 
   explicit NearestRule(Id count)
@@ -262,17 +265,6 @@ struct NearestRule
   {
   }
 
-  static double CostOfEdge(double length) { return length; }
-  static double CostBehind(const Relay& /*relay*/, double /*behind*/) { return Infinity; }
-  static bool Covers(double /*cost*/, double /*distance*/) { return false; }
-  static Relay MakeRelay(const Point2& position, double distance, double cost)
-  {
-    return { position, distance, cost };
-  }
-  static bool Start(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& /*window*/)
-  {
-    return true;
-  }
   static bool Ends(const Relay& /*left*/, const Relay& /*right*/, GraphWindow& /*window*/)
   {
     return false;

@@ -69,7 +69,6 @@ public:
   Status CheckPlace(const SurfacePoint& point) const;
   Status CheckSource(const SurfacePoint& point) const;
   /// @}
-  const Eigenpairs& GetEigenpairs() const { return this->Pairs; }
   double GetTime() const { return this->Time; }
 
   /// How often eigenvalues have been found.

@@ -39,4 +39,3 @@ struct vtkPointCloudDGG::vtkInternals
 };
 
 #endif
-// VTK-HeaderTest-Exclude: PointCloudDGGInternals.h
