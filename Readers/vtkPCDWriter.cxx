@@ -5,8 +5,8 @@
 #include "DGGFileLoader.h"
 #include "DGGLZF.h"
 #include "DGGPCDHeader.h"
-#include "vtkDGGPointFields.h"
 #include "DGGPointNumbers.h"
+#include "vtkDGGPointFields.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"

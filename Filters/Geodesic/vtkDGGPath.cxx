@@ -4,9 +4,9 @@
 
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
-#include "DGGPreparedMesh.h"
 #include "DGGNewGeometry.h"
 #include "DGGPathSearch.h"
+#include "DGGPreparedMesh.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 

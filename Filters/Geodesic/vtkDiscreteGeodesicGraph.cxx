@@ -3,9 +3,9 @@
 #include "vtkDiscreteGeodesicGraph.h"
 
 #include "DGGContext.h"
+#include "DGGFreeMemory.h"
 #include "DGGGraphArrays.h"
 #include "DGGGraphBuild.h"
-#include "DGGFreeMemory.h"
 #include "DGGPreparedMesh.h"
 
 #include "dggProgressPart.h"

@@ -5,8 +5,8 @@
 #include "DGGCompatibility.h"
 #include "DGGContext.h"
 #include "DGGMeshAdapter.h"
-#include "DGGThreads.h"
 #include "DGGProperties.h"
+#include "DGGThreads.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDemandDrivenPipeline.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceMatrix.h"
 
+#include "DGGFreeMemory.h"
 #include "DGGGraphUser.h"
 #include "DGGMatrixSearch.h"
-#include "DGGFreeMemory.h"
-#include "DGGThreads.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
+#include "DGGThreads.h"
 
 #include "dggBuffer.h"
 

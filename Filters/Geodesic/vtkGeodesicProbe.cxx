@@ -5,9 +5,9 @@
 #include "DGGContext.h"
 #include "DGGFieldInput.h"
 #include "DGGMakeArray.h"
-#include "DGGThreads.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
+#include "DGGThreads.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 

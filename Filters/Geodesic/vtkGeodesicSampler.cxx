@@ -4,8 +4,8 @@
 
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
-#include "DGGPreparedMesh.h"
 #include "DGGNewGeometry.h"
+#include "DGGPreparedMesh.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 

@@ -3,9 +3,9 @@
 #include "vtkDiscreteGreensFunction.h"
 
 #include "DGGContext.h"
-#include "DGGThreads.h"
 #include "DGGPreparedMesh.h"
 #include "DGGSpectralOutputs.h"
+#include "DGGThreads.h"
 
 #include "dggGreensFunction.h"
 #include "dggGreensInterpolation.h"

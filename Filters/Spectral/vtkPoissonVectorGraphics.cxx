@@ -3,9 +3,9 @@
 #include "vtkPoissonVectorGraphics.h"
 
 #include "DGGContext.h"
+#include "DGGFreeMemory.h"
 #include "DGGGraphicsInput.h"
 #include "DGGGraphicsOutput.h"
-#include "DGGFreeMemory.h"
 #include "DGGPreparedMesh.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"

@@ -4,8 +4,8 @@
 
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
-#include "DGGPreparedMesh.h"
 #include "DGGPoissonCache.h"
+#include "DGGPreparedMesh.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGSpectralOutputs.h"

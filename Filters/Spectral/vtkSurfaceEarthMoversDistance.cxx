@@ -5,8 +5,8 @@
 #include "DGGContext.h"
 #include "DGGDistribution.h"
 #include "DGGMakeArray.h"
-#include "DGGPreparedMesh.h"
 #include "DGGPoissonCache.h"
+#include "DGGPreparedMesh.h"
 #include "DGGProperties.h"
 
 #include "dggEarthMovers.h"

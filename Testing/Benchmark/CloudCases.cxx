@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudCases.h"
 
-#include "BenchmarkTools.h"
 #include "BandMarching.h"
+#include "BenchmarkTools.h"
 
 #include <cmath>
 

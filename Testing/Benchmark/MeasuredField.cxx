@@ -3,9 +3,9 @@
 #include "MeasuredField.h"
 
 #include "dggExactGeodesics.h"
-#include "dggSourceFinding.h"
 #include "dggFastMarching.h"
 #include "dggHeatMethod.h"
+#include "dggSourceFinding.h"
 
 #include <map>
 #include <memory>

@@ -5,8 +5,8 @@
 #ifndef SplineTestTools_h
 #define SplineTestTools_h
 
-#include "TestMeshes.h"
 #include "GreensTestTools.h"
+#include "TestMeshes.h"
 
 #include "dggHarmonicSplines.h"
 #include "dggSplineCells.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The published isolines: the pieces in faces.
-#include "TestMeshes.h"
 #include "FieldChecks.h"
 #include "GraphChecks.h"
 #include "IsolineChecks.h"
+#include "TestMeshes.h"
 
 #include "dggApolloniusFace.h"
 #include "dggFaceProfile.h"

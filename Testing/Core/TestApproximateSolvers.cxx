@@ -6,8 +6,8 @@
 #include "TestMeshes.h"
 
 #include "dggFastMarching.h"
-#include "dggSurfacePath.h"
 #include "dggHeatMethod.h"
+#include "dggSurfacePath.h"
 
 #include <algorithm>
 #include <cmath>

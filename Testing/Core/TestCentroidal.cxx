@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Sites that move to the middle of their cells: where the middle is known, and on any surface.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include "dggCentroidal.h"
 #include "dggSurfacePath.h"

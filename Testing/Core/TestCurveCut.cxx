@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces cut open along curves, and what is left and right of these.
 #include "CurveChecks.h"
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include "dggFaceRefinement.h"
 

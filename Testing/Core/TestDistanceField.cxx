@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The distance inside of faces: exact with windows, close with virtual sources.
-#include "TestMeshes.h"
 #include "FieldChecks.h"
 #include "GeodesicChecks.h"
+#include "TestMeshes.h"
 
 #include "dggCornerModel.h"
 #include "dggDistanceField.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The earth mover's distance on surfaces.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
+#include "TestMeshes.h"
 
 #include "dggEarthMovers.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds on every mesh: bounds, symmetry, and changes of the mesh that change no distance.
 #include "EdgeGraph.h"
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Exact shortest paths: they lie on the surface and are as long as the distance.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include "dggExactPath.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources of every kind, several at once, with initial distances; what is said of the nearest one.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // The ways in which window propagation goes wrong, one test each. Each was seen to fail with the
 // rule in question taken out.
 #include "BruteForceGeodesics.h"
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
+#include "TestMeshes.h"
 
 #include "dggSurfacePath.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Farthest point samples: against all distances, computed anew.
-#include "TestMeshes.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include "dggFarthestPoints.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The flat arrays of a graph: views, validation, signature and checksum.
-#include "TestMeshes.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include "dggGeodesicGraph.h"
 

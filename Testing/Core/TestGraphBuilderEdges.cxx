@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Every edge is the length of a real way on the surface, in the directions that it says.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
+#include "TestMeshes.h"
 
 #include "dggUnfolding.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Corrected labels: within the accuracy without exception, and much better than that.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Links: what makes a point anywhere on the surface a vertex of the graph, with the same promise.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
+#include "TestMeshes.h"
 #include "dggSurfacePath.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Distances from many sources.
-#include "TestMeshes.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include "dggBucketQueue.h"
 #include "dggHeap.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of the graph builder by themselves.
-#include "TestMeshes.h"
 #include "GraphChecks.h"
+#include "TestMeshes.h"
 
 #include "dggDirectionUnion.h"
 #include "dggGraphAssembly.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Shortest paths in graphs: all methods against an independent Dijkstra.
-#include "TestMeshes.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include "dggBucketSearch.h"
 

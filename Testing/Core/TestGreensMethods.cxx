@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How the ways to find a Green's function compare, and where each is left for another one.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
+#include "TestMeshes.h"
 
 #include "dggPoissonSystem.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What is asked of Green's functions: points, integrals, signs, many poles, any triangles; errors.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
+#include "TestMeshes.h"
 
 #include "dggPoissonSystem.h"
 

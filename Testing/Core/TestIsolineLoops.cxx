@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Isolines: loops within faces, around sources and farthest points.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "IsolineChecks.h"
+#include "TestMeshes.h"
 
 #include "dggFaceProfile.h"
 #include "dggIsolines.h"

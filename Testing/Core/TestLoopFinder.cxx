@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed geodesics: where their lengths are known, and that they are geodesics everywhere else.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "LoopWorld.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves beside a curve.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include "dggOffsetCurves.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same layout on two surfaces: curves that correspond, patches that are disks.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include "dggPatchBoundaries.h"
 #include "dggSurfaceCut.h"

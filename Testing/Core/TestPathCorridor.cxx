@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Parts of meshes behave as the whole does, corridors around paths among them.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include "dggPathCorridor.h"
 #include "dggSurfaceRefinement.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Paths traced from a graph: they lie on the surface, are as long as the graph says, and become
 // locally shortest when straightened.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include "dggExactPath.h"
 #include "dggPathCorridor.h"

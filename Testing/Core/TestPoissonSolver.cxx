@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Poisson equations on surfaces: closed forms, boundary conditions, any triangles, what is kept.
-#include "TestMeshes.h"
 #include "GreensTestTools.h"
+#include "TestMeshes.h"
 
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"

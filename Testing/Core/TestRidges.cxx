@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Ridges of distances: known ones, and that nothing else is found and nothing left out.
+#include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "TestMeshes.h"
-#include "GeodesicChecks.h"
 
 #include "dggDistanceField.h"
 #include "dggExactGeodesics.h"
-#include "dggSourceFinding.h"
 #include "dggFaceProfile.h"
 #include "dggFieldJumps.h"
 #include "dggRidges.h"
+#include "dggSourceFinding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,10 +8,10 @@
 #include "TestMeshes.h"
 
 #include "dggFaceProfile.h"
-#include "dggSurfacePath.h"
 #include "dggHermiteEdge.h"
 #include "dggLocalFit.h"
 #include "dggSourceFinding.h"
+#include "dggSurfacePath.h"
 
 #include <algorithm>
 #include <cmath>

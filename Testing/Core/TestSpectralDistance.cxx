@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Eigenfunctions, biharmonic, commute-time and diffusion distances.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "GreensTestTools.h"
+#include "TestMeshes.h"
 
 #include "dggPoissonSystem.h"
 #include "dggSpectralDistance.h"

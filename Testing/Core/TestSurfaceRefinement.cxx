@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces split along paths, and surfaces cut open: the metric stays what it was.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include "dggFaceTriangulation.h"
 #include "dggSurfaceCut.h"

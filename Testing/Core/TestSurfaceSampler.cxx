@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples of surfaces: what is promised of their distances, against exact ones.
-#include "TestMeshes.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include "dggExactGeodesics.h"
 #include "dggSurfacePath.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed geodesics that lie side by side, all of the same length, next to others that slip off:
 // around the walls of prisms and of cubes, whose corners hold nothing.
-#include "TestMeshes.h"
 #include "LoopWorld.h"
 #include "PathChecks.h"
+#include "TestMeshes.h"
 
 #include <algorithm>
 #include <array>

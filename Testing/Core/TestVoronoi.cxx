@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Voronoi diagrams: complete and without gaps on any surface, and right where it can be known.
-#include "TestMeshes.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 #include "SearchChecks.h"
+#include "TestMeshes.h"
 
 #include "dggCentroidal.h"
 #include "dggSurfacePath.h"

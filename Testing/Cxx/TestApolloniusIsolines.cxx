@@ -6,8 +6,8 @@
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
-#include "vtkExactGeodesicDistance.h"
 #include "vtkDGGFastMarchingDistance.h"
+#include "vtkExactGeodesicDistance.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

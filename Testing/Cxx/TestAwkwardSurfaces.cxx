@@ -5,8 +5,8 @@
 #include "FilterTestTools.h"
 
 #include "vtkDGGDistance.h"
-#include "vtkExactGeodesicDistance.h"
 #include "vtkDGGFastMarchingDistance.h"
+#include "vtkExactGeodesicDistance.h"
 #include "vtkHeatGeodesicDistance.h"
 
 #include "vtkFloatArray.h"

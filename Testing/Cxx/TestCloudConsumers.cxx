@@ -7,11 +7,11 @@
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
 #include "vtkDGGLoop.h"
 #include "vtkDGGPath.h"
 #include "vtkDoubleArray.h"
 #include "vtkExactGeodesicDistance.h"
-#include "vtkDGGFastMarchingDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicProbe.h"
 #include "vtkHeatGeodesicDistance.h"

@@ -7,8 +7,8 @@
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
-#include "vtkExactGeodesicDistance.h"
 #include "vtkDGGFastMarchingDistance.h"
+#include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicProbe.h"
 #include "vtkGeodesicVoronoi.h"
 #include "vtkHeatGeodesicDistance.h"

@@ -11,11 +11,11 @@
 
 #include "dggCapSplitting.h"
 #include "dggExactGeodesics.h"
-#include "dggSourceFinding.h"
 #include "dggFaceProfile.h"
 #include "dggGraphBuilder.h"
 #include "dggGraphSearch.h"
 #include "dggMeshReport.h"
+#include "dggSourceFinding.h"
 #include "dggSurfaceMesh.h"
 
 #include <gtest/gtest.h>

@@ -8,8 +8,8 @@
 #include "SpectralTestTools.h"
 
 #include "vtkDGGDistance.h"
-#include "vtkExactGeodesicDistance.h"
 #include "vtkDGGFastMarchingDistance.h"
+#include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicProbe.h"
 #include "vtkHeatGeodesicDistance.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Ridges and bands, the further outputs of vtkApolloniusIsolines.
-#include "TestMeshes.h"
 #include "FilterTestTools.h"
 #include "IsolineTestTools.h"
+#include "TestMeshes.h"
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"

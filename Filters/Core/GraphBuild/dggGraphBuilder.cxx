@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphBuilder.h"
 
-#include "dggGraphWindowTracer.h"
 #include "dggDirectionUnion.h"
 #include "dggGraphAssembly.h"
 #include "dggGraphPruning.h"
 #include "dggGraphRules.h"
+#include "dggGraphWindowTracer.h"
 #include "dggProgressPart.h"
 #include "dggRowStore.h"
 #include "dggRowWaves.h"

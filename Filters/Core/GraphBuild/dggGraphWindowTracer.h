@@ -5,11 +5,11 @@
 #ifndef dggGraphWindowTracer_h
 #define dggGraphWindowTracer_h
 
+#include "dggGraphRules.h"         // for relays beside a window
 #include "dggGraphWindow.h"        // for GraphWindow
 #include "dggGraphWindowMemory.h"  // for tracing with care
 #include "dggGraphWindowTargets.h" // for points that windows meet
 #include "dggHeap.h"               // for windows by distance
-#include "dggGraphRules.h"         // for relays beside a window
 #include "dggSurfacePoint.h"       // for sources inside faces
 #include "dggUnfoldingTable.h"     // for the mesh
 #include "dggVertexStates.h"       // for labels and costs

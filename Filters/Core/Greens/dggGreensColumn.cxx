@@ -3,10 +3,10 @@
 #include "dggGreensColumn.h"
 
 #include "dggCornerModel.h"
-#include "dggSourceFinding.h"
 #include "dggGeodesicSource.h"
 #include "dggLocalizedGreens.h"
 #include "dggProgressPart.h"
+#include "dggSourceFinding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #define dggHeatSystem_h
 
 #include "dggHeatMethod.h"    // for the options
-#include "dggScaledNumber.h"  // for little heat
 #include "dggLaplaceSystem.h" // for the factorizations
+#include "dggScaledNumber.h"  // for little heat
 
 #include <Eigen/SparseCore> // for the matrices
 

@@ -5,8 +5,8 @@
 #ifndef dggLayoutDrawing_h
 #define dggLayoutDrawing_h
 
-#include "dggLayoutOrder.h"       // for EdgeOrder, LayoutSector
 #include "dggExactPath.h"         // for paths
+#include "dggLayoutOrder.h"       // for EdgeOrder, LayoutSector
 #include "dggPatchBoundaries.h"   // for PatchSurface
 #include "dggSurfaceRefinement.h" // for RefinedSurface
 

@@ -3,8 +3,8 @@
 #include "dggSpectralDistance.h"
 
 #include "dggBlockLoop.h"
-#include "dggGreensColumn.h"
 #include "dggGeodesicSource.h"
+#include "dggGreensColumn.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 #include "dggThinTriangles.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSiteDistances.h"
 
-#include "dggLabelCorrection.h"
 #include "dggHeap.h"
+#include "dggLabelCorrection.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "DGGGraphUser.h"
 
 #include "DGGCloudLinks.h"
-#include "DGGGraphBuild.h"
 #include "DGGFreeMemory.h"
+#include "DGGGraphBuild.h"
 #include "DGGThreads.h"
 
 #include "dggProgressPart.h"

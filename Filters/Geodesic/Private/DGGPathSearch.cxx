@@ -3,8 +3,8 @@
 #include "DGGPathSearch.h"
 
 #include "DGGGraphUser.h"
-#include "DGGThreads.h"
 #include "DGGProperties.h"
+#include "DGGThreads.h"
 
 #include "dggBandPath.h"
 #include "dggExactPath.h"

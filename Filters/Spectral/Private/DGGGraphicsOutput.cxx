@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGGraphicsOutput.h"
 
-#include "DGGMakeArray.h"
 #include "DGGContext.h"
+#include "DGGMakeArray.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
