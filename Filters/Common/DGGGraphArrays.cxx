@@ -8,6 +8,7 @@
 
 #include "dggBitHash.h"
 #include "dggBuffer.h"
+#include "dggInvalidInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <sstream>
 
 namespace
 {
@@ -470,10 +470,8 @@ dgg::Status DGGGraphArrays::CheckSurface(const DGGPreparedMesh& mesh) const
   const double tolerance = CopyBits<double>(info[MergeTolerance]);
   if (tolerance != mesh.GetDomain().MergeTolerance)
   {
-    std::ostringstream message;
-    message << "was built with a MergeTolerance of " << tolerance << ", but it is "
-            << mesh.GetDomain().MergeTolerance << " here";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("was built with a MergeTolerance of ", tolerance, ", but it is ",
+      mesh.GetDomain().MergeTolerance, " here");
   }
   return dgg::Status::Invalid(std::string("is out of date: ") +
     (mesh.IsCloud() ? "points" : "points or cells") + " have changed since it was built");

@@ -8,6 +8,7 @@
 #include "DGGPreparedMesh.h"
 #include "DGGWindowArrays.h"
 
+#include "dggInvalidInput.h"
 #include "dggSurfacePath.h"
 
 #include "vtkAlgorithm.h"
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace
 {
@@ -48,11 +48,8 @@ dgg::Status CheckRange(const double* begin, const double* end)
   {
     return dgg::Status::Success();
   }
-  std::ostringstream message;
-  message << "OutputPointsPrecision is single, but coordinates of up to " << largest
-          << " are out of the range of floats: call SetOutputPointsPrecision() with "
-             "DOUBLE_PRECISION";
-  return dgg::Status::Invalid(message.str());
+  return dgg::InvalidInput("OutputPointsPrecision is single, but coordinates of up to ", largest,
+    " are out of the range of floats: call SetOutputPointsPrecision() with DOUBLE_PRECISION");
 }
 }
 

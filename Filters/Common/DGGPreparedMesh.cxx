@@ -10,6 +10,7 @@
 
 #include "dggBitHash.h"
 #include "dggCapSplitting.h"
+#include "dggInvalidInput.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
@@ -27,7 +28,6 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
 namespace
 {
@@ -131,17 +131,14 @@ std::vector<dgg::Id> FindClosePoints(
 /// The point of a cell is missing or not finite.
 dgg::Status BadPoint(const double* points, vtkIdType numberOfPoints, vtkIdType cell, vtkIdType id)
 {
-  std::ostringstream message;
   if (id < 0 || id >= numberOfPoints)
   {
-    message << "cell " << cell << " names point " << id << ", but the input has " << numberOfPoints
-            << (numberOfPoints == 1 ? " point" : " points") << ": repair the cell";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("cell ", cell, " names point ", id, ", but the input has ",
+      numberOfPoints, numberOfPoints == 1 ? " point" : " points", ": repair the cell");
   }
   const double* p = points + 3 * id;
-  message << "point " << id << " of cell " << cell << " has the coordinates (" << p[0] << ", "
-          << p[1] << ", " << p[2] << "), which are not finite: repair the point or remove the cell";
-  return dgg::Status::Invalid(message.str());
+  return dgg::InvalidInput("point ", id, " of cell ", cell, " has the coordinates (", p[0], ", ",
+    p[1], ", ", p[2], "), which are not finite: repair the point or remove the cell");
 }
 
 dgg::Status CheckCell(const double* points, vtkIdType numberOfPoints, vtkIdType cell,
@@ -229,12 +226,10 @@ dgg::Status DGGPreparedMesh::CheckSurface(vtkPolyData* input)
     return dgg::Status::Success();
   }
   const vtkIdType n = input->GetNumberOfPoints();
-  std::ostringstream message;
-  message << "the input has " << n << (n == 1 ? " point" : " points")
-          << " but no polygons or triangle strips: connect a surface mesh. Distances on a point "
-          << "cloud need the graph that vtkPointCloudDGG makes, and a filter that searches it, "
-          << "as vtkDGGDistance or vtkDGGPath";
-  return dgg::Status::Invalid(message.str());
+  return dgg::InvalidInput("the input has ", n, n == 1 ? " point" : " points",
+    " but no polygons or triangle strips: connect a surface mesh. Distances on a point cloud need "
+    "the graph that vtkPointCloudDGG makes, and a filter that searches it, as vtkDGGDistance or "
+    "vtkDGGPath");
 }
 
 //------------------------------------------------------------------------------
@@ -243,10 +238,8 @@ dgg::Status DGGPreparedMesh::Build(vtkPolyData* input)
   const vtkIdType n = input->GetNumberOfPoints();
   if (n > std::numeric_limits<dgg::Id>::max())
   {
-    std::ostringstream message;
-    message << "the input has " << n << " points; at most " << std::numeric_limits<dgg::Id>::max()
-            << " are supported: decimate or split it";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("the input has ", n, " points; at most ",
+      std::numeric_limits<dgg::Id>::max(), " are supported: decimate or split it");
   }
   if (this->Domain.Kind == DGGDomain::Cloud)
   {
@@ -353,11 +346,8 @@ dgg::Status DGGPreparedMesh::Triangulate(
   this->NumberOfFans = triangulator.GetNumberOfFans();
   if (triangles.empty())
   {
-    std::ostringstream message;
-    message << "none of the " << this->NumberOfDroppedCells
-            << " polygons and strips of the input has three distinct points: connect a surface "
-            << "mesh";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("none of the ", this->NumberOfDroppedCells,
+      " polygons and strips of the input has three distinct points: connect a surface mesh");
   }
   return dgg::Status::Success();
 }
@@ -447,15 +437,12 @@ void DGGPreparedMesh::CollectWarnings()
     "need not be what they are meant to be: triangulate them first");
   warn(report.DuplicateFaces,
     "triangles on the same three points as an earlier one, which are left out");
-  std::ostringstream height;
-  height << this->Caps.LargestHeight;
   warn(this->Caps.NumberOfCaps,
-    "triangles without area, no higher than " + height.str() +
-      ", that are left out: their neighbours are split where they meet");
-  std::ostringstream length;
-  length << report.Mollification;
+    dgg::JoinText("triangles without area, no higher than ", this->Caps.LargestHeight,
+      ", that are left out: their neighbours are split where they meet"));
   warn(report.DegenerateFaces - this->Caps.NumberOfCaps,
-    "triangles without area, whose edges are taken to be longer by " + length.str());
+    dgg::JoinText(
+      "triangles without area, whose edges are taken to be longer by ", report.Mollification));
   warn(this->NumberOfCoincidentBoundaryPoints,
     "points of the boundary with the same coordinates as another one. If they are the two sides of "
     "a "
@@ -542,13 +529,12 @@ std::string DGGPreparedMesh::DescribeGaps(
   {
     return std::string();
   }
-  std::ostringstream message;
-  message << "only " << connected << " of " << used << " points are connected with a source, but "
-          << numberOfPoints << " points of the boundary are no more than " << gap
-          << " away from one of another part of the surface. If the parts belong together, "
-          << (this->Domain.Kind == DGGDomain::MergedSurface
-                 ? "raise MergeTolerance to "
-                 : "turn MergeCoincidentPoints on, with a MergeTolerance of ")
-          << SuspectGap;
-  return message.str();
+  return dgg::JoinText("only ", connected, " of ", used,
+    " points are connected with a source, but ", numberOfPoints,
+    " points of the boundary are no more than ", gap,
+    " away from one of another part of the surface. If the parts belong together, ",
+    this->Domain.Kind == DGGDomain::MergedSurface
+      ? "raise MergeTolerance to "
+      : "turn MergeCoincidentPoints on, with a MergeTolerance of ",
+    SuspectGap);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGProperties.h"
 
-#include <sstream>
+#include "dggInvalidInput.h"
 
 //------------------------------------------------------------------------------
 vtkIdType DGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i)
@@ -29,9 +29,7 @@ dgg::Status DGGCheckLengths(std::initializer_list<std::pair<const char*, double>
   {
     if (!(value >= 0.0)) // true for NaN
     {
-      std::ostringstream message;
-      message << name << " is " << value << ": it must not be negative or NaN";
-      return dgg::Status::Invalid(message.str());
+      return dgg::InvalidInput(name, " is ", value, ": it must not be negative or NaN");
     }
   }
   return dgg::Status::Success();

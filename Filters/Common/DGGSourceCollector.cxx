@@ -5,6 +5,8 @@
 #include "DGGContext.h"
 #include "DGGPreparedMesh.h"
 
+#include "dggInvalidInput.h"
+
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <sstream>
 
 namespace
 {
@@ -36,10 +37,8 @@ vtkIdType GetPointId(const DGGSourceSet& set, vtkIdType i)
 std::string Describe(const DGGSourceSet& set, vtkIdType index, const double p[3])
 {
   const bool isPoint = set.Role.find("point") != std::string::npos;
-  std::ostringstream text;
-  text << set.Role << (isPoint ? " " : " point ") << index << " of input port " << set.Port
-       << ", at (" << p[0] << ", " << p[1] << ", " << p[2] << "),";
-  return text.str();
+  return dgg::JoinText(set.Role, isPoint ? " " : " point ", index, " of input port ", set.Port,
+    ", at (", p[0], ", ", p[1], ", ", p[2], "),");
 }
 
 /// That of the i-th id.
@@ -54,19 +53,15 @@ dgg::Status CheckIds(const DGGSourceSet& set, vtkIdType numberOfPoints)
   {
     if (set.Ids[i] < 0 || set.Ids[i] >= numberOfPoints)
     {
-      std::ostringstream message;
-      message << set.Role << " id " << set.Ids[i] << " (number " << i << " of the " << set.Role
-              << " ids) is out of range: the " << set.Surface << " has " << numberOfPoints
-              << " points, so ids must be in [0, " << numberOfPoints - 1 << "]";
-      return dgg::Status::Invalid(message.str());
+      return dgg::InvalidInput(set.Role, " id ", set.Ids[i], " (number ", i, " of the ", set.Role,
+        " ids) is out of range: the ", set.Surface, " has ", numberOfPoints,
+        " points, so ids must be in [0, ", numberOfPoints - 1, "]");
     }
     const double offset = GetInitialDistance(set, i);
     if (!std::isfinite(offset))
     {
-      std::ostringstream message;
-      message << set.Role << " id " << set.Ids[i] << " (number " << i << " of the " << set.Role
-              << " ids) has the initial distance " << offset << ": a finite number is needed";
-      return dgg::Status::Invalid(message.str());
+      return dgg::InvalidInput(set.Role, " id ", set.Ids[i], " (number ", i, " of the ", set.Role,
+        " ids) has the initial distance ", offset, ": a finite number is needed");
     }
   }
   return dgg::Status::Success();
@@ -100,35 +95,30 @@ vtkIdType FindOriginal(vtkPolyData* points, vtkIdType index, vtkPoints* coordina
 dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
 {
   const vtkIdType count = points->GetNumberOfPoints();
-  std::ostringstream message;
   vtkPointData* data = points->GetPointData();
   vtkDataArray* array = data->GetArray(name.c_str());
   if (!array)
   {
     if (data->GetAbstractArray(name.c_str()))
     {
-      message << "the point array '" << name << "' of input port 1 is not numeric: "
-              << "InitialDistance needs one number per source point";
-      return dgg::Status::Invalid(message.str());
+      return dgg::InvalidInput("the point array '", name,
+        "' of input port 1 is not numeric: InitialDistance needs one number per source point");
     }
     return dgg::Status::Success();
   }
   if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
   {
-    message << "the point array '" << name << "' of input port 1 has "
-            << array->GetNumberOfComponents() << " components and " << array->GetNumberOfTuples()
-            << " tuples for " << count << " source points: one number per source "
-            << "point is needed";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("the point array '", name, "' of input port 1 has ",
+      array->GetNumberOfComponents(), " components and ", array->GetNumberOfTuples(),
+      " tuples for ", count, " source points: one number per source point is needed");
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double value = array->GetComponent(i, 0);
     if (!std::isfinite(value))
     {
-      message << "the point array '" << name << "' of input port 1 gives source point " << i
-              << " the initial distance " << value << ": a finite number is needed";
-      return dgg::Status::Invalid(message.str());
+      return dgg::InvalidInput("the point array '", name, "' of input port 1 gives source point ",
+        i, " the initial distance ", value, ": a finite number is needed");
     }
   }
   return dgg::Status::Success();
@@ -152,17 +142,10 @@ dgg::Status DGGSourceCollector::Check(const DGGSourceSet& set, vtkIdType numberO
 {
   if (set.Ids.empty() && CountPoints(set) == 0)
   {
-    std::ostringstream message;
-    message << "there is no " << set.Role << ": ";
-    if (set.Points)
-    {
-      message << "input port " << set.Port << " has no points. Give it points, or " << set.Remedy;
-    }
-    else
-    {
-      message << set.Remedy << ", or connect points to input port " << set.Port;
-    }
-    return dgg::Status::Invalid(message.str());
+    return set.Points ? dgg::InvalidInput("there is no ", set.Role, ": input port ", set.Port,
+                          " has no points. Give it points, or ", set.Remedy)
+                      : dgg::InvalidInput("there is no ", set.Role, ": ", set.Remedy,
+                          ", or connect points to input port ", set.Port);
   }
   DGG_RETURN_IF_ERROR(CheckIds(set, numberOfPoints));
   for (vtkIdType i = 0; i < CountPoints(set); ++i)
@@ -226,15 +209,12 @@ dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSour
     const bool found = locator.FindClosestPoint(p, source.Point, distance);
     if (!found || !locator.IsClose(source.Point, distance, farthest))
     {
-      std::ostringstream message;
-      message << Describe(set, id, p) << " is " << distance << " away from the "
-              << (mesh.IsCloud()              ? "cloud"
-                     : set.Surface == "input" ? "surface"
-                                              : set.Surface)
-              << ", farther than " << farthest << " (ProjectionTolerance " << tolerance
-              << " times the diagonal " << locator.GetDiagonal()
-              << "): move it there, or raise ProjectionTolerance";
-      return dgg::Status::Invalid(message.str());
+      return dgg::InvalidInput(Describe(set, id, p), " is ", distance, " away from the ",
+        mesh.IsCloud()             ? "cloud"
+          : set.Surface == "input" ? "surface"
+                                   : set.Surface,
+        ", farther than ", farthest, " (ProjectionTolerance ", tolerance, " times the diagonal ",
+        locator.GetDiagonal(), "): move it there, or raise ProjectionTolerance");
     }
     sources.push_back(source);
   }

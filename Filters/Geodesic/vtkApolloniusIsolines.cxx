@@ -7,6 +7,7 @@
 #include "DGGIsolineOutputs.h"
 #include "DGGNewGeometry.h"
 
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 
 #include "vtkContourValues.h"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 vtkStandardNewMacro(vtkApolloniusIsolines);
 
@@ -184,32 +184,31 @@ int vtkApolloniusIsolines::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkApolloniusIsolines::CheckProperties() const
 {
-  std::ostringstream message;
   if (this->SteinerPoints < 0 || this->SteinerPoints > dgg::MaximumSteinerPoints)
   {
-    message << "SteinerPoints is " << this->SteinerPoints
-            << ": call SetSteinerPoints() with a number from 0 to " << dgg::MaximumSteinerPoints;
+    return dgg::InvalidInput("SteinerPoints is ", this->SteinerPoints,
+      ": call SetSteinerPoints() with a number from 0 to ", dgg::MaximumSteinerPoints);
   }
-  else if (!(this->ChordTolerance >= SmallestChordTolerance))
+  if (!(this->ChordTolerance >= SmallestChordTolerance))
   {
-    message << "ChordTolerance is " << this->ChordTolerance
-            << ": call SetChordTolerance() with a number of at least " << SmallestChordTolerance;
+    return dgg::InvalidInput("ChordTolerance is ", this->ChordTolerance,
+      ": call SetChordTolerance() with a number of at least ", SmallestChordTolerance);
   }
-  else if (!(this->MinimumRidgeAngle >= 0.0 && this->MinimumRidgeAngle <= 180.0))
+  if (!(this->MinimumRidgeAngle >= 0.0 && this->MinimumRidgeAngle <= 180.0))
   {
-    message << "MinimumRidgeAngle is " << this->MinimumRidgeAngle
-            << ": call SetMinimumRidgeAngle() with degrees from 0 to 180";
+    return dgg::InvalidInput("MinimumRidgeAngle is ", this->MinimumRidgeAngle,
+      ": call SetMinimumRidgeAngle() with degrees from 0 to 180");
   }
   const std::vector<double> values = this->CopyValues();
-  for (std::size_t i = 0; i < values.size() && message.str().empty(); ++i)
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
     if (!std::isfinite(values[i]))
     {
-      message << "value " << i << " is " << values[i]
-              << ": call SetValue() with a finite number, or GenerateValues()";
+      return dgg::InvalidInput("value ", i, " is ", values[i],
+        ": call SetValue() with a finite number, or GenerateValues()");
     }
   }
-  return message.str().empty() ? dgg::Status::Success() : dgg::Status::Invalid(message.str());
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

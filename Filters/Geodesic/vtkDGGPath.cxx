@@ -10,6 +10,8 @@
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
+#include "dggInvalidInput.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -22,7 +24,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkDGGPath);
@@ -42,19 +43,16 @@ dgg::Status NoPair(bool isConnected)
 
 dgg::Status CheckLine(vtkIdType line, vtkIdType size, const vtkIdType* ids, vtkIdType points)
 {
-  std::ostringstream message;
   if (size == 0)
   {
-    message << "line " << line << " of input port 1 has no points: remove it";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("line ", line, " of input port 1 has no points: remove it");
   }
   for (const vtkIdType id : { ids[0], ids[size - 1] })
   {
     if (id < 0 || id >= points)
     {
-      message << "line " << line << " of input port 1 names point " << id << ", but there are "
-              << points << ": repair the line";
-      return dgg::Status::Invalid(message.str());
+      return dgg::InvalidInput("line ", line, " of input port 1 names point ", id,
+        ", but there are ", points, ": repair the line");
     }
   }
   return dgg::Status::Success();

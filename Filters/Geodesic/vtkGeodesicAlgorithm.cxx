@@ -8,6 +8,8 @@
 #include "DGGProperties.h"
 #include "DGGThreads.h"
 
+#include "dggInvalidInput.h"
+
 #include "vtkAlgorithmOutput.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
@@ -84,10 +86,9 @@ dgg::Status CheckPieces(vtkInformation* request, vtkInformationVector* outputVec
   }
   if (pieces > 1)
   {
-    std::ostringstream message;
-    message << "one of " << pieces << " pieces was asked for, but distances need the whole "
-            << "surface: gather it on one process and update this filter there, with one piece";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("one of ", pieces,
+      " pieces was asked for, but distances need the whole surface: gather it on one process and "
+      "update this filter there, with one piece");
   }
   return dgg::Status::Success();
 }

@@ -9,6 +9,7 @@
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
+#include "dggInvalidInput.h"
 #include "dggSurfaceSampler.h"
 
 #include "vtkDoubleArray.h"
@@ -18,7 +19,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -106,10 +106,8 @@ dgg::Status vtkGeodesicSampler::CheckInputs(
   }
   if (this->FirstSample < -1 || this->FirstSample >= n)
   {
-    std::ostringstream message;
-    message << "FirstSample " << this->FirstSample << " is out of range: the input has " << n
-            << " points, so it must be in [0, " << n - 1 << "], or -1";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("FirstSample ", this->FirstSample, " is out of range: the input has ",
+      n, " points, so it must be in [0, ", n - 1, "], or -1");
   }
   return dgg::Status::Success();
 }

@@ -7,11 +7,11 @@
 #include "DGGMeshQuality.h"
 
 #include "dggHeatMethod.h"
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 
 #include "vtkObjectFactory.h"
 
-#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkHeatGeodesicDistance);
@@ -82,11 +82,9 @@ dgg::Status vtkHeatGeodesicDistance::CheckProperties() const
   if (!(this->TimeStepFactor >= dgg::SmallestTimeStepFactor &&
         this->TimeStepFactor <= dgg::LargestTimeStepFactor))
   {
-    std::ostringstream message;
-    message << "TimeStepFactor is " << this->TimeStepFactor
-            << ": call SetTimeStepFactor() with a number from " << dgg::SmallestTimeStepFactor
-            << " to " << dgg::LargestTimeStepFactor << ", as 1";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("TimeStepFactor is ", this->TimeStepFactor,
+      ": call SetTimeStepFactor() with a number from ", dgg::SmallestTimeStepFactor, " to ",
+      dgg::LargestTimeStepFactor, ", as 1");
   }
   return this->Superclass::CheckProperties();
 }

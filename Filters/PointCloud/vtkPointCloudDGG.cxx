@@ -9,6 +9,7 @@
 #include "DGGMakeArray.h"
 
 #include "dggCloudGraphBuilder.h"
+#include "dggInvalidInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -20,7 +21,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <sstream>
 
 vtkStandardNewMacro(vtkPointCloudDGG);
 
@@ -34,10 +34,8 @@ dgg::Status CheckNumber(const char* name, double value)
   {
     return dgg::Status::Success();
   }
-  std::ostringstream message;
-  message << name << " is " << value << ": call Set" << name
-          << "() with a positive number, or with 0 for an automatic one";
-  return dgg::Status::Invalid(message.str());
+  return dgg::InvalidInput(name, " is ", value, ": call Set", name,
+    "() with a positive number, or with 0 for an automatic one");
 }
 }
 
@@ -120,13 +118,9 @@ dgg::Status vtkPointCloudDGG::CheckInputs(
   {
     return dgg::Status::Success();
   }
-  std::ostringstream message;
-  message << "the point normals of the input have " << normals->GetNumberOfComponents()
-          << " components and " << normals->GetNumberOfTuples() << " tuples for "
-          << cloud->GetNumberOfPoints()
-          << " points: three numbers per point are needed. Repair them, or turn UseInputNormals "
-             "off";
-  return dgg::Status::Invalid(message.str());
+  return dgg::InvalidInput("the point normals of the input have ", normals->GetNumberOfComponents(),
+    " components and ", normals->GetNumberOfTuples(), " tuples for ", cloud->GetNumberOfPoints(),
+    " points: three numbers per point are needed. Repair them, or turn UseInputNormals off");
 }
 
 //------------------------------------------------------------------------------

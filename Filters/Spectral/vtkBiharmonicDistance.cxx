@@ -6,6 +6,7 @@
 #include "DGGPreparedMesh.h"
 #include "DGGSpectralOutputs.h"
 
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 #include "dggSpectralDistance.h"
 
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkBiharmonicDistance);
@@ -38,11 +38,7 @@ dgg::Status CheckAll(const dgg::SpectralDistance& distance, PlaceCheck check,
 {
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    const dgg::Status status = (distance.*check)(points[k]);
-    if (!status.IsOk())
-    {
-      return dgg::Status::Invalid(name + std::to_string(k) + ": " + status.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR((distance.*check)(points[k]).Of(name + std::to_string(k)));
   }
   return dgg::Status::Success();
 }
@@ -113,23 +109,21 @@ vtkTypeUInt64 vtkBiharmonicDistance::GetMemorySize() const
 //------------------------------------------------------------------------------
 dgg::Status vtkBiharmonicDistance::CheckProperties() const
 {
-  std::ostringstream message;
   if (this->Kind == Diffusion && this->Method == Exact)
   {
-    message << "diffusion distances need eigenvalues: call SetMethodToSpectrum()";
+    return dgg::Status::Invalid("diffusion distances need eigenvalues: call SetMethodToSpectrum()");
   }
-  else if (!(this->DiffusionTime >= 0.0) || !std::isfinite(this->DiffusionTime))
+  if (!(this->DiffusionTime >= 0.0) || !std::isfinite(this->DiffusionTime))
   {
-    message << "DiffusionTime is " << this->DiffusionTime
-            << ": call SetDiffusionTime() with a positive number, or 0 for the usual one";
+    return dgg::InvalidInput("DiffusionTime is ", this->DiffusionTime,
+      ": call SetDiffusionTime() with a positive number, or 0 for the usual one");
   }
-  else if (this->NumberOfEigenvalues < 1)
+  if (this->NumberOfEigenvalues < 1)
   {
-    message << "NumberOfEigenvalues is " << this->NumberOfEigenvalues
-            << ": call SetNumberOfEigenvalues() with a positive number, as 150";
+    return dgg::InvalidInput("NumberOfEigenvalues is ", this->NumberOfEigenvalues,
+      ": call SetNumberOfEigenvalues() with a positive number, as 150");
   }
-  return message.str().empty() ? this->Superclass::CheckProperties()
-                               : dgg::Status::Invalid(message.str());
+  return this->Superclass::CheckProperties();
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 
 #include "dggGreensFunction.h"
 #include "dggGreensInterpolation.h"
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 
 #include "vtkObjectFactory.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -244,10 +244,8 @@ dgg::Status vtkDiscreteGreensFunction::CheckProperties() const
 {
   if (!(this->Radius >= 0.0) || !std::isfinite(this->Radius))
   {
-    std::ostringstream message;
-    message << "Radius is " << this->Radius
-            << ": call SetRadius() with a positive number, or 0 for the usual one";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("Radius is ", this->Radius,
+      ": call SetRadius() with a positive number, or 0 for the usual one");
   }
   return this->Superclass::CheckProperties();
 }

@@ -5,13 +5,13 @@
 #ifndef dggCloudFrame_h
 #define dggCloudFrame_h
 
-#include "dggPoint3.h" // for Point3
-#include "dggTypes.h"  // for Id, Status
+#include "dggInvalidInput.h" // for InvalidInput
+#include "dggPoint3.h"       // for Point3
+#include "dggTypes.h"        // for Id, Status
 
 #include <algorithm> // for std::min
 #include <cmath>     // for std::frexp
 #include <cstddef>   // for std::size_t
-#include <sstream>   // for a message
 
 namespace dgg
 {
@@ -71,10 +71,8 @@ public:
     {
       return Status::Success();
     }
-    std::ostringstream text;
-    text << "the points are spread over " << half
-         << " units to each side, out of the range of the arithmetic: scale them";
-    return Status::Invalid(text.str());
+    return InvalidInput("the points are spread over ", half,
+      " units to each side, out of the range of the arithmetic: scale them");
   }
   /// Half of the longest side of the box.
   double GetHalfExtent() const { return std::max({ this->Half.X, this->Half.Y, this->Half.Z }); }

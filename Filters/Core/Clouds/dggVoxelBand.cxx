@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggVoxelBand.h"
 
+#include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
 #include "dggProgressPart.h"
 #include "dggSegmentWalk.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <tuple>
 
 namespace dgg
@@ -152,10 +152,8 @@ Status VoxelBand::ChooseBox(
   const double resolution = std::ceil(extent / this->VoxelSize) + 5.0;
   if (!(resolution <= MaximumResolution))
   {
-    std::ostringstream text;
-    text << "the band would have " << resolution << " voxels along its longest side, more than "
-         << MaximumResolution << ": " << remedy;
-    return Status::Invalid(text.str());
+    return InvalidInput("the band would have ", resolution,
+      " voxels along its longest side, more than ", MaximumResolution, ": ", remedy);
   }
   this->Resolution = static_cast<std::int32_t>(resolution);
   return Status::Success();

@@ -3,11 +3,11 @@
 #include "dggGeodesicGraph.h"
 
 #include "dggBitHash.h"
+#include "dggInvalidInput.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 namespace dgg
@@ -41,16 +41,15 @@ void AddBlocks(const T* values, std::size_t count, std::vector<ByteRange>& block
   } while (left > 0);
 }
 
-Status Damaged(const std::string& what)
+template <typename... Parts>
+Status Damaged(const Parts&... what)
 {
-  return Status::Invalid("not a valid graph: " + what + "; build the graph again");
+  return InvalidInput("not a valid graph: ", what..., "; build the graph again");
 }
 
 Status DamagedEdge(Id row, Offset edge, const std::string& what)
 {
-  std::ostringstream text;
-  text << "edge " << edge << " (of vertex " << row << ") " << what;
-  return Damaged(text.str());
+  return Damaged("edge ", edge, " (of vertex ", row, ") ", what);
 }
 
 /// Positive and finite; not NaN.
@@ -79,11 +78,8 @@ Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
   }
   if (graph.Offsets[0] != 0 || graph.Offsets[graph.NumberOfVertices] != numberOfEdges)
   {
-    std::ostringstream text;
-    text << "offsets go from " << graph.Offsets[0] << " to "
-         << graph.Offsets[graph.NumberOfVertices] << ", but there are " << numberOfEdges
-         << " edges";
-    return Damaged(text.str());
+    return Damaged("offsets go from ", graph.Offsets[0], " to ",
+      graph.Offsets[graph.NumberOfVertices], ", but there are ", numberOfEdges, " edges");
   }
   if (numberOfEdges == 0)
   {

@@ -7,6 +7,7 @@
 #include "dggGraphPruning.h"
 #include "dggGraphRules.h"
 #include "dggGraphWindowTracer.h"
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 #include "dggRowStore.h"
 #include "dggRowWaves.h"
@@ -18,7 +19,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -99,22 +99,15 @@ double UnitedShare(GraphConstruction construction)
 /// `source` says whose windows they are.
 Status LimitExceeded(const std::string& source, bool canMultiply, const GraphOptions& options)
 {
-  std::ostringstream message;
-  message << "the windows of " << source;
-  message << (canMultiply ? " multiply among non-manifold edges or triangles without area"
-                          : " reach too far over long triangles")
-          << ", beyond some twenty times the work on a clean mesh of this size: "
-          << (canMultiply ? "remove inner walls, doubled sheets and such triangles" : "split these")
-          << ", use exact distances, or ";
-  if (options.Construction == GraphConstruction::SaddleVertexGraph)
-  {
-    message << "a smaller number of neighbours (it is " << options.NumberOfNeighbors << ")";
-  }
-  else
-  {
-    message << "a larger accuracy (it is " << options.Accuracy << ")";
-  }
-  return Status::Invalid(message.str());
+  return InvalidInput("the windows of ", source,
+    canMultiply ? " multiply among non-manifold edges or triangles without area"
+                : " reach too far over long triangles",
+    ", beyond some twenty times the work on a clean mesh of this size: ",
+    canMultiply ? "remove inner walls, doubled sheets and such triangles" : "split these",
+    ", use exact distances, or ",
+    options.Construction == GraphConstruction::SaddleVertexGraph
+      ? JoinText("a smaller number of neighbours (it is ", options.NumberOfNeighbors, ")")
+      : JoinText("a larger accuracy (it is ", options.Accuracy, ")"));
 }
 
 /// The numbers of edges found from some vertices.
@@ -266,7 +259,6 @@ GraphBuilder::~GraphBuilder() = default;
 
 Status GraphBuilder::Check(const GraphOptions& options)
 {
-  std::ostringstream message;
   if (options.Construction > GraphConstruction::SaddleVertexGraph)
   {
     return Status::Invalid("the construction is one for point clouds, not for meshes");
@@ -275,16 +267,14 @@ Status GraphBuilder::Check(const GraphOptions& options)
   {
     if (options.NumberOfNeighbors < 1)
     {
-      message << "the number of neighbours is " << options.NumberOfNeighbors
-              << ": it has to be at least 1";
-      return Status::Invalid(message.str());
+      return InvalidInput(
+        "the number of neighbours is ", options.NumberOfNeighbors, ": it has to be at least 1");
     }
   }
   else if (!(options.Accuracy >= MinimumAccuracy && options.Accuracy <= MaximumAccuracy))
   {
-    message << "the accuracy is " << options.Accuracy << ": it has to be in [" << MinimumAccuracy
-            << ", " << MaximumAccuracy << "]";
-    return Status::Invalid(message.str());
+    return InvalidInput("the accuracy is ", options.Accuracy, ": it has to be in [",
+      MinimumAccuracy, ", ", MaximumAccuracy, "]");
   }
   return Status::Success();
 }

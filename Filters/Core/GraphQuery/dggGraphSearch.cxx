@@ -7,6 +7,7 @@
 #include "dggGraphDijkstra.h"
 #include "dggGraphFans.h"
 #include "dggHeap.h"
+#include "dggInvalidInput.h"
 #include "dggLabelCorrection.h"
 #include "dggLandmarks.h"
 #include "dggManySources.h"
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <sstream>
 #include <string>
 
 namespace dgg
@@ -30,22 +30,21 @@ namespace
 Status CheckSeed(const GraphSeed& seed, Id numberOfVertices)
 {
   DGG_RETURN_IF_ERROR(CheckVertex(seed.Vertex, numberOfVertices));
-  std::ostringstream what;
   if (!std::isfinite(seed.Distance) || !std::isfinite(seed.InitialDistance))
   {
-    what << "the distances " << seed.Distance << " and " << seed.InitialDistance
-         << " that it starts with are not finite";
+    return InvalidInput("the distances ", seed.Distance, " and ", seed.InitialDistance,
+      " that it starts with are not finite");
   }
-  else if (!std::isfinite(seed.ArrivalAngle))
+  if (!std::isfinite(seed.ArrivalAngle))
   {
-    what << "its arrival angle is not finite";
+    return Status::Invalid("its arrival angle is not finite");
   }
-  else if (seed.ArrivalAngle >= 0.0 && seed.Distance < seed.InitialDistance)
+  if (seed.ArrivalAngle >= 0.0 && seed.Distance < seed.InitialDistance)
   {
-    what << "it starts with the distance " << seed.Distance
-         << ", which is below its initial distance " << seed.InitialDistance;
+    return InvalidInput("it starts with the distance ", seed.Distance,
+      ", which is below its initial distance ", seed.InitialDistance);
   }
-  return what.str().empty() ? Status::Success() : Status::Invalid(what.str());
+  return Status::Success();
 }
 
 Status CheckRadius(double maximumDistance)

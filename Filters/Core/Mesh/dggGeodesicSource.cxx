@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGeodesicSource.h"
 
+#include "dggInvalidInput.h"
+
 #include <cmath>
-#include <sstream>
 
 namespace dgg
 {
@@ -15,18 +16,11 @@ Status CheckSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& 
   }
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
-    const Status status = sources[k].Point.Check(mesh);
-    std::ostringstream message;
-    if (!status.IsOk())
-    {
-      message << "source " << k << ": " << status.GetMessage();
-      return Status::Invalid(message.str());
-    }
+    DGG_RETURN_IF_ERROR(sources[k].Point.Check(mesh).Of("source " + std::to_string(k)));
     if (!std::isfinite(sources[k].InitialDistance))
     {
-      message << "source " << k << ": the initial distance " << sources[k].InitialDistance
-              << " is not finite";
-      return Status::Invalid(message.str());
+      return InvalidInput(
+        "source ", k, ": the initial distance ", sources[k].InitialDistance, " is not finite");
     }
   }
   return Status::Success();

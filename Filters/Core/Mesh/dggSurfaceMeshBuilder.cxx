@@ -4,12 +4,12 @@
 
 #include "dggCapSplitting.h"
 #include "dggEdges.h"
+#include "dggInvalidInput.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 
 namespace dgg
 {
@@ -43,20 +43,16 @@ Status SurfaceMeshBuilder::TakeTriangles(
   if (numberOfVertices < 0 || numberOfTriangles < 0 || numberOfVertices > limit ||
     numberOfTriangles > limit / 3)
   {
-    std::ostringstream message;
-    message << "a mesh of " << numberOfVertices << " points and " << numberOfTriangles
-            << " triangles is too large: at most " << limit << " points and " << limit / 3
-            << " triangles are supported";
-    return Status::Invalid(message.str());
+    return InvalidInput("a mesh of ", numberOfVertices, " points and ", numberOfTriangles,
+      " triangles is too large: at most ", limit, " points and ", limit / 3,
+      " triangles are supported");
   }
   for (Offset i = 0; i < 3 * numberOfTriangles; ++i)
   {
     if (triangles[i] < 0 || triangles[i] >= numberOfVertices)
     {
-      std::ostringstream message;
-      message << "triangle " << i / 3 << " names point " << triangles[i]
-              << ", which does not exist: ids must be in [0, " << numberOfVertices - 1 << "]";
-      return Status::Invalid(message.str());
+      return InvalidInput("triangle ", i / 3, " names point ", triangles[i],
+        ", which does not exist: ids must be in [0, ", numberOfVertices - 1, "]");
     }
   }
   const auto n = static_cast<std::size_t>(numberOfVertices);
@@ -174,19 +170,15 @@ Status SurfaceMeshBuilder::GlueByTwins(const Id* twins)
         (mesh.Origin(t) == mesh.Origin(h) && mesh.Destination(t) == mesh.Destination(h)));
     if (!joins || ++entries[t] > 1)
     {
-      std::ostringstream message;
-      message << "half-edge " << h << " cannot be glued to half-edge " << t
-              << ": twins must be other half-edges between the same vertices, in closed lists";
-      return Status::Invalid(message.str());
+      return InvalidInput("half-edge ", h, " cannot be glued to half-edge ", t,
+        ": twins must be other half-edges between the same vertices, in closed lists");
     }
   }
   for (Id h = 0; h < halfEdges; ++h)
   {
     if ((twins[h] == NoId) != (entries[h] == 0))
     {
-      std::ostringstream message;
-      message << "half-edge " << h << " is glued in one direction only";
-      return Status::Invalid(message.str());
+      return InvalidInput("half-edge ", h, " is glued in one direction only");
     }
   }
   this->Mesh.Twins.assign(twins, twins + halfEdges);
@@ -199,18 +191,8 @@ Status SurfaceMeshBuilder::CheckExtent(double extent, const char* what) const
   {
     return Status::Success();
   }
-  std::ostringstream message;
-  message << what << " is " << extent << ", outside [" << SmallestExtent << ", " << LargestExtent
-          << "]: ";
-  if (extent == 0.0)
-  {
-    message << "all triangles are single points";
-  }
-  else
-  {
-    message << "scale the mesh first";
-  }
-  return Status::Invalid(message.str());
+  return InvalidInput(what, " is ", extent, ", outside [", SmallestExtent, ", ", LargestExtent,
+    "]: ", extent == 0.0 ? "all triangles are single points" : "scale the mesh first");
 }
 
 Status SurfaceMeshBuilder::MeasureLengths(const double* points)
@@ -229,10 +211,8 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
       const double x = points[3 * v + axis];
       if (!std::isfinite(x))
       {
-        std::ostringstream message;
-        message << "point " << v << ", used by triangle " << SurfaceMesh::Face(h)
-                << ", has a coordinate that is not finite: remove the triangle or repair the point";
-        return Status::Invalid(message.str());
+        return InvalidInput("point ", v, ", used by triangle ", SurfaceMesh::Face(h),
+          ", has a coordinate that is not finite: remove the triangle or repair the point");
       }
       low[axis] = std::min(low[axis], x);
       high[axis] = std::max(high[axis], x);
@@ -284,10 +264,8 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
     if (!std::isfinite(lengths[h]) || lengths[h] < 0.0 ||
       length - shortest > LengthAgreement * length)
     {
-      std::ostringstream message;
-      message << "half-edge " << h << " has length " << lengths[h]
-              << ": lengths must be finite, not negative, and equal on all halves of an edge";
-      return Status::Invalid(message.str());
+      return InvalidInput("half-edge ", h, " has length ", lengths[h],
+        ": lengths must be finite, not negative, and equal on all halves of an edge");
     }
     mesh.Lengths[h] = length;
     longest = std::max(longest, length);
@@ -313,10 +291,8 @@ Status SurfaceMeshBuilder::CheckTriangleInequalities() const
     if (!this->Mesh.IsDropped(f) &&
       2.0 * longest - (a + b + c) > std::max(LengthAgreement * longest, rounding))
     {
-      std::ostringstream message;
-      message << "face " << f << " has edges of lengths " << a << ", " << b << " and " << c
-              << ": none may be longer than the other two together";
-      return Status::Invalid(message.str());
+      return InvalidInput("face ", f, " has edges of lengths ", a, ", ", b, " and ", c,
+        ": none may be longer than the other two together");
     }
   }
   return Status::Success();

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfacePoint.h"
 
+#include "dggInvalidInput.h"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -120,34 +121,29 @@ SurfacePoint SurfacePoint::InsideEdge(Id halfEdge, double t)
 
 Status SurfacePoint::Check(const SurfaceMesh& mesh) const
 {
-  std::ostringstream message;
   if (this->On == Support::Vertex)
   {
     if (this->Vertex >= 0 && this->Vertex < mesh.GetNumberOfVertices())
     {
       return Status::Success();
     }
-    message << "vertex " << this->Vertex << " does not exist: ids must be in [0, "
-            << mesh.GetNumberOfVertices() - 1 << "]";
-    return Status::Invalid(message.str());
+    return InvalidInput("vertex ", this->Vertex, " does not exist: ids must be in [0, ",
+      mesh.GetNumberOfVertices() - 1, "]");
   }
   if (this->On == Support::Near)
   {
-    message << "the point near vertex " << this->Vertex << " is not on the mesh: only clouds have "
-            << "such points";
-    return Status::Invalid(message.str());
+    return InvalidInput(
+      "the point near vertex ", this->Vertex, " is not on the mesh: only clouds have such points");
   }
   if (this->Face < 0 || this->Face >= mesh.GetNumberOfFaces() || mesh.IsDropped(this->Face))
   {
-    message << "face " << this->Face << " does not exist or has no area";
-    return Status::Invalid(message.str());
+    return InvalidInput("face ", this->Face, " does not exist or has no area");
   }
   if (!AreCoordinates(this->Barycentric))
   {
-    message << "the barycentric coordinates (" << this->Barycentric[0] << ", "
-            << this->Barycentric[1] << ", " << this->Barycentric[2] << ") in face " << this->Face
-            << " are not within the face: they must not be negative and add up to 1";
-    return Status::Invalid(message.str());
+    return InvalidInput("the barycentric coordinates (", this->Barycentric[0], ", ",
+      this->Barycentric[1], ", ", this->Barycentric[2], ") in face ", this->Face,
+      " are not within the face: they must not be negative and add up to 1");
   }
   const std::array<double, 3>& b = this->Barycentric;
   const bool snapped = this->On == Support::Edge ? this->HalfEdge >= 3 * this->Face &&
@@ -155,9 +151,8 @@ Status SurfacePoint::Check(const SurfaceMesh& mesh) const
                                                  : b[0] > 0.0 && b[1] > 0.0 && b[2] > 0.0;
   if (!snapped)
   {
-    message << "the point in face " << this->Face
-            << " is not on what it says it is on: use SurfacePoint::InFace() or OnEdge()";
-    return Status::Invalid(message.str());
+    return InvalidInput("the point in face ", this->Face,
+      " is not on what it says it is on: use SurfacePoint::InFace() or OnEdge()");
   }
   return Status::Success();
 }

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggUnfoldingTable.h"
 
+#include "dggInvalidInput.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 namespace dgg
@@ -75,22 +76,13 @@ Status UnfoldingTable::CheckSize(const Extent& count)
   {
     return Status::Success();
   }
-  std::ostringstream message;
-  message << "the mesh has " << count.HalfEdges / 3 << " triangles";
-  if (count.BranchHalfEdges > 0)
-  {
-    message << " and non-manifold edges of " << count.BranchHalfEdges << " triangles in all";
-  }
-  message << ", too many for a graph: ";
-  if (count.NeedsMirrors)
-  {
-    message << "make it manifold and orient its triangles alike, or simplify it";
-  }
-  else
-  {
-    message << "simplify it";
-  }
-  return Status::Invalid(message.str());
+  return InvalidInput("the mesh has ", count.HalfEdges / 3, " triangles",
+    count.BranchHalfEdges > 0
+      ? JoinText(" and non-manifold edges of ", count.BranchHalfEdges, " triangles in all")
+      : "",
+    ", too many for a graph: ",
+    count.NeedsMirrors ? "make it manifold and orient its triangles alike, or simplify it"
+                       : "simplify it");
 }
 
 void UnfoldingTable::FillAngles()

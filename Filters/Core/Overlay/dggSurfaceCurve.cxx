@@ -82,11 +82,8 @@ Status CurveBuilder::CheckPoints() const
 {
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
-    const Status status = this->Points[i].Check(this->Mesh);
-    if (!status.IsOk())
-    {
-      return InvalidInput("point ", i, " of the curve: ", status.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR(
+      this->Points[i].Check(this->Mesh).Of(JoinText("point ", i, " of the curve")));
   }
   return Status::Success();
 }

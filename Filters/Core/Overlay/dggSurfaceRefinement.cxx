@@ -119,16 +119,12 @@ Status Refiner::CheckPaths() const
   for (std::size_t p = 0; p < this->Paths.size(); ++p)
   {
     const SurfacePath& path = this->Paths[p];
-    Status status;
+    const std::string name = "path " + std::to_string(p);
     for (const SurfacePoint& point : path.Points)
     {
-      status = status.IsOk() ? point.Check(this->Mesh) : status;
+      DGG_RETURN_IF_ERROR(point.Check(this->Mesh).Of(name));
     }
-    status = status.IsOk() ? CheckPath(this->Mesh, path) : status;
-    if (!status.IsOk())
-    {
-      return InvalidInput("path ", p, ": ", status.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR(CheckPath(this->Mesh, path).Of(name));
   }
   return Status::Success();
 }

@@ -70,11 +70,8 @@ Status LayoutDrawing::CheckLandmarks() const
 {
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
   {
-    const Status status = this->Landmarks[l].Check(this->Mesh);
-    if (!status.IsOk())
-    {
-      return InvalidInput("landmark ", l, " of ", this->Name, ": ", status.GetMessage());
-    }
+    DGG_RETURN_IF_ERROR(
+      this->Landmarks[l].Check(this->Mesh).Of(JoinText("landmark ", l, " of ", this->Name)));
     if (FindFaceOf(this->Mesh, this->Landmarks[l]) == NoId)
     {
       return InvalidInput("landmark ", l, " of ", this->Name, " is a point that no face uses");

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggThinTriangles.h"
 
+#include "dggInvalidInput.h"
 #include "dggPoissonSystem.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -158,11 +158,9 @@ Status CheckThinTriangles(const PoissonSystem& system, std::vector<std::uint8_t>
   {
     return Status::Success();
   }
-  std::ostringstream message;
-  message << "the triangles are too thin: about " << std::lround(100.0 * mean)
-          << " % of a solution would be lost. Make a surface of better triangles, less than some "
-             "100 000 times as long as high, or scale it by the same factor in all directions";
-  return Status::Invalid(message.str());
+  return InvalidInput("the triangles are too thin: about ", std::lround(100.0 * mean),
+    " % of a solution would be lost. Make a surface of better triangles, less than some 100 000 "
+    "times as long as high, or scale it by the same factor in all directions");
 }
 
 Status CheckThinPlace(const PoissonSystem& system, Id component, const std::string& where)

@@ -3,6 +3,7 @@
 #include "dggEarthMovers.h"
 
 #include "dggGeodesicSource.h"
+#include "dggInvalidInput.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 #include "dggSparseFactor.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <string>
 
 namespace dgg
@@ -269,10 +269,8 @@ Status ScaleToOne(std::vector<double>& masses, double& total)
   {
     if (!(masses[v] >= 0.0) || !std::isfinite(masses[v]))
     {
-      std::ostringstream message;
-      message << "the mass of vertex " << v << " is " << masses[v]
-              << ": masses are finite and not negative";
-      return Status::Invalid(message.str());
+      return InvalidInput(
+        "the mass of vertex ", v, " is ", masses[v], ": masses are finite and not negative");
     }
     largest = std::max(largest, masses[v]);
   }
@@ -310,12 +308,10 @@ Status BalanceComponents(
     const double b = toSums[components[v]];
     if (std::abs(a - b) > MassTolerance)
     {
-      std::ostringstream message;
-      message << "in the part of the surface with vertex " << v << " there is a fraction of " << a
-              << " of the first distribution and " << b
-              << " of the second one: nothing can get there from other parts, so give both the "
-                 "same mass in each part";
-      return Status::Invalid(message.str());
+      return InvalidInput("in the part of the surface with vertex ", v, " there is a fraction of ",
+        a, " of the first distribution and ", b,
+        " of the second one: nothing can get there from other parts, so give both the same mass in "
+        "each part");
     }
     const double ratio = a / b;
     from[v] = b > 0.0 && std::isfinite(ratio) ? from[v] : 0.0;
@@ -504,19 +500,16 @@ Status BalanceMasses(const SurfaceMesh& mesh, bool normalize, std::vector<double
   double totals[2] = { 0.0, 0.0 };
   DGG_RETURN_IF_ERROR(ScaleToOne(from, totals[0]));
   DGG_RETURN_IF_ERROR(ScaleToOne(to, totals[1]));
-  std::ostringstream message;
   if (normalize && !(std::min(totals[0], totals[1]) > 0.0))
   {
-    message << "the " << (totals[0] > 0.0 ? "second" : "first")
-            << " distribution has no mass: it cannot be normalized";
-    return Status::Invalid(message.str());
+    return InvalidInput("the ", totals[0] > 0.0 ? "second" : "first",
+      " distribution has no mass: it cannot be normalized");
   }
   if (!normalize &&
     std::abs(totals[0] - totals[1]) > MassTolerance * std::max(totals[0], totals[1]))
   {
-    message << "the first distribution has the mass " << totals[0] << " and the second one "
-            << totals[1] << ": give both the same, or have them normalized";
-    return Status::Invalid(message.str());
+    return InvalidInput("the first distribution has the mass ", totals[0], " and the second one ",
+      totals[1], ": give both the same, or have them normalized");
   }
   total = normalize ? 1.0 : totals[0];
   return BalanceComponents(mesh, from, to);

@@ -7,17 +7,25 @@
 
 #include "dggTypes.h" // for Status
 
-#include <sstream> // for messages
+#include <sstream> // for JoinText
+#include <string>  // for JoinText
 
 namespace dgg
 {
+/// Texts and numbers as one text.
+template <typename... Parts>
+std::string JoinText(const Parts&... parts)
+{
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
 /// Status::Invalid() with a message of texts and numbers.
 template <typename... Parts>
 Status InvalidInput(const Parts&... parts)
 {
-  std::ostringstream message;
-  (message << ... << parts);
-  return Status::Invalid(message.str());
+  return Status::Invalid(JoinText(parts...));
 }
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggEdgeWindows.h"
 
+#include "dggInvalidInput.h"
+
 #include <cmath>
-#include <sstream>
 
 namespace dgg
 {
@@ -41,20 +42,17 @@ bool IsValid(const FaceSource& s, const SurfaceMesh& mesh)
 Status EdgeWindows::Check(const SurfaceMesh& mesh) const
 {
   const auto halfEdges = static_cast<std::size_t>(mesh.GetNumberOfHalfEdges());
-  std::ostringstream message;
   if (this->Offsets.size() != halfEdges + 1 || this->Offsets.front() != 0 ||
     this->Offsets.back() != static_cast<Offset>(this->Windows.size()))
   {
-    message << this->Offsets.size() << " offsets and " << this->Windows.size()
-            << " windows are not those of a mesh of " << halfEdges << " half-edges";
-    return Status::Invalid(message.str());
+    return InvalidInput(this->Offsets.size(), " offsets and ", this->Windows.size(),
+      " windows are not those of a mesh of ", halfEdges, " half-edges");
   }
   for (std::size_t h = 0; h < halfEdges; ++h)
   {
     if (this->Offsets[h] > this->Offsets[h + 1])
     {
-      message << "the offsets of half-edge " << h << " decrease";
-      return Status::Invalid(message.str());
+      return InvalidInput("the offsets of half-edge ", h, " decrease");
     }
   }
   for (std::size_t h = 0; h < halfEdges; ++h)
@@ -65,8 +63,7 @@ Status EdgeWindows::Check(const SurfaceMesh& mesh) const
     {
       if (!IsValid(*w, mesh.Length(id)) || w->Begin < last)
       {
-        message << "window " << (w - this->Windows.data()) << " is not one of half-edge " << h;
-        return Status::Invalid(message.str());
+        return InvalidInput("window ", w - this->Windows.data(), " is not one of half-edge ", h);
       }
       last = w->Begin;
     }
@@ -76,8 +73,7 @@ Status EdgeWindows::Check(const SurfaceMesh& mesh) const
   {
     if (!IsValid(this->Sources[s], mesh) || this->Sources[s].Face < face)
     {
-      message << "source " << s << " is not in a face of the mesh";
-      return Status::Invalid(message.str());
+      return InvalidInput("source ", s, " is not in a face of the mesh");
     }
     face = this->Sources[s].Face;
   }

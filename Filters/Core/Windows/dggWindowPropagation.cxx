@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <string>
 
 namespace dgg
@@ -108,13 +107,7 @@ Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
   }
   for (std::size_t t = 0; t < options.Targets.size(); ++t)
   {
-    const Status status = options.Targets[t].Check(mesh);
-    if (!status.IsOk())
-    {
-      std::ostringstream message;
-      message << "target " << t << ": " << status.GetMessage();
-      return Status::Invalid(message.str());
-    }
+    DGG_RETURN_IF_ERROR(options.Targets[t].Check(mesh).Of("target " + std::to_string(t)));
   }
   return Status::Success();
 }

@@ -8,6 +8,7 @@
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
+#include "dggInvalidInput.h"
 #include "dggSourceFinding.h"
 
 #include "vtkAlgorithm.h"
@@ -57,11 +58,9 @@ std::string FindFault(const dgg::SurfaceMesh& mesh, const std::vector<double>& v
   {
     return "";
   }
-  std::ostringstream text;
-  text << "The field is hardly a distance: along " << std::lround(100.0 * share)
-       << " % of the edges it changes by more than their length. Pass the distance itself, in the "
-          "units of the points.";
-  return text.str();
+  return dgg::JoinText("The field is hardly a distance: along ", std::lround(100.0 * share),
+    " % of the edges it changes by more than their length. Pass the distance itself, in the units "
+    "of the points.");
 }
 
 std::string ListArrays(vtkPointData* data)
@@ -142,25 +141,22 @@ dgg::Status DGGFieldInput::FindDistances(vtkInformation* filter, const std::stri
   vtkAbstractArray* found =
     name.empty() ? data->GetScalars() : data->GetAbstractArray(name.c_str());
   distances = vtkDataArray::SafeDownCast(found);
-  std::ostringstream message;
   if (!found)
   {
-    message << (name.empty() ? std::string("there are no active point scalars")
-                             : "there is no point array '" + name + "'")
-            << " with distances. " << ListArrays(data)
-            << ": call SetDistanceArrayName() or SetInputArrayToProcess() with one of them, or "
-               "connect a distance filter";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput(name.empty() ? std::string("there are no active point scalars")
+                                          : "there is no point array '" + name + "'",
+      " with distances. ", ListArrays(data),
+      ": call SetDistanceArrayName() or SetInputArrayToProcess() with one of them, or connect a "
+      "distance filter");
   }
   if (!distances || distances->GetNumberOfComponents() != 1 ||
     distances->GetNumberOfTuples() != surface->GetNumberOfPoints())
   {
     const char* called = found->GetName();
-    message << "the point array '" << (called ? called : "(no name)") << "' has "
-            << found->GetNumberOfComponents() << " components and " << found->GetNumberOfTuples()
-            << " tuples of type " << found->GetDataTypeAsString() << " for "
-            << surface->GetNumberOfPoints() << " points: one number per point is needed";
-    return dgg::Status::Invalid(message.str());
+    return dgg::InvalidInput("the point array '", called ? called : "(no name)", "' has ",
+      found->GetNumberOfComponents(), " components and ", found->GetNumberOfTuples(),
+      " tuples of type ", found->GetDataTypeAsString(), " for ", surface->GetNumberOfPoints(),
+      " points: one number per point is needed");
   }
   return dgg::Status::Success();
 }
@@ -186,11 +182,9 @@ dgg::Status DGGFieldInput::ReadDistances(const DGGContext& context, vtkDataArray
     const double d = distances->GetComponent(i, 0);
     if (d == -dgg::Infinity)
     {
-      std::ostringstream message;
-      message << "the distance of point " << i
-              << " is minus infinity: points that are not reached have NaN, plus infinity or the "
-                 "UnreachedValue";
-      return dgg::Status::Invalid(message.str());
+      return dgg::InvalidInput("the distance of point ", i,
+        " is minus infinity: points that are not reached have NaN, plus infinity or the "
+        "UnreachedValue");
     }
     // Of points that share a vertex, the first is the vertex.
     if (!std::isnan(d) && mesh.GetVertex(i) == static_cast<dgg::Id>(i))

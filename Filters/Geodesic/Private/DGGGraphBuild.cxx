@@ -6,33 +6,26 @@
 #include "DGGFreeMemory.h"
 #include "DGGPreparedMesh.h"
 
+#include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
 #include "dggUnfoldingTable.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace
 {
 dgg::Status TooMuchMemory(
   const dgg::GraphOptions& options, const dgg::GraphEstimate& estimate, vtkTypeUInt64 limit)
 {
-  std::ostringstream message;
-  message << "the graph would take about " << dgg::FormatBytes(estimate.Memory) << ", and "
-          << dgg::FormatBytes(estimate.Peak) << " while it is built, more than the limit of "
-          << dgg::FormatBytes(static_cast<double>(limit)) << ": ";
-  if (options.Construction == dgg::GraphConstruction::SaddleVertexGraph)
-  {
-    message << "use a smaller NumberOfNeighbors (it is " << options.NumberOfNeighbors << ")";
-  }
-  else
-  {
-    message << "use a larger Accuracy (it is " << options.Accuracy << ")";
-  }
-  message << ", or a higher MemoryLimit";
-  return dgg::Status::Invalid(message.str());
+  return dgg::InvalidInput("the graph would take about ", dgg::FormatBytes(estimate.Memory),
+    ", and ", dgg::FormatBytes(estimate.Peak), " while it is built, more than the limit of ",
+    dgg::FormatBytes(static_cast<double>(limit)), ": ",
+    options.Construction == dgg::GraphConstruction::SaddleVertexGraph
+      ? dgg::JoinText("use a smaller NumberOfNeighbors (it is ", options.NumberOfNeighbors, ")")
+      : dgg::JoinText("use a larger Accuracy (it is ", options.Accuracy, ")"),
+    ", or a higher MemoryLimit");
 }
 }
 

@@ -7,13 +7,14 @@
 #include "DGGGraphBuild.h"
 #include "DGGThreads.h"
 
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 
 #include "vtkObject.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <sstream>
+#include <string>
 
 namespace
 {
@@ -211,20 +212,12 @@ void DGGGraphUser::WarnAboutAccuracy(vtkObject* filter)
     return;
   }
   this->WarnedAccuracy = this->Accuracy;
-  std::ostringstream reason;
-  if (info.IsGuaranteed())
-  {
-    reason << "its accuracy is " << info.Accuracy;
-  }
-  else
-  {
-    reason << "its construction guarantees no accuracy";
-  }
-  vtkWarningWithObjectMacro(
-    filter, << "the graph on the input is used, although " << reason.str() << " and Accuracy "
-            << this->Accuracy
-            << " is asked for: build it so by vtkDiscreteGeodesicGraph, remove it, or turn "
-               "AcceptCoarserGraph on.");
+  const std::string reason = info.IsGuaranteed() ? dgg::JoinText("its accuracy is ", info.Accuracy)
+                                                 : "its construction guarantees no accuracy";
+  vtkWarningWithObjectMacro(filter,
+    << "the graph on the input is used, although " << reason << " and Accuracy " << this->Accuracy
+    << " is asked for: build it so by vtkDiscreteGeodesicGraph, remove it, or turn "
+       "AcceptCoarserGraph on.");
 }
 
 //------------------------------------------------------------------------------

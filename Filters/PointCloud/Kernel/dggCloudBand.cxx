@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCloudSetup.h"
+#include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
 #include "dggQuantile.h"
 #include "dggSetupLoop.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace dgg
@@ -202,12 +202,10 @@ private:
     const auto farthest =
       static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
     const double toPoints = 1.0 / this->Setup.Nodes.Scale;
-    std::ostringstream text;
-    text << "parts of the cloud are too far apart for " << limit << ": its points are "
-         << toPoints * this->MedianSpacing << " from each other, but point "
-         << this->Setup.Nodes.Originals[farthest] << " is " << toPoints * values[farthest]
-         << " from the middle. Leave out points that are wrong, or build one graph for each part";
-    return Status::Invalid(text.str());
+    return InvalidInput("parts of the cloud are too far apart for ", limit, ": its points are ",
+      toPoints * this->MedianSpacing, " from each other, but point ",
+      this->Setup.Nodes.Originals[farthest], " is ", toPoints * values[farthest],
+      " from the middle. Leave out points that are wrong, or build one graph for each part");
   }
 
   /// What helps when there are too many voxels.
@@ -240,15 +238,13 @@ private:
     const bool isAutomatic = this->Options.Resolution <= 0;
     const double resolution = this->Statistics.Resolution;
     const auto limit = static_cast<double>(this->Options.MemoryLimit);
-    std::ostringstream what;
-    what << "with the band of voxels, " << resolution << " along the longest side as Resolution "
-         << (isAutomatic ? "is automatic" : "says") << ", each of size "
-         << this->Statistics.VoxelSize << " where points are " << this->Statistics.Spacing
-         << " from each other, building the graph";
-    std::ostringstream remedy;
-    remedy << (isAutomatic ? "set" : "use") << " a Resolution below " << resolution;
     const double needed = static_cast<double>(this->Setup.GetMemorySize()) + this->PredictMemory();
-    return CheckMemory(what.str(), std::max(needed, LeastExcess * limit), limit, remedy.str());
+    return CheckMemory(
+      JoinText("with the band of voxels, ", resolution, " along the longest side as Resolution ",
+        isAutomatic ? "is automatic" : "says", ", each of size ", this->Statistics.VoxelSize,
+        " where points are ", this->Statistics.Spacing, " from each other, building the graph"),
+      std::max(needed, LeastExcess * limit), limit,
+      JoinText(isAutomatic ? "set" : "use", " a Resolution below ", resolution));
   }
 
   const CloudGraphOptions& Options;

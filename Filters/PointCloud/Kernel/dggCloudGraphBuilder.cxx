@@ -5,11 +5,11 @@
 #include "dggCloudAssembly.h"
 #include "dggCloudRows.h"
 #include "dggCloudSetup.h"
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace dgg
 {
@@ -131,35 +131,34 @@ CloudGraphBuilder::CloudGraphBuilder(const double* points, Id numberOfPoints)
 
 Status CloudGraphBuilder::Check(const CloudGraphOptions& options)
 {
-  std::ostringstream text;
   if (!(options.OffsetInVoxels == 0.0 ||
         (options.OffsetInVoxels >= 0.5 && options.OffsetInVoxels <= 1000.0)))
   {
     // Smaller balls may have no centre of a voxel in them.
-    text << "the offset is " << options.OffsetInVoxels
-         << " voxels, but has to be 0 (automatic), or at least 0.5 and at most 1000";
+    return InvalidInput("the offset is ", options.OffsetInVoxels,
+      " voxels, but has to be 0 (automatic), or at least 0.5 and at most 1000");
   }
-  else if (options.Resolution < 0 || options.Resolution > LargestResolution)
+  if (options.Resolution < 0 || options.Resolution > LargestResolution)
   {
-    text << "the resolution is " << options.Resolution
-         << ", but has to be 0 (automatic) or at most " << LargestResolution;
+    return InvalidInput("the resolution is ", options.Resolution,
+      ", but has to be 0 (automatic) or at most ", LargestResolution);
   }
-  else if (!(options.Alpha == 0.0 || (options.Alpha >= 1e-3 && options.Alpha <= 1e6)))
+  if (!(options.Alpha == 0.0 || (options.Alpha >= 1e-3 && options.Alpha <= 1e6)))
   {
-    text << "alpha is " << options.Alpha
-         << ", but has to be 0 (automatic), or at least 1e-3 and at most 1e6";
+    return InvalidInput("alpha is ", options.Alpha,
+      ", but has to be 0 (automatic), or at least 1e-3 and at most 1e6");
   }
-  else if (!(options.Accuracy == 0.0 ||
-             (options.Accuracy >= 1e-6 && options.Accuracy <= LargestAccuracy)))
+  if (!(options.Accuracy == 0.0 ||
+        (options.Accuracy >= 1e-6 && options.Accuracy <= LargestAccuracy)))
   {
-    text << "the accuracy is " << options.Accuracy
-         << ", but has to be 0 (all edges) or between 1e-6 and " << LargestAccuracy;
+    return InvalidInput("the accuracy is ", options.Accuracy,
+      ", but has to be 0 (all edges) or between 1e-6 and ", LargestAccuracy);
   }
-  else if (options.HasOrientedNormals && !options.Normals)
+  if (options.HasOrientedNormals && !options.Normals)
   {
-    text << "there are no normals that could be oriented";
+    return Status::Invalid("there are no normals that could be oriented");
   }
-  return text.str().empty() ? Status::Success() : Status::Invalid(text.str());
+  return Status::Success();
 }
 
 Status CloudGraphBuilder::Estimate(

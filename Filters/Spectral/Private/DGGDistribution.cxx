@@ -5,13 +5,14 @@
 #include "DGGPreparedMesh.h"
 
 #include "dggEarthMovers.h"
+#include "dggInvalidInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
-#include <sstream>
+#include <string>
 
 namespace
 {
@@ -36,63 +37,55 @@ dgg::Status DGGReadNumbers(vtkPolyData* data, const std::string& name, const std
   vtkDataArray* array = vtkDataArray::SafeDownCast(found);
   const vtkIdType n = data->GetNumberOfPoints();
   const std::string called = "the point array '" + name + (areMasses ? "' of " + where : "'");
-  std::ostringstream message;
+  values.clear();
   if (!found)
   {
-    message << where << " has no point array '" << name << "': call " << setter
-            << " with the name of one";
+    return dgg::InvalidInput(
+      where, " has no point array '", name, "': call ", setter, " with the name of one");
   }
-  else if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != n)
+  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != n)
   {
-    message << called << " has " << found->GetNumberOfComponents() << " components and "
-            << found->GetNumberOfTuples() << " tuples of type " << found->GetDataTypeAsString()
-            << " for " << n << " points: one number per point is needed";
+    return dgg::InvalidInput(called, " has ", found->GetNumberOfComponents(), " components and ",
+      found->GetNumberOfTuples(), " tuples of type ", found->GetDataTypeAsString(), " for ", n,
+      " points: one number per point is needed");
   }
-  bool isGood = message.str().empty();
-  values.clear();
-  for (vtkIdType i = 0; i < n && isGood; ++i)
+  for (vtkIdType i = 0; i < n; ++i)
   {
     values.push_back(array->GetComponent(i, 0));
-    isGood = std::isfinite(values.back()) && !(areMasses && values.back() < 0.0);
-    if (!isGood)
+    if (!std::isfinite(values.back()) || (areMasses && values.back() < 0.0))
     {
-      message << called << " has the value " << values.back() << " at point " << i
-              << (areMasses ? ": mass must be finite and not negative"
-                            : ": sources must be finite");
+      return dgg::InvalidInput(called, " has the value ", values.back(), " at point ", i,
+        areMasses ? ": mass must be finite and not negative" : ": sources must be finite");
     }
   }
-  return isGood ? dgg::Status::Success() : dgg::Status::Invalid(message.str());
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
 dgg::Status DGGDistribution::Read(const DGGMassOrigin& origin, vtkPolyData* surface)
 {
-  std::ostringstream port;
-  port << "input port " << origin.Port;
+  const std::string port = "input port " + std::to_string(origin.Port);
   if (origin.Array.empty() && !HasPoints(origin))
   {
     return dgg::Status::Invalid("there is nothing to move " + origin.Name + ": call " +
-      origin.Setter + " with the name of a point array, or connect points to " + port.str());
+      origin.Setter + " with the name of a point array, or connect points to " + port);
   }
-  dgg::Status status;
   this->Values.clear();
+  this->Masses.clear();
   if (!origin.Array.empty())
   {
-    status =
-      DGGReadNumbers(surface, origin.Array, "the surface", origin.Setter, true, this->Values);
+    DGG_RETURN_IF_ERROR(
+      DGGReadNumbers(surface, origin.Array, "the surface", origin.Setter, true, this->Values));
   }
-  this->Masses.clear();
-  if (status.IsOk() && HasPoints(origin))
+  if (!HasPoints(origin))
   {
-    status = DGGSourceCollector::Check(GetSet(origin), surface->GetNumberOfPoints());
-    this->Masses.assign(static_cast<std::size_t>(origin.Points->GetNumberOfPoints()), 1.0);
-    if (status.IsOk() && !origin.MassArray.empty())
-    {
-      status = DGGReadNumbers(
-        origin.Points, origin.MassArray, port.str(), "SetMassArrayName()", true, this->Masses);
-    }
+    return dgg::Status::Success();
   }
-  return status;
+  DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(GetSet(origin), surface->GetNumberOfPoints()));
+  this->Masses.assign(static_cast<std::size_t>(origin.Points->GetNumberOfPoints()), 1.0);
+  return origin.MassArray.empty() ? dgg::Status::Success()
+                                  : DGGReadNumbers(origin.Points, origin.MassArray, port,
+                                      "SetMassArrayName()", true, this->Masses);
 }
 
 //------------------------------------------------------------------------------

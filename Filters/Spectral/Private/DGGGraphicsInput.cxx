@@ -4,6 +4,8 @@
 
 #include "DGGPreparedMesh.h"
 
+#include "dggInvalidInput.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -18,7 +20,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <sstream>
 #include <unordered_map>
 
 namespace
@@ -38,9 +39,7 @@ struct Refusal
 template <typename... Parts>
 [[noreturn]] void Refuse(const Parts&... parts)
 {
-  std::ostringstream message;
-  (message << ... << parts);
-  throw Refusal{ message.str() };
+  throw Refusal{ dgg::JoinText(parts...) };
 }
 
 /// Run what may refuse the input.
