@@ -350,7 +350,6 @@ TEST(HermiteEdge, HasValuesAndSlopesOfItsEnds)
     edge.Enter(h);
     const Id from = c.Mesh.Origin(edge.GetHalfEdge());
     const Id to = c.Mesh.Destination(edge.GetHalfEdge());
-    EXPECT_FALSE(edge.HasRidge());
     const double length = edge.GetLength();
     EXPECT_EQ(edge.At(0.0), c.Result.Distances[from]);
     EXPECT_EQ(edge.At(length), c.Result.Distances[to]);
@@ -385,25 +384,31 @@ TEST(HermiteEdge, KeepsRidgesSharp)
   const Id first = 27;
   const Id second = 93;
   const FieldCase c(test, { VertexSource(first), VertexSource(second, 0.2) });
+  const auto fromFirst = [&](double x, double y) {
+    return std::hypot(x - test.Point(first)[0], y - test.Point(first)[1]);
+  };
+  const auto fromSecond = [&](double x, double y) {
+    return 0.2 + std::hypot(x - test.Point(second)[0], y - test.Point(second)[1]);
+  };
   HermiteEdge edge(c.Local, 2);
   int ridges = 0;
   for (Id h = 0; h < c.Mesh.GetNumberOfHalfEdges(); ++h)
   {
     edge.Enter(h);
-    if (!edge.HasRidge())
+    const double* a = test.Point(c.Mesh.Origin(edge.GetHalfEdge()));
+    const double* b = test.Point(c.Mesh.Destination(edge.GetHalfEdge()));
+    if ((fromFirst(a[0], a[1]) < fromSecond(a[0], a[1])) ==
+      (fromFirst(b[0], b[1]) < fromSecond(b[0], b[1])))
     {
       continue;
     }
     ++ridges;
-    const double* a = test.Point(c.Mesh.Origin(edge.GetHalfEdge()));
-    const double* b = test.Point(c.Mesh.Destination(edge.GetHalfEdge()));
     for (const double t : { 0.1, 0.3, 0.5, 0.8 })
     {
       const double x = (1.0 - t) * a[0] + t * b[0];
       const double y = (1.0 - t) * a[1] + t * b[1];
-      const double exact = std::min(std::hypot(x - test.Point(first)[0], y - test.Point(first)[1]),
-        0.2 + std::hypot(x - test.Point(second)[0], y - test.Point(second)[1]));
-      EXPECT_NEAR(edge.At(t * edge.GetLength()), exact, 1e-10);
+      EXPECT_NEAR(
+        edge.At(t * edge.GetLength()), std::min(fromFirst(x, y), fromSecond(x, y)), 1e-10);
     }
   }
   EXPECT_GT(ridges, 30);

@@ -44,8 +44,6 @@ public:
   /// The half-edge that represents the edge. Abscissae run from its origin to its destination.
   Id GetHalfEdge() const { return this->HalfEdge; }
   double GetLength() const { return this->Length; }
-  /// Whether the ends get their distance on different ways.
-  bool HasRidge() const { return this->IsSplit; }
 
   /// The distance at an abscissa. At the ends it is that of the vertex.
   double At(double x) const;
