@@ -312,20 +312,10 @@ dgg::Status DGGGraphArrays::Check(const DGGPreparedMesh& mesh)
 {
   this->View.Info.Kind =
     SaysCloud(this->Arrays[Info].Array) ? dgg::GraphKind::Cloud : dgg::GraphKind::Mesh;
-  dgg::Status status = this->CheckTypes();
-  if (status.IsOk())
-  {
-    status = this->ReadInfo(mesh.GetMesh().GetNumberOfVertices(), mesh.IsCloud());
-  }
-  if (status.IsOk())
-  {
-    status = this->CheckSurface(mesh);
-  }
-  if (status.IsOk())
-  {
-    status = this->CheckContents();
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(this->CheckTypes());
+  DGG_RETURN_IF_ERROR(this->ReadInfo(mesh.GetMesh().GetNumberOfVertices(), mesh.IsCloud()));
+  DGG_RETURN_IF_ERROR(this->CheckSurface(mesh));
+  return this->CheckContents();
 }
 
 //------------------------------------------------------------------------------

@@ -209,13 +209,10 @@ dgg::Status DGGPreparedMesh::Make(
   }
   const auto made = std::make_shared<DGGPreparedMesh>();
   made->Domain = domain;
-  const dgg::Status status = made->Build(input);
-  if (status.IsOk())
-  {
-    made->BuildTime.Modified();
-    prepared = GetMeshesInUse().Add(fingerprint, made);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(made->Build(input));
+  made->BuildTime.Modified();
+  prepared = GetMeshesInUse().Add(fingerprint, made);
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -427,14 +424,12 @@ void DGGPreparedMesh::CollectWarnings()
   warn(report.NonManifoldVertices, "points where separate sheets touch, which are connected there");
   warn(report.InconsistentEdges,
     "edges across which no choice of orientation is consistent, as on a Moebius strip. Distances "
-    "do "
-    "not depend on orientation");
+    "do not depend on orientation");
   warn(this->NumberOfDroppedCells,
     "polygons with fewer than three distinct points, which are left out");
   warn(this->NumberOfFans,
     "polygons that cross or touch themselves. They are cut into fans around their first points, "
-    "which "
-    "need not be what they are meant to be: triangulate them first");
+    "which need not be what they are meant to be: triangulate them first");
   warn(report.DuplicateFaces,
     "triangles on the same three points as an earlier one, which are left out");
   warn(this->Caps.NumberOfCaps,
@@ -445,8 +440,7 @@ void DGGPreparedMesh::CollectWarnings()
       "triangles without area, whose edges are taken to be longer by ", report.Mollification));
   warn(this->NumberOfCoincidentBoundaryPoints,
     "points of the boundary with the same coordinates as another one. If they are the two sides of "
-    "a "
-    "seam rather than of a slit, turn MergeCoincidentPoints on");
+    "a seam rather than of a slit, turn MergeCoincidentPoints on");
 }
 
 //------------------------------------------------------------------------------

@@ -234,33 +234,20 @@ dgg::Status vtkApolloniusIsolines::Execute(const DGGContext& context,
   DGGNewGeometry geometry;
   DGGFieldInput input;
   Curves curves;
-  dgg::Status status = DGGFieldInput::FindDistances(
-    this->Information, this->DistanceArrayName, context.Input, distances);
-  const std::string name = status.IsOk() ? DGGFieldInput::GetName(distances) : "";
-  if (status.IsOk())
-  {
-    status = geometry.Take(context, this->GetOutputPointsPrecision());
-  }
-  if (status.IsOk())
-  {
-    status = this->ReadField(context, distances, input);
-  }
-  if (status.IsOk())
-  {
-    this->WarnAbout(input);
-    status = this->FindCurves(context, input.GetField(), curves);
-  }
-  if (status.IsOk())
-  {
-    this->UsedWindows = input.GetField().HasWindows();
-    this->UsedVirtualSources = input.GetField().HasSources();
-    this->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
-    const DGGIsolineOutputs outputs(geometry, name);
-    outputs.WriteLines(curves.Lines, this->CopyValues(), vtkPolyData::GetData(outputVector, 0));
-    outputs.WriteRidges(curves.Ridges, vtkPolyData::GetData(outputVector, 1));
-    outputs.WriteBands(curves.Bands, vtkPolyData::GetData(outputVector, 2));
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(DGGFieldInput::FindDistances(
+    this->Information, this->DistanceArrayName, context.Input, distances));
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
+  DGG_RETURN_IF_ERROR(this->ReadField(context, distances, input));
+  this->WarnAbout(input);
+  DGG_RETURN_IF_ERROR(this->FindCurves(context, input.GetField(), curves));
+  this->UsedWindows = input.GetField().HasWindows();
+  this->UsedVirtualSources = input.GetField().HasSources();
+  this->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
+  const DGGIsolineOutputs outputs(geometry, DGGFieldInput::GetName(distances));
+  outputs.WriteLines(curves.Lines, this->CopyValues(), vtkPolyData::GetData(outputVector, 0));
+  outputs.WriteRidges(curves.Ridges, vtkPolyData::GetData(outputVector, 1));
+  outputs.WriteBands(curves.Bands, vtkPolyData::GetData(outputVector, 2));
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -315,19 +302,16 @@ dgg::Status vtkApolloniusIsolines::FindCurves(
   const double atRidges = ReadingShare + LineWork * unit;
   const double atBands = atRidges + (this->GenerateRidges ? RidgeWork * unit : 0.0);
   const dgg::ProgressCallback& progress = context.Progress;
-  dgg::Status status = dgg::TraceIsolines(field, values, options, context.Parallel,
-    dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines);
-  if (status.IsOk() && this->GenerateRidges && isKnown)
+  DGG_RETURN_IF_ERROR(dgg::TraceIsolines(field, values, options, context.Parallel,
+    dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines));
+  if (this->GenerateRidges && isKnown)
   {
-    status = dgg::FindRidges(field, ridgeOptions, context.Parallel,
-      dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges);
+    DGG_RETURN_IF_ERROR(dgg::FindRidges(field, ridgeOptions, context.Parallel,
+      dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges));
   }
-  if (status.IsOk() && this->GenerateBands)
-  {
-    status = dgg::MakeBands(
-      field, values, curves.Lines, dgg::ProgressPart(progress, atBands, 1.0), curves.Bands);
-  }
-  return status;
+  return this->GenerateBands ? dgg::MakeBands(field, values, curves.Lines,
+                                 dgg::ProgressPart(progress, atBands, 1.0), curves.Bands)
+                             : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -80,8 +80,8 @@ const char* vtkDGGDistance::GetSearchAsString() const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGDistance::CheckProperties() const
 {
-  const dgg::Status status = this->GraphUser->Check();
-  return status.IsOk() ? this->Superclass::CheckProperties() : status;
+  DGG_RETURN_IF_ERROR(this->GraphUser->Check());
+  return this->Superclass::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
@@ -119,16 +119,9 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
   }
   const bool correct = this->Correction && !isCloud;
   DGGGraphUser& graph = *this->GraphUser;
-  dgg::Status status = this->GraphUser->Update(context, this);
+  DGG_RETURN_IF_ERROR(graph.Update(context, this));
   std::vector<dgg::GraphSeed> seeds;
-  if (status.IsOk())
-  {
-    status = graph.MakeSeeds(context, task.Sources, seeds);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, task.Sources, seeds));
 
   const dgg::SearchMethod methods[] = { dgg::SearchMethod::Certified,
     dgg::SearchMethod::LabelCorrecting, dgg::SearchMethod::Dijkstra };
@@ -154,5 +147,5 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
     array.Components = { result.Distances };
   }
   task.Distances = std::move(correct ? result.Corrected : result.Distances);
-  return status;
+  return dgg::Status::Success();
 }

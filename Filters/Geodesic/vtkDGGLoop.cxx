@@ -106,12 +106,9 @@ dgg::Status AddTapes(
     const auto part = [&](double fraction) {
       return progress((static_cast<double>(i) + fraction) / static_cast<double>(count));
     };
-    const dgg::Status status =
-      dgg::MakeOffsetCurves(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i]);
-    if (!status.IsOk())
-    {
-      return DGGExplain(status, "tape of loop " + std::to_string(i) + ": ");
-    }
+    DGG_RETURN_IF_ERROR(
+      dgg::MakeOffsetCurves(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i])
+        .Of("tape of loop " + std::to_string(i)));
     if (!part(1.0))
     {
       return dgg::Status::Abort();
@@ -268,13 +265,11 @@ vtkPolyData* vtkDGGLoop::GetTape()
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGLoop::CheckProperties() const
 {
-  dgg::Status status = DGGCheckLengths(
-    { { "ProjectionTolerance", this->ProjectionTolerance }, { "TapeWidth", this->TapeWidth } });
-  if (status.IsOk() && std::isinf(this->TapeWidth))
-  {
-    status = dgg::Status::Invalid("TapeWidth is infinite: call SetTapeWidth() with a finite width");
-  }
-  return status.IsOk() ? this->GraphUser->Check() : status;
+  DGG_RETURN_IF_ERROR(DGGCheckLengths(
+    { { "ProjectionTolerance", this->ProjectionTolerance }, { "TapeWidth", this->TapeWidth } }));
+  return std::isinf(this->TapeWidth)
+    ? dgg::Status::Invalid("TapeWidth is infinite: call SetTapeWidth() with a finite width")
+    : this->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
@@ -315,26 +310,18 @@ dgg::Status vtkDGGLoop::Execute(
 {
   const DGGPreparedMesh& mesh = context.Surface;
   std::vector<dgg::GeodesicSource> sources;
-  dgg::Status status;
   if (this->Mode != AroundHandles)
   {
-    status = DGGSourceCollector::Collect(
-      context, this->GetPointSet(inputVector), this->ProjectionTolerance, sources);
+    DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
+      context, this->GetPointSet(inputVector), this->ProjectionTolerance, sources));
   }
   DGGNewGeometry geometry;
-  if (status.IsOk())
-  {
-    status = geometry.Take(context, this->GetOutputPointsPrecision());
-  }
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
   dgg::ProgressCallback progress = context.Progress;
-  if (status.IsOk() && this->Mode != AroundHandles)
+  if (this->Mode != AroundHandles)
   {
-    status = this->GraphUser->Update(context, this);
+    DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
     progress = this->GraphUser->GetRemainingProgress(context);
-  }
-  if (!status.IsOk())
-  {
-    return status;
   }
 
   DGGLoopSet set;
@@ -342,7 +329,7 @@ dgg::Status vtkDGGLoop::Execute(
     dgg::ProgressPart(progress, 0.0, this->TapeWidth > 0.0 ? LoopShare : 1.0);
   if (this->Mode == AroundHandles)
   {
-    status = dgg::FindHandleLoops(mesh.GetMesh(), finding, set.Loops);
+    DGG_RETURN_IF_ERROR(dgg::FindHandleLoops(mesh.GetMesh(), finding, set.Loops));
   }
   else
   {
@@ -353,27 +340,22 @@ dgg::Status vtkDGGLoop::Execute(
     const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),
       withLinks ? &graph.GetBuilder() : nullptr, geometry.GetPositions(), graph.GetLinkAccuracy());
     const auto run = this->Mode == Rope ? RunRope : RunThroughPoints;
-    status = run(finder, points, this->Taut, finding, set);
+    DGG_RETURN_IF_ERROR(run(finder, points, this->Taut, finding, set));
   }
   for (std::size_t i = set.Status.size(); i < set.Loops.size(); ++i)
   {
     set.Status.push_back(set.Loops[i].Loop.IsEmpty() ? LoopStatus::NotFound : LoopStatus::Found);
   }
-  if (status.IsOk() && !finding(1.0))
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(finding, 1.0));
+  if (this->TapeWidth > 0.0)
   {
-    status = dgg::Status::Abort();
+    DGG_RETURN_IF_ERROR(
+      AddTapes(mesh, this->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set));
   }
-  if (status.IsOk() && this->TapeWidth > 0.0)
-  {
-    status = AddTapes(mesh, this->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set);
-  }
-  if (status.IsOk())
-  {
-    FillOutputs(set, geometry, outputVector);
-    this->WarnAboutMissingLoops(set);
-    this->WarnAboutMissingTapes(set);
-  }
-  return status;
+  FillOutputs(set, geometry, outputVector);
+  this->WarnAboutMissingLoops(set);
+  this->WarnAboutMissingTapes(set);
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -304,9 +304,9 @@ vtkIdType vtkDGGPath::GetPairEnd(vtkIdType i) const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGPath::CheckProperties() const
 {
-  dgg::Status status = DGGCheckLengths(
-    { { "ProjectionTolerance", this->ProjectionTolerance }, { "Detour", this->Detour } });
-  return status.IsOk() ? this->GraphUser->Check() : status;
+  DGG_RETURN_IF_ERROR(DGGCheckLengths(
+    { { "ProjectionTolerance", this->ProjectionTolerance }, { "Detour", this->Detour } }));
+  return this->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
@@ -314,10 +314,9 @@ dgg::Status vtkDGGPath::CheckInputs(vtkPolyData* surface, vtkInformationVector**
 {
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   PairLines pairs;
-  const dgg::Status status = pairs.Read(lines, this->PairIds.empty());
-  return status.IsOk() ? DGGSourceCollector::Check(
-                           MakeSourceSet(this->PairIds, lines, pairs), surface->GetNumberOfPoints())
-                       : status;
+  DGG_RETURN_IF_ERROR(pairs.Read(lines, this->PairIds.empty()));
+  return DGGSourceCollector::Check(
+    MakeSourceSet(this->PairIds, lines, pairs), surface->GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------
@@ -350,42 +349,23 @@ dgg::Status vtkDGGPath::Execute(
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   PairLines linePairs;
   std::vector<dgg::GeodesicSource> ends;
-  dgg::Status status = linePairs.Read(lines, this->PairIds.empty());
-  if (status.IsOk())
-  {
-    status = DGGSourceCollector::Collect(
-      context, MakeSourceSet(this->PairIds, lines, linePairs), this->ProjectionTolerance, ends);
-  }
+  DGG_RETURN_IF_ERROR(linePairs.Read(lines, this->PairIds.empty()));
+  DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
+    context, MakeSourceSet(this->PairIds, lines, linePairs), this->ProjectionTolerance, ends));
   DGGNewGeometry geometry;
-  if (status.IsOk())
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
+  DGGGraphUser& graph = *this->GraphUser;
+  if (!isExact)
   {
-    status = geometry.Take(context, this->GetOutputPointsPrecision());
-  }
-  if (status.IsOk() && !isExact)
-  {
-    status = this->GraphUser->Update(context, this);
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    DGG_RETURN_IF_ERROR(graph.Update(context, this));
   }
 
   const DGGPathSearch::Pairs pairs = MakePairs(ends);
   const DGGPathSearch search(context, pairs);
   DGGPathSearch::Paths paths;
-  DGGGraphUser& graph = *this->GraphUser;
-  if (mesh.IsCloud())
-  {
-    status = search.RunOnCloud(graph, options.Straighten, paths);
-  }
-  else
-  {
-    status = isExact ? search.RunExact(paths) : search.RunInGraph(graph, options, paths);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(mesh.IsCloud() ? search.RunOnCloud(graph, options.Straighten, paths)
+      : isExact                      ? search.RunExact(paths)
+                                     : search.RunInGraph(graph, options, paths));
   for (const dgg::FoundPath& path : paths)
   {
     this->NumberOfFallbacks += path.NumberOfFallbacks;
@@ -393,7 +373,7 @@ dgg::Status vtkDGGPath::Execute(
   WritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, geometry,
     vtkPolyData::GetData(outputVector));
   this->WarnAboutUnconnectedPairs(context, FindUnconnected(paths), paths.size());
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -107,35 +107,21 @@ vtkTypeUInt64 vtkDiscreteGeodesicGraph::EstimateMemory()
 //------------------------------------------------------------------------------
 dgg::Status vtkDiscreteGeodesicGraph::Estimate()
 {
-  dgg::Status status = this->CheckProperties();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->CheckProperties());
   vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
   if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)
   {
     vtkWarningMacro("The input is empty: it has neither points nor cells. So is its graph.");
     return dgg::Status::Success();
   }
-  status = this->PrepareMesh(surface);
+  DGG_RETURN_IF_ERROR(this->PrepareMesh(surface));
   const DGGContext context = this->MakeContext(surface);
-  if (status.IsOk() && !context.Progress(0.0))
-  {
-    status = dgg::Status::Abort();
-  }
-  if (status.IsOk())
-  {
-    dgg::GraphOptions options = this->MakeOptions();
-    DGGUseThreads(context, options);
-    status =
-      dgg::GraphBuilder(context.Surface.GetMesh()).Estimate(options, this->Internals->Estimate);
-  }
-  if (status.IsOk() && !context.Progress(1.0))
-  {
-    status = dgg::Status::Abort();
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 0.0));
+  dgg::GraphOptions options = this->MakeOptions();
+  DGGUseThreads(context, options);
+  DGG_RETURN_IF_ERROR(
+    dgg::GraphBuilder(context.Surface.GetMesh()).Estimate(options, this->Internals->Estimate));
+  return dgg::ReportTo(context.Progress, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +215,6 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(const DGGContext& context,
   vtkInternals& internals = *this->Internals;
   const bool isOnInput = this->FindOnInput(context);
   DGGGraphArrays& graph = isOnInput ? internals.OnInput : internals.Built;
-  dgg::Status status;
   if (isOnInput)
   {
     internals.Built.Clear();
@@ -237,22 +222,19 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(const DGGContext& context,
   }
   else
   {
-    status = this->Build(context);
+    DGG_RETURN_IF_ERROR(this->Build(context));
   }
   vtkPolyData* lines = vtkPolyData::GetData(outputVector, 1);
   lines->Initialize();
-  if (status.IsOk() && this->GenerateGraphLines)
+  if (this->GenerateGraphLines)
   {
-    status = this->AddLines(context, graph, lines);
+    DGG_RETURN_IF_ERROR(this->AddLines(context, graph, lines));
   }
-  if (status.IsOk())
-  {
-    vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-    output->ShallowCopy(context.Input);
-    graph.AddTo(output->GetFieldData());
-    internals.Current = DGGGraphSummary(graph.GetView());
-  }
-  return status;
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  output->ShallowCopy(context.Input);
+  graph.AddTo(output->GetFieldData());
+  internals.Current = DGGGraphSummary(graph.GetView());
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -297,14 +279,11 @@ dgg::Status vtkDiscreteGeodesicGraph::Build(const DGGContext& context)
     dgg::ProgressPart(context.Progress, 0.0, this->GenerateGraphLines ? BuildShare : 1.0);
   const dgg::GraphBuilder builder(mesh.GetMesh());
   dgg::GeodesicGraph graph;
-  const dgg::Status status = DGGBuildGraph(context, builder, options, graph, internals.Estimate);
-  if (status.IsOk())
-  {
-    internals.Built.Adopt(graph, mesh);
-    internals.BuiltDomain = mesh.GetDomain();
-    internals.BuildTime.Modified();
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(DGGBuildGraph(context, builder, options, graph, internals.Estimate));
+  internals.Built.Adopt(graph, mesh);
+  internals.BuiltDomain = mesh.GetDomain();
+  internals.BuildTime.Modified();
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

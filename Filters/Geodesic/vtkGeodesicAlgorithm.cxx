@@ -262,29 +262,20 @@ bool vtkGeodesicAlgorithm::AttemptOutsideOfUpdate(const std::function<dgg::Statu
 dgg::Status vtkGeodesicAlgorithm::Follow(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dgg::Status status = CheckPieces(request, outputVector);
+  DGG_RETURN_IF_ERROR(CheckPieces(request, outputVector));
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  if (status.IsOk() && input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
+  if (input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
   {
     // Before all else: other remedies would not help.
-    status = DGGPreparedMesh::CheckSurface(input);
+    const dgg::Status status = DGGPreparedMesh::CheckSurface(input);
     if (!status.IsOk())
     {
       this->Adapter->Clear(); // the report is not that of another surface
+      return status;
     }
   }
-  if (status.IsOk())
-  {
-    status = DGGCheckLengths({ { "MergeTolerance", this->MergeTolerance } });
-  }
-  if (status.IsOk())
-  {
-    status = this->CheckProperties();
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->MergeTolerance } }));
+  DGG_RETURN_IF_ERROR(this->CheckProperties());
   if (input && input->GetNumberOfPoints() == 0 && input->GetNumberOfCells() == 0)
   {
     vtkWarningMacro("The input is empty: it has neither points nor cells. So is the output.");
@@ -292,17 +283,10 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
     this->MakeEmptyOutput(this->MakeContext(input), outputVector);
     return dgg::Status::Success();
   }
-  status = input ? this->CheckInputs(input, inputVector) : dgg::Status::Success();
-  if (status.IsOk())
-  {
-    status = this->PrepareMesh(input);
-  }
-  if (status.IsOk() && !this->Advance(0.0))
-  {
-    status = dgg::Status::Abort();
-  }
-  return status.IsOk() ? this->Execute(this->MakeContext(input), inputVector, outputVector)
-                       : status;
+  DGG_RETURN_IF_ERROR(input ? this->CheckInputs(input, inputVector) : dgg::Status::Success());
+  DGG_RETURN_IF_ERROR(this->PrepareMesh(input));
+  return this->Advance(0.0) ? this->Execute(this->MakeContext(input), inputVector, outputVector)
+                            : dgg::Status::Abort();
 }
 
 //------------------------------------------------------------------------------

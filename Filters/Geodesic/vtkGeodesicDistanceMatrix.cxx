@@ -171,9 +171,8 @@ int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), v
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceMatrix::CheckProperties() const
 {
-  const dgg::Status status =
-    DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
-  return status.IsOk() ? this->GraphUser->Check() : status;
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } }));
+  return this->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
@@ -202,9 +201,9 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   const vtkIdType n = surface->GetNumberOfPoints();
-  const dgg::Status status = DGGSourceCollector::Check(this->GetRows(inputVector), n);
+  DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(this->GetRows(inputVector), n));
   const DGGSourceSet columns = this->GetColumns(inputVector);
-  return status.IsOk() && !IsEmpty(columns) ? DGGSourceCollector::Check(columns, n) : status;
+  return IsEmpty(columns) ? dgg::Status::Success() : DGGSourceCollector::Check(columns, n);
 }
 
 //------------------------------------------------------------------------------
@@ -258,15 +257,12 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   const bool symmetric = IsEmpty(columnSet);
   std::vector<dgg::GeodesicSource> sources;
   std::vector<dgg::GeodesicSource> others;
-  dgg::Status status = DGGSourceCollector::Collect(
-    context, this->GetRows(inputVector), this->ProjectionTolerance, sources);
-  if (status.IsOk() && !symmetric)
+  DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
+    context, this->GetRows(inputVector), this->ProjectionTolerance, sources));
+  if (!symmetric)
   {
-    status = DGGSourceCollector::Collect(context, columnSet, this->ProjectionTolerance, others);
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    DGG_RETURN_IF_ERROR(
+      DGGSourceCollector::Collect(context, columnSet, this->ProjectionTolerance, others));
   }
   DGGSourceCollector::WarnAboutIsolatedIds(context, this->GetRows(inputVector), this);
   DGGSourceCollector::WarnAboutIsolatedIds(context, columnSet, this);
@@ -292,7 +288,7 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   output->Initialize();
   FillTable(matrix, table, output);
   internals.Matrix = matrix;
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

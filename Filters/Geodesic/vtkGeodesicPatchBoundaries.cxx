@@ -231,31 +231,24 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* secondInput = vtkPolyData::GetData(inputVector[1]);
-  dgg::Status status = this->PrepareSecondMesh(secondInput);
-  if (status.IsOk())
-  {
-    status = DGGSourceCollector::Check(
-      this->GetLandmarks(1, inputVector), secondInput->GetNumberOfPoints());
-  }
+  DGG_RETURN_IF_ERROR(this->PrepareSecondMesh(secondInput));
+  DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(
+    this->GetLandmarks(1, inputVector), secondInput->GetNumberOfPoints()));
   const DGGContext contexts[2] = { context,
     { secondInput, this->SecondMesh->Get(), context.MemoryLimit, context.Progress,
       context.Parallel } };
   std::vector<dgg::SurfacePoint> landmarks[2];
-  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  for (int side = 0; side < 2; ++side)
   {
     std::vector<dgg::GeodesicSource> sources;
-    status = DGGSourceCollector::Collect(
-      contexts[side], this->GetLandmarks(side, inputVector), this->ProjectionTolerance, sources);
+    DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
+      contexts[side], this->GetLandmarks(side, inputVector), this->ProjectionTolerance, sources));
     landmarks[side] = DGGGetPlaces(sources);
   }
   DGGNewGeometry geometries[2];
-  for (int side = 0; side < 2 && status.IsOk(); ++side)
+  for (int side = 0; side < 2; ++side)
   {
-    status = geometries[side].Take(contexts[side], this->GetOutputPointsPrecision());
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    DGG_RETURN_IF_ERROR(geometries[side].Take(contexts[side], this->GetOutputPointsPrecision()));
   }
   dgg::PatchBoundaries boundaries;
   DGG_RETURN_IF_ERROR(dgg::TracePatchBoundaries({ contexts[0].Surface.GetMesh(), landmarks[0] },
@@ -265,7 +258,7 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   {
     FillOutput(boundaries, side, geometries[side], vtkPolyData::GetData(outputVector, side));
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

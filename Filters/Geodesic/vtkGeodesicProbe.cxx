@@ -102,11 +102,9 @@ dgg::Status vtkGeodesicProbe::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   vtkDataArray* distances = nullptr;
-  const dgg::Status status =
-    DGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances);
-  return status.IsOk()
-    ? DGGSourceCollector::Check(GetProbes(inputVector), surface->GetNumberOfPoints())
-    : status;
+  DGG_RETURN_IF_ERROR(
+    DGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances));
+  return DGGSourceCollector::Check(GetProbes(inputVector), surface->GetNumberOfPoints());
 }
 
 //------------------------------------------------------------------------------
@@ -117,32 +115,21 @@ dgg::Status vtkGeodesicProbe::Execute(
   std::vector<dgg::GeodesicSource> places;
   vtkDataArray* distances = nullptr;
   DGGFieldInput input;
-  dgg::Status status =
-    DGGSourceCollector::Collect(context, probes, this->ProjectionTolerance, places);
-  if (status.IsOk())
-  {
-    status = DGGFieldInput::FindDistances(
-      this->Information, this->DistanceArrayName, context.Input, distances);
-  }
-  std::string name;
-  if (status.IsOk())
-  {
-    name = DGGFieldInput::GetName(distances);
-    input.SetUnreachedValue(this->UnreachedValue);
-    status = input.Read(context, distances, this->VirtualSourceArrayName,
-      dgg::ProgressPart(context.Progress, 0.0, ReadDone));
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(
+    DGGSourceCollector::Collect(context, probes, this->ProjectionTolerance, places));
+  DGG_RETURN_IF_ERROR(DGGFieldInput::FindDistances(
+    this->Information, this->DistanceArrayName, context.Input, distances));
+  const std::string name = DGGFieldInput::GetName(distances);
+  input.SetUnreachedValue(this->UnreachedValue);
+  DGG_RETURN_IF_ERROR(input.Read(context, distances, this->VirtualSourceArrayName,
+    dgg::ProgressPart(context.Progress, 0.0, ReadDone)));
   if (!input.GetWarning().empty())
   {
     vtkWarningMacro(<< input.GetWarning() << ".");
   }
   const auto found = DGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
-  status = DGGForEach((places.size() + BlockSize - 1) / BlockSize, 1,
+  DGG_RETURN_IF_ERROR(DGGForEach((places.size() + BlockSize - 1) / BlockSize, 1,
     dgg::ProgressPart(context.Progress, ReadDone, 1.0),
     [&](std::size_t block, const dgg::ProgressCallback&) {
       dgg::FaceProfile profile(input.GetField());
@@ -152,18 +139,15 @@ dgg::Status vtkGeodesicProbe::Execute(
         values[i] = Probe(input.GetField(), places[i].Point, profile);
       }
       return dgg::Status::Success();
-    });
-  if (status.IsOk())
-  {
-    vtkPolyData* output = vtkPolyData::GetData(outputVector);
-    output->ShallowCopy(probes.Points);
-    // What belongs to an array of this name of the probe points goes with it.
-    DGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
-    DGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
-    output->GetPointData()->AddArray(found);
-    output->GetPointData()->SetActiveScalars(found->GetName());
-  }
-  return status;
+    }));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->ShallowCopy(probes.Points);
+  // What belongs to an array of this name of the probe points goes with it.
+  DGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
+  DGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
+  output->GetPointData()->AddArray(found);
+  output->GetPointData()->SetActiveScalars(found->GetName());
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

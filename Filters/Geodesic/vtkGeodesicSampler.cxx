@@ -83,9 +83,9 @@ dgg::Status vtkGeodesicSampler::CheckProperties() const
     return dgg::Status::Invalid("NumberOfSamples is " + std::to_string(this->NumberOfSamples) +
       ": call SetNumberOfSamples() with at least 1");
   }
-  dgg::Status status = DGGCheckLengths({ { "CoveringRadius", this->CoveringRadius },
-    { "ProjectionTolerance", this->ProjectionTolerance } });
-  return status.IsOk() ? this->GraphUser->Check() : status;
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "CoveringRadius", this->CoveringRadius },
+    { "ProjectionTolerance", this->ProjectionTolerance } }));
+  return this->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
@@ -175,40 +175,23 @@ dgg::Status vtkGeodesicSampler::Execute(
 {
   const DGGPreparedMesh& mesh = context.Surface;
   dgg::SamplerOptions options;
-  dgg::Status status = this->MakeOptions(context, inputVector, options);
+  DGG_RETURN_IF_ERROR(this->MakeOptions(context, inputVector, options));
   DGGNewGeometry geometry;
-  if (status.IsOk())
-  {
-    status = geometry.Take(context, this->GetOutputPointsPrecision());
-  }
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
   DGGGraphUser& graph = *this->GraphUser;
-  if (status.IsOk())
-  {
-    status = this->GraphUser->Update(context, this);
-  }
+  DGG_RETURN_IF_ERROR(graph.Update(context, this));
   const bool needsLinks =
     options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
-  if (status.IsOk())
-  {
-    status = graph.PrepareBuilder(context, needsLinks);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, needsLinks));
   options.Progress = graph.GetRemainingProgress(context);
   std::vector<dgg::SurfaceSample> samples;
-  status =
+  DGG_RETURN_IF_ERROR(
     dgg::SampleSurface(graph.GetSearch().GetGraph(), mesh.IsCloud() ? nullptr : &mesh.GetMesh(),
-      needsLinks ? &graph.GetBuilder() : nullptr, graph.GetLinkAccuracy(), options, samples);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+      needsLinks ? &graph.GetBuilder() : nullptr, graph.GetLinkAccuracy(), options, samples));
   this->WarnAboutNumber(
     options, samples.empty() ? nullptr : &samples.back(), static_cast<vtkIdType>(samples.size()));
   FillOutput(samples, geometry, vtkPolyData::GetData(outputVector));
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

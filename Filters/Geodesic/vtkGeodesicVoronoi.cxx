@@ -308,28 +308,28 @@ vtkPolyData* vtkGeodesicVoronoi::GetSites()
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicVoronoi::CheckProperties() const
 {
-  dgg::Status status = DGGCheckLengths(
-    { { "ProjectionTolerance", this->ProjectionTolerance }, { "Tolerance", this->Tolerance } });
-  if (status.IsOk() && this->NumberOfIterations < 0)
+  DGG_RETURN_IF_ERROR(DGGCheckLengths(
+    { { "ProjectionTolerance", this->ProjectionTolerance }, { "Tolerance", this->Tolerance } }));
+  if (this->NumberOfIterations < 0)
   {
-    status = dgg::Status::Invalid("NumberOfIterations is " +
+    return dgg::Status::Invalid("NumberOfIterations is " +
       std::to_string(this->NumberOfIterations) + ": call SetNumberOfIterations() with at least 0");
   }
   for (const auto& name : { std::make_pair("DistanceArrayName", &this->DistanceArrayName),
          std::make_pair("SourceArrayName", &this->SourceArrayName) })
   {
-    if (status.IsOk() && name.second->empty())
+    if (name.second->empty())
     {
-      status = dgg::Status::Invalid(
+      return dgg::Status::Invalid(
         std::string(name.first) + " is empty: call Set" + name.first + "() with a name");
     }
   }
-  if (status.IsOk() && this->DistanceArrayName == this->SourceArrayName)
+  if (this->DistanceArrayName == this->SourceArrayName)
   {
-    status = dgg::Status::Invalid("DistanceArrayName and SourceArrayName are both '" +
+    return dgg::Status::Invalid("DistanceArrayName and SourceArrayName are both '" +
       this->SourceArrayName + "': call SetSourceArrayName() with another name");
   }
-  return status.IsOk() ? this->GraphUser->Check() : status;
+  return this->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
@@ -372,21 +372,12 @@ dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiRes
     std::vector<dgg::SurfacePoint> places = DGGGetPlaces(result.Sites);
     dgg::CentroidalOptions options = result.Moving;
     options.Progress = dgg::ProgressPart(progress, 0.0, MovingShare);
-    dgg::Status status = graph.PrepareBuilder(context);
-    if (status.IsOk() && mesh.IsCloud())
-    {
-      status = dgg::MoveToCloudCenters(
-        graph.GetSearch(), mesh.GetPositions(), options, places, result.Energies);
-    }
-    else if (status.IsOk())
-    {
-      status = dgg::MoveToCenters(graph.GetSearch(), mesh.GetMesh(), graph.GetBuilder(),
-        graph.GetLinkAccuracy(), options, places, result.Energies);
-    }
-    if (!status.IsOk())
-    {
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context));
+    DGG_RETURN_IF_ERROR(mesh.IsCloud()
+        ? dgg::MoveToCloudCenters(
+            graph.GetSearch(), mesh.GetPositions(), options, places, result.Energies)
+        : dgg::MoveToCenters(graph.GetSearch(), mesh.GetMesh(), graph.GetBuilder(),
+            graph.GetLinkAccuracy(), options, places, result.Energies));
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       result.Sites[i].Point = places[i];
@@ -394,16 +385,12 @@ dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiRes
   }
   dgg::VoronoiInput input;
   input.LabelsOnly = result.LabelsOnly;
-  dgg::Status status = graph.MakeSeeds(context, result.Sites, input.Seeds);
-  if (status.IsOk() && result.IsRefined)
+  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, result.Sites, input.Seeds));
+  if (result.IsRefined)
   {
-    status = graph.PrepareBuilder(context);
-    input.Builder = status.IsOk() ? &graph.GetBuilder() : nullptr;
+    DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context));
+    input.Builder = &graph.GetBuilder();
     input.Accuracy = graph.GetLinkAccuracy();
-  }
-  if (!status.IsOk())
-  {
-    return status;
   }
   input.Places = DGGGetPlaces(result.Sites);
   return dgg::ComputeVoronoi(graph.GetSearch(), mesh.GetMesh(), input,
@@ -417,12 +404,8 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   const DGGPreparedMesh& mesh = context.Surface;
   const DGGSourceSet set = this->GetSiteSet(inputVector);
   DGGVoronoiResult result;
-  dgg::Status status =
-    DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, result.Sites);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(
+    DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, result.Sites));
   DGGNewGeometry geometry;
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
   result.LabelsOnly = !this->GenerateCells || mesh.IsCloud();
@@ -431,16 +414,10 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   result.Moving.NumberOfIterations = this->NumberOfIterations;
   result.Moving.Tolerance = this->Tolerance;
   DGGSourceCollector::WarnAboutIsolatedIds(context, set, this);
-  status = this->GraphUser->Update(context, this);
-  if (status.IsOk())
-  {
-    status = this->Compute(context, result);
-  }
-  if (status.IsOk())
-  {
-    this->FillOutputs(context, result, geometry, outputVector);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
+  DGG_RETURN_IF_ERROR(this->Compute(context, result));
+  this->FillOutputs(context, result, geometry, outputVector);
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -77,27 +77,20 @@ int vtkPointCloudDGG::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkPointCloudDGG::CheckProperties() const
 {
-  dgg::Status status = CheckNumber("OffsetInVoxels", this->OffsetInVoxels);
-  if (status.IsOk())
+  DGG_RETURN_IF_ERROR(CheckNumber("OffsetInVoxels", this->OffsetInVoxels));
+  DGG_RETURN_IF_ERROR(CheckNumber("Resolution", this->Resolution));
+  DGG_RETURN_IF_ERROR(CheckNumber("Alpha", this->Alpha));
+  if (this->NumberOfNeighbors < FewestNeighbors)
   {
-    status = CheckNumber("Resolution", this->Resolution);
+    return dgg::Status::Invalid("NumberOfNeighbors is " + std::to_string(this->NumberOfNeighbors) +
+      ": call SetNumberOfNeighbors() with at least " + std::to_string(FewestNeighbors));
   }
-  if (status.IsOk())
+  if (this->ComponentArrayName.empty())
   {
-    status = CheckNumber("Alpha", this->Alpha);
+    return dgg::Status::Invalid(
+      "ComponentArrayName is empty: call SetComponentArrayName() with a name");
   }
-  if (status.IsOk() && this->NumberOfNeighbors < FewestNeighbors)
-  {
-    status =
-      dgg::Status::Invalid("NumberOfNeighbors is " + std::to_string(this->NumberOfNeighbors) +
-        ": call SetNumberOfNeighbors() with at least " + std::to_string(FewestNeighbors));
-  }
-  if (status.IsOk() && this->ComponentArrayName.empty())
-  {
-    status =
-      dgg::Status::Invalid("ComponentArrayName is empty: call SetComponentArrayName() with a name");
-  }
-  return status.IsOk() ? dgg::CloudGraphBuilder::Check(this->MakeOptions(nullptr)) : status;
+  return dgg::CloudGraphBuilder::Check(this->MakeOptions(nullptr));
 }
 
 //------------------------------------------------------------------------------
@@ -145,16 +138,9 @@ dgg::Status vtkPointCloudDGG::Execute(const DGGContext& context,
   dgg::CloudGraphOptions options = this->MakeOptions(context.Input);
   Normals normals;
   double done = 0.0;
-  dgg::Status status = this->FindNormals(context, source, normals, done);
-  if (status.IsOk())
-  {
-    options.Normals = normals ? normals->data() : nullptr;
-    status = this->Build(context, options, done);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->FindNormals(context, source, normals, done));
+  options.Normals = normals ? normals->data() : nullptr;
+  DGG_RETURN_IF_ERROR(this->Build(context, options, done));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
   internals.Built.AddTo(output->GetFieldData());
@@ -180,7 +166,7 @@ dgg::Status vtkPointCloudDGG::Execute(const DGGContext& context,
                     "has no effect, and sheets back to back may be connected. Give the input "
                     "normals, or turn UseInputNormals on or OrientedNormals off.");
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

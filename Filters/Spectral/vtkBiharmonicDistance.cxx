@@ -158,39 +158,32 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(DGGSpectralTask& task)
     this->Prepared.reset(new Preparation{ task.SolverTime, dgg::SpectralDistance(task.Solver) });
   }
   dgg::SpectralDistance& distance = this->Prepared->Distance;
-  dgg::Status status =
-    CheckAll(distance, &dgg::SpectralDistance::CheckSource, task.Sources, "source ");
-  status = status.IsOk()
-    ? CheckAll(distance, &dgg::SpectralDistance::CheckPlace, task.Targets, "evaluation point ")
-    : status;
+  DGG_RETURN_IF_ERROR(
+    CheckAll(distance, &dgg::SpectralDistance::CheckSource, task.Sources, "source "));
+  DGG_RETURN_IF_ERROR(
+    CheckAll(distance, &dgg::SpectralDistance::CheckPlace, task.Targets, "evaluation point "));
   const dgg::ParallelFor& parallel = task.Context.Parallel;
-  if (status.IsOk())
-  {
-    status =
-      distance.Prepare(options, parallel, dgg::ProgressPart(task.Progress, 0.0, SpectrumDone));
-  }
+  DGG_RETURN_IF_ERROR(
+    distance.Prepare(options, parallel, dgg::ProgressPart(task.Progress, 0.0, SpectrumDone)));
   // Between sources and evaluation points, row by row.
   std::vector<double> matrix;
-  if (status.IsOk() && !task.Targets.empty())
+  if (!task.Targets.empty())
   {
-    status = distance.Between(task.Sources, task.Targets, parallel,
-      dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone), matrix);
+    DGG_RETURN_IF_ERROR(distance.Between(task.Sources, task.Targets, parallel,
+      dgg::ProgressPart(task.Progress, SpectrumDone, TargetsDone), matrix));
   }
   const auto count = static_cast<double>(task.Sources.size());
-  for (std::size_t k = 0; k < task.Sources.size() && status.IsOk(); ++k)
+  for (std::size_t k = 0; k < task.Sources.size(); ++k)
   {
     std::vector<double> values;
-    status = distance.FromPoint(task.Sources[k], values);
+    DGG_RETURN_IF_ERROR(distance.FromPoint(task.Sources[k], values));
     const double done = static_cast<double>(k + 1) / count;
-    if (!status.IsOk() || !task.Progress(TargetsDone + (1.0 - TargetsDone) * done))
-    {
-      return status.IsOk() ? dgg::Status::Abort() : status;
-    }
+    DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, TargetsDone + (1.0 - TargetsDone) * done));
     const auto row = matrix.begin() + static_cast<std::ptrdiff_t>(k * task.Targets.size());
     std::vector<double> targetValues(row, row + static_cast<std::ptrdiff_t>(task.Targets.size()));
     std::replace(values.begin(), values.end(), dgg::Infinity, this->UnreachedValue);
     std::replace(targetValues.begin(), targetValues.end(), dgg::Infinity, this->UnreachedValue);
     task.Outputs.Set(k, values, targetValues);
   }
-  return status.IsOk() && !task.Progress(1.0) ? dgg::Status::Abort() : status;
+  return dgg::ReportTo(task.Progress, 1.0);
 }

@@ -135,34 +135,29 @@ public:
     const std::string& cellName, const dgg::ProgressCallback& progress)
   {
     const dgg::ParallelFor& parallel = this->Task.Context.Parallel;
-    dgg::Status status =
-      this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone));
-    if (status.IsOk() && isSmooth)
+    DGG_RETURN_IF_ERROR(
+      this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone)));
+    if (isSmooth)
     {
-      status = this->Splines.Evaluate(this->Task.Targets, dgg::GreensMethod::SingularitySubtraction,
-        parallel, dgg::ProgressPart(progress, CellsDone, EvaluationDone), this->Evaluated);
+      DGG_RETURN_IF_ERROR(
+        this->Splines.Evaluate(this->Task.Targets, dgg::GreensMethod::SingularitySubtraction,
+          parallel, dgg::ProgressPart(progress, CellsDone, EvaluationDone), this->Evaluated));
     }
-    if (status.IsOk())
+    DGG_RETURN_IF_ERROR(this->Splines.FindBasis(parallel,
+      dgg::ProgressPart(progress, isSmooth ? EvaluationDone : CellsDone, BasisDone),
+      [this](dgg::Id site, const std::vector<double>& values) {
+        this->Task.Outputs.Set(static_cast<std::size_t>(site), values,
+          this->Evaluated.empty() ? Interpolate(this->Mesh, this->Task.Targets, values)
+                                  : this->EvaluatedOf(static_cast<std::size_t>(site)));
+      }));
+    const std::vector<dgg::Id>& cells = this->Splines.GetCells();
+    std::vector<dgg::Id> targetCells;
+    for (const dgg::SurfacePoint& target : this->Task.Targets)
     {
-      status = this->Splines.FindBasis(parallel,
-        dgg::ProgressPart(progress, isSmooth ? EvaluationDone : CellsDone, BasisDone),
-        [this](dgg::Id site, const std::vector<double>& values) {
-          this->Task.Outputs.Set(static_cast<std::size_t>(site), values,
-            this->Evaluated.empty() ? Interpolate(this->Mesh, this->Task.Targets, values)
-                                    : this->EvaluatedOf(static_cast<std::size_t>(site)));
-        });
+      targetCells.push_back(cells[FindNearestCorner(this->Task.Solver, target)]);
     }
-    if (status.IsOk())
-    {
-      const std::vector<dgg::Id>& cells = this->Splines.GetCells();
-      std::vector<dgg::Id> targetCells;
-      for (const dgg::SurfacePoint& target : this->Task.Targets)
-      {
-        targetCells.push_back(cells[FindNearestCorner(this->Task.Solver, target)]);
-      }
-      this->Task.Outputs.Add<vtkIdTypeArray>(cellName, cells, targetCells);
-    }
-    return status;
+    this->Task.Outputs.Add<vtkIdTypeArray>(cellName, cells, targetCells);
+    return dgg::Status::Success();
   }
 
   /// The solution for the sources of an array.
@@ -172,14 +167,11 @@ public:
     std::vector<double> numbers;
     std::vector<double> coefficients;
     std::vector<double> solution;
-    dgg::Status status = ReadSources(this->Task.Context.Input, sourceName, numbers);
-    if (status.IsOk())
-    {
-      const std::vector<double> sources =
-        Integrate(this->Task.Context.Surface, this->Task.Solver, numbers, isDensity, imbalance);
-      status = this->Splines.Solve(sources, {}, coefficients);
-    }
-    DGG_RETURN_IF_ERROR(status.IsOk() ? this->Splines.Combine(coefficients, {}, solution) : status);
+    DGG_RETURN_IF_ERROR(ReadSources(this->Task.Context.Input, sourceName, numbers));
+    const std::vector<double> sources =
+      Integrate(this->Task.Context.Surface, this->Task.Solver, numbers, isDensity, imbalance);
+    DGG_RETURN_IF_ERROR(this->Splines.Solve(sources, {}, coefficients));
+    DGG_RETURN_IF_ERROR(this->Splines.Combine(coefficients, {}, solution));
     std::vector<double> atTargets = Interpolate(this->Mesh, this->Task.Targets, solution);
     if (!this->Evaluated.empty())
     {
@@ -194,7 +186,7 @@ public:
       }
     }
     this->Task.Outputs.Add<vtkDoubleArray>(solutionName, solution, atTargets);
-    return status;
+    return dgg::Status::Success();
   }
 
 private:
@@ -274,22 +266,22 @@ int vtkHarmonicBSpline::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkHarmonicBSpline::CheckProperties() const
 {
-  const dgg::Status status = this->Superclass::CheckProperties();
+  DGG_RETURN_IF_ERROR(this->Superclass::CheckProperties());
   const std::string result = this->GetResultArrayName();
   const std::string& cell = this->CellArrayName;
   const std::string& solution = this->SolutionArrayName;
-  if (status.IsOk() && (cell.empty() || solution.empty()))
+  if (cell.empty() || solution.empty())
   {
     return dgg::Status::Invalid(
       "CellArrayName or SolutionArrayName is empty: call SetCellArrayName() and "
       "SetSolutionArrayName() with a name");
   }
-  if (status.IsOk() && (result == cell || result == solution || cell == solution))
+  if (result == cell || result == solution || cell == solution)
   {
     return dgg::Status::Invalid("ResultArrayName '" + result + "', CellArrayName '" + cell +
       "' and SolutionArrayName '" + solution + "' must be different: change one of them");
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -316,11 +308,11 @@ void vtkHarmonicBSpline::MakeEmptyOutput(
 dgg::Status vtkHarmonicBSpline::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  const dgg::Status status = this->Superclass::CheckInputs(surface, inputVector);
+  DGG_RETURN_IF_ERROR(this->Superclass::CheckInputs(surface, inputVector));
   std::vector<double> values;
-  return status.IsOk() && !this->RightHandSideArrayName.empty()
-    ? ReadSources(surface, this->RightHandSideArrayName, values)
-    : status;
+  return this->RightHandSideArrayName.empty()
+    ? dgg::Status::Success()
+    : ReadSources(surface, this->RightHandSideArrayName, values);
 }
 
 //------------------------------------------------------------------------------
@@ -384,21 +376,21 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
       "values are given at all points: there is no place for a site, use Neumann conditions");
   }
   Run run(task);
-  dgg::Status status = run.FindBasis(sites, isSmooth, this->CellArrayName, task.Progress);
+  DGG_RETURN_IF_ERROR(run.FindBasis(sites, isSmooth, this->CellArrayName, task.Progress));
   double imbalance = 0.0;
-  if (status.IsOk() && !this->RightHandSideArrayName.empty())
+  if (!this->RightHandSideArrayName.empty())
   {
-    status =
-      run.FindSolution(this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance);
+    DGG_RETURN_IF_ERROR(run.FindSolution(
+      this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance));
   }
-  if (status.IsOk() && imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
+  if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {
     vtkWarningMacro(<< "the sources in a part of the surface sum to a fraction of " << imbalance
                     << " of their sizes, with nothing given that this could flow to: they were "
                        "balanced in proportion to area. Make their sum 0.");
   }
   const auto components = static_cast<std::size_t>(dgg::CountSplineComponents(task.Solver));
-  if (status.IsOk() && components > 1 && sites.size() == components &&
+  if (components > 1 && sites.size() == components &&
     task.Solver.GetOptions().Boundary == dgg::PoissonBoundary::Neumann)
   {
     vtkWarningMacro(
@@ -406,13 +398,7 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
       << " components, each with a single site, whose function is 1 all over it: use "
          "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
   }
-  if (status.IsOk() && !task.Progress(1.0))
-  {
-    status = dgg::Status::Abort();
-  }
-  if (status.IsOk())
-  {
-    this->UsedSites.assign(sites.begin(), sites.end());
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, 1.0));
+  this->UsedSites.assign(sites.begin(), sites.end());
+  return dgg::Status::Success();
 }

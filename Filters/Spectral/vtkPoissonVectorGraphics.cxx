@@ -110,37 +110,28 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& conte
 {
   const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
   const std::size_t count = drawing.Curves.size();
-  dgg::Status status =
-    DGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), context.MemoryLimit, remedy);
+  DGG_RETURN_IF_ERROR(
+    DGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), context.MemoryLimit, remedy));
   std::vector<dgg::SurfaceCurve> joined(count);
-  for (std::size_t k = 0; k < count && status.IsOk(); ++k)
+  for (std::size_t k = 0; k < count; ++k)
   {
     const double part = JoinedAt / static_cast<double>(count);
     const double begin = static_cast<double>(k) * part;
-    status = DGGExplain(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
-                          dgg::ProgressPart(progress, begin, begin + part), joined[k]),
-      drawing.Curves[k].Name + ": ");
+    DGG_RETURN_IF_ERROR(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
+      dgg::ProgressPart(progress, begin, begin + part), joined[k])
+                          .Of(drawing.Curves[k].Name));
   }
   dgg::RefinedSurface refined;
-  if (status.IsOk())
-  {
-    status =
-      dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(
+    dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined));
   dgg::GraphicsRefinement refinement = drawing.Refinement;
   refinement.MostFaces = static_cast<dgg::Offset>(std::min(
     static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit)) / dgg::VectorGraphics::BytesPerFace,
     static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
-  status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
-  if (!status.IsOk())
-  {
-    return DGGExplain(status, "", ", for memory to suffice: raise MemoryLimit, or " + remedy);
-  }
+  DGG_RETURN_IF_ERROR(
+    DGGExplain(dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces), "",
+      ", for memory to suffice: raise MemoryLimit, or " + remedy));
   std::vector<dgg::CurveChain> chains;
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -292,15 +283,14 @@ dgg::Status vtkPoissonVectorGraphics::CheckInputs(
   DGGGraphicsNames names = this->GetNames();
   names.DefaultWidth = 1.0; // found when the mesh is
   DGGGraphicsInput input;
-  const dgg::Status status = input.Read(vtkPolyData::GetData(inputVector[1]), surface, names);
-  if (status.IsOk() && input.GetCurves().empty() && names.Region.empty())
+  DGG_RETURN_IF_ERROR(input.Read(vtkPolyData::GetData(inputVector[1]), surface, names));
+  if (input.GetCurves().empty() && names.Region.empty())
   {
     return dgg::Status::Invalid("there is nothing to draw: connect lines to input port 1 with "
                                 "SetCurveData(), or call SetRegionArrayName()");
   }
-  return status.IsOk() && this->RefinementRegion == Cells
-    ? DGGGraphicsInput::CheckRefinement(surface, names)
-    : status;
+  return this->RefinementRegion == Cells ? DGGGraphicsInput::CheckRefinement(surface, names)
+                                         : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -323,32 +313,26 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
     std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   names.DefaultWidth = this->Width > 0.0 ? this->Width : UsualWidth * diagonal;
   DGGGraphicsInput input;
-  dgg::Status status = input.Read(lines, context.Input, names);
+  DGG_RETURN_IF_ERROR(input.Read(lines, context.Input, names));
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
   Drawing drawing;
   drawing.MeshTime = prepared.GetBuildTime();
   drawing.Curves = curves;
   drawing.Places.resize(curves.size());
   static const std::vector<vtkIdType> none;
-  for (std::size_t k = 0; k < curves.size() && status.IsOk(); ++k)
+  for (std::size_t k = 0; k < curves.size(); ++k)
   {
     DGGSourceSet set{ none, lines, 1, "curve point", "call SetCurveData()", "" };
     set.PointIds = &input.GetPointIds()[k];
-    status = DGGSourceCollector::Check(set, context.Input->GetNumberOfPoints());
+    DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(set, context.Input->GetNumberOfPoints()));
     std::vector<dgg::GeodesicSource> found;
-    if (status.IsOk())
-    {
-      status = DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, found);
-    }
+    DGG_RETURN_IF_ERROR(
+      DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, found));
     drawing.Places[k] = DGGGetPlaces(found);
-  }
-  if (!status.IsOk())
-  {
-    return status;
   }
 
   DGGGraphicsOutput output(this->ResultArrayName);
-  status = output.Take(context, this->GetOutputPointsPrecision());
+  DGG_RETURN_IF_ERROR(output.Take(context, this->GetOutputPointsPrecision()));
   const dgg::RefinedPart parts[] = { dgg::RefinedPart::Everything, dgg::RefinedPart::AroundCurves,
     dgg::RefinedPart::Faces };
   drawing.Refinement.Levels = this->RefinementLevel;
@@ -362,11 +346,10 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.NumberOfChannels = input.GetNumberOfChannels();
   options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
-  if (status.IsOk() &&
-    !std::all_of(options.Background.begin(), options.Background.end(),
-      [](double x) { return std::isfinite(x); }))
+  if (!std::all_of(options.Background.begin(), options.Background.end(),
+        [](double x) { return std::isfinite(x); }))
   {
-    status = dgg::Status::Invalid("the background has numbers that are not finite");
+    return dgg::Status::Invalid("the background has numbers that are not finite");
   }
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
@@ -379,39 +362,33 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(prepared);
   const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
-  if (status.IsOk() && !isKept)
+  if (!isKept)
   {
-    status = internals.Prepare(context, drawing, options, this->GetMemoryRemedy(),
-      dgg::ProgressPart(context.Progress, 0.0, preparedAt));
+    DGG_RETURN_IF_ERROR(internals.Prepare(context, drawing, options, this->GetMemoryRemedy(),
+      dgg::ProgressPart(context.Progress, 0.0, preparedAt)));
   }
   dgg::GraphicsResult result;
-  if (status.IsOk())
-  {
-    options.Progress = dgg::ProgressPart(context.Progress, preparedAt, 1.0);
-    status = internals.Graphics.Run(curves, regions, options, result);
-  }
+  options.Progress = dgg::ProgressPart(context.Progress, preparedAt, 1.0);
+  DGG_RETURN_IF_ERROR(internals.Graphics.Run(curves, regions, options, result));
   const dgg::CutSurface& cut = internals.Graphics.GetSurface();
   const int channels = options.NumberOfChannels;
-  if (status.IsOk() && this->GenerateFragments)
+  if (this->GenerateFragments)
   {
     // Here and as arrays.
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
     const double count = static_cast<double>(internals.RefinedFaces.size()) *
       std::pow(static_cast<double>(this->FragmentDivision), 2);
-    status = DGGCheckMemory("fragments", count * bytes, context.MemoryLimit,
-      "use a smaller FragmentDivision, or refine NearCurves only");
+    DGG_RETURN_IF_ERROR(DGGCheckMemory("fragments", count * bytes, context.MemoryLimit,
+      "use a smaller FragmentDivision, or refine NearCurves only"));
   }
-  if (status.IsOk())
-  {
-    output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
-  }
-  if (status.IsOk() && this->GenerateFragments)
+  output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
+  if (this->GenerateFragments)
   {
     output.FillFragments(dgg::MakeFragments(prepared.GetMesh(), cut, internals.RefinedFaces,
                            result.Values, channels, this->FragmentDivision),
       channels, vtkPolyData::GetData(outputVector, 1));
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -136,11 +136,11 @@ dgg::Status vtkSpectralAlgorithm::CheckInputs(
 {
   const vtkIdType n = surface->GetNumberOfPoints();
   const DGGSourceSet sources = this->GetSources(inputVector);
-  const dgg::Status status = this->CanChooseSources() && IsEmpty(sources)
-    ? dgg::Status::Success()
-    : DGGSourceCollector::Check(sources, n);
+  DGG_RETURN_IF_ERROR(this->CanChooseSources() && IsEmpty(sources)
+      ? dgg::Status::Success()
+      : DGGSourceCollector::Check(sources, n));
   const DGGSourceSet targets = GetTargets(inputVector);
-  return status.IsOk() && !IsEmpty(targets) ? DGGSourceCollector::Check(targets, n) : status;
+  return IsEmpty(targets) ? dgg::Status::Success() : DGGSourceCollector::Check(targets, n);
 }
 
 //------------------------------------------------------------------------------
@@ -197,20 +197,16 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   DGGPoissonCache& cache = *this->Cache;
   const DGGSourceSet targetSet = GetTargets(inputVector);
   const DGGSourceSet sourceSet = this->GetSources(inputVector);
-  const bool hasTargets = !IsEmpty(targetSet);
   std::vector<dgg::GeodesicSource> found[2];
-  dgg::Status status;
   if (!this->CanChooseSources() || !IsEmpty(sourceSet))
   {
-    status = DGGSourceCollector::Collect(context, sourceSet, this->ProjectionTolerance, found[0]);
+    DGG_RETURN_IF_ERROR(
+      DGGSourceCollector::Collect(context, sourceSet, this->ProjectionTolerance, found[0]));
   }
-  if (status.IsOk() && hasTargets)
+  if (!IsEmpty(targetSet))
   {
-    status = DGGSourceCollector::Collect(context, targetSet, this->ProjectionTolerance, found[1]);
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    DGG_RETURN_IF_ERROR(
+      DGGSourceCollector::Collect(context, targetSet, this->ProjectionTolerance, found[1]));
   }
   std::vector<dgg::SurfacePoint> sources = DGGGetPlaces(found[0]);
   const std::vector<dgg::SurfacePoint> targets = DGGGetPlaces(found[1]);
@@ -227,17 +223,10 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   const double prepared = cache.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
   const double chosen =
     prepared + (this->CanChooseSources() ? ChoosingPart * (1.0 - prepared) : 0.0);
-  status = cache.Prepare(context, options, others, this->GetMemoryRemedy(),
-    dgg::ProgressPart(context.Progress, 0.0, prepared));
-  if (status.IsOk())
-  {
-    status = this->ChooseSources(
-      cache.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(cache.Prepare(context, options, others, this->GetMemoryRemedy(),
+    dgg::ProgressPart(context.Progress, 0.0, prepared)));
+  DGG_RETURN_IF_ERROR(this->ChooseSources(
+    cache.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources));
   const double held = context.MemoryLimit == 0 ? 0.0 : cache.GetSolver().GetEstimatedMemory();
   const double left = static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit)) - held - needed;
   DGGSpectralOutputs outputs(
@@ -250,7 +239,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   vtkNew<vtkPolyData> none;
   AddResult(vtkPolyData::GetData(outputVector, 1), targetSet.Points ? targetSet.Points : none,
     outputs.GetTargetArray(), outputs.GetFurtherArrays(1));
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

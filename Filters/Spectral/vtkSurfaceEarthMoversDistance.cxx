@@ -224,13 +224,9 @@ dgg::Status vtkSurfaceEarthMoversDistance::CheckProperties() const
 dgg::Status vtkSurfaceEarthMoversDistance::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  dgg::Status status;
   DGGDistribution distribution;
-  for (int k = 0; k < 2 && status.IsOk(); ++k)
-  {
-    status = distribution.Read(this->GetOrigin(k, inputVector), surface);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(distribution.Read(this->GetOrigin(0, inputVector), surface));
+  return distribution.Read(this->GetOrigin(1, inputVector), surface);
 }
 
 //------------------------------------------------------------------------------
@@ -257,19 +253,11 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   const DGGPreparedMesh& mesh = context.Surface;
   DGGPoissonCache& cache = *this->Cache;
   DGGDistribution distributions[2];
-  dgg::Status status;
-  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  for (int k = 0; k < 2; ++k)
   {
     const DGGMassOrigin origin = this->GetOrigin(k, inputVector);
-    status = distributions[k].Read(origin, context.Input);
-    if (status.IsOk())
-    {
-      status = distributions[k].Collect(context, origin, this->ProjectionTolerance);
-    }
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    DGG_RETURN_IF_ERROR(distributions[k].Read(origin, context.Input));
+    DGG_RETURN_IF_ERROR(distributions[k].Collect(context, origin, this->ProjectionTolerance));
   }
   dgg::PoissonOptions poisson;
   poisson.IntrinsicDelaunay = this->IntrinsicDelaunay;
@@ -281,34 +269,23 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   const auto others = [&](const dgg::PoissonSolver& solver) {
     return SearchPart * solver.GetEstimatedMemory();
   };
-  status = cache.Prepare(context, poisson, others, this->GetMemoryRemedy(),
-    dgg::ProgressPart(context.Progress, 0.0, prepared));
+  DGG_RETURN_IF_ERROR(cache.Prepare(context, poisson, others, this->GetMemoryRemedy(),
+    dgg::ProgressPart(context.Progress, 0.0, prepared)));
   const std::vector<double>* areas =
-    status.IsOk() && this->ArrayMeaning == Density ? &cache.GetSolver().GetAreas() : nullptr;
+    this->ArrayMeaning == Density ? &cache.GetSolver().GetAreas() : nullptr;
   std::vector<double> masses[2];
-  for (int k = 0; k < 2 && status.IsOk(); ++k)
+  for (int k = 0; k < 2; ++k)
   {
-    status = distributions[k].Integrate(mesh, areas, masses[k]);
+    DGG_RETURN_IF_ERROR(distributions[k].Integrate(mesh, areas, masses[k]));
   }
   double total = 1.0;
-  if (status.IsOk())
-  {
-    status = dgg::BalanceMasses(mesh.GetMesh(), this->Normalize, masses[0], masses[1], total);
-  }
+  DGG_RETURN_IF_ERROR(
+    dgg::BalanceMasses(mesh.GetMesh(), this->Normalize, masses[0], masses[1], total));
   dgg::EarthMoversResult result;
-  if (status.IsOk())
-  {
-    options.Progress = dgg::ProgressPart(context.Progress, prepared, 1.0);
-    status = dgg::EarthMovers(cache.GetSolver()).Run(masses[0], masses[1], options, result);
-  }
-  if (status.IsOk() && !context.Progress(1.0))
-  {
-    status = dgg::Status::Abort();
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  options.Progress = dgg::ProgressPart(context.Progress, prepared, 1.0);
+  DGG_RETURN_IF_ERROR(
+    dgg::EarthMovers(cache.GetSolver()).Run(masses[0], masses[1], options, result));
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0));
   this->NumberOfIterations = result.Iterations;
   this->SetResults(context, vtkPolyData::GetData(outputVector), total, result);
   if (options.MostIterations > 0 &&
@@ -319,7 +296,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
       << " %, after " << result.Iterations << " iterations: raise MaximumNumberOfIterations or "
       << "Tolerance, or make better triangles.");
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

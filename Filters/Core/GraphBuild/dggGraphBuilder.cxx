@@ -282,8 +282,8 @@ Status GraphBuilder::Check(const GraphOptions& options)
 Status GraphBuilder::Estimate(const GraphOptions& options, GraphEstimate& estimate) const
 {
   estimate = GraphEstimate();
-  const Status status = Check(options);
-  return status.IsOk() ? this->Internals->Estimate(options, estimate) : status;
+  DGG_RETURN_IF_ERROR(Check(options));
+  return this->Internals->Estimate(options, estimate);
 }
 
 Status GraphBuilder::Build(
@@ -293,11 +293,8 @@ Status GraphBuilder::Build(
   GraphStatistics unused;
   GraphStatistics& wanted = statistics ? *statistics : unused;
   wanted = GraphStatistics();
-  Status status = Check(options);
-  if (status.IsOk())
-  {
-    status = this->Internals->Build(options, graph, wanted);
-  }
+  DGG_RETURN_IF_ERROR(Check(options));
+  const Status status = this->Internals->Build(options, graph, wanted);
   if (!status.IsOk())
   {
     graph = GeodesicGraph();
@@ -314,11 +311,9 @@ Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
   direct.clear();
   GraphOptions options;
   options.Accuracy = accuracy;
-  Status status = Check(options);
-  if (status.IsOk())
-  {
-    status = this->Internals->Link(point, options, targets, links, direct, work ? *work : unused);
-  }
+  DGG_RETURN_IF_ERROR(Check(options));
+  const Status status =
+    this->Internals->Link(point, options, targets, links, direct, work ? *work : unused);
   if (!status.IsOk())
   {
     links.clear();
@@ -369,16 +364,13 @@ Status GraphBuilder::Implementation::Estimate(
   const double n = this->Table.GetNumberOfVertices();
   DegreeSample degrees;
   double windows = 0.0;
-  Status status = this->Table.Check();
-  if (status.IsOk() && n > 0.0)
+  DGG_RETURN_IF_ERROR(this->Table.Check());
+  if (n == 0.0)
   {
-    status = WithRule(
-      options, [&](const auto& rule) { return this->SampleRows(rule, options, degrees, windows); });
+    return Status::Success();
   }
-  if (!status.IsOk() || n == 0.0)
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(WithRule(
+    options, [&](const auto& rule) { return this->SampleRows(rule, options, degrees, windows); }));
   const double bytes = this->NeedsWide(options) ? 20.0 : 16.0;
   const auto unite = [&](double degree) {
     return n * std::min(degree * UnitedShare(options.Construction), n - 1.0);
@@ -398,7 +390,7 @@ Status GraphBuilder::Implementation::Estimate(
     BytesPerFace * this->Mesh.GetNumberOfFaces() * (this->Table.NeedsMirrors() ? 2.0 : 1.0);
   estimate.Peak = std::max(PeakOfAssembly * graph, finding) + tables +
     std::max(1, options.NumberOfThreads) * (BytesPerVertex * n + BytesPerWindow * windows);
-  return status;
+  return Status::Success();
 }
 
 template <typename Rule>
@@ -520,11 +512,7 @@ void GraphBuilder::Implementation::FillBlock(Tracer& tracer, Id begin, Id end, s
 Status GraphBuilder::Implementation::Build(
   const GraphOptions& options, GeodesicGraph& graph, GraphStatistics& statistics) const
 {
-  Status status = this->Table.Check();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Table.Check());
   const Id n = this->Table.GetNumberOfVertices();
   const bool wide = this->NeedsWide(options);
   const bool isIndirect = options.Construction == GraphConstruction::Indirect;
@@ -533,13 +521,9 @@ Status GraphBuilder::Implementation::Build(
   rows.ReserveRows(n);
   GraphOptions forRows = options;
   forRows.Progress = ProgressPart(options.Progress, 0.0, shares.Rows);
-  status = WithRule(options, [&](const auto& rule) {
+  DGG_RETURN_IF_ERROR(WithRule(options, [&](const auto& rule) {
     return this->BuildRows(rule, forRows, !isIndirect, rows, statistics);
-  });
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  }));
   if (isIndirect)
   {
     DGG_RETURN_IF_ERROR(PruneCandidates(rows, options.Accuracy, options.Parallel,
@@ -559,25 +543,18 @@ Status GraphBuilder::Implementation::Build(
   const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;
   graph.Info.Accuracy = isByNumber ? 0.0 : options.Accuracy;
   graph.Info.NumberOfNeighbors = isByNumber ? options.NumberOfNeighbors : 0;
-  return status;
+  return Status::Success();
 }
 
 Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const GraphOptions& options,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
   std::vector<double>& direct, std::size_t& work) const
 {
-  Status status = this->Table.Check();
-  if (status.IsOk())
+  DGG_RETURN_IF_ERROR(this->Table.Check());
+  DGG_RETURN_IF_ERROR(point.Check(this->Mesh));
+  for (const SurfacePoint& target : targets)
   {
-    status = point.Check(this->Mesh);
-  }
-  for (std::size_t t = 0; t < targets.size() && status.IsOk(); ++t)
-  {
-    status = targets[t].Check(this->Mesh);
-  }
-  if (!status.IsOk())
-  {
-    return status;
+    DGG_RETURN_IF_ERROR(target.Check(this->Mesh));
   }
   direct.assign(targets.size(), Infinity);
   if (point.On == SurfacePoint::Support::Vertex)

@@ -385,27 +385,21 @@ Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const Progress
     return Status::Success();
   }
   const auto marks = std::make_shared<Landmarks>();
-  Status status = marks->Choose(internals.Graph, internals.Fans.get(), internals.BucketWidth,
-    ProgressPart(progress, 0.0, ChoiceShare));
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(marks->Choose(internals.Graph, internals.Fans.get(), internals.BucketWidth,
+    ProgressPart(progress, 0.0, ChoiceShare)));
   std::vector<std::vector<GraphSeed>> sources;
   for (const Id v : marks->GetVertices())
   {
     sources.emplace_back(1);
     sources.back()[0].Vertex = v;
   }
-  status = this->Many(sources, Infinity, parallel, ProgressPart(progress, ChoiceShare, 1.0),
-    [&](std::size_t k, const double* distances) { marks->SetDistances(k, distances); });
-  if (status.IsOk())
-  {
-    this->Marks = marks;
-    const std::lock_guard<std::mutex> lock(internals.MarksMutex);
-    internals.Marks = marks;
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(
+    this->Many(sources, Infinity, parallel, ProgressPart(progress, ChoiceShare, 1.0),
+      [&](std::size_t k, const double* distances) { marks->SetDistances(k, distances); }));
+  this->Marks = marks;
+  const std::lock_guard<std::mutex> lock(internals.MarksMutex);
+  internals.Marks = marks;
+  return Status::Success();
 }
 
 bool GraphSearch::HasLandmarks() const

@@ -60,17 +60,13 @@ Status CollectPieces(Offset size, Offset blockSize, const ParallelFor& parallel,
 {
   std::vector<std::vector<Piece>> blocks(
     static_cast<std::size_t>((size + blockSize - 1) / blockSize));
-  Status status = ForBlocks(size, blockSize, parallel, ProgressPart(progress, start, stop),
+  DGG_RETURN_IF_ERROR(ForBlocks(size, blockSize, parallel, ProgressPart(progress, start, stop),
     makeWorker, [&](auto& worker, Offset block, Offset begin, Offset end) {
       for (Offset i = begin; i < end; ++i)
       {
         work(worker, static_cast<Id>(i), blocks[static_cast<std::size_t>(block)]);
       }
-    });
-  if (!status.IsOk())
-  {
-    return status;
-  }
+    }));
   std::size_t count = 0;
   for (const std::vector<Piece>& block : blocks)
   {
@@ -88,7 +84,7 @@ Status CollectPieces(Offset size, Offset blockSize, const ParallelFor& parallel,
       pieces.end(), std::make_move_iterator(block.begin()), std::make_move_iterator(block.end()));
     std::vector<Piece>().swap(block);
   }
-  return status;
+  return Status::Success();
 }
 
 /// Runs `work(worker, h, crossings)` for the half-edges that represent edges.

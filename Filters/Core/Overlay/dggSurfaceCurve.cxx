@@ -111,24 +111,17 @@ Status CurveBuilder::FindLeg(std::size_t from, std::size_t to, const ProgressCal
     this->Finder = std::make_unique<ExactPathFinder>(this->Mesh);
   }
   std::vector<SurfacePath> paths;
-  Status status = this->Finder->Find(start, { end }, progress, paths);
-  if (!status.IsOk() && !status.IsAborted())
+  const std::string name = JoinText("points ", from, " and ", to, " of the curve");
+  DGG_RETURN_IF_ERROR(this->Finder->Find(start, { end }, progress, paths).Of(name));
+  if (paths[0].Faces.empty())
   {
-    return InvalidInput("points ", from, " and ", to, " of the curve: ", status.GetMessage());
+    return Status::Invalid(
+      name + " are not connected: no path on the surface joins them. Make two curves of it");
   }
-  if (status.IsOk() && paths[0].Faces.empty())
-  {
-    return InvalidInput("points ", from, " and ", to,
-      " of the curve are not connected: no path on the surface joins them. Make two curves"
-      " of it");
-  }
-  if (status.IsOk())
-  {
-    this->Leg = std::move(paths[0]);
-    this->Leg.Points.front() = start;
-    this->Leg.Points.back() = end;
-  }
-  return status;
+  this->Leg = std::move(paths[0]);
+  this->Leg.Points.front() = start;
+  this->Leg.Points.back() = end;
+  return Status::Success();
 }
 
 /// Append the leg from a given point.

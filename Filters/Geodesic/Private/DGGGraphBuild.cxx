@@ -41,17 +41,13 @@ dgg::Status DGGBuildGraph(const DGGContext& context, const dgg::GraphBuilder& bu
   dgg::GraphOptions options, dgg::GeodesicGraph& graph, dgg::GraphEstimate& estimate)
 {
   DGGUseThreads(context, options);
-  dgg::Status status = builder.Estimate(options, estimate);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(builder.Estimate(options, estimate));
   const vtkTypeUInt64 limit = DGGGetMemoryLimit(context.MemoryLimit);
   if (std::max(estimate.Peak, estimate.Memory) > static_cast<double>(limit))
   {
     return TooMuchMemory(options, estimate, limit);
   }
-  status = builder.Build(options, graph);
+  const dgg::Status status = builder.Build(options, graph);
   graph.Info.Surface = context.Surface.GetSignature();
   return status;
 }

@@ -94,11 +94,7 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   this->Done = 0.0;
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
-  dgg::Status status = this->Check();
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->Check());
   this->FollowMesh(context.Surface);
 
   vtkFieldData* data = context.Input->GetFieldData();
@@ -118,6 +114,7 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
     vtkWarningWithObjectMacro(filter, << complaint << ". It is not used; a graph with Accuracy "
                                       << this->Accuracy << " takes its place.");
   }
+  dgg::Status status;
   if (found)
   {
     this->UseInput(context, filter);
@@ -237,18 +234,15 @@ dgg::Status DGGGraphUser::UseOwn(const DGGContext& context, dgg::GraphOptions op
   }
   dgg::GeodesicGraph graph;
   dgg::GraphEstimate estimate;
-  const dgg::Status status =
-    DGGBuildGraph(context, this->Builder ? *this->Builder : *temporary, options, graph, estimate);
-  if (status.IsOk())
-  {
-    temporary.reset();
-    DGGGraphArrays arrays;
-    arrays.Adopt(graph, context.Surface);
-    this->SearchIn(arrays, context.Surface);
-    this->OwnAccuracy = this->Accuracy;
-    this->BuildTime.Modified();
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(
+    DGGBuildGraph(context, this->Builder ? *this->Builder : *temporary, options, graph, estimate));
+  temporary.reset();
+  DGGGraphArrays arrays;
+  arrays.Adopt(graph, context.Surface);
+  this->SearchIn(arrays, context.Surface);
+  this->OwnAccuracy = this->Accuracy;
+  this->BuildTime.Modified();
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -287,15 +281,12 @@ dgg::Status DGGGraphUser::PrepareBuilder(const DGGContext& context, bool isNeede
     return dgg::Status::Success();
   }
   const std::size_t size = DGGEstimateBuilder(context.Surface);
-  const dgg::Status status = DGGCheckMemory(
-    "linking points that are not vertices", size, context.MemoryLimit, "use vertices only");
-  if (status.IsOk())
-  {
-    this->Finder.reset(); // it has none
-    this->Builder = std::make_unique<dgg::GraphBuilder>(context.Surface.GetMesh());
-    this->BuilderSize = size;
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(DGGCheckMemory(
+    "linking points that are not vertices", size, context.MemoryLimit, "use vertices only"));
+  this->Finder.reset(); // it has none
+  this->Builder = std::make_unique<dgg::GraphBuilder>(context.Surface.GetMesh());
+  this->BuilderSize = size;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -381,14 +372,10 @@ dgg::Status DGGGraphUser::LinkPlaces(const DGGContext& context, const Points& pl
     return dgg::Status::Success();
   }
   store = LinkStore();
-  dgg::Status status = this->PrepareBuilder(context);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(this->PrepareBuilder(context));
   store.Links.resize(places.size());
-  status = DGGForEach(places.size(), LinkBlock, this->TakeProgress(context, LinkShare),
-    [&](std::size_t i, const dgg::ProgressCallback&) {
+  const dgg::Status status = DGGForEach(places.size(), LinkBlock,
+    this->TakeProgress(context, LinkShare), [&](std::size_t i, const dgg::ProgressCallback&) {
       std::vector<double> none;
       return this->Link(places[i], {}, store.Links[i], none);
     });
@@ -425,14 +412,10 @@ dgg::Status DGGGraphUser::PrepareShortener(const DGGContext& context)
   const DGGCloudBand& band = this->Graph->GetArrays().GetBand();
   auto shortener = std::make_unique<dgg::BandPathShortener>(
     context.Surface.GetPositions(), this->Search->GetGraph(), band.Radii);
-  const dgg::Status status =
-    shortener->Prepare(band.VoxelSize, DGGGetMemoryLimit(context.MemoryLimit), context.Parallel,
-      this->TakeProgress(context, BandShare));
-  if (status.IsOk())
-  {
-    this->Shortener = std::move(shortener);
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(shortener->Prepare(band.VoxelSize, DGGGetMemoryLimit(context.MemoryLimit),
+    context.Parallel, this->TakeProgress(context, BandShare)));
+  this->Shortener = std::move(shortener);
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

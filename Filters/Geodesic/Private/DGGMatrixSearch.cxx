@@ -110,29 +110,27 @@ dgg::Status DGGMatrixSearch::Run(bool symmetric)
   {
     this->Graph.ReleaseBuilder();
   }
-  dgg::Status status =
+  DGG_RETURN_IF_ERROR(
     this->LinkPoints(this->Sources, this->Targets, SourcesLinked, this->SourceLinks,
-      [this](std::size_t i, std::size_t j) -> double& { return this->Distances(i, j); });
+      [this](std::size_t i, std::size_t j) -> double& { return this->Distances(i, j); }));
   if (symmetric)
   {
     this->TargetLinks = this->SourceLinks;
   }
-  else if (status.IsOk())
+  else
   {
     // Straight ways once more: seen from the other end they need not be among the windows, and the
     // answer should not depend on which end they are seen from.
-    status = this->LinkPoints(this->Targets, this->Sources, TargetsLinked, this->TargetLinks,
-      [this](std::size_t j, std::size_t i) -> double& { return this->Distances(i, j); });
+    DGG_RETURN_IF_ERROR(
+      this->LinkPoints(this->Targets, this->Sources, TargetsLinked, this->TargetLinks,
+        [this](std::size_t j, std::size_t i) -> double& { return this->Distances(i, j); }));
   }
-  if (status.IsOk())
-  {
-    status = this->Search();
-  }
-  if (status.IsOk() && symmetric)
+  DGG_RETURN_IF_ERROR(this->Search());
+  if (symmetric)
   {
     this->Mirror();
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

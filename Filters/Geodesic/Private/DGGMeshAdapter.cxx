@@ -82,14 +82,11 @@ dgg::Status DGGMeshAdapter::Update(vtkPolyData* input, const DGGDomain& domain)
   }
   this->Clear();
   DGGPreparedMesh::Pointer prepared;
-  const dgg::Status status = DGGPreparedMesh::Make(input, domain, fingerprint, prepared);
-  if (status.IsOk())
-  {
-    this->Prepared = prepared;
-    this->Fingerprint = fingerprint;
-    this->BuiltFrom = key;
-    this->IsBuilt = true;
-    this->BuildTime.Modified();
-  }
-  return status;
+  DGG_RETURN_IF_ERROR(DGGPreparedMesh::Make(input, domain, fingerprint, prepared));
+  this->Prepared = prepared;
+  this->Fingerprint = fingerprint;
+  this->BuiltFrom = key;
+  this->IsBuilt = true;
+  this->BuildTime.Modified();
+  return dgg::Status::Success();
 }

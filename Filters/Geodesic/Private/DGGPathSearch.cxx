@@ -197,24 +197,14 @@ dgg::Status DGGPathSearch::FindOnCloud(const DGGGraphUser& graph, const DGGPoint
   std::vector<dgg::GraphLink> to;
   std::vector<double> direct;
   std::vector<double> none;
-  dgg::Status status = graph.Link(pair.From, { pair.To }, from, direct);
-  if (status.IsOk())
-  {
-    status = graph.Link(pair.To, {}, to, none);
-  }
+  DGG_RETURN_IF_ERROR(graph.Link(pair.From, { pair.To }, from, direct));
+  DGG_RETURN_IF_ERROR(graph.Link(pair.To, {}, to, none));
   dgg::GraphPath path;
-  if (status.IsOk())
-  {
-    status = graph.GetSearch().Between(MakeSeeds(from), MakeSeeds(to), nullptr, path);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(graph.GetSearch().Between(MakeSeeds(from), MakeSeeds(to), nullptr, path));
   found.GraphLength = std::min(path.Length, direct[0]);
   if (!(found.GraphLength < dgg::Infinity))
   {
-    return status;
+    return dgg::Status::Success();
   }
   if (path.Length > direct[0])
   {
@@ -228,21 +218,21 @@ dgg::Status DGGPathSearch::FindOnCloud(const DGGGraphUser& graph, const DGGPoint
     const dgg::Point3 start = GetPosition(pair.From, this->Mesh);
     const dgg::Point3 end = GetPosition(pair.To, this->Mesh);
     dgg::BandPath band;
-    status =
+    DGG_RETURN_IF_ERROR(
       graph.GetShortener().Shorten(path.Vertices, dgg::IsVertex(pair.From) ? nullptr : &start,
-        dgg::IsVertex(pair.To) ? nullptr : &end, band, progress);
+        dgg::IsVertex(pair.To) ? nullptr : &end, band, progress));
     // A smooth path follows the surface, so that it is longer than straight lines from point to
     // point; but one that is longer than the way in the graph as well has gone astray.
     const bool isUseful =
       band.Length <= LargestDetour * found.GraphLength || band.Length <= found.Path.Length;
-    if (status.IsOk() && isUseful)
+    if (isUseful)
     {
       found.Path.Points = MakePlaces(band, pair.From.Vertex, this->Mesh);
       found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
     }
     found.IsStraightened = isUseful;
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -53,42 +53,30 @@ vtkTypeUInt64 vtkPointCloudDGG::EstimateMemory()
 //------------------------------------------------------------------------------
 dgg::Status vtkPointCloudDGG::Estimate()
 {
-  dgg::Status status = this->CheckProperties();
+  DGG_RETURN_IF_ERROR(this->CheckProperties());
   vtkPolyData* cloud = vtkPolyData::SafeDownCast(this->GetInput());
-  if (status.IsOk() && cloud && cloud->GetNumberOfPoints() == 0)
+  if (cloud && cloud->GetNumberOfPoints() == 0)
   {
     vtkWarningMacro("The input is empty: it has no points. So is its graph.");
-    return status;
+    return dgg::Status::Success();
   }
-  if (status.IsOk() && cloud)
-  {
-    status = this->CheckInputs(cloud, nullptr);
-  }
-  if (status.IsOk())
-  {
-    status = this->PrepareMesh(cloud);
-  }
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(cloud ? this->CheckInputs(cloud, nullptr) : dgg::Status::Success());
+  DGG_RETURN_IF_ERROR(this->PrepareMesh(cloud));
   dgg::CloudGraphOptions options = this->MakeOptions(cloud);
   const NormalsSource source = this->MakeNormalsSource(cloud);
   Normals normals;
   double done = 0.0;
   const DGGContext context = this->MakeContext(cloud);
-  status = context.Progress(0.0) ? this->FindNormals(context, source, normals, done)
-                                 : dgg::Status::Abort();
-  if (status.IsOk())
-  {
-    const DGGPreparedMesh& mesh = context.Surface;
-    options.Normals = normals ? normals->data() : nullptr;
-    options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
-    options.Parallel = context.Parallel;
-    status = dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
-               .Estimate(options, this->Internals->Estimate);
-  }
-  return status.IsOk() && !context.Progress(1.0) ? dgg::Status::Abort() : status;
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 0.0));
+  DGG_RETURN_IF_ERROR(this->FindNormals(context, source, normals, done));
+  const DGGPreparedMesh& mesh = context.Surface;
+  options.Normals = normals ? normals->data() : nullptr;
+  options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
+  options.Parallel = context.Parallel;
+  DGG_RETURN_IF_ERROR(
+    dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
+      .Estimate(options, this->Internals->Estimate));
+  return dgg::ReportTo(context.Progress, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -181,12 +169,8 @@ dgg::Status vtkPointCloudDGG::Build(
   options.Parallel = context.Parallel;
   dgg::CloudGraph result;
   vtkInternals::Findings findings;
-  const dgg::Status status =
-    dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics);
-  if (!status.IsOk())
-  {
-    return status;
-  }
+  DGG_RETURN_IF_ERROR(
+    dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics));
   result.Graph.Info.Surface = mesh.GetSignature();
   internals.Built.Adopt(result.Graph, result.Radii, result.VoxelSize, mesh);
   internals.BuiltBy = key;
@@ -195,7 +179,7 @@ dgg::Status vtkPointCloudDGG::Build(
   findings.Graph = DGGGraphSummary(internals.Built.GetView());
   internals.BuiltFindings = findings;
   internals.BuildTime.Modified();
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -120,10 +120,10 @@ dgg::Status DGGDistribution::Integrate(
       masses[v] = this->Values[i] * (*areas)[v];
     }
   }
-  dgg::Status status;
-  for (std::size_t i = 0; i < this->Places.size() && status.IsOk(); ++i)
+  for (std::size_t i = 0; i < this->Places.size(); ++i)
   {
-    status = dgg::AddPointMass(mesh.GetMesh(), this->Places[i], this->Masses[i], masses);
+    DGG_RETURN_IF_ERROR(
+      dgg::AddPointMass(mesh.GetMesh(), this->Places[i], this->Masses[i], masses));
   }
-  return status;
+  return dgg::Status::Success();
 }
