@@ -3,6 +3,7 @@
 #include "dggEdgeProfile.h"
 
 #include "dggEdges.h"
+#include "dggRootFinding.h"
 #include "dggSurfacePoint.h"
 
 #include <algorithm>
@@ -462,43 +463,8 @@ void EdgeProfile::Cross(
 {
   if ((begin.Height >= 0.0) != (end.Height >= 0.0))
   {
-    crossings.push_back(this->Solve(level, begin, end));
+    const auto look = [&](double x) { return Probe{ x, this->At(x) - level }; };
+    crossings.push_back(FindRoot(begin, end, Rounding * std::abs(level), MostSteps, look).X);
   }
-}
-
-/// Regula falsi in its Illinois form, which a kink does not harm.
-double EdgeProfile::Solve(double level, Probe begin, Probe end) const
-{
-  const double close = Rounding * std::abs(level);
-  const bool beginIsAbove = begin.Height >= 0.0;
-  double best = std::abs(begin.Height) < std::abs(end.Height) ? begin.X : end.X;
-  double bestMiss = std::min(std::abs(begin.Height), std::abs(end.Height));
-  int lastSide = 0;
-  for (int step = 0; step < MostSteps && bestMiss > close; ++step)
-  {
-    double x = begin.X - begin.Height * ((end.X - begin.X) / (end.Height - begin.Height));
-    if (!(x > begin.X && x < end.X))
-    {
-      x = 0.5 * (begin.X + end.X);
-    }
-    if (!(x > begin.X && x < end.X))
-    {
-      break; // neighbours among the doubles
-    }
-    const double height = this->At(x) - level;
-    if (std::abs(height) < bestMiss)
-    {
-      best = x;
-      bestMiss = std::abs(height);
-    }
-    const int side = (height >= 0.0) == beginIsAbove ? -1 : 1;
-    (side < 0 ? begin : end) = { x, height };
-    if (side == lastSide)
-    {
-      (side < 0 ? end : begin).Height *= 0.5;
-    }
-    lastSide = side;
-  }
-  return best;
 }
 }

@@ -106,7 +106,6 @@ private:
     double level, std::size_t first, std::size_t last, std::vector<double>& crossings);
   void Cross(
     double level, const Probe& begin, const Probe& end, std::vector<double>& crossings) const;
-  double Solve(double level, Probe begin, Probe end) const;
 
   const DistanceField& Field;
   Id HalfEdge = NoId;

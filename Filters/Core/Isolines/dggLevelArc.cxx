@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLevelArc.h"
 
+#include "dggRootFinding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -73,44 +75,25 @@ bool LevelArc::IsInside(const Point2& place) const
 
 LevelPoint LevelArc::FindBetween(const LevelPoint& below, const LevelPoint& above) const
 {
-  // The Illinois method, which a kink does not harm.
-  double begin = 0.0;
-  double end = 1.0;
-  double atBegin = below.Sample.Distance - this->Level;
-  double atEnd = above.Sample.Distance - this->Level;
-  LevelPoint best = std::abs(atBegin) < std::abs(atEnd) ? below : above;
-  best.IsOnLevel = best.IsOnLevel && atBegin < 0.0 && atEnd >= 0.0;
-  if (!(atBegin < 0.0 && atEnd >= 0.0))
+  struct Probe
   {
-    return best;
+    double X; // 0 below, 1 above
+    double Height;
+    LevelPoint Point;
+  };
+  const Probe begin{ 0.0, below.Sample.Distance - this->Level, below };
+  const Probe end{ 1.0, above.Sample.Distance - this->Level, above };
+  if (!(begin.Height < 0.0 && end.Height >= 0.0))
+  {
+    LevelPoint closest = std::abs(begin.Height) < std::abs(end.Height) ? below : above;
+    closest.IsOnLevel = false;
+    return closest;
   }
-  double bestMiss = std::min(-atBegin, atEnd);
-  int lastSide = 0;
-  for (int step = 0; step < MostRootSteps && bestMiss > 1e-3 * this->Close; ++step)
-  {
-    double t = begin - atBegin * ((end - begin) / (atEnd - atBegin));
-    t = t > begin && t < end ? t : 0.5 * (begin + end);
-    if (!(t > begin && t < end))
-    {
-      break;
-    }
+  const auto look = [&](double t) {
     const LevelPoint point = this->Look(Between(below.Place, above.Place, t));
-    const double miss = point.Sample.Distance - this->Level;
-    if (std::abs(miss) < bestMiss)
-    {
-      best = point;
-      bestMiss = std::abs(miss);
-    }
-    const int side = miss < 0.0 ? -1 : 1;
-    (side < 0 ? begin : end) = t;
-    (side < 0 ? atBegin : atEnd) = miss;
-    if (side == lastSide)
-    {
-      (side < 0 ? atEnd : atBegin) *= 0.5;
-    }
-    lastSide = side;
-  }
-  return best;
+    return Probe{ t, point.Sample.Distance - this->Level, point };
+  };
+  return FindRoot(begin, end, 1e-3 * this->Close, MostRootSteps, look).Point;
 }
 
 /// Whether both belong to the same smooth piece of the field.
