@@ -542,7 +542,7 @@ RefinedSurface Embed(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& c
 dgg::CurveCut CutOpen(const RefinedSurface& surface)
 {
   dgg::CurveCut cut;
-  EXPECT_TRUE(Ok(dgg::CutAlongCurves(surface, cut)));
+  EXPECT_TRUE(Ok(dgg::CutAlongCurves(surface, surface.Paths, cut)));
   return cut;
 }
 }

@@ -108,7 +108,8 @@ public:
   dgg::FoundLoop Rope(const std::vector<dgg::SurfacePoint>& points, bool taut) const
   {
     dgg::FoundLoop loop;
-    this->Expect(this->Finder->Rope(points, taut, loop), loop);
+    bool isConnected = true;
+    this->Expect(this->Finder->Rope(points, taut, loop, isConnected), loop);
     return loop;
   }
 

@@ -81,7 +81,7 @@ double SideInPlane(const TestMesh& input, const dgg::SurfaceMesh& mesh, const Cu
 dgg::Status ErrorOf(const RefinedSurface& surface)
 {
   CurveCut cut;
-  const dgg::Status status = dgg::CutAlongCurves(surface, cut);
+  const dgg::Status status = dgg::CutAlongCurves(surface, surface.Paths, cut);
   EXPECT_FALSE(status.IsOk());
   EXPECT_TRUE(cut.Surface.Points.empty());
   EXPECT_TRUE(cut.Sides.empty());
@@ -373,7 +373,7 @@ TEST(CurveCut, RefusesWhatHasNoSides)
       { SurfacePoint::InFace(book, 0, { { 0.3, 0.3, 0.4 } }),
         SurfacePoint::InFace(book, 0, { { 0.4, 0.4, 0.2 } }) }) });
   CurveCut cut;
-  EXPECT_TRUE(dgg::CutAlongCurves(beside, cut).IsOk());
+  EXPECT_TRUE(dgg::CutAlongCurves(beside, beside.Paths, cut).IsOk());
   // Edges of the mesh are counted, not the parts that they were split into.
   RefinedSurface along = EmbedVertices(book, { { spine, inside } });
   const std::string message = ErrorOf(along).GetMessage();

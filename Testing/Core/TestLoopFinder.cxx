@@ -464,9 +464,9 @@ TEST(LoopFinder, Ropes)
   // One point is no rope.
   EXPECT_TRUE(world.Rope({ At(12) }, false).Loop.IsEmpty());
   FoundLoop loop;
-  EXPECT_FALSE(world.Finder->Rope({}, true, loop).IsOk());
-  EXPECT_FALSE(world.Finder->Rope({ At(0), At(100000) }, true, loop).IsOk());
   bool isConnected = false;
+  EXPECT_FALSE(world.Finder->Rope({}, true, loop, isConnected).IsOk());
+  EXPECT_FALSE(world.Finder->Rope({ At(0), At(100000) }, true, loop, isConnected).IsOk());
   EXPECT_TRUE(world.Finder->Rope({ At(12), At(20), At(31) }, true, loop, isConnected).IsOk());
   EXPECT_TRUE(isConnected);
   const LoopWorld several(SeveralComponents());

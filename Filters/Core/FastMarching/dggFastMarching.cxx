@@ -43,10 +43,10 @@ struct MarchingTriangle
 /// edge, in the plane of the face, so that they are not obtuse at the corner (Kimmel and Sethian
 /// 1998, section 4). A strip of faces is unfolded for that; it ends without result at the boundary
 /// and where no vertex comes into sight. Across a non-manifold edge there is a strip for each face.
-class MarchingTriangles
+class UnfoldedTriangles
 {
 public:
-  explicit MarchingTriangles(const SurfaceMesh& mesh);
+  explicit UnfoldedTriangles(const SurfaceMesh& mesh);
 
   /// The triangle of the corner at the origin of a half-edge.
   static MarchingTriangle FromFace(const SurfaceMesh& mesh, Id h);
@@ -56,8 +56,6 @@ public:
   const Id* End(Id vertex) const { return this->ByVertex.data() + this->Offsets[vertex + 1]; }
   const MarchingTriangle& Get(Id i) const { return this->Triangles[i]; }
 
-  std::size_t GetMemorySize() const;
-
 private:
   void Split(const SurfaceMesh& mesh, Id h);
 
@@ -66,7 +64,7 @@ private:
   std::vector<Id> ByVertex;
 };
 
-MarchingTriangle MarchingTriangles::FromFace(const SurfaceMesh& mesh, Id h)
+MarchingTriangle UnfoldedTriangles::FromFace(const SurfaceMesh& mesh, Id h)
 {
   const Id next = SurfaceMesh::Next(h);
   const Id previous = SurfaceMesh::Previous(h);
@@ -74,7 +72,7 @@ MarchingTriangle MarchingTriangles::FromFace(const SurfaceMesh& mesh, Id h)
     mesh.Length(h), mesh.Length(previous), mesh.PolarAngle(h) };
 }
 
-MarchingTriangles::MarchingTriangles(const SurfaceMesh& mesh)
+UnfoldedTriangles::UnfoldedTriangles(const SurfaceMesh& mesh)
 {
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
@@ -102,7 +100,7 @@ MarchingTriangles::MarchingTriangles(const SurfaceMesh& mesh)
   }
 }
 
-void MarchingTriangles::Split(const SurfaceMesh& mesh, Id h)
+void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
 {
   const Id next = SurfaceMesh::Next(h);
   const Point2 right{ mesh.Length(h), 0.0 };
@@ -161,12 +159,6 @@ void MarchingTriangles::Split(const SurfaceMesh& mesh, Id h)
       entered = twin != NoId && mesh.Twin(twin) == exit ? twin : NoId;
     }
   }
-}
-
-std::size_t MarchingTriangles::GetMemorySize() const
-{
-  return this->Triangles.capacity() * sizeof(MarchingTriangle) +
-    this->Offsets.capacity() * sizeof(Offset) + this->ByVertex.capacity() * sizeof(Id);
 }
 
 namespace
@@ -240,7 +232,7 @@ bool MeetPlanar(double base, const Point2& apex, double a, double b, Arrival& ar
 class March
 {
 public:
-  March(const SurfaceMesh& mesh, const MarchingTriangles& unfolded, MarchingUpdate update)
+  March(const SurfaceMesh& mesh, const UnfoldedTriangles& unfolded, MarchingUpdate update)
     : Mesh(mesh)
     , Unfolded(unfolded)
     , Update(update)
@@ -384,8 +376,8 @@ private:
   {
     for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
     {
-      this->Cross(MarchingTriangles::FromFace(this->Mesh, SurfaceMesh::Next(*g)), now);
-      this->Cross(MarchingTriangles::FromFace(this->Mesh, SurfaceMesh::Previous(*g)), now);
+      this->Cross(UnfoldedTriangles::FromFace(this->Mesh, SurfaceMesh::Next(*g)), now);
+      this->Cross(UnfoldedTriangles::FromFace(this->Mesh, SurfaceMesh::Previous(*g)), now);
     }
   }
 
@@ -429,7 +421,7 @@ private:
   }
 
   const SurfaceMesh& Mesh;
-  const MarchingTriangles& Unfolded;
+  const UnfoldedTriangles& Unfolded;
   MarchingUpdate Update;
   std::vector<Front> Fronts;
   std::vector<std::uint8_t> IsFinal;
@@ -439,7 +431,7 @@ private:
 
 FastMarching::FastMarching(const SurfaceMesh& mesh)
   : Mesh(mesh)
-  , Unfolded(std::make_unique<MarchingTriangles>(mesh))
+  , Unfolded(std::make_unique<UnfoldedTriangles>(mesh))
 {
 }
 
@@ -494,10 +486,5 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
     }
   }
   return Status::Success();
-}
-
-std::size_t FastMarching::GetMemorySize() const
-{
-  return this->Unfolded->GetMemorySize();
 }
 }

@@ -15,7 +15,7 @@
 
 namespace dgg
 {
-class MarchingTriangles;
+class UnfoldedTriangles;
 
 /// The shape of the front between two vertices that it has passed.
 enum class MarchingUpdate
@@ -68,12 +68,9 @@ public:
   Status Run(const std::vector<GeodesicSource>& sources, const MarchingOptions& options,
     MarchingResult& result) const;
 
-  /// Bytes held besides the mesh.
-  std::size_t GetMemorySize() const;
-
 private:
   const SurfaceMesh& Mesh;
-  std::unique_ptr<MarchingTriangles> Unfolded;
+  std::unique_ptr<UnfoldedTriangles> Unfolded;
 };
 }
 

@@ -47,7 +47,6 @@ bool HavePair(const FieldSample& a, const FieldSample& b, const FieldSample& c,
 
 FaceRidgeFinder::FaceRidgeFinder(const DistanceField& field, double angle, double chordTolerance)
   : Field(field)
-  , Angle(angle)
   , ChordTolerance(chordTolerance)
   , Profile(field)
   , Jumps(Profile, angle)

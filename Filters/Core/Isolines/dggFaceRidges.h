@@ -75,12 +75,7 @@ private:
     Id Ridge; // index into Crossings, or NoId
   };
   using Rim = std::vector<RimPoint>;
-  struct Crossing
-  {
-    Point2 Place; // of the ridge: at the tie
-    FieldSample Before;
-    FieldSample After;
-  };
+  using Crossing = FieldJump; // of the ridge: its place is at the tie
 
   Rim MakeRim();
   void AddSide(int k, const Point2& from, const Point2& to, Rim& rim);
@@ -98,7 +93,6 @@ private:
   bool IsNearest(const FieldSample& source, const Point2& p) const;
 
   const DistanceField& Field;
-  const double Angle;
   const double ChordTolerance;
   FaceProfile Profile;
   FieldJumpFinder Jumps;

@@ -25,11 +25,6 @@ Point2 DirectionFromSource(const FieldSample& sample, const Point2& p)
 }
 }
 
-double FieldJump::GetAngle() const
-{
-  return AngleBetween(this->Before, this->After);
-}
-
 double AngleBetween(const FieldSample& a, const FieldSample& b)
 {
   return std::abs(std::atan2(Cross(a.Gradient, b.Gradient), Dot(a.Gradient, b.Gradient)));

@@ -18,8 +18,6 @@ struct FieldJump
   Point2 Place;
   FieldSample Before;
   FieldSample After;
-
-  double GetAngle() const;
 };
 
 /// The angle between two gradients, in [0, pi].

@@ -256,12 +256,6 @@ Status LoopFinder::ThroughPoint(
   return status;
 }
 
-Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop) const
-{
-  bool isConnected = true;
-  return this->Rope(points, taut, loop, isConnected);
-}
-
 Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop,
   bool& isConnected, const ProgressCallback& progress) const
 {

@@ -39,7 +39,6 @@ public:
   /// paths between them, or, when `taut`, what they become when the rope is let go at the points
   /// and pulled tight. Empty when the points are not connected or the rope contracts to a point;
   /// `isConnected` distinguishes these. Stopped before any of the paths, there is no rope.
-  Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop) const;
   Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop,
     bool& isConnected, const ProgressCallback& progress = {}) const;
 

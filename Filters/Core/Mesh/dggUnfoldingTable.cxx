@@ -210,12 +210,4 @@ Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>&
   const bool descends = this->Mesh.Destination(exit) <= this->Mesh.Origin(exit);
   return FirstBranch - (places[exit] + (mirrored == descends ? 1 : 0));
 }
-
-std::size_t UnfoldingTable::GetMemorySize() const
-{
-  return this->Crossings.size() * sizeof(FaceCrossing) + this->PolarAngles.size() * sizeof(double) +
-    this->Ranges.size() * sizeof(AngleRange) +
-    (this->Order.size() + this->Rank.size() + this->FaceRank.size() + this->Branches.size()) *
-    sizeof(Id);
-}
 }

@@ -135,7 +135,6 @@ public:
   /// Whether crossings are there twice, for faces that are not oriented alike.
   bool NeedsMirrors() const { return this->Count.NeedsMirrors; }
   bool HasDegenerateFaces() const { return this->Mesh.GetNumberOfDegenerateFaces() > 0; }
-  std::size_t GetMemorySize() const;
 
 private:
   static constexpr Id FirstBranch = -2;

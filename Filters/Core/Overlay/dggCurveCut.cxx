@@ -183,11 +183,6 @@ void SideFinder::Run(CurveCut& cut)
 }
 }
 
-Status CutAlongCurves(const RefinedSurface& surface, CurveCut& cut)
-{
-  return CutAlongCurves(surface, surface.Paths, cut);
-}
-
 Status CutAlongCurves(
   const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths, CurveCut& cut)
 {

@@ -38,18 +38,16 @@ struct CurveCut
   std::vector<CurveSides> Sides; ///< per path of the surface that was cut
 };
 
-/// Cut a surface open along its paths. A vertex of paths has one copy per sector that they leave of
-/// the faces around it: one at the end of a path inside the surface, two along it, four where two
-/// paths cross, one more per path at the boundary. A sheet that touches a path in a single point
-/// gets a copy of its own there. A path of a single edge inside the surface has no vertex with two
-/// copies: split the edge to have one.
+/// Cut a surface open along paths, its own or others. A vertex of paths has one copy per sector
+/// that they leave of the faces around it: one at the end of a path inside the surface, two along
+/// it, four where two paths cross, one more per path at the boundary. A sheet that touches a path
+/// in a single point gets a copy of its own there. A path of a single edge inside the surface has
+/// no vertex with two copies: split the edge to have one.
 ///
 /// Faces are oriented as the mesh has them, which makes them consistent where it can, so that left
 /// and right are those of the first face of a component. Fails when an edge at a vertex of a path
 /// has more than two faces, or two of opposite orientation, as on one-sided surfaces: there would
 /// be no sides.
-DGG_CORE_EXPORT Status CutAlongCurves(const RefinedSurface& surface, CurveCut& cut);
-/// Cut along other paths than its own.
 DGG_CORE_EXPORT Status CutAlongCurves(
   const RefinedSurface& surface, const std::vector<std::vector<Id>>& paths, CurveCut& cut);
 /// Whether one can cut along paths: what CutAlongCurves() fails for.
