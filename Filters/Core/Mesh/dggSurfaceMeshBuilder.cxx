@@ -4,12 +4,14 @@
 
 #include "dggCapSplitting.h"
 #include "dggEdges.h"
+#include "dggGroups.h"
 #include "dggInvalidInput.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace dgg
 {
@@ -33,6 +35,14 @@ Id Turned(Id h)
 {
   const Id k = h % 3;
   return h - k + (2 - k);
+}
+
+/// The half-edges of faces that take part, by a vertex of each.
+template <typename VertexOf>
+Groups GroupHalfEdges(const SurfaceMesh& mesh, const VertexOf& vertexOf)
+{
+  return MakeGroups(mesh.GetNumberOfHalfEdges(), mesh.GetNumberOfVertices(),
+    [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)) ? NoId : vertexOf(h); });
 }
 }
 
@@ -83,36 +93,14 @@ void SurfaceMeshBuilder::GlueByVertices()
 {
   this->DropRepeatedVertexFaces();
   const SurfaceMesh& mesh = this->Mesh;
-  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-  const Id halfEdges = mesh.GetNumberOfHalfEdges();
   // Bucket the half-edges by their smaller vertex, sort each short bucket by the larger one.
-  std::vector<Id> first(n + 1, 0);
-  auto smaller = [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); };
   auto larger = [&](Id h) { return std::max(mesh.Origin(h), mesh.Destination(h)); };
-  for (Id h = 0; h < halfEdges; ++h)
+  Groups buckets =
+    GroupHalfEdges(mesh, [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); });
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
-    {
-      ++first[smaller(h) + 1];
-    }
-  }
-  for (std::size_t v = 0; v < n; ++v)
-  {
-    first[v + 1] += first[v];
-  }
-  std::vector<Id> bucket(first[n]);
-  std::vector<Id> fill(first.begin(), first.end() - 1);
-  for (Id h = 0; h < halfEdges; ++h)
-  {
-    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
-    {
-      bucket[fill[smaller(h)]++] = h;
-    }
-  }
-  for (std::size_t v = 0; v < n; ++v)
-  {
-    const auto begin = bucket.begin() + first[v];
-    const auto end = bucket.begin() + first[v + 1];
+    const auto begin = buckets.Members.begin() + buckets.Begins[v];
+    const auto end = buckets.Members.begin() + buckets.Begins[v + 1];
     std::sort(begin, end,
       [&](Id g, Id h) { return larger(g) != larger(h) ? larger(g) < larger(h) : g < h; });
     for (auto run = begin; run != end;)
@@ -187,12 +175,10 @@ Status SurfaceMeshBuilder::GlueByTwins(const Id* twins)
 
 Status SurfaceMeshBuilder::CheckExtent(double extent, const char* what) const
 {
-  if (extent >= SmallestExtent && extent <= LargestExtent)
-  {
-    return Status::Success();
-  }
-  return InvalidInput(what, " is ", extent, ", outside [", SmallestExtent, ", ", LargestExtent,
-    "]: ", extent == 0.0 ? "all triangles are single points" : "scale the mesh first");
+  return extent >= SmallestExtent && extent <= LargestExtent
+    ? Status::Success()
+    : InvalidInput(what, " is ", extent, ", outside [", SmallestExtent, ", ", LargestExtent,
+        "]: ", extent == 0.0 ? "all triangles are single points" : "scale the mesh first");
 }
 
 Status SurfaceMeshBuilder::MeasureLengths(const double* points)
@@ -503,7 +489,9 @@ void SurfaceMeshBuilder::Mollify()
 void SurfaceMeshBuilder::Finish()
 {
   this->LayOutFaces();
-  this->GatherHalfEdgesByOrigin();
+  Groups fans = GroupHalfEdges(this->Mesh, [this](Id h) { return this->Mesh.Origin(h); });
+  this->Mesh.FanOffsets = std::move(fans.Begins);
+  this->Mesh.Fans = std::move(fans.Members);
   this->OrderFans();
 }
 
@@ -520,33 +508,6 @@ void SurfaceMeshBuilder::LayOutFaces()
         mesh.Lengths[SurfaceMesh::Next(h)]);
       mesh.ApexXs[h] = apex.X;
       mesh.ApexYs[h] = apex.Y;
-    }
-  }
-}
-
-void SurfaceMeshBuilder::GatherHalfEdgesByOrigin()
-{
-  SurfaceMesh& mesh = this->Mesh;
-  const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-  mesh.FanOffsets.assign(n + 1, 0);
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
-    {
-      ++mesh.FanOffsets[mesh.Origin(h) + 1];
-    }
-  }
-  for (std::size_t v = 0; v < n; ++v)
-  {
-    mesh.FanOffsets[v + 1] += mesh.FanOffsets[v];
-  }
-  mesh.Fans.assign(mesh.FanOffsets[n], NoId);
-  std::vector<Offset> fill(mesh.FanOffsets.begin(), mesh.FanOffsets.end() - 1);
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
-    {
-      mesh.Fans[fill[mesh.Origin(h)]++] = h;
     }
   }
 }

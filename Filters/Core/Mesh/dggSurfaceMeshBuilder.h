@@ -45,7 +45,6 @@ private:
   double MeasureLack(Id f) const;
   void MeasureEdges();
   void LayOutFaces();
-  void GatherHalfEdgesByOrigin();
   void OrderFans();
   void Classify(Id v, Id numberOfFans, bool open);
   Status CheckExtent(double extent, const char* what) const;

@@ -20,24 +20,37 @@ struct Groups
   std::vector<Id> Members;
 };
 
-/// `groups` has the group of each element, or NoId.
-inline Groups MakeGroups(const std::vector<Id>& groups, std::size_t numberOfGroups)
+/// `groupOf(i)` is the group of an element, or NoId.
+template <typename GroupOf>
+Groups MakeGroups(Id numberOfElements, Id numberOfGroups, const GroupOf& groupOf)
 {
-  Groups made{ std::vector<Offset>(numberOfGroups + 1, 0), {} };
-  for (const Id group : groups)
+  Groups made{ std::vector<Offset>(static_cast<std::size_t>(numberOfGroups) + 1, 0), {} };
+  for (Id i = 0; i < numberOfElements; ++i)
   {
-    made.Begins[group == NoId ? numberOfGroups : group] += group == NoId ? 0 : 1;
+    const Id group = groupOf(i);
+    if (group != NoId)
+    {
+      ++made.Begins[group];
+    }
   }
   std::partial_sum(made.Begins.begin(), made.Begins.end(), made.Begins.begin());
   made.Members.resize(static_cast<std::size_t>(made.Begins.back()));
-  for (std::size_t i = groups.size(); i-- > 0;)
+  for (Id i = numberOfElements; i-- > 0;)
   {
-    if (groups[i] != NoId)
+    const Id group = groupOf(i);
+    if (group != NoId)
     {
-      made.Members[--made.Begins[groups[i]]] = static_cast<Id>(i);
+      made.Members[--made.Begins[group]] = i;
     }
   }
   return made;
+}
+
+/// `groups` has the group of each element, or NoId.
+inline Groups MakeGroups(const std::vector<Id>& groups, std::size_t numberOfGroups)
+{
+  return MakeGroups(static_cast<Id>(groups.size()), static_cast<Id>(numberOfGroups),
+    [&](Id i) { return groups[i]; });
 }
 }
 

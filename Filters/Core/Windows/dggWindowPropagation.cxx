@@ -131,10 +131,7 @@ Status WindowPropagation::Run(const std::vector<GeodesicSource>& sources,
     result = ExactResult();
   }
   Status status = CheckSources(this->Mesh, sources);
-  if (status.IsOk())
-  {
-    status = CheckOptions(this->Mesh, options);
-  }
+  status = status.IsOk() ? CheckOptions(this->Mesh, options) : status;
   if (!status.IsOk())
   {
     result = ExactResult();
