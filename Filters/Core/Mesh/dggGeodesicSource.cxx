@@ -5,6 +5,7 @@
 #include "dggInvalidInput.h"
 
 #include <cmath>
+#include <string>
 
 namespace dgg
 {
