@@ -41,6 +41,6 @@ VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckLengths(
 
 /// An error with what it is about before it, and what to do after it.
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGExplain(
-  const dgg::Status& status, const std::string& subject, const std::string& remedy = "");
+  const dgg::Status& status, const std::string& subject, const std::string& remedy);
 
 #endif

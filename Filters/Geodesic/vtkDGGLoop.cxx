@@ -63,8 +63,8 @@ dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& po
 {
   set.Loops.assign(points.size(), dgg::FoundLoop());
   const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
-    return DGGExplain(finder.ThroughPoint(points[i], taut, set.Loops[i], within),
-      "point " + std::to_string(i) + ": ");
+    return finder.ThroughPoint(points[i], taut, set.Loops[i], within)
+      .Of("point " + std::to_string(i));
   };
   return DGGForEach(points.size(), 1, progress, step);
 }
@@ -76,7 +76,7 @@ dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, boo
   set.Loops.resize(1);
   bool isConnected = true;
   const dgg::Status status =
-    DGGExplain(finder.Rope(points, taut, set.Loops[0], isConnected, progress), "rope: ");
+    finder.Rope(points, taut, set.Loops[0], isConnected, progress).Of("rope");
   if (!isConnected)
   {
     set.Status = { LoopStatus::NotConnected };

@@ -217,7 +217,7 @@ dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
       vtkWarningMacro(<< "Second surface: " << warning << ".");
     }
   }
-  return DGGExplain(status, "second surface: ");
+  return status.Of("second surface");
 }
 
 //------------------------------------------------------------------------------

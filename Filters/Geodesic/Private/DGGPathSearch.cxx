@@ -139,21 +139,13 @@ dgg::Status DGGPathSearch::RunInGraph(
 {
   options.LinkAccuracy = graph.GetLinkAccuracy();
   const bool withLinks = std::any_of(this->PointPairs.begin(), this->PointPairs.end(), NeedsLinks);
-  dgg::Status prepared = graph.PrepareBuilder(this->Context, withLinks);
-  if (prepared.IsOk())
-  {
-    prepared = graph.PrepareForPairs(this->Context, this->PointPairs.size());
-  }
-  if (!prepared.IsOk())
-  {
-    return prepared;
-  }
+  DGG_RETURN_IF_ERROR(graph.PrepareBuilder(this->Context, withLinks));
+  DGG_RETURN_IF_ERROR(graph.PrepareForPairs(this->Context, this->PointPairs.size()));
   const dgg::PathFinder& finder = graph.GetPathFinder();
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   const auto find = [&](std::size_t i, const dgg::ProgressCallback&) {
-    return DGGExplain(
-      finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i]),
-      "pair " + std::to_string(i) + ": ");
+    return finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i])
+      .Of("pair " + std::to_string(i));
   };
   return DGGForEach(paths.size(), 1, graph.GetRemainingProgress(this->Context), find);
 }
@@ -161,19 +153,15 @@ dgg::Status DGGPathSearch::RunInGraph(
 //------------------------------------------------------------------------------
 dgg::Status DGGPathSearch::RunOnCloud(DGGGraphUser& graph, bool smooth, Paths& paths) const
 {
-  dgg::Status prepared = graph.PrepareForPairs(this->Context, this->PointPairs.size());
-  if (prepared.IsOk() && smooth)
+  DGG_RETURN_IF_ERROR(graph.PrepareForPairs(this->Context, this->PointPairs.size()));
+  if (smooth)
   {
-    prepared = graph.PrepareShortener(this->Context);
-  }
-  if (!prepared.IsOk())
-  {
-    return prepared;
+    DGG_RETURN_IF_ERROR(graph.PrepareShortener(this->Context));
   }
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   const auto find = [&](std::size_t i, const dgg::ProgressCallback& within) {
-    return DGGExplain(this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i]),
-      "pair " + std::to_string(i) + ": ");
+    return this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i])
+      .Of("pair " + std::to_string(i));
   };
   return DGGForEach(paths.size(), 1, graph.GetRemainingProgress(this->Context), find);
 }
