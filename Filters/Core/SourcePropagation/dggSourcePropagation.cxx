@@ -1,0 +1,746 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSourcePropagation.h"
+
+#include "dggBlockLoop.h"
+#include "dggBucketQueue.h"
+#include "dggPrefetch.h"
+#include "dggRoundTeam.h"
+#include "dggUnfolding.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+/// Labels are small structures that are handed on while they change: they have to stay in registers
+/// all the way, or what is written piece by piece and read as a whole stalls (twice the time).
+#if defined(__GNUC__)
+#define DGG_INLINE inline __attribute__((always_inline))
+#else
+#define DGG_INLINE inline
+#endif
+
+namespace dgg
+{
+namespace
+{
+/// What the offset of a source adds to the key that it competes with: less than any difference
+/// that matters, more than rounding.
+constexpr float OffsetPenalty = 1e-5F;
+/// How much earlier than any way found so far a source may reach the end of an edge, as a part of
+/// the edge. Ways that have yet to be found are shorter by less than that, shadows hide more.
+constexpr float ShadowTolerance = 0.05F;
+/// Initial distances beyond this, in mean edges, are all the same: in single precision nothing is
+/// left of the surface there.
+constexpr double LargestOffset = 1e30;
+constexpr float Unreached = std::numeric_limits<float>::max();
+/// Single precision, where it decides on which source a vertex belongs to.
+constexpr double SeedSlack = 1e-5;
+/// What a thread takes at one time.
+constexpr Offset LabelsPerChunk = 96;
+constexpr Offset VerticesPerBlock = 4096;
+/// Labels between two reports of progress.
+constexpr std::size_t LabelsPerReport = 4096;
+
+/// Half-edges of one face.
+int NextOf(int k)
+{
+  return k == 2 ? 0 : k + 1;
+}
+int PreviousOf(int k)
+{
+  return k == 0 ? 2 : k - 1;
+}
+
+float Length(float x, float y)
+{
+  return std::sqrt(x * x + y * y);
+}
+}
+
+/// A face in single precision, one cache line. Lengths are in mean edges.
+struct alignas(64) PropagationFace
+{
+  float Lengths[3]; ///< of its half-edges
+  float Cosines[3]; ///< of the corner angles at their origins
+  float Sines[3];   ///< of the same
+  Id Behind[3];     ///< the twin where it is the only one and oriented alike; else a code
+  Id Corners[3];    ///< the origins
+  bool IsIrregular; ///< whether a corner is, so that several fans may meet there
+};
+
+class PropagationFaces
+{
+public:
+  /// Codes of PropagationFace::Behind.
+  static constexpr Id Nothing = NoId;
+  static constexpr Id AskMesh = -2; ///< several faces, or one that is not oriented alike
+
+  explicit PropagationFaces(const SurfaceMesh& mesh);
+
+  const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
+  double GetUnit() const { return this->Unit; }
+
+private:
+  std::vector<PropagationFace> Faces;
+  double Unit; // the mean edge
+};
+
+PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
+  : Faces(static_cast<std::size_t>(mesh.GetNumberOfFaces()))
+  , Unit(mesh.GetMeanEdgeLength() > 0.0 ? mesh.GetMeanEdgeLength() : 1.0)
+{
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    PropagationFace& face = this->Faces[SurfaceMesh::Face(h)];
+    const int k = h % 3;
+    const double left = mesh.Length(SurfaceMesh::Previous(h));
+    face.Lengths[k] = static_cast<float>(mesh.Length(h) / this->Unit);
+    face.Cosines[k] = static_cast<float>(mesh.ApexX(h) / left);
+    face.Sines[k] = static_cast<float>(mesh.ApexY(h) / left);
+    face.Corners[k] = mesh.Origin(h);
+    const Id twin = mesh.Twin(h);
+    const bool isPlain =
+      twin != NoId && mesh.Twin(twin) == h && mesh.Origin(twin) == mesh.Destination(h);
+    face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
+    face.IsIrregular =
+      (k > 0 && face.IsIrregular) || mesh.Kind(mesh.Origin(h)) == VertexKind::Irregular;
+  }
+}
+
+namespace
+{
+/// A virtual source as a face sees it.
+struct Label
+{
+  float X; ///< in the frame of Entry, below its axis
+  float Y;
+  float Offset; ///< distance at the virtual source
+  Id Entry;     ///< the half-edge through which it was unfolded
+  Id Root;      ///< which source it comes from
+};
+
+/// An order of labels with the same key, so that of several that arrive at once the same one is
+/// kept, whoever comes first.
+bool ComesBefore(const Label& a, const Label& b)
+{
+  if (a.Entry != b.Entry)
+  {
+    return a.Entry < b.Entry;
+  }
+  if (a.Root != b.Root)
+  {
+    return a.Root < b.Root;
+  }
+  return a.Offset != b.Offset ? a.Offset < b.Offset : a.X != b.X ? a.X < b.X : a.Y < b.Y;
+}
+
+/// The best label of a face or an edge.
+struct Slot
+{
+  std::atomic<float> Key{ Unreached };
+  std::atomic<bool> IsPending{ false }; ///< has changed and not been propagated since
+  std::atomic<bool> IsLocked{ false };
+  Label Best{ 0.0F, 0.0F, 0.0F, NoId, NoId };
+};
+
+/// Where a point was pushed to the queue.
+struct Push
+{
+  float Key;
+  Id Slot;
+};
+
+/// A round's share of one thread.
+struct Chunk
+{
+  std::vector<Label> Labels;
+  std::vector<Push> Pushes;
+};
+
+void Lower(std::atomic<float>& value, float candidate)
+{
+  float old = value.load(std::memory_order_relaxed);
+  while (candidate < old && !value.compare_exchange_weak(old, candidate, std::memory_order_relaxed))
+  {
+  }
+}
+
+/// One propagation. In `High` quality each edge has a slot, at its smallest half-edge, else each
+/// face.
+template <bool High>
+class Propagation
+{
+public:
+  Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift, float radius)
+    : Mesh(mesh)
+    , Faces(faces)
+    , Shift(shift)
+    , Radius(radius)
+    , Slots(static_cast<std::size_t>(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces()))
+    , Distances(static_cast<std::size_t>(mesh.GetNumberOfVertices()))
+  {
+    for (std::atomic<float>& distance : this->Distances)
+    {
+      distance.store(Unreached, std::memory_order_relaxed);
+    }
+    this->Queue.Reset(0.0, 1.0);
+  }
+
+  void Start(const std::vector<GeodesicSource>& sources);
+  /// False when stopped.
+  bool Run(RoundTeam& team, const ProgressCallback& progress);
+
+  double GetDistance(Id v) const { return this->ToLength(this->Distances[v]); }
+  bool IsReached(Id v) const { return this->Distances[v] < Unreached; }
+  /// The label around a vertex that reaches it first, and from which direction; false without one.
+  bool FindLabel(Id v, Label& label, double& length, double& angle) const;
+  /// A length in units of the mesh, from the least initial distance on.
+  double ToLength(float value) const { return value * this->Faces.GetUnit() + this->Shift; }
+
+private:
+  Id SlotOf(Id entry) const;
+  float StartOf(const GeodesicSource& source) const;
+  void Radiate(const Label& from, Id v, Chunk& chunk);
+  void Collect(const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk);
+  void Propagate(Chunk& chunk);
+  DGG_INLINE void Leave(const Label& label, int side, Chunk& chunk);
+  DGG_INLINE void Cross(Id exit, Label label, Chunk& chunk);
+  DGG_INLINE void Enter(Label label, Chunk& chunk);
+  DGG_INLINE void Offer(float key, const Label& label, Chunk& chunk);
+  DGG_INLINE void StayOutOfShadows(Label& label, float length, Id atOrigin, Id atEnd) const;
+  DGG_INLINE float ReachApex(const Label& label) const;
+
+  const SurfaceMesh& Mesh;
+  const PropagationFaces& Faces;
+  const double Shift;
+  const float Radius;
+  std::vector<Slot> Slots;
+  /// Lengths of ways to the vertices.
+  std::vector<std::atomic<float>> Distances;
+  BucketQueue Queue;
+  bool IsShared = false;
+};
+
+/// The end of the axis, if the straight line from the source of a label to a point above the axis
+/// passes beyond that end, becomes the source.
+void BendAround(Label& label, float length, float x, float y)
+{
+  if (label.Y * (x - label.X) - label.X * (y - label.Y) > 0.0F)
+  {
+    label.Offset += Length(label.X, label.Y);
+    label.X = 0.0F;
+    label.Y = 0.0F;
+  }
+  else if ((length - label.X) * (y - label.Y) + label.Y * (x - label.X) < 0.0F)
+  {
+    label.Offset += Length(length - label.X, label.Y);
+    label.X = length;
+    label.Y = 0.0F;
+  }
+}
+
+template <bool High>
+Id Propagation<High>::SlotOf(Id entry) const
+{
+  if (!High)
+  {
+    return SurfaceMesh::Face(entry);
+  }
+  const Id twin = this->Faces[SurfaceMesh::Face(entry)].Behind[entry % 3];
+  return twin >= 0 ? std::min(entry, twin) : entry;
+}
+
+template <bool High>
+float Propagation<High>::StartOf(const GeodesicSource& source) const
+{
+  return static_cast<float>(
+    std::min((source.InitialDistance - this->Shift) / this->Faces.GetUnit(), LargestOffset));
+}
+
+template <bool High>
+void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
+{
+  Chunk chunk;
+  const auto unit = static_cast<float>(1.0 / this->Faces.GetUnit());
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    const SurfacePoint& point = sources[k].Point;
+    const auto root = static_cast<Id>(k);
+    const float offset = this->StartOf(sources[k]);
+    if (point.On == SurfacePoint::Support::Vertex)
+    {
+      Lower(this->Distances[point.Vertex], offset);
+      this->Radiate({ 0.0F, 0.0F, offset, NoId, root }, point.Vertex, chunk);
+      continue;
+    }
+    ForEachFaceAround(this->Mesh, point, [&](Id f, const std::array<double, 3>& b) {
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        Lower(this->Distances[this->Mesh.Origin(h)],
+          offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3)) * unit);
+      }
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        // From behind the edge, with the face on its other side.
+        const Point2 place = PlaceInFrame(this->Mesh, h, b);
+        this->Cross(h,
+          { static_cast<float>(this->Mesh.Length(h) - place.X) * unit,
+            -static_cast<float>(place.Y) * unit, offset, NoId, root },
+          chunk);
+      }
+    });
+  }
+  for (const Push& push : chunk.Pushes)
+  {
+    this->Queue.Push(push.Key, push.Slot);
+  }
+}
+
+/// A vertex as source, in all faces around it.
+template <bool High>
+void Propagation<High>::Radiate(const Label& from, Id v, Chunk& chunk)
+{
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    this->Enter({ 0.0F, 0.0F, from.Offset, *g, from.Root }, chunk);
+  }
+}
+
+template <bool High>
+bool Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
+{
+  const auto expected = static_cast<double>(this->Slots.size());
+  std::vector<BucketQueue::Entry> entries;
+  std::vector<Chunk> chunks;
+  std::size_t propagated = 0;
+  std::size_t reported = 0;
+  while (this->Queue.Advance())
+  {
+    entries = this->Queue.Current();
+    this->Queue.ClearCurrent();
+    const auto size = static_cast<Offset>(entries.size());
+    const Offset count = (size + LabelsPerChunk - 1) / LabelsPerChunk;
+    if (chunks.size() < static_cast<std::size_t>(count))
+    {
+      chunks.resize(static_cast<std::size_t>(count));
+    }
+    // A round: what was found in it counts in the next one.
+    this->IsShared = team.IsShared();
+    team.ForEach(count, this->IsShared, [&](Offset i) {
+      this->Collect(entries.data() + i * LabelsPerChunk,
+        entries.data() + std::min(size, (i + 1) * LabelsPerChunk), chunks[i]);
+    });
+    team.ForEach(count, this->IsShared, [&](Offset i) { this->Propagate(chunks[i]); });
+    for (Offset i = 0; i < count; ++i)
+    {
+      for (const Push& push : chunks[i].Pushes)
+      {
+        this->Queue.Push(push.Key, push.Slot);
+      }
+      propagated += chunks[i].Labels.size();
+    }
+    if (propagated >= reported + LabelsPerReport)
+    {
+      reported = propagated;
+      if (progress && !progress(std::min(1.0, static_cast<double>(propagated) / expected)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The labels that have changed, and how far they are from the vertices behind their edges.
+template <bool High>
+void Propagation<High>::Collect(
+  const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk)
+{
+  chunk.Labels.clear();
+  chunk.Pushes.clear();
+  for (const BucketQueue::Entry* entry = begin; entry != end; ++entry)
+  {
+    Slot& slot = this->Slots[entry->Vertex];
+    if (slot.IsPending.load(std::memory_order_relaxed) &&
+      slot.IsPending.exchange(false, std::memory_order_relaxed))
+    {
+      const Label& label = slot.Best;
+      const int k = label.Entry % 3;
+      const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+      Lower(this->Distances[face.Corners[PreviousOf(k)]], this->ReachApex(label));
+      if (label.Y == 0.0F && label.X == 0.0F)
+      {
+        // From one end of the edge to the other, which need not be behind any edge.
+        Lower(this->Distances[face.Corners[NextOf(k)]], label.Offset + face.Lengths[k]);
+      }
+      chunk.Labels.push_back(label);
+      for (const Id behind : { face.Behind[PreviousOf(k)], face.Behind[NextOf(k)] })
+      {
+        if (behind >= 0)
+        {
+          Prefetch(&this->Faces[SurfaceMesh::Face(behind)]);
+          Prefetch(&this->Slots[High ? behind : SurfaceMesh::Face(behind)]);
+        }
+      }
+    }
+  }
+}
+
+template <bool High>
+void Propagation<High>::Propagate(Chunk& chunk)
+{
+  for (const Label& label : chunk.Labels)
+  {
+    const int k = label.Entry % 3;
+    this->Leave(label, PreviousOf(k), chunk);
+    this->Leave(label, NextOf(k), chunk);
+    const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+    if (face.IsIrregular)
+    {
+      // Other fans of the vertex are reached through it only.
+      const Id apex = face.Corners[PreviousOf(k)];
+      const float distance = this->ReachApex(label);
+      if (this->Mesh.Kind(apex) == VertexKind::Irregular &&
+        distance <= this->Distances[apex].load(std::memory_order_relaxed))
+      {
+        this->Radiate({ 0.0F, 0.0F, distance, NoId, label.Root }, apex, chunk);
+      }
+    }
+  }
+}
+
+/// Through one of the two other edges of the face that a label has entered.
+template <bool High>
+void Propagation<High>::Leave(const Label& label, int side, Chunk& chunk)
+{
+  const Id f = SurfaceMesh::Face(label.Entry);
+  const PropagationFace& face = this->Faces[f];
+  if (face.Behind[side] == PropagationFaces::Nothing)
+  {
+    return;
+  }
+  const int k = label.Entry % 3;
+  const float base = face.Lengths[k];
+  const float length = face.Lengths[side];
+  const bool isLeft = side == PreviousOf(k);
+  Label image = label;
+  if (High)
+  {
+    const float left = face.Lengths[PreviousOf(k)];
+    const float x = left * face.Cosines[k];
+    BendAround(image, base, 0.5F * (isLeft ? x : x + base), 0.5F * left * face.Sines[k]);
+  }
+  // As in FaceUnfolding.
+  const float x = isLeft ? image.X : base - image.X;
+  const float cosine = face.Cosines[isLeft ? k : side];
+  const float sine = face.Sines[isLeft ? k : side];
+  const float along = cosine * x + sine * image.Y;
+  image.Y = cosine * image.Y - sine * x;
+  image.X = isLeft ? along : length - along;
+  if (image.Y > 0.0F)
+  {
+    // The source is on the far side, as behind a hole: the way bends around the nearer end.
+    const float end = 2.0F * image.X < length ? 0.0F : length;
+    image.Offset += Length(image.X - end, image.Y);
+    image.X = end;
+    image.Y = 0.0F;
+  }
+  this->StayOutOfShadows(image, length, face.Corners[NextOf(side)], face.Corners[side]);
+  this->Cross(3 * f + side, image, chunk);
+}
+
+/// Move a source to where it does not reach an end of the axis earlier than any way found so far.
+template <bool High>
+void Propagation<High>::StayOutOfShadows(Label& label, float length, Id atOrigin, Id atEnd) const
+{
+  const float tolerance = ShadowTolerance * length;
+  float a = Length(label.X, label.Y);
+  float b = Length(length - label.X, label.Y);
+  const float knownA = this->Distances[atOrigin].load(std::memory_order_relaxed);
+  const float knownB = this->Distances[atEnd].load(std::memory_order_relaxed);
+  const bool isHiddenA = knownA < Unreached && knownA - label.Offset > a + tolerance;
+  const bool isHiddenB = knownB < Unreached && knownB - label.Offset > b + tolerance;
+  if (!isHiddenA && !isHiddenB)
+  {
+    return;
+  }
+  a = isHiddenA ? knownA - label.Offset : a;
+  b = isHiddenB ? knownB - label.Offset : b;
+  if (std::abs(a - b) <= length)
+  {
+    label.X = 0.5F * (length + (a - b) * (a + b) / length);
+    label.Y = -std::sqrt(std::max(0.0F, a * a - label.X * label.X));
+  }
+  else
+  {
+    label.Offset += std::min(a, b);
+    label.X = a < b ? 0.0F : length;
+    label.Y = 0.0F;
+  }
+}
+
+/// Into all faces behind an edge. The label is in the frame of a twin that is oriented alike.
+template <bool High>
+void Propagation<High>::Cross(Id exit, Label label, Chunk& chunk)
+{
+  const PropagationFace& face = this->Faces[SurfaceMesh::Face(exit)];
+  const Id behind = face.Behind[exit % 3];
+  if (behind >= 0)
+  {
+    label.Entry = behind;
+    this->Enter(label, chunk);
+  }
+  else if (behind == PropagationFaces::AskMesh)
+  {
+    const float x = label.X;
+    for (Id t = this->Mesh.Twin(exit); t != exit && t != NoId; t = this->Mesh.Twin(t))
+    {
+      const bool isMirrored = this->Mesh.Origin(t) == this->Mesh.Origin(exit);
+      label.Entry = t;
+      label.X = isMirrored ? face.Lengths[exit % 3] - x : x;
+      this->Enter(label, chunk);
+    }
+  }
+}
+
+template <bool High>
+void Propagation<High>::Enter(Label label, Chunk& chunk)
+{
+  const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+  const int k = label.Entry % 3;
+  const float length = face.Lengths[k];
+  float x = 0.5F * length;
+  float y = 0.0F;
+  if (!High)
+  {
+    // Labels of a face compete at its centroid: in the plane they are all exact then.
+    const float left = face.Lengths[PreviousOf(k)];
+    x = (length + left * face.Cosines[k]) / 3.0F;
+    y = left * face.Sines[k] / 3.0F;
+    BendAround(label, length, x, y);
+  }
+  const float distance = label.Offset + Length(x - label.X, y - label.Y);
+  const float reach =
+    std::max(length, std::max(face.Lengths[NextOf(k)], face.Lengths[PreviousOf(k)]));
+  if (distance <= this->Radius + reach)
+  {
+    this->Offer(distance + OffsetPenalty * label.Offset, label, chunk);
+  }
+}
+
+template <bool High>
+void Propagation<High>::Offer(float key, const Label& label, Chunk& chunk)
+{
+  const Id id = this->SlotOf(label.Entry);
+  Slot& slot = this->Slots[id];
+  if (!(key <= slot.Key.load(std::memory_order_relaxed)))
+  {
+    return;
+  }
+  if (this->IsShared)
+  {
+    while (slot.IsLocked.exchange(true, std::memory_order_acquire))
+    {
+    }
+  }
+  const float best = slot.Key.load(std::memory_order_relaxed);
+  if (key < best || (key == best && ComesBefore(label, slot.Best)))
+  {
+    slot.Key.store(key, std::memory_order_relaxed);
+    slot.Best = label;
+    slot.IsPending.store(true, std::memory_order_relaxed);
+    chunk.Pushes.push_back({ key, id });
+  }
+  slot.IsLocked.store(false, std::memory_order_release);
+}
+
+/// The length of the way to the vertex behind the entry: straight, or bent around an end of it.
+template <bool High>
+float Propagation<High>::ReachApex(const Label& label) const
+{
+  const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+  const int k = label.Entry % 3;
+  const float left = face.Lengths[PreviousOf(k)];
+  const float x = left * face.Cosines[k];
+  const float y = left * face.Sines[k];
+  Label bent = label;
+  BendAround(bent, face.Lengths[k], x, y);
+  return bent.Offset + Length(x - bent.X, y - bent.Y);
+}
+
+template <bool High>
+bool Propagation<High>::FindLabel(Id v, Label& label, double& length, double& angle) const
+{
+  float nearest = Unreached;
+  const auto look = [&](Id entry, int corner) {
+    const Slot& slot = this->Slots[this->SlotOf(entry)];
+    if (slot.Best.Entry != entry)
+    {
+      return;
+    }
+    const PropagationFace& face = this->Faces[SurfaceMesh::Face(entry)];
+    const int k = entry % 3;
+    // The corner in the frame of the entry.
+    const float left = face.Lengths[PreviousOf(k)];
+    const bool isApex = corner == PreviousOf(k);
+    const float x = isApex ? left * face.Cosines[k] : corner == k ? 0.0F : face.Lengths[k];
+    const float y = isApex ? left * face.Sines[k] : 0.0F;
+    Label bent = slot.Best;
+    if (isApex)
+    {
+      BendAround(bent, face.Lengths[k], x, y);
+    }
+    const float straight = Length(x - bent.X, y - bent.Y);
+    if (bent.Offset + straight < nearest)
+    {
+      nearest = bent.Offset + straight;
+      label = bent;
+      length = straight * this->Faces.GetUnit();
+      const Point2 direction = DirectionInFrame(
+        this->Mesh, entry, 3 * SurfaceMesh::Face(entry) + corner, { bent.X - x, bent.Y - y });
+      angle = this->Mesh.PolarAngle(3 * SurfaceMesh::Face(entry) + corner) +
+        std::atan2(direction.Y, direction.X);
+    }
+  };
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    const Id f = SurfaceMesh::Face(*g);
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (High || h == this->Slots[f].Best.Entry)
+      {
+        look(h, *g % 3);
+      }
+    }
+  }
+  return nearest < Unreached;
+}
+
+/// Run with either quality.
+template <bool High>
+Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
+  const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
+  PropagationResult& result)
+{
+  // Distances are measured from the least initial one, so that the largest ones do not decide on
+  // rounding.
+  double shift = Infinity;
+  for (const GeodesicSource& source : sources)
+  {
+    shift = std::min(shift, source.InitialDistance);
+  }
+  const double radius = (options.MaximumDistance - shift) / faces.GetUnit();
+  // Comparisons with single precision must not lose what is at the very distance.
+  const auto limit = static_cast<float>(std::min(radius * (1.0 + 1e-6), 1e37));
+  Propagation<High> propagation(mesh, faces, shift, limit);
+  propagation.Start(sources);
+  bool isDone = false;
+  RoundTeam::Run(
+    options.Parallel, [&](RoundTeam& team) { isDone = propagation.Run(team, options.Progress); });
+  if (!isDone)
+  {
+    return Status::Abort();
+  }
+  const Offset n = mesh.GetNumberOfVertices();
+  result.Distances.assign(static_cast<std::size_t>(n), Infinity);
+  const bool wantLabels = options.WantNearestSource || options.WantVirtualSource;
+  if (options.WantNearestSource)
+  {
+    result.NearestSource.assign(static_cast<std::size_t>(n), NoId);
+  }
+  if (options.WantVirtualSource)
+  {
+    result.Virtual.Offsets.assign(static_cast<std::size_t>(n), Infinity);
+    result.Virtual.Lengths.assign(static_cast<std::size_t>(n), Infinity);
+    result.Virtual.Angles.assign(static_cast<std::size_t>(n), 0.0);
+  }
+  const auto set = [&](Id v, Id root, double length, double angle) {
+    if (options.WantNearestSource)
+    {
+      result.NearestSource[v] = root;
+    }
+    if (options.WantVirtualSource)
+    {
+      result.Virtual.Offsets[v] = result.Distances[v] - length;
+      result.Virtual.Lengths[v] = length;
+      result.Virtual.Angles[v] = angle;
+    }
+  };
+  ForRange(options.Parallel, n, VerticesPerBlock, [&](Offset begin, Offset end) {
+    for (auto v = static_cast<Id>(begin); v < end; ++v)
+    {
+      const double distance = propagation.GetDistance(v);
+      if (propagation.IsReached(v) && distance <= options.MaximumDistance)
+      {
+        result.Distances[v] = distance;
+        Label label{};
+        double length = 0.0;
+        double angle = 0.0;
+        if (wantLabels && propagation.FindLabel(v, label, length, angle))
+        {
+          set(v, label.Root, length, angle);
+        }
+      }
+    }
+  });
+  if (!wantLabels)
+  {
+    return Status::Success();
+  }
+  // No label comes to the sources themselves, or from within a face to its corners.
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    const GeodesicSource& source = sources[k];
+    const auto root = static_cast<Id>(k);
+    const auto isFirst = [&](Id v, double length) {
+      return source.InitialDistance + length <= result.Distances[v] + SeedSlack * length;
+    };
+    if (IsVertex(source.Point))
+    {
+      if (isFirst(source.Point.Vertex, 0.0))
+      {
+        set(source.Point.Vertex, root, 0.0, 0.0);
+      }
+      continue;
+    }
+    ForEachFaceAround(mesh, source.Point, [&](Id f, const std::array<double, 3>& b) {
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const double length = DistanceToCorner(mesh, f, b, h % 3);
+        if (isFirst(mesh.Origin(h), length))
+        {
+          const Point2 place = PlaceInFrame(mesh, h, b);
+          set(mesh.Origin(h), root, length, mesh.PolarAngle(h) + std::atan2(place.Y, place.X));
+        }
+      }
+    });
+  }
+  return Status::Success();
+}
+}
+
+SourcePropagation::SourcePropagation(const SurfaceMesh& mesh)
+  : Mesh(mesh)
+  , Faces(std::make_unique<PropagationFaces>(mesh))
+{
+}
+
+SourcePropagation::~SourcePropagation() = default;
+
+Status SourcePropagation::Run(const std::vector<GeodesicSource>& sources,
+  const PropagationOptions& options, PropagationResult& result) const
+{
+  result = PropagationResult();
+  DGG_RETURN_IF_ERROR(CheckSources(this->Mesh, sources));
+  if (std::isnan(options.MaximumDistance))
+  {
+    return Status::Invalid("the maximum distance is not a number");
+  }
+  return options.Quality == PropagationQuality::High
+    ? RunPropagation<true>(this->Mesh, *this->Faces, sources, options, result)
+    : RunPropagation<false>(this->Mesh, *this->Faces, sources, options, result);
+}
+}

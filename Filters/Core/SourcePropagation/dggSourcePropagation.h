@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Approximate distances by propagation of virtual sources.
+#ifndef dggSourcePropagation_h
+#define dggSourcePropagation_h
+
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
+#include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggParallel.h"       // for ParallelFor
+#include "dggVirtualSources.h" // for VirtualSources
+
+#include <memory> // for the prepared faces
+#include <vector> // for the results
+
+namespace dgg
+{
+/// What keeps a virtual source of its own.
+enum class PropagationQuality
+{
+  Fast, ///< each face
+  High  ///< each edge: about half as fast again, and more accurate
+};
+
+struct PropagationOptions
+{
+  PropagationQuality Quality = PropagationQuality::Fast;
+  /// Vertices farther than this are left unreached.
+  double MaximumDistance = Infinity;
+  bool WantNearestSource = false;
+  bool WantVirtualSource = false;
+  ParallelFor Parallel;      ///< may be empty; the result does not depend on it
+  ProgressCallback Progress; ///< may be empty
+};
+
+struct PropagationResult
+{
+  std::vector<double> Distances; ///< per vertex; Infinity where unreached
+  /// Per vertex, index into the sources; NoId where unreached. Empty unless asked for.
+  std::vector<Id> NearestSource;
+  /// As in SearchResult. Empty unless asked for.
+  VirtualSources Virtual;
+};
+
+class PropagationFaces;
+
+/// Trettner, Bommes and Kobbelt, "Geodesic distance computation via virtual source propagation",
+/// 2021, on one mesh, which must outlive it. A virtual source is unfolded from face to face, as
+/// long as the straight line from it to the next face crosses the edge between them; else the
+/// nearer end of the edge becomes the virtual source. Each face (or edge) keeps the best one that
+/// has reached it. Nothing bounds the error: where sources pass a saddle vertex, what lies in the
+/// shadow may be reached too early (up to some 5 %), and single vertices too late.
+///
+/// Three things differ from the paper.
+///  - Faces are visited in synchronous rounds over buckets of distance, so that the result does not
+///    depend on the number of threads.
+///  - Of sources that are equally near, up to rounding, that with the smaller offset is kept: it
+///    explains more of the mesh. On regular and flat meshes this decides on the accuracy.
+///  - A source that would reach an end of the edge earlier than any way found so far is moved to
+///    where it does not: that end lies in a shadow.
+///
+/// Single precision inside, relative to the mean edge and to the largest distance. Any triangle
+/// complex will do. Run() may be called by several threads at once.
+class DGG_CORE_EXPORT SourcePropagation
+{
+public:
+  explicit SourcePropagation(const SurfaceMesh& mesh);
+  ~SourcePropagation();
+  SourcePropagation(const SourcePropagation&) = delete;
+  SourcePropagation& operator=(const SourcePropagation&) = delete;
+
+  /// Distances from the nearest of the sources. Fails as ExactGeodesics does.
+  Status Run(const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
+    PropagationResult& result) const;
+
+private:
+  const SurfaceMesh& Mesh;
+  std::unique_ptr<PropagationFaces> Faces;
+};
+}
+
+#endif
