@@ -195,12 +195,13 @@ def graph_edges(mesh, source):
 
 
 def approximate(mesh, source):
-    """vtkHeatGeodesicDistance, vtkDGGFastMarchingDistance: errors, beside those of a graph."""
+    """Errors of the approximate distances, beside those of a graph."""
     exact = array_of(distances(vtkdgg.vtkExactGeodesicDistance, mesh, source), "GeodesicDistance")
     panels = []
     for title, kind in (
         ("heat method", vtkdgg.vtkHeatGeodesicDistance),
         ("fast marching", vtkdgg.vtkDGGFastMarchingDistance),
+        ("virtual sources", vtkdgg.vtkVirtualSourceGeodesicDistance),
         ("graph, accuracy 0.01", vtkdgg.vtkDGGDistance),
     ):
         found = array_of(distances(kind, mesh, source), "GeodesicDistance")

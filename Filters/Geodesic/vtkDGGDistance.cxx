@@ -18,24 +18,6 @@ vtkDGGGraphUserMacro(vtkDGGDistance);
 
 namespace
 {
-/// Rounding of lengths in the graph, relative: a point must not be missed because of it.
-constexpr double LengthRounding = 1e-6;
-
-/// How far to search so that every point closer than `maximum` is reached through the graph.
-double WidenLimit(double maximum, double accuracy, const std::vector<dgg::GeodesicSource>& sources)
-{
-  if (!(maximum < dgg::Infinity))
-  {
-    return maximum;
-  }
-  double offset = dgg::Infinity;
-  for (const dgg::GeodesicSource& source : sources)
-  {
-    offset = std::min(offset, source.InitialDistance);
-  }
-  return maximum + (accuracy + LengthRounding) * std::max(0.0, maximum - offset);
-}
-
 std::vector<dgg::Id> FindSources(
   const std::vector<dgg::GraphSeed>& seeds, const std::vector<dgg::Id>& seedOfVertex)
 {
@@ -128,9 +110,8 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
   dgg::SearchOptions options;
   options.Method = methods[this->Search];
   options.Correct = correct || task.WantVirtualSource;
-  options.MaximumDistance = correct
-    ? WidenLimit(task.MaximumDistance, graph.GetLinkAccuracy(), task.Sources)
-    : task.MaximumDistance;
+  options.MaximumDistance =
+    correct ? graph.WidenLimit(task.MaximumDistance, task.Sources) : task.MaximumDistance;
   options.Progress = graph.GetRemainingProgress(context);
   dgg::SearchResult result;
   DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));

@@ -6,6 +6,7 @@
 # packages are installed first.
 #
 # Usage: Testing/Benchmark/run.sh [exact] [--out DIR] [MESH...] [OPTIONS OF BenchmarkExact]
+#        Testing/Benchmark/run.sh first [--out DIR] [--data DIR] [--readme] MESH...
 #        Testing/Benchmark/run.sh graph [--out DIR] [--readme] [MESH...] [OPTIONS OF BenchmarkGraph]
 #        Testing/Benchmark/run.sh path [--out DIR] [--data DIR] [MESH...] [OPTIONS OF BenchmarkPath]
 #        Testing/Benchmark/run.sh isolines [--out DIR] [--data DIR] [MESH...]
@@ -15,6 +16,8 @@
 #        Testing/Benchmark/run.sh spectral [--out DIR] [--data DIR] [--libigl DIR] [--readme]
 #                                 [MESH...] [OPTIONS OF BenchmarkSpectral]
 #   exact     the exact solver: writes exact.json and exact.md
+#   first     how soon each distance filter answers on a new mesh, and again: writes first.json and
+#             first.md
 #   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
 #             and error_against_degree.png (needs matplotlib)
 #   path      what a graph gives: paths, samples, Voronoi cells, a matrix, loops: writes path.json
@@ -29,12 +32,13 @@
 #             matplotlib)
 #   --out     folder of the results (default: out/benchmark in the source tree)
 #   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
-#             as well, to be measured; for clouds with igea, terrain_andes (a
+#             as well, to be measured; for first with bunny, armadillo, gargoyle, fandisk, blade_aniso,
+#             igea and terrain_andes; for clouds with igea, terrain_andes (a
 #             grid) and awkward/bunny_raw_5holes; for spectral with bunny and igea
 #   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more
 #   --libigl  folder with the headers of libigl, as a further peer of spectral
 #   --readme  put the tables into Testing/Benchmark/README.md and the plot into Examples/Images as
-#             well: graph, cloud, spectral; for spectral, draw Examples/Images/greens_function.png too
+#             well: first (no plot), graph, cloud, spectral; for spectral, draw Examples/Images/greens_function.png too
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
@@ -57,7 +61,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  cloud | exact | graph | isolines | path | spectral)
+  cloud | exact | first | graph | isolines | path | spectral)
     mode="$1"
     shift
     ;;
@@ -81,10 +85,11 @@ while [ $# -gt 0 ]; do
           names=(awkward/bunny_raw_5holes igea)
           arguments+=("--terrain=$2/terrain_andes.ply" "--speed_mesh=$2/terrain_andes.ply")
           ;;
+        first) names=(bunny armadillo gargoyle fandisk blade_aniso igea terrain_andes) ;;
         isolines) names+=(igea) ;;
         path) ;;
         spectral) names=(bunny igea) ;;
-        *) dgg_fail "--data is for the modes cloud, isolines, path and spectral" ;;
+        *) dgg_fail "--data is for the modes cloud, first, isolines, path and spectral" ;;
       esac
       for name in "${names[@]}"; do
         arguments+=("$2/$name.ply")
@@ -104,8 +109,8 @@ while [ $# -gt 0 ]; do
       ;;
     --readme)
       case "$mode" in
-        cloud | graph | spectral) readme=yes ;;
-        *) dgg_fail "--readme is for the modes cloud, graph and spectral" ;;
+        cloud | first | graph | spectral) readme=yes ;;
+        *) dgg_fail "--readme is for the modes cloud, first, graph and spectral" ;;
       esac
       shift
       ;;
@@ -127,6 +132,16 @@ measure_exact() {
   measure BenchmarkExact "$out/exact.json"
   "$python" "$here/summarize.py" "$out/exact.json" "$out/exact.md"
   echo "Written: $out/exact.json and $out/exact.md"
+}
+
+measure_first() {
+  "$build/bin/vtkdgg-python" "$here/first_answer.py" "$out/first.json" "$out/first.md" \
+    ${arguments[@]+"${arguments[@]}"}
+  echo "Written: $out/first.json and $out/first.md"
+  if [ -n "$readme" ]; then
+    "$python" "$here/insert_table.py" "$here/README.md" first "$out/first.md"
+    echo "Written: Testing/Benchmark/README.md"
+  fi
 }
 
 measure_graph() {
@@ -202,6 +217,7 @@ case "$mode" in
 esac
 with_python=OFF
 [ "$mode" = spectral ] && [ -n "$readme" ] && with_python=ON
+[ "$mode" = first ] && with_python=ON
 dgg_install "${packages[@]}"
 
 build="$DGG_ROOT/build/benchmark"

@@ -8,6 +8,7 @@
 #include "vtkDGGFastMarchingDistance.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkHeatGeodesicDistance.h"
+#include "vtkVirtualSourceGeodesicDistance.h"
 
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -322,6 +323,7 @@ TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
   };
   expectReport(vtkNew<vtkDGGDistance>());
   expectReport(vtkNew<vtkDGGFastMarchingDistance>());
+  expectReport(vtkNew<vtkVirtualSourceGeodesicDistance>());
   expectReport(vtkNew<vtkHeatGeodesicDistance>());
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetMaximumDistance(1.0);

@@ -12,6 +12,7 @@
 #include "vtkGeodesicProbe.h"
 #include "vtkGeodesicVoronoi.h"
 #include "vtkHeatGeodesicDistance.h"
+#include "vtkVirtualSourceGeodesicDistance.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkDataObject.h"
@@ -208,9 +209,11 @@ TYPED_TEST(DistanceArrays, UnreachedPointsOfAnyDistanceFilter)
   vtkNew<vtkDGGDistance> graph;
   vtkNew<vtkHeatGeodesicDistance> heat;
   vtkNew<vtkDGGFastMarchingDistance> marching;
+  vtkNew<vtkVirtualSourceGeodesicDistance> propagation;
   for (vtkGeodesicDistanceAlgorithm* distance : { static_cast<vtkGeodesicDistanceAlgorithm*>(graph),
          static_cast<vtkGeodesicDistanceAlgorithm*>(heat),
-         static_cast<vtkGeodesicDistanceAlgorithm*>(marching) })
+         static_cast<vtkGeodesicDistanceAlgorithm*>(marching),
+         static_cast<vtkGeodesicDistanceAlgorithm*>(propagation) })
   {
     distance->SetInputData(MakeGrid(8, 8));
     distance->AddSourceId(40);

@@ -42,6 +42,7 @@ for name in (
     "vtkPCDWriter",
     "vtkPoissonVectorGraphics",
     "vtkSurfaceEarthMoversDistance",
+    "vtkVirtualSourceGeodesicDistance",
 ):
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")

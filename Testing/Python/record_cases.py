@@ -196,6 +196,14 @@ add_cases(
         "marching-planar": {**ANYWHERE, "FrontShape": 1},
     },
 )
+add_cases(
+    "vtkVirtualSourceGeodesicDistance",
+    mesh_of,
+    {
+        "propagation": {"SourceIds": inner(2), "GenerateNearestSource": True, "Quality": 1},
+        "propagation-high": {**ANYWHERE, "Quality": 2},
+    },
+)
 for construction in CONSTRUCTIONS:
     limit = {"Guaranteed": 10**9, "Indirect": 1500}.get(construction, MIDDLE)
     case(f"graph-{construction}", limit)(mesh_graph(construction))

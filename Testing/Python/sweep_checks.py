@@ -580,6 +580,7 @@ CHECKS = {
     "patches": patches,
     "heat": approximate(vtkdgg.vtkHeatGeodesicDistance),
     "marching": approximate(vtkdgg.vtkDGGFastMarchingDistance),
+    "propagation": approximate(vtkdgg.vtkVirtualSourceGeodesicDistance),
     "greens": greens("SingularitySubtraction"),
     "greens-linear": greens("Interpolated"),
     "biharmonic": biharmonic,

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkHeatGeodesicDistance and vtkDGGFastMarchingDistance from Python."""
+"""vtkHeatGeodesicDistance and its like from Python."""
 
 import unittest
 
@@ -41,6 +41,25 @@ class ApproximateDistances(unittest.TestCase):
         distance.SetSourceIds(np.array([200, 3]))
         self.assertEqual(distances(distance)[3], 0.0)
         self.assertEqual(distance.GetNumberOfFactorizations(), 2)
+
+    def test_virtual_sources(self):
+        distance = self.prepare(vtkdgg.vtkVirtualSourceGeodesicDistance())
+        np.testing.assert_allclose(distances(distance), self.exact, rtol=1e-5)
+        distance.CertifyOn()
+        distance.SetAccuracy(1e-3)
+        np.testing.assert_allclose(distances(distance), self.exact, rtol=1e-5)
+        self.assertGreater(distance.GetNumberOfGraphEdges(), 0)
+
+    def test_method(self):
+        found = vtkdgg.distance(self.points, self.triangles, 200, method="fast")
+        np.testing.assert_allclose(found, self.exact, rtol=1e-5)
+        found = vtkdgg.distance(self.points, self.triangles, 200, method="graph")
+        np.testing.assert_allclose(found, self.exact, rtol=1e-2)
+        found = vtkdgg.distance(self.points, self.triangles, 200, method="exact")
+        np.testing.assert_allclose(found, self.exact, rtol=1e-12)
+        for wrong in ({"method": "quick"}, {"method": "fast", "accuracy": 0.1}):
+            with self.assertRaises(ValueError):
+                vtkdgg.distance(self.points, self.triangles, 200, **wrong)
 
     def test_wrong_properties(self):
         distance = self.prepare(vtkdgg.vtkHeatGeodesicDistance())

@@ -165,7 +165,7 @@ class Gallery(unittest.TestCase):
         ("vtkDGGDistance()", r"(farthest from \d+: \d\.\d+ model units away\n?){3}"),
         ("vtkGeodesicDistanceMatrix()", r"from 10 to 40: (\S+)"),
         ("vtkExactGeodesicDistance()", r"farthest point: (\S+) model units away"),
-        ("vtkHeatGeodesicDistance, vtkdgg", r"(\w+: farthest point \d\.\d+ model units away\n?){3}"),
+        ("vtkdgg.vtkHeatGeodesicDistance,", r"(\w+: farthest point \d\.\d+ model units away\n?){4}"),
         ("vtkGeodesicProbe()", r"farthest triangle: \d\.\d+ model units away"),
         ("vtkDGGPath()", r"from 0 to 20: (\S+) model units"),
         ("vtkDGGLoop()", r"1 loops, two for each handle"),

@@ -35,7 +35,7 @@ constexpr std::size_t Lookahead = 8;
 LabelCorrection::LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh)
   : Graph(graph)
   , Vertices(graph.NumberOfVertices)
-  , Shrink(graph.Info.IsGuaranteed() ? 1.0 / (1.0 + graph.Info.Accuracy) : 0.0)
+  , Shrink(LabelShrink(graph.Info))
   , Unseen(0.5 * UnseenPart * std::pow(LargestDeviation(graph), 2.0))
 {
   for (Id v = 0; v < graph.NumberOfVertices; ++v)
@@ -72,17 +72,18 @@ LabelCorrection::VirtualSource LabelCorrection::Extend(
   const TreeStep& step, double label, const VirtualSource& tail, double smallestOffset) const
 {
   VirtualSource source = this->Follow(step, this->Graph.Length(step.Edge), tail);
-  source.Estimate = this->Clamp(source.Estimate, label, smallestOffset);
+  source.Estimate = ClampToLabel(source.Estimate, label, smallestOffset, this->Shrink);
   return source;
 }
 
-/// A label certifies an interval, in which the estimate has to be, whatever the curvature did to
-/// it.
-double LabelCorrection::Clamp(double estimate, double label, double smallestOffset) const
+double LabelCorrection::FindSmallestOffset(const std::vector<GraphSeed>& seeds)
 {
-  const double lowest =
-    this->Shrink > 0.0 ? smallestOffset + (label - smallestOffset) * this->Shrink : -Infinity;
-  return std::min(std::max(estimate, lowest), label);
+  double smallestOffset = Infinity;
+  for (const GraphSeed& seed : seeds)
+  {
+    smallestOffset = std::min(smallestOffset, OffsetOf(seed));
+  }
+  return smallestOffset;
 }
 
 void LabelCorrection::Run(const std::vector<GraphSeed>& seeds, const std::vector<TreeStep>& steps,
@@ -113,11 +114,7 @@ void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphS
   const std::vector<TreeStep>& steps, std::vector<VirtualSource>& sources,
   const SearchResult& result) const
 {
-  double smallestOffset = Infinity;
-  for (const GraphSeed& seed : seeds)
-  {
-    smallestOffset = std::min(smallestOffset, OffsetOf(seed));
-  }
+  const double smallestOffset = FindSmallestOffset(seeds);
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     const TreeStep& ahead = steps[std::min(i + Lookahead, steps.size() - 1)];
@@ -140,7 +137,8 @@ void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphS
       continue;
     }
     source = this->Follow(step, lengths[step.Edge], sources[step.Tail]);
-    source.Estimate = this->Clamp(source.Estimate, result.Distances[step.Vertex], smallestOffset);
+    source.Estimate =
+      ClampToLabel(source.Estimate, result.Distances[step.Vertex], smallestOffset, this->Shrink);
   }
 }
 

@@ -8,10 +8,26 @@
 #include "dggSearchLabels.h" // for GraphSeed, SearchResult, TreeStep
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 
-#include <vector> // for the vertices
+#include <algorithm> // for the interval
+#include <vector>    // for the vertices
 
 namespace dgg
 {
+/// How far an exact distance may be below a label, as a factor; 0 when labels do not certify it.
+inline double LabelShrink(const GraphInfo& info)
+{
+  return info.IsGuaranteed() ? 1.0 / (1.0 + info.Accuracy) : 0.0;
+}
+
+/// A label certifies an interval, in which the estimate has to be, whatever the curvature did to
+/// it.
+inline double ClampToLabel(double estimate, double label, double smallestOffset, double shrink)
+{
+  const double lowest =
+    shrink > 0.0 ? smallestOffset + (label - smallestOffset) * shrink : -Infinity;
+  return std::min(std::max(estimate, lowest), label);
+}
+
 /// A path in the graph zigzags about the geodesic that it approximates. Unfolded edge by edge into
 /// the plane it can be pulled straight: down the tree of paths, each vertex gets the place of the
 /// source as seen from itself, a virtual source at some distance in some direction. Where the path
@@ -41,6 +57,7 @@ public:
 
   /// The distance that a seed's source starts with, and where the vertex of a seed sees it.
   static double OffsetOf(const GraphSeed& seed);
+  static double FindSmallestOffset(const std::vector<GraphSeed>& seeds);
   static VirtualSource SourceOf(const GraphSeed& seed);
 
 private:
@@ -55,7 +72,6 @@ private:
   void Straighten(const Length* lengths, const std::vector<GraphSeed>& seeds,
     const std::vector<TreeStep>& steps, std::vector<VirtualSource>& sources,
     const SearchResult& result) const;
-  double Clamp(double estimate, double label, double smallestOffset) const;
   VirtualSource Follow(const TreeStep& step, double edge, const VirtualSource& from) const;
 
   const GraphView& Graph;

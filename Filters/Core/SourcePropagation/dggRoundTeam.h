@@ -8,6 +8,7 @@
 #include "dggParallel.h" // for ParallelFor
 
 #include <atomic>     // for what threads share
+#include <chrono>     // for the patience
 #include <exception>  // for what chunks throw
 #include <functional> // for the loops
 #include <mutex>      // for the first exception
@@ -32,9 +33,14 @@ public:
       lead(team);
       return;
     }
-    std::atomic<bool> isLed{ false };
+    // The thread that calls leads, if it takes part in the loop: observers hear from it only.
+    const std::thread::id caller = std::this_thread::get_id();
     ForRange(parallel, LargestTeam, 1, [&](Offset, Offset) {
-      if (isLed.exchange(true))
+      if (std::this_thread::get_id() != caller)
+      {
+        team.Follow();
+      }
+      if (team.IsLed.exchange(true))
       {
         team.Follow();
         return;
@@ -80,6 +86,7 @@ public:
 private:
   static constexpr Offset LargestTeam = 64;
   static constexpr int SpinsBeforeYield = 256;
+  static constexpr std::chrono::milliseconds Patience{ 20 };
 
   /// Followers leave however the leader does.
   struct Ending
@@ -114,15 +121,18 @@ private:
     return true;
   }
 
+  /// Take chunks until the end, or until nobody has come to lead for long.
   void Follow()
   {
-    if (this->IsOver.load(std::memory_order_acquire))
-    {
-      return;
-    }
     ++this->Followers;
+    const auto start = std::chrono::steady_clock::now();
     for (int spins = 0; !this->IsOver.load(std::memory_order_acquire); ++spins)
     {
+      if (!this->IsLed.load(std::memory_order_acquire) &&
+        std::chrono::steady_clock::now() - start > Patience)
+      {
+        break;
+      }
       if (this->TakeChunk())
       {
         spins = 0;
@@ -139,6 +149,7 @@ private:
   std::atomic<Offset> Left{ 0 };
   std::atomic<Offset> Done{ 0 };
   std::atomic<int> Followers{ 0 };
+  std::atomic<bool> IsLed{ false };
   std::atomic<bool> IsOver{ false };
   std::mutex Mutex;
   std::exception_ptr Thrown;

@@ -36,13 +36,17 @@ constexpr float ShadowTolerance = 0.05F;
 /// left of the surface there.
 constexpr double LargestOffset = 1e30;
 constexpr float Unreached = std::numeric_limits<float>::max();
-/// Single precision, where it decides on which source a vertex belongs to.
+/// Single precision, by which a distance from a source nearby may be off.
 constexpr double SeedSlack = 1e-5;
 /// What a thread takes at one time.
 constexpr Offset LabelsPerChunk = 96;
 constexpr Offset VerticesPerBlock = 4096;
 /// Labels between two reports of progress.
-constexpr std::size_t LabelsPerReport = 4096;
+constexpr std::size_t LabelsPerReport = 1024;
+/// Labels per face that are propagated, about; it takes as many as it takes.
+constexpr double FastLabelsPerFace = 1.2;
+constexpr double HighLabelsPerFace = 1.9;
+constexpr double LargestProgress = 0.99;
 
 /// Half-edges of one face.
 int NextOf(int k)
@@ -312,7 +316,8 @@ void Propagation<High>::Radiate(const Label& from, Id v, Chunk& chunk)
 template <bool High>
 bool Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
 {
-  const auto expected = static_cast<double>(this->Slots.size());
+  const double expected =
+    (High ? HighLabelsPerFace : FastLabelsPerFace) * this->Mesh.GetNumberOfFaces();
   std::vector<BucketQueue::Entry> entries;
   std::vector<Chunk> chunks;
   std::size_t propagated = 0;
@@ -345,7 +350,8 @@ bool Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
     if (propagated >= reported + LabelsPerReport)
     {
       reported = propagated;
-      if (progress && !progress(std::min(1.0, static_cast<double>(propagated) / expected)))
+      if (progress &&
+        !progress(std::min(LargestProgress, static_cast<double>(propagated) / expected)))
       {
         return false;
       }
@@ -686,35 +692,30 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
       }
     }
   });
-  if (!wantLabels)
-  {
-    return Status::Success();
-  }
-  // No label comes to the sources themselves, or from within a face to its corners.
+  // The sources themselves, and the corners of the faces that they lie in, are known exactly; no
+  // label has come to them.
+  const auto take = [&](Id v, std::size_t k, double length, double angle) {
+    const double distance = sources[k].InitialDistance + length;
+    if (distance <= result.Distances[v] + SeedSlack * length && distance <= options.MaximumDistance)
+    {
+      result.Distances[v] = distance;
+      set(v, static_cast<Id>(k), length, angle);
+    }
+  };
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
-    const GeodesicSource& source = sources[k];
-    const auto root = static_cast<Id>(k);
-    const auto isFirst = [&](Id v, double length) {
-      return source.InitialDistance + length <= result.Distances[v] + SeedSlack * length;
-    };
-    if (IsVertex(source.Point))
+    const SurfacePoint& point = sources[k].Point;
+    if (IsVertex(point))
     {
-      if (isFirst(source.Point.Vertex, 0.0))
-      {
-        set(source.Point.Vertex, root, 0.0, 0.0);
-      }
+      take(point.Vertex, k, 0.0, 0.0);
       continue;
     }
-    ForEachFaceAround(mesh, source.Point, [&](Id f, const std::array<double, 3>& b) {
+    ForEachFaceAround(mesh, point, [&](Id f, const std::array<double, 3>& b) {
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
-        const double length = DistanceToCorner(mesh, f, b, h % 3);
-        if (isFirst(mesh.Origin(h), length))
-        {
-          const Point2 place = PlaceInFrame(mesh, h, b);
-          set(mesh.Origin(h), root, length, mesh.PolarAngle(h) + std::atan2(place.Y, place.X));
-        }
+        const Point2 place = PlaceInFrame(mesh, h, b);
+        take(mesh.Origin(h), k, DistanceToCorner(mesh, f, b, h % 3),
+          mesh.PolarAngle(h) + std::atan2(place.Y, place.X));
       }
     });
   }

@@ -18,6 +18,9 @@
 
 namespace
 {
+/// Rounding of lengths in the graph, relative: a point must not be missed because of it.
+constexpr double LengthRounding = 1e-6;
+
 /// Share of the progress that goes to a graph that has to be built.
 constexpr double BuildShare = 0.9;
 /// Share of the rest that goes to links.
@@ -423,6 +426,22 @@ double DGGGraphUser::GetLinkAccuracy() const
 {
   const double accuracy = this->GetSummary().Info.Accuracy;
   return accuracy > 0.0 ? accuracy : this->Accuracy;
+}
+
+//------------------------------------------------------------------------------
+double DGGGraphUser::WidenLimit(
+  double maximum, const std::vector<dgg::GeodesicSource>& sources) const
+{
+  if (!(maximum < dgg::Infinity))
+  {
+    return maximum;
+  }
+  double offset = dgg::Infinity;
+  for (const dgg::GeodesicSource& source : sources)
+  {
+    offset = std::min(offset, source.InitialDistance);
+  }
+  return maximum + (this->GetLinkAccuracy() + LengthRounding) * std::max(0.0, maximum - offset);
 }
 
 //------------------------------------------------------------------------------

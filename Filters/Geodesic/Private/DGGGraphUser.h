@@ -61,6 +61,8 @@ public:
   const dgg::GraphSearch& GetSearch() const { return *this->Search; }
   /// The accuracy that links have to have: that of the graph, or that asked for when it has none.
   double GetLinkAccuracy() const;
+  /// How far to search so that every point closer than `maximum` is reached through the graph.
+  double WidenLimit(double maximum, const std::vector<dgg::GeodesicSource>& sources) const;
 
   /// Pairs of points are about to be searched for. When there are enough of them, counting earlier
   /// ones, distances from landmarks are found first, which show all later searches the way.

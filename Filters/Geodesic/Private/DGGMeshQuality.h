@@ -7,18 +7,20 @@
 
 #include "vtkGeodesicAlgorithm.h"
 
-/// Whether most triangles are long, with a warning. The median, as a few slivers make any mean and
-/// do little harm. To be called once for each mesh.
+/// Above that most triangles are long. The median, as a few slivers make any mean and do little
+/// harm.
+constexpr double DGGMostAnisotropy = 3.0;
+
+/// Whether most triangles are long, with a warning. To be called once for each mesh.
 inline bool DGGWarnOfLongTriangles(vtkGeodesicAlgorithm* filter)
 {
-  constexpr double mostAnisotropy = 3.0;
   const double anisotropy = filter->GetMedianAnisotropy();
-  const bool isLong = anisotropy > mostAnisotropy;
+  const bool isLong = anisotropy > DGGMostAnisotropy;
   if (isLong)
   {
     vtkWarningWithObjectMacro(filter,
       << "Most triangles are long (GetMedianAnisotropy() is " << anisotropy << ", more than "
-      << mostAnisotropy << "): distances may be far off. Use vtkExactGeodesicDistance or "
+      << DGGMostAnisotropy << "): distances may be far off. Use vtkExactGeodesicDistance or "
       << "vtkDGGDistance, or remesh the surface.");
   }
   return isLong;

@@ -1,0 +1,190 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How soon each distance filter answers on a new mesh, and again; and how far off it is.
+
+Usage: first_answer.py OUT.json OUT.md MESH...
+
+Times are those of Update(), one thread and CPU time unless a column says otherwise: `new` for a
+filter and a mesh that have not been seen, with the mesh prepared as all filters do; `again` for
+another source on the same mesh. Errors are relative to the exact distances, over all points from
+all sources.
+"""
+
+import json
+import os
+import statistics
+import sys
+import time
+
+import numpy as np
+import vtkdgg
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+SOURCES = 10
+NEW_MESHES = 5
+SLOW = 2.0  # seconds: what takes longer is measured once
+
+
+def graph(accuracy):
+    """A filter that builds a graph of its own."""
+
+    def make():
+        distance = vtkdgg.vtkDGGDistance()
+        distance.SetAccuracy(accuracy)
+        return distance
+
+    return make
+
+
+def propagation(quality):
+    """Virtual sources of one quality."""
+
+    def make():
+        distance = vtkdgg.vtkVirtualSourceGeodesicDistance()
+        distance.SetQuality(quality)
+        return distance
+
+    return make
+
+
+METHODS = {
+    "virtual sources": propagation(1),
+    "virtual sources, High": propagation(2),
+    "graph, ε = 0.1": graph(0.1),
+    "graph, ε = 0.01": graph(0.01),
+    "heat": vtkdgg.vtkHeatGeodesicDistance,
+    "fast marching": vtkdgg.vtkDGGFastMarchingDistance,
+    "exact": vtkdgg.vtkExactGeodesicDistance,
+}
+
+
+def read(path):
+    """The surface in a file, with nothing but points and polygons."""
+    from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+    from vtkmodules.vtkIOPLY import vtkPLYReader
+
+    readers = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".stl": vtkSTLReader}
+    reader = readers[os.path.splitext(path)[1]]()
+    reader.SetFileName(path)
+    mesh = vtkPolyData()
+    mesh.CopyStructure(vtkdgg.check(reader))
+    return mesh
+
+
+def seconds(clock, algorithm):
+    """What an update takes."""
+    start = clock()
+    algorithm.Update()
+    return clock() - start
+
+
+def first_updates(make, mesh, source, clock):
+    """Times of updates on new meshes, and the filter of the last one."""
+    times = []
+    while len(times) < NEW_MESHES:
+        copy = vtkPolyData()
+        copy.DeepCopy(mesh)
+        distance = make()
+        distance.SetInputData(copy)
+        distance.SetSourceIds([source])
+        times.append(seconds(clock, distance))
+        if times[-1] > SLOW:
+            break
+    return statistics.median(times), distance
+
+
+def measure(name, make, mesh, sources, exact):
+    """Times and errors of one method on one mesh."""
+    new, distance = first_updates(make, mesh, sources[0], time.process_time)
+    again = []
+    fields = []
+    for source in sources:
+        distance.SetSourceIds([source])
+        distance.Modified()
+        again.append(seconds(time.process_time, distance))
+        array = vtkdgg.check(distance).GetPointData().GetArray("GeodesicDistance")
+        fields.append(vtk_to_numpy(array).copy())
+    vtkSMPTools.Initialize(2)
+    pairs = []
+    for source in sources:
+        distance.SetSourceIds([source])
+        distance.Modified()
+        pairs.append(seconds(time.perf_counter, distance))
+    vtkSMPTools.Initialize(1)
+    result = {
+        "method": name,
+        "new": new,
+        "again": statistics.median(again),
+        "again_on_two_threads": statistics.median(pairs),
+    }
+    reference = exact or fields
+    errors = np.concatenate(
+        [f[e > 0] / e[e > 0] - 1.0 for f, e in zip(fields, reference) if np.any(e > 0)]
+    )
+    sizes = np.abs(errors)
+    result["mean"] = float(sizes.mean())
+    result["p999"] = float(np.quantile(sizes, 0.999))
+    result["least"] = float(errors.min())
+    result["most"] = float(errors.max())
+    return result, fields
+
+
+def table(name, points, results):
+    """A Markdown table of one mesh."""
+
+    def time_of(value):
+        return f"{1e3 * value:.3g} ms" if value < 1.0 else f"{value:.3g} s"
+
+    heat = next((r["new"] for r in results if r["method"] == "heat"), float("nan"))
+    lines = [
+        f"**{name}**, {points} points\n",
+        "| method | new mesh | of heat's | again | points a second | two threads, wall clock | "
+        "error, %: mean / 99.9 % | least / most |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for r in results:
+        cells = [
+            r["method"],
+            time_of(r["new"]),
+            f"{r['new'] / heat:.2f}",
+            time_of(r["again"]),
+            f"{points / r['again'] / 1e6:.2f} M",
+            time_of(r["again_on_two_threads"]),
+            f"{100 * r['mean']:.2g} / {100 * r['p999']:.2g}",
+            f"{100 * r['least']:+.2g} / {100 * r['most']:+.2g}",
+        ]
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main(json_path, table_path, meshes):
+    """Measure all methods on all meshes."""
+    vtkSMPTools.Initialize(1)
+    everything = {}
+    tables = []
+    for path in meshes:
+        name = os.path.splitext(os.path.basename(path))[0]
+        mesh = read(path)
+        points = mesh.GetNumberOfPoints()
+        sources = [points * (2 * k + 1) // (2 * SOURCES) for k in range(SOURCES)]
+        exact, fields = measure("exact", METHODS["exact"], mesh, sources, None)
+        results = [
+            measure(method, make, mesh, sources, fields)[0]
+            for method, make in METHODS.items()
+            if method != "exact"
+        ] + [exact]
+        everything[name] = {"points": points, "results": results}
+        tables.append(table(name, points, results))
+        print(tables[-1], flush=True)
+    with open(json_path, "w", encoding="utf-8") as out:
+        json.dump(everything, out, indent=1)
+    with open(table_path, "w", encoding="utf-8") as out:
+        out.write("\n".join(tables))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2], sys.argv[3:])
