@@ -62,11 +62,11 @@ class Query:
         self.upper_bound = vtk_to_numpy(arrays.GetArray(self.filter.GetUpperBoundArrayName()))
 
 
-class Exact:
-    """The exact distances from the same source."""
+class Direct:
+    """Distances from the same source by a filter that needs no graph."""
 
-    def __init__(self, mesh, source, merge, tolerance):
-        self.filter = vtkdgg.vtkExactGeodesicDistance()
+    def __init__(self, kind, mesh, source, merge, tolerance):
+        self.filter = kind()
         self.filter.SetInputData(mesh)
         self.filter.SetMergeCoincidentPoints(merge)
         _add_source(self.filter, source, tolerance)

@@ -434,7 +434,7 @@ class Insert(unittest.TestCase):
             page = file.read()
         with open(os.path.join(here, "run.sh"), encoding="utf-8") as file:
             written = re.findall(r'insert_table.py" "\$here/README.md" (\w+) ', file.read())
-        self.assertEqual(sorted(written), ["cloud", "graph", "spectral"])
+        self.assertEqual(sorted(written), ["cloud", "first", "graph", "spectral"])
         for name in written:
             self.assertIn("\nnew\n<!-- end", insert_table.insert(page, name, "new"))
 
