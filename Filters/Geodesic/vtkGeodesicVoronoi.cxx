@@ -12,6 +12,7 @@
 #include "DGGWindowArrays.h"
 
 #include "dggCentroidal.h"
+#include "dggSourcePropagation.h"
 #include "dggProgressPart.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
@@ -249,6 +250,7 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , NumberOfIterations(20)
   , Tolerance(1e-3)
   , GenerateCells(true)
+  , Preview(false)
   , RefineBoundaries(true)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , DistanceArrayName("GeodesicDistance")
@@ -272,6 +274,7 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "GenerateCells: " << (this->GenerateCells ? "On" : "Off") << "\n";
+  os << indent << "Preview: " << (this->Preview ? "On" : "Off") << "\n";
   os << indent << "RefineBoundaries: " << (this->RefineBoundaries ? "On" : "Off") << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
@@ -329,6 +332,11 @@ dgg::Status vtkGeodesicVoronoi::CheckProperties() const
     return dgg::Status::Invalid("DistanceArrayName and SourceArrayName are both '" +
       this->SourceArrayName + "': call SetSourceArrayName() with another name");
   }
+  if (this->Preview && this->Centroidal)
+  {
+    return dgg::Status::Invalid(
+      "Preview does not move sites: turn either Preview or Centroidal off");
+  }
   return this->GraphUser->Check();
 }
 
@@ -356,6 +364,26 @@ bool vtkGeodesicVoronoi::IsCloud(vtkPolyData* input) const
 std::string vtkGeodesicVoronoi::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer sites";
+}
+
+//------------------------------------------------------------------------------
+/// From the sites of the result to labels, without a graph.
+dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVoronoiResult& result)
+{
+  if (context.Surface.IsCloud())
+  {
+    return dgg::Status::Invalid("Preview needs a surface, not a point cloud: turn it off");
+  }
+  dgg::PropagationOptions options;
+  options.WantNearestSource = true;
+  options.Parallel = context.Parallel;
+  options.Progress = context.Progress;
+  dgg::PropagationResult found;
+  const dgg::SourcePropagation solver(context.Surface.GetMesh());
+  DGG_RETURN_IF_ERROR(solver.Run(result.Sites, options, found));
+  result.Diagram.NearestSites = std::move(found.NearestSource);
+  result.Diagram.Distances = std::move(found.Distances);
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -408,14 +436,21 @@ dgg::Status vtkGeodesicVoronoi::Execute(
     DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, result.Sites));
   DGGNewGeometry geometry;
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
-  result.LabelsOnly = !this->GenerateCells || mesh.IsCloud();
+  result.LabelsOnly = !this->GenerateCells || this->Preview || mesh.IsCloud();
   result.IsCentroidal = this->Centroidal;
   result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
   result.Moving.NumberOfIterations = this->NumberOfIterations;
   result.Moving.Tolerance = this->Tolerance;
   DGGSourceCollector::WarnAboutIsolatedIds(context, set, this);
-  DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
-  DGG_RETURN_IF_ERROR(this->Compute(context, result));
+  if (this->Preview)
+  {
+    DGG_RETURN_IF_ERROR(this->ComputePreview(context, result));
+  }
+  else
+  {
+    DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
+    DGG_RETURN_IF_ERROR(this->Compute(context, result));
+  }
   this->FillOutputs(context, result, geometry, outputVector);
   return dgg::Status::Success();
 }

@@ -38,7 +38,8 @@
  *  - no site; a site id out of range; a site point that is not finite, or farther from the surface
  *    than ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or NaN; a
  *    negative NumberOfIterations; an array name that is empty or used twice;
- *  - an Accuracy outside [1e-6, 0.5]; a graph that takes more than MemoryLimit.
+ *  - an Accuracy outside [1e-6, 0.5]; a graph that takes more than MemoryLimit; Preview with
+ *    Centroidal or on a cloud.
  *
  * @code
  * vtkNew<vtkGeodesicVoronoi> voronoi;
@@ -137,6 +138,18 @@ public:
 
   ///@{
   /**
+   * Whether to label points at once, without a graph, by vtkVirtualSourceGeodesicDistance: nothing
+   * bounds the errors of the distances, and points about as far from two sites may get the other
+   * one. As with GenerateCellsOff(), outputs 1 and 2 are empty. An error with Centroidal and on
+   * clouds. Default off.
+   */
+  vtkSetMacro(Preview, bool);
+  vtkGetMacro(Preview, bool);
+  vtkBooleanMacro(Preview, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether border points whose place the triangles around do not determine well enough are linked
    * to the graph and moved. Takes longer the larger triangles are beside cells. Default on.
    */
@@ -217,6 +230,7 @@ private:
   void operator=(const vtkGeodesicVoronoi&) = delete;
 
   DGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
+  dgg::Status ComputePreview(const DGGContext& context, DGGVoronoiResult& result);
   dgg::Status Compute(const DGGContext& context, DGGVoronoiResult& result);
   void FillOutputs(const DGGContext& context, const DGGVoronoiResult& result,
     const DGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
@@ -226,6 +240,7 @@ private:
   int NumberOfIterations;
   double Tolerance;
   bool GenerateCells;
+  bool Preview;
   bool RefineBoundaries;
   double UnreachedValue;
   std::string DistanceArrayName;

@@ -139,6 +139,35 @@ TEST_F(GeodesicVoronoi, LabelsAlone)
   EXPECT_GT(this->Filter->GetOutput(2)->GetNumberOfCells(), 0);
 }
 
+TEST_F(GeodesicVoronoi, Preview)
+{
+  ExpectSuccess(this->Filter);
+  const std::vector<double> sites = GetSiteOfPoints(this->Filter);
+  const auto getDistances = [this] {
+    return ToVector(this->Filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance"));
+  };
+  const std::vector<double> distances = getDistances();
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  this->Filter->PreviewOn();
+  this->Filter->SetAccuracy(0.0123);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built); // no graph has been made
+  EXPECT_EQ(this->Filter->GetOutput(1)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->Filter->GetOutput(2)->GetNumberOfCells(), 0);
+  EXPECT_EQ(this->Filter->GetOutput(3)->GetNumberOfPoints(), 4);
+  const std::vector<double> labels = GetSiteOfPoints(this->Filter);
+  const std::vector<double> estimates = getDistances();
+  int same = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    EXPECT_NEAR(estimates[i], distances[i], 0.1 * distances[i]);
+    same += labels[i] == sites[i] ? 1 : 0;
+  }
+  EXPECT_GT(same, 390); // of 400
+  this->Filter->CentroidalOn();
+  ExpectError(this->Filter, { "Preview", "Centroidal" });
+}
+
 TEST_F(GeodesicVoronoi, CellsCoverTheSurface)
 {
   ExpectSuccess(this->Filter);

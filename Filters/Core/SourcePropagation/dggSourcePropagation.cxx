@@ -702,7 +702,8 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
       set(v, static_cast<Id>(k), length, angle);
     }
   };
-  for (std::size_t k = 0; k < sources.size(); ++k)
+  // The first one of several at the same distance comes last, and stays.
+  for (std::size_t k = sources.size(); k-- > 0;)
   {
     const SurfacePoint& point = sources[k].Point;
     if (IsVertex(point))
