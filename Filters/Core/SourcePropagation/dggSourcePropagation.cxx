@@ -207,7 +207,8 @@ public:
 private:
   Id SlotOf(Id entry) const;
   float StartOf(const GeodesicSource& source) const;
-  void Radiate(const Label& from, Id v, Chunk& chunk);
+  void Radiate(Id v, float distance, Id root, Chunk& chunk);
+  void RadiateFrom(const Label& label, Chunk& chunk);
   void Collect(const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk);
   void Propagate(Chunk& chunk);
   DGG_INLINE void Leave(const Label& label, int side, Chunk& chunk);
@@ -216,6 +217,7 @@ private:
   DGG_INLINE void Offer(float key, const Label& label, Chunk& chunk);
   DGG_INLINE void StayOutOfShadows(Label& label, float length, Id atOrigin, Id atEnd) const;
   DGG_INLINE float ReachApex(const Label& label) const;
+  float Reach(const Label& label, int corner) const;
 
   const SurfaceMesh& Mesh;
   const PropagationFaces& Faces;
@@ -277,14 +279,20 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
     if (point.On == SurfacePoint::Support::Vertex)
     {
       Lower(this->Distances[point.Vertex], offset);
-      this->Radiate({ 0.0F, 0.0F, offset, NoId, root }, point.Vertex, chunk);
+      this->Radiate(point.Vertex, offset, root, chunk);
       continue;
     }
     ForEachFaceAround(this->Mesh, point, [&](Id f, const std::array<double, 3>& b) {
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
-        Lower(this->Distances[this->Mesh.Origin(h)],
-          offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3)) * unit);
+        const Id v = this->Mesh.Origin(h);
+        const float distance =
+          offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3)) * unit;
+        Lower(this->Distances[v], distance);
+        if (this->Mesh.Kind(v) == VertexKind::Irregular)
+        {
+          this->Radiate(v, distance, root, chunk);
+        }
       }
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
@@ -305,11 +313,11 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
 
 /// A vertex as source, in all faces around it.
 template <bool High>
-void Propagation<High>::Radiate(const Label& from, Id v, Chunk& chunk)
+void Propagation<High>::Radiate(Id v, float distance, Id root, Chunk& chunk)
 {
   for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
   {
-    this->Enter({ 0.0F, 0.0F, from.Offset, *g, from.Root }, chunk);
+    this->Enter({ 0.0F, 0.0F, distance, *g, root }, chunk);
   }
 }
 
@@ -382,6 +390,13 @@ void Propagation<High>::Collect(
         // From one end of the edge to the other, which need not be behind any edge.
         Lower(this->Distances[face.Corners[NextOf(k)]], label.Offset + face.Lengths[k]);
       }
+      if (face.IsIrregular)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          Lower(this->Distances[face.Corners[corner]], this->Reach(label, corner));
+        }
+      }
       chunk.Labels.push_back(label);
       for (const Id behind : { face.Behind[PreviousOf(k)], face.Behind[NextOf(k)] })
       {
@@ -406,14 +421,25 @@ void Propagation<High>::Propagate(Chunk& chunk)
     const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
     if (face.IsIrregular)
     {
-      // Other fans of the vertex are reached through it only.
-      const Id apex = face.Corners[PreviousOf(k)];
-      const float distance = this->ReachApex(label);
-      if (this->Mesh.Kind(apex) == VertexKind::Irregular &&
-        distance <= this->Distances[apex].load(std::memory_order_relaxed))
-      {
-        this->Radiate({ 0.0F, 0.0F, distance, NoId, label.Root }, apex, chunk);
-      }
+      this->RadiateFrom(label, chunk);
+    }
+  }
+}
+
+/// Fans of a vertex that share no edge are reached through it only: the label that has found the
+/// shortest way to it goes on from there.
+template <bool High>
+void Propagation<High>::RadiateFrom(const Label& label, Chunk& chunk)
+{
+  const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const Id v = face.Corners[corner];
+    const float distance = this->Reach(label, corner);
+    if (this->Mesh.Kind(v) == VertexKind::Irregular && distance > label.Offset &&
+      distance <= this->Distances[v].load(std::memory_order_relaxed))
+    {
+      this->Radiate(v, distance, label.Root, chunk);
     }
   }
 }
@@ -575,6 +601,19 @@ float Propagation<High>::ReachApex(const Label& label) const
   Label bent = label;
   BendAround(bent, face.Lengths[k], x, y);
   return bent.Offset + Length(x - bent.X, y - bent.Y);
+}
+
+/// The same to any corner of the face.
+template <bool High>
+float Propagation<High>::Reach(const Label& label, int corner) const
+{
+  const int k = label.Entry % 3;
+  if (corner == PreviousOf(k))
+  {
+    return this->ReachApex(label);
+  }
+  const float end = corner == k ? 0.0F : this->Faces[SurfaceMesh::Face(label.Entry)].Lengths[k];
+  return label.Offset + Length(label.X - end, label.Y);
 }
 
 template <bool High>
