@@ -5,22 +5,15 @@
 #include "dggBlockLoop.h"
 #include "dggBucketQueue.h"
 #include "dggPrefetch.h"
+#include "dggPropagationFaces.h"
+#include "dggPropagationLabel.h"
 #include "dggRoundTeam.h"
-#include "dggUnfolding.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-/// Labels are small structures that are handed on while they change: they have to stay in registers
-/// all the way, or what is written piece by piece and read as a whole stalls (twice the time).
-#if defined(__GNUC__)
-#define DGG_INLINE inline __attribute__((always_inline))
-#else
-#define DGG_INLINE inline
-#endif
 
 namespace dgg
 {
@@ -48,106 +41,13 @@ constexpr double FastLabelsPerFace = 1.2;
 constexpr double HighLabelsPerFace = 1.9;
 constexpr double LargestProgress = 0.99;
 
-/// Half-edges of one face.
-int NextOf(int k)
-{
-  return k == 2 ? 0 : k + 1;
-}
-int PreviousOf(int k)
-{
-  return k == 0 ? 2 : k - 1;
-}
-
-float Length(float x, float y)
-{
-  return std::sqrt(x * x + y * y);
-}
-}
-
-/// A face in single precision, one cache line. Lengths are in mean edges.
-struct alignas(64) PropagationFace
-{
-  float Lengths[3]; ///< of its half-edges
-  float Cosines[3]; ///< of the corner angles at their origins
-  float Sines[3];   ///< of the same
-  Id Behind[3];     ///< the twin where it is the only one and oriented alike; else a code
-  Id Corners[3];    ///< the origins
-  bool IsIrregular; ///< whether a corner is, so that several fans may meet there
-};
-
-class PropagationFaces
-{
-public:
-  /// Codes of PropagationFace::Behind.
-  static constexpr Id Nothing = NoId;
-  static constexpr Id AskMesh = -2; ///< several faces, or one that is not oriented alike
-
-  explicit PropagationFaces(const SurfaceMesh& mesh);
-
-  const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
-  double GetUnit() const { return this->Unit; }
-
-private:
-  std::vector<PropagationFace> Faces;
-  double Unit; // the mean edge
-};
-
-PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
-  : Faces(static_cast<std::size_t>(mesh.GetNumberOfFaces()))
-  , Unit(mesh.GetMeanEdgeLength() > 0.0 ? mesh.GetMeanEdgeLength() : 1.0)
-{
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    PropagationFace& face = this->Faces[SurfaceMesh::Face(h)];
-    const int k = h % 3;
-    const double left = mesh.Length(SurfaceMesh::Previous(h));
-    face.Lengths[k] = static_cast<float>(mesh.Length(h) / this->Unit);
-    face.Cosines[k] = static_cast<float>(mesh.ApexX(h) / left);
-    face.Sines[k] = static_cast<float>(mesh.ApexY(h) / left);
-    face.Corners[k] = mesh.Origin(h);
-    const Id twin = mesh.Twin(h);
-    const bool isPlain =
-      twin != NoId && mesh.Twin(twin) == h && mesh.Origin(twin) == mesh.Destination(h);
-    face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
-    face.IsIrregular =
-      (k > 0 && face.IsIrregular) || mesh.Kind(mesh.Origin(h)) == VertexKind::Irregular;
-  }
-}
-
-namespace
-{
-/// A virtual source as a face sees it.
-struct Label
-{
-  float X; ///< in the frame of Entry, below its axis
-  float Y;
-  float Offset; ///< distance at the virtual source
-  Id Entry;     ///< the half-edge through which it was unfolded
-  Id Root;      ///< which source it comes from
-};
-
-/// An order of labels with the same key, so that of several that arrive at once the same one is
-/// kept, whoever comes first.
-bool ComesBefore(const Label& a, const Label& b)
-{
-  if (a.Entry != b.Entry)
-  {
-    return a.Entry < b.Entry;
-  }
-  if (a.Root != b.Root)
-  {
-    return a.Root < b.Root;
-  }
-  return a.Offset != b.Offset ? a.Offset < b.Offset : a.X != b.X ? a.X < b.X : a.Y < b.Y;
-}
-
 /// The best label of a face or an edge.
 struct Slot
 {
   std::atomic<float> Key{ Unreached };
   std::atomic<bool> IsPending{ false }; ///< has changed and not been propagated since
   std::atomic<bool> IsLocked{ false };
-  Label Best{ 0.0F, 0.0F, 0.0F, NoId, NoId };
+  PropagationLabel Best{ 0.0F, 0.0F, 0.0F, NoId, NoId };
 };
 
 /// Where a point was pushed to the queue.
@@ -160,7 +60,7 @@ struct Push
 /// A round's share of one thread.
 struct Chunk
 {
-  std::vector<Label> Labels;
+  std::vector<PropagationLabel> Labels;
   std::vector<Push> Pushes;
 };
 
@@ -200,7 +100,7 @@ public:
   double GetDistance(Id v) const { return this->ToLength(this->Distances[v]); }
   bool IsReached(Id v) const { return this->Distances[v] < Unreached; }
   /// The label around a vertex that reaches it first, and from which direction; false without one.
-  bool FindLabel(Id v, Label& label, double& length, double& angle) const;
+  bool FindLabel(Id v, PropagationLabel& label, double& length, double& angle) const;
   /// A length in units of the mesh, from the least initial distance on.
   double ToLength(float value) const { return value * this->Faces.GetUnit() + this->Shift; }
 
@@ -208,16 +108,17 @@ private:
   Id SlotOf(Id entry) const;
   float StartOf(const GeodesicSource& source) const;
   void Radiate(Id v, float distance, Id root, Chunk& chunk);
-  void RadiateFrom(const Label& label, Chunk& chunk);
+  void RadiateFrom(const PropagationLabel& label, Chunk& chunk);
   void Collect(const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk);
   void Propagate(Chunk& chunk);
-  DGG_INLINE void Leave(const Label& label, int side, Chunk& chunk);
-  DGG_INLINE void Cross(Id exit, Label label, Chunk& chunk);
-  DGG_INLINE void Enter(Label label, Chunk& chunk);
-  DGG_INLINE void Offer(float key, const Label& label, Chunk& chunk);
-  DGG_INLINE void StayOutOfShadows(Label& label, float length, Id atOrigin, Id atEnd) const;
-  DGG_INLINE float ReachApex(const Label& label) const;
-  float Reach(const Label& label, int corner) const;
+  DGG_INLINE void Leave(const PropagationLabel& label, int side, Chunk& chunk);
+  DGG_INLINE void Cross(Id exit, PropagationLabel label, Chunk& chunk);
+  DGG_INLINE void Enter(PropagationLabel label, Chunk& chunk);
+  DGG_INLINE void Offer(float key, const PropagationLabel& label, Chunk& chunk);
+  DGG_INLINE void StayOutOfShadows(
+    PropagationLabel& label, float length, Id atOrigin, Id atEnd) const;
+  DGG_INLINE float ReachApex(const PropagationLabel& label) const;
+  float Reach(const PropagationLabel& label, int corner) const;
 
   const SurfaceMesh& Mesh;
   const PropagationFaces& Faces;
@@ -229,24 +130,6 @@ private:
   BucketQueue Queue;
   bool IsShared = false;
 };
-
-/// The end of the axis, if the straight line from the source of a label to a point above the axis
-/// passes beyond that end, becomes the source.
-void BendAround(Label& label, float length, float x, float y)
-{
-  if (label.Y * (x - label.X) - label.X * (y - label.Y) > 0.0F)
-  {
-    label.Offset += Length(label.X, label.Y);
-    label.X = 0.0F;
-    label.Y = 0.0F;
-  }
-  else if ((length - label.X) * (y - label.Y) + label.Y * (x - label.X) < 0.0F)
-  {
-    label.Offset += Length(length - label.X, label.Y);
-    label.X = length;
-    label.Y = 0.0F;
-  }
-}
 
 template <bool High>
 Id Propagation<High>::SlotOf(Id entry) const
@@ -381,7 +264,7 @@ void Propagation<High>::Collect(
     if (slot.IsPending.load(std::memory_order_relaxed) &&
       slot.IsPending.exchange(false, std::memory_order_relaxed))
     {
-      const Label& label = slot.Best;
+      const PropagationLabel& label = slot.Best;
       const int k = label.Entry % 3;
       const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
       Lower(this->Distances[face.Corners[PreviousOf(k)]], this->ReachApex(label));
@@ -413,7 +296,7 @@ void Propagation<High>::Collect(
 template <bool High>
 void Propagation<High>::Propagate(Chunk& chunk)
 {
-  for (const Label& label : chunk.Labels)
+  for (const PropagationLabel& label : chunk.Labels)
   {
     const int k = label.Entry % 3;
     this->Leave(label, PreviousOf(k), chunk);
@@ -429,7 +312,7 @@ void Propagation<High>::Propagate(Chunk& chunk)
 /// Fans of a vertex that share no edge are reached through it only: the label that has found the
 /// shortest way to it goes on from there.
 template <bool High>
-void Propagation<High>::RadiateFrom(const Label& label, Chunk& chunk)
+void Propagation<High>::RadiateFrom(const PropagationLabel& label, Chunk& chunk)
 {
   const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
   for (int corner = 0; corner < 3; ++corner)
@@ -446,7 +329,7 @@ void Propagation<High>::RadiateFrom(const Label& label, Chunk& chunk)
 
 /// Through one of the two other edges of the face that a label has entered.
 template <bool High>
-void Propagation<High>::Leave(const Label& label, int side, Chunk& chunk)
+void Propagation<High>::Leave(const PropagationLabel& label, int side, Chunk& chunk)
 {
   const Id f = SurfaceMesh::Face(label.Entry);
   const PropagationFace& face = this->Faces[f];
@@ -458,7 +341,7 @@ void Propagation<High>::Leave(const Label& label, int side, Chunk& chunk)
   const float base = face.Lengths[k];
   const float length = face.Lengths[side];
   const bool isLeft = side == PreviousOf(k);
-  Label image = label;
+  PropagationLabel image = label;
   if (High)
   {
     const float left = face.Lengths[PreviousOf(k)];
@@ -476,7 +359,7 @@ void Propagation<High>::Leave(const Label& label, int side, Chunk& chunk)
   {
     // The source is on the far side, as behind a hole: the way bends around the nearer end.
     const float end = 2.0F * image.X < length ? 0.0F : length;
-    image.Offset += Length(image.X - end, image.Y);
+    image.Offset += PlaneLength(image.X - end, image.Y);
     image.X = end;
     image.Y = 0.0F;
   }
@@ -486,11 +369,12 @@ void Propagation<High>::Leave(const Label& label, int side, Chunk& chunk)
 
 /// Move a source to where it does not reach an end of the axis earlier than any way found so far.
 template <bool High>
-void Propagation<High>::StayOutOfShadows(Label& label, float length, Id atOrigin, Id atEnd) const
+void Propagation<High>::StayOutOfShadows(
+  PropagationLabel& label, float length, Id atOrigin, Id atEnd) const
 {
   const float tolerance = ShadowTolerance * length;
-  float a = Length(label.X, label.Y);
-  float b = Length(length - label.X, label.Y);
+  float a = PlaneLength(label.X, label.Y);
+  float b = PlaneLength(length - label.X, label.Y);
   const float knownA = this->Distances[atOrigin].load(std::memory_order_relaxed);
   const float knownB = this->Distances[atEnd].load(std::memory_order_relaxed);
   const bool isHiddenA = knownA < Unreached && knownA - label.Offset > a + tolerance;
@@ -516,7 +400,7 @@ void Propagation<High>::StayOutOfShadows(Label& label, float length, Id atOrigin
 
 /// Into all faces behind an edge. The label is in the frame of a twin that is oriented alike.
 template <bool High>
-void Propagation<High>::Cross(Id exit, Label label, Chunk& chunk)
+void Propagation<High>::Cross(Id exit, PropagationLabel label, Chunk& chunk)
 {
   const PropagationFace& face = this->Faces[SurfaceMesh::Face(exit)];
   const Id behind = face.Behind[exit % 3];
@@ -539,7 +423,7 @@ void Propagation<High>::Cross(Id exit, Label label, Chunk& chunk)
 }
 
 template <bool High>
-void Propagation<High>::Enter(Label label, Chunk& chunk)
+void Propagation<High>::Enter(PropagationLabel label, Chunk& chunk)
 {
   const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
   const int k = label.Entry % 3;
@@ -554,7 +438,7 @@ void Propagation<High>::Enter(Label label, Chunk& chunk)
     y = left * face.Sines[k] / 3.0F;
     BendAround(label, length, x, y);
   }
-  const float distance = label.Offset + Length(x - label.X, y - label.Y);
+  const float distance = label.Offset + PlaneLength(x - label.X, y - label.Y);
   const float reach =
     std::max(length, std::max(face.Lengths[NextOf(k)], face.Lengths[PreviousOf(k)]));
   if (distance <= this->Radius + reach)
@@ -564,7 +448,7 @@ void Propagation<High>::Enter(Label label, Chunk& chunk)
 }
 
 template <bool High>
-void Propagation<High>::Offer(float key, const Label& label, Chunk& chunk)
+void Propagation<High>::Offer(float key, const PropagationLabel& label, Chunk& chunk)
 {
   const Id id = this->SlotOf(label.Entry);
   Slot& slot = this->Slots[id];
@@ -591,21 +475,21 @@ void Propagation<High>::Offer(float key, const Label& label, Chunk& chunk)
 
 /// The length of the way to the vertex behind the entry: straight, or bent around an end of it.
 template <bool High>
-float Propagation<High>::ReachApex(const Label& label) const
+float Propagation<High>::ReachApex(const PropagationLabel& label) const
 {
   const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
   const int k = label.Entry % 3;
   const float left = face.Lengths[PreviousOf(k)];
   const float x = left * face.Cosines[k];
   const float y = left * face.Sines[k];
-  Label bent = label;
+  PropagationLabel bent = label;
   BendAround(bent, face.Lengths[k], x, y);
-  return bent.Offset + Length(x - bent.X, y - bent.Y);
+  return bent.Offset + PlaneLength(x - bent.X, y - bent.Y);
 }
 
 /// The same to any corner of the face.
 template <bool High>
-float Propagation<High>::Reach(const Label& label, int corner) const
+float Propagation<High>::Reach(const PropagationLabel& label, int corner) const
 {
   const int k = label.Entry % 3;
   if (corner == PreviousOf(k))
@@ -613,11 +497,12 @@ float Propagation<High>::Reach(const Label& label, int corner) const
     return this->ReachApex(label);
   }
   const float end = corner == k ? 0.0F : this->Faces[SurfaceMesh::Face(label.Entry)].Lengths[k];
-  return label.Offset + Length(label.X - end, label.Y);
+  return label.Offset + PlaneLength(label.X - end, label.Y);
 }
 
 template <bool High>
-bool Propagation<High>::FindLabel(Id v, Label& label, double& length, double& angle) const
+bool Propagation<High>::FindLabel(
+  Id v, PropagationLabel& label, double& length, double& angle) const
 {
   float nearest = Unreached;
   const auto look = [&](Id entry, int corner) {
@@ -633,12 +518,12 @@ bool Propagation<High>::FindLabel(Id v, Label& label, double& length, double& an
     const bool isApex = corner == PreviousOf(k);
     const float x = isApex ? left * face.Cosines[k] : corner == k ? 0.0F : face.Lengths[k];
     const float y = isApex ? left * face.Sines[k] : 0.0F;
-    Label bent = slot.Best;
+    PropagationLabel bent = slot.Best;
     if (isApex)
     {
       BendAround(bent, face.Lengths[k], x, y);
     }
-    const float straight = Length(x - bent.X, y - bent.Y);
+    const float straight = PlaneLength(x - bent.X, y - bent.Y);
     if (bent.Offset + straight < nearest)
     {
       nearest = bent.Offset + straight;
@@ -721,7 +606,7 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
       if (propagation.IsReached(v) && distance <= options.MaximumDistance)
       {
         result.Distances[v] = distance;
-        Label label{};
+        PropagationLabel label{};
         double length = 0.0;
         double angle = 0.0;
         if (wantLabels && propagation.FindLabel(v, label, length, angle))

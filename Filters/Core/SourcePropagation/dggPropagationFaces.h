@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The faces that virtual sources are propagated over, in single precision. Internal.
+#ifndef dggPropagationFaces_h
+#define dggPropagationFaces_h
+
+#include "dggSurfaceMesh.h" // for SurfaceMesh
+
+#include <vector> // for the faces
+
+namespace dgg
+{
+/// Half-edges of one face.
+inline int NextOf(int k)
+{
+  return k == 2 ? 0 : k + 1;
+}
+inline int PreviousOf(int k)
+{
+  return k == 0 ? 2 : k - 1;
+}
+
+/// A face in single precision, one cache line. Lengths are in mean edges.
+struct alignas(64) PropagationFace
+{
+  float Lengths[3]; ///< of its half-edges
+  float Cosines[3]; ///< of the corner angles at their origins
+  float Sines[3];   ///< of the same
+  Id Behind[3];     ///< the twin where it is the only one and oriented alike; else a code
+  Id Corners[3];    ///< the origins
+  bool IsIrregular; ///< whether a corner is, so that several fans may meet there
+};
+
+class PropagationFaces
+{
+public:
+  /// Codes of PropagationFace::Behind.
+  static constexpr Id Nothing = NoId;
+  static constexpr Id AskMesh = -2; ///< several faces, or one that is not oriented alike
+
+  explicit PropagationFaces(const SurfaceMesh& mesh);
+
+  const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
+  double GetUnit() const { return this->Unit; }
+
+private:
+  std::vector<PropagationFace> Faces;
+  double Unit; // the mean edge
+};
+}
+
+#endif
