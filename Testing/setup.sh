@@ -5,6 +5,7 @@
 # What the scripts share: install missing Debian packages, configure, build, run with a display.
 # To be sourced, not run.
 
+unset CDPATH # or cd says where it went
 DGG_ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 
 # What a build needs, and what a picture needs. Debian's VTK looks for its Qt parts when configured.

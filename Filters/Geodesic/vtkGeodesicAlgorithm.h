@@ -39,8 +39,8 @@
  *
  * <b>Guarantee and cost</b>. Results do not depend on the number of threads. The mesh is prepared
  * once, kept until points, polygons or strips change, and shared by the filters of a chain. Changes
- * in place need Modified() of the array, the points or the vtkPolyData. Inputs and properties must
- * not change during an update.
+ * in place need Modified(): of the array or the vtkPoints of coordinates, of the vtkCellArray (not
+ * of its arrays), or of the vtkPolyData. Inputs and properties must not change during an update.
  *
  * <b>Errors</b>. vtkErrorMacro names what is wrong and the remedy. The output is empty,
  * GetErrorCode() is not zero, the input is untouched, and a later correct call works; until

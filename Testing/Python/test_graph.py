@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkdgg.Graph: a graph that is built once and asked often, and the meshes that it takes."""
 
+import sys
 import unittest
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import support
@@ -142,6 +144,18 @@ class Distance(unittest.TestCase):
         again[:], nearest[:] = -5.0, 9
         np.testing.assert_array_equal(self.graph.distance(17), kept)
         np.testing.assert_array_equal(self.graph.distance(17, return_source=True)[1], 0)
+
+    def test_threads(self):
+        expected = [self.graph.distance(source) for source in range(20)]
+        interval = sys.getswitchinterval()
+        sys.setswitchinterval(1e-6)
+        try:
+            with ThreadPoolExecutor(4) as pool:
+                found = list(pool.map(self.graph.distance, list(range(20)) * 10))
+        finally:
+            sys.setswitchinterval(interval)
+        for k, distances in enumerate(found):
+            np.testing.assert_array_equal(distances, expected[k % 20])
 
     def test_queries_do_not_build(self):
         for source in (1, 2, [self.points[3]]):

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import TYPE_CHECKING, Any, Literal, Optional, Tuple, Union, overload
 
 import numpy as np
@@ -443,7 +444,7 @@ class Graph:
     def __setstate__(self, state):
         self._heard = set(state["heard"])
         self._memory_limit = state["memory_limit"]
-        self._filters = {}
+        self._local = threading.local()
         self._surface = from_arrays(state["surface"])
         self._info = GraphInfo(self._surface)
 
@@ -451,22 +452,28 @@ class Graph:
         """Take the graph of the surface, or have the builder make one; `refused` as for run()."""
         self._heard = set()  # what is wrong with the mesh is said once, not by each filter
         self._memory_limit = builder.GetMemoryLimit()
-        self._filters = {}
+        self._local = threading.local()
         builder.SetInputData(surface)
         self._surface = vtkPolyData()  # without the builder, which keeps much more
         self._surface.ShallowCopy(run(builder, self._heard, refused))
         self._info = GraphInfo(self._surface)
 
+    @property
+    def _filters(self):
+        """Those of this thread: another one would change sources before results are read."""
+        return self._local.__dict__
+
     def _filter(self, kind, tolerance):
         """The filter of the class, which keeps what it has prepared for the next query."""
-        if kind not in self._filters:
+        filters = self._filters
+        if kind not in filters:
             consumer = kind()
             consumer.SetMergeCoincidentPoints(self._info.is_merged)
             consumer.SetMergeTolerance(self._info.merge_tolerance)
             consumer.SetMemoryLimit(self._memory_limit)
             consumer.SetInputData(self._surface)
-            self._filters[kind] = consumer
-        consumer = self._filters[kind]
+            filters[kind] = consumer
+        consumer = filters[kind]
         consumer.SetProjectionTolerance(arguments.projection_tolerance(tolerance))
         return consumer
 
