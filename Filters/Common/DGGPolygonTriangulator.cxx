@@ -75,6 +75,12 @@ void Append(dgg::Id a, dgg::Id b, dgg::Id c, std::vector<dgg::Id>& triangles)
 dgg::Id DGGPolygonTriangulator::Triangulate(
   const double* points, const std::vector<dgg::Id>& corners, std::vector<dgg::Id>& triangles)
 {
+  const std::size_t before = triangles.size();
+  if (corners.size() == 3)
+  {
+    Append(corners[0], corners[1], corners[2], triangles);
+    return static_cast<dgg::Id>((triangles.size() - before) / 3);
+  }
   this->Corners.clear();
   for (const dgg::Id corner : corners)
   {
@@ -88,7 +94,6 @@ dgg::Id DGGPolygonTriangulator::Triangulate(
     this->Corners.pop_back();
   }
 
-  const std::size_t before = triangles.size();
   const auto& c = this->Corners;
   if (c.size() == 3)
   {

@@ -253,16 +253,18 @@ dgg::Status DGGPreparedMesh::Build(vtkPolyData* input)
   DGG_RETURN_IF_ERROR(this->Triangulate(input, coordinates.GetData(), triangles));
   std::vector<dgg::Id> parents;
   this->Caps = dgg::SplitCaps(coordinates.GetData(), triangles, parents);
-  std::vector<vtkIdType> cells(parents.size());
-  std::transform(parents.begin(), parents.end(), cells.begin(),
-    [this](dgg::Id triangle) { return this->Cells[triangle]; });
-  this->Cells.swap(cells);
+  if (this->Caps.NumberOfCaps > 0)
+  {
+    std::vector<vtkIdType> cells(parents.size());
+    std::transform(parents.begin(), parents.end(), cells.begin(),
+      [this](dgg::Id triangle) { return this->Cells[triangle]; });
+    this->Cells.swap(cells);
+  }
   DGG_RETURN_IF_ERROR(dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, triangles.data(),
     static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh));
   this->Signature = dgg::ComputeSignature(
     coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
-  this->Report = dgg::InspectMesh(this->Mesh, coordinates.GetData());
-  this->Report.DegenerateFaces += this->Caps.NumberOfCaps;
+  this->NumberOfCoincidentPoints = dgg::CountCoincidentPoints(coordinates.GetData(), n);
   if (!mergeCoincidentPoints)
   {
     this->CountCoincidentBoundaryPoints(coordinates.GetData());
@@ -277,8 +279,6 @@ dgg::Status DGGPreparedMesh::BuildCloud(vtkPolyData* input)
   const vtkIdType n = input->GetNumberOfPoints();
   const DGGPointCoordinates coordinates(input->GetPoints());
   this->Signature = dgg::ComputeSignature(coordinates.GetData(), n, nullptr, 0);
-  this->Report.Vertices = n;
-  this->Report.IsolatedVertices = n;
   DGG_RETURN_IF_ERROR(
     dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh));
   this->GetPositions(input->GetPoints());
@@ -337,7 +337,10 @@ dgg::Status DGGPreparedMesh::Triangulate(
         }
       }
       this->NumberOfDroppedCells += added == 0 ? 1 : 0;
-      this->Cells.insert(this->Cells.end(), added, cell);
+      for (; added > 0; --added)
+      {
+        this->Cells.push_back(cell);
+      }
     }
   }
   this->NumberOfFans = triangulator.GetNumberOfFans();
@@ -396,7 +399,7 @@ std::vector<dgg::Id> DGGPreparedMesh::CollectBoundary() const
 //------------------------------------------------------------------------------
 void DGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
 {
-  if (this->Report.CoincidentPoints == 0)
+  if (this->NumberOfCoincidentPoints == 0)
   {
     return;
   }
@@ -410,9 +413,32 @@ void DGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
 }
 
 //------------------------------------------------------------------------------
+bool DGGPreparedMesh::IsPlain() const
+{
+  const dgg::SurfaceMesh& mesh = this->Mesh;
+  for (dgg::Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (mesh.Kind(v) == dgg::VertexKind::Irregular)
+    {
+      return false;
+    }
+  }
+  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (mesh.IsDropped(f))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void DGGPreparedMesh::CollectWarnings()
 {
-  const dgg::MeshReport& report = this->Report;
+  // A plain mesh has none of what a report would warn of.
+  const dgg::MeshReport report =
+    this->IsPlain() ? dgg::MeshReport() : this->GetReport();
   auto warn = [this](vtkIdType count, const std::string& what) {
     if (count > 0)
     {
@@ -435,12 +461,32 @@ void DGGPreparedMesh::CollectWarnings()
   warn(this->Caps.NumberOfCaps,
     dgg::JoinText("triangles without area, no higher than ", this->Caps.LargestHeight,
       ", that are left out: their neighbours are split where they meet"));
-  warn(report.DegenerateFaces - this->Caps.NumberOfCaps,
+  warn(this->Mesh.GetNumberOfDegenerateFaces(),
     dgg::JoinText(
-      "triangles without area, whose edges are taken to be longer by ", report.Mollification));
+      "triangles without area, whose edges are taken to be longer by ",
+      this->Mesh.GetMollification()));
   warn(this->NumberOfCoincidentBoundaryPoints,
     "points of the boundary with the same coordinates as another one. If they are the two sides of "
     "a seam rather than of a slit, turn MergeCoincidentPoints on");
+}
+
+//------------------------------------------------------------------------------
+const dgg::MeshReport& DGGPreparedMesh::GetReport() const
+{
+  std::call_once(this->ReportOnce, [this] {
+    this->Report = dgg::InspectMesh(this->Mesh);
+    this->Report.CoincidentPoints = this->NumberOfCoincidentPoints;
+    this->Report.DegenerateFaces += this->Caps.NumberOfCaps;
+  });
+  return this->Report;
+}
+
+//------------------------------------------------------------------------------
+const dgg::Anisotropy& DGGPreparedMesh::GetAnisotropy() const
+{
+  std::call_once(
+    this->AnisotropyOnce, [this] { this->Anisotropy = dgg::MeasureAnisotropy(this->Mesh); });
+  return this->Anisotropy;
 }
 
 //------------------------------------------------------------------------------
@@ -475,7 +521,7 @@ DGGLocator& DGGPreparedMesh::GetLocator(vtkPoints* points) const
 std::string DGGPreparedMesh::DescribeGaps(
   vtkPolyData* input, const std::vector<bool>& isReached) const
 {
-  if (this->NumberOfCoincidentBoundaryPoints > 0 || this->Report.Components < 2)
+  if (this->NumberOfCoincidentBoundaryPoints > 0 || this->GetReport().Components < 2)
   {
     return std::string(); // a warning of the mesh has named the remedy, or there are no parts
   }

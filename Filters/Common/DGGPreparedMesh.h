@@ -53,7 +53,11 @@ public:
   static dgg::Status CheckSurface(vtkPolyData* input);
 
   const dgg::SurfaceMesh& GetMesh() const { return this->Mesh; }
-  const dgg::MeshReport& GetReport() const { return this->Report; }
+  ///@{
+  /// Made when they are asked for first.
+  const dgg::MeshReport& GetReport() const;
+  const dgg::Anisotropy& GetAnisotropy() const;
+  ///@}
   /// Of the points as doubles and the triangles made of the cells.
   const dgg::Signature& GetSignature() const { return this->Signature; }
   /// What the input is treated as.
@@ -80,7 +84,7 @@ public:
   /// Points without a face.
   vtkIdType GetNumberOfIsolatedPoints() const
   {
-    return this->Report.IsolatedVertices - this->NumberOfMergedPoints;
+    return this->GetReport().IsolatedVertices - this->NumberOfMergedPoints;
   }
   /// Points on the boundary with the very coordinates of another point on the boundary.
   vtkIdType GetNumberOfCoincidentBoundaryPoints() const
@@ -111,13 +115,13 @@ private:
   void MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints);
   std::vector<dgg::Id> CollectBoundary() const;
   void CountCoincidentBoundaryPoints(const double* points);
+  bool IsPlain() const;
   void CollectWarnings();
 
   DGGDomain Domain;
   vtkTimeStamp BuildTime;
 
   dgg::SurfaceMesh Mesh;
-  dgg::MeshReport Report;
   dgg::Signature Signature{};
   std::vector<dgg::Id> Vertices; // per point; empty unless coincident points are merged
   std::vector<vtkIdType> Cells;  // per face
@@ -125,9 +129,14 @@ private:
   dgg::CapSplitting Caps;     // triangles without area that were left out
   vtkIdType NumberOfFans = 0; // polygons that cross or touch themselves
   vtkIdType NumberOfMergedPoints = 0;
+  vtkIdType NumberOfCoincidentPoints = 0;
   vtkIdType NumberOfCoincidentBoundaryPoints = 0;
   std::vector<std::string> Warnings;
 
+  mutable std::once_flag ReportOnce;
+  mutable dgg::MeshReport Report;
+  mutable std::once_flag AnisotropyOnce;
+  mutable dgg::Anisotropy Anisotropy;
   mutable std::once_flag PositionsOnce;
   mutable std::vector<double> Positions;
   mutable std::once_flag LocatorOnce;

@@ -94,18 +94,22 @@ void SurfaceMeshBuilder::GlueByVertices()
   this->DropRepeatedVertexFaces();
   const SurfaceMesh& mesh = this->Mesh;
   // Bucket the half-edges by their smaller vertex, sort each short bucket by the larger one.
-  auto larger = [&](Id h) { return std::max(mesh.Origin(h), mesh.Destination(h)); };
-  Groups buckets =
+  const Groups buckets =
     GroupHalfEdges(mesh, [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); });
+  std::vector<std::pair<Id, Id>> bucket; // larger vertex, half-edge
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    const auto begin = buckets.Members.begin() + buckets.Begins[v];
-    const auto end = buckets.Members.begin() + buckets.Begins[v + 1];
-    std::sort(begin, end,
-      [&](Id g, Id h) { return larger(g) != larger(h) ? larger(g) < larger(h) : g < h; });
-    for (auto run = begin; run != end;)
+    bucket.clear();
+    for (Offset i = buckets.Begins[v]; i < buckets.Begins[v + 1]; ++i)
     {
-      const auto stop = std::find_if(run + 1, end, [&](Id h) { return larger(h) != larger(*run); });
+      const Id h = buckets.Members[i];
+      bucket.emplace_back(mesh.Origin(h) == v ? mesh.Destination(h) : mesh.Origin(h), h);
+    }
+    std::sort(bucket.begin(), bucket.end());
+    for (auto run = bucket.begin(); run != bucket.end();)
+    {
+      const auto stop = std::find_if(
+        run + 1, bucket.end(), [&](const auto& entry) { return entry.first != run->first; });
       this->GlueEdge(run, stop);
       run = stop;
     }
@@ -113,14 +117,33 @@ void SurfaceMeshBuilder::GlueByVertices()
   std::sort(this->Mesh.Duplicates.begin(), this->Mesh.Duplicates.end());
 }
 
-/// Link the half-edges of one edge, but those of duplicate faces.
-void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
+/// Link the half-edges of one edge, but those of duplicate faces. The entries end with half-edges.
+void SurfaceMeshBuilder::GlueEdge(EdgeIterator begin, EdgeIterator end)
 {
   SurfaceMesh& mesh = this->Mesh;
-  // Faces on the same edge with the same apex have the same three vertices.
+  if (end - begin > 1)
+  {
+    this->DropDuplicates(begin, end);
+    end = std::remove_if(
+      begin, end, [&](const auto& entry) { return mesh.IsDropped(SurfaceMesh::Face(entry.second)); });
+  }
+  for (auto it = begin; end - begin > 1 && it != end; ++it)
+  {
+    mesh.Twins[it->second] = it + 1 == end ? begin->second : (it + 1)->second;
+  }
+}
+
+/// Faces on the same edge with the same apex have the same three vertices.
+void SurfaceMeshBuilder::DropDuplicates(EdgeIterator begin, EdgeIterator end)
+{
+  SurfaceMesh& mesh = this->Mesh;
+  if (end - begin == 2 && mesh.Apex(begin->second) != mesh.Apex((begin + 1)->second))
+  {
+    return;
+  }
   this->Apexes.clear();
   std::transform(begin, end, std::back_inserter(this->Apexes),
-    [&](Id h) { return std::make_pair(mesh.Apex(h), h); });
+    [&](const auto& entry) { return std::make_pair(mesh.Apex(entry.second), entry.second); });
   std::sort(this->Apexes.begin(), this->Apexes.end());
   std::size_t original = 0;
   for (std::size_t i = 1; i < this->Apexes.size(); ++i)
@@ -132,11 +155,6 @@ void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<I
       mesh.FaceFlags[f] |= SurfaceMesh::DroppedFlag | SurfaceMesh::DuplicateFlag;
       mesh.Duplicates.push_back({ { f, SurfaceMesh::Face(this->Apexes[original].second) } });
     }
-  }
-  end = std::remove_if(begin, end, [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)); });
-  for (auto it = begin; end - begin > 1 && it != end; ++it)
-  {
-    mesh.Twins[*it] = it + 1 == end ? *begin : *(it + 1);
   }
 }
 
@@ -183,25 +201,35 @@ Status SurfaceMeshBuilder::CheckExtent(double extent, const char* what) const
 
 Status SurfaceMeshBuilder::MeasureLengths(const double* points)
 {
+  SurfaceMesh& mesh = this->Mesh;
   double low[3] = { Infinity, Infinity, Infinity };
   double high[3] = { -Infinity, -Infinity, -Infinity };
-  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  double longest = 0.0;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)))
+    if (mesh.IsDropped(f))
     {
       continue;
     }
-    const Offset v = this->Mesh.Origin(h);
-    for (int axis = 0; axis < 3; ++axis)
+    const std::array<Id, 3> triangle = mesh.GetTriangle(f);
+    for (int k = 0; k < 3; ++k)
     {
-      const double x = points[3 * v + axis];
-      if (!std::isfinite(x))
+      const double* p = points + 3 * static_cast<Offset>(triangle[k]);
+      const double* q = points + 3 * static_cast<Offset>(triangle[(k + 1) % 3]);
+      double squares = 0.0; // the same bits for both halves of an edge
+      for (int axis = 0; axis < 3; ++axis)
       {
-        return InvalidInput("point ", v, ", used by triangle ", SurfaceMesh::Face(h),
-          ", has a coordinate that is not finite: remove the triangle or repair the point");
+        if (!std::isfinite(p[axis]))
+        {
+          return InvalidInput("point ", triangle[k], ", used by triangle ", f,
+            ", has a coordinate that is not finite: remove the triangle or repair the point");
+        }
+        low[axis] = std::min(low[axis], p[axis]);
+        high[axis] = std::max(high[axis], p[axis]);
+        squares += (q[axis] - p[axis]) * (q[axis] - p[axis]);
       }
-      low[axis] = std::min(low[axis], x);
-      high[axis] = std::max(high[axis], x);
+      mesh.Lengths[3 * f + k] = std::sqrt(squares);
+      longest = std::max(longest, mesh.Lengths[3 * f + k]);
     }
   }
   if (high[0] < low[0])
@@ -210,22 +238,6 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
   }
   const double extent = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
   DGG_RETURN_IF_ERROR(this->CheckExtent(extent, "the largest extent of the mesh"));
-  double longest = 0.0;
-  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)))
-    {
-      continue;
-    }
-    // From the smaller id to the larger one, so that both halves get the same bits.
-    const Offset a = std::min(this->Mesh.Origin(h), this->Mesh.Destination(h));
-    const Offset b = std::max(this->Mesh.Origin(h), this->Mesh.Destination(h));
-    const double dx = points[3 * b] - points[3 * a];
-    const double dy = points[3 * b + 1] - points[3 * a + 1];
-    const double dz = points[3 * b + 2] - points[3 * a + 2];
-    this->Mesh.Lengths[h] = std::sqrt(dx * dx + dy * dy + dz * dz);
-    longest = std::max(longest, this->Mesh.Lengths[h]);
-  }
   // Triangles that are points may be far from each other.
   return this->CheckExtent(longest, "the longest edge");
 }
@@ -284,9 +296,28 @@ Status SurfaceMeshBuilder::CheckTriangleInequalities() const
   return Status::Success();
 }
 
+/// Whether no manifold edge asks for a face to be turned over.
+bool SurfaceMeshBuilder::IsOriented() const
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id t = mesh.Twin(h);
+    if (t != NoId && mesh.Twin(t) == h && mesh.Origin(t) != mesh.Destination(h))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 void SurfaceMeshBuilder::Orient()
 {
   SurfaceMesh& mesh = this->Mesh;
+  if (this->IsOriented())
+  {
+    return;
+  }
   const Id faces = mesh.GetNumberOfFaces();
   std::vector<std::uint8_t> seen(faces, 0);
   std::vector<std::uint8_t> turn(faces, 0);
@@ -399,9 +430,11 @@ void SurfaceMeshBuilder::MeasureEdges()
     if (!mesh.IsDropped(SurfaceMesh::Face(h)))
     {
       mesh.MaximumEdgeLength = std::max(mesh.MaximumEdgeLength, mesh.Lengths[h]);
-      const bool counts = FindEdge(mesh, h) == h; // each edge once
-      sum += counts ? mesh.Lengths[h] : 0.0;
-      edges += counts ? 1 : 0;
+      if (RepresentsEdge(mesh, h)) // each edge once
+      {
+        sum += mesh.Lengths[h];
+        ++edges;
+      }
     }
   }
   mesh.MeanEdgeLength = edges > 0 ? sum / static_cast<double>(edges) : 0.0;
@@ -451,6 +484,10 @@ void SurfaceMeshBuilder::Mollify()
     }
   }
   mesh.Mollification = std::max(mesh.Mollification, delta);
+  if (concerned.empty())
+  {
+    return;
+  }
   // Lengthen the edges of the faces concerned. A neighbour that a longer edge makes degenerate
   // joins them.
   std::vector<std::uint8_t> lengthened(mesh.Lengths.size(), 0);
@@ -489,6 +526,7 @@ void SurfaceMeshBuilder::Mollify()
 void SurfaceMeshBuilder::Finish()
 {
   this->LayOutFaces();
+  this->FindLinks();
   Groups fans = GroupHalfEdges(this->Mesh, [this](Id h) { return this->Mesh.Origin(h); });
   this->Mesh.FanOffsets = std::move(fans.Begins);
   this->Mesh.Fans = std::move(fans.Members);
@@ -500,24 +538,32 @@ void SurfaceMeshBuilder::LayOutFaces()
   SurfaceMesh& mesh = this->Mesh;
   mesh.ApexXs.assign(mesh.Lengths.size(), 0.0);
   mesh.ApexYs.assign(mesh.Lengths.size(), 0.0);
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    if (mesh.IsDropped(f))
     {
-      const Point2 apex = LayOut(mesh.Lengths[h], mesh.Lengths[SurfaceMesh::Previous(h)],
-        mesh.Lengths[SurfaceMesh::Next(h)]);
-      mesh.ApexXs[h] = apex.X;
-      mesh.ApexYs[h] = apex.Y;
+      continue;
+    }
+    const double* lengths = &mesh.Lengths[3 * f];
+    const double area = TriangleArea(lengths[0], lengths[1], lengths[2]);
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh.ApexXs[3 * f + k] = FootOnEdge(lengths[k], lengths[(k + 2) % 3], lengths[(k + 1) % 3]);
+      mesh.ApexYs[3 * f + k] = 2.0 * area / lengths[k];
     }
   }
 }
 
-/// Whether the edge of h is a manifold interior edge whose two half-edges run in opposite
-/// directions.
-bool SurfaceMeshBuilder::IsLinkedConsistently(Id h) const
+void SurfaceMeshBuilder::FindLinks()
 {
-  const Id t = this->Mesh.Twin(h);
-  return t != NoId && this->Mesh.Twin(t) == h && this->Mesh.Origin(t) == this->Mesh.Destination(h);
+  const SurfaceMesh& mesh = this->Mesh;
+  this->IsLinked.resize(mesh.Twins.size());
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id t = mesh.Twin(h);
+    this->IsLinked[h] =
+      t != NoId && mesh.Twin(t) == h && mesh.Origin(t) == mesh.Destination(h) ? 1 : 0;
+  }
 }
 
 void SurfaceMeshBuilder::OrderFans()
@@ -545,12 +591,12 @@ void SurfaceMeshBuilder::OrderFans()
         mesh.PolarAngles[h] = angle;
         angle += mesh.CornerAngle(h);
         const Id incoming = SurfaceMesh::Previous(h);
-        h = this->IsLinkedConsistently(incoming) ? mesh.Twin(incoming) : NoId;
+        h = this->IsLinked[incoming] ? mesh.Twin(incoming) : NoId;
       } while (h != NoId && !placed[h]);
     };
     for (const Id h : outgoing)
     {
-      if (!placed[h] && !this->IsLinkedConsistently(h))
+      if (!placed[h] && !this->IsLinked[h])
       {
         open = true;
         walk(h); // clockwise-most: nothing on its right side
@@ -581,8 +627,8 @@ void SurfaceMeshBuilder::Classify(Id v, Id numberOfFans, bool open)
   {
     const Id incoming = SurfaceMesh::Previous(*h);
     regular = regular && !mesh.IsMollified(SurfaceMesh::Face(*h)) &&
-      (mesh.Twin(*h) == NoId || this->IsLinkedConsistently(*h)) &&
-      (mesh.Twin(incoming) == NoId || this->IsLinkedConsistently(incoming));
+      (mesh.Twin(*h) == NoId || this->IsLinked[*h]) &&
+      (mesh.Twin(incoming) == NoId || this->IsLinked[incoming]);
   }
   const double excess = mesh.TotalAngles[v] - 2.0 * Pi;
   if (!regular)

@@ -7,6 +7,7 @@
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
+#include <cstdint> // for the marks
 #include <utility> // for std::pair
 #include <vector>  // for std::vector
 
@@ -40,17 +41,23 @@ public:
 
 private:
   void DropRepeatedVertexFaces();
-  void GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
-  bool IsLinkedConsistently(Id h) const;
+  /// Over the half-edges of one edge, each with a vertex.
+  using EdgeIterator = std::vector<std::pair<Id, Id>>::iterator;
+  void GlueEdge(EdgeIterator begin, EdgeIterator end);
+  void DropDuplicates(EdgeIterator begin, EdgeIterator end);
+  bool IsOriented() const;
   double MeasureLack(Id f) const;
   void MeasureEdges();
   void LayOutFaces();
+  void FindLinks();
   void OrderFans();
   void Classify(Id v, Id numberOfFans, bool open);
   Status CheckExtent(double extent, const char* what) const;
 
   SurfaceMesh& Mesh;
   const SurfaceMesh* Whole = nullptr;    // what the mesh is a part of
+  /// Per half-edge, whether its edge has two half-edges that run in opposite directions.
+  std::vector<std::uint8_t> IsLinked;
   std::vector<std::pair<Id, Id>> Apexes; // of the faces on an edge, with their half-edges
 };
 }
