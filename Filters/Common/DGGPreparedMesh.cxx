@@ -260,8 +260,8 @@ dgg::Status DGGPreparedMesh::Build(vtkPolyData* input)
       [this](dgg::Id triangle) { return this->Cells[triangle]; });
     this->Cells.swap(cells);
   }
-  DGG_RETURN_IF_ERROR(dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, triangles.data(),
-    static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh));
+  DGG_RETURN_IF_ERROR(dgg::SurfaceMesh::FromPointsWithoutAngles(coordinates.GetData(), n,
+    triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh));
   this->Signature = dgg::ComputeSignature(
     coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
   this->NumberOfCoincidentPoints = dgg::CountCoincidentPoints(coordinates.GetData(), n);
@@ -280,7 +280,7 @@ dgg::Status DGGPreparedMesh::BuildCloud(vtkPolyData* input)
   const DGGPointCoordinates coordinates(input->GetPoints());
   this->Signature = dgg::ComputeSignature(coordinates.GetData(), n, nullptr, 0);
   DGG_RETURN_IF_ERROR(
-    dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh));
+    dgg::SurfaceMesh::FromPointsWithoutAngles(coordinates.GetData(), n, nullptr, 0, this->Mesh));
   this->GetPositions(input->GetPoints());
   return dgg::Status::Success();
 }
@@ -418,7 +418,7 @@ bool DGGPreparedMesh::IsPlain() const
   const dgg::SurfaceMesh& mesh = this->Mesh;
   for (dgg::Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    if (mesh.Kind(v) == dgg::VertexKind::Irregular)
+    if (mesh.IsIrregular(v))
     {
       return false;
     }
@@ -437,8 +437,7 @@ bool DGGPreparedMesh::IsPlain() const
 void DGGPreparedMesh::CollectWarnings()
 {
   // A plain mesh has none of what a report would warn of.
-  const dgg::MeshReport report =
-    this->IsPlain() ? dgg::MeshReport() : this->GetReport();
+  const dgg::MeshReport report = this->IsPlain() ? dgg::MeshReport() : this->GetReport();
   auto warn = [this](vtkIdType count, const std::string& what) {
     if (count > 0)
     {
@@ -462,12 +461,18 @@ void DGGPreparedMesh::CollectWarnings()
     dgg::JoinText("triangles without area, no higher than ", this->Caps.LargestHeight,
       ", that are left out: their neighbours are split where they meet"));
   warn(this->Mesh.GetNumberOfDegenerateFaces(),
-    dgg::JoinText(
-      "triangles without area, whose edges are taken to be longer by ",
+    dgg::JoinText("triangles without area, whose edges are taken to be longer by ",
       this->Mesh.GetMollification()));
   warn(this->NumberOfCoincidentBoundaryPoints,
     "points of the boundary with the same coordinates as another one. If they are the two sides of "
     "a seam rather than of a slit, turn MergeCoincidentPoints on");
+}
+
+//------------------------------------------------------------------------------
+const dgg::SurfaceMesh& DGGPreparedMesh::GetMesh() const
+{
+  std::call_once(this->AnglesOnce, [this] { this->Mesh.MeasureAngles(); });
+  return this->Mesh;
 }
 
 //------------------------------------------------------------------------------

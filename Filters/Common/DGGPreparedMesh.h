@@ -52,7 +52,10 @@ public:
   /// Fails when there is nothing that a surface could be made of.
   static dgg::Status CheckSurface(vtkPolyData* input);
 
-  const dgg::SurfaceMesh& GetMesh() const { return this->Mesh; }
+  /// Its angles are measured when it is asked for first.
+  const dgg::SurfaceMesh& GetMesh() const;
+  /// For those who ask for no angles: see SurfaceMesh::FromPointsWithoutAngles().
+  const dgg::SurfaceMesh& GetMeshWithoutAngles() const { return this->Mesh; }
   ///@{
   /// Made when they are asked for first.
   const dgg::MeshReport& GetReport() const;
@@ -121,7 +124,8 @@ private:
   DGGDomain Domain;
   vtkTimeStamp BuildTime;
 
-  dgg::SurfaceMesh Mesh;
+  mutable std::once_flag AnglesOnce;
+  mutable dgg::SurfaceMesh Mesh;
   dgg::Signature Signature{};
   std::vector<dgg::Id> Vertices; // per point; empty unless coincident points are merged
   std::vector<vtkIdType> Cells;  // per face

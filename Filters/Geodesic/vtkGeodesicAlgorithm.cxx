@@ -155,7 +155,7 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
   {                                            \
     return this->Adapter->Get().Value;         \
   }
-vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetMesh().GetNumberOfFaces());
+vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetMeshWithoutAngles().GetNumberOfFaces());
 vtkDGGReportMacro(vtkIdType, NumberOfIsolatedPoints, GetNumberOfIsolatedPoints());
 vtkDGGReportMacro(vtkIdType, NumberOfComponents, GetReport().Components);
 vtkDGGReportMacro(vtkIdType, NumberOfBoundaryEdges, GetReport().BoundaryEdges);

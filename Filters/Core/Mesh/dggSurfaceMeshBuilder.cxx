@@ -17,8 +17,6 @@ namespace dgg
 {
 namespace
 {
-/// Total angles this close to 2 pi are flat, radians.
-constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
 /// Faces that have been lengthened as part of another mesh have that slack up to rounding: what
 /// they must have left of it.
 constexpr double LeastSlackOfParts = 0.5;
@@ -72,8 +70,7 @@ Status SurfaceMeshBuilder::TakeTriangles(
   this->Mesh.Twins.assign(3 * m, NoId);
   this->Mesh.Lengths.assign(3 * m, 0.0);
   this->Mesh.FaceFlags.assign(m, 0);
-  this->Mesh.Kinds.assign(n, VertexKind::Isolated);
-  this->Mesh.TotalAngles.assign(n, 0.0);
+  this->Mesh.VertexFlags.assign(n, 0);
   return Status::Success();
 }
 
@@ -103,7 +100,7 @@ void SurfaceMeshBuilder::GlueByVertices()
     for (Offset i = buckets.Begins[v]; i < buckets.Begins[v + 1]; ++i)
     {
       const Id h = buckets.Members[i];
-      bucket.emplace_back(mesh.Origin(h) == v ? mesh.Destination(h) : mesh.Origin(h), h);
+      bucket.emplace_back(std::max(mesh.Origin(h), mesh.Destination(h)), h);
     }
     std::sort(bucket.begin(), bucket.end());
     for (auto run = bucket.begin(); run != bucket.end();)
@@ -124,8 +121,8 @@ void SurfaceMeshBuilder::GlueEdge(EdgeIterator begin, EdgeIterator end)
   if (end - begin > 1)
   {
     this->DropDuplicates(begin, end);
-    end = std::remove_if(
-      begin, end, [&](const auto& entry) { return mesh.IsDropped(SurfaceMesh::Face(entry.second)); });
+    end = std::remove_if(begin, end,
+      [&](const auto& entry) { return mesh.IsDropped(SurfaceMesh::Face(entry.second)); });
   }
   for (auto it = begin; end - begin > 1 && it != end; ++it)
   {
@@ -296,25 +293,27 @@ Status SurfaceMeshBuilder::CheckTriangleInequalities() const
   return Status::Success();
 }
 
-/// Whether no manifold edge asks for a face to be turned over.
-bool SurfaceMeshBuilder::IsOriented() const
+/// False when a manifold edge has half-edges that run in the same direction.
+bool SurfaceMeshBuilder::FindLinks()
 {
   const SurfaceMesh& mesh = this->Mesh;
+  this->IsLinked.resize(mesh.Twins.size());
+  bool isOriented = true;
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
     const Id t = mesh.Twin(h);
-    if (t != NoId && mesh.Twin(t) == h && mesh.Origin(t) != mesh.Destination(h))
-    {
-      return false;
-    }
+    const bool isManifold = t != NoId && mesh.Twin(t) == h;
+    const bool isLinked = isManifold && mesh.Origin(t) == mesh.Destination(h);
+    isOriented = isOriented && isManifold == isLinked;
+    this->IsLinked[h] = isLinked ? 1 : 0;
   }
-  return true;
+  return isOriented;
 }
 
 void SurfaceMeshBuilder::Orient()
 {
   SurfaceMesh& mesh = this->Mesh;
-  if (this->IsOriented())
+  if (this->FindLinks())
   {
     return;
   }
@@ -398,6 +397,7 @@ void SurfaceMeshBuilder::Orient()
       mesh.FaceFlags[f] |= SurfaceMesh::FlippedFlag;
     }
   }
+  this->FindLinks();
 }
 
 void SurfaceMeshBuilder::TakeOrigin(const PartOfMesh& origin)
@@ -430,11 +430,10 @@ void SurfaceMeshBuilder::MeasureEdges()
     if (!mesh.IsDropped(SurfaceMesh::Face(h)))
     {
       mesh.MaximumEdgeLength = std::max(mesh.MaximumEdgeLength, mesh.Lengths[h]);
-      if (RepresentsEdge(mesh, h)) // each edge once
-      {
-        sum += mesh.Lengths[h];
-        ++edges;
-      }
+      // Each edge once. Without branches, which would be taken at random.
+      const bool counts = this->IsLinked[h] ? mesh.Twin(h) > h : RepresentsEdge(mesh, h);
+      sum += counts ? mesh.Lengths[h] : 0.0;
+      edges += counts ? 1 : 0;
     }
   }
   mesh.MeanEdgeLength = edges > 0 ? sum / static_cast<double>(edges) : 0.0;
@@ -526,7 +525,6 @@ void SurfaceMeshBuilder::Mollify()
 void SurfaceMeshBuilder::Finish()
 {
   this->LayOutFaces();
-  this->FindLinks();
   Groups fans = GroupHalfEdges(this->Mesh, [this](Id h) { return this->Mesh.Origin(h); });
   this->Mesh.FanOffsets = std::move(fans.Begins);
   this->Mesh.Fans = std::move(fans.Members);
@@ -554,22 +552,9 @@ void SurfaceMeshBuilder::LayOutFaces()
   }
 }
 
-void SurfaceMeshBuilder::FindLinks()
-{
-  const SurfaceMesh& mesh = this->Mesh;
-  this->IsLinked.resize(mesh.Twins.size());
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    const Id t = mesh.Twin(h);
-    this->IsLinked[h] =
-      t != NoId && mesh.Twin(t) == h && mesh.Origin(t) == mesh.Destination(h) ? 1 : 0;
-  }
-}
-
 void SurfaceMeshBuilder::OrderFans()
 {
   SurfaceMesh& mesh = this->Mesh;
-  mesh.PolarAngles.assign(mesh.Lengths.size(), 0.0);
   std::vector<std::uint8_t> placed(mesh.Lengths.size(), 0);
   std::vector<Id> outgoing;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -578,9 +563,7 @@ void SurfaceMeshBuilder::OrderFans()
     const auto end = mesh.Fans.begin() + mesh.FanOffsets[v + 1];
     outgoing.assign(begin, end); // by id
     auto out = begin;
-    double angle = 0.0;
     Id fans = 0;
-    bool open = false;
     auto walk = [&](Id start) {
       ++fans;
       Id h = start;
@@ -588,8 +571,6 @@ void SurfaceMeshBuilder::OrderFans()
       {
         placed[h] = 1;
         *out++ = h;
-        mesh.PolarAngles[h] = angle;
-        angle += mesh.CornerAngle(h);
         const Id incoming = SurfaceMesh::Previous(h);
         h = this->IsLinked[incoming] ? mesh.Twin(incoming) : NoId;
       } while (h != NoId && !placed[h]);
@@ -598,7 +579,6 @@ void SurfaceMeshBuilder::OrderFans()
     {
       if (!placed[h] && !this->IsLinked[h])
       {
-        open = true;
         walk(h); // clockwise-most: nothing on its right side
       }
     }
@@ -609,43 +589,21 @@ void SurfaceMeshBuilder::OrderFans()
         walk(h);
       }
     }
-    mesh.TotalAngles[v] = angle;
-    this->Classify(v, fans, open);
+    if (fans > 1 || !this->IsRegular(v))
+    {
+      mesh.VertexFlags[v] |= SurfaceMesh::IrregularFlag;
+    }
   }
 }
 
-void SurfaceMeshBuilder::Classify(Id v, Id numberOfFans, bool open)
+/// Whether the faces and the edges around a vertex are.
+bool SurfaceMeshBuilder::IsRegular(Id v) const
 {
-  SurfaceMesh& mesh = this->Mesh;
-  if (numberOfFans == 0)
-  {
-    mesh.Kinds[v] = VertexKind::Isolated;
-    return;
-  }
-  bool regular = numberOfFans == 1;
-  for (const Id* h = mesh.FanBegin(v); h != mesh.FanEnd(v); ++h)
-  {
-    const Id incoming = SurfaceMesh::Previous(*h);
-    regular = regular && !mesh.IsMollified(SurfaceMesh::Face(*h)) &&
-      (mesh.Twin(*h) == NoId || this->IsLinked[*h]) &&
-      (mesh.Twin(incoming) == NoId || this->IsLinked[incoming]);
-  }
-  const double excess = mesh.TotalAngles[v] - 2.0 * Pi;
-  if (!regular)
-  {
-    mesh.Kinds[v] = VertexKind::Irregular;
-  }
-  else if (open)
-  {
-    mesh.Kinds[v] = VertexKind::Boundary;
-  }
-  else if (std::abs(excess) <= FlatTolerance)
-  {
-    mesh.Kinds[v] = VertexKind::Flat;
-  }
-  else
-  {
-    mesh.Kinds[v] = excess < 0.0 ? VertexKind::Convex : VertexKind::Saddle;
-  }
+  const SurfaceMesh& mesh = this->Mesh;
+  return std::all_of(mesh.FanBegin(v), mesh.FanEnd(v), [&](Id h) {
+    const Id incoming = SurfaceMesh::Previous(h);
+    return !mesh.IsMollified(SurfaceMesh::Face(h)) && (this->IsLinked[h] || mesh.Twin(h) == NoId) &&
+      (this->IsLinked[incoming] || mesh.Twin(incoming) == NoId);
+  });
 }
 }

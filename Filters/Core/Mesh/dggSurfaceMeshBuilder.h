@@ -36,7 +36,7 @@ public:
   void Orient();
   /// Lengthen the edges of degenerate faces.
   void Mollify();
-  /// Everything that follows from connectivity and lengths.
+  /// Everything that follows from connectivity and lengths, but angles.
   void Finish();
 
 private:
@@ -45,17 +45,16 @@ private:
   using EdgeIterator = std::vector<std::pair<Id, Id>>::iterator;
   void GlueEdge(EdgeIterator begin, EdgeIterator end);
   void DropDuplicates(EdgeIterator begin, EdgeIterator end);
-  bool IsOriented() const;
   double MeasureLack(Id f) const;
   void MeasureEdges();
   void LayOutFaces();
-  void FindLinks();
+  bool FindLinks();
   void OrderFans();
-  void Classify(Id v, Id numberOfFans, bool open);
+  bool IsRegular(Id v) const;
   Status CheckExtent(double extent, const char* what) const;
 
   SurfaceMesh& Mesh;
-  const SurfaceMesh* Whole = nullptr;    // what the mesh is a part of
+  const SurfaceMesh* Whole = nullptr; // what the mesh is a part of
   /// Per half-edge, whether its edge has two half-edges that run in opposite directions.
   std::vector<std::uint8_t> IsLinked;
   std::vector<std::pair<Id, Id>> Apexes; // of the faces on an edge, with their half-edges

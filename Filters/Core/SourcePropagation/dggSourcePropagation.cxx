@@ -105,8 +105,7 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
     const bool isPlain =
       twin != NoId && mesh.Twin(twin) == h && mesh.Origin(twin) == mesh.Destination(h);
     face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
-    face.IsIrregular =
-      (k > 0 && face.IsIrregular) || mesh.Kind(mesh.Origin(h)) == VertexKind::Irregular;
+    face.IsIrregular = (k > 0 && face.IsIrregular) || mesh.IsIrregular(mesh.Origin(h));
   }
 }
 
@@ -403,7 +402,7 @@ void Propagation<High>::Propagate(Chunk& chunk)
       // Other fans of the vertex are reached through it only.
       const Id apex = face.Corners[PreviousOf(k)];
       const float distance = this->ReachApex(label);
-      if (this->Mesh.Kind(apex) == VertexKind::Irregular &&
+      if (this->Mesh.IsIrregular(apex) &&
         distance <= this->Distances[apex].load(std::memory_order_relaxed))
       {
         this->Radiate({ 0.0F, 0.0F, distance, NoId, label.Root }, apex, chunk);
