@@ -66,7 +66,9 @@ void Append(dgg::Id a, dgg::Id b, dgg::Id c, std::vector<dgg::Id>& triangles)
 {
   if (a != b && b != c && c != a)
   {
-    triangles.insert(triangles.end(), { a, b, c });
+    triangles.push_back(a);
+    triangles.push_back(b);
+    triangles.push_back(c);
   }
 }
 }

@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -321,9 +320,9 @@ dgg::Status DGGPreparedMesh::Triangulate(
       dgg::Id added = 0;
       if (cell < firstStrip)
       {
-        corners.clear();
-        std::transform(ids, ids + size, std::back_inserter(corners),
-          [this](vtkIdType id) { return this->GetVertex(id); });
+        corners.resize(size);
+        std::transform(
+          ids, ids + size, corners.begin(), [this](vtkIdType id) { return this->GetVertex(id); });
         added = triangulator.Triangulate(points, corners, triangles);
       }
       else
@@ -413,6 +412,7 @@ void DGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
 }
 
 //------------------------------------------------------------------------------
+/// Whether no vertex is irregular and no face left out.
 bool DGGPreparedMesh::IsPlain() const
 {
   const dgg::SurfaceMesh& mesh = this->Mesh;

@@ -52,9 +52,9 @@ public:
   /// Fails when there is nothing that a surface could be made of.
   static dgg::Status CheckSurface(vtkPolyData* input);
 
-  /// Its angles are measured when it is asked for first.
+  /// Angles are measured when it is asked for first.
   const dgg::SurfaceMesh& GetMesh() const;
-  /// For those who ask for no angles: see SurfaceMesh::FromPointsWithoutAngles().
+  /// The same for who needs no angles: see SurfaceMesh::FromPointsWithoutAngles().
   const dgg::SurfaceMesh& GetMeshWithoutAngles() const { return this->Mesh; }
   ///@{
   /// Made when they are asked for first.
@@ -133,7 +133,7 @@ private:
   dgg::CapSplitting Caps;     // triangles without area that were left out
   vtkIdType NumberOfFans = 0; // polygons that cross or touch themselves
   vtkIdType NumberOfMergedPoints = 0;
-  vtkIdType NumberOfCoincidentPoints = 0;
+  dgg::Offset NumberOfCoincidentPoints = 0;
   vtkIdType NumberOfCoincidentBoundaryPoints = 0;
   std::vector<std::string> Warnings;
 

@@ -69,12 +69,12 @@ public:
   static Status FromPoints(const double* points, Offset numberOfPoints, const Id* triangles,
     Offset numberOfTriangles, SurfaceMesh& mesh);
 
-  /// As FromPoints(), but TotalAngle(), PolarAngle(), Kind() and IsPassThrough() are not to be
-  /// asked for before MeasureAngles(), which takes as long as a third of the rest.
+  /// As FromPoints(), but faster: TotalAngle(), PolarAngle(), Kind() and IsPassThrough() are not to
+  /// be asked for before MeasureAngles().
   static Status FromPointsWithoutAngles(const double* points, Offset numberOfPoints,
     const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh);
 
-  /// What a mesh made without angles lacks. All else may be read meanwhile.
+  /// Add what a mesh made without angles lacks. Other threads may read all else meanwhile.
   void MeasureAngles();
 
   /// Build from lengths alone: `lengths[3f+k]` is the length of the edge from corner k to corner

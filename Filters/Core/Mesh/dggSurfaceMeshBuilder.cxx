@@ -90,57 +90,55 @@ void SurfaceMeshBuilder::GlueByVertices()
 {
   this->DropRepeatedVertexFaces();
   const SurfaceMesh& mesh = this->Mesh;
-  // Bucket the half-edges by their smaller vertex, sort each short bucket by the larger one.
-  const Groups buckets =
-    GroupHalfEdges(mesh, [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); });
-  std::vector<std::pair<Id, Id>> bucket; // larger vertex, half-edge
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  // Group the half-edges by their larger vertex, then these, in that order, by their smaller one.
+  const auto smaller = [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); };
+  const auto larger = [&](Id h) { return std::max(mesh.Origin(h), mesh.Destination(h)); };
+  const std::vector<Id> grouped = GroupHalfEdges(mesh, larger).Members;
+  std::vector<Id> sorted =
+    MakeGroups(static_cast<Id>(grouped.size()), mesh.GetNumberOfVertices(), [&](Id i) {
+      return smaller(grouped[i]);
+    }).Members;
+  std::transform(sorted.begin(), sorted.end(), sorted.begin(), [&](Id i) { return grouped[i]; });
+  for (auto run = sorted.begin(); run != sorted.end();)
   {
-    bucket.clear();
-    for (Offset i = buckets.Begins[v]; i < buckets.Begins[v + 1]; ++i)
-    {
-      const Id h = buckets.Members[i];
-      bucket.emplace_back(std::max(mesh.Origin(h), mesh.Destination(h)), h);
-    }
-    std::sort(bucket.begin(), bucket.end());
-    for (auto run = bucket.begin(); run != bucket.end();)
-    {
-      const auto stop = std::find_if(
-        run + 1, bucket.end(), [&](const auto& entry) { return entry.first != run->first; });
-      this->GlueEdge(run, stop);
-      run = stop;
-    }
+    const Id low = smaller(*run);
+    const Id high = larger(*run);
+    const auto stop = std::find_if(
+      run + 1, sorted.end(), [&](Id h) { return larger(h) != high || smaller(h) != low; });
+    this->GlueEdge(run, stop);
+    run = stop;
   }
   std::sort(this->Mesh.Duplicates.begin(), this->Mesh.Duplicates.end());
 }
 
-/// Link the half-edges of one edge, but those of duplicate faces. The entries end with half-edges.
-void SurfaceMeshBuilder::GlueEdge(EdgeIterator begin, EdgeIterator end)
+/// Link the half-edges of one edge, but those of duplicate faces.
+void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
 {
   SurfaceMesh& mesh = this->Mesh;
-  if (end - begin > 1)
+  if (end - begin == 2 && mesh.Apex(begin[0]) != mesh.Apex(begin[1]))
+  {
+    mesh.Twins[begin[0]] = begin[1];
+    mesh.Twins[begin[1]] = begin[0];
+  }
+  else if (end - begin > 1)
   {
     this->DropDuplicates(begin, end);
-    end = std::remove_if(begin, end,
-      [&](const auto& entry) { return mesh.IsDropped(SurfaceMesh::Face(entry.second)); });
-  }
-  for (auto it = begin; end - begin > 1 && it != end; ++it)
-  {
-    mesh.Twins[it->second] = it + 1 == end ? begin->second : (it + 1)->second;
+    end = std::remove_if(begin, end, [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)); });
+    for (auto it = begin; end - begin > 1 && it != end; ++it)
+    {
+      mesh.Twins[*it] = it + 1 == end ? *begin : *(it + 1);
+    }
   }
 }
 
 /// Faces on the same edge with the same apex have the same three vertices.
-void SurfaceMeshBuilder::DropDuplicates(EdgeIterator begin, EdgeIterator end)
+void SurfaceMeshBuilder::DropDuplicates(
+  std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
 {
   SurfaceMesh& mesh = this->Mesh;
-  if (end - begin == 2 && mesh.Apex(begin->second) != mesh.Apex((begin + 1)->second))
-  {
-    return;
-  }
   this->Apexes.clear();
   std::transform(begin, end, std::back_inserter(this->Apexes),
-    [&](const auto& entry) { return std::make_pair(mesh.Apex(entry.second), entry.second); });
+    [&](Id h) { return std::make_pair(mesh.Apex(h), h); });
   std::sort(this->Apexes.begin(), this->Apexes.end());
   std::size_t original = 0;
   for (std::size_t i = 1; i < this->Apexes.size(); ++i)
@@ -483,13 +481,9 @@ void SurfaceMeshBuilder::Mollify()
     }
   }
   mesh.Mollification = std::max(mesh.Mollification, delta);
-  if (concerned.empty())
-  {
-    return;
-  }
   // Lengthen the edges of the faces concerned. A neighbour that a longer edge makes degenerate
   // joins them.
-  std::vector<std::uint8_t> lengthened(mesh.Lengths.size(), 0);
+  std::vector<std::uint8_t> lengthened(concerned.empty() ? 0 : mesh.Lengths.size(), 0);
   // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
   for (std::size_t i = 0; i < concerned.size(); ++i)
   {
@@ -525,9 +519,6 @@ void SurfaceMeshBuilder::Mollify()
 void SurfaceMeshBuilder::Finish()
 {
   this->LayOutFaces();
-  Groups fans = GroupHalfEdges(this->Mesh, [this](Id h) { return this->Mesh.Origin(h); });
-  this->Mesh.FanOffsets = std::move(fans.Begins);
-  this->Mesh.Fans = std::move(fans.Members);
   this->OrderFans();
 }
 
@@ -555,14 +546,15 @@ void SurfaceMeshBuilder::LayOutFaces()
 void SurfaceMeshBuilder::OrderFans()
 {
   SurfaceMesh& mesh = this->Mesh;
+  Groups outgoing = GroupHalfEdges(mesh, [&](Id h) { return mesh.Origin(h); });
+  mesh.FanOffsets = std::move(outgoing.Begins);
+  mesh.Fans.resize(outgoing.Members.size());
   std::vector<std::uint8_t> placed(mesh.Lengths.size(), 0);
-  std::vector<Id> outgoing;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    const auto begin = mesh.Fans.begin() + mesh.FanOffsets[v];
-    const auto end = mesh.Fans.begin() + mesh.FanOffsets[v + 1];
-    outgoing.assign(begin, end); // by id
-    auto out = begin;
+    const Offset begin = mesh.FanOffsets[v];
+    const Offset end = mesh.FanOffsets[v + 1];
+    Offset out = begin;
     Id fans = 0;
     auto walk = [&](Id start) {
       ++fans;
@@ -570,23 +562,24 @@ void SurfaceMeshBuilder::OrderFans()
       do
       {
         placed[h] = 1;
-        *out++ = h;
+        mesh.Fans[out++] = h;
         const Id incoming = SurfaceMesh::Previous(h);
         h = this->IsLinked[incoming] ? mesh.Twin(incoming) : NoId;
       } while (h != NoId && !placed[h]);
     };
-    for (const Id h : outgoing)
+    for (Offset i = begin; i < end; ++i)
     {
+      const Id h = outgoing.Members[i];
       if (!placed[h] && !this->IsLinked[h])
       {
         walk(h); // clockwise-most: nothing on its right side
       }
     }
-    for (const Id h : outgoing)
+    for (Offset i = begin; out < end; ++i)
     {
-      if (!placed[h])
+      if (!placed[outgoing.Members[i]])
       {
-        walk(h);
+        walk(outgoing.Members[i]);
       }
     }
     if (fans > 1 || !this->IsRegular(v))

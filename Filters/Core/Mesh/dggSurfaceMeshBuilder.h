@@ -41,10 +41,8 @@ public:
 
 private:
   void DropRepeatedVertexFaces();
-  /// Over the half-edges of one edge, each with a vertex.
-  using EdgeIterator = std::vector<std::pair<Id, Id>>::iterator;
-  void GlueEdge(EdgeIterator begin, EdgeIterator end);
-  void DropDuplicates(EdgeIterator begin, EdgeIterator end);
+  void GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
+  void DropDuplicates(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
   double MeasureLack(Id f) const;
   void MeasureEdges();
   void LayOutFaces();
