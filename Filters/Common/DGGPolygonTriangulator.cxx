@@ -66,7 +66,9 @@ void Append(dgg::Id a, dgg::Id b, dgg::Id c, std::vector<dgg::Id>& triangles)
 {
   if (a != b && b != c && c != a)
   {
-    triangles.insert(triangles.end(), { a, b, c });
+    triangles.push_back(a);
+    triangles.push_back(b);
+    triangles.push_back(c);
   }
 }
 }
@@ -75,6 +77,12 @@ void Append(dgg::Id a, dgg::Id b, dgg::Id c, std::vector<dgg::Id>& triangles)
 dgg::Id DGGPolygonTriangulator::Triangulate(
   const double* points, const std::vector<dgg::Id>& corners, std::vector<dgg::Id>& triangles)
 {
+  const std::size_t before = triangles.size();
+  if (corners.size() == 3)
+  {
+    Append(corners[0], corners[1], corners[2], triangles);
+    return static_cast<dgg::Id>((triangles.size() - before) / 3);
+  }
   this->Corners.clear();
   for (const dgg::Id corner : corners)
   {
@@ -88,7 +96,6 @@ dgg::Id DGGPolygonTriangulator::Triangulate(
     this->Corners.pop_back();
   }
 
-  const std::size_t before = triangles.size();
   const auto& c = this->Corners;
   if (c.size() == 3)
   {

@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -253,16 +252,18 @@ dgg::Status DGGPreparedMesh::Build(vtkPolyData* input)
   DGG_RETURN_IF_ERROR(this->Triangulate(input, coordinates.GetData(), triangles));
   std::vector<dgg::Id> parents;
   this->Caps = dgg::SplitCaps(coordinates.GetData(), triangles, parents);
-  std::vector<vtkIdType> cells(parents.size());
-  std::transform(parents.begin(), parents.end(), cells.begin(),
-    [this](dgg::Id triangle) { return this->Cells[triangle]; });
-  this->Cells.swap(cells);
-  DGG_RETURN_IF_ERROR(dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, triangles.data(),
-    static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh));
+  if (this->Caps.NumberOfCaps > 0)
+  {
+    std::vector<vtkIdType> cells(parents.size());
+    std::transform(parents.begin(), parents.end(), cells.begin(),
+      [this](dgg::Id triangle) { return this->Cells[triangle]; });
+    this->Cells.swap(cells);
+  }
+  DGG_RETURN_IF_ERROR(dgg::SurfaceMesh::FromPointsWithoutAngles(coordinates.GetData(), n,
+    triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh));
   this->Signature = dgg::ComputeSignature(
     coordinates.GetData(), n, triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3));
-  this->Report = dgg::InspectMesh(this->Mesh, coordinates.GetData());
-  this->Report.DegenerateFaces += this->Caps.NumberOfCaps;
+  this->NumberOfCoincidentPoints = dgg::CountCoincidentPoints(coordinates.GetData(), n);
   if (!mergeCoincidentPoints)
   {
     this->CountCoincidentBoundaryPoints(coordinates.GetData());
@@ -277,10 +278,8 @@ dgg::Status DGGPreparedMesh::BuildCloud(vtkPolyData* input)
   const vtkIdType n = input->GetNumberOfPoints();
   const DGGPointCoordinates coordinates(input->GetPoints());
   this->Signature = dgg::ComputeSignature(coordinates.GetData(), n, nullptr, 0);
-  this->Report.Vertices = n;
-  this->Report.IsolatedVertices = n;
   DGG_RETURN_IF_ERROR(
-    dgg::SurfaceMesh::FromPoints(coordinates.GetData(), n, nullptr, 0, this->Mesh));
+    dgg::SurfaceMesh::FromPointsWithoutAngles(coordinates.GetData(), n, nullptr, 0, this->Mesh));
   this->GetPositions(input->GetPoints());
   return dgg::Status::Success();
 }
@@ -321,9 +320,9 @@ dgg::Status DGGPreparedMesh::Triangulate(
       dgg::Id added = 0;
       if (cell < firstStrip)
       {
-        corners.clear();
-        std::transform(ids, ids + size, std::back_inserter(corners),
-          [this](vtkIdType id) { return this->GetVertex(id); });
+        corners.resize(size);
+        std::transform(
+          ids, ids + size, corners.begin(), [this](vtkIdType id) { return this->GetVertex(id); });
         added = triangulator.Triangulate(points, corners, triangles);
       }
       else
@@ -337,7 +336,10 @@ dgg::Status DGGPreparedMesh::Triangulate(
         }
       }
       this->NumberOfDroppedCells += added == 0 ? 1 : 0;
-      this->Cells.insert(this->Cells.end(), added, cell);
+      for (; added > 0; --added)
+      {
+        this->Cells.push_back(cell);
+      }
     }
   }
   this->NumberOfFans = triangulator.GetNumberOfFans();
@@ -396,7 +398,7 @@ std::vector<dgg::Id> DGGPreparedMesh::CollectBoundary() const
 //------------------------------------------------------------------------------
 void DGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
 {
-  if (this->Report.CoincidentPoints == 0)
+  if (this->NumberOfCoincidentPoints == 0)
   {
     return;
   }
@@ -410,9 +412,32 @@ void DGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
 }
 
 //------------------------------------------------------------------------------
+/// Whether no vertex is irregular and no face left out.
+bool DGGPreparedMesh::IsPlain() const
+{
+  const dgg::SurfaceMesh& mesh = this->Mesh;
+  for (dgg::Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (mesh.IsIrregular(v))
+    {
+      return false;
+    }
+  }
+  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (mesh.IsDropped(f))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void DGGPreparedMesh::CollectWarnings()
 {
-  const dgg::MeshReport& report = this->Report;
+  // A plain mesh has none of what a report would warn of.
+  const dgg::MeshReport report = this->IsPlain() ? dgg::MeshReport() : this->GetReport();
   auto warn = [this](vtkIdType count, const std::string& what) {
     if (count > 0)
     {
@@ -435,12 +460,38 @@ void DGGPreparedMesh::CollectWarnings()
   warn(this->Caps.NumberOfCaps,
     dgg::JoinText("triangles without area, no higher than ", this->Caps.LargestHeight,
       ", that are left out: their neighbours are split where they meet"));
-  warn(report.DegenerateFaces - this->Caps.NumberOfCaps,
-    dgg::JoinText(
-      "triangles without area, whose edges are taken to be longer by ", report.Mollification));
+  warn(this->Mesh.GetNumberOfDegenerateFaces(),
+    dgg::JoinText("triangles without area, whose edges are taken to be longer by ",
+      this->Mesh.GetMollification()));
   warn(this->NumberOfCoincidentBoundaryPoints,
     "points of the boundary with the same coordinates as another one. If they are the two sides of "
     "a seam rather than of a slit, turn MergeCoincidentPoints on");
+}
+
+//------------------------------------------------------------------------------
+const dgg::SurfaceMesh& DGGPreparedMesh::GetMesh() const
+{
+  std::call_once(this->AnglesOnce, [this] { this->Mesh.MeasureAngles(); });
+  return this->Mesh;
+}
+
+//------------------------------------------------------------------------------
+const dgg::MeshReport& DGGPreparedMesh::GetReport() const
+{
+  std::call_once(this->ReportOnce, [this] {
+    this->Report = dgg::InspectMesh(this->Mesh);
+    this->Report.CoincidentPoints = this->NumberOfCoincidentPoints;
+    this->Report.DegenerateFaces += this->Caps.NumberOfCaps;
+  });
+  return this->Report;
+}
+
+//------------------------------------------------------------------------------
+const dgg::Anisotropy& DGGPreparedMesh::GetAnisotropy() const
+{
+  std::call_once(
+    this->AnisotropyOnce, [this] { this->Anisotropy = dgg::MeasureAnisotropy(this->Mesh); });
+  return this->Anisotropy;
 }
 
 //------------------------------------------------------------------------------
@@ -475,7 +526,7 @@ DGGLocator& DGGPreparedMesh::GetLocator(vtkPoints* points) const
 std::string DGGPreparedMesh::DescribeGaps(
   vtkPolyData* input, const std::vector<bool>& isReached) const
 {
-  if (this->NumberOfCoincidentBoundaryPoints > 0 || this->Report.Components < 2)
+  if (this->NumberOfCoincidentBoundaryPoints > 0 || this->GetReport().Components < 2)
   {
     return std::string(); // a warning of the mesh has named the remedy, or there are no parts
   }

@@ -52,8 +52,15 @@ public:
   /// Fails when there is nothing that a surface could be made of.
   static dgg::Status CheckSurface(vtkPolyData* input);
 
-  const dgg::SurfaceMesh& GetMesh() const { return this->Mesh; }
-  const dgg::MeshReport& GetReport() const { return this->Report; }
+  /// Angles are measured when it is asked for first.
+  const dgg::SurfaceMesh& GetMesh() const;
+  /// The same for who needs no angles: see SurfaceMesh::FromPointsWithoutAngles().
+  const dgg::SurfaceMesh& GetMeshWithoutAngles() const { return this->Mesh; }
+  ///@{
+  /// Made when they are asked for first.
+  const dgg::MeshReport& GetReport() const;
+  const dgg::Anisotropy& GetAnisotropy() const;
+  ///@}
   /// Of the points as doubles and the triangles made of the cells.
   const dgg::Signature& GetSignature() const { return this->Signature; }
   /// What the input is treated as.
@@ -80,7 +87,7 @@ public:
   /// Points without a face.
   vtkIdType GetNumberOfIsolatedPoints() const
   {
-    return this->Report.IsolatedVertices - this->NumberOfMergedPoints;
+    return this->GetReport().IsolatedVertices - this->NumberOfMergedPoints;
   }
   /// Points on the boundary with the very coordinates of another point on the boundary.
   vtkIdType GetNumberOfCoincidentBoundaryPoints() const
@@ -111,13 +118,14 @@ private:
   void MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints);
   std::vector<dgg::Id> CollectBoundary() const;
   void CountCoincidentBoundaryPoints(const double* points);
+  bool IsPlain() const;
   void CollectWarnings();
 
   DGGDomain Domain;
   vtkTimeStamp BuildTime;
 
-  dgg::SurfaceMesh Mesh;
-  dgg::MeshReport Report;
+  mutable std::once_flag AnglesOnce;
+  mutable dgg::SurfaceMesh Mesh;
   dgg::Signature Signature{};
   std::vector<dgg::Id> Vertices; // per point; empty unless coincident points are merged
   std::vector<vtkIdType> Cells;  // per face
@@ -125,9 +133,14 @@ private:
   dgg::CapSplitting Caps;     // triangles without area that were left out
   vtkIdType NumberOfFans = 0; // polygons that cross or touch themselves
   vtkIdType NumberOfMergedPoints = 0;
+  dgg::Offset NumberOfCoincidentPoints = 0;
   vtkIdType NumberOfCoincidentBoundaryPoints = 0;
   std::vector<std::string> Warnings;
 
+  mutable std::once_flag ReportOnce;
+  mutable dgg::MeshReport Report;
+  mutable std::once_flag AnisotropyOnce;
+  mutable dgg::Anisotropy Anisotropy;
   mutable std::once_flag PositionsOnce;
   mutable std::vector<double> Positions;
   mutable std::once_flag LocatorOnce;

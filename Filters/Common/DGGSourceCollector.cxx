@@ -17,6 +17,12 @@
 
 namespace
 {
+bool IsIsolated(const DGGPreparedMesh& surface, dgg::Id vertex)
+{
+  const dgg::SurfaceMesh& mesh = surface.GetMeshWithoutAngles();
+  return mesh.FanBegin(vertex) == mesh.FanEnd(vertex);
+}
+
 vtkIdType CountPoints(const DGGSourceSet& set)
 {
   if (!set.Points)
@@ -198,7 +204,7 @@ dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSour
     if (original >= 0)
     {
       const dgg::Id vertex = mesh.GetVertex(original);
-      if (mesh.IsCloud() || mesh.GetMesh().Kind(vertex) != dgg::VertexKind::Isolated)
+      if (mesh.IsCloud() || !IsIsolated(mesh, vertex))
       {
         source.Point = dgg::SurfacePoint::AtVertex(vertex);
         sources.push_back(source);
@@ -230,7 +236,7 @@ void DGGSourceCollector::WarnAboutIsolatedIds(
   const auto isIsolated = [&](vtkIdType id) {
     if (!positions)
     {
-      return mesh.GetMesh().Kind(mesh.GetVertex(id)) == dgg::VertexKind::Isolated;
+      return IsIsolated(mesh, mesh.GetVertex(id));
     }
     const double* p = positions + 3 * id;
     return !std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]);

@@ -155,7 +155,7 @@ std::string vtkGeodesicAlgorithm::GetMeshReport() const
   {                                            \
     return this->Adapter->Get().Value;         \
   }
-vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetReport().Faces);
+vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetMeshWithoutAngles().GetNumberOfFaces());
 vtkDGGReportMacro(vtkIdType, NumberOfIsolatedPoints, GetNumberOfIsolatedPoints());
 vtkDGGReportMacro(vtkIdType, NumberOfComponents, GetReport().Components);
 vtkDGGReportMacro(vtkIdType, NumberOfBoundaryEdges, GetReport().BoundaryEdges);
@@ -170,8 +170,8 @@ vtkDGGReportMacro(
   vtkIdType, NumberOfCoincidentBoundaryPoints, GetNumberOfCoincidentBoundaryPoints());
 vtkDGGReportMacro(bool, Orientable, GetReport().Orientable);
 vtkDGGReportMacro(vtkIdType, Genus, GetReport().Genus);
-vtkDGGReportMacro(double, MeanAnisotropy, GetReport().MeanAnisotropy);
-vtkDGGReportMacro(double, MedianAnisotropy, GetReport().MedianAnisotropy);
+vtkDGGReportMacro(double, MeanAnisotropy, GetAnisotropy().Mean);
+vtkDGGReportMacro(double, MedianAnisotropy, GetAnisotropy().Median);
 vtkDGGReportMacro(double, Mollification, GetReport().Mollification);
 vtkDGGReportMacro(double, LargestCapHeight, GetLargestCapHeight());
 #undef vtkDGGReportMacro

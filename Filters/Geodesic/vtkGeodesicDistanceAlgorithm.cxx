@@ -243,7 +243,8 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   DGGDistanceTask task{ context, sources, limit, this->GenerateNearestSource,
     this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
-  const auto n = static_cast<std::size_t>(context.Surface.GetMesh().GetNumberOfVertices());
+  const auto n =
+    static_cast<std::size_t>(context.Surface.GetMeshWithoutAngles().GetNumberOfVertices());
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
   complete &= !task.WantVirtualSource || task.VirtualSource.Offsets.size() == n;

@@ -97,6 +97,7 @@ void ExpectConsistent(const TestMesh& input, const SurfaceMesh& mesh)
     }
     ASSERT_NEAR(mesh.TotalAngle(v), angle, 1e-12);
     ASSERT_EQ(mesh.Kind(v) == VertexKind::Isolated, mesh.FanBegin(v) == mesh.FanEnd(v));
+    ASSERT_EQ(mesh.Kind(v) == VertexKind::Irregular, mesh.IsIrregular(v));
     sum += angle;
   }
   Id usable = 0;
@@ -137,6 +138,26 @@ TEST(SurfaceMesh, IsConsistent)
   {
     SCOPED_TRACE(named.Name);
     ExpectConsistent(named.Mesh, Build(named.Mesh));
+  }
+}
+
+TEST(SurfaceMesh, MayBeMeasuredLater)
+{
+  for (const NamedMesh& named : DefectMeshesAndSoups(10))
+  {
+    SCOPED_TRACE(named.Name);
+    const TestMesh& input = named.Mesh;
+    if (!input.Lengths.empty())
+    {
+      continue;
+    }
+    SurfaceMesh mesh;
+    ASSERT_TRUE(SurfaceMesh::FromPointsWithoutAngles(input.Points.data(),
+      input.GetNumberOfVertices(), input.Triangles.data(), input.GetNumberOfFaces(), mesh)
+                  .IsOk());
+    EXPECT_EQ(mesh.GetNumberOfVertices(), input.GetNumberOfVertices());
+    mesh.MeasureAngles();
+    ExpectConsistent(input, mesh);
   }
 }
 

@@ -36,11 +36,7 @@ public:
     const Id input = this->GetNumberOfTriangles();
     this->Parents.resize(input);
     std::iota(this->Parents.begin(), this->Parents.end(), 0);
-    this->MeasureMeanEdge();
-    for (Id f = 0; f < input; ++f)
-    {
-      this->NoteCap(f);
-    }
+    this->FindCaps();
     if (this->Caps.empty())
     {
       return this->Result;
@@ -100,15 +96,35 @@ private:
       this->Length(a, b);
   }
 
-  void MeasureMeanEdge()
+  /// All caps of the input, and its mean edge, by one look at each length.
+  void FindCaps()
   {
+    std::vector<double> slacks;
+    slacks.reserve(this->Parents.size());
     double sum = 0.0;
+    double longest = 0.0;
     for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
     {
       const Triangle t = this->Get(f);
-      sum += this->Length(t[0], t[1]) + this->Length(t[1], t[2]) + this->Length(t[2], t[0]);
+      const double a = this->Length(t[0], t[1]);
+      const double b = this->Length(t[1], t[2]);
+      const double c = this->Length(t[2], t[0]);
+      sum += a + b + c;
+      const double largest = std::max({ a, b, c });
+      const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+      slacks.push_back(std::min({ a, b, c }) - (largest - middle));
+      longest = std::max(longest, largest);
     }
     this->MeanEdge = sum / static_cast<double>(std::max<std::size_t>(1, this->Triangles.size()));
+    // No triangle has a larger tolerance.
+    const double tolerance = DegeneracySlack * std::max(this->MeanEdge, longest);
+    for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
+    {
+      if (slacks[f] < tolerance)
+      {
+        this->NoteCap(f);
+      }
+    }
   }
 
   /// The corner on the opposite edge; -1 when there is none.

@@ -24,6 +24,18 @@ Id FindEdge(const Surface& surface, Id h)
   return smallest;
 }
 
+/// Whether h represents its edge.
+template <typename Surface>
+bool RepresentsEdge(const Surface& surface, Id h)
+{
+  Id e = surface.Twin(h);
+  while (e != NoId && e > h)
+  {
+    e = surface.Twin(e);
+  }
+  return e == NoId || e == h;
+}
+
 /// Call `visit(neighbor, length, angle)` for the edges from a vertex, once each around a regular
 /// one: the vertex at the other end, the length, and the polar angle of the edge at the vertex.
 template <typename Visitor>

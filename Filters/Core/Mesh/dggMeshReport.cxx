@@ -7,8 +7,9 @@
 #include "dggUnfolding.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace dgg
 {
@@ -18,7 +19,7 @@ void CountEdges(const SurfaceMesh& mesh, MeshReport& report, Offset& edges)
 {
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
-    if (mesh.IsDropped(SurfaceMesh::Face(h)) || FindEdge(mesh, h) != h)
+    if (mesh.IsDropped(SurfaceMesh::Face(h)) || !RepresentsEdge(mesh, h))
     {
       continue;
     }
@@ -115,28 +116,26 @@ Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
   return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return loops.Find(h) == h; });
 }
 
-Offset CountCoincidentPoints(const double* points, Offset n)
+/// Mixes the bits of a point; -0 counts as +0.
+std::uint64_t HashPoint(const double* p)
 {
-  std::vector<std::array<double, 3>> sorted;
-  sorted.reserve(n);
-  for (Offset i = 0; i < n; ++i)
+  std::uint64_t hash = 0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    // Adding zero turns -0 into +0.
-    const std::array<double, 3> p{ { points[3 * i] + 0.0, points[3 * i + 1] + 0.0,
-      points[3 * i + 2] + 0.0 } };
-    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
-    {
-      sorted.push_back(p);
-    }
+    const double x = p[axis] + 0.0;
+    std::uint64_t word = 0;
+    std::memcpy(&word, &x, sizeof(word));
+    hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
   }
-  std::sort(sorted.begin(), sorted.end());
-  const auto unique = std::unique(sorted.begin(), sorted.end());
-  return std::distance(unique, sorted.end());
+  return hash;
+}
 }
 
-void MeasureAnisotropy(const SurfaceMesh& mesh, MeshReport& report)
+Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh)
 {
   std::vector<double> taus;
+  taus.reserve(static_cast<std::size_t>(mesh.GetNumberOfFaces()));
   double sum = 0.0;
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
@@ -152,14 +151,41 @@ void MeasureAnisotropy(const SurfaceMesh& mesh, MeshReport& report)
     taus.push_back(tau);
     sum += tau;
   }
-  if (!taus.empty())
+  if (taus.empty())
   {
-    const auto middle = taus.begin() + static_cast<std::ptrdiff_t>(taus.size() / 2);
-    std::nth_element(taus.begin(), middle, taus.end());
-    report.MedianAnisotropy = *middle;
-    report.MeanAnisotropy = sum / static_cast<double>(taus.size());
+    return {};
   }
+  const auto middle = taus.begin() + static_cast<std::ptrdiff_t>(taus.size() / 2);
+  std::nth_element(taus.begin(), middle, taus.end());
+  return { sum / static_cast<double>(taus.size()), *middle };
 }
+
+Offset CountCoincidentPoints(const double* points, Offset numberOfPoints)
+{
+  // A hash table, at most half full, of points that differ.
+  std::size_t size = 2;
+  while (size < 2 * static_cast<std::size_t>(numberOfPoints))
+  {
+    size *= 2;
+  }
+  std::vector<Id> table(size, NoId);
+  Offset count = 0;
+  for (Offset i = 0; i < numberOfPoints; ++i)
+  {
+    const double* p = points + 3 * i;
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      continue;
+    }
+    std::size_t slot = HashPoint(p) & (size - 1);
+    while (table[slot] != NoId && !std::equal(p, p + 3, points + 3 * Offset{ table[slot] }))
+    {
+      slot = (slot + 1) & (size - 1);
+    }
+    count += table[slot] == NoId ? 0 : 1;
+    table[slot] = static_cast<Id>(i);
+  }
+  return count;
 }
 
 MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
@@ -189,7 +215,9 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   report.DegenerateFaces = mesh.GetNumberOfDegenerateFaces();
   report.CoincidentPoints = points ? CountCoincidentPoints(points, report.Vertices) : 0;
   report.Mollification = mesh.GetMollification();
-  MeasureAnisotropy(mesh, report);
+  const Anisotropy anisotropy = MeasureAnisotropy(mesh);
+  report.MeanAnisotropy = anisotropy.Mean;
+  report.MedianAnisotropy = anisotropy.Median;
 
   Id components = 0;
   mesh.ComputeComponents(components);

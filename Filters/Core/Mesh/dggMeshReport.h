@@ -31,11 +31,24 @@ struct MeshReport
   /// Total genus over all components, fans of non-manifold vertices apart; -1 when there is a
   /// non-manifold edge or no orientation.
   Offset Genus = 0;
-  /// Over the faces that are not degenerate.
-  double MeanAnisotropy = 0.0; ///< mean of l_max (l1+l2+l3) / (4 sqrt(3) area); 1 when equilateral
+  double MeanAnisotropy = 0.0; ///< as MeasureAnisotropy()
   double MedianAnisotropy = 0.0;
   double Mollification = 0.0; ///< length added to the edges of degenerate faces
 };
+
+/// How long triangles are: over the faces that are not degenerate, l_max (l1+l2+l3) / (4 sqrt(3)
+/// area); 1 when equilateral. 0 when there is no such face.
+struct Anisotropy
+{
+  double Mean = 0.0;
+  double Median = 0.0;
+};
+
+DGG_CORE_EXPORT Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh);
+
+/// How many points (x y z each) have the very coordinates of an earlier one. Those with a
+/// coordinate that is not finite have not.
+DGG_CORE_EXPORT Offset CountCoincidentPoints(const double* points, Offset numberOfPoints);
 
 /// Inspect a mesh. `points` (x y z per vertex) may be null; coincident points are counted only with
 /// it.

@@ -12,6 +12,9 @@ namespace dgg
 {
 namespace
 {
+/// Total angles this close to 2 pi are flat, radians.
+constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
+
 /// What follows the lengths, if these are good; else an empty mesh rather than a half-built one.
 Status Complete(SurfaceMeshBuilder& builder, const Status& status, SurfaceMesh& mesh)
 {
@@ -40,12 +43,23 @@ Status CompleteFromLengths(
   {
     builder.TakeOrigin(origin);
   }
-  return Complete(builder, status, mesh);
+  status = Complete(builder, status, mesh);
+  mesh.MeasureAngles();
+  return status;
 }
 }
 
 Status SurfaceMesh::FromPoints(const double* points, Offset numberOfPoints, const Id* triangles,
   Offset numberOfTriangles, SurfaceMesh& mesh)
+{
+  const Status status =
+    FromPointsWithoutAngles(points, numberOfPoints, triangles, numberOfTriangles, mesh);
+  mesh.MeasureAngles();
+  return status;
+}
+
+Status SurfaceMesh::FromPointsWithoutAngles(const double* points, Offset numberOfPoints,
+  const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh)
 {
   SurfaceMeshBuilder builder(mesh);
   Status status = builder.TakeTriangles(numberOfPoints, triangles, numberOfTriangles);
@@ -83,6 +97,47 @@ Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangle
   }
   return status.IsOk() ? CompleteFromLengths(builder, lengths, origin, mesh)
                        : Complete(builder, status, mesh);
+}
+
+void SurfaceMesh::MeasureAngles()
+{
+  const Id n = this->GetNumberOfVertices();
+  this->PolarAngles.assign(this->Lengths.size(), 0.0);
+  this->TotalAngles.assign(n, 0.0);
+  this->Kinds.assign(n, VertexKind::Isolated);
+  for (Id v = 0; v < n; ++v)
+  {
+    double angle = 0.0;
+    for (const Id* h = this->FanBegin(v); h != this->FanEnd(v); ++h)
+    {
+      this->PolarAngles[*h] = angle;
+      angle += this->CornerAngle(*h);
+    }
+    this->TotalAngles[v] = angle;
+    this->Kinds[v] = this->Classify(v);
+  }
+}
+
+VertexKind SurfaceMesh::Classify(Id v) const
+{
+  if (this->FanBegin(v) == this->FanEnd(v))
+  {
+    return VertexKind::Isolated;
+  }
+  if (this->IsIrregular(v))
+  {
+    return VertexKind::Irregular;
+  }
+  if (this->Twin(*this->FanBegin(v)) == NoId)
+  {
+    return VertexKind::Boundary;
+  }
+  const double excess = this->TotalAngles[v] - 2.0 * Pi;
+  if (std::abs(excess) <= FlatTolerance)
+  {
+    return VertexKind::Flat;
+  }
+  return excess < 0.0 ? VertexKind::Convex : VertexKind::Saddle;
 }
 
 Id SurfaceMesh::GetOriginal(Id f) const
@@ -143,6 +198,6 @@ std::size_t SurfaceMesh::GetMemorySize() const
       this->TotalAngles.size()) *
     sizeof(double) +
     this->FanOffsets.size() * sizeof(Offset) + this->Fans.size() * sizeof(Id) + this->Kinds.size() +
-    this->FaceFlags.size();
+    this->VertexFlags.size() + this->FaceFlags.size();
 }
 }

@@ -69,6 +69,14 @@ public:
   static Status FromPoints(const double* points, Offset numberOfPoints, const Id* triangles,
     Offset numberOfTriangles, SurfaceMesh& mesh);
 
+  /// As FromPoints(), but faster: TotalAngle(), PolarAngle(), Kind() and IsPassThrough() are not to
+  /// be asked for before MeasureAngles().
+  static Status FromPointsWithoutAngles(const double* points, Offset numberOfPoints,
+    const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh);
+
+  /// Add what a mesh made without angles lacks. Other threads may read all else meanwhile.
+  void MeasureAngles();
+
   /// Build from lengths alone: `lengths[3f+k]` is the length of the edge from corner k to corner
   /// k+1 of face f. Faces glue along equal vertex pairs. Both halves of an edge must give the same
   /// length (to 1e-9 relative; the larger one is used). The triangle inequality may be violated by
@@ -84,7 +92,7 @@ public:
     Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh,
     const PartOfMesh& origin = {});
 
-  Id GetNumberOfVertices() const { return static_cast<Id>(this->Kinds.size()); }
+  Id GetNumberOfVertices() const { return static_cast<Id>(this->VertexFlags.size()); }
   Id GetNumberOfFaces() const { return static_cast<Id>(this->Origins.size() / 3); }
   Id GetNumberOfHalfEdges() const { return static_cast<Id>(this->Origins.size()); }
 
@@ -129,6 +137,8 @@ public:
   double ApexY(Id h) const { return this->ApexYs[h]; }
 
   VertexKind Kind(Id v) const { return this->Kinds[v]; }
+  /// Whether the kind is Irregular, which is known without angles.
+  bool IsIrregular(Id v) const { return (this->VertexFlags[v] & IrregularFlag) != 0; }
   /// Sum of the corner angles at the vertex, radians.
   double TotalAngle(Id v) const { return this->TotalAngles[v]; }
   /// Whether a shortest path may pass through the vertex with a bend, so that it has to act as a
@@ -162,6 +172,8 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
+  VertexKind Classify(Id v) const;
+
   friend class SurfaceMeshBuilder;
 
   static constexpr std::uint8_t DroppedFlag = 1;
@@ -169,6 +181,8 @@ private:
   static constexpr std::uint8_t DegenerateFlag = 4;
   static constexpr std::uint8_t MollifiedFlag = 8;
   static constexpr std::uint8_t DuplicateFlag = 16;
+
+  static constexpr std::uint8_t IrregularFlag = 1;
 
   std::vector<Id> Origins;                   // 3m
   std::vector<Id> Twins;                     // 3m
@@ -180,6 +194,7 @@ private:
   std::vector<Id> Fans;                      // 3m, without dropped faces
   std::vector<double> TotalAngles;           // n
   std::vector<VertexKind> Kinds;             // n
+  std::vector<std::uint8_t> VertexFlags;     // n
   std::vector<std::uint8_t> FaceFlags;       // m
   std::vector<std::array<Id, 2>> Duplicates; // with their originals, sorted
   double MeanEdgeLength = 0.0;

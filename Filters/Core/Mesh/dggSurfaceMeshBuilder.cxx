@@ -17,8 +17,6 @@ namespace dgg
 {
 namespace
 {
-/// Total angles this close to 2 pi are flat, radians.
-constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
 /// Faces that have been lengthened as part of another mesh have that slack up to rounding: what
 /// they must have left of it.
 constexpr double LeastSlackOfParts = 0.5;
@@ -72,8 +70,7 @@ Status SurfaceMeshBuilder::TakeTriangles(
   this->Mesh.Twins.assign(3 * m, NoId);
   this->Mesh.Lengths.assign(3 * m, 0.0);
   this->Mesh.FaceFlags.assign(m, 0);
-  this->Mesh.Kinds.assign(n, VertexKind::Isolated);
-  this->Mesh.TotalAngles.assign(n, 0.0);
+  this->Mesh.VertexFlags.assign(n, 0);
   return Status::Success();
 }
 
@@ -93,22 +90,23 @@ void SurfaceMeshBuilder::GlueByVertices()
 {
   this->DropRepeatedVertexFaces();
   const SurfaceMesh& mesh = this->Mesh;
-  // Bucket the half-edges by their smaller vertex, sort each short bucket by the larger one.
-  auto larger = [&](Id h) { return std::max(mesh.Origin(h), mesh.Destination(h)); };
-  Groups buckets =
-    GroupHalfEdges(mesh, [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); });
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  // Group the half-edges by their larger vertex, then these, in that order, by their smaller one.
+  const auto smaller = [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); };
+  const auto larger = [&](Id h) { return std::max(mesh.Origin(h), mesh.Destination(h)); };
+  const std::vector<Id> grouped = GroupHalfEdges(mesh, larger).Members;
+  std::vector<Id> sorted =
+    MakeGroups(static_cast<Id>(grouped.size()), mesh.GetNumberOfVertices(), [&](Id i) {
+      return smaller(grouped[i]);
+    }).Members;
+  std::transform(sorted.begin(), sorted.end(), sorted.begin(), [&](Id i) { return grouped[i]; });
+  for (auto run = sorted.begin(); run != sorted.end();)
   {
-    const auto begin = buckets.Members.begin() + buckets.Begins[v];
-    const auto end = buckets.Members.begin() + buckets.Begins[v + 1];
-    std::sort(begin, end,
-      [&](Id g, Id h) { return larger(g) != larger(h) ? larger(g) < larger(h) : g < h; });
-    for (auto run = begin; run != end;)
-    {
-      const auto stop = std::find_if(run + 1, end, [&](Id h) { return larger(h) != larger(*run); });
-      this->GlueEdge(run, stop);
-      run = stop;
-    }
+    const Id low = smaller(*run);
+    const Id high = larger(*run);
+    const auto stop = std::find_if(
+      run + 1, sorted.end(), [&](Id h) { return larger(h) != high || smaller(h) != low; });
+    this->GlueEdge(run, stop);
+    run = stop;
   }
   std::sort(this->Mesh.Duplicates.begin(), this->Mesh.Duplicates.end());
 }
@@ -117,7 +115,27 @@ void SurfaceMeshBuilder::GlueByVertices()
 void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
 {
   SurfaceMesh& mesh = this->Mesh;
-  // Faces on the same edge with the same apex have the same three vertices.
+  if (end - begin == 2 && mesh.Apex(begin[0]) != mesh.Apex(begin[1]))
+  {
+    mesh.Twins[begin[0]] = begin[1];
+    mesh.Twins[begin[1]] = begin[0];
+  }
+  else if (end - begin > 1)
+  {
+    this->DropDuplicates(begin, end);
+    end = std::remove_if(begin, end, [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)); });
+    for (auto it = begin; end - begin > 1 && it != end; ++it)
+    {
+      mesh.Twins[*it] = it + 1 == end ? *begin : *(it + 1);
+    }
+  }
+}
+
+/// Faces on the same edge with the same apex have the same three vertices.
+void SurfaceMeshBuilder::DropDuplicates(
+  std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
+{
+  SurfaceMesh& mesh = this->Mesh;
   this->Apexes.clear();
   std::transform(begin, end, std::back_inserter(this->Apexes),
     [&](Id h) { return std::make_pair(mesh.Apex(h), h); });
@@ -132,11 +150,6 @@ void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<I
       mesh.FaceFlags[f] |= SurfaceMesh::DroppedFlag | SurfaceMesh::DuplicateFlag;
       mesh.Duplicates.push_back({ { f, SurfaceMesh::Face(this->Apexes[original].second) } });
     }
-  }
-  end = std::remove_if(begin, end, [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)); });
-  for (auto it = begin; end - begin > 1 && it != end; ++it)
-  {
-    mesh.Twins[*it] = it + 1 == end ? *begin : *(it + 1);
   }
 }
 
@@ -183,25 +196,35 @@ Status SurfaceMeshBuilder::CheckExtent(double extent, const char* what) const
 
 Status SurfaceMeshBuilder::MeasureLengths(const double* points)
 {
+  SurfaceMesh& mesh = this->Mesh;
   double low[3] = { Infinity, Infinity, Infinity };
   double high[3] = { -Infinity, -Infinity, -Infinity };
-  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  double longest = 0.0;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)))
+    if (mesh.IsDropped(f))
     {
       continue;
     }
-    const Offset v = this->Mesh.Origin(h);
-    for (int axis = 0; axis < 3; ++axis)
+    const std::array<Id, 3> triangle = mesh.GetTriangle(f);
+    for (int k = 0; k < 3; ++k)
     {
-      const double x = points[3 * v + axis];
-      if (!std::isfinite(x))
+      const double* p = points + 3 * static_cast<Offset>(triangle[k]);
+      const double* q = points + 3 * static_cast<Offset>(triangle[(k + 1) % 3]);
+      double squares = 0.0; // the same bits for both halves of an edge
+      for (int axis = 0; axis < 3; ++axis)
       {
-        return InvalidInput("point ", v, ", used by triangle ", SurfaceMesh::Face(h),
-          ", has a coordinate that is not finite: remove the triangle or repair the point");
+        if (!std::isfinite(p[axis]))
+        {
+          return InvalidInput("point ", triangle[k], ", used by triangle ", f,
+            ", has a coordinate that is not finite: remove the triangle or repair the point");
+        }
+        low[axis] = std::min(low[axis], p[axis]);
+        high[axis] = std::max(high[axis], p[axis]);
+        squares += (q[axis] - p[axis]) * (q[axis] - p[axis]);
       }
-      low[axis] = std::min(low[axis], x);
-      high[axis] = std::max(high[axis], x);
+      mesh.Lengths[3 * f + k] = std::sqrt(squares);
+      longest = std::max(longest, mesh.Lengths[3 * f + k]);
     }
   }
   if (high[0] < low[0])
@@ -210,22 +233,6 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
   }
   const double extent = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
   DGG_RETURN_IF_ERROR(this->CheckExtent(extent, "the largest extent of the mesh"));
-  double longest = 0.0;
-  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)))
-    {
-      continue;
-    }
-    // From the smaller id to the larger one, so that both halves get the same bits.
-    const Offset a = std::min(this->Mesh.Origin(h), this->Mesh.Destination(h));
-    const Offset b = std::max(this->Mesh.Origin(h), this->Mesh.Destination(h));
-    const double dx = points[3 * b] - points[3 * a];
-    const double dy = points[3 * b + 1] - points[3 * a + 1];
-    const double dz = points[3 * b + 2] - points[3 * a + 2];
-    this->Mesh.Lengths[h] = std::sqrt(dx * dx + dy * dy + dz * dz);
-    longest = std::max(longest, this->Mesh.Lengths[h]);
-  }
   // Triangles that are points may be far from each other.
   return this->CheckExtent(longest, "the longest edge");
 }
@@ -284,9 +291,30 @@ Status SurfaceMeshBuilder::CheckTriangleInequalities() const
   return Status::Success();
 }
 
+/// False when a manifold edge has half-edges that run in the same direction.
+bool SurfaceMeshBuilder::FindLinks()
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  this->IsLinked.resize(mesh.Twins.size());
+  bool isOriented = true;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id t = mesh.Twin(h);
+    const bool isManifold = t != NoId && mesh.Twin(t) == h;
+    const bool isLinked = isManifold && mesh.Origin(t) == mesh.Destination(h);
+    isOriented = isOriented && isManifold == isLinked;
+    this->IsLinked[h] = isLinked ? 1 : 0;
+  }
+  return isOriented;
+}
+
 void SurfaceMeshBuilder::Orient()
 {
   SurfaceMesh& mesh = this->Mesh;
+  if (this->FindLinks())
+  {
+    return;
+  }
   const Id faces = mesh.GetNumberOfFaces();
   std::vector<std::uint8_t> seen(faces, 0);
   std::vector<std::uint8_t> turn(faces, 0);
@@ -367,6 +395,7 @@ void SurfaceMeshBuilder::Orient()
       mesh.FaceFlags[f] |= SurfaceMesh::FlippedFlag;
     }
   }
+  this->FindLinks();
 }
 
 void SurfaceMeshBuilder::TakeOrigin(const PartOfMesh& origin)
@@ -399,7 +428,8 @@ void SurfaceMeshBuilder::MeasureEdges()
     if (!mesh.IsDropped(SurfaceMesh::Face(h)))
     {
       mesh.MaximumEdgeLength = std::max(mesh.MaximumEdgeLength, mesh.Lengths[h]);
-      const bool counts = FindEdge(mesh, h) == h; // each edge once
+      // Each edge once. Without branches, which would be taken at random.
+      const bool counts = this->IsLinked[h] ? mesh.Twin(h) > h : RepresentsEdge(mesh, h);
       sum += counts ? mesh.Lengths[h] : 0.0;
       edges += counts ? 1 : 0;
     }
@@ -453,7 +483,7 @@ void SurfaceMeshBuilder::Mollify()
   mesh.Mollification = std::max(mesh.Mollification, delta);
   // Lengthen the edges of the faces concerned. A neighbour that a longer edge makes degenerate
   // joins them.
-  std::vector<std::uint8_t> lengthened(mesh.Lengths.size(), 0);
+  std::vector<std::uint8_t> lengthened(concerned.empty() ? 0 : mesh.Lengths.size(), 0);
   // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
   for (std::size_t i = 0; i < concerned.size(); ++i)
   {
@@ -489,9 +519,6 @@ void SurfaceMeshBuilder::Mollify()
 void SurfaceMeshBuilder::Finish()
 {
   this->LayOutFaces();
-  Groups fans = GroupHalfEdges(this->Mesh, [this](Id h) { return this->Mesh.Origin(h); });
-  this->Mesh.FanOffsets = std::move(fans.Begins);
-  this->Mesh.Fans = std::move(fans.Members);
   this->OrderFans();
 }
 
@@ -500,106 +527,76 @@ void SurfaceMeshBuilder::LayOutFaces()
   SurfaceMesh& mesh = this->Mesh;
   mesh.ApexXs.assign(mesh.Lengths.size(), 0.0);
   mesh.ApexYs.assign(mesh.Lengths.size(), 0.0);
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    if (mesh.IsDropped(f))
     {
-      const Point2 apex = LayOut(mesh.Lengths[h], mesh.Lengths[SurfaceMesh::Previous(h)],
-        mesh.Lengths[SurfaceMesh::Next(h)]);
-      mesh.ApexXs[h] = apex.X;
-      mesh.ApexYs[h] = apex.Y;
+      continue;
+    }
+    const double* lengths = &mesh.Lengths[3 * f];
+    const double area = TriangleArea(lengths[0], lengths[1], lengths[2]);
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh.ApexXs[3 * f + k] = FootOnEdge(lengths[k], lengths[(k + 2) % 3], lengths[(k + 1) % 3]);
+      mesh.ApexYs[3 * f + k] = 2.0 * area / lengths[k];
     }
   }
-}
-
-/// Whether the edge of h is a manifold interior edge whose two half-edges run in opposite
-/// directions.
-bool SurfaceMeshBuilder::IsLinkedConsistently(Id h) const
-{
-  const Id t = this->Mesh.Twin(h);
-  return t != NoId && this->Mesh.Twin(t) == h && this->Mesh.Origin(t) == this->Mesh.Destination(h);
 }
 
 void SurfaceMeshBuilder::OrderFans()
 {
   SurfaceMesh& mesh = this->Mesh;
-  mesh.PolarAngles.assign(mesh.Lengths.size(), 0.0);
+  Groups outgoing = GroupHalfEdges(mesh, [&](Id h) { return mesh.Origin(h); });
+  mesh.FanOffsets = std::move(outgoing.Begins);
+  mesh.Fans.resize(outgoing.Members.size());
   std::vector<std::uint8_t> placed(mesh.Lengths.size(), 0);
-  std::vector<Id> outgoing;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    const auto begin = mesh.Fans.begin() + mesh.FanOffsets[v];
-    const auto end = mesh.Fans.begin() + mesh.FanOffsets[v + 1];
-    outgoing.assign(begin, end); // by id
-    auto out = begin;
-    double angle = 0.0;
+    const Offset begin = mesh.FanOffsets[v];
+    const Offset end = mesh.FanOffsets[v + 1];
+    Offset out = begin;
     Id fans = 0;
-    bool open = false;
     auto walk = [&](Id start) {
       ++fans;
       Id h = start;
       do
       {
         placed[h] = 1;
-        *out++ = h;
-        mesh.PolarAngles[h] = angle;
-        angle += mesh.CornerAngle(h);
+        mesh.Fans[out++] = h;
         const Id incoming = SurfaceMesh::Previous(h);
-        h = this->IsLinkedConsistently(incoming) ? mesh.Twin(incoming) : NoId;
+        h = this->IsLinked[incoming] ? mesh.Twin(incoming) : NoId;
       } while (h != NoId && !placed[h]);
     };
-    for (const Id h : outgoing)
+    for (Offset i = begin; i < end; ++i)
     {
-      if (!placed[h] && !this->IsLinkedConsistently(h))
+      const Id h = outgoing.Members[i];
+      if (!placed[h] && !this->IsLinked[h])
       {
-        open = true;
         walk(h); // clockwise-most: nothing on its right side
       }
     }
-    for (const Id h : outgoing)
+    for (Offset i = begin; out < end; ++i)
     {
-      if (!placed[h])
+      if (!placed[outgoing.Members[i]])
       {
-        walk(h);
+        walk(outgoing.Members[i]);
       }
     }
-    mesh.TotalAngles[v] = angle;
-    this->Classify(v, fans, open);
+    if (fans > 1 || !this->IsRegular(v))
+    {
+      mesh.VertexFlags[v] |= SurfaceMesh::IrregularFlag;
+    }
   }
 }
 
-void SurfaceMeshBuilder::Classify(Id v, Id numberOfFans, bool open)
+/// Whether the faces and the edges around a vertex are.
+bool SurfaceMeshBuilder::IsRegular(Id v) const
 {
-  SurfaceMesh& mesh = this->Mesh;
-  if (numberOfFans == 0)
-  {
-    mesh.Kinds[v] = VertexKind::Isolated;
-    return;
-  }
-  bool regular = numberOfFans == 1;
-  for (const Id* h = mesh.FanBegin(v); h != mesh.FanEnd(v); ++h)
-  {
-    const Id incoming = SurfaceMesh::Previous(*h);
-    regular = regular && !mesh.IsMollified(SurfaceMesh::Face(*h)) &&
-      (mesh.Twin(*h) == NoId || this->IsLinkedConsistently(*h)) &&
-      (mesh.Twin(incoming) == NoId || this->IsLinkedConsistently(incoming));
-  }
-  const double excess = mesh.TotalAngles[v] - 2.0 * Pi;
-  if (!regular)
-  {
-    mesh.Kinds[v] = VertexKind::Irregular;
-  }
-  else if (open)
-  {
-    mesh.Kinds[v] = VertexKind::Boundary;
-  }
-  else if (std::abs(excess) <= FlatTolerance)
-  {
-    mesh.Kinds[v] = VertexKind::Flat;
-  }
-  else
-  {
-    mesh.Kinds[v] = excess < 0.0 ? VertexKind::Convex : VertexKind::Saddle;
-  }
+  const SurfaceMesh& mesh = this->Mesh;
+  return std::all_of(mesh.FanBegin(v), mesh.FanEnd(v), [&](Id h) {
+    const Id incoming = SurfaceMesh::Previous(h);
+    return !mesh.IsMollified(SurfaceMesh::Face(h)) && (this->IsLinked[h] || mesh.Twin(h) == NoId) &&
+      (this->IsLinked[incoming] || mesh.Twin(incoming) == NoId);
+  });
 }
 }

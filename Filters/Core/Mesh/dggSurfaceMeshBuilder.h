@@ -7,6 +7,7 @@
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
+#include <cstdint> // for the marks
 #include <utility> // for std::pair
 #include <vector>  // for std::vector
 
@@ -35,22 +36,25 @@ public:
   void Orient();
   /// Lengthen the edges of degenerate faces.
   void Mollify();
-  /// Everything that follows from connectivity and lengths.
+  /// Everything that follows from connectivity and lengths, but angles.
   void Finish();
 
 private:
   void DropRepeatedVertexFaces();
   void GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
-  bool IsLinkedConsistently(Id h) const;
+  void DropDuplicates(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
   double MeasureLack(Id f) const;
   void MeasureEdges();
   void LayOutFaces();
+  bool FindLinks();
   void OrderFans();
-  void Classify(Id v, Id numberOfFans, bool open);
+  bool IsRegular(Id v) const;
   Status CheckExtent(double extent, const char* what) const;
 
   SurfaceMesh& Mesh;
-  const SurfaceMesh* Whole = nullptr;    // what the mesh is a part of
+  const SurfaceMesh* Whole = nullptr; // what the mesh is a part of
+  /// Per half-edge, whether its edge has two half-edges that run in opposite directions.
+  std::vector<std::uint8_t> IsLinked;
   std::vector<std::pair<Id, Id>> Apexes; // of the faces on an edge, with their half-edges
 };
 }

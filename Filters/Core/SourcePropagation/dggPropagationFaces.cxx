@@ -22,7 +22,7 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
       twin != NoId && mesh.Twin(twin) == h && mesh.Origin(twin) == mesh.Destination(h);
     face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
     face.IsIrregular =
-      (k > 0 && face.IsIrregular) || mesh.Kind(mesh.Origin(h)) == VertexKind::Irregular;
+      (k > 0 && face.IsIrregular) || mesh.IsIrregular(mesh.Origin(h));
   }
 }
 }

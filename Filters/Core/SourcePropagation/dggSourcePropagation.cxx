@@ -172,7 +172,7 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
         const float distance =
           offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3)) * unit;
         Lower(this->Distances[v], distance);
-        if (this->Mesh.Kind(v) == VertexKind::Irregular)
+        if (this->Mesh.IsIrregular(v))
         {
           this->Radiate(v, distance, root, chunk);
         }
@@ -319,7 +319,7 @@ void Propagation<High>::RadiateFrom(const PropagationLabel& label, Chunk& chunk)
   {
     const Id v = face.Corners[corner];
     const float distance = this->Reach(label, corner);
-    if (this->Mesh.Kind(v) == VertexKind::Irregular && distance > label.Offset &&
+    if (this->Mesh.IsIrregular(v) && distance > label.Offset &&
       distance <= this->Distances[v].load(std::memory_order_relaxed))
     {
       this->Radiate(v, distance, label.Root, chunk);

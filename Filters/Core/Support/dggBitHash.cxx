@@ -24,38 +24,36 @@ std::uint64_t Avalanche(std::uint64_t word)
 }
 }
 
-void BitHash::Mix(State& lanes, const unsigned char* block)
+void BitHash::Mix(const unsigned char* blocks, std::size_t count)
 {
-  for (std::size_t i = 0; i < NumberOfLanes; ++i)
+  State lanes = this->Lanes; // in registers
+  for (; count > 0; --count, blocks += BlockSize)
   {
-    std::uint64_t word = 0;
-    std::memcpy(&word, block + i * sizeof(word), sizeof(word));
-    const std::uint64_t product = (lanes[i] ^ word) * Multipliers[i];
-    lanes[i] = product ^ (product >> 32);
+    for (std::size_t i = 0; i < NumberOfLanes; ++i)
+    {
+      std::uint64_t word = 0;
+      std::memcpy(&word, blocks + i * sizeof(word), sizeof(word));
+      const std::uint64_t product = (lanes[i] ^ word) * Multipliers[i];
+      lanes[i] = product ^ (product >> 32);
+    }
   }
+  this->Lanes = lanes;
 }
 
 void BitHash::AddBytes(const void* bytes, std::size_t size)
 {
-  constexpr std::size_t blockSize = NumberOfLanes * sizeof(std::uint64_t);
   const auto* position = static_cast<const unsigned char*>(bytes);
-  State lanes = this->Lanes; // in registers
-  std::size_t left = size;
-  for (; left >= blockSize; left -= blockSize, position += blockSize)
-  {
-    Mix(lanes, position);
-  }
+  const std::size_t whole = size / BlockSize;
+  this->Mix(position, whole);
   // The rest, filled up, and the size, which distinguishes the filling from zeros.
-  unsigned char block[blockSize] = {};
-  if (left != 0)
+  unsigned char end[2 * BlockSize] = {};
+  if (size % BlockSize != 0)
   {
-    std::memcpy(block, position, left);
+    std::memcpy(end, position + whole * BlockSize, size % BlockSize);
   }
-  Mix(lanes, block);
   const std::uint64_t sizes[NumberOfLanes] = { size, size, size, size };
-  std::memcpy(block, sizes, blockSize);
-  Mix(lanes, block);
-  this->Lanes = lanes;
+  std::memcpy(end + BlockSize, sizes, BlockSize);
+  this->Mix(end, 2);
 }
 
 std::array<std::uint64_t, 2> BitHash::Finish() const

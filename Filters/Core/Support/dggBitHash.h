@@ -33,9 +33,10 @@ private:
 
   // Several lanes at a time, as a multiplication takes some cycles.
   static constexpr std::size_t NumberOfLanes = 4;
+  static constexpr std::size_t BlockSize = NumberOfLanes * sizeof(std::uint64_t);
   using State = std::array<std::uint64_t, NumberOfLanes>;
 
-  static void Mix(State& lanes, const unsigned char* block);
+  void Mix(const unsigned char* blocks, std::size_t count);
 
   State Lanes{ { 0x243f6a8885a308d3u, 0x13198a2e03707344u, 0xa4093822299f31d0u,
     0x082efa98ec4e6c89u } };
