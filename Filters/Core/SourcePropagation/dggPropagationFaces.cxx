@@ -21,8 +21,7 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
     const bool isPlain =
       twin != NoId && mesh.Twin(twin) == h && mesh.Origin(twin) == mesh.Destination(h);
     face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
-    face.IsIrregular =
-      (k > 0 && face.IsIrregular) || mesh.IsIrregular(mesh.Origin(h));
+    face.IsIrregular = (k > 0 && face.IsIrregular) || mesh.IsIrregular(mesh.Origin(h));
   }
 }
 }
