@@ -12,6 +12,7 @@
 #include <functional> // for the loops
 #include <mutex>      // for the first exception
 #include <thread>     // for std::this_thread::yield
+#include <utility>    // for std::exchange
 
 namespace dgg
 {
@@ -22,7 +23,7 @@ namespace dgg
 class RoundTeam
 {
 public:
-  /// Calls lead(team) in one of the threads of the loop.
+  /// Calls lead(team) in one of the threads of the loop. What it throws reaches the caller.
   template <typename Lead>
   static void Run(const ParallelFor& parallel, Lead&& lead)
   {
@@ -33,15 +34,28 @@ public:
       return;
     }
     std::atomic<bool> isLed{ false };
+    std::exception_ptr thrown;
     ForRange(parallel, LargestTeam, 1, [&](Offset, Offset) {
       if (isLed.exchange(true))
       {
         team.Follow();
         return;
       }
-      const Ending ending{ team };
-      lead(team);
+      try
+      {
+        lead(team);
+      }
+      catch (...)
+      {
+        // The leader may be in a thread of the scheduler, which would end the program.
+        thrown = std::current_exception();
+      }
+      team.IsOver.store(true, std::memory_order_release);
     });
+    if (thrown)
+    {
+      std::rethrow_exception(thrown);
+    }
   }
 
   /// Whether others have come to help. Asked once a round: it decides whether the steps of a round
@@ -73,20 +87,13 @@ public:
     }
     if (this->Thrown)
     {
-      std::rethrow_exception(this->Thrown);
+      std::rethrow_exception(std::exchange(this->Thrown, nullptr));
     }
   }
 
 private:
   static constexpr Offset LargestTeam = 64;
   static constexpr int SpinsBeforeYield = 256;
-
-  /// Followers leave however the leader does.
-  struct Ending
-  {
-    RoundTeam& Team;
-    ~Ending() { this->Team.IsOver.store(true, std::memory_order_release); }
-  };
 
   RoundTeam() = default;
 
@@ -121,13 +128,18 @@ private:
       return;
     }
     ++this->Followers;
-    for (int spins = 0; !this->IsOver.load(std::memory_order_acquire); ++spins)
+    int spins = 0;
+    while (!this->IsOver.load(std::memory_order_acquire))
     {
       if (this->TakeChunk())
       {
         spins = 0;
       }
-      else if (spins > SpinsBeforeYield)
+      else if (spins < SpinsBeforeYield)
+      {
+        ++spins;
+      }
+      else
       {
         std::this_thread::yield();
       }
