@@ -35,12 +35,23 @@ constexpr float ShadowTolerance = 0.05F;
 /// Initial distances beyond this, in mean edges, are all the same: in single precision nothing is
 /// left of the surface there.
 constexpr double LargestOffset = 1e30;
+/// Labels that are nearer by less would go round in circles, for a gain by rounding each time.
+constexpr float Rounding = 5e-7F;
 constexpr float Unreached = std::numeric_limits<float>::max();
 /// Single precision, where it decides on which source a vertex belongs to.
 constexpr double SeedSlack = 1e-5;
 /// What a thread takes at one time.
 constexpr Offset LabelsPerChunk = 96;
 constexpr Offset VerticesPerBlock = 4096;
+/// An edge of more faces is a hub: from each of its faces into all others it would be too many.
+constexpr Id FewFaces = 6;
+/// Rounds take whole buckets, unless more labels than so many per slot are found to have been in
+/// vain, among so many.
+constexpr std::size_t MostLabelsPerSlot = 3;
+constexpr std::size_t LabelsPerWindow = 1024;
+/// Labels of a face, on average, and of all faces of a small mesh, after which there is no end.
+constexpr std::size_t MostLabelsPerFace = 12;
+constexpr std::size_t ManyLabels = 100000;
 /// Labels between two reports of progress.
 constexpr std::size_t LabelsPerReport = 4096;
 
@@ -68,23 +79,36 @@ struct alignas(64) PropagationFace
   float Sines[3];   ///< of the same
   Id Behind[3];     ///< the twin where it is the only one and oriented alike; else a code
   Id Corners[3];    ///< the origins
-  bool IsIrregular; ///< whether a corner is, so that several fans may meet there
+  bool IsIrregular; ///< whether a corner is a hub
 };
 
 class PropagationFaces
 {
 public:
-  /// Codes of PropagationFace::Behind.
+  /// Codes of PropagationFace::Behind. From FirstGate on down: a hub, FirstGate - code.
   static constexpr Id Nothing = NoId;
-  static constexpr Id AskMesh = -2; ///< several faces, or one that is not oriented alike
+  static constexpr Id AskMesh = -2; ///< a few faces, or one that is not oriented alike
+  static constexpr Id FirstGate = -3;
 
   explicit PropagationFaces(const SurfaceMesh& mesh);
 
   const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
   double GetUnit() const { return this->Unit; }
 
+  /// Where a label goes on into many faces: irregular vertices, and edges of many faces.
+  Id GetNumberOfHubs() const { return this->NumberOfHubs; }
+  /// These come first.
+  Id GetNumberOfVertexHubs() const { return this->NumberOfVertexHubs; }
+  /// NoId where the vertex is none.
+  Id GetHub(Id v) const { return this->VertexHubs.empty() ? NoId : this->VertexHubs[v]; }
+
 private:
+  void FindHubs(const SurfaceMesh& mesh);
+
   std::vector<PropagationFace> Faces;
+  std::vector<Id> VertexHubs; // empty when no vertex is irregular
+  Id NumberOfHubs = 0;
+  Id NumberOfVertexHubs = 0;
   double Unit; // the mean edge
 };
 
@@ -107,6 +131,43 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
     face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
     face.IsIrregular =
       (k > 0 && face.IsIrregular) || mesh.Kind(mesh.Origin(h)) == VertexKind::Irregular;
+  }
+  this->FindHubs(mesh);
+}
+
+void PropagationFaces::FindHubs(const SurfaceMesh& mesh)
+{
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (mesh.Kind(v) == VertexKind::Irregular)
+    {
+      this->VertexHubs.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()), NoId);
+      this->VertexHubs[v] = this->NumberOfHubs++;
+    }
+  }
+  this->NumberOfVertexHubs = this->NumberOfHubs;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (!mesh.IsNonManifold(h) || this->Faces[SurfaceMesh::Face(h)].Behind[h % 3] <= FirstGate)
+    {
+      continue;
+    }
+    Id count = 1;
+    for (Id t = mesh.Twin(h); t != h; t = mesh.Twin(t))
+    {
+      ++count;
+    }
+    if (count <= FewFaces)
+    {
+      continue;
+    }
+    const Id code = FirstGate - this->NumberOfHubs++;
+    Id t = h;
+    do
+    {
+      this->Faces[SurfaceMesh::Face(t)].Behind[t % 3] = code;
+      t = mesh.Twin(t);
+    } while (t != h);
   }
 }
 
@@ -143,6 +204,7 @@ struct Slot
   std::atomic<float> Key{ Unreached };
   std::atomic<bool> IsPending{ false }; ///< has changed and not been propagated since
   std::atomic<bool> IsLocked{ false };
+  float Threshold = Unreached; ///< what a key has to be below: that propagated last, less rounding
   Label Best{ 0.0F, 0.0F, 0.0F, NoId, NoId };
 };
 
@@ -156,8 +218,16 @@ struct Push
 /// A round's share of one thread.
 struct Chunk
 {
-  std::vector<Label> Labels;
+  std::vector<Label> Labels;   ///< of faces or edges
+  std::vector<Label> Vertices; ///< of vertices, which are the entries
+  std::vector<Label> Edges;    ///< of edges of many faces, by the half-edge that they leave through
   std::vector<Push> Pushes;
+  std::size_t Known = 0; ///< slots that have been propagated before
+
+  std::size_t GetNumberOfLabels() const
+  {
+    return this->Labels.size() + this->Vertices.size() + this->Edges.size();
+  }
 };
 
 void Lower(std::atomic<float>& value, float candidate)
@@ -179,7 +249,8 @@ public:
     , Faces(faces)
     , Shift(shift)
     , Radius(radius)
-    , Slots(static_cast<std::size_t>(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces()))
+    , FirstHub(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces())
+    , Slots(static_cast<std::size_t>(FirstHub) + faces.GetNumberOfHubs())
     , Distances(static_cast<std::size_t>(mesh.GetNumberOfVertices()))
   {
     for (std::atomic<float>& distance : this->Distances)
@@ -190,8 +261,7 @@ public:
   }
 
   void Start(const std::vector<GeodesicSource>& sources);
-  /// False when stopped.
-  bool Run(RoundTeam& team, const ProgressCallback& progress);
+  Status Run(RoundTeam& team, const ProgressCallback& progress);
 
   double GetDistance(Id v) const { return this->ToLength(this->Distances[v]); }
   bool IsReached(Id v) const { return this->Distances[v] < Unreached; }
@@ -204,12 +274,16 @@ private:
   Id SlotOf(Id entry) const;
   float StartOf(const GeodesicSource& source) const;
   void Radiate(const Label& from, Id v, Chunk& chunk);
+  void CrossInto(Id t, Id exit, Label label, Chunk& chunk);
+  void ReachHub(Id v, float distance, Id root, Chunk& chunk);
+  bool NextRound(std::vector<BucketQueue::Entry>& entries);
+  void AdjustWidth(std::size_t labels, std::size_t known);
   void Collect(const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk);
   void Propagate(Chunk& chunk);
   DGG_INLINE void Leave(const Label& label, int side, Chunk& chunk);
   DGG_INLINE void Cross(Id exit, Label label, Chunk& chunk);
   DGG_INLINE void Enter(Label label, Chunk& chunk);
-  DGG_INLINE void Offer(float key, const Label& label, Chunk& chunk);
+  DGG_INLINE void Offer(float key, const Label& label, Id id, Chunk& chunk);
   DGG_INLINE void StayOutOfShadows(Label& label, float length, Id atOrigin, Id atEnd) const;
   DGG_INLINE float ReachApex(const Label& label) const;
 
@@ -217,11 +291,18 @@ private:
   const PropagationFaces& Faces;
   const double Shift;
   const float Radius;
+  const Id FirstHub; ///< slots from here on are those of hubs
   std::vector<Slot> Slots;
   /// Lengths of ways to the vertices.
   std::vector<std::atomic<float>> Distances;
   BucketQueue Queue;
   bool IsShared = false;
+  /// Where buckets are too wide: entries up to the current bucket, the nearest one in front, of
+  /// which a round takes those within a part of a bucket.
+  std::vector<BucketQueue::Entry> Near;
+  float Width = 1.0F;
+  std::size_t WindowLabels = 0;
+  std::size_t WindowKnown = 0;
 };
 
 /// The end of the axis, if the straight line from the source of a label to a point above the axis
@@ -273,14 +354,23 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
     if (point.On == SurfacePoint::Support::Vertex)
     {
       Lower(this->Distances[point.Vertex], offset);
-      this->Radiate({ 0.0F, 0.0F, offset, NoId, root }, point.Vertex, chunk);
+      if (this->Faces.GetHub(point.Vertex) != NoId)
+      {
+        this->ReachHub(point.Vertex, offset, root, chunk);
+      }
+      else
+      {
+        this->Radiate({ 0.0F, 0.0F, offset, NoId, root }, point.Vertex, chunk);
+      }
       continue;
     }
     ForEachFaceAround(this->Mesh, point, [&](Id f, const std::array<double, 3>& b) {
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
-        Lower(this->Distances[this->Mesh.Origin(h)],
-          offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3)) * unit);
+        const float distance =
+          offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3)) * unit;
+        Lower(this->Distances[this->Mesh.Origin(h)], distance);
+        this->ReachHub(this->Mesh.Origin(h), distance, root, chunk);
       }
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
@@ -309,18 +399,110 @@ void Propagation<High>::Radiate(const Label& from, Id v, Chunk& chunk)
   }
 }
 
+/// A hub is reached: other fans of the vertex are reached through it only.
 template <bool High>
-bool Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
+void Propagation<High>::ReachHub(Id v, float distance, Id root, Chunk& chunk)
+{
+  const Id hub = this->Faces.GetHub(v);
+  if (hub != NoId && distance <= this->Radius)
+  {
+    this->Offer(distance, { 0.0F, 0.0F, distance, v, root }, this->FirstHub + hub, chunk);
+  }
+}
+
+/// Which entries to look at in the next round; false when there are none left. What is outdated
+/// depends on the threads, and must not decide.
+template <bool High>
+bool Propagation<High>::NextRound(std::vector<BucketQueue::Entry>& entries)
+{
+  const auto isFarther = [](const BucketQueue::Entry& a, const BucketQueue::Entry& b) {
+    return a.Key > b.Key;
+  };
+  const auto isOutdated = [&](const BucketQueue::Entry& entry) {
+    const Slot& slot = this->Slots[entry.Vertex];
+    return !slot.IsPending.load(std::memory_order_relaxed) ||
+      slot.Key.load(std::memory_order_relaxed) != entry.Key;
+  };
+  const auto pop = [&] {
+    std::pop_heap(this->Near.begin(), this->Near.end(), isFarther);
+    this->Near.pop_back();
+  };
+  const auto dropOutdated = [&] {
+    while (!this->Near.empty() && isOutdated(this->Near.front()))
+    {
+      pop();
+    }
+  };
+  entries.clear();
+  while (entries.empty())
+  {
+    dropOutdated();
+    if (this->Near.empty() && !this->Queue.Advance())
+    {
+      return false;
+    }
+    if (this->Near.empty() && this->Width == 1.0F)
+    {
+      entries = this->Queue.Current();
+      this->Queue.ClearCurrent();
+      return true;
+    }
+    for (const BucketQueue::Entry& entry : this->Queue.Current())
+    {
+      this->Near.push_back(entry);
+      std::push_heap(this->Near.begin(), this->Near.end(), isFarther);
+    }
+    this->Queue.ClearCurrent();
+    dropOutdated();
+    const float end = this->Near.empty() ? 0.0F : this->Near.front().Key + this->Width;
+    while (!this->Near.empty() && this->Near.front().Key <= end)
+    {
+      if (!isOutdated(this->Near.front()))
+      {
+        entries.push_back(this->Near.front());
+      }
+      pop();
+    }
+  }
+  return true;
+}
+
+/// Labels that were propagated too early are propagated again: where triangles are much smaller
+/// than the mean edge, thousands of times.
+template <bool High>
+void Propagation<High>::AdjustWidth(std::size_t labels, std::size_t known)
+{
+  this->WindowLabels += labels;
+  this->WindowKnown += known;
+  if (this->WindowLabels < LabelsPerWindow)
+  {
+    return;
+  }
+  const std::size_t fresh = this->WindowLabels - this->WindowKnown;
+  if (this->WindowLabels > MostLabelsPerSlot * fresh)
+  {
+    this->Width = std::max(0.25F * this->Width, std::numeric_limits<float>::min());
+  }
+  else if (2 * this->WindowLabels < MostLabelsPerSlot * fresh)
+  {
+    this->Width = std::min(2.0F * this->Width, 1.0F);
+  }
+  this->WindowLabels = 0;
+  this->WindowKnown = 0;
+}
+
+template <bool High>
+Status Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
 {
   const auto expected = static_cast<double>(this->Slots.size());
+  const std::size_t most =
+    ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
   std::vector<BucketQueue::Entry> entries;
   std::vector<Chunk> chunks;
   std::size_t propagated = 0;
   std::size_t reported = 0;
-  while (this->Queue.Advance())
+  while (this->NextRound(entries))
   {
-    entries = this->Queue.Current();
-    this->Queue.ClearCurrent();
     const auto size = static_cast<Offset>(entries.size());
     const Offset count = (size + LabelsPerChunk - 1) / LabelsPerChunk;
     if (chunks.size() < static_cast<std::size_t>(count))
@@ -334,24 +516,33 @@ bool Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
         entries.data() + std::min(size, (i + 1) * LabelsPerChunk), chunks[i]);
     });
     team.ForEach(count, this->IsShared, [&](Offset i) { this->Propagate(chunks[i]); });
+    const std::size_t before = propagated;
+    std::size_t known = 0;
     for (Offset i = 0; i < count; ++i)
     {
       for (const Push& push : chunks[i].Pushes)
       {
         this->Queue.Push(push.Key, push.Slot);
       }
-      propagated += chunks[i].Labels.size();
+      propagated += chunks[i].GetNumberOfLabels();
+      known += chunks[i].Known;
+    }
+    this->AdjustWidth(propagated - before, known);
+    if (propagated > most)
+    {
+      return Status::Invalid("the triangles are too irregular for virtual sources: distances did "
+                             "not settle; use another method");
     }
     if (propagated >= reported + LabelsPerReport)
     {
       reported = propagated;
       if (progress && !progress(std::min(1.0, static_cast<double>(propagated) / expected)))
       {
-        return false;
+        return Status::Abort();
       }
     }
   }
-  return true;
+  return Status::Success();
 }
 
 /// The labels that have changed, and how far they are from the vertices behind their edges.
@@ -360,7 +551,10 @@ void Propagation<High>::Collect(
   const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk)
 {
   chunk.Labels.clear();
+  chunk.Vertices.clear();
+  chunk.Edges.clear();
   chunk.Pushes.clear();
+  chunk.Known = 0;
   for (const BucketQueue::Entry* entry = begin; entry != end; ++entry)
   {
     Slot& slot = this->Slots[entry->Vertex];
@@ -368,6 +562,14 @@ void Propagation<High>::Collect(
       slot.IsPending.exchange(false, std::memory_order_relaxed))
     {
       const Label& label = slot.Best;
+      chunk.Known += slot.Threshold < Unreached ? 1 : 0;
+      slot.Threshold = (1.0F - Rounding) * slot.Key.load(std::memory_order_relaxed);
+      if (entry->Vertex >= this->FirstHub)
+      {
+        const bool isVertex = entry->Vertex < this->FirstHub + this->Faces.GetNumberOfVertexHubs();
+        (isVertex ? chunk.Vertices : chunk.Edges).push_back(label);
+        continue;
+      }
       const int k = label.Entry % 3;
       const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
       Lower(this->Distances[face.Corners[PreviousOf(k)]], this->ReachApex(label));
@@ -400,14 +602,23 @@ void Propagation<High>::Propagate(Chunk& chunk)
     const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
     if (face.IsIrregular)
     {
-      // Other fans of the vertex are reached through it only.
-      const Id apex = face.Corners[PreviousOf(k)];
-      const float distance = this->ReachApex(label);
-      if (this->Mesh.Kind(apex) == VertexKind::Irregular &&
-        distance <= this->Distances[apex].load(std::memory_order_relaxed))
+      this->ReachHub(face.Corners[PreviousOf(k)], this->ReachApex(label), label.Root, chunk);
+      if (label.Y == 0.0F && label.X == 0.0F)
       {
-        this->Radiate({ 0.0F, 0.0F, distance, NoId, label.Root }, apex, chunk);
+        const float distance = label.Offset + face.Lengths[k];
+        this->ReachHub(face.Corners[NextOf(k)], distance, label.Root, chunk);
       }
+    }
+  }
+  for (const Label& label : chunk.Vertices)
+  {
+    this->Radiate(label, label.Entry, chunk);
+  }
+  for (const Label& label : chunk.Edges)
+  {
+    for (Id t = this->Mesh.Twin(label.Entry); t != label.Entry; t = this->Mesh.Twin(t))
+    {
+      this->CrossInto(t, label.Entry, label, chunk);
     }
   }
 }
@@ -495,15 +706,34 @@ void Propagation<High>::Cross(Id exit, Label label, Chunk& chunk)
   }
   else if (behind == PropagationFaces::AskMesh)
   {
-    const float x = label.X;
     for (Id t = this->Mesh.Twin(exit); t != exit && t != NoId; t = this->Mesh.Twin(t))
     {
-      const bool isMirrored = this->Mesh.Origin(t) == this->Mesh.Origin(exit);
-      label.Entry = t;
-      label.X = isMirrored ? face.Lengths[exit % 3] - x : x;
-      this->Enter(label, chunk);
+      this->CrossInto(t, exit, label, chunk);
     }
   }
+  else if (behind <= PropagationFaces::FirstGate)
+  {
+    // The label that is the best one at the middle goes on.
+    const float length = face.Lengths[exit % 3];
+    const float distance = label.Offset + Length(0.5F * length - label.X, label.Y);
+    if (distance <= this->Radius + length)
+    {
+      label.Entry = exit;
+      this->Offer(distance, label, this->FirstHub + PropagationFaces::FirstGate - behind, chunk);
+    }
+  }
+}
+
+/// Into one of several faces of an edge.
+template <bool High>
+void Propagation<High>::CrossInto(Id t, Id exit, Label label, Chunk& chunk)
+{
+  if (this->Mesh.Origin(t) == this->Mesh.Origin(exit))
+  {
+    label.X = this->Faces[SurfaceMesh::Face(exit)].Lengths[exit % 3] - label.X;
+  }
+  label.Entry = t;
+  this->Enter(label, chunk);
 }
 
 template <bool High>
@@ -527,16 +757,15 @@ void Propagation<High>::Enter(Label label, Chunk& chunk)
     std::max(length, std::max(face.Lengths[NextOf(k)], face.Lengths[PreviousOf(k)]));
   if (distance <= this->Radius + reach)
   {
-    this->Offer(distance + OffsetPenalty * label.Offset, label, chunk);
+    this->Offer(distance + OffsetPenalty * label.Offset, label, this->SlotOf(label.Entry), chunk);
   }
 }
 
 template <bool High>
-void Propagation<High>::Offer(float key, const Label& label, Chunk& chunk)
+void Propagation<High>::Offer(float key, const Label& label, Id id, Chunk& chunk)
 {
-  const Id id = this->SlotOf(label.Entry);
   Slot& slot = this->Slots[id];
-  if (!(key <= slot.Key.load(std::memory_order_relaxed)))
+  if (!(key <= slot.Key.load(std::memory_order_relaxed) && key < slot.Threshold))
   {
     return;
   }
@@ -637,13 +866,10 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   const auto limit = static_cast<float>(std::min(radius * (1.0 + 1e-6), 1e37));
   Propagation<High> propagation(mesh, faces, shift, limit);
   propagation.Start(sources);
-  bool isDone = false;
+  Status status;
   RoundTeam::Run(
-    options.Parallel, [&](RoundTeam& team) { isDone = propagation.Run(team, options.Progress); });
-  if (!isDone)
-  {
-    return Status::Abort();
-  }
+    options.Parallel, [&](RoundTeam& team) { status = propagation.Run(team, options.Progress); });
+  DGG_RETURN_IF_ERROR(status);
   const Offset n = mesh.GetNumberOfVertices();
   result.Distances.assign(static_cast<std::size_t>(n), Infinity);
   const bool wantLabels = options.WantNearestSource || options.WantVirtualSource;
@@ -696,7 +922,8 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
     const GeodesicSource& source = sources[k];
     const auto root = static_cast<Id>(k);
     const auto isFirst = [&](Id v, double length) {
-      return source.InitialDistance + length <= result.Distances[v] + SeedSlack * length;
+      return result.Distances[v] < Infinity &&
+        source.InitialDistance + length <= result.Distances[v] + SeedSlack * length;
     };
     if (IsVertex(source.Point))
     {
