@@ -4,6 +4,12 @@
 
 namespace dgg
 {
+namespace
+{
+/// An edge of more faces is a hub: from each of its faces into all others it would be too many.
+constexpr Id FewFaces = 6;
+}
+
 PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
   : Faces(static_cast<std::size_t>(mesh.GetNumberOfFaces()))
   , Unit(mesh.GetMeanEdgeLength() > 0.0 ? mesh.GetMeanEdgeLength() : 1.0)
@@ -22,6 +28,43 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
       twin != NoId && mesh.Twin(twin) == h && mesh.Origin(twin) == mesh.Destination(h);
     face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
     face.IsIrregular = (k > 0 && face.IsIrregular) || mesh.IsIrregular(mesh.Origin(h));
+  }
+  this->FindHubs(mesh);
+}
+
+void PropagationFaces::FindHubs(const SurfaceMesh& mesh)
+{
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (mesh.IsIrregular(v))
+    {
+      this->VertexHubs.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()), NoId);
+      this->VertexHubs[v] = this->NumberOfHubs++;
+    }
+  }
+  this->NumberOfVertexHubs = this->NumberOfHubs;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (!mesh.IsNonManifold(h) || this->Faces[SurfaceMesh::Face(h)].Behind[h % 3] <= FirstGate)
+    {
+      continue;
+    }
+    Id count = 1;
+    for (Id t = mesh.Twin(h); t != h; t = mesh.Twin(t))
+    {
+      ++count;
+    }
+    if (count <= FewFaces)
+    {
+      continue;
+    }
+    const Id code = FirstGate - this->NumberOfHubs++;
+    Id t = h;
+    do
+    {
+      this->Faces[SurfaceMesh::Face(t)].Behind[t % 3] = code;
+      t = mesh.Twin(t);
+    } while (t != h);
   }
 }
 }

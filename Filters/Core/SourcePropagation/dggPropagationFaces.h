@@ -29,23 +29,36 @@ struct alignas(64) PropagationFace
   float Sines[3];   ///< of the same
   Id Behind[3];     ///< the twin where it is the only one and oriented alike; else a code
   Id Corners[3];    ///< the origins
-  bool IsIrregular; ///< whether a corner is, so that several fans may meet there
+  bool IsIrregular; ///< whether a corner is a hub
 };
 
 class PropagationFaces
 {
 public:
-  /// Codes of PropagationFace::Behind.
+  /// Codes of PropagationFace::Behind. From FirstGate on down: a hub, FirstGate - code.
   static constexpr Id Nothing = NoId;
-  static constexpr Id AskMesh = -2; ///< several faces, or one that is not oriented alike
+  static constexpr Id AskMesh = -2; ///< a few faces, or one that is not oriented alike
+  static constexpr Id FirstGate = -3;
 
   explicit PropagationFaces(const SurfaceMesh& mesh);
 
   const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
   double GetUnit() const { return this->Unit; }
 
+  /// Where a label goes on into many faces: irregular vertices, and edges of many faces.
+  Id GetNumberOfHubs() const { return this->NumberOfHubs; }
+  /// These come first.
+  Id GetNumberOfVertexHubs() const { return this->NumberOfVertexHubs; }
+  /// NoId where the vertex is none.
+  Id GetHub(Id v) const { return this->VertexHubs.empty() ? NoId : this->VertexHubs[v]; }
+
 private:
+  void FindHubs(const SurfaceMesh& mesh);
+
   std::vector<PropagationFace> Faces;
+  std::vector<Id> VertexHubs; // empty when no vertex is irregular
+  Id NumberOfHubs = 0;
+  Id NumberOfVertexHubs = 0;
   double Unit; // the mean edge
 };
 }

@@ -13,6 +13,7 @@
 #include <functional> // for the loops
 #include <mutex>      // for the first exception
 #include <thread>     // for std::this_thread::yield
+#include <utility>    // for std::exchange
 
 namespace dgg
 {
@@ -23,7 +24,7 @@ namespace dgg
 class RoundTeam
 {
 public:
-  /// Calls lead(team) in one of the threads of the loop.
+  /// Calls lead(team) in one of the threads of the loop. What it throws reaches the caller.
   template <typename Lead>
   static void Run(const ParallelFor& parallel, Lead&& lead)
   {
@@ -33,6 +34,7 @@ public:
       lead(team);
       return;
     }
+    std::exception_ptr thrown;
     // The thread that calls leads, if it takes part in the loop: observers hear from it only.
     const std::thread::id caller = std::this_thread::get_id();
     ForRange(parallel, LargestTeam, 1, [&](Offset, Offset) {
@@ -45,9 +47,21 @@ public:
         team.Follow();
         return;
       }
-      const Ending ending{ team };
-      lead(team);
+      try
+      {
+        lead(team);
+      }
+      catch (...)
+      {
+        // The leader may be in a thread of the scheduler, which would end the program.
+        thrown = std::current_exception();
+      }
+      team.IsOver.store(true, std::memory_order_release);
     });
+    if (thrown)
+    {
+      std::rethrow_exception(thrown);
+    }
   }
 
   /// Whether others have come to help. Asked once a round: it decides whether the steps of a round
@@ -79,7 +93,7 @@ public:
     }
     if (this->Thrown)
     {
-      std::rethrow_exception(this->Thrown);
+      std::rethrow_exception(std::exchange(this->Thrown, nullptr));
     }
   }
 
@@ -87,13 +101,6 @@ private:
   static constexpr Offset LargestTeam = 64;
   static constexpr int SpinsBeforeYield = 256;
   static constexpr std::chrono::milliseconds Patience{ 20 };
-
-  /// Followers leave however the leader does.
-  struct Ending
-  {
-    RoundTeam& Team;
-    ~Ending() { this->Team.IsOver.store(true, std::memory_order_release); }
-  };
 
   RoundTeam() = default;
 
@@ -126,7 +133,8 @@ private:
   {
     ++this->Followers;
     const auto start = std::chrono::steady_clock::now();
-    for (int spins = 0; !this->IsOver.load(std::memory_order_acquire); ++spins)
+    int spins = 0;
+    while (!this->IsOver.load(std::memory_order_acquire))
     {
       if (!this->IsLed.load(std::memory_order_acquire) &&
         std::chrono::steady_clock::now() - start > Patience)
@@ -137,7 +145,11 @@ private:
       {
         spins = 0;
       }
-      else if (spins > SpinsBeforeYield)
+      else if (spins < SpinsBeforeYield)
+      {
+        ++spins;
+      }
+      else
       {
         std::this_thread::yield();
       }

@@ -28,12 +28,21 @@ constexpr float ShadowTolerance = 0.05F;
 /// Initial distances beyond this, in mean edges, are all the same: in single precision nothing is
 /// left of the surface there.
 constexpr double LargestOffset = 1e30;
+/// Labels that are nearer by less would go round in circles, for a gain by rounding each time.
+constexpr float Rounding = 5e-7F;
 constexpr float Unreached = std::numeric_limits<float>::max();
 /// Single precision, by which a distance from a source nearby may be off.
 constexpr double SeedSlack = 1e-5;
 /// What a thread takes at one time.
 constexpr Offset LabelsPerChunk = 96;
 constexpr Offset VerticesPerBlock = 4096;
+/// Rounds take whole buckets, unless more labels than so many per slot are found to have been in
+/// vain, among so many.
+constexpr std::size_t MostLabelsPerSlot = 3;
+constexpr std::size_t LabelsPerWindow = 1024;
+/// Labels of a face, on average, and of all faces of a small mesh, after which there is no end.
+constexpr std::size_t MostLabelsPerFace = 12;
+constexpr std::size_t ManyLabels = 100000;
 /// Labels between two reports of progress.
 constexpr std::size_t LabelsPerReport = 1024;
 /// Labels per face that are propagated, about; it takes as many as it takes.
@@ -47,6 +56,7 @@ struct Slot
   std::atomic<float> Key{ Unreached };
   std::atomic<bool> IsPending{ false }; ///< has changed and not been propagated since
   std::atomic<bool> IsLocked{ false };
+  float Threshold = Unreached; ///< what a key has to be below: that propagated last, less rounding
   PropagationLabel Best{ 0.0F, 0.0F, 0.0F, NoId, NoId };
 };
 
@@ -60,8 +70,17 @@ struct Push
 /// A round's share of one thread.
 struct Chunk
 {
-  std::vector<PropagationLabel> Labels;
+  std::vector<PropagationLabel> Labels;   ///< of faces or edges
+  std::vector<PropagationLabel> Vertices; ///< of vertices, which are the entries
+  std::vector<PropagationLabel>
+    Edges; ///< of edges of many faces, by the half-edge that they leave through
   std::vector<Push> Pushes;
+  std::size_t Known = 0; ///< slots that have been propagated before
+
+  std::size_t GetNumberOfLabels() const
+  {
+    return this->Labels.size() + this->Vertices.size() + this->Edges.size();
+  }
 };
 
 void Lower(std::atomic<float>& value, float candidate)
@@ -83,7 +102,8 @@ public:
     , Faces(faces)
     , Shift(shift)
     , Radius(radius)
-    , Slots(static_cast<std::size_t>(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces()))
+    , FirstHub(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces())
+    , Slots(static_cast<std::size_t>(FirstHub) + faces.GetNumberOfHubs())
     , Distances(static_cast<std::size_t>(mesh.GetNumberOfVertices()))
   {
     for (std::atomic<float>& distance : this->Distances)
@@ -94,8 +114,7 @@ public:
   }
 
   void Start(const std::vector<GeodesicSource>& sources);
-  /// False when stopped.
-  bool Run(RoundTeam& team, const ProgressCallback& progress);
+  Status Run(RoundTeam& team, const ProgressCallback& progress);
 
   double GetDistance(Id v) const { return this->ToLength(this->Distances[v]); }
   bool IsReached(Id v) const { return this->Distances[v] < Unreached; }
@@ -107,28 +126,37 @@ public:
 private:
   Id SlotOf(Id entry) const;
   float StartOf(const GeodesicSource& source) const;
-  void Radiate(Id v, float distance, Id root, Chunk& chunk);
-  void RadiateFrom(const PropagationLabel& label, Chunk& chunk);
+  void Radiate(const PropagationLabel& from, Id v, Chunk& chunk);
+  void CrossInto(Id t, Id exit, PropagationLabel label, Chunk& chunk);
+  void ReachHub(Id v, float distance, Id root, Chunk& chunk);
+  bool NextRound(std::vector<BucketQueue::Entry>& entries);
+  void AdjustWidth(std::size_t labels, std::size_t known);
   void Collect(const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk);
   void Propagate(Chunk& chunk);
   DGG_INLINE void Leave(const PropagationLabel& label, int side, Chunk& chunk);
   DGG_INLINE void Cross(Id exit, PropagationLabel label, Chunk& chunk);
   DGG_INLINE void Enter(PropagationLabel label, Chunk& chunk);
-  DGG_INLINE void Offer(float key, const PropagationLabel& label, Chunk& chunk);
+  DGG_INLINE void Offer(float key, const PropagationLabel& label, Id id, Chunk& chunk);
   DGG_INLINE void StayOutOfShadows(
     PropagationLabel& label, float length, Id atOrigin, Id atEnd) const;
   DGG_INLINE float ReachApex(const PropagationLabel& label) const;
-  float Reach(const PropagationLabel& label, int corner) const;
 
   const SurfaceMesh& Mesh;
   const PropagationFaces& Faces;
   const double Shift;
   const float Radius;
+  const Id FirstHub; ///< slots from here on are those of hubs
   std::vector<Slot> Slots;
   /// Lengths of ways to the vertices.
   std::vector<std::atomic<float>> Distances;
   BucketQueue Queue;
   bool IsShared = false;
+  /// Where buckets are too wide: entries up to the current bucket, the nearest one in front, of
+  /// which a round takes those within a part of a bucket.
+  std::vector<BucketQueue::Entry> Near;
+  float Width = 1.0F;
+  std::size_t WindowLabels = 0;
+  std::size_t WindowKnown = 0;
 };
 
 template <bool High>
@@ -162,20 +190,23 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
     if (point.On == SurfacePoint::Support::Vertex)
     {
       Lower(this->Distances[point.Vertex], offset);
-      this->Radiate(point.Vertex, offset, root, chunk);
+      if (this->Faces.GetHub(point.Vertex) != NoId)
+      {
+        this->ReachHub(point.Vertex, offset, root, chunk);
+      }
+      else
+      {
+        this->Radiate({ 0.0F, 0.0F, offset, NoId, root }, point.Vertex, chunk);
+      }
       continue;
     }
     ForEachFaceAround(this->Mesh, point, [&](Id f, const std::array<double, 3>& b) {
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
-        const Id v = this->Mesh.Origin(h);
         const float distance =
           offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3)) * unit;
-        Lower(this->Distances[v], distance);
-        if (this->Mesh.IsIrregular(v))
-        {
-          this->Radiate(v, distance, root, chunk);
-        }
+        Lower(this->Distances[this->Mesh.Origin(h)], distance);
+        this->ReachHub(this->Mesh.Origin(h), distance, root, chunk);
       }
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
@@ -196,27 +227,119 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
 
 /// A vertex as source, in all faces around it.
 template <bool High>
-void Propagation<High>::Radiate(Id v, float distance, Id root, Chunk& chunk)
+void Propagation<High>::Radiate(const PropagationLabel& from, Id v, Chunk& chunk)
 {
   for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
   {
-    this->Enter({ 0.0F, 0.0F, distance, *g, root }, chunk);
+    this->Enter({ 0.0F, 0.0F, from.Offset, *g, from.Root }, chunk);
   }
 }
 
+/// A hub is reached: other fans of the vertex are reached through it only.
 template <bool High>
-bool Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
+void Propagation<High>::ReachHub(Id v, float distance, Id root, Chunk& chunk)
+{
+  const Id hub = this->Faces.GetHub(v);
+  if (hub != NoId && distance <= this->Radius)
+  {
+    this->Offer(distance, { 0.0F, 0.0F, distance, v, root }, this->FirstHub + hub, chunk);
+  }
+}
+
+/// Which entries to look at in the next round; false when there are none left. What is outdated
+/// depends on the threads, and must not decide.
+template <bool High>
+bool Propagation<High>::NextRound(std::vector<BucketQueue::Entry>& entries)
+{
+  const auto isFarther = [](const BucketQueue::Entry& a, const BucketQueue::Entry& b) {
+    return a.Key > b.Key;
+  };
+  const auto isOutdated = [&](const BucketQueue::Entry& entry) {
+    const Slot& slot = this->Slots[entry.Vertex];
+    return !slot.IsPending.load(std::memory_order_relaxed) ||
+      slot.Key.load(std::memory_order_relaxed) != entry.Key;
+  };
+  const auto pop = [&] {
+    std::pop_heap(this->Near.begin(), this->Near.end(), isFarther);
+    this->Near.pop_back();
+  };
+  const auto dropOutdated = [&] {
+    while (!this->Near.empty() && isOutdated(this->Near.front()))
+    {
+      pop();
+    }
+  };
+  entries.clear();
+  while (entries.empty())
+  {
+    dropOutdated();
+    if (this->Near.empty() && !this->Queue.Advance())
+    {
+      return false;
+    }
+    if (this->Near.empty() && this->Width == 1.0F)
+    {
+      entries = this->Queue.Current();
+      this->Queue.ClearCurrent();
+      return true;
+    }
+    for (const BucketQueue::Entry& entry : this->Queue.Current())
+    {
+      this->Near.push_back(entry);
+      std::push_heap(this->Near.begin(), this->Near.end(), isFarther);
+    }
+    this->Queue.ClearCurrent();
+    dropOutdated();
+    const float end = this->Near.empty() ? 0.0F : this->Near.front().Key + this->Width;
+    while (!this->Near.empty() && this->Near.front().Key <= end)
+    {
+      if (!isOutdated(this->Near.front()))
+      {
+        entries.push_back(this->Near.front());
+      }
+      pop();
+    }
+  }
+  return true;
+}
+
+/// Labels that were propagated too early are propagated again: where triangles are much smaller
+/// than the mean edge, thousands of times.
+template <bool High>
+void Propagation<High>::AdjustWidth(std::size_t labels, std::size_t known)
+{
+  this->WindowLabels += labels;
+  this->WindowKnown += known;
+  if (this->WindowLabels < LabelsPerWindow)
+  {
+    return;
+  }
+  const std::size_t fresh = this->WindowLabels - this->WindowKnown;
+  if (this->WindowLabels > MostLabelsPerSlot * fresh)
+  {
+    this->Width = std::max(0.25F * this->Width, std::numeric_limits<float>::min());
+  }
+  else if (2 * this->WindowLabels < MostLabelsPerSlot * fresh)
+  {
+    this->Width = std::min(2.0F * this->Width, 1.0F);
+  }
+  this->WindowLabels = 0;
+  this->WindowKnown = 0;
+}
+
+template <bool High>
+Status Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
 {
   const double expected =
     (High ? HighLabelsPerFace : FastLabelsPerFace) * this->Mesh.GetNumberOfFaces();
+  const std::size_t most =
+    ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
   std::vector<BucketQueue::Entry> entries;
   std::vector<Chunk> chunks;
   std::size_t propagated = 0;
   std::size_t reported = 0;
-  while (this->Queue.Advance())
+  while (this->NextRound(entries))
   {
-    entries = this->Queue.Current();
-    this->Queue.ClearCurrent();
     const auto size = static_cast<Offset>(entries.size());
     const Offset count = (size + LabelsPerChunk - 1) / LabelsPerChunk;
     if (chunks.size() < static_cast<std::size_t>(count))
@@ -230,13 +353,22 @@ bool Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
         entries.data() + std::min(size, (i + 1) * LabelsPerChunk), chunks[i]);
     });
     team.ForEach(count, this->IsShared, [&](Offset i) { this->Propagate(chunks[i]); });
+    const std::size_t before = propagated;
+    std::size_t known = 0;
     for (Offset i = 0; i < count; ++i)
     {
       for (const Push& push : chunks[i].Pushes)
       {
         this->Queue.Push(push.Key, push.Slot);
       }
-      propagated += chunks[i].Labels.size();
+      propagated += chunks[i].GetNumberOfLabels();
+      known += chunks[i].Known;
+    }
+    this->AdjustWidth(propagated - before, known);
+    if (propagated > most)
+    {
+      return Status::Invalid("the triangles are too irregular for virtual sources: distances did "
+                             "not settle; use another method");
     }
     if (propagated >= reported + LabelsPerReport)
     {
@@ -244,11 +376,11 @@ bool Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
       if (progress &&
         !progress(std::min(LargestProgress, static_cast<double>(propagated) / expected)))
       {
-        return false;
+        return Status::Abort();
       }
     }
   }
-  return true;
+  return Status::Success();
 }
 
 /// The labels that have changed, and how far they are from the vertices behind their edges.
@@ -257,7 +389,10 @@ void Propagation<High>::Collect(
   const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk)
 {
   chunk.Labels.clear();
+  chunk.Vertices.clear();
+  chunk.Edges.clear();
   chunk.Pushes.clear();
+  chunk.Known = 0;
   for (const BucketQueue::Entry* entry = begin; entry != end; ++entry)
   {
     Slot& slot = this->Slots[entry->Vertex];
@@ -265,6 +400,14 @@ void Propagation<High>::Collect(
       slot.IsPending.exchange(false, std::memory_order_relaxed))
     {
       const PropagationLabel& label = slot.Best;
+      chunk.Known += slot.Threshold < Unreached ? 1 : 0;
+      slot.Threshold = (1.0F - Rounding) * slot.Key.load(std::memory_order_relaxed);
+      if (entry->Vertex >= this->FirstHub)
+      {
+        const bool isVertex = entry->Vertex < this->FirstHub + this->Faces.GetNumberOfVertexHubs();
+        (isVertex ? chunk.Vertices : chunk.Edges).push_back(label);
+        continue;
+      }
       const int k = label.Entry % 3;
       const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
       Lower(this->Distances[face.Corners[PreviousOf(k)]], this->ReachApex(label));
@@ -272,13 +415,6 @@ void Propagation<High>::Collect(
       {
         // From one end of the edge to the other, which need not be behind any edge.
         Lower(this->Distances[face.Corners[NextOf(k)]], label.Offset + face.Lengths[k]);
-      }
-      if (face.IsIrregular)
-      {
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          Lower(this->Distances[face.Corners[corner]], this->Reach(label, corner));
-        }
       }
       chunk.Labels.push_back(label);
       for (const Id behind : { face.Behind[PreviousOf(k)], face.Behind[NextOf(k)] })
@@ -304,25 +440,23 @@ void Propagation<High>::Propagate(Chunk& chunk)
     const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
     if (face.IsIrregular)
     {
-      this->RadiateFrom(label, chunk);
+      this->ReachHub(face.Corners[PreviousOf(k)], this->ReachApex(label), label.Root, chunk);
+      if (label.Y == 0.0F && label.X == 0.0F)
+      {
+        const float distance = label.Offset + face.Lengths[k];
+        this->ReachHub(face.Corners[NextOf(k)], distance, label.Root, chunk);
+      }
     }
   }
-}
-
-/// Fans of a vertex that share no edge are reached through it only: the label that has found the
-/// shortest way to it goes on from there.
-template <bool High>
-void Propagation<High>::RadiateFrom(const PropagationLabel& label, Chunk& chunk)
-{
-  const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
-  for (int corner = 0; corner < 3; ++corner)
+  for (const PropagationLabel& label : chunk.Vertices)
   {
-    const Id v = face.Corners[corner];
-    const float distance = this->Reach(label, corner);
-    if (this->Mesh.IsIrregular(v) && distance > label.Offset &&
-      distance <= this->Distances[v].load(std::memory_order_relaxed))
+    this->Radiate(label, label.Entry, chunk);
+  }
+  for (const PropagationLabel& label : chunk.Edges)
+  {
+    for (Id t = this->Mesh.Twin(label.Entry); t != label.Entry; t = this->Mesh.Twin(t))
     {
-      this->Radiate(v, distance, label.Root, chunk);
+      this->CrossInto(t, label.Entry, label, chunk);
     }
   }
 }
@@ -411,15 +545,34 @@ void Propagation<High>::Cross(Id exit, PropagationLabel label, Chunk& chunk)
   }
   else if (behind == PropagationFaces::AskMesh)
   {
-    const float x = label.X;
     for (Id t = this->Mesh.Twin(exit); t != exit && t != NoId; t = this->Mesh.Twin(t))
     {
-      const bool isMirrored = this->Mesh.Origin(t) == this->Mesh.Origin(exit);
-      label.Entry = t;
-      label.X = isMirrored ? face.Lengths[exit % 3] - x : x;
-      this->Enter(label, chunk);
+      this->CrossInto(t, exit, label, chunk);
     }
   }
+  else if (behind <= PropagationFaces::FirstGate)
+  {
+    // The label that is the best one at the middle goes on.
+    const float length = face.Lengths[exit % 3];
+    const float distance = label.Offset + PlaneLength(0.5F * length - label.X, label.Y);
+    if (distance <= this->Radius + length)
+    {
+      label.Entry = exit;
+      this->Offer(distance, label, this->FirstHub + PropagationFaces::FirstGate - behind, chunk);
+    }
+  }
+}
+
+/// Into one of several faces of an edge.
+template <bool High>
+void Propagation<High>::CrossInto(Id t, Id exit, PropagationLabel label, Chunk& chunk)
+{
+  if (this->Mesh.Origin(t) == this->Mesh.Origin(exit))
+  {
+    label.X = this->Faces[SurfaceMesh::Face(exit)].Lengths[exit % 3] - label.X;
+  }
+  label.Entry = t;
+  this->Enter(label, chunk);
 }
 
 template <bool High>
@@ -443,16 +596,15 @@ void Propagation<High>::Enter(PropagationLabel label, Chunk& chunk)
     std::max(length, std::max(face.Lengths[NextOf(k)], face.Lengths[PreviousOf(k)]));
   if (distance <= this->Radius + reach)
   {
-    this->Offer(distance + OffsetPenalty * label.Offset, label, chunk);
+    this->Offer(distance + OffsetPenalty * label.Offset, label, this->SlotOf(label.Entry), chunk);
   }
 }
 
 template <bool High>
-void Propagation<High>::Offer(float key, const PropagationLabel& label, Chunk& chunk)
+void Propagation<High>::Offer(float key, const PropagationLabel& label, Id id, Chunk& chunk)
 {
-  const Id id = this->SlotOf(label.Entry);
   Slot& slot = this->Slots[id];
-  if (!(key <= slot.Key.load(std::memory_order_relaxed)))
+  if (!(key <= slot.Key.load(std::memory_order_relaxed) && key < slot.Threshold))
   {
     return;
   }
@@ -485,19 +637,6 @@ float Propagation<High>::ReachApex(const PropagationLabel& label) const
   PropagationLabel bent = label;
   BendAround(bent, face.Lengths[k], x, y);
   return bent.Offset + PlaneLength(x - bent.X, y - bent.Y);
-}
-
-/// The same to any corner of the face.
-template <bool High>
-float Propagation<High>::Reach(const PropagationLabel& label, int corner) const
-{
-  const int k = label.Entry % 3;
-  if (corner == PreviousOf(k))
-  {
-    return this->ReachApex(label);
-  }
-  const float end = corner == k ? 0.0F : this->Faces[SurfaceMesh::Face(label.Entry)].Lengths[k];
-  return label.Offset + PlaneLength(label.X - end, label.Y);
 }
 
 template <bool High>
@@ -567,13 +706,10 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   const auto limit = static_cast<float>(std::min(radius * (1.0 + 1e-6), 1e37));
   Propagation<High> propagation(mesh, faces, shift, limit);
   propagation.Start(sources);
-  bool isDone = false;
+  Status status;
   RoundTeam::Run(
-    options.Parallel, [&](RoundTeam& team) { isDone = propagation.Run(team, options.Progress); });
-  if (!isDone)
-  {
-    return Status::Abort();
-  }
+    options.Parallel, [&](RoundTeam& team) { status = propagation.Run(team, options.Progress); });
+  DGG_RETURN_IF_ERROR(status);
   const Offset n = mesh.GetNumberOfVertices();
   result.Distances.assign(static_cast<std::size_t>(n), Infinity);
   const bool wantLabels = options.WantNearestSource || options.WantVirtualSource;

@@ -1,0 +1,453 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Propagation of virtual sources: what is exact, how close the rest is, any triangles, any threads.
+#include "EdgeGraph.h"
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+#include "TestMeshes.h"
+
+#include "dggRoundTeam.h"
+#include "dggSourcePropagation.h"
+#include "dggSurfacePath.h"
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using Quality = dgg::PropagationQuality;
+using Sources = std::vector<dgg::GeodesicSource>;
+using Change = std::function<void(dgg::PropagationOptions&)>;
+using Body = std::function<void(dgg::Offset, dgg::Offset)>;
+
+/// Runs once with each quality.
+class SourcePropagation : public testing::TestWithParam<Quality>
+{
+protected:
+  dgg::PropagationResult Run(
+    const dgg::SurfaceMesh& mesh, const Sources& sources, const Change& change = nullptr) const
+  {
+    dgg::PropagationOptions options;
+    options.Quality = this->GetParam();
+    options.WantNearestSource = true;
+    options.WantVirtualSource = true;
+    if (change)
+    {
+      change(options);
+    }
+    dgg::PropagationResult result;
+    EXPECT_TRUE(Ok(dgg::SourcePropagation(mesh).Run(sources, options, result)));
+    return result;
+  }
+  std::vector<double> From(const dgg::SurfaceMesh& mesh, Id source) const
+  {
+    return this->Run(mesh, { VertexSource(source) }).Distances;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Qualities, SourcePropagation,
+  testing::Values(Quality::Fast, Quality::High),
+  [](const auto& info) { return info.param == Quality::Fast ? "Fast" : "High"; });
+
+std::vector<double> Exact(const dgg::SurfaceMesh& mesh, const Sources& sources)
+{
+  return Solve(mesh, dgg::ExactEngine::Triangle, sources).Distances;
+}
+
+/// Mean of the absolute errors and the largest ones to both sides, relative to the distance.
+void ExpectNear(const std::vector<double>& actual, const std::vector<double>& exact, double mean,
+  double below, double above)
+{
+  const Errors errors = Compare(actual, exact);
+  EXPECT_LT(errors.Mean, mean);
+  for (std::size_t v = 0; v < exact.size(); ++v)
+  {
+    if (exact[v] > 0.0 && exact[v] < dgg::Infinity)
+    {
+      ASSERT_GT(actual[v] / exact[v] - 1.0, -below) << v;
+      ASSERT_LT(actual[v] / exact[v] - 1.0, above) << v;
+    }
+  }
+}
+
+void ExpectSameBits(const dgg::PropagationResult& a, const dgg::PropagationResult& b)
+{
+  EXPECT_EQ(a.Distances, b.Distances);
+  EXPECT_EQ(a.NearestSource, b.NearestSource);
+  EXPECT_EQ(a.Virtual.Offsets, b.Virtual.Offsets);
+  EXPECT_EQ(a.Virtual.Lengths, b.Virtual.Lengths);
+  EXPECT_EQ(a.Virtual.Angles, b.Virtual.Angles);
+}
+
+/// All ranges one after the other, in this thread; the last one first if asked for.
+dgg::ParallelFor OneByOne(bool isReversed)
+{
+  return [=](dgg::Offset size, dgg::Offset grain, const Body& body) {
+    const dgg::Offset count = (size + grain - 1) / grain;
+    for (dgg::Offset i = 0; i < count; ++i)
+    {
+      const dgg::Offset begin = (isReversed ? count - 1 - i : i) * grain;
+      body(begin, std::min(begin + grain, size));
+    }
+  };
+}
+}
+
+TEST_P(SourcePropagation, ExactInThePlane)
+{
+  TestMesh flattened = Plane(24, 24, 0.25, 4);
+  for (std::size_t i = 1; i < flattened.Points.size(); i += 3)
+  {
+    flattened.Points[i] *= 0.05;
+  }
+  for (const NamedMesh& named : { NamedMesh{ "irregular", Plane(30, 20, 0.25, 3) },
+         NamedMesh{ "grid", Plane(30, 20) }, NamedMesh{ "flattened", flattened },
+         NamedMesh{ "refined", RandomlyRefined(Plane(8, 8, 0.2, 5), 300, 6, 1e-3) },
+         NamedMesh{ "slivers", SliverPlane(16, 0.01) },
+         NamedMesh{ "needles", NeedlePlane(16, 0.01) }, NamedMesh{ "caps", CapPlane(16, 0.1) } })
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const Id source : SomeVertices(mesh, 8, 3))
+    {
+      const Errors errors =
+        Compare(this->From(mesh, source), EuclideanDistances(named.Mesh, source));
+      EXPECT_LT(errors.Largest, 1e-5) << source;
+    }
+  }
+}
+
+TEST_P(SourcePropagation, PathsBendAroundRims)
+{
+  std::vector<bool> isLower;
+  for (const NamedMesh& named :
+    { NamedMesh{ "notch",
+        Plate(
+          20, 20, [](Id i, Id j) { return i < 10 || j < 10; }, 0.2, 3) },
+      NamedMesh{ "hole",
+        Plate(
+          24, 24, [](Id i, Id j) { return std::abs(i - 12) > 4 || std::abs(j - 12) > 4; }, 0.2) },
+      NamedMesh{ "slit", SlitPlane(12, isLower, 0.2) } })
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const Id source : SomeVertices(mesh, 10, 7))
+    {
+      ExpectNear(
+        this->From(mesh, source), Exact(mesh, { VertexSource(source) }), 0.005, 0.05, 0.03);
+    }
+  }
+  // An ear has two edges on the rim, and its tip no neighbour but the ends of the third one.
+  TestMesh ears = Plane(3, 3);
+  const Id tip = ears.AddPoint(1.5, -2.0, 0.0);
+  ears.AddTriangle(1, tip, 2);
+  const dgg::SurfaceMesh mesh = Build(ears);
+  ExpectNear(this->From(mesh, tip), Exact(mesh, { VertexSource(tip) }), 0.01, 1e-5, 0.02);
+  ExpectNear(this->From(mesh, 15), Exact(mesh, { VertexSource(15) }), 0.01, 1e-5, 0.02);
+}
+
+TEST_P(SourcePropagation, CloseToExactOnCurvedMeshes)
+{
+  for (const NamedMesh& named : { NamedMesh{ "sphere", Icosphere(4) },
+         NamedMesh{ "noisy sphere", NoisySphere(4, 0.1, 3) }, NamedMesh{ "torus", Torus(80, 40) },
+         NamedMesh{ "terrain", Terrain(40, 0.3, 5) }, NamedMesh{ "long", Ellipsoid(4, 5.0) },
+         NamedMesh{ "two holes", Subdivided(TwoHoledBlock(), 4) } })
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    Sources sources;
+    for (const Id v : SomeVertices(mesh, 4, 3))
+    {
+      sources.push_back(VertexSource(v));
+    }
+    for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 4, 8))
+    {
+      sources.push_back({ point, 0.25 });
+    }
+    for (const dgg::GeodesicSource& source : sources)
+    {
+      ExpectNear(this->Run(mesh, { source }).Distances, Exact(mesh, { source }), 0.005, 0.05, 0.1);
+    }
+  }
+}
+
+TEST_P(SourcePropagation, SeveralSources)
+{
+  const TestMesh plane = Plane(24, 24, 0.2, 5);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  Sources sources{ VertexSource(20, -3.0), VertexSource(200, 1.0), VertexSource(580, 0.5),
+    VertexSource(201, 9.0), { dgg::SurfacePoint::InFace(mesh, 600, { { 0.2, 0.3, 0.5 } }), 2.0 },
+    { dgg::SurfacePoint::OnEdge(mesh, 2200, 0.3), 1.5 }, VertexSource(580, 0.75) };
+  const dgg::PropagationResult result = this->Run(mesh, sources);
+  std::vector<std::vector<double>> single;
+  for (const dgg::GeodesicSource& source : sources)
+  {
+    single.push_back(this->Run(mesh, { source }).Distances);
+  }
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    std::vector<std::pair<double, Id>> order;
+    for (std::size_t k = 0; k < sources.size(); ++k)
+    {
+      order.emplace_back(single[k][v], static_cast<Id>(k));
+    }
+    std::sort(order.begin(), order.end());
+    // Where fronts meet within a face one source may stand for both.
+    EXPECT_NEAR(result.Distances[v], order[0].first, 0.1) << v;
+    if (order[1].first - order[0].first > 1.5)
+    {
+      EXPECT_EQ(result.NearestSource[v], order[0].second) << v;
+      EXPECT_NEAR(result.Distances[v], order[0].first, 1e-4) << v;
+    }
+    EXPECT_NE(result.NearestSource[v], 3) << "a source that is never the nearest";
+  }
+  EXPECT_EQ(result.Distances[20], -3.0);
+  EXPECT_EQ(result.NearestSource[580], 2);
+}
+
+TEST_P(SourcePropagation, MaximumDistance)
+{
+  for (const TestMesh& test : { Plane(20, 20, 0.2, 3), NoisySphere(3, 0.3, 4), Torus(40, 20) })
+  {
+    const dgg::SurfaceMesh mesh = Build(test);
+    const Sources sources{ VertexSource(7, 0.5), VertexSource(40) };
+    const dgg::PropagationResult whole = this->Run(mesh, sources);
+    for (const double part : { 0.0, 0.1, 0.5, 0.9, 1.0 })
+    {
+      const double limit = part * LargestFinite(whole.Distances);
+      const auto within = this->Run(mesh, sources, [&](auto& o) { o.MaximumDistance = limit; });
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        const bool isWithin = whole.Distances[v] <= limit;
+        ASSERT_EQ(within.Distances[v], isWithin ? whole.Distances[v] : dgg::Infinity) << v;
+        ASSERT_EQ(within.NearestSource[v], isWithin ? whole.NearestSource[v] : dgg::NoId) << v;
+      }
+    }
+    // Before the first source starts nothing is reached.
+    const auto none = this->Run(mesh, sources, [&](auto& o) { o.MaximumDistance = -1.0; });
+    EXPECT_EQ(LargestFinite(none.Distances), 0.0);
+    EXPECT_EQ(none.NearestSource[40], dgg::NoId);
+  }
+}
+
+TEST_P(SourcePropagation, AnyTrianglesWillDo)
+{
+  for (const NamedMesh& named : DefectMeshesAndSoups(100))
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const Id source : { 0, mesh.GetNumberOfVertices() - 1 })
+    {
+      const auto result = this->Run(mesh, { VertexSource(source) });
+      const auto bound = EdgeGraphDistances(mesh, { VertexSource(source) });
+      const double diameter = LargestFinite(bound);
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        const bool isReached = bound[v] < dgg::Infinity;
+        ASSERT_EQ(result.Distances[v] < dgg::Infinity, isReached) << v;
+        ASSERT_EQ(result.NearestSource[v], isReached ? 0 : dgg::NoId) << v;
+        ASSERT_GE(result.Distances[v], 0.0) << v; // false for NaN
+        ASSERT_LE(result.Distances[v], isReached ? bound[v] + 0.1 * diameter : dgg::Infinity) << v;
+        ASSERT_TRUE(!isReached || std::isfinite(result.Virtual.Angles[v])) << v;
+      }
+    }
+  }
+}
+
+TEST_P(SourcePropagation, SheetsThatMeet)
+{
+  const Id columns = 24;
+  const dgg::SurfaceMesh moebius = Build(MoebiusStrip(columns, 8));
+  std::vector<double> expected;
+  for (Id v = 0; v < moebius.GetNumberOfVertices(); ++v)
+  {
+    expected.push_back(MoebiusDistance(columns, 5.0, -1.0, v % columns, v / columns - 4.0));
+  }
+  ExpectNear(this->From(moebius, 5 + 3 * columns), expected, 0.005, 0.05, 0.05);
+  std::vector<Id> sheetOf;
+  Id unused = 0;
+  for (const NamedMesh& named : { NamedMesh{ "pinched", PinchedPlates(4) },
+         NamedMesh{ "spheres", TouchingSpheres(3) }, NamedMesh{ "book", Book(4, 8, sheetOf, 0.2) },
+         NamedMesh{ "wide book", Book(20, 6, sheetOf, 0.2) },
+         NamedMesh{ "fin", PlaneWithFin(8, unused, 0.2, 4) },
+         NamedMesh{ "duplicates", DuplicateFaceCube(6) },
+         NamedMesh{ "misoriented", MisorientedSphere(3, 8) },
+         NamedMesh{ "components", SeveralComponents() } })
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const Id source : SomeVertices(mesh, 6, 3))
+    {
+      ExpectNear(this->From(mesh, source), Exact(mesh, { VertexSource(source) }), 0.01, 0.05, 0.1);
+    }
+  }
+}
+
+TEST_P(SourcePropagation, AnyScale)
+{
+  const TestMesh input = NoisySphere(3, 0.2, 9);
+  const auto base = this->From(Build(input), 5);
+  for (const double factor : { 1e-60, 1e60 })
+  {
+    const auto scaled = this->From(Build(Scaled(input, factor)), 5);
+    for (std::size_t v = 0; v < base.size(); ++v)
+    {
+      EXPECT_NEAR(scaled[v] / factor, base[v], 1e-4) << factor;
+    }
+  }
+}
+
+TEST_P(SourcePropagation, VirtualSources)
+{
+  const TestMesh plane = Plane(20, 20, 0.2, 5);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  Sources sources{ VertexSource(220, 2.0) };
+  for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 4, 3))
+  {
+    sources.push_back({ point, 2.0 });
+  }
+  for (const dgg::GeodesicSource& source : sources)
+  {
+    const auto place = dgg::PositionOf(mesh, source.Point, plane.Points.data());
+    const dgg::PropagationResult result = this->Run(mesh, { source });
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double length = result.Virtual.Lengths[v];
+      EXPECT_NEAR(result.Virtual.Offsets[v], 2.0, 1e-4) << v;
+      const double angle = FanAngle(plane, mesh, v) + result.Virtual.Angles[v];
+      EXPECT_NEAR(plane.Point(v)[0] + length * std::cos(angle), place[0], 1e-3) << v;
+      EXPECT_NEAR(plane.Point(v)[1] + length * std::sin(angle), place[1], 1e-3) << v;
+    }
+  }
+  for (const TestMesh& test : { Terrain(16, 0.5, 3), PinchedPlates(3), TwoHoledBlock() })
+  {
+    const dgg::PropagationResult result = this->Run(Build(test), { VertexSource(0) });
+    for (std::size_t v = 0; v < result.Distances.size(); ++v)
+    {
+      EXPECT_NEAR(
+        result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-12);
+      EXPECT_GE(result.Virtual.Offsets[v], -1e-4);
+    }
+  }
+}
+
+TEST_P(SourcePropagation, SameBitsInAnyThreads)
+{
+  const TestMesh lattice = VoxelSurface(6, 6, 6, [](Id i, Id j, Id k) { return (i + j + k) % 2; });
+  for (const TestMesh& test :
+    { Plane(60, 60), NoisySphere(4, 0.3, 3), Subdivided(lattice, 3), WeldedPlates(6, 60, 60, 3) })
+  {
+    const dgg::SurfaceMesh mesh = Build(test);
+    const Sources sources{ VertexSource(0), VertexSource(100), VertexSource(200, 0.5) };
+    const auto expected = this->Run(mesh, sources);
+    for (const bool isReversed : { false, true })
+    {
+      ExpectSameBits(
+        expected, this->Run(mesh, sources, [&](auto& o) { o.Parallel = OneByOne(isReversed); }));
+    }
+    for (const int threads : { 1, 2, 3, 8 })
+    {
+      SCOPED_TRACE(threads);
+      ExpectSameBits(
+        expected, this->Run(mesh, sources, [&](auto& o) { o.Parallel = WithThreads(threads); }));
+    }
+  }
+}
+
+TEST_P(SourcePropagation, ProgressAndRefusals)
+{
+  const dgg::SurfaceMesh mesh = Build(Icosphere(5));
+  const dgg::SourcePropagation propagation(mesh);
+  dgg::PropagationOptions options;
+  options.Quality = this->GetParam();
+  dgg::PropagationResult result;
+  const auto expectNothing = [&] {
+    EXPECT_TRUE(result.Distances.empty());
+    EXPECT_TRUE(result.NearestSource.empty());
+    EXPECT_TRUE(result.Virtual.Offsets.empty());
+  };
+  for (const int threads : { 0, 3 })
+  {
+    options.Parallel = threads > 0 ? WithThreads(threads) : nullptr;
+    const auto run = [&](const dgg::ProgressCallback& progress) {
+      options.Progress = progress;
+      return propagation.Run({ VertexSource(0) }, options, result);
+    };
+    EXPECT_GT(ExpectStops(run, expectNothing).Calls, 2);
+  }
+  options.Progress = nullptr;
+  const auto refuse = [&](const Sources& sources) {
+    options.MaximumDistance = dgg::Infinity;
+    EXPECT_TRUE(Ok(propagation.Run({ VertexSource(0) }, options, result)));
+    options.MaximumDistance = sources.size() == 2 ? std::nan("") : 1.0;
+    EXPECT_FALSE(propagation.Run(sources, options, result).IsOk());
+    expectNothing();
+  };
+  refuse({});
+  refuse({ VertexSource(-1) });
+  refuse({ VertexSource(mesh.GetNumberOfVertices()) });
+  refuse({ VertexSource(0, dgg::Infinity) });
+  refuse({ VertexSource(0), VertexSource(1) });
+}
+
+TEST(RoundTeam, EachChunkOnce)
+{
+  for (const int threads : { 0, 1, 2, 8 })
+  {
+    const dgg::ParallelFor parallel = threads > 0 ? WithThreads(threads) : OneByOne(true);
+    std::vector<int> calls(37, 0); // of one thread at a time, else a race
+    const auto lead = [&](dgg::RoundTeam& team) {
+      for (int round = 0; round < 3000; ++round)
+      {
+        const dgg::Offset count = 1 + round % 37;
+        team.ForEach(count, team.IsShared(), [&, round](dgg::Offset i) { calls[i] += round; });
+      }
+    };
+    dgg::RoundTeam::Run(parallel, lead);
+    std::vector<int> expected(37, 0);
+    for (int round = 0; round < 3000; ++round)
+    {
+      for (int i = 0; i <= round % 37; ++i)
+      {
+        expected[i] += round;
+      }
+    }
+    EXPECT_EQ(calls, expected) << threads;
+  }
+}
+
+TEST(RoundTeam, WhatIsThrownReachesTheCaller)
+{
+  for (const int threads : { 0, 1, 4 })
+  {
+    const dgg::ParallelFor parallel = threads > 0 ? WithThreads(threads) : dgg::ParallelFor();
+    std::atomic<int> calls{ 0 };
+    const auto lead = [&](dgg::RoundTeam& team) {
+      const auto thrower = [&](dgg::Offset i) {
+        ++calls;
+        std::this_thread::yield();
+        if (i % 3 == 1)
+        {
+          throw std::runtime_error("thrown");
+        }
+      };
+      while (threads > 1 && !team.IsShared())
+      {
+        std::this_thread::yield();
+      }
+      EXPECT_THROW(team.ForEach(50, threads > 1, thrower), std::runtime_error);
+      EXPECT_NO_THROW(team.ForEach(50, threads > 1, [](dgg::Offset) {})) << "thrown again";
+      team.ForEach(50, threads > 1, thrower);
+    };
+    EXPECT_THROW(dgg::RoundTeam::Run(parallel, lead), std::runtime_error) << threads;
+    EXPECT_GE(calls, 2);
+  }
+}
+}
