@@ -32,6 +32,8 @@ constexpr float OffsetPenalty = 1e-5F;
 /// How much earlier than any way found so far a source may reach the end of an edge, as a part of
 /// the edge. Ways that have yet to be found are shorter by less than that, shadows hide more.
 constexpr float ShadowTolerance = 0.05F;
+/// Angles, radians, that are not straight.
+constexpr double LeastBend = 1e-6;
 /// Initial distances beyond this, in mean edges, are all the same: in single precision nothing is
 /// left of the surface there.
 constexpr double LargestOffset = 1e30;
@@ -94,6 +96,9 @@ public:
 
   const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
   double GetUnit() const { return this->Unit; }
+  /// Whether a way can bend anywhere. If not, as in the plane, a source that seems to be too early
+  /// is only earlier than others.
+  bool HasShadows() const { return this->IsAnyBend; }
 
   /// Where a label goes on into many faces: irregular vertices, and edges of many faces.
   Id GetNumberOfHubs() const { return this->NumberOfHubs; }
@@ -103,12 +108,13 @@ public:
   Id GetHub(Id v) const { return this->VertexHubs.empty() ? NoId : this->VertexHubs[v]; }
 
 private:
-  void FindHubs(const SurfaceMesh& mesh);
+  void LookAtVertices(const SurfaceMesh& mesh);
 
   std::vector<PropagationFace> Faces;
   std::vector<Id> VertexHubs; // empty when no vertex is irregular
   Id NumberOfHubs = 0;
   Id NumberOfVertexHubs = 0;
+  bool IsAnyBend = false;
   double Unit; // the mean edge
 };
 
@@ -132,13 +138,26 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
     face.IsIrregular =
       (k > 0 && face.IsIrregular) || mesh.Kind(mesh.Origin(h)) == VertexKind::Irregular;
   }
-  this->FindHubs(mesh);
+  this->LookAtVertices(mesh);
 }
 
-void PropagationFaces::FindHubs(const SurfaceMesh& mesh)
+namespace
+{
+/// Whether a way can bend at a vertex by more than rounding.
+bool CanBendAt(const SurfaceMesh& mesh, Id v)
+{
+  const VertexKind kind = mesh.Kind(v);
+  const double straight = kind == VertexKind::Boundary ? Pi : 2.0 * Pi;
+  return kind == VertexKind::Irregular ||
+    (mesh.IsPassThrough(v) && mesh.TotalAngle(v) > straight + LeastBend);
+}
+}
+
+void PropagationFaces::LookAtVertices(const SurfaceMesh& mesh)
 {
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
+    this->IsAnyBend = this->IsAnyBend || CanBendAt(mesh, v);
     if (mesh.Kind(v) == VertexKind::Irregular)
     {
       this->VertexHubs.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()), NoId);
@@ -659,7 +678,10 @@ void Propagation<High>::Leave(const Label& label, int side, Chunk& chunk)
     image.X = end;
     image.Y = 0.0F;
   }
-  this->StayOutOfShadows(image, length, face.Corners[NextOf(side)], face.Corners[side]);
+  if (this->Faces.HasShadows())
+  {
+    this->StayOutOfShadows(image, length, face.Corners[NextOf(side)], face.Corners[side]);
+  }
   this->Cross(3 * f + side, image, chunk);
 }
 
@@ -823,9 +845,10 @@ bool Propagation<High>::FindLabel(Id v, Label& label, double& length, double& an
       BendAround(bent, face.Lengths[k], x, y);
     }
     const float straight = Length(x - bent.X, y - bent.Y);
-    if (bent.Offset + straight < nearest)
+    const float rank = bent.Offset + straight + OffsetPenalty * bent.Offset;
+    if (rank < nearest)
     {
-      nearest = bent.Offset + straight;
+      nearest = rank;
       label = bent;
       length = straight * this->Faces.GetUnit();
       const Point2 direction = DirectionInFrame(
