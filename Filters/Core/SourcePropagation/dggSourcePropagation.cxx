@@ -52,7 +52,7 @@ constexpr Id FewFaces = 6;
 constexpr std::size_t MostLabelsPerSlot = 3;
 constexpr std::size_t LabelsPerWindow = 1024;
 /// Labels of a face, on average, and of all faces of a small mesh, after which there is no end.
-constexpr std::size_t MostLabelsPerFace = 12;
+constexpr std::size_t MostLabelsPerFace = 7;
 constexpr std::size_t ManyLabels = 100000;
 /// Labels between two reports of progress.
 constexpr std::size_t LabelsPerReport = 4096;
