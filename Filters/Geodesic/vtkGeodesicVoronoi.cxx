@@ -12,8 +12,8 @@
 #include "DGGWindowArrays.h"
 
 #include "dggCentroidal.h"
-#include "dggSourcePropagation.h"
 #include "dggProgressPart.h"
+#include "dggSourcePropagation.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
 
@@ -256,6 +256,7 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , DistanceArrayName("GeodesicDistance")
   , SourceArrayName("GeodesicSource")
   , ProjectionTolerance(0.01)
+  , PreviewMeshTime(0)
   , GraphUser(new DGGGraphUser)
 {
   this->SetNumberOfInputPorts(2);
@@ -379,8 +380,13 @@ dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVor
   options.Parallel = context.Parallel;
   options.Progress = context.Progress;
   dgg::PropagationResult found;
-  const dgg::SourcePropagation solver(context.Surface.GetMesh());
-  DGG_RETURN_IF_ERROR(solver.Run(result.Sites, options, found));
+  const DGGPreparedMesh& surface = context.Surface;
+  if (!this->PreviewSolver || this->PreviewMeshTime != surface.GetBuildTime())
+  {
+    this->PreviewSolver.reset(new dgg::SourcePropagation(surface.GetMeshWithoutAngles()));
+    this->PreviewMeshTime = surface.GetBuildTime();
+  }
+  DGG_RETURN_IF_ERROR(this->PreviewSolver->Run(result.Sites, options, found));
   result.Diagram.NearestSites = std::move(found.NearestSource);
   result.Diagram.Distances = std::move(found.Distances);
   return dgg::Status::Success();

@@ -69,6 +69,10 @@
 
 class DGGNewGeometry;
 struct DGGSourceSet;
+namespace dgg
+{
+class SourcePropagation;
+}
 struct DGGVoronoiResult;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicVoronoi : public vtkGeodesicAlgorithm
@@ -246,6 +250,8 @@ private:
   std::string DistanceArrayName;
   std::string SourceArrayName;
   double ProjectionTolerance;
+  std::unique_ptr<dgg::SourcePropagation> PreviewSolver;
+  vtkMTimeType PreviewMeshTime; // of the mesh that it is for
   std::unique_ptr<DGGGraphUser> GraphUser;
 };
 

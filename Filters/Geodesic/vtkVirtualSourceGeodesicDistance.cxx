@@ -6,6 +6,7 @@
 #include "DGGGraphUser.h"
 #include "DGGMeshQuality.h"
 
+#include "dggProgressPart.h"
 #include "dggSourcePropagation.h"
 
 #include "vtkObjectFactory.h"
@@ -14,6 +15,14 @@
 
 vtkStandardNewMacro(vtkVirtualSourceGeodesicDistance);
 vtkDGGGraphUserMacro(vtkVirtualSourceGeodesicDistance);
+
+namespace
+{
+/// Smaller meshes are done before other threads have started.
+constexpr dgg::Id FacesForThreads = 20000;
+/// Share of the progress, after the graph, that comes before the search in it.
+constexpr double CertifyStart = 0.5;
+}
 
 /// Kept until the mesh changes.
 struct vtkVirtualSourceGeodesicDistance::Preparation
@@ -52,7 +61,10 @@ const char* vtkVirtualSourceGeodesicDistance::GetQualityAsString() const
 //------------------------------------------------------------------------------
 dgg::Status vtkVirtualSourceGeodesicDistance::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(this->GraphUser->Check());
+  if (this->Certify)
+  {
+    DGG_RETURN_IF_ERROR(this->GraphUser->Check());
+  }
   return this->Superclass::CheckProperties();
 }
 
@@ -77,11 +89,12 @@ dgg::Status vtkVirtualSourceGeodesicDistance::ComputeDistances(DGGDistanceTask& 
     }
   }
   const DGGPreparedMesh& surface = task.Context.Surface;
+  const dgg::SurfaceMesh& mesh =
+    task.WantVirtualSource ? surface.GetMesh() : surface.GetMeshWithoutAngles();
   if (!this->Prepared || this->Prepared->MeshTime != surface.GetBuildTime())
   {
     this->Prepared.reset(); // before there are two
-    this->Prepared.reset(
-      new Preparation{ surface.GetBuildTime(), dgg::SourcePropagation(surface.GetMesh()) });
+    this->Prepared.reset(new Preparation{ surface.GetBuildTime(), dgg::SourcePropagation(mesh) });
   }
   const bool isHigh = this->Quality == High ||
     (this->Quality == Automatic && this->GetMedianAnisotropy() > DGGMostAnisotropy);
@@ -91,9 +104,13 @@ dgg::Status vtkVirtualSourceGeodesicDistance::ComputeDistances(DGGDistanceTask& 
   options.MaximumDistance = this->Certify ? dgg::Infinity : task.MaximumDistance;
   options.WantNearestSource = task.WantNearestSource;
   options.WantVirtualSource = task.WantVirtualSource;
-  options.Parallel = task.Context.Parallel;
-  options.Progress =
-    this->Certify ? this->GraphUser->GetRemainingProgress(task.Context) : task.Context.Progress;
+  if (mesh.GetNumberOfFaces() >= FacesForThreads)
+  {
+    options.Parallel = task.Context.Parallel;
+  }
+  options.Progress = this->Certify
+    ? dgg::ProgressPart(this->GraphUser->GetRemainingProgress(task.Context), 0.0, CertifyStart)
+    : task.Context.Progress;
   dgg::PropagationResult result;
   DGG_RETURN_IF_ERROR(this->Prepared->Solver.Run(task.Sources, options, result));
   task.Distances = std::move(result.Distances);
@@ -110,7 +127,7 @@ dgg::Status vtkVirtualSourceGeodesicDistance::ClampToGraph(DGGDistanceTask& task
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(task.Context, task.Sources, seeds));
   dgg::SearchOptions options;
   options.MaximumDistance = graph.WidenLimit(task.MaximumDistance, task.Sources);
-  options.Progress = graph.GetRemainingProgress(task.Context);
+  options.Progress = dgg::ProgressPart(graph.GetRemainingProgress(task.Context), CertifyStart, 1.0);
   dgg::SearchResult result;
   DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));
   dgg::ClampToLabels(graph.GetSearch().GetGraph(), seeds, result.Distances, task.Distances);

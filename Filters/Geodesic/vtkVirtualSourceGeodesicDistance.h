@@ -9,12 +9,10 @@
  *
  * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm.
  *
- * <b>Guarantee and cost</b>. Nothing bounds the error, unless Certify is on: 0.1 to 0.4 % on
- * average are usual, on assemblies of thin parts 1 %. Distances are at most some 2 % too short on
- * scans, where a ridge hides what lies behind, and single ones up to 7 % too long; on assemblies up
- * to 20 % either way, with triangles that do not fit together more. The page of the module has
- * figures. Millions of points take a second on one thread, and less on several. They are computed
- * in single precision: about six digits of the largest distance.
+ * <b>Guarantee and cost</b>. Nothing bounds the error, unless Certify is on: distances can be too
+ * short, where a ridge hides what lies behind, and too long. The page of the module has figures.
+ * Millions of points take a second on one thread, and less on several. Single precision: about six
+ * digits of the largest distance, initial distances included.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; with Certify also those of vtkDGGDistance,
  * and a graph by a rule without a guarantee.
@@ -87,7 +85,7 @@ public:
   ///@{
   /**
    * Properties of the graph for Certify, and numbers of it: those of vtkDGGDistance. Without
-   * Certify no graph is looked for.
+   * Certify no graph is looked for, and one that was used before is kept.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

@@ -333,7 +333,7 @@ TEST(VirtualSourceGeodesicDistance, CertifyBuildsItsOwnGraphOrRefuses)
 
 TEST(VirtualSourceGeodesicDistance, ThreadsDoNotMatter)
 {
-  auto terrain = MakeTerrain(60);
+  auto terrain = MakeTerrain(110);
   vtkNew<vtkVirtualSourceGeodesicDistance> filter;
   filter->SetInputData(terrain);
   filter->SetSourceIds({ 0, 1900 });

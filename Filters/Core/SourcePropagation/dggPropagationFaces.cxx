@@ -8,6 +8,21 @@ namespace
 {
 /// An edge of more faces is a hub: from each of its faces into all others it would be too many.
 constexpr Id FewFaces = 6;
+/// Angles, radians, that are not straight.
+constexpr double LeastBend = 1e-6;
+
+/// Whether a way can bend at a vertex by more than rounding. Of a mesh without angles.
+bool CanBendAt(const SurfaceMesh& mesh, Id v)
+{
+  double angle = 0.0;
+  bool isOnBoundary = false;
+  for (const Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g)
+  {
+    angle += mesh.CornerAngle(*g);
+    isOnBoundary = isOnBoundary || mesh.Twin(*g) == NoId;
+  }
+  return mesh.IsIrregular(v) || angle > (isOnBoundary ? Pi : 2.0 * Pi) + LeastBend;
+}
 }
 
 PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
@@ -29,13 +44,15 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
     face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
     face.IsIrregular = (k > 0 && face.IsIrregular) || mesh.IsIrregular(mesh.Origin(h));
   }
-  this->FindHubs(mesh);
+  this->LookAtVertices(mesh);
+  this->FindEdgeHubs(mesh);
 }
 
-void PropagationFaces::FindHubs(const SurfaceMesh& mesh)
+void PropagationFaces::LookAtVertices(const SurfaceMesh& mesh)
 {
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
+    this->IsAnyBend = this->IsAnyBend || CanBendAt(mesh, v);
     if (mesh.IsIrregular(v))
     {
       this->VertexHubs.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()), NoId);
@@ -43,6 +60,10 @@ void PropagationFaces::FindHubs(const SurfaceMesh& mesh)
     }
   }
   this->NumberOfVertexHubs = this->NumberOfHubs;
+}
+
+void PropagationFaces::FindEdgeHubs(const SurfaceMesh& mesh)
+{
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
     if (!mesh.IsNonManifold(h) || this->Faces[SurfaceMesh::Face(h)].Behind[h % 3] <= FirstGate)

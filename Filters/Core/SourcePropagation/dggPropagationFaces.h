@@ -44,6 +44,9 @@ public:
 
   const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
   double GetUnit() const { return this->Unit; }
+  /// Whether a way can bend anywhere. If not, as in the plane, a source that seems to be too early
+  /// is only earlier than others.
+  bool HasShadows() const { return this->IsAnyBend; }
 
   /// Where a label goes on into many faces: irregular vertices, and edges of many faces.
   Id GetNumberOfHubs() const { return this->NumberOfHubs; }
@@ -53,12 +56,14 @@ public:
   Id GetHub(Id v) const { return this->VertexHubs.empty() ? NoId : this->VertexHubs[v]; }
 
 private:
-  void FindHubs(const SurfaceMesh& mesh);
+  void LookAtVertices(const SurfaceMesh& mesh);
+  void FindEdgeHubs(const SurfaceMesh& mesh);
 
   std::vector<PropagationFace> Faces;
   std::vector<Id> VertexHubs; // empty when no vertex is irregular
   Id NumberOfHubs = 0;
   Id NumberOfVertexHubs = 0;
+  bool IsAnyBend = false;
   double Unit; // the mean edge
 };
 }

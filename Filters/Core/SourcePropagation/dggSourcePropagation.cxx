@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSourcePropagation.h"
 
-#include "dggBlockLoop.h"
 #include "dggBucketQueue.h"
 #include "dggPrefetch.h"
 #include "dggPropagationFaces.h"
@@ -12,8 +11,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+#include <thread>
 
 namespace dgg
 {
@@ -33,6 +32,8 @@ constexpr float Rounding = 5e-7F;
 constexpr float Unreached = std::numeric_limits<float>::max();
 /// Single precision, by which a distance from a source nearby may be off.
 constexpr double SeedSlack = 1e-5;
+/// The same at the largest distance that is asked for.
+constexpr double LimitSlack = 1e-6;
 /// What a thread takes at one time.
 constexpr Offset LabelsPerChunk = 96;
 constexpr Offset VerticesPerBlock = 4096;
@@ -41,7 +42,7 @@ constexpr Offset VerticesPerBlock = 4096;
 constexpr std::size_t MostLabelsPerSlot = 3;
 constexpr std::size_t LabelsPerWindow = 1024;
 /// Labels of a face, on average, and of all faces of a small mesh, after which there is no end.
-constexpr std::size_t MostLabelsPerFace = 12;
+constexpr std::size_t MostLabelsPerFace = 7;
 constexpr std::size_t ManyLabels = 100000;
 /// Labels between two reports of progress.
 constexpr std::size_t LabelsPerReport = 1024;
@@ -118,8 +119,9 @@ public:
 
   double GetDistance(Id v) const { return this->ToLength(this->Distances[v]); }
   bool IsReached(Id v) const { return this->Distances[v] < Unreached; }
-  /// The label around a vertex that reaches it first, and from which direction; false without one.
-  bool FindLabel(Id v, PropagationLabel& label, double& length, double& angle) const;
+  /// The label around a vertex that reaches it first, how far its source is, and in which direction
+  /// from a half-edge of the vertex; false without one.
+  bool FindLabel(Id v, PropagationLabel& label, double& length, Id& at, double& angle) const;
   /// A length in units of the mesh, from the least initial distance on.
   double ToLength(float value) const { return value * this->Faces.GetUnit() + this->Shift; }
 
@@ -181,7 +183,7 @@ template <bool High>
 void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
 {
   Chunk chunk;
-  const auto unit = static_cast<float>(1.0 / this->Faces.GetUnit());
+  const double unit = this->Faces.GetUnit();
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
     const SurfacePoint& point = sources[k].Point;
@@ -204,7 +206,7 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
         const float distance =
-          offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3)) * unit;
+          offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3) / unit);
         Lower(this->Distances[this->Mesh.Origin(h)], distance);
         this->ReachHub(this->Mesh.Origin(h), distance, root, chunk);
       }
@@ -213,8 +215,8 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
         // From behind the edge, with the face on its other side.
         const Point2 place = PlaceInFrame(this->Mesh, h, b);
         this->Cross(h,
-          { static_cast<float>(this->Mesh.Length(h) - place.X) * unit,
-            -static_cast<float>(place.Y) * unit, offset, NoId, root },
+          { static_cast<float>((this->Mesh.Length(h) - place.X) / unit),
+            -static_cast<float>(place.Y / unit), offset, NoId, root },
           chunk);
       }
     });
@@ -497,7 +499,10 @@ void Propagation<High>::Leave(const PropagationLabel& label, int side, Chunk& ch
     image.X = end;
     image.Y = 0.0F;
   }
-  this->StayOutOfShadows(image, length, face.Corners[NextOf(side)], face.Corners[side]);
+  if (this->Faces.HasShadows())
+  {
+    this->StayOutOfShadows(image, length, face.Corners[NextOf(side)], face.Corners[side]);
+  }
   this->Cross(3 * f + side, image, chunk);
 }
 
@@ -608,21 +613,23 @@ void Propagation<High>::Offer(float key, const PropagationLabel& label, Id id, C
   {
     return;
   }
-  if (this->IsShared)
+  while (this->IsShared && slot.IsLocked.exchange(true, std::memory_order_acquire))
   {
-    while (slot.IsLocked.exchange(true, std::memory_order_acquire))
-    {
-    }
+    std::this_thread::yield();
   }
   const float best = slot.Key.load(std::memory_order_relaxed);
-  if (key < best || (key == best && ComesBefore(label, slot.Best)))
+  const bool isBetter = key < best || (key == best && ComesBefore(label, slot.Best));
+  if (isBetter)
   {
     slot.Key.store(key, std::memory_order_relaxed);
     slot.Best = label;
     slot.IsPending.store(true, std::memory_order_relaxed);
-    chunk.Pushes.push_back({ key, id });
   }
   slot.IsLocked.store(false, std::memory_order_release);
+  if (isBetter)
+  {
+    chunk.Pushes.push_back({ key, id });
+  }
 }
 
 /// The length of the way to the vertex behind the entry: straight, or bent around an end of it.
@@ -641,7 +648,7 @@ float Propagation<High>::ReachApex(const PropagationLabel& label) const
 
 template <bool High>
 bool Propagation<High>::FindLabel(
-  Id v, PropagationLabel& label, double& length, double& angle) const
+  Id v, PropagationLabel& label, double& length, Id& at, double& angle) const
 {
   float nearest = Unreached;
   const auto look = [&](Id entry, int corner) {
@@ -663,15 +670,16 @@ bool Propagation<High>::FindLabel(
       BendAround(bent, face.Lengths[k], x, y);
     }
     const float straight = PlaneLength(x - bent.X, y - bent.Y);
-    if (bent.Offset + straight < nearest)
+    const float rank = bent.Offset + straight + OffsetPenalty * bent.Offset;
+    if (rank < nearest)
     {
-      nearest = bent.Offset + straight;
+      nearest = rank;
       label = bent;
       length = straight * this->Faces.GetUnit();
       const Point2 direction = DirectionInFrame(
         this->Mesh, entry, 3 * SurfaceMesh::Face(entry) + corner, { bent.X - x, bent.Y - y });
-      angle = this->Mesh.PolarAngle(3 * SurfaceMesh::Face(entry) + corner) +
-        std::atan2(direction.Y, direction.X);
+      angle = std::atan2(direction.Y, direction.X);
+      at = 3 * SurfaceMesh::Face(entry) + corner;
     }
   };
   for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
@@ -703,13 +711,15 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   }
   const double radius = (options.MaximumDistance - shift) / faces.GetUnit();
   // Comparisons with single precision must not lose what is at the very distance.
-  const auto limit = static_cast<float>(std::min(radius * (1.0 + 1e-6), 1e37));
+  const auto limit = static_cast<float>(std::min(radius * (1.0 + LimitSlack), 1e37));
   Propagation<High> propagation(mesh, faces, shift, limit);
   propagation.Start(sources);
   Status status;
   RoundTeam::Run(
     options.Parallel, [&](RoundTeam& team) { status = propagation.Run(team, options.Progress); });
   DGG_RETURN_IF_ERROR(status);
+  const double furthest =
+    options.MaximumDistance + LimitSlack * (options.MaximumDistance - shift); // by rounding
   const Offset n = mesh.GetNumberOfVertices();
   result.Distances.assign(static_cast<std::size_t>(n), Infinity);
   const bool wantLabels = options.WantNearestSource || options.WantVirtualSource;
@@ -723,7 +733,7 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
     result.Virtual.Lengths.assign(static_cast<std::size_t>(n), Infinity);
     result.Virtual.Angles.assign(static_cast<std::size_t>(n), 0.0);
   }
-  const auto set = [&](Id v, Id root, double length, double angle) {
+  const auto set = [&](Id v, Id root, double length, Id at, double angle) {
     if (options.WantNearestSource)
     {
       result.NearestSource[v] = root;
@@ -732,34 +742,36 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
     {
       result.Virtual.Offsets[v] = result.Distances[v] - length;
       result.Virtual.Lengths[v] = length;
-      result.Virtual.Angles[v] = angle;
+      result.Virtual.Angles[v] = at == NoId ? 0.0 : mesh.PolarAngle(at) + angle;
     }
   };
   ForRange(options.Parallel, n, VerticesPerBlock, [&](Offset begin, Offset end) {
     for (auto v = static_cast<Id>(begin); v < end; ++v)
     {
       const double distance = propagation.GetDistance(v);
-      if (propagation.IsReached(v) && distance <= options.MaximumDistance)
+      if (propagation.IsReached(v) && distance <= furthest)
       {
-        result.Distances[v] = distance;
+        result.Distances[v] = std::min(distance, options.MaximumDistance);
         PropagationLabel label{};
         double length = 0.0;
+        Id at = NoId;
         double angle = 0.0;
-        if (wantLabels && propagation.FindLabel(v, label, length, angle))
+        if (wantLabels && propagation.FindLabel(v, label, length, at, angle))
         {
-          set(v, label.Root, length, angle);
+          set(v, label.Root, length, at, angle);
         }
       }
     }
   });
   // The sources themselves, and the corners of the faces that they lie in, are known exactly; no
   // label has come to them.
-  const auto take = [&](Id v, std::size_t k, double length, double angle) {
+  const auto take = [&](Id v, std::size_t k, double length, Id at, double angle) {
     const double distance = sources[k].InitialDistance + length;
-    if (distance <= result.Distances[v] + SeedSlack * length && distance <= options.MaximumDistance)
+    if (distance <= result.Distances[v] + SeedSlack * (distance - shift) &&
+      distance <= options.MaximumDistance)
     {
       result.Distances[v] = distance;
-      set(v, static_cast<Id>(k), length, angle);
+      set(v, static_cast<Id>(k), length, at, angle);
     }
   };
   // The first one of several at the same distance comes last, and stays.
@@ -768,15 +780,15 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
     const SurfacePoint& point = sources[k].Point;
     if (IsVertex(point))
     {
-      take(point.Vertex, k, 0.0, 0.0);
+      take(point.Vertex, k, 0.0, NoId, 0.0);
       continue;
     }
     ForEachFaceAround(mesh, point, [&](Id f, const std::array<double, 3>& b) {
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
         const Point2 place = PlaceInFrame(mesh, h, b);
-        take(mesh.Origin(h), k, DistanceToCorner(mesh, f, b, h % 3),
-          mesh.PolarAngle(h) + std::atan2(place.Y, place.X));
+        take(
+          mesh.Origin(h), k, DistanceToCorner(mesh, f, b, h % 3), h, std::atan2(place.Y, place.X));
       }
     });
   }

@@ -19,7 +19,7 @@ namespace dgg
 enum class PropagationQuality
 {
   Fast, ///< each face
-  High  ///< each edge: about half as fast again, and more accurate
+  High  ///< each edge: more accurate, and slower
 };
 
 struct PropagationOptions
@@ -28,9 +28,9 @@ struct PropagationOptions
   /// Vertices farther than this are left unreached.
   double MaximumDistance = Infinity;
   bool WantNearestSource = false;
-  bool WantVirtualSource = false;
-  ParallelFor Parallel;      ///< may be empty; the result does not depend on it
-  ProgressCallback Progress; ///< may be empty
+  bool WantVirtualSource = false; ///< needs the angles of the mesh
+  ParallelFor Parallel;           ///< may be empty; the result does not depend on it
+  ProgressCallback Progress;      ///< may be empty
 };
 
 struct PropagationResult
@@ -49,15 +49,17 @@ class PropagationFaces;
 /// long as the straight line from it to the next face crosses the edge between them; else the
 /// nearer end of the edge becomes the virtual source. Each face (or edge) keeps the best one that
 /// has reached it. Nothing bounds the error: where sources pass a saddle vertex, what lies in the
-/// shadow may be reached too early (up to some 5 %), and single vertices too late.
+/// shadow may be reached too early, and single vertices too late.
 ///
-/// Three things differ from the paper.
+/// Four things differ from the paper.
 ///  - Faces are visited in synchronous rounds over buckets of distance, so that the result does not
 ///    depend on the number of threads.
 ///  - Of sources that are equally near, up to rounding, that with the smaller offset is kept: it
 ///    explains more of the mesh. On regular and flat meshes this decides on the accuracy.
 ///  - A source that would reach an end of the edge earlier than any way found so far is moved to
-///    where it does not: that end lies in a shadow.
+///    where it does not: that end lies in a shadow. Not so where no way can bend, as in the plane.
+///  - Irregular vertices, and edges of many faces, keep the best source as well and pass it on to
+///    all their faces, once a round at most.
 ///
 /// Single precision inside, relative to the mean edge and to the largest distance. Any triangle
 /// complex will do. Run() may be called by several threads at once.
@@ -69,7 +71,9 @@ public:
   SourcePropagation(const SourcePropagation&) = delete;
   SourcePropagation& operator=(const SourcePropagation&) = delete;
 
-  /// Distances from the nearest of the sources. Fails as ExactGeodesics does.
+  /// Distances from the nearest of the sources. Fails as ExactGeodesics does, and where distances
+  /// do not settle: single precision is too little for some meshes of very small and long
+  /// triangles.
   Status Run(const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
     PropagationResult& result) const;
 
