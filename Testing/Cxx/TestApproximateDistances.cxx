@@ -358,6 +358,56 @@ TEST(VirtualSourceGeodesicDistance, ThreadsDoNotMatter)
   }
 }
 
+/// What single precision must not lose: any scale, the very limit, sources by themselves.
+TEST(VirtualSourceGeodesicDistance, SinglePrecision)
+{
+  vtkNew<vtkVirtualSourceGeodesicDistance> filter;
+  for (const double scale : { 1e-60, 0.7, 1e60 })
+  {
+    auto grid = MakeGrid(11, 11);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      grid->GetPoint(i, p);
+      grid->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], 0.0);
+    }
+    filter->SetInputData(grid);
+    filter->SetSourceIds({ 60 });
+    filter->SetSourceData(nullptr);
+    filter->SetMaximumDistance(5.0 * scale);
+    ExpectSuccess(filter);
+    const auto cut = GetDistances(filter);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      const double exact = EuclideanDistance(grid, 60, i);
+      EXPECT_EQ(std::isnan(cut[i]), exact > 5.0 * scale * (1.0 + 1e-9)) << scale << " " << i;
+    }
+    // A source inside a face.
+    filter->RemoveAllSourceIds();
+    filter->SetSourceData(MakeSourcePoints({ { { 4.3 * scale, 5.6 * scale, 0.0 } } }));
+    filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+    ExpectSuccess(filter);
+    const auto distances = GetDistances(filter);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      grid->GetPoint(i, p);
+      const double exact = std::hypot(p[0] - 4.3 * scale, p[1] - 5.6 * scale);
+      EXPECT_NEAR(distances[i], exact, 1e-5 * exact) << scale << " " << i;
+    }
+  }
+  // A point without faces is reached by its own source, and starts with that very distance.
+  auto withLonePoint = MakeGrid(4, 4);
+  const vtkIdType lone = withLonePoint->GetPoints()->InsertNextPoint(9.0, 9.0, 0.0);
+  filter->SetSourceData(nullptr);
+  filter->SetInputData(withLonePoint);
+  filter->SetSourceIds({ 0, lone }, { 0.1, 1.0 / 3.0 });
+  filter->GenerateNearestSourceOn();
+  filter->Update();
+  EXPECT_EQ(GetDistances(filter)[lone], 1.0 / 3.0);
+  EXPECT_EQ(GetNearestSources(filter)[lone], 1);
+}
+
 TEST(VirtualSourceGeodesicDistance, IsolinesOfVirtualSources)
 {
   // In the plane they are arcs around the source.
