@@ -14,8 +14,8 @@
  * Millions of points take a second on one thread, and less on several. Single precision: about six
  * digits of the largest distance, initial distances included.
  *
- * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; with Certify also those of vtkDGGDistance,
- * and a graph by a rule without a guarantee.
+ * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; triangles too irregular for distances to
+ * settle; with Certify also those of vtkDGGDistance, and a graph by a rule without a guarantee.
  *
  * @code
  * vtkNew<vtkVirtualSourceGeodesicDistance> distance;

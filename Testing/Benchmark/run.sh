@@ -32,13 +32,14 @@
 #             matplotlib)
 #   --out     folder of the results (default: out/benchmark in the source tree)
 #   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
-#             as well, to be measured; for first with bunny, armadillo, gargoyle, fandisk, blade_aniso,
-#             igea and terrain_andes; for clouds with igea, terrain_andes (a
+#             as well, to be measured; for first with bunny, armadillo, gargoyle, fandisk,
+#             blade_aniso, igea and terrain_andes; for clouds with igea, terrain_andes (a
 #             grid) and awkward/bunny_raw_5holes; for spectral with bunny and igea
 #   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more
 #   --libigl  folder with the headers of libigl, as a further peer of spectral
 #   --readme  put the tables into Testing/Benchmark/README.md and the plot into Examples/Images as
-#             well: first (no plot), graph, cloud, spectral; for spectral, draw Examples/Images/greens_function.png too
+#             well: first (no plot), graph, cloud, spectral; for spectral, draw
+#             Examples/Images/greens_function.png too
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/

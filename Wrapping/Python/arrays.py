@@ -65,8 +65,7 @@ def distance(
         its bounding box. Default: 0.01. (ProjectionTolerance, in the messages of the filters.)
     method : {"exact", "graph", "fast"}, optional
         Default: "exact", or "graph" when there is an `accuracy`, whose default is 0.01 then. "fast"
-        takes milliseconds, and nothing bounds its errors (0.1 to 0.4 % on average are usual);
-        together with `accuracy` it is an error.
+        takes milliseconds, and nothing bounds its errors; together with `accuracy` it is an error.
 
     Returns
     -------

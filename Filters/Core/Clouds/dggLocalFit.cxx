@@ -76,7 +76,7 @@ LocalFit FitSurface(const Point3& point, const Point3* neighbors, std::size_t co
   mean /= sum;
   const Eigen::Matrix3d covariance = moments / sum - mean * mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const Eigen::Vector3d values = solver.eigenvalues();
+  const Eigen::Vector3d& values = solver.eigenvalues();
   if (solver.info() != Eigen::Success || !(values[1] > ThinnestPlane * ThinnestPlane * values[2]))
   {
     return fit;

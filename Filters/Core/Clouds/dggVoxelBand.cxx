@@ -197,7 +197,7 @@ Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector
           }
         }
         const double bricks = bricksPerCell * static_cast<double>(this->Keys.size());
-        const Status status = CheckBricks(bricks, limit, remedy);
+        Status status = CheckBricks(bricks, limit, remedy);
         if (!status.IsOk())
         {
           this->TooLarge = PredictMemory(bricks) > limit;

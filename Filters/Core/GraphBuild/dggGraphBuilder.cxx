@@ -293,7 +293,7 @@ Status GraphBuilder::Build(
   GraphStatistics& wanted = statistics ? *statistics : unused;
   wanted = GraphStatistics();
   DGG_RETURN_IF_ERROR(Check(options));
-  const Status status = this->Internals->Build(options, graph, wanted);
+  Status status = this->Internals->Build(options, graph, wanted);
   if (!status.IsOk())
   {
     graph = GeodesicGraph();
@@ -311,7 +311,7 @@ Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
   GraphOptions options;
   options.Accuracy = accuracy;
   DGG_RETURN_IF_ERROR(Check(options));
-  const Status status =
+  Status status =
     this->Internals->Link(point, options, targets, links, direct, work ? *work : unused);
   if (!status.IsOk())
   {

@@ -276,7 +276,7 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = ProgressPart(progress, 0.0, CutDone);
-  const Status status = RefineAlongPaths(*field.Mesh, cuts.Lines, options, bands.Surface);
+  Status status = RefineAlongPaths(*field.Mesh, cuts.Lines, options, bands.Surface);
   if (!status.IsOk())
   {
     bands = Bands();

@@ -94,7 +94,7 @@ Status CollectCrossings(const SurfaceMesh& mesh, Offset blockSize, const Paralle
   const Work& work, LevelCrossings& found)
 {
   found = LevelCrossings();
-  const Status status = CollectPieces(
+  Status status = CollectPieces(
     mesh.GetNumberOfHalfEdges(), blockSize, parallel, progress, start, stop, makeWorker,
     [&](auto& worker, Id h, std::vector<LevelCrossing>& crossings) {
       if (FindEdge(mesh, h) == h)

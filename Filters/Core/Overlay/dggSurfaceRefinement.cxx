@@ -360,7 +360,7 @@ Status RefineAlongPaths(const SurfaceMesh& mesh, const std::vector<SurfacePath>&
   const RefinementOptions& options, RefinedSurface& refined)
 {
   refined = RefinedSurface();
-  const Status status = Refiner(mesh, paths, options, refined).Run();
+  Status status = Refiner(mesh, paths, options, refined).Run();
   if (!status.IsOk())
   {
     refined = RefinedSurface();

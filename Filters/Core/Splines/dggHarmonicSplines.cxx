@@ -78,7 +78,7 @@ Status FindGreensFunctions(const PoissonSolver& solver, const GreensFunction& fu
     query.WantIntegrals = true;
     query.Progress = within;
     std::vector<GreensResult> results;
-    const Status status = function.Run(poles, query, results);
+    Status status = function.Run(poles, query, results);
     for (std::size_t k = 0; k < results.size() && status.IsOk(); ++k)
     {
       std::vector<double>& greens = results[k].Integrals;

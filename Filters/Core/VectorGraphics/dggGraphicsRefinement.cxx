@@ -85,7 +85,7 @@ Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refi
       std::to_string(refinement.MostFaces) + " are wanted");
   }
   std::vector<Id> parents;
-  const Status status = RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface,
+  Status status = RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface,
     parents, refinement.MostFaces); // with the rings that it takes along
   if (status.IsOk() && parts)
   {

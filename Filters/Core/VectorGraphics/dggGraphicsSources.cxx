@@ -333,6 +333,7 @@ Status GraphicsLoads::Prepare(const RefinedSurface& surface, Id numberOfFaces,
   this->NumberOfFaces = numberOfFaces;
   this->ChainParts.assign(curves.size(), {});
   std::vector<char> isMeant;
+  isMeant.reserve(curves.size());
   for (const GraphicsCurve& curve : curves)
   {
     isMeant.push_back(

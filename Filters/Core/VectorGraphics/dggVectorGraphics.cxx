@@ -264,6 +264,7 @@ Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
   const std::vector<GraphicsCurve> scaled = scale.Apply(curves);
   const std::vector<double> background = scale.Apply(options.Background);
   std::vector<std::vector<double>> strengths;
+  strengths.reserve(regions.size());
   for (const GraphicsRegion& region : regions)
   {
     strengths.push_back(scale.Apply(region.Strength));
