@@ -35,7 +35,7 @@ constexpr double SeedSlack = 1e-5;
 /// The same at the largest distance that is asked for.
 constexpr double LimitSlack = 1e-6;
 /// What a thread takes at one time.
-constexpr Offset LabelsPerChunk = 96;
+constexpr Offset LabelsPerChunk = 48;
 constexpr Offset VerticesPerBlock = 4096;
 /// Rounds take whole buckets, unless more labels than so many per slot are found to have been in
 /// vain, among so many.
