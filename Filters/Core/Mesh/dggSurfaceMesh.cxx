@@ -52,7 +52,7 @@ Status CompleteFromLengths(
 Status SurfaceMesh::FromPoints(const double* points, Offset numberOfPoints, const Id* triangles,
   Offset numberOfTriangles, SurfaceMesh& mesh)
 {
-  const Status status =
+  Status status =
     FromPointsWithoutAngles(points, numberOfPoints, triangles, numberOfTriangles, mesh);
   mesh.MeasureAngles();
   return status;
