@@ -142,7 +142,7 @@ dgg::Status vtkGeodesicProbe::Execute(
     }));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(probes.Points);
-  // What belongs to an array of this name of the probe points goes with it.
+  // What belongs to an array of this name of the probe points is removed with it.
   DGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
   DGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
   output->GetPointData()->AddArray(found);

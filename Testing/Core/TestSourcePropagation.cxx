@@ -199,7 +199,7 @@ TEST_P(SourcePropagation, SeveralSources)
       order.emplace_back(single[k][v], static_cast<Id>(k));
     }
     std::sort(order.begin(), order.end());
-    // Where fronts meet within a face one source may stand for both.
+    // Where fronts meet within a face one source may represent both.
     EXPECT_NEAR(result.Distances[v], order[0].first, 0.1) << v;
     if (order[1].first - order[0].first > 1.5)
     {

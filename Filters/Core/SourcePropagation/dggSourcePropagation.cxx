@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSourcePropagation.h"
 
-#include "dggBucketQueue.h"
 #include "dggPrefetch.h"
 #include "dggPropagationFaces.h"
 #include "dggPropagationLabel.h"
+#include "dggPropagationRounds.h"
 #include "dggRoundTeam.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <thread>
 
 namespace dgg
@@ -29,7 +28,6 @@ constexpr float ShadowTolerance = 0.05F;
 constexpr double LargestOffset = 1e30;
 /// Labels that are nearer by less would go round in circles, for a gain by rounding each time.
 constexpr float Rounding = 5e-7F;
-constexpr float Unreached = std::numeric_limits<float>::max();
 /// Single precision, by which a distance from a source nearby may be off.
 constexpr double SeedSlack = 1e-5;
 /// The same at the largest distance that is asked for.
@@ -37,10 +35,6 @@ constexpr double LimitSlack = 1e-6;
 /// What a thread takes at one time.
 constexpr Offset LabelsPerChunk = 48;
 constexpr Offset VerticesPerBlock = 4096;
-/// Rounds take whole buckets, unless more labels than so many per slot are found to have been in
-/// vain, among so many.
-constexpr std::size_t MostLabelsPerSlot = 3;
-constexpr std::size_t LabelsPerWindow = 1024;
 /// Labels of a face, on average, and of all faces of a small mesh, after which there is no end.
 constexpr std::size_t MostLabelsPerFace = 7;
 constexpr std::size_t ManyLabels = 100000;
@@ -50,16 +44,6 @@ constexpr std::size_t LabelsPerReport = 1024;
 constexpr double FastLabelsPerFace = 1.2;
 constexpr double HighLabelsPerFace = 1.9;
 constexpr double LargestProgress = 0.99;
-
-/// The best label of a face or an edge.
-struct Slot
-{
-  std::atomic<float> Key{ Unreached };
-  std::atomic<bool> IsPending{ false }; ///< has changed and not been propagated since
-  std::atomic<bool> IsLocked{ false };
-  float Threshold = Unreached; ///< what a key has to be below: that propagated last, less rounding
-  PropagationLabel Best{ 0.0F, 0.0F, 0.0F, NoId, NoId };
-};
 
 /// Where a point was pushed to the queue.
 struct Push
@@ -73,8 +57,8 @@ struct Chunk
 {
   std::vector<PropagationLabel> Labels;   ///< of faces or edges
   std::vector<PropagationLabel> Vertices; ///< of vertices, which are the entries
-  std::vector<PropagationLabel>
-    Edges; ///< of edges of many faces, by the half-edge that they leave through
+  /// Of edges of many faces, by the half-edge that they leave through.
+  std::vector<PropagationLabel> Edges;
   std::vector<Push> Pushes;
   std::size_t Known = 0; ///< slots that have been propagated before
 
@@ -109,16 +93,15 @@ public:
   {
     for (std::atomic<float>& distance : this->Distances)
     {
-      distance.store(Unreached, std::memory_order_relaxed);
+      distance.store(UnreachedKey, std::memory_order_relaxed);
     }
-    this->Queue.Reset(0.0, 1.0);
   }
 
   void Start(const std::vector<GeodesicSource>& sources);
   Status Run(RoundTeam& team, const ProgressCallback& progress);
 
   double GetDistance(Id v) const { return this->ToLength(this->Distances[v]); }
-  bool IsReached(Id v) const { return this->Distances[v] < Unreached; }
+  bool IsReached(Id v) const { return this->Distances[v] < UnreachedKey; }
   /// The label around a vertex that reaches it first, how far its source is, and in which direction
   /// from a half-edge of the vertex; false without one.
   bool FindLabel(Id v, PropagationLabel& label, double& length, Id& at, double& angle) const;
@@ -127,12 +110,9 @@ public:
 
 private:
   Id SlotOf(Id entry) const;
-  float StartOf(const GeodesicSource& source) const;
   void Radiate(const PropagationLabel& from, Id v, Chunk& chunk);
   void CrossInto(Id t, Id exit, PropagationLabel label, Chunk& chunk);
   void ReachHub(Id v, float distance, Id root, Chunk& chunk);
-  bool NextRound(std::vector<BucketQueue::Entry>& entries);
-  void AdjustWidth(std::size_t labels, std::size_t known);
   void Collect(const BucketQueue::Entry* begin, const BucketQueue::Entry* end, Chunk& chunk);
   void Propagate(Chunk& chunk);
   DGG_INLINE void Leave(const PropagationLabel& label, int side, Chunk& chunk);
@@ -148,17 +128,11 @@ private:
   const double Shift;
   const float Radius;
   const Id FirstHub; ///< slots from here on are those of hubs
-  std::vector<Slot> Slots;
+  std::vector<PropagationSlot> Slots;
   /// Lengths of ways to the vertices.
   std::vector<std::atomic<float>> Distances;
-  BucketQueue Queue;
+  PropagationRounds Rounds;
   bool IsShared = false;
-  /// Where buckets are too wide: entries up to the current bucket, the nearest one in front, of
-  /// which a round takes those within a part of a bucket.
-  std::vector<BucketQueue::Entry> Near;
-  float Width = 1.0F;
-  std::size_t WindowLabels = 0;
-  std::size_t WindowKnown = 0;
 };
 
 template <bool High>
@@ -173,13 +147,6 @@ Id Propagation<High>::SlotOf(Id entry) const
 }
 
 template <bool High>
-float Propagation<High>::StartOf(const GeodesicSource& source) const
-{
-  return static_cast<float>(
-    std::min((source.InitialDistance - this->Shift) / this->Faces.GetUnit(), LargestOffset));
-}
-
-template <bool High>
 void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
 {
   Chunk chunk;
@@ -188,7 +155,8 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
   {
     const SurfacePoint& point = sources[k].Point;
     const auto root = static_cast<Id>(k);
-    const float offset = this->StartOf(sources[k]);
+    const auto offset = static_cast<float>(
+      std::min((sources[k].InitialDistance - this->Shift) / unit, LargestOffset));
     if (point.On == SurfacePoint::Support::Vertex)
     {
       Lower(this->Distances[point.Vertex], offset);
@@ -223,7 +191,7 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
   }
   for (const Push& push : chunk.Pushes)
   {
-    this->Queue.Push(push.Key, push.Slot);
+    this->Rounds.Push(push.Key, push.Slot);
   }
 }
 
@@ -248,87 +216,6 @@ void Propagation<High>::ReachHub(Id v, float distance, Id root, Chunk& chunk)
   }
 }
 
-/// Which entries to look at in the next round; false when there are none left. What is outdated
-/// depends on the threads, and must not decide.
-template <bool High>
-bool Propagation<High>::NextRound(std::vector<BucketQueue::Entry>& entries)
-{
-  const auto isFarther = [](const BucketQueue::Entry& a, const BucketQueue::Entry& b) {
-    return a.Key > b.Key;
-  };
-  const auto isOutdated = [&](const BucketQueue::Entry& entry) {
-    const Slot& slot = this->Slots[entry.Vertex];
-    return !slot.IsPending.load(std::memory_order_relaxed) ||
-      slot.Key.load(std::memory_order_relaxed) != entry.Key;
-  };
-  const auto pop = [&] {
-    std::pop_heap(this->Near.begin(), this->Near.end(), isFarther);
-    this->Near.pop_back();
-  };
-  const auto dropOutdated = [&] {
-    while (!this->Near.empty() && isOutdated(this->Near.front()))
-    {
-      pop();
-    }
-  };
-  entries.clear();
-  while (entries.empty())
-  {
-    dropOutdated();
-    if (this->Near.empty() && !this->Queue.Advance())
-    {
-      return false;
-    }
-    if (this->Near.empty() && this->Width == 1.0F)
-    {
-      entries = this->Queue.Current();
-      this->Queue.ClearCurrent();
-      return true;
-    }
-    for (const BucketQueue::Entry& entry : this->Queue.Current())
-    {
-      this->Near.push_back(entry);
-      std::push_heap(this->Near.begin(), this->Near.end(), isFarther);
-    }
-    this->Queue.ClearCurrent();
-    dropOutdated();
-    const float end = this->Near.empty() ? 0.0F : this->Near.front().Key + this->Width;
-    while (!this->Near.empty() && this->Near.front().Key <= end)
-    {
-      if (!isOutdated(this->Near.front()))
-      {
-        entries.push_back(this->Near.front());
-      }
-      pop();
-    }
-  }
-  return true;
-}
-
-/// Labels that were propagated too early are propagated again: where triangles are much smaller
-/// than the mean edge, thousands of times.
-template <bool High>
-void Propagation<High>::AdjustWidth(std::size_t labels, std::size_t known)
-{
-  this->WindowLabels += labels;
-  this->WindowKnown += known;
-  if (this->WindowLabels < LabelsPerWindow)
-  {
-    return;
-  }
-  const std::size_t fresh = this->WindowLabels - this->WindowKnown;
-  if (this->WindowLabels > MostLabelsPerSlot * fresh)
-  {
-    this->Width = std::max(0.25F * this->Width, std::numeric_limits<float>::min());
-  }
-  else if (2 * this->WindowLabels < MostLabelsPerSlot * fresh)
-  {
-    this->Width = std::min(2.0F * this->Width, 1.0F);
-  }
-  this->WindowLabels = 0;
-  this->WindowKnown = 0;
-}
-
 template <bool High>
 Status Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
 {
@@ -340,7 +227,7 @@ Status Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
   std::vector<Chunk> chunks;
   std::size_t propagated = 0;
   std::size_t reported = 0;
-  while (this->NextRound(entries))
+  while (this->Rounds.Next(this->Slots, entries))
   {
     const auto size = static_cast<Offset>(entries.size());
     const Offset count = (size + LabelsPerChunk - 1) / LabelsPerChunk;
@@ -361,12 +248,12 @@ Status Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
     {
       for (const Push& push : chunks[i].Pushes)
       {
-        this->Queue.Push(push.Key, push.Slot);
+        this->Rounds.Push(push.Key, push.Slot);
       }
       propagated += chunks[i].GetNumberOfLabels();
       known += chunks[i].Known;
     }
-    this->AdjustWidth(propagated - before, known);
+    this->Rounds.AdjustWidth(propagated - before, known);
     if (propagated > most)
     {
       return Status::Invalid("the triangles are too irregular for virtual sources: distances did "
@@ -397,12 +284,12 @@ void Propagation<High>::Collect(
   chunk.Known = 0;
   for (const BucketQueue::Entry* entry = begin; entry != end; ++entry)
   {
-    Slot& slot = this->Slots[entry->Vertex];
+    PropagationSlot& slot = this->Slots[entry->Vertex];
     if (slot.IsPending.load(std::memory_order_relaxed) &&
       slot.IsPending.exchange(false, std::memory_order_relaxed))
     {
       const PropagationLabel& label = slot.Best;
-      chunk.Known += slot.Threshold < Unreached ? 1 : 0;
+      chunk.Known += slot.Threshold < UnreachedKey ? 1 : 0;
       slot.Threshold = (1.0F - Rounding) * slot.Key.load(std::memory_order_relaxed);
       if (entry->Vertex >= this->FirstHub)
       {
@@ -516,8 +403,8 @@ void Propagation<High>::StayOutOfShadows(
   float b = PlaneLength(length - label.X, label.Y);
   const float knownA = this->Distances[atOrigin].load(std::memory_order_relaxed);
   const float knownB = this->Distances[atEnd].load(std::memory_order_relaxed);
-  const bool isHiddenA = knownA < Unreached && knownA - label.Offset > a + tolerance;
-  const bool isHiddenB = knownB < Unreached && knownB - label.Offset > b + tolerance;
+  const bool isHiddenA = knownA < UnreachedKey && knownA - label.Offset > a + tolerance;
+  const bool isHiddenB = knownB < UnreachedKey && knownB - label.Offset > b + tolerance;
   if (!isHiddenA && !isHiddenB)
   {
     return;
@@ -608,7 +495,7 @@ void Propagation<High>::Enter(PropagationLabel label, Chunk& chunk)
 template <bool High>
 void Propagation<High>::Offer(float key, const PropagationLabel& label, Id id, Chunk& chunk)
 {
-  Slot& slot = this->Slots[id];
+  PropagationSlot& slot = this->Slots[id];
   if (!(key <= slot.Key.load(std::memory_order_relaxed) && key < slot.Threshold))
   {
     return;
@@ -650,9 +537,9 @@ template <bool High>
 bool Propagation<High>::FindLabel(
   Id v, PropagationLabel& label, double& length, Id& at, double& angle) const
 {
-  float nearest = Unreached;
+  float nearest = UnreachedKey;
   const auto look = [&](Id entry, int corner) {
-    const Slot& slot = this->Slots[this->SlotOf(entry)];
+    const PropagationSlot& slot = this->Slots[this->SlotOf(entry)];
     if (slot.Best.Entry != entry)
     {
       return;
@@ -687,13 +574,10 @@ bool Propagation<High>::FindLabel(
     const Id f = SurfaceMesh::Face(*g);
     for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
-      if (High || h == this->Slots[f].Best.Entry)
-      {
-        look(h, *g % 3);
-      }
+      look(h, *g % 3);
     }
   }
-  return nearest < Unreached;
+  return nearest < UnreachedKey;
 }
 
 /// Run with either quality.

@@ -35,7 +35,7 @@ public:
 
   /// After Prepare().
   const dgg::PoissonSolver& GetSolver() const { return *this->Solver; }
-  /// When that solver was made. What refers to it goes with it.
+  /// When that solver was made. What refers to it is released with it.
   vtkMTimeType GetSolverTime() const { return this->SolverTime.GetMTime(); }
 
   int GetNumberOfFactorizations() const;

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPropagationRounds.h"
+
+#include <algorithm>
+
+namespace dgg
+{
+namespace
+{
+/// Rounds take whole buckets, unless more labels than so many per slot are found to have been in
+/// vain, among so many.
+constexpr std::size_t MostLabelsPerSlot = 3;
+constexpr std::size_t LabelsPerWindow = 1024;
+}
+
+/// What is outdated depends on the threads, and must not decide.
+bool PropagationRounds::Next(
+  const std::vector<PropagationSlot>& slots, std::vector<BucketQueue::Entry>& entries)
+{
+  const auto isFarther = [](const BucketQueue::Entry& a, const BucketQueue::Entry& b) {
+    return a.Key > b.Key;
+  };
+  const auto isOutdated = [&](const BucketQueue::Entry& entry) {
+    const PropagationSlot& slot = slots[entry.Vertex];
+    return !slot.IsPending.load(std::memory_order_relaxed) ||
+      slot.Key.load(std::memory_order_relaxed) != entry.Key;
+  };
+  const auto pop = [&] {
+    std::pop_heap(this->Near.begin(), this->Near.end(), isFarther);
+    this->Near.pop_back();
+  };
+  const auto dropOutdated = [&] {
+    while (!this->Near.empty() && isOutdated(this->Near.front()))
+    {
+      pop();
+    }
+  };
+  entries.clear();
+  while (entries.empty())
+  {
+    dropOutdated();
+    if (this->Near.empty() && !this->Queue.Advance())
+    {
+      return false;
+    }
+    if (this->Near.empty() && this->Width == 1.0F)
+    {
+      entries = this->Queue.Current();
+      this->Queue.ClearCurrent();
+      return true;
+    }
+    for (const BucketQueue::Entry& entry : this->Queue.Current())
+    {
+      this->Near.push_back(entry);
+      std::push_heap(this->Near.begin(), this->Near.end(), isFarther);
+    }
+    this->Queue.ClearCurrent();
+    dropOutdated();
+    const float end = this->Near.empty() ? 0.0F : this->Near.front().Key + this->Width;
+    while (!this->Near.empty() && this->Near.front().Key <= end)
+    {
+      if (!isOutdated(this->Near.front()))
+      {
+        entries.push_back(this->Near.front());
+      }
+      pop();
+    }
+  }
+  return true;
+}
+
+/// Labels that were propagated too early are propagated again: where triangles are much smaller
+/// than the mean edge, thousands of times.
+void PropagationRounds::AdjustWidth(std::size_t labels, std::size_t known)
+{
+  this->WindowLabels += labels;
+  this->WindowKnown += known;
+  if (this->WindowLabels < LabelsPerWindow)
+  {
+    return;
+  }
+  const std::size_t fresh = this->WindowLabels - this->WindowKnown;
+  if (this->WindowLabels > MostLabelsPerSlot * fresh)
+  {
+    this->Width = std::max(0.25F * this->Width, std::numeric_limits<float>::min());
+  }
+  else if (2 * this->WindowLabels < MostLabelsPerSlot * fresh)
+  {
+    this->Width = std::min(2.0F * this->Width, 1.0F);
+  }
+  this->WindowLabels = 0;
+  this->WindowKnown = 0;
+}
+}

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Which labels of virtual sources are propagated at one time. Internal.
+#ifndef dggPropagationRounds_h
+#define dggPropagationRounds_h
+
+#include "dggBucketQueue.h"      // for the queue
+#include "dggPropagationLabel.h" // for labels
+
+#include <atomic>  // for what threads share
+#include <cstddef> // for std::size_t
+#include <limits>  // for Unreached
+#include <vector>  // for entries
+
+namespace dgg
+{
+inline constexpr float UnreachedKey = std::numeric_limits<float>::max();
+
+/// The best label of a face or an edge.
+struct PropagationSlot
+{
+  std::atomic<float> Key{ UnreachedKey };
+  std::atomic<bool> IsPending{ false }; ///< has changed and not been propagated since
+  std::atomic<bool> IsLocked{ false };
+  float Threshold =
+    UnreachedKey; ///< what a key has to be below: that propagated last, less rounding
+  PropagationLabel Best{ 0.0F, 0.0F, 0.0F, NoId, NoId };
+};
+
+/// Slots that wait to be propagated, nearest first: a round takes a bucket one mean edge wide, or a
+/// part of one where triangles are much smaller than that.
+class PropagationRounds
+{
+public:
+  PropagationRounds() { this->Queue.Reset(0.0, 1.0); }
+
+  void Push(float key, Id slot) { this->Queue.Push(key, slot); }
+  /// Which entries to look at in the next round; false when there are none left.
+  bool Next(const std::vector<PropagationSlot>& slots, std::vector<BucketQueue::Entry>& entries);
+  /// After a round: how many labels it has propagated, and how many of slots that had been
+  /// propagated before.
+  void AdjustWidth(std::size_t labels, std::size_t known);
+
+private:
+  BucketQueue Queue;
+  /// Where buckets are too wide: entries up to the current bucket, the nearest one in front.
+  std::vector<BucketQueue::Entry> Near;
+  float Width = 1.0F;
+  std::size_t WindowLabels = 0;
+  std::size_t WindowKnown = 0;
+};
+}
+
+#endif
