@@ -5,6 +5,7 @@
 #include "dggPrefetch.h"
 #include "dggPropagationFaces.h"
 #include "dggPropagationLabel.h"
+#include "dggPropagationOutput.h"
 #include "dggPropagationRounds.h"
 #include "dggRoundTeam.h"
 
@@ -28,10 +29,6 @@ constexpr float ShadowTolerance = 0.05F;
 constexpr double LargestOffset = 1e30;
 /// Labels that are nearer by less would go round in circles, for a gain by rounding each time.
 constexpr float Rounding = 5e-7F;
-/// Single precision, by which a distance from a source nearby may be off.
-constexpr double SeedSlack = 1e-5;
-/// The same at the largest distance that is asked for.
-constexpr double LimitSlack = 1e-6;
 /// What a thread takes at one time.
 constexpr Offset LabelsPerChunk = 48;
 constexpr Offset VerticesPerBlock = 4096;
@@ -102,9 +99,8 @@ public:
 
   double GetDistance(Id v) const { return this->ToLength(this->Distances[v]); }
   bool IsReached(Id v) const { return this->Distances[v] < UnreachedKey; }
-  /// The label around a vertex that reaches it first, how far its source is, and in which direction
-  /// from a half-edge of the vertex; false without one.
-  bool FindLabel(Id v, PropagationLabel& label, double& length, Id& at, double& angle) const;
+  /// The label around a vertex that reaches it first; false without one.
+  bool FindLabel(Id v, PropagationLabel& label, VirtualPlace& place) const;
   /// A length in units of the mesh, from the least initial distance on.
   double ToLength(float value) const { return value * this->Faces.GetUnit() + this->Shift; }
 
@@ -534,8 +530,7 @@ float Propagation<High>::ReachApex(const PropagationLabel& label) const
 }
 
 template <bool High>
-bool Propagation<High>::FindLabel(
-  Id v, PropagationLabel& label, double& length, Id& at, double& angle) const
+bool Propagation<High>::FindLabel(Id v, PropagationLabel& label, VirtualPlace& place) const
 {
   float nearest = UnreachedKey;
   const auto look = [&](Id entry, int corner) {
@@ -562,11 +557,9 @@ bool Propagation<High>::FindLabel(
     {
       nearest = rank;
       label = bent;
-      length = straight * this->Faces.GetUnit();
-      const Point2 direction = DirectionInFrame(
-        this->Mesh, entry, 3 * SurfaceMesh::Face(entry) + corner, { bent.X - x, bent.Y - y });
-      angle = std::atan2(direction.Y, direction.X);
-      at = 3 * SurfaceMesh::Face(entry) + corner;
+      const Id at = 3 * SurfaceMesh::Face(entry) + corner;
+      const Point2 direction = DirectionInFrame(this->Mesh, entry, at, { bent.X - x, bent.Y - y });
+      place = { straight * this->Faces.GetUnit(), at, std::atan2(direction.Y, direction.X) };
     }
   };
   for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
@@ -595,87 +588,29 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   }
   const double radius = (options.MaximumDistance - shift) / faces.GetUnit();
   // Comparisons with single precision must not lose what is at the very distance.
-  const auto limit = static_cast<float>(std::min(radius * (1.0 + LimitSlack), 1e37));
+  const auto limit =
+    static_cast<float>(std::min(radius * (1.0 + PropagationOutput::LimitSlack), 1e37));
   Propagation<High> propagation(mesh, faces, shift, limit);
   propagation.Start(sources);
   Status status;
   RoundTeam::Run(
     options.Parallel, [&](RoundTeam& team) { status = propagation.Run(team, options.Progress); });
   DGG_RETURN_IF_ERROR(status);
-  const double furthest =
-    options.MaximumDistance + LimitSlack * (options.MaximumDistance - shift); // by rounding
-  const Offset n = mesh.GetNumberOfVertices();
-  result.Distances.assign(static_cast<std::size_t>(n), Infinity);
-  const bool wantLabels = options.WantNearestSource || options.WantVirtualSource;
-  if (options.WantNearestSource)
-  {
-    result.NearestSource.assign(static_cast<std::size_t>(n), NoId);
-  }
-  if (options.WantVirtualSource)
-  {
-    result.Virtual.Offsets.assign(static_cast<std::size_t>(n), Infinity);
-    result.Virtual.Lengths.assign(static_cast<std::size_t>(n), Infinity);
-    result.Virtual.Angles.assign(static_cast<std::size_t>(n), 0.0);
-  }
-  const auto set = [&](Id v, Id root, double length, Id at, double angle) {
-    if (options.WantNearestSource)
-    {
-      result.NearestSource[v] = root;
-    }
-    if (options.WantVirtualSource)
-    {
-      result.Virtual.Offsets[v] = result.Distances[v] - length;
-      result.Virtual.Lengths[v] = length;
-      result.Virtual.Angles[v] = at == NoId ? 0.0 : mesh.PolarAngle(at) + angle;
-    }
-  };
-  ForRange(options.Parallel, n, VerticesPerBlock, [&](Offset begin, Offset end) {
-    for (auto v = static_cast<Id>(begin); v < end; ++v)
-    {
-      const double distance = propagation.GetDistance(v);
-      if (propagation.IsReached(v) && distance <= furthest)
+  PropagationOutput output(mesh, options, shift, result);
+  ForRange(
+    options.Parallel, mesh.GetNumberOfVertices(), VerticesPerBlock, [&](Offset begin, Offset end) {
+      for (auto v = static_cast<Id>(begin); v < end; ++v)
       {
-        result.Distances[v] = std::min(distance, options.MaximumDistance);
         PropagationLabel label{};
-        double length = 0.0;
-        Id at = NoId;
-        double angle = 0.0;
-        if (wantLabels && propagation.FindLabel(v, label, length, at, angle))
+        VirtualPlace place;
+        if (propagation.IsReached(v) && output.SetDistance(v, propagation.GetDistance(v)) &&
+          output.WantsLabels() && propagation.FindLabel(v, label, place))
         {
-          set(v, label.Root, length, at, angle);
+          output.SetSource(v, label.Root, place);
         }
       }
-    }
-  });
-  // The sources themselves, and the corners of the faces that they lie in, are known exactly; no
-  // label has come to them.
-  const auto take = [&](Id v, std::size_t k, double length, Id at, double angle) {
-    const double distance = sources[k].InitialDistance + length;
-    if (distance <= result.Distances[v] + SeedSlack * (distance - shift) &&
-      distance <= options.MaximumDistance)
-    {
-      result.Distances[v] = distance;
-      set(v, static_cast<Id>(k), length, at, angle);
-    }
-  };
-  // The first one of several at the same distance comes last, and stays.
-  for (std::size_t k = sources.size(); k-- > 0;)
-  {
-    const SurfacePoint& point = sources[k].Point;
-    if (IsVertex(point))
-    {
-      take(point.Vertex, k, 0.0, NoId, 0.0);
-      continue;
-    }
-    ForEachFaceAround(mesh, point, [&](Id f, const std::array<double, 3>& b) {
-      for (Id h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        const Point2 place = PlaceInFrame(mesh, h, b);
-        take(
-          mesh.Origin(h), k, DistanceToCorner(mesh, f, b, h % 3), h, std::atan2(place.Y, place.X));
-      }
     });
-  }
+  output.TakeSources(sources);
   return Status::Success();
 }
 }
