@@ -19,7 +19,8 @@ namespace
 /// How often a thread that waits for others reports their progress.
 constexpr std::chrono::milliseconds PollInterval(10);
 
-/// Ranges of a loop, which threads take one after the other until none is left or one throws.
+/// Ranges of a loop, which threads take one after the other until none is left or one throws. The
+/// one at 0 is for the calling thread.
 class RangeQueue
 {
 public:
@@ -28,15 +29,27 @@ public:
     : Size(size)
     , Grain(std::max<dgg::Offset>(1, grain))
     , Body(body)
+    , Next(this->Grain)
   {
   }
 
-  void Run() noexcept
+  void RunFirst() noexcept { this->Run(0); }
+  void RunOthers() noexcept { this->Run(this->Next.fetch_add(this->Grain)); }
+  void Rethrow() const
+  {
+    if (this->Thrown)
+    {
+      std::rethrow_exception(this->Thrown);
+    }
+  }
+  dgg::Offset GetNumberOfRanges() const { return (this->Size + this->Grain - 1) / this->Grain; }
+
+private:
+  void Run(dgg::Offset begin) noexcept
   {
     try
     {
-      for (dgg::Offset begin = this->Next.fetch_add(this->Grain); begin < this->Size;
-           begin = this->Next.fetch_add(this->Grain))
+      for (; begin < this->Size; begin = this->Next.fetch_add(this->Grain))
       {
         this->Body(begin, std::min(this->Size, begin + this->Grain));
       }
@@ -48,20 +61,11 @@ public:
       this->Next = this->Size;
     }
   }
-  void Rethrow() const
-  {
-    if (this->Thrown)
-    {
-      std::rethrow_exception(this->Thrown);
-    }
-  }
-  dgg::Offset GetNumberOfRanges() const { return (this->Size + this->Grain - 1) / this->Grain; }
 
-private:
   const dgg::Offset Size;
   const dgg::Offset Grain;
   const std::function<void(dgg::Offset, dgg::Offset)>& Body;
-  std::atomic<dgg::Offset> Next{ 0 };
+  std::atomic<dgg::Offset> Next;
   std::mutex Mutex;
   std::exception_ptr Thrown;
 };
@@ -89,7 +93,7 @@ dgg::ParallelFor DGGMakeParallelFor(const dgg::ProgressCallback& progress)
           vtkSMPTools::For(0, others, 1, [&queue](vtkIdType begin, vtkIdType end) {
             for (vtkIdType i = begin; i < end; ++i)
             {
-              queue.Run();
+              queue.RunOthers();
             }
           });
         });
@@ -99,7 +103,7 @@ dgg::ParallelFor DGGMakeParallelFor(const dgg::ProgressCallback& progress)
         // The system gives no more threads: this one does it all.
       }
     }
-    queue.Run();
+    queue.RunFirst();
     while (done.valid() && done.wait_for(PollInterval) != std::future_status::ready)
     {
       if (progress)

@@ -261,8 +261,9 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  this->AddResults(task, output);
-  this->WarnAboutGaps(context.Input, FindReached(task));
+  const std::vector<bool> isReached = FindReached(task);
+  this->AddResults(task, isReached, output);
+  this->WarnAboutGaps(context.Input, isReached);
   return dgg::Status::Success();
 }
 
@@ -275,7 +276,7 @@ void vtkGeodesicDistanceAlgorithm::MakeEmptyOutput(
     this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  this->AddResults(task, output);
+  this->AddResults(task, FindReached(task), output);
 }
 
 //------------------------------------------------------------------------------
@@ -291,9 +292,9 @@ std::vector<DGGPointArray> vtkGeodesicDistanceAlgorithm::DeclareArrays() const
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::AddResults(const DGGDistanceTask& task, vtkPolyData* output)
+void vtkGeodesicDistanceAlgorithm::AddResults(
+  const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output)
 {
-  const std::vector<bool> isReached = FindReached(task);
   vtkPointData* data = output->GetPointData();
   // What the input has of these belongs to the distances that are about to be replaced.
   DGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);

@@ -203,7 +203,8 @@ private:
   void operator=(const vtkGeodesicDistanceAlgorithm&) = delete;
 
   DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-  void AddResults(const DGGDistanceTask& task, vtkPolyData* output);
+  void AddResults(
+    const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output);
 
   std::vector<vtkIdType> SourceIds;
   std::vector<double> SourceOffsets; // initial distances, one for each id

@@ -8,9 +8,11 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <functional>
 #include <queue>
 #include <stdexcept>
+#include <thread>
 
 namespace dggtest
 {
@@ -72,13 +74,35 @@ dgg::ParallelFor WithThreads(int count, Offset size)
   using Body = std::function<void(Offset, Offset)>;
   return [count, size](Offset total, Offset grain, const Body& body) {
     const Offset step = size > 0 ? size : grain;
-    std::atomic<Offset> next{ 0 };
-    InThreads(count, [&](int) {
-      for (Offset begin = next.fetch_add(step); begin < total; begin = next.fetch_add(step))
+    std::atomic<Offset> next{ step };
+    const auto run = [&](Offset begin) {
+      for (; begin < total; begin = next.fetch_add(step))
       {
         body(begin, std::min(begin + step, total));
       }
-    });
+    };
+    std::vector<std::thread> others;
+    for (int i = 1; i < count; ++i)
+    {
+      others.emplace_back([&] { run(next.fetch_add(step)); });
+    }
+    std::exception_ptr thrown;
+    try
+    {
+      run(0);
+    }
+    catch (...)
+    {
+      thrown = std::current_exception();
+    }
+    for (std::thread& other : others)
+    {
+      other.join();
+    }
+    if (thrown)
+    {
+      std::rethrow_exception(thrown);
+    }
   };
 }
 

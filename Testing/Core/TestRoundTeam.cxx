@@ -15,26 +15,33 @@ namespace dggtest
 {
 TEST(RoundTeam, EachChunkOnce)
 {
-  for (const int threads : { 0, 1, 2, 8 })
+  constexpr int most = dgg::RoundTeam::LargestTeam;
+  for (const int threads : { 0, 1, 2, 8, 40 })
   {
     const dgg::ParallelFor parallel = threads > 0 ? WithThreads(threads) : dgg::ParallelFor();
-    std::vector<int> calls(37, 0); // of one thread at a time, else a race
+    std::vector<std::vector<int>> calls(most, std::vector<int>(37, 0));
+    std::vector<std::vector<int>> expected = calls;
+    std::vector<std::atomic<bool>> hasWorked(most);
     const auto lead = [&](dgg::RoundTeam& team) {
       for (int round = 0; round < 3000; ++round)
       {
-        const dgg::Offset count = 1 + round % 37;
-        team.ForEach(count, team.IsShared(), [&, round](dgg::Offset i) { calls[i] += round; });
+        dgg::RoundTeam::Counts counts{};
+        for (int t = 0; t < most; ++t)
+        {
+          counts[t] = t == 0 || hasWorked[t] ? (1 + round + t) % 37 : 0;
+          for (dgg::Offset i = 0; i < counts[t]; ++i)
+          {
+            expected[t][i] += round;
+          }
+        }
+        // By one thread at a time, else there is a race.
+        team.ForEach(counts, team.IsShared(), [&, round](int owner, dgg::Offset i, int thread) {
+          calls[owner][i] += round;
+          hasWorked[thread] = true;
+        });
       }
     };
     dgg::RoundTeam::Run(parallel, lead);
-    std::vector<int> expected(37, 0);
-    for (int round = 0; round < 3000; ++round)
-    {
-      for (int i = 0; i <= round % 37; ++i)
-      {
-        expected[i] += round;
-      }
-    }
     EXPECT_EQ(calls, expected) << threads;
   }
 }
@@ -46,7 +53,7 @@ TEST(RoundTeam, WhatIsThrownReachesTheCaller)
     const dgg::ParallelFor parallel = threads > 0 ? WithThreads(threads) : dgg::ParallelFor();
     std::atomic<int> calls{ 0 };
     const auto lead = [&](dgg::RoundTeam& team) {
-      const auto thrower = [&](dgg::Offset i) {
+      const auto thrower = [&](int, dgg::Offset i, int) {
         ++calls;
         std::this_thread::yield();
         if (i % 3 == 1)
@@ -58,9 +65,10 @@ TEST(RoundTeam, WhatIsThrownReachesTheCaller)
       {
         std::this_thread::yield();
       }
-      EXPECT_THROW(team.ForEach(50, threads > 1, thrower), std::runtime_error);
-      EXPECT_NO_THROW(team.ForEach(50, threads > 1, [](dgg::Offset) {})) << "thrown again";
-      team.ForEach(50, threads > 1, thrower);
+      EXPECT_THROW(team.ForEach({ { 50 } }, threads > 1, thrower), std::runtime_error);
+      EXPECT_NO_THROW(team.ForEach({ { 50 } }, threads > 1, [](int, dgg::Offset, int) {}))
+        << "thrown again";
+      team.ForEach({ { 50 } }, threads > 1, thrower);
     };
     EXPECT_THROW(dgg::RoundTeam::Run(parallel, lead), std::runtime_error) << threads;
     EXPECT_GE(calls, 2);

@@ -22,7 +22,6 @@ namespace
 using Quality = dgg::PropagationQuality;
 using Sources = std::vector<dgg::GeodesicSource>;
 using Change = std::function<void(dgg::PropagationOptions&)>;
-using Body = std::function<void(dgg::Offset, dgg::Offset)>;
 
 /// Runs once with each quality.
 class SourcePropagation : public testing::TestWithParam<Quality>
@@ -81,19 +80,6 @@ void ExpectSameBits(const dgg::PropagationResult& a, const dgg::PropagationResul
   EXPECT_EQ(a.Virtual.Offsets, b.Virtual.Offsets);
   EXPECT_EQ(a.Virtual.Lengths, b.Virtual.Lengths);
   EXPECT_EQ(a.Virtual.Angles, b.Virtual.Angles);
-}
-
-/// All ranges one after the other, in this thread; the last one first if asked for.
-dgg::ParallelFor OneByOne(bool isReversed)
-{
-  return [=](dgg::Offset size, dgg::Offset grain, const Body& body) {
-    const dgg::Offset count = (size + grain - 1) / grain;
-    for (dgg::Offset i = 0; i < count; ++i)
-    {
-      const dgg::Offset begin = (isReversed ? count - 1 - i : i) * grain;
-      body(begin, std::min(begin + grain, size));
-    }
-  };
 }
 }
 
@@ -347,11 +333,6 @@ TEST_P(SourcePropagation, SameBitsInAnyThreads)
     const dgg::SurfaceMesh mesh = Build(test);
     const Sources sources{ VertexSource(0), VertexSource(100), VertexSource(200, 0.5) };
     const auto expected = this->Run(mesh, sources);
-    for (const bool isReversed : { false, true })
-    {
-      ExpectSameBits(
-        expected, this->Run(mesh, sources, [&](auto& o) { o.Parallel = OneByOne(isReversed); }));
-    }
     for (const int threads : { 1, 2, 3, 8 })
     {
       SCOPED_TRACE(threads);

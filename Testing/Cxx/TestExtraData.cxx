@@ -16,6 +16,7 @@
 #include "dggGraphSearch.h"
 #include "dggMeshReport.h"
 #include "dggSourceFinding.h"
+#include "dggSourcePropagation.h"
 #include "dggSurfaceMesh.h"
 
 #include <gtest/gtest.h>
@@ -108,6 +109,25 @@ protected:
       sources.push_back(source);
     }
     return sources;
+  }
+
+  /// Ten vertices, or three of a large mesh, spread over its ids.
+  std::vector<dgg::Id> GetSpreadSources() const
+  {
+    const dgg::Offset n = this->Surface.GetNumberOfVertices();
+    const dgg::Offset count = n > 100000 ? 3 : 10;
+    std::vector<dgg::Id> sources;
+    for (dgg::Offset k = 0; k < count; ++k)
+    {
+      sources.push_back(static_cast<dgg::Id>(n * (2 * k + 1) / (2 * count)));
+    }
+    return sources;
+  }
+
+  /// What faces of no area may change; else nothing but rounding.
+  double GetSlack() const
+  {
+    return 10.0 * this->Surface.GetNumberOfMollifiedFaces() * this->Surface.GetMollification();
   }
 
   std::vector<double> Run(dgg::Id source, dgg::ExactEngine engine) const
@@ -252,9 +272,7 @@ TEST_P(ExtraData, GraphKeepsItsPromise)
       diameter = std::isfinite(d) ? std::max(diameter, d) : diameter;
     }
   }
-  // What faces of no area may change; else nothing but rounding.
-  const double slack =
-    10.0 * this->Surface.GetNumberOfMollifiedFaces() * this->Surface.GetMollification();
+  const double slack = this->GetSlack();
   const dgg::GraphBuilder builder(this->Surface);
   for (const double accuracy : { 0.1, 0.01, 0.001 })
   {
@@ -308,15 +326,12 @@ TEST_P(ExtraData, CorrectionPays)
 {
   const auto n = static_cast<dgg::Id>(this->GetNumberOfVertices());
   const bool isRegular = n > 4000 && dgg::InspectMesh(this->Surface).MedianAnisotropy < 2.0;
-  const dgg::Id numberOfSources = n > 100000 ? 3 : 10;
-  const double slack =
-    10.0 * this->Surface.GetNumberOfMollifiedFaces() * this->Surface.GetMollification();
-  std::vector<dgg::Id> sources;
+  const double slack = this->GetSlack();
+  const std::vector<dgg::Id> sources = this->GetSpreadSources();
   std::vector<std::vector<double>> exact;
-  for (dgg::Id k = 0; k < numberOfSources; ++k)
+  for (const dgg::Id source : sources)
   {
-    sources.push_back(static_cast<dgg::Id>(dgg::Offset(n) * (2 * k + 1) / (2 * numberOfSources)));
-    exact.push_back(this->Run(sources.back(), dgg::ExactEngine::Triangle));
+    exact.push_back(this->Run(source, dgg::ExactEngine::Triangle));
   }
   const dgg::GraphBuilder builder(this->Surface);
   for (const double accuracy : { 0.05, 0.02, 0.01 })
@@ -358,6 +373,66 @@ TEST_P(ExtraData, CorrectionPays)
     std::cout << "accuracy " << accuracy << ": corrected mean error " << raw / corrected
               << " times smaller" << (isRegular ? "" : " (not promised)") << "\n";
   }
+}
+
+/// Nothing bounds the errors of virtual source propagation but a graph; the better quality is no
+/// worse on the mean.
+TEST_P(ExtraData, PropagationIsCertifiedByGraphs)
+{
+  const double accuracy = 0.1;
+  const double slack = this->GetSlack();
+  dgg::GraphOptions graphOptions;
+  graphOptions.Accuracy = accuracy;
+  dgg::GeodesicGraph graph;
+  ASSERT_TRUE(dgg::GraphBuilder(this->Surface).Build(graphOptions, graph).IsOk());
+  const dgg::GraphSearch search(graph.View(), &this->Surface);
+  const dgg::SourcePropagation propagation(this->Surface);
+  dgg::PropagationOptions options;
+  std::array<std::vector<double>, 2> errors;
+  std::size_t beyond = 0;
+  for (const dgg::Id source : this->GetSpreadSources())
+  {
+    const std::vector<double> exact = this->Run(source, dgg::ExactEngine::Triangle);
+    dgg::GraphSeed seed;
+    seed.Vertex = source;
+    dgg::SearchResult labels;
+    ASSERT_TRUE(search.Run({ seed }, {}, labels).IsOk());
+    for (const auto quality : { dgg::PropagationQuality::Fast, dgg::PropagationQuality::High })
+    {
+      options.Quality = quality;
+      dgg::PropagationResult result;
+      const dgg::Status status =
+        propagation.Run({ { dgg::SurfacePoint::AtVertex(source), 0.0 } }, options, result);
+      ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+      std::vector<double> certified = result.Distances;
+      dgg::ClampToLabels(search.GetGraph(), { seed }, labels.Distances, certified);
+      for (std::size_t v = 0; v < exact.size(); ++v)
+      {
+        const double d = exact[v];
+        ASSERT_EQ(std::isfinite(d), std::isfinite(result.Distances[v])) << v;
+        ASSERT_EQ(std::isfinite(d), std::isfinite(certified[v])) << v;
+        if (d > 0.0 && std::isfinite(d))
+        {
+          const double error = std::abs(certified[v] - d);
+          beyond += error <= accuracy * (d + slack) * (1.0 + 1e-6) + slack ? 0 : 1;
+          errors[quality == dgg::PropagationQuality::High].push_back(result.Distances[v] / d - 1.0);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(beyond, 0u) << "certified distances beyond the promise";
+  std::array<double, 2> means{};
+  for (const std::size_t i : { 0, 1 })
+  {
+    for (const double error : errors[i])
+    {
+      means[i] += std::abs(error) / static_cast<double>(errors[i].size());
+    }
+    const auto range = std::minmax_element(errors[i].begin(), errors[i].end());
+    std::cout << (i == 0 ? "Fast: " : "High: ") << 100.0 * means[i] << " % on the mean, "
+              << 100.0 * *range.first << " to " << 100.0 * *range.second << " %\n";
+  }
+  EXPECT_LE(means[1], means[0]);
 }
 
 /// Virtual sources are no worse than linear interpolation, on coarse CAD models as well: by far

@@ -21,28 +21,38 @@ void BucketQueue::Reset(double origin, double width)
   this->Size = 0;
 }
 
-bool BucketQueue::Advance()
+bool BucketQueue::Advance(BucketQueue* queues, std::size_t count)
 {
-  for (;;)
+  BucketQueue* const end = queues + count;
+  while (std::all_of(queues, end, [](const BucketQueue& queue) { return queue.Current().empty(); }))
   {
-    if (this->Size == 0)
+    if (std::all_of(queues, end, [](const BucketQueue& queue) { return queue.Size == 0; }))
     {
-      if (this->Aside.empty())
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const BucketQueue* queue = queues; queue != end; ++queue)
+      {
+        for (const Entry& entry : queue->Aside)
+        {
+          nearest = std::min<double>(nearest, entry.Key);
+        }
+      }
+      if (nearest > LargestKey)
       {
         return false;
       }
-      this->JumpAside();
+      std::for_each(queues, end, [&](BucketQueue& queue) { queue.JumpTo(nearest); });
+      continue;
     }
-    if (!this->Ring[this->Cursor & Mask].empty())
+    for (BucketQueue* queue = queues; queue != end; ++queue)
     {
-      return true;
-    }
-    ++this->Cursor;
-    if ((this->Cursor & Mask) == 0 && !this->Aside.empty())
-    {
-      this->PlaceAside();
+      ++queue->Cursor;
+      if ((queue->Cursor & Mask) == 0 && !queue->Aside.empty())
+      {
+        queue->PlaceAside();
+      }
     }
   }
+  return true;
 }
 
 void BucketQueue::PlaceAside()
@@ -55,12 +65,10 @@ void BucketQueue::PlaceAside()
   this->Scratch.clear();
 }
 
-void BucketQueue::JumpAside()
+void BucketQueue::JumpTo(double key)
 {
-  const auto nearest = std::min_element(this->Aside.begin(), this->Aside.end(),
-    [](const Entry& a, const Entry& b) { return a.Key < b.Key; });
   // The nearest one lands in bucket 0, so that there is progress whatever rounding does.
-  this->First = std::floor(static_cast<double>(nearest->Key));
+  this->First = std::floor(key);
   this->Cursor = 0;
   this->PlaceAside();
 }

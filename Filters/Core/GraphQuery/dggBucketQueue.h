@@ -17,7 +17,7 @@ namespace dgg
 /// search has to correct labels; but a push is an append, and it is known ahead what will be
 /// popped, so that memory can be asked for in time. The buckets form a ring; entries beyond it wait
 /// aside.
-class BucketQueue
+class alignas(64) BucketQueue // so that threads may have one each
 {
 public:
   struct Entry
@@ -41,7 +41,10 @@ public:
   void Push(double distance, Id vertex) { this->Place({ this->Key(distance), vertex }); }
 
   /// Go to the first bucket that is not empty; false when there is none.
-  bool Advance();
+  bool Advance() { return Advance(this, 1); }
+  /// The same with several queues of one origin and width, of which any has the first bucket. They
+  /// must not be advanced otherwise.
+  static bool Advance(BucketQueue* queues, std::size_t count);
 
   /// Remove the entries of the current bucket for which `isOutdated(entry)` holds.
   template <typename IsOutdated>
@@ -75,6 +78,14 @@ public:
     return place < next.size() ? &next[place] : nullptr;
   }
 
+  /// Empty the current bucket into `entries`, which are replaced.
+  void TakeCurrent(std::vector<Entry>& entries)
+  {
+    entries.clear();
+    entries.swap(this->Ring[this->Cursor & Mask]);
+    this->Size -= entries.size();
+  }
+
   /// Empty the current bucket.
   void ClearCurrent()
   {
@@ -103,8 +114,8 @@ private:
 
   /// Put the entries that wait aside where they belong now.
   void PlaceAside();
-  /// With an empty ring: go on at the nearest entry aside.
-  void JumpAside();
+  /// With an empty ring: go on at the given key, the nearest one aside.
+  void JumpTo(double key);
 
   std::vector<Entry> Ring[NumberOfBuckets];
   std::vector<Entry> Aside;

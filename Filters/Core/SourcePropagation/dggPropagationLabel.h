@@ -5,7 +5,7 @@
 #ifndef dggPropagationLabel_h
 #define dggPropagationLabel_h
 
-#include "dggTypes.h" // for Id
+#include "dggPropagationFaces.h" // for the corners
 
 #include <cmath> // for std::sqrt
 
@@ -65,6 +65,44 @@ inline void BendAround(PropagationLabel& label, float length, float x, float y)
     label.X = length;
     label.Y = 0.0F;
   }
+}
+
+/// The way from a virtual source to a corner of the face that it has entered: straight, or bent
+/// around an end of the entry.
+struct Way
+{
+  PropagationLabel Label; ///< after the bend
+  float X;                ///< the corner, in the frame of the entry
+  float Y;
+  float Length; ///< from the label
+
+  float GetDistance() const { return this->Label.Offset + this->Length; }
+};
+
+DGG_INLINE Way WayTo(int corner, const PropagationLabel& label, const PropagationFace& face)
+{
+  const int k = label.Entry % 3;
+  Way way{ label, 0.0F, 0.0F, 0.0F };
+  if (corner == PreviousOf(k))
+  {
+    const float left = face.Lengths[corner];
+    way.X = left * face.Cosines[k];
+    way.Y = left * face.Sines[k];
+    BendAround(way.Label, face.Lengths[k], way.X, way.Y);
+  }
+  else if (corner == NextOf(k))
+  {
+    way.X = face.Lengths[k];
+  }
+  way.Length = PlaneLength(way.X - way.Label.X, way.Y - way.Label.Y);
+  return way;
+}
+
+/// Whether the source is the vertex that the entry starts at. Then its other end need not be behind
+/// any edge that is crossed.
+inline bool IsAtOrigin(const PropagationLabel& label)
+{
+  return label.X == 0.0F && label.Y == 0.0F;
 }
 }
 

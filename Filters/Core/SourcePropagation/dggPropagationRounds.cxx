@@ -14,9 +14,18 @@ constexpr std::size_t MostLabelsPerSlot = 3;
 constexpr std::size_t LabelsPerWindow = 1024;
 }
 
+PropagationRounds::PropagationRounds(int threads)
+  : Queues(static_cast<std::size_t>(threads))
+{
+  for (BucketQueue& queue : this->Queues)
+  {
+    queue.Reset(0.0, 1.0);
+  }
+}
+
 /// What is outdated depends on the threads, and must not decide.
 bool PropagationRounds::Next(
-  const std::vector<PropagationSlot>& slots, std::vector<BucketQueue::Entry>& entries)
+  const PropagationSlot* slots, std::vector<std::vector<BucketQueue::Entry>>& entries)
 {
   const auto isFarther = [](const BucketQueue::Entry& a, const BucketQueue::Entry& b) {
     return a.Key > b.Key;
@@ -36,37 +45,43 @@ bool PropagationRounds::Next(
       pop();
     }
   };
-  entries.clear();
-  while (entries.empty())
+  std::vector<BucketQueue::Entry>& chosen = entries.front();
+  do
   {
     dropOutdated();
-    if (this->Near.empty() && !this->Queue.Advance())
+    const bool wasEmpty = this->Near.empty();
+    if (wasEmpty && !BucketQueue::Advance(this->Queues.data(), this->Queues.size()))
     {
       return false;
     }
-    if (this->Near.empty() && this->Width == 1.0F)
+    for (std::size_t i = 0; i < entries.size(); ++i)
     {
-      entries = this->Queue.Current();
-      this->Queue.ClearCurrent();
+      this->Queues[i].TakeCurrent(entries[i]);
+    }
+    if (wasEmpty && this->Width == 1.0F)
+    {
       return true;
     }
-    for (const BucketQueue::Entry& entry : this->Queue.Current())
+    for (std::vector<BucketQueue::Entry>& some : entries)
     {
-      this->Near.push_back(entry);
-      std::push_heap(this->Near.begin(), this->Near.end(), isFarther);
+      for (const BucketQueue::Entry& entry : some)
+      {
+        this->Near.push_back(entry);
+        std::push_heap(this->Near.begin(), this->Near.end(), isFarther);
+      }
+      some.clear();
     }
-    this->Queue.ClearCurrent();
     dropOutdated();
     const float end = this->Near.empty() ? 0.0F : this->Near.front().Key + this->Width;
     while (!this->Near.empty() && this->Near.front().Key <= end)
     {
       if (!isOutdated(this->Near.front()))
       {
-        entries.push_back(this->Near.front());
+        chosen.push_back(this->Near.front());
       }
       pop();
     }
-  }
+  } while (chosen.empty());
   return true;
 }
 

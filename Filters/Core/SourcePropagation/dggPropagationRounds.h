@@ -20,30 +20,40 @@ inline constexpr float UnreachedKey = std::numeric_limits<float>::max();
 /// The best label of a face or an edge.
 struct PropagationSlot
 {
-  std::atomic<float> Key{ UnreachedKey };
-  std::atomic<bool> IsPending{ false }; ///< has changed and not been propagated since
-  std::atomic<bool> IsLocked{ false };
-  float Threshold =
-    UnreachedKey; ///< what a key has to be below: that propagated last, less rounding
-  PropagationLabel Best{ 0.0F, 0.0F, 0.0F, NoId, NoId };
+  std::atomic<float> Key;
+  std::atomic<bool> IsPending; ///< has changed and not been propagated since
+  std::atomic<bool> IsLocked;
+  float Threshold; ///< what a key has to be below: that propagated last, less rounding
+  PropagationLabel Best;
+
+  void Clear()
+  {
+    this->Key.store(UnreachedKey, std::memory_order_relaxed);
+    this->IsPending.store(false, std::memory_order_relaxed);
+    this->IsLocked.store(false, std::memory_order_relaxed);
+    this->Threshold = UnreachedKey;
+    this->Best = { 0.0F, 0.0F, 0.0F, NoId, NoId };
+  }
 };
 
 /// Slots that wait to be propagated, nearest first: a round takes a bucket one mean edge wide, or a
-/// part of one where triangles are much smaller than that.
+/// part of one where triangles are much smaller than that. Each thread has a queue of its own: what
+/// it has pushed is in its cache. Which thread that is does not change what a round consists of.
 class PropagationRounds
 {
 public:
-  PropagationRounds() { this->Queue.Reset(0.0, 1.0); }
+  explicit PropagationRounds(int threads);
 
-  void Push(float key, Id slot) { this->Queue.Push(key, slot); }
-  /// Which entries to look at in the next round; false when there are none left.
-  bool Next(const std::vector<PropagationSlot>& slots, std::vector<BucketQueue::Entry>& entries);
+  std::size_t GetNumberOfThreads() const { return this->Queues.size(); }
+  void Push(int thread, float key, Id slot) { this->Queues[thread].Push(key, slot); }
+  /// Which entries to look at in the next round, by threads; false when there are none left.
+  bool Next(const PropagationSlot* slots, std::vector<std::vector<BucketQueue::Entry>>& entries);
   /// After a round: how many labels it has propagated, and how many of slots that had been
   /// propagated before.
   void AdjustWidth(std::size_t labels, std::size_t known);
 
 private:
-  BucketQueue Queue;
+  std::vector<BucketQueue> Queues;
   /// Where buckets are too wide: entries up to the current bucket, the nearest one in front.
   std::vector<BucketQueue::Entry> Near;
   float Width = 1.0F;

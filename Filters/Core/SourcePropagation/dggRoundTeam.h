@@ -7,11 +7,13 @@
 
 #include "dggParallel.h" // for ParallelFor
 
+#include <array>      // for what each thread has
 #include <atomic>     // for what threads share
-#include <chrono>     // for the patience
+#include <cstdint>    // for std::int32_t
 #include <exception>  // for what chunks throw
 #include <functional> // for the loops
 #include <mutex>      // for the first exception
+#include <numeric>    // for std::accumulate
 #include <thread>     // for std::this_thread::yield
 #include <utility>    // for std::exchange
 
@@ -19,30 +21,26 @@ namespace dgg
 {
 /// A loop over thousands of short rounds, each of which is parallel: to start threads for each
 /// round would take longer than the rounds. So threads are started once; one leads, and the others
-/// wait actively for chunks of the round that it is at. No thread waits for one that has not taken
-/// a chunk, so that any scheduler will do, one without threads included.
+/// wait actively for chunks of the round that it is at. The leader never waits for a thread that
+/// has not taken a chunk, so that they need not come.
+///
+/// What one thread writes and another one reads takes as long as several labels. So each chunk
+/// belongs to a thread, others only take what it has not begun, and what a thread writes is on
+/// cache lines of its own.
 class RoundTeam
 {
 public:
-  /// Calls lead(team) in one of the threads of the loop. What it throws reaches the caller.
+  /// More threads would not find enough to do.
+  static constexpr int LargestTeam = 16;
+  using Counts = std::array<Offset, LargestTeam>; ///< by threads
+
+  /// Calls lead(team) in this thread. What it throws reaches the caller.
   template <typename Lead>
   static void Run(const ParallelFor& parallel, Lead&& lead)
   {
     RoundTeam team;
-    if (!parallel)
-    {
-      lead(team);
-      return;
-    }
-    std::exception_ptr thrown;
-    // The thread that calls leads, if it takes part in the loop: observers hear from it only.
-    const std::thread::id caller = std::this_thread::get_id();
-    ForRange(parallel, LargestTeam, 1, [&](Offset, Offset) {
-      if (std::this_thread::get_id() != caller)
-      {
-        team.Follow();
-      }
-      if (team.IsLed.exchange(true))
+    ForRange(parallel, parallel ? LargestTeam : 1, 1, [&](Offset begin, Offset) {
+      if (begin > 0)
       {
         team.Follow();
         return;
@@ -53,43 +51,53 @@ public:
       }
       catch (...)
       {
-        // The leader may be in a thread of the scheduler, which would end the program.
-        thrown = std::current_exception();
+        team.IsOver.store(true, std::memory_order_release);
+        throw;
       }
       team.IsOver.store(true, std::memory_order_release);
     });
-    if (thrown)
-    {
-      std::rethrow_exception(thrown);
-    }
   }
 
   /// Whether others have come to help. Asked once a round: it decides whether the steps of a round
   /// need protection from each other.
-  bool IsShared() const { return this->Followers.load(std::memory_order_acquire) > 0; }
+  bool IsShared() const { return this->NumberOfMembers.load(std::memory_order_acquire) > 1; }
 
-  /// Calls chunk(0) to chunk(count - 1), several at once if the round is shared. Only for the
-  /// leader.
+  /// Calls chunk(owner, i, thread) for all i below counts[owner], several at once if the round is
+  /// shared. Only for the leader, who is thread 0; other threads may own chunks once they have
+  /// worked on any.
   template <typename Chunk>
-  void ForEach(Offset count, bool isShared, const Chunk& chunk)
+  void ForEach(const Counts& counts, bool isShared, const Chunk& chunk)
   {
+    const Offset count = std::accumulate(counts.begin(), counts.end(), Offset(0));
     if (count < 2 || !isShared)
     {
-      for (Offset i = 0; i < count; ++i)
+      for (std::size_t owner = 0; owner < counts.size(); ++owner)
       {
-        chunk(i);
+        for (Offset i = 0; i < counts[owner]; ++i)
+        {
+          chunk(static_cast<int>(owner), i, 0);
+        }
       }
       return;
     }
     this->Body = std::cref(chunk);
-    this->Done = 0;
-    this->Left.store(count, std::memory_order_release);
-    while (this->TakeChunk())
+    ++this->Round;
+    const int size = this->NumberOfMembers.load(std::memory_order_acquire);
+    for (int m = 0; m < size; ++m)
     {
+      this->Members[m].Done.store(0, std::memory_order_relaxed);
     }
-    while (this->Done.load(std::memory_order_acquire) < count)
+    for (int m = size - 1; m >= 0; --m)
     {
-      std::this_thread::yield();
+      const Range range{ 0, static_cast<std::int32_t>(counts[m]) };
+      this->Members[m].Left.store(range, std::memory_order_release);
+      this->Members[m].Round.store(this->Round, std::memory_order_release);
+    }
+    this->Work(0);
+    int spins = 0;
+    while (this->CountDone() < count)
+    {
+      Wait(spins);
     }
     if (this->Thrown)
     {
@@ -98,71 +106,120 @@ public:
   }
 
 private:
-  static constexpr Offset LargestTeam = 64;
   static constexpr int SpinsBeforeYield = 256;
-  static constexpr std::chrono::milliseconds Patience{ 20 };
+
+  /// Chunks that nobody has begun: their owner takes the first one, others the last one.
+  struct alignas(8) Range
+  {
+    std::int32_t Begin;
+    std::int32_t End;
+  };
+  struct Member
+  {
+    alignas(64) std::atomic<Range> Left{ Range{ 0, 0 } };
+    std::atomic<int> Round{ 0 };               ///< that the range belongs to
+    alignas(64) std::atomic<Offset> Done{ 0 }; ///< chunks that this thread has done
+  };
 
   RoundTeam() = default;
 
-  bool TakeChunk()
+  Offset CountDone() const
   {
-    if (this->Left.load(std::memory_order_acquire) <= 0)
+    Offset done = 0;
+    const int size = this->NumberOfMembers.load(std::memory_order_acquire);
+    for (int m = 0; m < size; ++m)
     {
-      return false;
+      done += this->Members[m].Done.load(std::memory_order_acquire);
     }
-    const Offset mine = this->Left.fetch_sub(1, std::memory_order_acq_rel) - 1;
-    if (mine < 0)
-    {
-      return false;
-    }
-    try
-    {
-      this->Body(mine);
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->Thrown = this->Thrown ? this->Thrown : std::current_exception();
-    }
-    this->Done.fetch_add(1, std::memory_order_acq_rel);
-    return true;
+    return done;
   }
 
-  /// Take chunks until the end, or until nobody has come to lead for long.
+  static void Wait(int& spins)
+  {
+    if (spins < SpinsBeforeYield)
+    {
+      ++spins;
+    }
+    else
+    {
+      std::this_thread::yield();
+    }
+  }
+
+  bool TakeChunk(int owner, bool isFirst, Offset& chunk)
+  {
+    std::atomic<Range>& left = this->Members[owner].Left;
+    Range range = left.load(std::memory_order_acquire);
+    while (range.Begin < range.End)
+    {
+      const Range rest =
+        isFirst ? Range{ range.Begin + 1, range.End } : Range{ range.Begin, range.End - 1 };
+      chunk = isFirst ? range.Begin : range.End - 1;
+      if (left.compare_exchange_weak(range, rest, std::memory_order_acq_rel))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Own chunks, then those of others.
+  void Work(int self)
+  {
+    const int size = this->NumberOfMembers.load(std::memory_order_acquire);
+    for (int k = 0; k < size; ++k)
+    {
+      Offset done = 0;
+      Offset chunk = 0;
+      const int owner = (self + k) % size;
+      while (this->TakeChunk(owner, k == 0, chunk))
+      {
+        try
+        {
+          this->Body(owner, chunk, self);
+        }
+        catch (...)
+        {
+          const std::lock_guard<std::mutex> lock(this->Mutex);
+          this->Thrown = this->Thrown ? this->Thrown : std::current_exception();
+        }
+        ++done;
+      }
+      if (done > 0)
+      {
+        this->Members[self].Done.fetch_add(done, std::memory_order_acq_rel);
+      }
+    }
+  }
+
+  /// Work until the end.
   void Follow()
   {
-    ++this->Followers;
-    const auto start = std::chrono::steady_clock::now();
+    const int self = this->NumberOfMembers.fetch_add(1, std::memory_order_acq_rel);
+    const std::atomic<int>& current = this->Members[self].Round;
+    int seen = 0;
     int spins = 0;
     while (!this->IsOver.load(std::memory_order_acquire))
     {
-      if (!this->IsLed.load(std::memory_order_acquire) &&
-        std::chrono::steady_clock::now() - start > Patience)
+      const int round = current.load(std::memory_order_acquire);
+      if (seen != round)
       {
-        break;
-      }
-      if (this->TakeChunk())
-      {
+        seen = round;
+        this->Work(self);
         spins = 0;
-      }
-      else if (spins < SpinsBeforeYield)
-      {
-        ++spins;
       }
       else
       {
-        std::this_thread::yield();
+        Wait(spins);
       }
     }
-    --this->Followers;
   }
 
-  std::function<void(Offset)> Body;
-  std::atomic<Offset> Left{ 0 };
-  std::atomic<Offset> Done{ 0 };
-  std::atomic<int> Followers{ 0 };
-  std::atomic<bool> IsLed{ false };
-  std::atomic<bool> IsOver{ false };
+  std::array<Member, LargestTeam> Members;
+  std::function<void(int, Offset, int)> Body;
+  int Round = 0;
+  std::atomic<int> NumberOfMembers{ 1 }; ///< the leader is the first one
+  alignas(64) std::atomic<bool> IsOver{ false };
   std::mutex Mutex;
   std::exception_ptr Thrown;
 };

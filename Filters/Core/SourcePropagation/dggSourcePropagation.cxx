@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <thread>
+#include <type_traits>
 
 namespace dgg
 {
@@ -30,8 +32,9 @@ constexpr double LargestOffset = 1e30;
 /// Labels that are nearer by less would go round in circles, for a gain by rounding each time.
 constexpr float Rounding = 5e-7F;
 /// What a thread takes at one time.
-constexpr Offset LabelsPerChunk = 48;
+constexpr std::size_t LabelsPerChunk = 64;
 constexpr Offset VerticesPerBlock = 4096;
+constexpr Offset ValuesPerBlock = 65536;
 /// Labels of a face, on average, and of all faces of a small mesh, after which there is no end.
 constexpr std::size_t MostLabelsPerFace = 7;
 constexpr std::size_t ManyLabels = 100000;
@@ -42,21 +45,14 @@ constexpr double FastLabelsPerFace = 1.2;
 constexpr double HighLabelsPerFace = 1.9;
 constexpr double LargestProgress = 0.99;
 
-/// Where a point was pushed to the queue.
-struct Push
+/// A part of a round.
+struct alignas(64) Chunk
 {
-  float Key;
-  Id Slot;
-};
-
-/// A round's share of one thread.
-struct Chunk
-{
+  int Thread = 0;                         ///< that works on it
   std::vector<PropagationLabel> Labels;   ///< of faces or edges
   std::vector<PropagationLabel> Vertices; ///< of vertices, which are the entries
   /// Of edges of many faces, by the half-edge that they leave through.
   std::vector<PropagationLabel> Edges;
-  std::vector<Push> Pushes;
   std::size_t Known = 0; ///< slots that have been propagated before
 
   std::size_t GetNumberOfLabels() const
@@ -79,19 +75,31 @@ template <bool High>
 class Propagation
 {
 public:
-  Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift, float radius)
+  Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift, float radius,
+    const ParallelFor& parallel)
     : Mesh(mesh)
     , Faces(faces)
     , Shift(shift)
     , Radius(radius)
     , FirstHub(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces())
-    , Slots(static_cast<std::size_t>(FirstHub) + faces.GetNumberOfHubs())
-    , Distances(static_cast<std::size_t>(mesh.GetNumberOfVertices()))
+    , Rounds(parallel ? RoundTeam::LargestTeam : 1)
   {
-    for (std::atomic<float>& distance : this->Distances)
-    {
+    // Not by constructors: to touch this memory first takes as long as a tenth of the rounds.
+    const auto fill = [&](auto& array, Offset size, const auto& value) {
+      using Value = std::decay_t<decltype(array[0])>;
+      array.reset(new Value[static_cast<std::size_t>(size)]);
+      ForRange(parallel, size, ValuesPerBlock, [&](Offset begin, Offset end) {
+        for (Offset i = begin; i < end; ++i)
+        {
+          value(array[i]);
+        }
+      });
+    };
+    fill(this->Slots, Offset(this->FirstHub) + faces.GetNumberOfHubs(),
+      [](PropagationSlot& slot) { slot.Clear(); });
+    fill(this->Distances, mesh.GetNumberOfVertices(), [](std::atomic<float>& distance) {
       distance.store(UnreachedKey, std::memory_order_relaxed);
-    }
+    });
   }
 
   void Start(const std::vector<GeodesicSource>& sources);
@@ -117,16 +125,15 @@ private:
   DGG_INLINE void Offer(float key, const PropagationLabel& label, Id id, Chunk& chunk);
   DGG_INLINE void StayOutOfShadows(
     PropagationLabel& label, float length, Id atOrigin, Id atEnd) const;
-  DGG_INLINE float ReachApex(const PropagationLabel& label) const;
 
   const SurfaceMesh& Mesh;
   const PropagationFaces& Faces;
   const double Shift;
   const float Radius;
   const Id FirstHub; ///< slots from here on are those of hubs
-  std::vector<PropagationSlot> Slots;
+  std::unique_ptr<PropagationSlot[]> Slots;
   /// Lengths of ways to the vertices.
-  std::vector<std::atomic<float>> Distances;
+  std::unique_ptr<std::atomic<float>[]> Distances;
   PropagationRounds Rounds;
   bool IsShared = false;
 };
@@ -185,10 +192,6 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
       }
     });
   }
-  for (const Push& push : chunk.Pushes)
-  {
-    this->Rounds.Push(push.Key, push.Slot);
-  }
 }
 
 /// A vertex as source, in all faces around it.
@@ -219,35 +222,41 @@ Status Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
     (High ? HighLabelsPerFace : FastLabelsPerFace) * this->Mesh.GetNumberOfFaces();
   const std::size_t most =
     ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
-  std::vector<BucketQueue::Entry> entries;
-  std::vector<Chunk> chunks;
+  const std::size_t threads = this->Rounds.GetNumberOfThreads();
+  std::vector<std::vector<BucketQueue::Entry>> entries(threads);
+  std::vector<std::vector<Chunk>> chunks(threads);
+  RoundTeam::Counts counts{};
   std::size_t propagated = 0;
   std::size_t reported = 0;
-  while (this->Rounds.Next(this->Slots, entries))
+  while (this->Rounds.Next(this->Slots.get(), entries))
   {
-    const auto size = static_cast<Offset>(entries.size());
-    const Offset count = (size + LabelsPerChunk - 1) / LabelsPerChunk;
-    if (chunks.size() < static_cast<std::size_t>(count))
+    for (std::size_t t = 0; t < threads; ++t)
     {
-      chunks.resize(static_cast<std::size_t>(count));
+      const std::size_t count = (entries[t].size() + LabelsPerChunk - 1) / LabelsPerChunk;
+      chunks[t].resize(std::max(chunks[t].size(), count));
+      counts[t] = static_cast<Offset>(count);
     }
     // A round: what was found in it counts in the next one.
     this->IsShared = team.IsShared();
-    team.ForEach(count, this->IsShared, [&](Offset i) {
-      this->Collect(entries.data() + i * LabelsPerChunk,
-        entries.data() + std::min(size, (i + 1) * LabelsPerChunk), chunks[i]);
+    team.ForEach(counts, this->IsShared, [&](int owner, Offset i, int) {
+      const std::vector<BucketQueue::Entry>& some = entries[owner];
+      const std::size_t begin = static_cast<std::size_t>(i) * LabelsPerChunk;
+      const std::size_t end = std::min(some.size(), begin + LabelsPerChunk);
+      this->Collect(some.data() + begin, some.data() + end, chunks[owner][i]);
     });
-    team.ForEach(count, this->IsShared, [&](Offset i) { this->Propagate(chunks[i]); });
+    team.ForEach(counts, this->IsShared, [&](int owner, Offset i, int thread) {
+      chunks[owner][i].Thread = thread;
+      this->Propagate(chunks[owner][i]);
+    });
     const std::size_t before = propagated;
     std::size_t known = 0;
-    for (Offset i = 0; i < count; ++i)
+    for (std::size_t t = 0; t < threads; ++t)
     {
-      for (const Push& push : chunks[i].Pushes)
+      for (Offset i = 0; i < counts[t]; ++i)
       {
-        this->Rounds.Push(push.Key, push.Slot);
+        propagated += chunks[t][i].GetNumberOfLabels();
+        known += chunks[t][i].Known;
       }
-      propagated += chunks[i].GetNumberOfLabels();
-      known += chunks[i].Known;
     }
     this->Rounds.AdjustWidth(propagated - before, known);
     if (propagated > most)
@@ -276,7 +285,6 @@ void Propagation<High>::Collect(
   chunk.Labels.clear();
   chunk.Vertices.clear();
   chunk.Edges.clear();
-  chunk.Pushes.clear();
   chunk.Known = 0;
   for (const BucketQueue::Entry* entry = begin; entry != end; ++entry)
   {
@@ -295,19 +303,21 @@ void Propagation<High>::Collect(
       }
       const int k = label.Entry % 3;
       const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
-      Lower(this->Distances[face.Corners[PreviousOf(k)]], this->ReachApex(label));
-      if (label.Y == 0.0F && label.X == 0.0F)
+      const int apex = PreviousOf(k);
+      Lower(this->Distances[face.Corners[apex]], WayTo(apex, label, face).GetDistance());
+      if (IsAtOrigin(label))
       {
-        // From one end of the edge to the other, which need not be behind any edge.
         Lower(this->Distances[face.Corners[NextOf(k)]], label.Offset + face.Lengths[k]);
       }
       chunk.Labels.push_back(label);
-      for (const Id behind : { face.Behind[PreviousOf(k)], face.Behind[NextOf(k)] })
+      for (const int side : { PreviousOf(k), NextOf(k) })
       {
+        const Id behind = face.Behind[side];
         if (behind >= 0)
         {
+          const Id exit = 3 * SurfaceMesh::Face(label.Entry) + side;
           Prefetch(&this->Faces[SurfaceMesh::Face(behind)]);
-          Prefetch(&this->Slots[High ? behind : SurfaceMesh::Face(behind)]);
+          Prefetch(&this->Slots[High ? std::min(exit, behind) : SurfaceMesh::Face(behind)]);
         }
       }
     }
@@ -325,11 +335,13 @@ void Propagation<High>::Propagate(Chunk& chunk)
     const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
     if (face.IsIrregular)
     {
-      this->ReachHub(face.Corners[PreviousOf(k)], this->ReachApex(label), label.Root, chunk);
-      if (label.Y == 0.0F && label.X == 0.0F)
+      for (const int corner : { PreviousOf(k), NextOf(k) })
       {
-        const float distance = label.Offset + face.Lengths[k];
-        this->ReachHub(face.Corners[NextOf(k)], distance, label.Root, chunk);
+        if (corner == PreviousOf(k) || IsAtOrigin(label))
+        {
+          const float distance = WayTo(corner, label, face).GetDistance();
+          this->ReachHub(face.Corners[corner], distance, label.Root, chunk);
+        }
       }
     }
   }
@@ -511,22 +523,8 @@ void Propagation<High>::Offer(float key, const PropagationLabel& label, Id id, C
   slot.IsLocked.store(false, std::memory_order_release);
   if (isBetter)
   {
-    chunk.Pushes.push_back({ key, id });
+    this->Rounds.Push(chunk.Thread, key, id);
   }
-}
-
-/// The length of the way to the vertex behind the entry: straight, or bent around an end of it.
-template <bool High>
-float Propagation<High>::ReachApex(const PropagationLabel& label) const
-{
-  const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
-  const int k = label.Entry % 3;
-  const float left = face.Lengths[PreviousOf(k)];
-  const float x = left * face.Cosines[k];
-  const float y = left * face.Sines[k];
-  PropagationLabel bent = label;
-  BendAround(bent, face.Lengths[k], x, y);
-  return bent.Offset + PlaneLength(x - bent.X, y - bent.Y);
 }
 
 template <bool High>
@@ -539,27 +537,16 @@ bool Propagation<High>::FindLabel(Id v, PropagationLabel& label, VirtualPlace& p
     {
       return;
     }
-    const PropagationFace& face = this->Faces[SurfaceMesh::Face(entry)];
-    const int k = entry % 3;
-    // The corner in the frame of the entry.
-    const float left = face.Lengths[PreviousOf(k)];
-    const bool isApex = corner == PreviousOf(k);
-    const float x = isApex ? left * face.Cosines[k] : corner == k ? 0.0F : face.Lengths[k];
-    const float y = isApex ? left * face.Sines[k] : 0.0F;
-    PropagationLabel bent = slot.Best;
-    if (isApex)
-    {
-      BendAround(bent, face.Lengths[k], x, y);
-    }
-    const float straight = PlaneLength(x - bent.X, y - bent.Y);
-    const float rank = bent.Offset + straight + OffsetPenalty * bent.Offset;
+    const Way way = WayTo(corner, slot.Best, this->Faces[SurfaceMesh::Face(entry)]);
+    const float rank = way.GetDistance() + OffsetPenalty * way.Label.Offset;
     if (rank < nearest)
     {
       nearest = rank;
-      label = bent;
+      label = way.Label;
       const Id at = 3 * SurfaceMesh::Face(entry) + corner;
-      const Point2 direction = DirectionInFrame(this->Mesh, entry, at, { bent.X - x, bent.Y - y });
-      place = { straight * this->Faces.GetUnit(), at, std::atan2(direction.Y, direction.X) };
+      const Point2 direction =
+        DirectionInFrame(this->Mesh, entry, at, { label.X - way.X, label.Y - way.Y });
+      place = { way.Length * this->Faces.GetUnit(), at, std::atan2(direction.Y, direction.X) };
     }
   };
   for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
@@ -590,7 +577,7 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   // Comparisons with single precision must not lose what is at the very distance.
   const auto limit =
     static_cast<float>(std::min(radius * (1.0 + PropagationOutput::LimitSlack), 1e37));
-  Propagation<High> propagation(mesh, faces, shift, limit);
+  Propagation<High> propagation(mesh, faces, shift, limit, options.Parallel);
   propagation.Start(sources);
   Status status;
   RoundTeam::Run(

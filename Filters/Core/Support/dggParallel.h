@@ -12,7 +12,8 @@
 namespace dgg
 {
 /// Runs `body(begin, end)` over disjoint ranges of about `grain` that make up [0, size), at the
-/// same time if it likes. Empty means one after the other. Results never depend on it.
+/// same time if it likes; that from 0 on in the calling thread. What it throws there reaches the
+/// caller after the loop. Empty means one after the other. Results never depend on it.
 using ParallelFor =
   std::function<void(Offset size, Offset grain, const std::function<void(Offset, Offset)>& body)>;
 
