@@ -11,10 +11,11 @@
  *
  * <b>Guarantee and cost</b>. Nothing bounds the error, unless Certify is on. Measured on real
  * meshes, single distances are up to 3 % too short, where a ridge hides what lies behind, and up to
- * 7 % too long; 0.1 to 0.4 % is the mean. On coarse models of CAD, and where several surfaces meet,
- * it is up to 20 % too short, twice too long, and 1 to 2 %. Five million points take a second on
- * one thread, and less on several. Single precision: about six digits of the largest distance,
- * initial distances included.
+ * 7 % too long; 0.1 to 0.4 % is the mean. Coarse models of CAD are another matter: single distances
+ * may be 60 % too short or 90 % too long, and several percent are the mean; there
+ * vtkExactGeodesicDistance is fast enough. Five million points take a second on one thread, and
+ * less on several. Single precision: about six digits of the largest distance, initial distances
+ * included.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; triangles too irregular for distances to
  * settle; with Certify also those of vtkDGGDistance, and a graph by a rule without a guarantee.
