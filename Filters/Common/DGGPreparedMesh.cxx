@@ -345,6 +345,12 @@ dgg::Status DGGPreparedMesh::Triangulate(
   this->NumberOfFans = triangulator.GetNumberOfFans();
   if (triangles.empty())
   {
+    if (this->Domain.MergeTolerance > 0.0 && this->NumberOfMergedPoints > 0)
+    {
+      return dgg::InvalidInput("no polygon is left with three distinct points: MergeTolerance is ",
+        this->Domain.MergeTolerance, ", which has merged ", this->NumberOfMergedPoints,
+        " points with others; make it smaller");
+    }
     return dgg::InvalidInput("none of the ", this->NumberOfDroppedCells,
       " polygons and strips of the input has three distinct points: connect a surface mesh");
   }

@@ -50,6 +50,7 @@ struct DGGLoopSet
   std::vector<LoopStatus> Status;
   std::vector<std::vector<dgg::SurfacePath>> Rims; ///< per loop; empty when there are no tapes
   std::size_t LoopsTooLong = 0;                    ///< for their tapes
+  std::size_t TapesTooWide = 0;                    ///< which cover all that they reach
   double SmallestOffsetWidth = 0.0;                ///< that is wide enough for all loops
 };
 
@@ -109,6 +110,7 @@ dgg::Status AddTapes(
     DGG_RETURN_IF_ERROR(
       dgg::MakeOffsetCurves(mesh.GetMesh(), set.Loops[i].Loop, width, part, set.Rims[i])
         .Of("tape of loop " + std::to_string(i)));
+    set.TapesTooWide += set.Rims[i].empty() ? 1 : 0;
     if (!part(1.0))
     {
       return dgg::Status::Abort();
@@ -410,6 +412,14 @@ void vtkDGGLoop::WarnAboutMissingTapes(const DGGLoopSet& set)
                     << (set.Loops.size() == 1 ? " loop" : " loops") << ": there is no tape along "
                     << (set.LoopsTooLong == 1 ? "it" : "them")
                     << ". For all loops it has to be at least " << RoundUp(set.SmallestOffsetWidth)
+                    << ".");
+  }
+  if (set.TapesTooWide > 0)
+  {
+    vtkWarningMacro(<< "TapeWidth is " << this->TapeWidth << ", and no point is half as far from "
+                    << set.TapesTooWide << " of " << set.Loops.size()
+                    << (set.Loops.size() == 1 ? " loop" : " loops")
+                    << ": output 1 has no curve for " << (set.TapesTooWide == 1 ? "it" : "them")
                     << ".");
   }
 }

@@ -344,6 +344,8 @@ TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
   EXPECT_NE(filter->GetMeshBuildTime(), built);
   filter->SetMergeTolerance(-1.0);
   ExpectError(filter, { "MergeTolerance" });
+  filter->SetMergeTolerance(2.0);
+  ExpectError(filter, { "MergeTolerance is 2", "has merged", "make it smaller" });
 }
 
 /// The closest point before it that stays, so that no point moves by more than the tolerance.

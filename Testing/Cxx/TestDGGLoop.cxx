@@ -426,6 +426,10 @@ TEST_F(DGGLoop, TapesThatAreTooNarrow)
   ExpectWarning(this->Filter, { "of 1 of 2 loops", "no tape along it" });
   EXPECT_EQ(GetLoops(this->Filter).size(), 2u);
   EXPECT_EQ(GetRims(this->Filter).size(), 2u);
+  this->Filter->SetTapeWidth(10.0 * longer);
+  ExpectWarning(this->Filter, { "no point is half as far from 2 of 2 loops", "no curve for them" });
+  EXPECT_EQ(GetLoops(this->Filter).size(), 2u);
+  EXPECT_TRUE(GetRims(this->Filter).empty());
 }
 
 /// A rope held so that its tape reaches the boundary: the rim ends there.
