@@ -6,6 +6,7 @@
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
 #include "DGGPreparedMesh.h"
+#include "DGGPropagation.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGUnreachedArray.h"
@@ -13,7 +14,6 @@
 
 #include "dggCentroidal.h"
 #include "dggProgressPart.h"
-#include "dggSourcePropagation.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
 
@@ -256,7 +256,7 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , DistanceArrayName("GeodesicDistance")
   , SourceArrayName("GeodesicSource")
   , ProjectionTolerance(0.01)
-  , PreviewMeshTime(0)
+  , PreviewSolver(new DGGPropagation)
   , GraphUser(new DGGGraphUser)
 {
   this->SetNumberOfInputPorts(2);
@@ -376,17 +376,11 @@ dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVor
     return dgg::Status::Invalid("Preview needs a surface, not a point cloud: turn it off");
   }
   dgg::PropagationOptions options;
+  options.Quality = DGGPropagation::Choose(context.Surface);
   options.WantNearestSource = true;
-  options.Parallel = context.Parallel;
-  options.Progress = context.Progress;
   dgg::PropagationResult found;
-  const DGGPreparedMesh& surface = context.Surface;
-  if (!this->PreviewSolver || this->PreviewMeshTime != surface.GetBuildTime())
-  {
-    this->PreviewSolver.reset(new dgg::SourcePropagation(surface.GetMeshWithoutAngles()));
-    this->PreviewMeshTime = surface.GetBuildTime();
-  }
-  DGG_RETURN_IF_ERROR(this->PreviewSolver->Run(result.Sites, options, found));
+  DGG_RETURN_IF_ERROR(this->PreviewSolver->Run(context, result.Sites, options, found)
+                        .Of("Preview, which can be turned off"));
   result.Diagram.NearestSites = std::move(found.NearestSource);
   result.Diagram.Distances = std::move(found.Distances);
   return dgg::Status::Success();

@@ -39,7 +39,7 @@
  *    than ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or NaN; a
  *    negative NumberOfIterations; an array name that is empty or used twice;
  *  - an Accuracy outside [1e-6, 0.5]; a graph that takes more than MemoryLimit; Preview with
- *    Centroidal or on a cloud.
+ *    Centroidal or on a cloud, or on triangles that vtkVirtualSourceGeodesicDistance refuses.
  *
  * @code
  * vtkNew<vtkGeodesicVoronoi> voronoi;
@@ -68,10 +68,10 @@
 #include <vector> // For site ids
 
 class DGGNewGeometry;
+class DGGPropagation;
 struct DGGSourceSet;
 namespace dgg
 {
-class SourcePropagation;
 }
 struct DGGVoronoiResult;
 
@@ -250,8 +250,7 @@ private:
   std::string DistanceArrayName;
   std::string SourceArrayName;
   double ProjectionTolerance;
-  std::unique_ptr<dgg::SourcePropagation> PreviewSolver;
-  vtkMTimeType PreviewMeshTime; // of the mesh that it is for
+  std::unique_ptr<DGGPropagation> PreviewSolver;
   std::unique_ptr<DGGGraphUser> GraphUser;
 };
 

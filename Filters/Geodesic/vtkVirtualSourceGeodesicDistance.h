@@ -43,6 +43,13 @@
 #include "vtkGeodesicDistanceAlgorithm.h"
 
 #include <memory> // For the prepared triangles
+#include <vector> // For the ends of links
+
+class DGGPropagation;
+namespace dgg
+{
+struct GraphSeed;
+}
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkVirtualSourceGeodesicDistance
   : public vtkGeodesicDistanceAlgorithm
@@ -59,7 +66,7 @@ public:
   {
     Automatic = 0, ///< High if the median anisotropy of the mesh is above 3, else Fast
     Fast = 1,      ///< each triangle
-    High = 2       ///< each edge: more accurate, in 1.7 times the time
+    High = 2       ///< each edge: more accurate, in some 1.6 times the time
   };
 
   ///@{
@@ -77,8 +84,8 @@ public:
   ///@{
   /**
    * Whether to search a graph as well, and to move each distance into the interval that it
-   * certifies. Then |result - exact distance| <= accuracy * (exact distance - o) holds as for
-   * vtkDGGDistance. Default off.
+   * certifies. Then |result - exact distance| <= accuracy * (exact distance - o) holds, with o the
+   * least initial distance, as for vtkDGGDistance. Default off.
    */
   vtkSetMacro(Certify, bool);
   vtkGetMacro(Certify, bool);
@@ -105,13 +112,11 @@ private:
   vtkVirtualSourceGeodesicDistance(const vtkVirtualSourceGeodesicDistance&) = delete;
   void operator=(const vtkVirtualSourceGeodesicDistance&) = delete;
 
-  struct Preparation;
-
-  dgg::Status ClampToGraph(DGGDistanceTask& task);
+  dgg::Status ClampToGraph(const std::vector<dgg::GraphSeed>& seeds, DGGDistanceTask& task);
 
   int Quality;
   bool Certify;
-  std::unique_ptr<Preparation> Prepared;
+  std::unique_ptr<DGGPropagation> Propagation;
   std::unique_ptr<DGGGraphUser> GraphUser;
 };
 

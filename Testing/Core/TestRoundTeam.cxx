@@ -13,9 +13,10 @@
 
 namespace dggtest
 {
+constexpr int most = dgg::RoundTeam::LargestTeam;
+
 TEST(RoundTeam, EachChunkOnce)
 {
-  constexpr int most = dgg::RoundTeam::LargestTeam;
   for (const int threads : { 0, 1, 2, 8, 40 })
   {
     const dgg::ParallelFor parallel = threads > 0 ? WithThreads(threads) : dgg::ParallelFor();
@@ -41,7 +42,7 @@ TEST(RoundTeam, EachChunkOnce)
         });
       }
     };
-    dgg::RoundTeam::Run(parallel, lead);
+    dgg::RoundTeam::Run(parallel, most, lead);
     EXPECT_EQ(calls, expected) << threads;
   }
 }
@@ -70,7 +71,7 @@ TEST(RoundTeam, WhatIsThrownReachesTheCaller)
         << "thrown again";
       team.ForEach({ { 50 } }, threads > 1, thrower);
     };
-    EXPECT_THROW(dgg::RoundTeam::Run(parallel, lead), std::runtime_error) << threads;
+    EXPECT_THROW(dgg::RoundTeam::Run(parallel, most, lead), std::runtime_error) << threads;
     EXPECT_GE(calls, 2);
   }
 }

@@ -198,6 +198,24 @@ TEST_P(SourcePropagation, SeveralSources)
   EXPECT_EQ(result.NearestSource[580], 2);
 }
 
+/// The distance of a source is its initial one, or that of another one that is nearer.
+TEST_P(SourcePropagation, SourcesAreExact)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(10, 10));
+  Sources sources{ VertexSource(60), VertexSource(5, 0.4000035), VertexSource(5, 0.4) };
+  dgg::PropagationResult result = this->Run(mesh, sources);
+  EXPECT_EQ(result.Distances[5], 0.4);
+  EXPECT_EQ(result.NearestSource[5], 2);
+  sources.resize(1);
+  for (int i = 300; i > 0; --i)
+  {
+    sources.push_back(VertexSource(5, 0.4 + 3.5e-6 * i));
+  }
+  result = this->Run(mesh, sources);
+  EXPECT_EQ(result.Distances[5], 0.4 + 3.5e-6);
+  EXPECT_EQ(result.NearestSource[5], 300);
+}
+
 TEST_P(SourcePropagation, MaximumDistance)
 {
   for (const TestMesh& test : { Plane(20, 20, 0.2, 3), NoisySphere(3, 0.3, 4), Torus(40, 20) })
@@ -328,7 +346,7 @@ TEST_P(SourcePropagation, SameBitsInAnyThreads)
 {
   const TestMesh lattice = VoxelSurface(6, 6, 6, [](Id i, Id j, Id k) { return (i + j + k) % 2; });
   for (const TestMesh& test :
-    { Plane(60, 60), NoisySphere(4, 0.3, 3), Subdivided(lattice, 3), WeldedPlates(6, 60, 60, 3) })
+    { Plane(150, 150), NoisySphere(5, 0.3, 3), Subdivided(lattice, 4), WeldedPlates(9, 90, 90, 3) })
   {
     const dgg::SurfaceMesh mesh = Build(test);
     const Sources sources{ VertexSource(0), VertexSource(100), VertexSource(200, 0.5) };
@@ -344,7 +362,7 @@ TEST_P(SourcePropagation, SameBitsInAnyThreads)
 
 TEST_P(SourcePropagation, ProgressAndRefusals)
 {
-  const dgg::SurfaceMesh mesh = Build(Icosphere(5));
+  const dgg::SurfaceMesh mesh = Build(Icosphere(7));
   const dgg::SourcePropagation propagation(mesh);
   dgg::PropagationOptions options;
   options.Quality = this->GetParam();

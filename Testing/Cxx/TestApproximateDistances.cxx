@@ -158,7 +158,7 @@ TYPED_TEST(ApproximateDistances, WrongInputIsAnErrorAndALaterCallWorks)
 TYPED_TEST(ApproximateDistances, ProgressAndAbort)
 {
   auto* filter = this->Distance.Get();
-  filter->SetInputData(MakeTerrain(100));
+  filter->SetInputData(MakeTerrain(150));
   filter->AddSourceId(0);
   ExpectProgressAndStops(
     filter, { 0.05, 0.3, 0.6, 0.9 }, [filter] { return GetDistances(filter); });

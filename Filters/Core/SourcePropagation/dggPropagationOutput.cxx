@@ -11,6 +11,32 @@ namespace
 {
 /// Single precision, by which a distance from a source nearby may be off.
 constexpr double SeedSlack = 1e-5;
+
+/// Calls visit(vertex, source, distance, place) for the corners of the faces that sources lie in.
+template <typename Visit>
+void ForEachPlace(
+  const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, const Visit& visit)
+{
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    const SurfacePoint& point = sources[k].Point;
+    const auto root = static_cast<Id>(k);
+    const double offset = sources[k].InitialDistance;
+    if (IsVertex(point))
+    {
+      visit(point.Vertex, root, offset, VirtualPlace());
+      continue;
+    }
+    ForEachFaceAround(mesh, point, [&](Id f, const std::array<double, 3>& b) {
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Point2 place = PlaceInFrame(mesh, h, b);
+        const double length = DistanceToCorner(mesh, f, b, h % 3);
+        visit(mesh.Origin(h), root, offset + length, { length, h, std::atan2(place.Y, place.X) });
+      }
+    });
+  }
+}
 }
 
 PropagationOutput::PropagationOutput(const SurfaceMesh& mesh, const PropagationOptions& options,
@@ -60,37 +86,23 @@ void PropagationOutput::SetSource(Id v, Id root, const VirtualPlace& place)
   }
 }
 
-void PropagationOutput::Take(Id v, const GeodesicSource& source, Id root, const VirtualPlace& place)
-{
-  const double distance = source.InitialDistance + place.Length;
-  if (distance <= this->Result.Distances[v] + SeedSlack * (distance - this->Shift) &&
-    distance <= this->Options.MaximumDistance)
-  {
-    this->Result.Distances[v] = distance;
-    this->SetSource(v, root, place);
-  }
-}
-
 void PropagationOutput::TakeSources(const std::vector<GeodesicSource>& sources)
 {
-  // The first one of several at the same distance comes last, and stays.
-  for (std::size_t k = sources.size(); k-- > 0;)
-  {
-    const SurfacePoint& point = sources[k].Point;
-    const auto root = static_cast<Id>(k);
-    if (IsVertex(point))
+  const double maximum = this->Options.MaximumDistance;
+  std::vector<double>& distances = this->Result.Distances;
+  // Where a source is as near as any, the nearest source decides; of several the first one.
+  ForEachPlace(this->Mesh, sources, [&](Id v, Id, double distance, const VirtualPlace&) {
+    if (distance <= distances[v] + SeedSlack * (distance - this->Shift) && distance <= maximum)
     {
-      this->Take(point.Vertex, sources[k], root, {});
-      continue;
+      distances[v] = Infinity;
     }
-    ForEachFaceAround(this->Mesh, point, [&](Id f, const std::array<double, 3>& b) {
-      for (Id h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        const Point2 place = PlaceInFrame(this->Mesh, h, b);
-        this->Take(this->Mesh.Origin(h), sources[k], root,
-          { DistanceToCorner(this->Mesh, f, b, h % 3), h, std::atan2(place.Y, place.X) });
-      }
-    });
-  }
+  });
+  ForEachPlace(this->Mesh, sources, [&](Id v, Id root, double distance, const VirtualPlace& place) {
+    if (distance < distances[v] && distance <= maximum)
+    {
+      distances[v] = distance;
+      this->SetSource(v, root, place);
+    }
+  });
 }
 }

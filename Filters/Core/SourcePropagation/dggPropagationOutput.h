@@ -41,8 +41,6 @@ public:
   void TakeSources(const std::vector<GeodesicSource>& sources);
 
 private:
-  void Take(Id v, const GeodesicSource& source, Id root, const VirtualPlace& place);
-
   const SurfaceMesh& Mesh;
   const PropagationOptions& Options;
   const double Shift;

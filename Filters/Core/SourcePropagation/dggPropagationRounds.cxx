@@ -8,8 +8,8 @@ namespace dgg
 {
 namespace
 {
-/// Rounds take whole buckets, unless more labels than so many per slot are found to have been in
-/// vain, among so many.
+/// Rounds are narrowed where slots are propagated more often than this on average, over so many
+/// labels.
 constexpr std::size_t MostLabelsPerSlot = 3;
 constexpr std::size_t LabelsPerWindow = 1024;
 }
@@ -23,7 +23,7 @@ PropagationRounds::PropagationRounds(int threads)
   }
 }
 
-/// What is outdated depends on the threads, and must not decide.
+/// Which outdated entries there are depends on the threads: they must not change what a round is.
 bool PropagationRounds::Next(
   const PropagationSlot* slots, std::vector<std::vector<BucketQueue::Entry>>& entries)
 {

@@ -18,7 +18,7 @@ namespace dgg
 inline constexpr float UnreachedKey = std::numeric_limits<float>::max();
 
 /// The best label of a face or an edge.
-struct PropagationSlot
+struct alignas(32) PropagationSlot // not on two cache lines
 {
   std::atomic<float> Key;
   std::atomic<bool> IsPending; ///< has changed and not been propagated since
@@ -44,7 +44,6 @@ class PropagationRounds
 public:
   explicit PropagationRounds(int threads);
 
-  std::size_t GetNumberOfThreads() const { return this->Queues.size(); }
   void Push(int thread, float key, Id slot) { this->Queues[thread].Push(key, slot); }
   /// Which entries to look at in the next round, by threads; false when there are none left.
   bool Next(const PropagationSlot* slots, std::vector<std::vector<BucketQueue::Entry>>& entries);

@@ -9,6 +9,7 @@
 
 #include <array>      // for what each thread has
 #include <atomic>     // for what threads share
+#include <chrono>     // for naps
 #include <cstdint>    // for std::int32_t
 #include <exception>  // for what chunks throw
 #include <functional> // for the loops
@@ -34,27 +35,20 @@ public:
   static constexpr int LargestTeam = 16;
   using Counts = std::array<Offset, LargestTeam>; ///< by threads
 
-  /// Calls lead(team) in this thread. What it throws reaches the caller.
+  /// Calls lead(team) in this thread, with up to so many threads in all. What it throws reaches the
+  /// caller. It must not wait for loops of others: their threads may be in this one.
   template <typename Lead>
-  static void Run(const ParallelFor& parallel, Lead&& lead)
+  static void Run(const ParallelFor& parallel, int threads, Lead&& lead)
   {
-    RoundTeam team;
-    ForRange(parallel, parallel ? LargestTeam : 1, 1, [&](Offset begin, Offset) {
+    RoundTeam team(parallel ? threads : 1);
+    ForRange(parallel, team.Size, 1, [&](Offset begin, Offset) {
       if (begin > 0)
       {
         team.Follow();
         return;
       }
-      try
-      {
-        lead(team);
-      }
-      catch (...)
-      {
-        team.IsOver.store(true, std::memory_order_release);
-        throw;
-      }
-      team.IsOver.store(true, std::memory_order_release);
+      const End end{ team };
+      lead(team);
     });
   }
 
@@ -63,8 +57,7 @@ public:
   bool IsShared() const { return this->NumberOfMembers.load(std::memory_order_acquire) > 1; }
 
   /// Calls chunk(owner, i, thread) for all i below counts[owner], several at once if the round is
-  /// shared. Only for the leader, who is thread 0; other threads may own chunks once they have
-  /// worked on any.
+  /// shared. Only for the leader, who is thread 0.
   template <typename Chunk>
   void ForEach(const Counts& counts, bool isShared, const Chunk& chunk)
   {
@@ -82,7 +75,7 @@ public:
     }
     this->Body = std::cref(chunk);
     ++this->Round;
-    const int size = this->NumberOfMembers.load(std::memory_order_acquire);
+    const int size = this->Size;
     for (int m = 0; m < size; ++m)
     {
       this->Members[m].Done.store(0, std::memory_order_relaxed);
@@ -107,6 +100,9 @@ public:
 
 private:
   static constexpr int SpinsBeforeYield = 256;
+  /// Who finds nothing to do for longer leaves the processor to others, such as the leader.
+  static constexpr int SpinsBeforeSleep = 2000;
+  static constexpr std::chrono::microseconds Nap{ 50 };
 
   /// Chunks that nobody has begun: their owner takes the first one, others the last one.
   struct alignas(8) Range
@@ -121,12 +117,22 @@ private:
     alignas(64) std::atomic<Offset> Done{ 0 }; ///< chunks that this thread has done
   };
 
-  RoundTeam() = default;
+  /// Tells the others that it is over, also when something is thrown.
+  struct End
+  {
+    RoundTeam& Team;
+    ~End() { this->Team.IsOver.store(true, std::memory_order_release); }
+  };
+
+  explicit RoundTeam(int size)
+    : Size(size)
+  {
+  }
 
   Offset CountDone() const
   {
     Offset done = 0;
-    const int size = this->NumberOfMembers.load(std::memory_order_acquire);
+    const int size = this->Size;
     for (int m = 0; m < size; ++m)
     {
       done += this->Members[m].Done.load(std::memory_order_acquire);
@@ -136,11 +142,13 @@ private:
 
   static void Wait(int& spins)
   {
-    if (spins < SpinsBeforeYield)
+    ++spins;
+    if (spins > SpinsBeforeSleep)
     {
-      ++spins;
+      spins = SpinsBeforeSleep;
+      std::this_thread::sleep_for(Nap);
     }
-    else
+    else if (spins > SpinsBeforeYield)
     {
       std::this_thread::yield();
     }
@@ -163,10 +171,11 @@ private:
     return false;
   }
 
-  /// Own chunks, then those of others.
-  void Work(int self)
+  /// Own chunks, then those of others; whether there were any.
+  bool Work(int self)
   {
-    const int size = this->NumberOfMembers.load(std::memory_order_acquire);
+    bool hasWorked = false;
+    const int size = this->Size;
     for (int k = 0; k < size; ++k)
     {
       Offset done = 0;
@@ -185,11 +194,13 @@ private:
         }
         ++done;
       }
+      hasWorked = hasWorked || done > 0;
       if (done > 0)
       {
         this->Members[self].Done.fetch_add(done, std::memory_order_acq_rel);
       }
     }
+    return hasWorked;
   }
 
   /// Work until the end.
@@ -205,8 +216,7 @@ private:
       if (seen != round)
       {
         seen = round;
-        this->Work(self);
-        spins = 0;
+        spins = this->Work(self) ? 0 : spins;
       }
       else
       {
@@ -215,6 +225,7 @@ private:
     }
   }
 
+  const int Size; ///< chunks of who has not come are done by others
   std::array<Member, LargestTeam> Members;
   std::function<void(int, Offset, int)> Body;
   int Round = 0;

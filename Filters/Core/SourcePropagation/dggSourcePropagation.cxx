@@ -35,12 +35,15 @@ constexpr float Rounding = 5e-7F;
 constexpr std::size_t LabelsPerChunk = 64;
 constexpr Offset VerticesPerBlock = 4096;
 constexpr Offset ValuesPerBlock = 65536;
-/// Labels of a face, on average, and of all faces of a small mesh, after which there is no end.
+/// So many labels for each face, and so many more, do not settle.
 constexpr std::size_t MostLabelsPerFace = 7;
 constexpr std::size_t ManyLabels = 100000;
-/// Labels between two reports of progress.
-constexpr std::size_t LabelsPerReport = 1024;
-/// Labels per face that are propagated, about; it takes as many as it takes.
+/// Progress is reported about so often, but not after fewer labels: threads start anew each time.
+constexpr double NumberOfReports = 12.0;
+constexpr double FewestLabelsPerReport = 8192.0;
+/// Fronts are too short for more threads, about.
+constexpr Id FacesPerThread = 10000;
+/// Labels that are propagated.
 constexpr double FastLabelsPerFace = 1.2;
 constexpr double HighLabelsPerFace = 1.9;
 constexpr double LargestProgress = 0.99;
@@ -76,13 +79,15 @@ class Propagation
 {
 public:
   Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift, float radius,
-    const ParallelFor& parallel)
+    const ParallelFor& parallel, int threads)
     : Mesh(mesh)
     , Faces(faces)
     , Shift(shift)
     , Radius(radius)
     , FirstHub(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces())
-    , Rounds(parallel ? RoundTeam::LargestTeam : 1)
+    , Rounds(threads)
+    , Entries(static_cast<std::size_t>(threads))
+    , Chunks(static_cast<std::size_t>(threads))
   {
     // Not by constructors: to touch this memory first takes as long as a tenth of the rounds.
     const auto fill = [&](auto& array, Offset size, const auto& value) {
@@ -103,16 +108,28 @@ public:
   }
 
   void Start(const std::vector<GeodesicSource>& sources);
-  Status Run(RoundTeam& team, const ProgressCallback& progress);
+  /// Some rounds. Nothing is left to do when IsDone() holds.
+  Status Advance(RoundTeam& team);
+  bool IsDone() const { return this->HasEnded; }
+  double GetProgress() const
+  {
+    return std::min(LargestProgress, static_cast<double>(this->Propagated) / this->CountExpected());
+  }
 
-  double GetDistance(Id v) const { return this->ToLength(this->Distances[v]); }
+  double GetDistance(Id v) const
+  {
+    return this->Distances[v] * this->Faces.GetUnit() + this->Shift;
+  }
   bool IsReached(Id v) const { return this->Distances[v] < UnreachedKey; }
   /// The label around a vertex that reaches it first; false without one.
   bool FindLabel(Id v, PropagationLabel& label, VirtualPlace& place) const;
-  /// A length in units of the mesh, from the least initial distance on.
-  double ToLength(float value) const { return value * this->Faces.GetUnit() + this->Shift; }
 
 private:
+  /// Labels, about; it takes as many as it takes.
+  double CountExpected() const
+  {
+    return (High ? HighLabelsPerFace : FastLabelsPerFace) * this->Mesh.GetNumberOfFaces();
+  }
   Id SlotOf(Id entry) const;
   void Radiate(const PropagationLabel& from, Id v, Chunk& chunk);
   void CrossInto(Id t, Id exit, PropagationLabel label, Chunk& chunk);
@@ -135,7 +152,11 @@ private:
   /// Lengths of ways to the vertices.
   std::unique_ptr<std::atomic<float>[]> Distances;
   PropagationRounds Rounds;
+  std::vector<std::vector<BucketQueue::Entry>> Entries; ///< of a round, by threads
+  std::vector<std::vector<Chunk>> Chunks;               ///< the same in parts
   bool IsShared = false;
+  bool HasEnded = false;
+  std::size_t Propagated = 0; ///< labels
 };
 
 template <bool High>
@@ -216,62 +237,54 @@ void Propagation<High>::ReachHub(Id v, float distance, Id root, Chunk& chunk)
 }
 
 template <bool High>
-Status Propagation<High>::Run(RoundTeam& team, const ProgressCallback& progress)
+Status Propagation<High>::Advance(RoundTeam& team)
 {
-  const double expected =
-    (High ? HighLabelsPerFace : FastLabelsPerFace) * this->Mesh.GetNumberOfFaces();
   const std::size_t most =
     ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
-  const std::size_t threads = this->Rounds.GetNumberOfThreads();
-  std::vector<std::vector<BucketQueue::Entry>> entries(threads);
-  std::vector<std::vector<Chunk>> chunks(threads);
+  const double step = std::max(FewestLabelsPerReport, this->CountExpected() / NumberOfReports);
+  const std::size_t stop = this->Propagated + static_cast<std::size_t>(step);
   RoundTeam::Counts counts{};
-  std::size_t propagated = 0;
-  std::size_t reported = 0;
-  while (this->Rounds.Next(this->Slots.get(), entries))
+  while (this->Propagated < stop)
   {
-    for (std::size_t t = 0; t < threads; ++t)
+    if (!this->Rounds.Next(this->Slots.get(), this->Entries))
     {
-      const std::size_t count = (entries[t].size() + LabelsPerChunk - 1) / LabelsPerChunk;
-      chunks[t].resize(std::max(chunks[t].size(), count));
+      this->HasEnded = true;
+      break;
+    }
+    for (std::size_t t = 0; t < this->Entries.size(); ++t)
+    {
+      const std::size_t count = (this->Entries[t].size() + LabelsPerChunk - 1) / LabelsPerChunk;
+      this->Chunks[t].resize(std::max(this->Chunks[t].size(), count));
       counts[t] = static_cast<Offset>(count);
     }
     // A round: what was found in it counts in the next one.
     this->IsShared = team.IsShared();
     team.ForEach(counts, this->IsShared, [&](int owner, Offset i, int) {
-      const std::vector<BucketQueue::Entry>& some = entries[owner];
+      const std::vector<BucketQueue::Entry>& entries = this->Entries[owner];
       const std::size_t begin = static_cast<std::size_t>(i) * LabelsPerChunk;
-      const std::size_t end = std::min(some.size(), begin + LabelsPerChunk);
-      this->Collect(some.data() + begin, some.data() + end, chunks[owner][i]);
+      const std::size_t end = std::min(entries.size(), begin + LabelsPerChunk);
+      this->Collect(entries.data() + begin, entries.data() + end, this->Chunks[owner][i]);
     });
     team.ForEach(counts, this->IsShared, [&](int owner, Offset i, int thread) {
-      chunks[owner][i].Thread = thread;
-      this->Propagate(chunks[owner][i]);
+      this->Chunks[owner][i].Thread = thread;
+      this->Propagate(this->Chunks[owner][i]);
     });
-    const std::size_t before = propagated;
+    std::size_t labels = 0;
     std::size_t known = 0;
-    for (std::size_t t = 0; t < threads; ++t)
+    for (std::size_t t = 0; t < this->Chunks.size(); ++t)
     {
       for (Offset i = 0; i < counts[t]; ++i)
       {
-        propagated += chunks[t][i].GetNumberOfLabels();
-        known += chunks[t][i].Known;
+        labels += this->Chunks[t][i].GetNumberOfLabels();
+        known += this->Chunks[t][i].Known;
       }
     }
-    this->Rounds.AdjustWidth(propagated - before, known);
-    if (propagated > most)
+    this->Rounds.AdjustWidth(labels, known);
+    this->Propagated += labels;
+    if (this->Propagated > most)
     {
       return Status::Invalid("the triangles are too irregular for virtual sources: distances did "
                              "not settle; use another method");
-    }
-    if (propagated >= reported + LabelsPerReport)
-    {
-      reported = propagated;
-      if (progress &&
-        !progress(std::min(LargestProgress, static_cast<double>(propagated) / expected)))
-      {
-        return Status::Abort();
-      }
     }
   }
   return Status::Success();
@@ -577,26 +590,35 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   // Comparisons with single precision must not lose what is at the very distance.
   const auto limit =
     static_cast<float>(std::min(radius * (1.0 + PropagationOutput::LimitSlack), 1e37));
-  Propagation<High> propagation(mesh, faces, shift, limit, options.Parallel);
+  const int threads =
+    std::min(mesh.GetNumberOfFaces() / FacesPerThread, static_cast<Id>(RoundTeam::LargestTeam));
+  const ParallelFor parallel = threads > 1 ? options.Parallel : ParallelFor();
+  Propagation<High> propagation(mesh, faces, shift, limit, parallel, parallel ? threads : 1);
   propagation.Start(sources);
-  Status status;
-  RoundTeam::Run(
-    options.Parallel, [&](RoundTeam& team) { status = propagation.Run(team, options.Progress); });
-  DGG_RETURN_IF_ERROR(status);
+  while (!propagation.IsDone())
+  {
+    Status status;
+    RoundTeam::Run(parallel, threads, [&](RoundTeam& team) { status = propagation.Advance(team); });
+    DGG_RETURN_IF_ERROR(status);
+    // Not while others wait for the leader: observers may have loops of their own.
+    if (options.Progress && !options.Progress(propagation.GetProgress()))
+    {
+      return Status::Abort();
+    }
+  }
   PropagationOutput output(mesh, options, shift, result);
-  ForRange(
-    options.Parallel, mesh.GetNumberOfVertices(), VerticesPerBlock, [&](Offset begin, Offset end) {
-      for (auto v = static_cast<Id>(begin); v < end; ++v)
+  ForRange(parallel, mesh.GetNumberOfVertices(), VerticesPerBlock, [&](Offset begin, Offset end) {
+    for (auto v = static_cast<Id>(begin); v < end; ++v)
+    {
+      PropagationLabel label{};
+      VirtualPlace place;
+      if (propagation.IsReached(v) && output.SetDistance(v, propagation.GetDistance(v)) &&
+        output.WantsLabels() && propagation.FindLabel(v, label, place))
       {
-        PropagationLabel label{};
-        VirtualPlace place;
-        if (propagation.IsReached(v) && output.SetDistance(v, propagation.GetDistance(v)) &&
-          output.WantsLabels() && propagation.FindLabel(v, label, place))
-        {
-          output.SetSource(v, label.Root, place);
-        }
+        output.SetSource(v, label.Root, place);
       }
-    });
+    }
+  });
   output.TakeSources(sources);
   return Status::Success();
 }

@@ -12,8 +12,9 @@
 namespace dgg
 {
 /// Runs `body(begin, end)` over disjoint ranges of about `grain` that make up [0, size), at the
-/// same time if it likes; that from 0 on in the calling thread. What it throws there reaches the
-/// caller after the loop. Empty means one after the other. Results never depend on it.
+/// same time if it likes. The calling thread runs the range that begins at 0, without waiting for
+/// others before; what that throws reaches it after the loop. Empty means one after the other.
+/// Results never depend on it.
 using ParallelFor =
   std::function<void(Offset size, Offset grain, const std::function<void(Offset, Offset)>& body)>;
 

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Virtual source propagation on the mesh of a filter. Not for use outside of vtkDGG.
+ */
+#ifndef DGGPropagation_h
+#define DGGPropagation_h
+
+#include "DGGContext.h"      // For the mesh
+#include "DGGMeshQuality.h"  // For the anisotropy
+#include "DGGPreparedMesh.h" // For the mesh
+
+#include "dggSourcePropagation.h" // For the solver
+
+#include <memory> // For the solver
+#include <vector> // For the sources
+
+/// Prepared once for each mesh.
+class DGGPropagation
+{
+public:
+  /// Which quality is right for the mesh.
+  static dgg::PropagationQuality Choose(const DGGPreparedMesh& surface)
+  {
+    return surface.GetAnisotropy().Median > DGGMostAnisotropy ? dgg::PropagationQuality::High
+                                                              : dgg::PropagationQuality::Fast;
+  }
+
+  /// With threads and, unless there is one, progress of the update.
+  dgg::Status Run(const DGGContext& context, const std::vector<dgg::GeodesicSource>& sources,
+    dgg::PropagationOptions options, dgg::PropagationResult& result)
+  {
+    const DGGPreparedMesh& surface = context.Surface;
+    const dgg::SurfaceMesh& mesh =
+      options.WantVirtualSource ? surface.GetMesh() : surface.GetMeshWithoutAngles();
+    if (!this->Solver || this->MeshTime != surface.GetBuildTime())
+    {
+      this->Solver.reset(); // before there are two
+      this->Solver.reset(new dgg::SourcePropagation(mesh));
+      this->MeshTime = surface.GetBuildTime();
+    }
+    options.Parallel = context.Parallel;
+    options.Progress = options.Progress ? options.Progress : context.Progress;
+    return this->Solver->Run(sources, options, result);
+  }
+
+private:
+  std::unique_ptr<dgg::SourcePropagation> Solver;
+  vtkMTimeType MeshTime = 0;
+};
+
+#endif
