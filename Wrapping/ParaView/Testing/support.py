@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the plugin share."""
+
+import os
+import pathlib
+import unittest
+
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkImagingCore import vtkImageDifference
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+DATA = REPOSITORY / "Testing" / "Data"
+BASELINE = pathlib.Path(__file__).resolve().parent / "Baseline"
+OUTPUT = pathlib.Path(os.environ["DGG_TEST_OUTPUT"])
+PLUGIN = os.environ["DGG_PLUGIN"]
+
+# As users do, with the functions in the module where those of ParaView are.
+simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
+simple._DisableFirstRenderCameraReset()
+
+
+def bumpy():
+    """A reader of an asymmetric surface of some 600 points, 2 across."""
+    return simple.PLYReader(FileNames=[str(DATA / "bumpy.ply")])
+
+
+def fetch(proxy, port=0):
+    """The data of an output."""
+    proxy.UpdatePipeline()
+    return proxy.SMProxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def array(proxy, name, port=0, cells=False):
+    """A copy of an array of an output."""
+    data = fetch(proxy, port)
+    attributes = data.GetCellData() if cells else data.GetPointData()
+    return vtk_to_numpy(attributes.GetArray(name)).copy()
+
+
+def points(proxy, port=0):
+    """A copy of the coordinates of an output."""
+    return vtk_to_numpy(fetch(proxy, port).GetPoints().GetData()).copy()
+
+
+def read_image(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def difference(first, second):
+    """How much two pictures differ, pixel by pixel: VTK's defaults forgive shifts."""
+    compare = vtkImageDifference()
+    compare.AllowShiftOff()
+    compare.AveragingOff()
+    compare.SetThreshold(0)
+    compare.SetInputData(first)
+    compare.SetImageData(second)
+    compare.Update()
+    return compare.GetThresholdedError()
+
+
+__all__ = ["simple", "unittest"]
