@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import sys
 import unittest
 
 from paraview import simple
@@ -64,4 +65,7 @@ def difference(first, second):
     return compare.GetThresholdedError()
 
 
-__all__ = ["simple", "unittest"]
+def main():
+    """Run the tests of a script. sys.exit() after pictures have been drawn is an X error."""
+    if not unittest.main(verbosity=2, exit=False).result.wasSuccessful():
+        sys.exit(1)

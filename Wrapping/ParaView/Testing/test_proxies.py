@@ -4,7 +4,6 @@
 their defaults, and it updates."""
 
 import re
-import sys
 import tempfile
 
 import numpy as np
@@ -300,4 +299,4 @@ for name, color in (("LeftColor", (1, 0, 0)), ("RightColor", (0, 0, 1))):
 
 
 if __name__ == "__main__":
-    unittest.main(verbosity=2)
+    support.main()

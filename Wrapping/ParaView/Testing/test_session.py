@@ -5,8 +5,6 @@
 DGG_WRITE_BASELINE=1 in the environment writes the baselines anew. Look at them before you keep them.
 """
 
-import subprocess
-import sys
 
 import numpy as np
 import scenes
@@ -151,4 +149,4 @@ class Session(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(verbosity=2)
+    support.main()
