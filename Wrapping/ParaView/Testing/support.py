@@ -1,12 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the plugin share."""
+"""What the tests of the plugin share.
+
+DGG_WRITE_BASELINE=1 in the environment writes the baselines of pictures anew. Look at them before you
+keep them.
+"""
 
 import os
 import pathlib
 import sys
 import unittest
 
+import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkImagingCore import vtkImageDifference
@@ -17,6 +22,8 @@ DATA = REPOSITORY / "Testing" / "Data"
 BASELINE = pathlib.Path(__file__).resolve().parent / "Baseline"
 OUTPUT = pathlib.Path(os.environ["DGG_TEST_OUTPUT"])
 PLUGIN = os.environ["DGG_PLUGIN"]
+# What rounding on another processor may cost, in vtkImageDifference's measure.
+LIMIT = 40.0
 
 # As users do, with the functions in the module where those of ParaView are.
 simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
@@ -63,6 +70,27 @@ def difference(first, second):
     compare.SetImageData(second)
     compare.Update()
     return compare.GetThresholdedError()
+
+
+def changed(image, change):
+    """A copy of a picture, changed as an array of rows, columns and colours."""
+    columns, rows, _ = image.GetDimensions()
+    values = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)
+    copy = image.NewInstance()
+    copy.DeepCopy(image)
+    vtk_to_numpy(copy.GetPointData().GetScalars())[:] = change(values).reshape(rows * columns, -1)
+    return copy
+
+
+def check_picture(test, file):
+    """That a picture is as the baseline of its name, and that no other one would do."""
+    baseline = BASELINE / file.name
+    if os.environ.get("DGG_WRITE_BASELINE"):
+        baseline.write_bytes(file.read_bytes())
+    drawn, expected = read_image(file), read_image(baseline)
+    test.assertLess(difference(drawn, expected), LIMIT, file.name)
+    for change in (lambda v: v[:, ::-1], lambda v: np.roll(v, 1, axis=1)):
+        test.assertGreater(difference(changed(drawn, change), expected), 5 * LIMIT, file.name)
 
 
 def main():
