@@ -208,8 +208,8 @@ DGGPartNumbers MakeIdentity(vtkPolyData* part)
 }
 
 /// `whole` is what the output was made from, whose arrays are those of the input.
-DGGChangedArrays FindChanges(vtkDataSetAttributes* whole, vtkDataSetAttributes* output,
-  const std::vector<vtkIdType>& numbers)
+DGGChangedArrays FindChanges(
+  vtkDataSetAttributes* whole, vtkDataSetAttributes* output, const std::vector<vtkIdType>& numbers)
 {
   DGGChangedArrays changes;
   for (int i = 0; i < whole->GetNumberOfArrays(); ++i)
@@ -312,6 +312,7 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
     Parts some;
     for (const std::size_t p : used)
     {
+      DGG_RETURN_IF_ERROR(DGGCheckCells(parts[p].Data));
       some.push_back(parts[p]);
     }
     ::Numbers numbers(some.size());

@@ -202,15 +202,15 @@ void AssembleCells(const std::vector<DGGSurfacePart>& parts,
         corner = numbers[p].Points[corner];
       }
       const vtkIdType number = before + cells->InsertNextCell(corners);
-      whole->GetCellData()->CopyData(arrays, part->GetCellData(), static_cast<int>(p),
-        firstCells[p] + origin.second, number);
+      whole->GetCellData()->CopyData(
+        arrays, part->GetCellData(), static_cast<int>(p), firstCells[p] + origin.second, number);
     }
     for (std::size_t p = 0; p < parts.size(); ++p)
     {
       firstCells[p] += DGGGetCells(parts[p].Data, kind)->GetNumberOfCells();
     }
     before += cells->GetNumberOfCells();
-    kind == 0 ? whole->SetVerts(cells)
+    kind == 0     ? whole->SetVerts(cells)
       : kind == 1 ? whole->SetLines(cells)
       : kind == 2 ? whole->SetPolys(cells)
                   : whole->SetStrips(cells);
@@ -276,16 +276,17 @@ vtkSmartPointer<vtkPolyData> DGGAssembleParts(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> DGGRemoveGhosts(vtkPolyData* part)
+dgg::Status DGGRemoveGhosts(vtkSmartPointer<vtkPolyData>& part)
 {
-  const std::vector<bool> isGhostCell = ReadMask(part->GetCellGhostArray(),
-    part->GetNumberOfCells(), vtkDataSetAttributes::DUPLICATECELL);
-  std::vector<bool> isGhostPoint = ReadMask(part->GetPointGhostArray(), part->GetNumberOfPoints(),
-    vtkDataSetAttributes::DUPLICATEPOINT);
+  const std::vector<bool> isGhostCell = ReadMask(
+    part->GetCellGhostArray(), part->GetNumberOfCells(), vtkDataSetAttributes::DUPLICATECELL);
+  std::vector<bool> isGhostPoint = ReadMask(
+    part->GetPointGhostArray(), part->GetNumberOfPoints(), vtkDataSetAttributes::DUPLICATEPOINT);
   if (!HasAny(isGhostCell) && !HasAny(isGhostPoint))
   {
-    return part;
+    return dgg::Status::Success();
   }
+  DGG_RETURN_IF_ERROR(DGGCheckCells(part));
   // Points of the cells that stay do so as well; those of the others alone go with them.
   for (const bool isGhost : { true, false })
   {
@@ -298,5 +299,6 @@ vtkSmartPointer<vtkPolyData> DGGRemoveGhosts(vtkPolyData* part)
   }
   auto kept = DGGAssembleParts({ { part, 0 } }, { { Number(isGhostPoint), Number(isGhostCell) } });
   kept->GetFieldData()->PassData(part->GetFieldData());
-  return kept;
+  part = kept;
+  return dgg::Status::Success();
 }

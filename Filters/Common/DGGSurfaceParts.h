@@ -48,8 +48,8 @@ struct DGGPartNumbers
 VTKDGGFILTERSCOMMON_EXPORT vtkSmartPointer<vtkPolyData> DGGAssembleParts(
   const std::vector<DGGSurfacePart>& parts, const std::vector<DGGPartNumbers>& numbers);
 
-/// A part, its cells checked, without those that another process owns, by the ghost array, and
-/// without points that only these use: the same object when there are none. Hidden cells stay.
-VTKDGGFILTERSCOMMON_EXPORT vtkSmartPointer<vtkPolyData> DGGRemoveGhosts(vtkPolyData* part);
+/// Take away the cells that another process owns, by the ghost array, and points that only these
+/// use; a part without them stays the same object. Hidden cells stay. Fails as DGGCheckCells().
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGRemoveGhosts(vtkSmartPointer<vtkPolyData>& part);
 
 #endif

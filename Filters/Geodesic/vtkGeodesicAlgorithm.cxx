@@ -238,7 +238,8 @@ vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
 /// Of the type of the input where that has parts.
 void vtkGeodesicAlgorithm::MakeSurfaceOutput(vtkDataObject* input, vtkInformation* outInfo) const
 {
-  const char* type = vtkCompositeDataSet::SafeDownCast(input) ? input->GetClassName() : "vtkPolyData";
+  const char* type =
+    vtkCompositeDataSet::SafeDownCast(input) ? input->GetClassName() : "vtkPolyData";
   vtkDataObject* output = vtkDataObject::GetData(outInfo);
   if (!output || std::strcmp(output->GetClassName(), type) != 0)
   {
@@ -331,16 +332,16 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   const int ports = this->GetNumberOfInputPorts();
   if (pieces == 1 && DGGPartedUpdate::IsPlain(inputVector, ports))
   {
+    *this->Parts = DGGPartedUpdate();
     return this->Compute(inputVector, outputVector);
   }
   const auto compute = [this](vtkInformationVector** inputs, vtkInformationVector* outputs) {
     unsigned long errorCode = vtkErrorCode::NoError;
     return this->Try([&] { return this->Compute(inputs, outputs); }, errorCode);
   };
-  const dgg::Status status =
-    this->Parts->Run(DGGProcesses(pieces > 1 ? this->Controller : nullptr),
-      pieces > 1 ? this->GatherLimit : VTK_ID_MAX, inputVector, ports, outputVector,
-      this->PassesSurface(), compute);
+  const dgg::Status status = this->Parts->Run(DGGProcesses(pieces > 1 ? this->Controller : nullptr),
+    pieces > 1 ? this->GatherLimit : VTK_ID_MAX, inputVector, ports, outputVector,
+    this->PassesSurface(), compute);
   if (status.IsOk() && this->Parts->GetNumberOfOthers() > 0)
   {
     vtkWarningMacro(<< this->Parts->GetNumberOfOthers()

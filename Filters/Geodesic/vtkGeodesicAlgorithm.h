@@ -37,18 +37,19 @@
  * neighbours; they are connected to it and to those that it is connected to. All other filters need
  * a surface.
  *
- * <b>Several processes, blocks, partitions</b>. Input that comes in parts is joined to one surface,
- * on which all is computed; the first process does so for all of them. Without ghost cells, the
- * partitions of a vtkPartitionedDataSet and the pieces of processes are joined where points have the
- * same global id, or else, on the rims of different parts, the same place. What two processes both
- * have counts once. Blocks (leaves of a vtkMultiBlockDataSet, members of a
- * vtkPartitionedDataSetCollection) are not joined, but with MergeCoincidentPoints: each source
- * belongs to the nearest one. Ids are those of the joined surface: its points block by block, in
- * each by global ids or else part by part. An output that is the input with arrays added has the
- * parts and the type of the input (GetOutputDataObject(0); GetOutput() is null for blocks), field
- * data of the whole, such as a graph, on the first process, for blocks those of all blocks together.
- * New geometry is one vtkPolyData on the first process; there, getters tell of the whole. What is
- * joined is kept until a part changes. All processes must update together.
+ * <b>Several processes, blocks, partitions</b>. Input in parts is joined to one surface, on which
+ * the first process computes for all; all must update together.
+ *  - Pieces of processes and partitions of a vtkPartitionedDataSet, but for ghost cells, are joined
+ *    where points have the same global id; without these, where points on the rims of different
+ *    parts are in the same place. What several processes have counts once.
+ *  - Blocks, leaves of a vtkMultiBlockDataSet or members of a vtkPartitionedDataSetCollection, are
+ *    not connected, but by MergeCoincidentPoints. Each source belongs to the nearest.
+ *  - Ids of points and cells are those of the joined surface: block by block, in each by global ids
+ *    or else part by part.
+ *  - An output that is the input with arrays added has the parts and the type of the input; for
+ *    blocks, GetOutput() is null, and GetOutputDataObject(0) has them. Field data of the whole,
+ * such as a graph, are those of the data object itself on the first process. New geometry is one
+ *    vtkPolyData there; so is what getters tell. What is joined is kept until a part changes.
  *
  * <b>Guarantee and cost</b>. Results do not depend on the number of threads. The mesh is prepared
  * once, kept until points, polygons or strips change, and shared by the filters of a chain. Changes
@@ -147,8 +148,8 @@ public:
 
   ///@{
   /**
-   * Most points that the first process gathers from all others; more are an error. Default 100
-   * million, which take 10 GB or so.
+   * Most points of all inputs that the first process gathers from all; more are an error. Default
+   * 100 million; each takes some 200 bytes, and its arrays twice.
    */
   vtkSetMacro(GatherLimit, vtkIdType);
   vtkGetMacro(GatherLimit, vtkIdType);

@@ -147,8 +147,8 @@ vtkSmartPointer<vtkPolyData> TakePart(
   std::map<vtkIdType, vtkIdType> numbers;
   for (std::size_t c = 0; c < polygons.size(); ++c)
   {
-    const bool touches = std::any_of(
-      polygons[c].begin(), polygons[c].end(), [&](vtkIdType id) { return isOwn[id]; });
+    const bool touches =
+      std::any_of(polygons[c].begin(), polygons[c].end(), [&](vtkIdType id) { return isOwn[id]; });
     if (labels[c] != label && !(ghosts && touches))
     {
       continue;
@@ -204,8 +204,8 @@ vtkSmartPointer<vtkPolyData> MakeSeam(int n)
   Cells cells;
   for (auto polygon : GetPolygons(surface))
   {
-    const bool isAbove = std::any_of(
-      polygon.begin(), polygon.end(), [&](vtkIdType id) { return id >= row + n; });
+    const bool isAbove =
+      std::any_of(polygon.begin(), polygon.end(), [&](vtkIdType id) { return id >= row + n; });
     for (vtkIdType& id : polygon)
     {
       id = isAbove && copies.count(id) ? copies[id] : id;

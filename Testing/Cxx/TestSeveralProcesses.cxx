@@ -14,12 +14,10 @@
 #include "vtkDiscreteGreensFunction.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
-#include "vtkGeodesicSampler.h"
 #include "vtkGeodesicVoronoi.h"
 #include "vtkHeatGeodesicDistance.h"
 #include "vtkVirtualSourceGeodesicDistance.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -27,19 +25,19 @@
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
-#include "vtkPLYReader.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSphereSource.h"
 #include "vtkTable.h"
-#include "vtkTriangleFilter.h"
 #include "vtkXMLPPolyDataReader.h"
 #include "vtkXMLPPolyDataWriter.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <string>
 
@@ -92,8 +90,7 @@ protected:
   }
 
   template <typename Filter>
-  vtkSmartPointer<Filter> Together(
-    vtkDataObject* part, const std::function<void(Filter*)>& prepare)
+  vtkSmartPointer<Filter> Together(vtkDataObject* part, const std::function<void(Filter*)>& prepare)
   {
     auto filter = vtkSmartPointer<Filter>::New();
     filter->SetInputDataObject(part);
@@ -150,11 +147,6 @@ protected:
   }
 };
 
-template <typename Filter>
-void SetSources(Filter* filter, vtkPolyData* sources)
-{
-  filter->SetSourceData(sources);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -186,10 +178,9 @@ TYPED_TEST(SeveralProcessesDistance, IsThatOfTheWhole)
       seed == 0 ? this->TakeStrip(this->Surface) : this->TakeRandom(this->Surface, seed);
     const auto filter = this->template Together<TypeParam>(part, prepare);
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), part->GetNumberOfPoints());
-    EXPECT_STREQ(
-      filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "GeodesicDistance");
-    this->ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance",
-      Tolerance<TypeParam>);
+    EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "GeodesicDistance");
+    this->ExpectArray(
+      filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", Tolerance<TypeParam>);
     this->ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicSource", 0.0);
   }
 }
@@ -335,8 +326,9 @@ TEST_F(SeveralProcesses, SpectralFilters)
   const auto filter = this->Together<vtkDiscreteGreensFunction>(part, greens);
   ExpectArray(filter->GetOutput(), alone->GetOutput(), "GreensFunction", 1e-10);
   EXPECT_EQ(filter->GetEvaluation()->GetNumberOfPoints(), this->IsFirst() ? 2 : 0);
-  const std::function<void(vtkBiharmonicDistance*)> biharmonic =
-    [](vtkBiharmonicDistance* other) { other->SetSourceData(MakeSources()); };
+  const std::function<void(vtkBiharmonicDistance*)> biharmonic = [](vtkBiharmonicDistance* other) {
+    other->SetSourceData(MakeSources());
+  };
   ExpectArray(this->Together<vtkBiharmonicDistance>(part, biharmonic)->GetOutput(),
     Alone<vtkBiharmonicDistance>(this->Surface, biharmonic)->GetOutput(), "BiharmonicDistance",
     1e-9);
@@ -433,6 +425,19 @@ TEST_F(SeveralProcesses, FewerPartsThanProcesses)
 }
 
 //------------------------------------------------------------------------------
+/// The first process alone has what is read.
+TEST_F(SeveralProcesses, ReadersGiveOnePiece)
+{
+  vtkNew<vtkDGGOFFReader> reader;
+  reader->SetFileName(DGG_TEST_DATA "/tetrahedron.off");
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputConnection(reader->GetOutputPort());
+  filter->SetSourceIds({ 0 });
+  this->Update(filter);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), this->IsFirst() ? 4 : 0);
+}
+
+//------------------------------------------------------------------------------
 TEST_F(SeveralProcesses, PiecesOfASource)
 {
   vtkNew<vtkSphereSource> sphere; // whose pieces differ by roundings on their rims
@@ -453,8 +458,8 @@ TEST_F(SeveralProcesses, PiecesOfASource)
 //------------------------------------------------------------------------------
 TEST_F(SeveralProcesses, ParallelFiles)
 {
-  const std::string name = std::string(DGG_TEST_OUTPUT) + "/SeveralProcesses" +
-    std::to_string(this->Count) + ".pvtp";
+  const std::string name =
+    std::string(DGG_TEST_OUTPUT) + "/SeveralProcesses" + std::to_string(this->Count) + ".pvtp";
   vtkNew<vtkXMLPPolyDataWriter> writer;
   writer->SetInputData(this->TakeRandom(this->Surface, 11));
   writer->SetController(this->Controller);
@@ -474,6 +479,43 @@ TEST_F(SeveralProcesses, ParallelFiles)
   const auto alone = Alone<vtkDGGDistance>(
     this->Surface, [](vtkDGGDistance* other) { other->SetSourceData(MakeSources()); });
   ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", FloatTolerance);
+}
+
+//------------------------------------------------------------------------------
+/// Four pieces in a file, of which a process may have several side by side.
+TEST_F(SeveralProcesses, FilesOfMorePieces)
+{
+  const std::string base =
+    std::string(DGG_TEST_OUTPUT) + "/FourPieces" + std::to_string(this->Count);
+  if (this->IsFirst())
+  {
+    std::ofstream file(base + ".pvtp");
+    file << "<VTKFile type=\"PPolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+            "<PPolyData GhostLevel=\"0\">\n"
+            "<PPointData><PDataArray type=\"Int64\" Name=\"Whole\"/></PPointData>\n"
+            "<PPoints><PDataArray type=\"Float64\" NumberOfComponents=\"3\"/></PPoints>\n";
+    for (int i = 0; i < 4; ++i)
+    {
+      const std::string name = base + "_" + std::to_string(i) + ".vtp";
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      writer->SetFileName(name.c_str());
+      writer->SetInputData(TakePart(this->Surface, LabelRandomly(this->Surface, 4, 13), i));
+      writer->Write();
+      file << "<Piece Source=\"" << name.substr(name.rfind('/') + 1) << "\"/>\n";
+    }
+    file << "</PPolyData>\n</VTKFile>\n";
+  }
+  this->Controller->Barrier();
+  vtkNew<vtkXMLPPolyDataReader> reader;
+  reader->SetFileName((base + ".pvtp").c_str());
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputConnection(reader->GetOutputPort());
+  filter->SetSourceData(MakeSources());
+  filter->MergeCoincidentPointsOn();
+  this->Update(filter);
+  const auto alone = Alone<vtkExactGeodesicDistance>(
+    this->Surface, [](vtkExactGeodesicDistance* other) { other->SetSourceData(MakeSources()); });
+  ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", 1e-12);
 }
 
 //------------------------------------------------------------------------------
@@ -580,7 +622,7 @@ TEST_F(SeveralProcesses, BlocksInParts)
     whole->SetBlock(block, surface);
     // Of the second block, only the first process has a part.
     part->SetBlock(block,
-      block != 1         ? this->TakeStrip(surface).Get()
+      block != 1          ? this->TakeStrip(surface).Get()
         : this->IsFirst() ? TakePart(surface, Labels(surface->GetNumberOfCells(), 0), 0).Get()
                           : nullptr);
   }
@@ -604,8 +646,8 @@ TEST_F(SeveralProcesses, BlocksInParts)
     EXPECT_EQ(leaf != nullptr, block != 1 || this->IsFirst());
     if (leaf)
     {
-      ExpectArray(
-        leaf, vtkPolyData::SafeDownCast(expected->GetBlock(block)), "GeodesicDistance", FloatTolerance);
+      ExpectArray(leaf, vtkPolyData::SafeDownCast(expected->GetBlock(block)), "GeodesicDistance",
+        FloatTolerance);
     }
   }
 }

@@ -62,8 +62,7 @@ dgg::Status DGGPartedUpdate::Join(vtkDataObject* input, vtkSmartPointer<vtkPolyD
   std::vector<DGGSurfacePart> parts = DGGFindParts(input, others);
   for (DGGSurfacePart& part : parts)
   {
-    DGG_RETURN_IF_ERROR(DGGCheckCells(part.Data));
-    part.Data = DGGRemoveGhosts(part.Data);
+    DGG_RETURN_IF_ERROR(DGGRemoveGhosts(part.Data));
   }
   DGGJoinedParts joined;
   DGG_RETURN_IF_ERROR(joined.Join(parts));
@@ -132,8 +131,7 @@ dgg::Status DGGPartedUpdate::FindParts(
         port.Key.clear();
         for (DGGSurfacePart& part : parts)
         {
-          DGG_RETURN_IF_ERROR(DGGCheckCells(part.Data));
-          part.Data = DGGRemoveGhosts(part.Data);
+          DGG_RETURN_IF_ERROR(DGGRemoveGhosts(part.Data));
         }
         port.Parts = parts;
         port.Key = key;
