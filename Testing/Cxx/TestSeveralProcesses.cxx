@@ -15,6 +15,7 @@
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicVoronoi.h"
+#include "vtkHarmonicBSpline.h"
 #include "vtkHeatGeodesicDistance.h"
 #include "vtkVirtualSourceGeodesicDistance.h"
 
@@ -331,7 +332,14 @@ TEST_F(SeveralProcesses, SpectralFilters)
   };
   ExpectArray(this->Together<vtkBiharmonicDistance>(part, biharmonic)->GetOutput(),
     Alone<vtkBiharmonicDistance>(this->Surface, biharmonic)->GetOutput(), "BiharmonicDistance",
-    1e-9);
+    1e-10);
+  const std::function<void(vtkHarmonicBSpline*)> spline = [](vtkHarmonicBSpline* other) {
+    other->SetSourceData(MakeSources());
+  };
+  const auto splines = this->Together<vtkHarmonicBSpline>(part, spline);
+  const auto splinesAlone = Alone<vtkHarmonicBSpline>(this->Surface, spline);
+  ExpectArray(splines->GetOutput(), splinesAlone->GetOutput(), "HarmonicBSpline", 1e-10);
+  ExpectArray(splines->GetOutput(), splinesAlone->GetOutput(), "Cell", 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -435,6 +443,12 @@ TEST_F(SeveralProcesses, ReadersGiveOnePiece)
   filter->SetSourceIds({ 0 });
   this->Update(filter);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), this->IsFirst() ? 4 : 0);
+  // Without a file, nobody waits for the first process.
+  reader->SetFileName("none.off");
+  const Listener silence(reader);
+  const Listener listener(filter);
+  this->Update(filter);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 //------------------------------------------------------------------------------
