@@ -263,6 +263,7 @@ int vtkGeodesicAlgorithm::RequestData(
 bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  this->SetAbortExecute(0); // VTK 9.1 does so at the start of an update, later ones do not
   this->Reached = 0.0;
   this->IsStopped = false;
   this->Caller = std::this_thread::get_id();
@@ -306,7 +307,6 @@ dgg::Status vtkGeodesicAlgorithm::Try(
 bool vtkGeodesicAlgorithm::AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step)
 {
   const unsigned long errorCode = this->GetErrorCode();
-  this->SetAbortExecute(0);
   const bool done = this->Attempt([this, &step] {
     if (this->GetNumberOfInputConnections(0) > 0)
     {

@@ -56,7 +56,8 @@ public:
    * takes any sequence of integers. A null list removes all. A list of distances of another length
    * than that of the ids is an error at once, and changes nothing.
    */
-  void AddSourceId(vtkIdType id, double initialDistance = 0.0);
+  void AddSourceId(vtkIdType id) { this->AddSourceId(id, 0.0); }
+  void AddSourceId(vtkIdType id, double initialDistance);
   void SetSourceIds(vtkIdList* ids);
   void SetSourceIds(const std::vector<vtkIdType>& ids);
   void SetSourceIds(const std::vector<vtkIdType>& ids, const std::vector<double>& initialDistances);

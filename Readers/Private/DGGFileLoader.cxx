@@ -26,6 +26,7 @@ bool vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const char* fi
     vtkErrorWithObjectMacro(algorithm, "There is no file name: call SetFileName() first.");
     return false;
   }
+  algorithm->SetAbortExecute(0); // of an earlier run: VTK 9.1 would do so, later ones do not
   std::string message;
   try
   {

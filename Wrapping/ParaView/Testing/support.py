@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the plugin share.
+
+DGG_WRITE_BASELINE=1 in the environment writes the baselines of pictures anew. Look at them before you
+keep them.
+"""
+
+import os
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkImagingCore import vtkImageDifference
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+DATA = REPOSITORY / "Testing" / "Data"
+BASELINE = pathlib.Path(__file__).resolve().parent / "Baseline"
+OUTPUT = pathlib.Path(os.environ["DGG_TEST_OUTPUT"])
+PLUGIN = os.environ["DGG_PLUGIN"]
+# What rounding on another processor may cost, in vtkImageDifference's measure.
+LIMIT = 40.0
+
+# As users do, with the functions in the module where those of ParaView are.
+simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
+simple._DisableFirstRenderCameraReset()
+
+
+def bumpy():
+    """A reader of an asymmetric surface of some 600 points, 2 across."""
+    return simple.PLYReader(FileNames=[str(DATA / "bumpy.ply")])
+
+
+def fetch(proxy, port=0):
+    """The data of an output."""
+    proxy.UpdatePipeline()
+    return proxy.SMProxy.GetClientSideObject().GetOutputDataObject(port)
+
+
+def array(proxy, name, port=0, cells=False):
+    """A copy of an array of an output."""
+    data = fetch(proxy, port)
+    attributes = data.GetCellData() if cells else data.GetPointData()
+    return vtk_to_numpy(attributes.GetArray(name)).copy()
+
+
+def points(proxy, port=0):
+    """A copy of the coordinates of an output."""
+    return vtk_to_numpy(fetch(proxy, port).GetPoints().GetData()).copy()
+
+
+def read_image(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def difference(first, second):
+    """How much two pictures differ, pixel by pixel: VTK's defaults forgive shifts."""
+    compare = vtkImageDifference()
+    compare.AllowShiftOff()
+    compare.AveragingOff()
+    compare.SetThreshold(0)
+    compare.SetInputData(first)
+    compare.SetImageData(second)
+    compare.Update()
+    return compare.GetThresholdedError()
+
+
+def changed(image, change):
+    """A copy of a picture, changed as an array of rows, columns and colours."""
+    columns, rows, _ = image.GetDimensions()
+    values = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)
+    copy = image.NewInstance()
+    copy.DeepCopy(image)
+    vtk_to_numpy(copy.GetPointData().GetScalars())[:] = change(values).reshape(rows * columns, -1)
+    return copy
+
+
+def check_picture(test, file):
+    """That a picture is as the baseline of its name, and that no other one would do."""
+    baseline = BASELINE / file.name
+    if os.environ.get("DGG_WRITE_BASELINE"):
+        baseline.write_bytes(file.read_bytes())
+    drawn, expected = read_image(file), read_image(baseline)
+    test.assertLess(difference(drawn, expected), LIMIT, file.name)
+    for change in (lambda v: v[:, ::-1], lambda v: np.roll(v, 1, axis=1)):
+        test.assertGreater(difference(changed(drawn, change), expected), 5 * LIMIT, file.name)
+
+
+def main():
+    """Run the tests of a script. sys.exit() after pictures have been drawn is an X error."""
+    if not unittest.main(verbosity=2, exit=False).result.wasSuccessful():
+        sys.exit(1)

@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView itself: its menu makes every filter, and a source has a handle."""
+
+import os
+import subprocess
+from xml.sax.saxutils import quoteattr
+
+import support
+from paraview import servermanager as sm
+from support import unittest
+
+WINDOW = "pqClientMainWindow"
+PANEL = f"{WINDOW}/propertiesDock/propertiesPanel"
+MENU = f"{WINDOW}/menubar/menuFilters/Geodesics"
+CANCEL = f"{WINDOW}/SelectInputDialog/buttonBox/1QPushButton1"
+
+
+def filters():
+    """The filters of the category: whether ParaView asks for further inputs, by name."""
+    pxm = sm.ProxyManager()
+    found = {}
+    iterator = pxm.NewDefinitionIterator("filters")
+    while not iterator.IsDoneWithTraversal():
+        xml = iterator.GetProxyDefinition()
+        hints = xml.FindNestedElementByName("Hints")
+        menu = hints and hints.FindNestedElementByName("ShowInMenu")
+        if menu and menu.GetAttribute("category") == "Geodesics":
+            name = xml.GetAttribute("name")
+            prototype = pxm.GetPrototypeProxy("filters", name)
+            properties = prototype.NewPropertyIterator()
+            found[name] = False
+            while not properties.IsAtEnd():
+                p = properties.GetProperty()
+                required = not (p.GetHints() and p.GetHints().FindNestedElementByName("Optional"))
+                if p.IsA("vtkSMInputProperty") and required and properties.GetKey() != "Input":
+                    found[name] |= p.FindDomain("vtkSMProxyListDomain") is None
+                properties.Next()
+        iterator.GoToNextItem()
+    return found
+
+
+def event(place, name=""):
+    """Press a button, or choose from a menu."""
+    return f'<pqevent object={quoteattr(place)} command="activate" arguments={quoteattr(name)} />'
+
+
+class Window(unittest.TestCase):
+    def play(self, events, picture):
+        """Open a surface, do what `events` say, and take a picture of the view."""
+        script = support.OUTPUT / "window.xml"
+        script.write_text("<?xml version='1.0' ?><pqevents>" + "".join(events) + "</pqevents>")
+        picture.unlink(missing_ok=True)  # where there is none to compare with, it is written
+        run = subprocess.run(
+            [
+                "paraview",
+                "--dr",
+                f"--data={support.DATA / 'bumpy.ply'}",
+                f"--test-script={script}",
+                f"--test-baseline={picture}",
+                f"--test-directory={support.OUTPUT}",
+                "--exit",
+            ],
+            env={**os.environ, "PV_PLUGIN_PATH": os.path.dirname(support.PLUGIN)},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=300,
+        )
+        return run.stdout
+
+    def test_menu_and_handle(self):
+        known = filters()
+        self.assertGreater(len(known), 15)
+        events = [event(f"{PANEL}/Accept")]
+        for name, asks in known.items():
+            events += [event(MENU, name), event(CANCEL if asks else f"{PANEL}/Delete")]
+        events += [event(MENU, "GeodesicDistance"), event(f"{PANEL}/Accept")]
+        picture = support.OUTPUT / "ParaViewHandle.png"
+        output = self.play(events, picture)
+        self.assertRegex(output, "is finished. Success = +true", output)
+        self.assertNotRegex(output, "(?i)error|warn", output)
+        support.check_picture(self, picture)
+
+    def test_that_it_could_fail(self):
+        output = self.play([event(MENU, "NoSuchFilter")], support.OUTPUT / "nothing.png")
+        self.assertIn("NoSuchFilter", output)
+        self.assertNotRegex(output, "Success = +true")
+
+
+if __name__ == "__main__":
+    support.main()

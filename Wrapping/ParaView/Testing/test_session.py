@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A session: pictures, handles, ports, state files and traces."""
+
+import numpy as np
+import scenes
+import support
+from paraview import smstate, smtrace
+from support import simple, unittest
+
+
+def arrays(pipeline):
+    """What a session has found, as numbers."""
+    return {
+        "distance": support.array(pipeline["distance"], "GeodesicDistance"),
+        "lines": support.points(pipeline["lines"]),
+        "path": support.points(pipeline["path"]),
+        "cells": support.array(pipeline["cells"], "SiteId", 2, cells=True),
+        "green": support.array(pipeline["green"], "GreensFunction"),
+    }
+
+
+def in_session():
+    """The pipeline that a state file or a script has made."""
+    return {name: simple.FindSource(name) for name in ("distance", "lines", "path", "cells", "green")}
+
+
+def run(script):
+    exec(compile(script, "script", "exec"), {})
+
+
+class Session(unittest.TestCase):
+    def setUp(self):
+        simple.ResetSession()
+        self.pipeline = scenes.build()
+        self.found = arrays(self.pipeline)
+
+    def tearDown(self):
+        simple.ResetSession()  # views that are open at the end are an X error
+
+    def assert_same(self, other, names=None):
+        for name in names or self.found:
+            np.testing.assert_array_equal(other[name], self.found[name], err_msg=name)
+
+    def test_pictures(self):
+        for name, view in scenes.draw(self.pipeline).items():
+            file = support.OUTPUT / f"ParaView{name}.png"
+            simple.SaveScreenshot(str(file), view, ImageResolution=[320, 280])
+            support.check_picture(self, file)
+
+    def test_numbers(self):
+        self.assertEqual(self.found["distance"].min(), self.found["distance"][np.argmin(
+            np.linalg.norm(support.points(self.pipeline["distance"]) - scenes.SOURCE, axis=1))])
+        values = support.array(self.pipeline["lines"], "IsoValue", cells=True)
+        self.assertLessEqual(set(values), set(scenes.STEPS))
+        length = support.array(self.pipeline["path"], "Length", cells=True)[0]
+        self.assertGreater(length, 2.0)
+        self.assertEqual(set(self.found["cells"]), set(range(12)))
+
+    def test_ports_have_names(self):
+        cells = self.pipeline["cells"]
+        kinds = {name: support.fetch(cells, i) for i, name in enumerate(
+            ("Labels", "Borders", "Cells", "Sites"))}
+        for i, name in enumerate(kinds):
+            self.assertEqual(cells[name].Port, i)
+        self.assertEqual(kinds["Sites"].GetNumberOfPoints(), 12)
+        self.assertGreater(kinds["Borders"].GetNumberOfLines(), 12)
+
+    def test_handle_moves(self):
+        """A moved source is as one that has always been there."""
+        moved = [-0.2, 0.9, 0.4]
+        distance = self.pipeline["distance"]
+        distance.Source.Center = moved
+        after = arrays(self.pipeline)
+        self.assertGreater(np.abs(after["distance"] - self.found["distance"]).max(), 0.5)
+        fresh = simple.GeodesicDistance(Input=distance.Input, GenerateVirtualSource=1)
+        fresh.Source.Center = moved
+        np.testing.assert_array_equal(support.array(fresh, "GeodesicDistance"), after["distance"])
+        self.assert_same(after, ["path", "cells", "green"])
+        distance.Source.Center = scenes.SOURCE
+        self.assert_same(arrays(self.pipeline))
+
+    def test_handles_start_on_the_data(self):
+        mesh = support.bumpy()
+        mesh.UpdatePipeline()
+        low, high = np.reshape(mesh.GetDataInformation().GetBounds(), (3, 2)).T
+        distance = simple.GeodesicDistance(Input=mesh)
+        np.testing.assert_allclose(distance.Source.Center, (low + high) / 2)
+        path = simple.GeodesicPath(Input=mesh)
+        np.testing.assert_allclose(path.Ends.StartPoint, low)
+        np.testing.assert_allclose(path.Ends.EndPoint, high)
+        simple.GeodesicLoop(Input=mesh, Points="Several points").UpdatePipeline()
+
+    def test_points_of_the_pipeline_are_sources(self):
+        graph, samples = self.pipeline["distance"].Input, self.pipeline["samples"]
+        direct = simple.GeodesicDistance(Input=graph, Source=samples)
+        chosen = simple.GeodesicDistance(Input=graph, Source="Points of the pipeline")
+        chosen.Source.Input = samples
+        found = support.array(chosen, "GeodesicDistance")
+        np.testing.assert_array_equal(found, support.array(direct, "GeodesicDistance"))
+        sites = support.array(self.pipeline["cells"], "GeodesicDistance")
+        np.testing.assert_allclose(found, sites, rtol=0.02)
+
+    def test_state_files(self):
+        scenes.draw(self.pipeline)
+        name = str(support.OUTPUT / "session.pvsm")
+        simple.SaveState(name)
+        script = smstate.get_state()
+        for load in (lambda: simple.LoadState(name), lambda: run(script)):
+            simple.ResetSession()
+            load()
+            self.assert_same(arrays(in_session()))
+
+    def test_trace_replays(self):
+        simple.ResetSession()
+        smtrace.start_trace()
+        scenes.draw(scenes.build())
+        script = smtrace.stop_trace()
+        self.assertIn("GeodesicIsolines(", script)
+        simple.ResetSession()
+        run(script)
+        self.assert_same(arrays(in_session()))
+
+
+if __name__ == "__main__":
+    support.main()
