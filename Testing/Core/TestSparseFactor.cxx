@@ -133,7 +133,7 @@ TEST(SparseFactor, CountsEigenvaluesBelowZero)
   constexpr int Size = 12;
   const Matrix grid = Grid(Size, 0.0);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{ Eigen::MatrixXd(grid) };
-  for (const int k : { 1, 5, 60 })
+  for (const int k : { 1, 3, 4, 6 }) // others are in pairs
   {
     const double sigma = 0.3 * solver.eigenvalues()[k - 1] + 0.7 * solver.eigenvalues()[k];
     const auto below = (solver.eigenvalues().array() < sigma).count();
