@@ -133,7 +133,12 @@ class PyGeodesicAlgorithmExact:
     ) -> Tuple[float, NDArray[np.float64]]:
         """The distance between two vertices, and the points of the path from the target back to the
         source, shape (k, 3)."""
-        found = find(self._finder, [int(sourceIndex)], [int(targetIndex)])[0]
+        count = self._finder.GetInput().GetNumberOfPoints()
+        ends = (
+            [_vertex(index, name, count)]
+            for index, name in ((sourceIndex, "sourceIndex"), (targetIndex, "targetIndex"))
+        )
+        found = find(self._finder, *ends)[0]
         return found.length, found.points[::-1].copy()
 
     def geodesicDistances(
@@ -211,6 +216,13 @@ def distance_matrix_of_selected_points(
 def _refuse_limits(max_iterations, max_relative_length_decrease):
     if max_iterations is not None or max_relative_length_decrease is not None:
         raise NotImplementedError("a limit of iterations or of the decrease in length")
+
+
+def _vertex(index, name, count):
+    place = arguments.place(index, name, count)
+    if not isinstance(place, int):
+        raise ValueError(f"{name}: a vertex index is wanted")
+    return place
 
 
 def _distances(solve, sources, max_distance=np.inf):

@@ -216,7 +216,7 @@ def earth_movers(
 
     Examples
     --------
-    >>> vtkdgg.earth_movers(mesh, 0, 20).distance <= vtkdgg.path(mesh, 0, 20).length
+    >>> vtkdgg.earth_movers(mesh, 0, 20).lower_bound <= vtkdgg.path(mesh, 0, 20).length
     True
     """
     surface, (start, end) = meshes.take(points, triangles, start=start, end=end)
