@@ -6,6 +6,10 @@ import signal
 import threading
 
 
+# Those that have a name; to ask for all takes long beside a query.
+_NUMBERS = tuple(int(number) for number in signal.Signals)
+
+
 class Interruption:
     """Keeps what handlers of signals raise until the work is over.
 
@@ -22,7 +26,7 @@ class Interruption:
     def __enter__(self):
         if threading.current_thread() is threading.main_thread():
             try:
-                for number in signal.valid_signals():
+                for number in _NUMBERS:
                     handler = signal.getsignal(number)
                     if callable(handler):
                         self._handlers[number] = handler

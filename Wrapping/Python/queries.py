@@ -197,10 +197,12 @@ class Queries(GraphData):
             block = self._tabulate(tabulate)
             if places is None:
                 block[np.arange(len(part)), part] = np.inf
-            row, column = np.nonzero(block < np.inf)
-            values.append(block[row, column])
-            targets.append(column.astype(np.int32 if n < 2**31 else np.int64))
-            counts.append(np.bincount(row, minlength=len(part)))
+            found = np.flatnonzero(block < np.inf)
+            starts = n * np.arange(len(part) + 1)
+            counts.append(np.diff(np.searchsorted(found, starts)))
+            values.append(block.ravel()[found])
+            found -= np.repeat(starts[:-1], counts[-1])
+            targets.append(found.astype(np.int32))
         offsets = np.concatenate([[0], np.cumsum(np.concatenate(counts))])
         return csr_matrix(
             (np.concatenate(values), np.concatenate(targets), offsets), shape=(len(rows), n)
