@@ -150,6 +150,8 @@ class PythonPage(unittest.TestCase):
         exact = vtkdgg.distance(points, triangles, [0, 10, 20])
         self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
         self.assertEqual(names["m"].shape, (2, 3))
+        self.assertEqual(len({line.value for line in names["lines"]}), 10)
+        self.assertEqual(names["cells"].areas.shape, (20,))
         exact = vtkdgg.path(points, triangles, 0, 10)
         self.assertLessEqual(names["p"].length, exact.length * 1.01)
         self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
