@@ -26,11 +26,6 @@ namespace
 using Parts = std::vector<DGGSurfacePart>;
 using Numbers = std::vector<DGGPartNumbers>;
 
-bool IsEmpty(vtkPolyData* part)
-{
-  return part->GetNumberOfPoints() == 0 && part->GetNumberOfCells() == 0;
-}
-
 bool AreSame(vtkDataArray* a, vtkDataArray* b)
 {
   return a == b ||
@@ -285,7 +280,7 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
       return parts[q].Block == parts[p].Block && AreSame(parts[q].Data, parts[p].Data);
     });
     first[p] = same == used.end() ? p : *same;
-    if (same == used.end() && !IsEmpty(parts[p].Data))
+    if (same == used.end() && !DGGIsEmpty(parts[p].Data))
     {
       used.push_back(p);
       size += static_cast<double>(parts[p].Data->GetNumberOfPoints());

@@ -28,6 +28,12 @@ struct DGGSurfacePart
 VTKDGGFILTERSCOMMON_EXPORT std::vector<DGGSurfacePart> DGGFindParts(
   vtkDataObject* data, vtkIdType& others);
 
+/// Whether there is nothing in a part.
+inline bool DGGIsEmpty(vtkPolyData* part)
+{
+  return part->GetNumberOfPoints() == 0 && part->GetNumberOfCells() == 0;
+}
+
 /// The cells of a kind (0 verts, 1 lines, 2 polygons, 3 strips), of which a vtkPolyData numbers
 /// those of one kind after the other.
 VTKDGGFILTERSCOMMON_EXPORT vtkCellArray* DGGGetCells(vtkPolyData* part, int kind);

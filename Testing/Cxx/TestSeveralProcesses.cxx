@@ -155,7 +155,8 @@ template <typename Filter>
 class SeveralProcessesDistance : public SeveralProcesses
 {
 };
-/// Where points are numbered differently, lengths in graphs are rounded to other floats.
+/// Where cells come in another order, angles in graphs are rounded to other floats, and with them
+/// corrected distances.
 constexpr double FloatTolerance = 1e-7;
 template <typename Filter>
 constexpr double Tolerance = 1e-12;
@@ -194,6 +195,24 @@ TEST_F(SeveralProcesses, GlobalIdsNumberPoints)
     const auto part = this->TakeStrip(this->Surface, PartIds::Global, ghosts);
     const std::function<void(vtkDGGDistance*)> prepare = [](vtkDGGDistance* filter) {
       filter->SetSourceIds({ 77, 500 });
+    };
+    const auto alone = Alone<vtkDGGDistance>(this->Surface, prepare);
+    const auto filter = this->Together<vtkDGGDistance>(part, prepare);
+    ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Of a graph, bit by bit: without correction always, with it where cells have global ids.
+TEST_F(SeveralProcesses, GraphDistancesAreTheSame)
+{
+  for (const bool corrects : { false, true })
+  {
+    const auto part = this->TakeStrip(this->Surface, corrects ? PartIds::Global : PartIds::None);
+    part->GetPointData()->RemoveArray("GlobalPointIds");
+    const std::function<void(vtkDGGDistance*)> prepare = [&](vtkDGGDistance* filter) {
+      filter->SetSourceData(MakeSources());
+      filter->SetCorrection(corrects);
     };
     const auto alone = Alone<vtkDGGDistance>(this->Surface, prepare);
     const auto filter = this->Together<vtkDGGDistance>(part, prepare);

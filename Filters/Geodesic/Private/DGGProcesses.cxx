@@ -17,11 +17,6 @@ constexpr int First = 0;
 constexpr int PartTag = 5811;
 constexpr int ResultTag = 5812;
 
-bool IsEmpty(vtkPolyData* part)
-{
-  return part->GetNumberOfPoints() == 0 && part->GetNumberOfCells() == 0;
-}
-
 void SendArrays(vtkMultiProcessController* controller, const DGGChangedArrays& arrays, int to)
 {
   vtkMultiProcessStream stream;
@@ -156,12 +151,12 @@ std::vector<std::size_t> DGGProcesses::Gather(std::vector<DGGSurfacePart>& parts
     stream << static_cast<int>(parts.size());
     for (const DGGSurfacePart& part : parts)
     {
-      stream << part.Block << (IsEmpty(part.Data) ? 1 : 0);
+      stream << part.Block << (DGGIsEmpty(part.Data) ? 1 : 0);
     }
     this->Controller->Send(stream, First, PartTag);
     for (const DGGSurfacePart& part : parts)
     {
-      if (!IsEmpty(part.Data))
+      if (!DGGIsEmpty(part.Data))
       {
         vtkNew<vtkPolyData> bare;
         bare->ShallowCopy(part.Data);
