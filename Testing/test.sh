@@ -6,7 +6,7 @@
 #
 # Usage: Testing/test.sh [--all] [CTEST ARGUMENTS]
 #   --all                  also what takes long, independent implementations, the examples, the
-#                          installation and the benchmarks
+#                          installation, the benchmarks and, where ParaView can be had, its plugin
 #   DGG_EXTRA_DATA=FOLDER  with --all, also the real meshes of that folder
 
 set -euo pipefail
@@ -41,3 +41,11 @@ dgg_build "$build" \
   -DDGG_BUILD_BENCHMARKS="$all" \
   -DDGG_EXTRA_DATA="$extra_data"
 dgg_with_display ctest --test-dir "$build" --output-on-failure -j "$(nproc)" "$@"
+
+if [ "$all" = ON ]; then
+  # With the kernel that is built already: the plugin does not build it again for another VTK.
+  status=0
+  "$DGG_ROOT/Wrapping/ParaView/paraview.sh" --test -DDGG_KERNEL_FROM="$build" || status=$?
+  [ "$status" -ne 3 ] || echo "Skipped: the plugin for ParaView"
+  [ "$status" -eq 0 ] || [ "$status" -eq 3 ] || exit "$status"
+fi

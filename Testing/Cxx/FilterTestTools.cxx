@@ -302,6 +302,10 @@ ProgressWatch::ProgressWatch(vtkAlgorithm* filter)
 void ProgressWatch::Observe(vtkObject* caller, unsigned long, void*)
 {
   auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+  if (algorithm->GetAbortExecute() && algorithm->GetProgress() == 1.0)
+  {
+    return; // not of the filter: later versions of VTK report the end of what was aborted, too
+  }
   this->Progress.push_back(algorithm->GetProgress());
   if (this->Progress.back() >= this->StopAt)
   {

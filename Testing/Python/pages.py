@@ -18,6 +18,7 @@ PAGES = (
     "Readers/README.md",
     "Testing/Benchmark/README.md",
     "Testing/README.md",
+    "Wrapping/ParaView/README.md",
     "Wrapping/Python/README.md",
 )
 

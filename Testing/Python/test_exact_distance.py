@@ -82,6 +82,8 @@ class Observers(unittest.TestCase):
         seen = []
 
         def stop(caller, event):
+            if caller.GetAbortExecute() and caller.GetProgress() == 1.0:
+                return  # not of the filter: later versions of VTK report the end, too
             seen.append(caller.GetProgress())
             if seen[-1] > 0.0:
                 caller.AbortExecuteOn()

@@ -96,6 +96,7 @@ class Pages(unittest.TestCase):
             ("Filters/PointCloud/README.md", "python"): 1,
             ("Readers/README.md", "python"): 1,
             ("Readers/README.md", "cpp"): 1,
+            ("Wrapping/ParaView/README.md", "python"): 3,  # tested in ParaView
             ("Wrapping/Python/README.md", "python"): 2,
         }
         for page in pages.PAGES:

@@ -10,7 +10,8 @@
 #   CMAKE ARGUMENTS  such as -DCMAKE_PREFIX_PATH=FOLDER, where ParaView is if not in a usual place
 #
 # A ParaView that is installed with its development files is used. Without one, on Debian, its
-# packages are unpacked below FOLDER, and nothing that is installed changes.
+# packages are unpacked below FOLDER, and nothing that is installed changes. The exit status is 3
+# where there is no ParaView and none can be had.
 
 set -euo pipefail
 
@@ -57,11 +58,17 @@ END
   cmake -S "$build/probe" -B "$build/probe" "$@" >"$build/probe.log" 2>&1 && [ -s "$build/found" ]
 }
 
+# There is no ParaView.
+without() {
+  echo "error: $*" >&2
+  exit 3
+}
+
 # Unpack ParaView, and what it needs and the system does not have, into $root.
 unpack() {
   command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null ||
-    dgg_fail "this is not a Debian-like system. Install ParaView with its development files and" \
-      "name their folder: -DCMAKE_PREFIX_PATH=FOLDER"
+    without "this is not a Debian-like system. Install ParaView with its development files and" \
+      "name its folder: -DCMAKE_PREFIX_PATH=FOLDER"
   echo "Downloading ${paraview[*]} and what they need ..."
   local archives="$build/archives"
   mkdir -p "$archives/partial"
@@ -71,7 +78,7 @@ unpack() {
     -o Dir::Cache::archives="$archives" -o APT::Sandbox::User= "${paraview[@]}" \
     >"$build/download.log" 2>&1 || {
     tail -n 5 "$build/download.log" >&2
-    dgg_fail "could not download ParaView (apt-get update may help)"
+    without "could not download ParaView (apt-get update may help)"
   }
   echo "Unpacking $(find "$archives" -name '*.deb' | wc -l) packages into $root ..."
   rm -rf "$root.part"
@@ -84,7 +91,10 @@ dgg_install "${builds[@]}"
 if [ ! -d "$root" ] && is_usable "$@"; then
   echo "Using the ParaView in $(cat "$build/found")"
   libraries=
-  python=
+elif [ ! -d "$root" ] && dgg_is_installed python3-paraview; then
+  # What the rest installs would remove it.
+  dgg_fail "ParaView is installed, but not all that builds plugins for it. Please install" \
+    "${paraview[*]}; the output of CMake is in $build/probe.log"
 else
   # The rest, from point clouds to Qt, comes with what the libraries are built with.
   dgg_install "${DGG_PACKAGES[@]}"
@@ -92,7 +102,6 @@ else
   echo "Using the ParaView in $root/usr/bin"
   echo "$root/usr/bin" >"$build/found"
   libraries="$(dirname "$(find "$root/usr/lib" -name 'libpqCore-pv*.so' | head -n 1)")"
-  python="$root/usr/lib/python3/dist-packages"
   set -- -DCMAKE_PREFIX_PATH="$root/usr" -DPython3_EXECUTABLE=/usr/bin/python3 "$@"
   [ -d "$libraries/cmake/Qt5Svg" ] && set -- -DQt5Svg_DIR="$libraries/cmake/Qt5Svg" "$@"
   patterns="$root/usr/lib/qt5/bin/xmlpatterns"
@@ -100,18 +109,22 @@ else
 fi
 
 # All that runs ParaView runs by this.
-cat >"$build/run" <<END
-#!/bin/sh
-# Run a command with ParaView and its plugin Geodesics: paraview, pvpython SCRIPT, pvbatch SCRIPT.
-export PATH="$(cat "$build/found"):\$PATH"
-export LD_LIBRARY_PATH="$libraries\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH}"
-export PYTHONPATH="$python\${PYTHONPATH:+:\$PYTHONPATH}"
-export PV_PLUGIN_PATH="$build/lib/paraview/plugins/Geodesics"
-exec "\$@"
-END
+prepend() { printf 'export %s="%s${%s:+:$%s}"\n' "$1" "$2" "$1" "$1"; }
+{
+  echo "#!/bin/sh"
+  echo "# Run a command with ParaView and the plugin: paraview, pvpython SCRIPT, pvbatch SCRIPT."
+  prepend PATH "$(cat "$build/found")"
+  prepend PV_PLUGIN_PATH "$build/lib/paraview/plugins/Geodesics"
+  if [ -n "$libraries" ]; then
+    prepend LD_LIBRARY_PATH "$libraries"
+    prepend PYTHONPATH "$root/usr/lib/python3/dist-packages"
+    prepend QT_PLUGIN_PATH "$libraries/qt5/plugins"
+  fi
+  echo 'exec "$@"'
+} >"$build/run"
 chmod +x "$build/run"
 
-export LD_LIBRARY_PATH="$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}" # for what the build runs
+[ -z "$libraries" ] || export LD_LIBRARY_PATH="$libraries" # for what the build runs
 dgg_build "$build" \
   -DCMAKE_BUILD_TYPE=Release \
   -DDGG_PARAVIEW_PLUGIN=ON \
