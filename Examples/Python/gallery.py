@@ -15,8 +15,8 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from demo_picture import DISTANCE_COLOURS, ERROR_COLOURS, INK, lookup_table, marker
-from mesh_file import MeshFileError, make_reader, read_all, triangles_of
+from vtkdgg.commands.files import MeshFileError, make_reader, read_all, triangles_of
+from vtkdgg.commands.pictures import DISTANCE_COLOURS, ERROR_COLOURS, INK, lookup_table, marker
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData

@@ -169,6 +169,17 @@ def run(script, *arguments, cwd=None):
     )
 
 
+def command(*arguments):
+    """Run the command as a user does."""
+    return subprocess.run(
+        [sys.executable, "-m", "vtkdgg", *map(str, arguments)],
+        cwd=OUTPUT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
 def example(name):
     """A module of the examples."""
     folder = os.path.join(EXAMPLES, "Python")
@@ -182,7 +193,7 @@ def example(name):
 
 
 def table(result):
-    """The table that the demo prints."""
+    """The table that a command prints."""
     return dict(line.split(None, 1) for line in result.stdout.splitlines() if " " in line)
 
 

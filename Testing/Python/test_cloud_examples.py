@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo and the examples on point clouds."""
+"""The command compare and the examples on point clouds."""
 
 import os
 import re
@@ -10,7 +10,7 @@ import unittest
 import numpy as np
 import support
 import vtkdgg
-from support import BUMPY, run, table
+from support import BUMPY, command, run, table
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
@@ -39,7 +39,7 @@ class DemoOnClouds(unittest.TestCase):
         """The table, the distances, the length of the path, and the picture."""
         folder = support.output_folder(os.path.join("demo_cloud", name))
         shutil.rmtree(folder)
-        result = run("demo.py", *arguments, "--out", folder)
+        result = command("compare", *arguments, "--out", folder)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertEqual(result.stderr, "")
         self.assertFalse(os.path.exists(os.path.join(folder, "error.png")))
@@ -186,7 +186,7 @@ class DemoOnClouds(unittest.TestCase):
             ((unseen, "--source", "1"), "--source 1: this point is not finite"),
         ):
             with self.subTest(arguments=arguments):
-                result = run("demo.py", *arguments)
+                result = command("compare", *arguments)
                 self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
                 self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
                 self.assertRegex(result.stderr, pattern)

@@ -253,13 +253,7 @@ class Gallery(unittest.TestCase):
         for folder, ending in (("Python", ".py"), ("Cxx", ".cxx")):
             for file in os.listdir(os.path.join(support.EXAMPLES, folder)):
                 name, extension = os.path.splitext(file)
-                is_part = name.startswith("demo_") or name in (
-                    "cloud_discs",
-                    "cloud_file",
-                    "example_arguments",
-                    "mesh_file",
-                    "surface_canvas",
-                )
+                is_part = name in ("example_arguments", "surface_canvas")
                 if extension == ending and not is_part:
                     self.assertIn(f"`{name}`", page)
 
