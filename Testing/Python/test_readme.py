@@ -157,6 +157,20 @@ class PythonPage(unittest.TestCase):
         self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
 
 
+    def test_from_the_shell(self):
+        folder = support.output_folder("readme")
+        lines = pages.blocks("Wrapping/Python/README.md", "sh")[0].splitlines()
+        self.assertEqual(len(lines), 6)
+        shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
+        for line in lines:
+            words = line.replace(" 1.5,2,0", " 300").replace(" 1000", " 600").split()
+            self.assertEqual(words[0], "vtkdgg")
+            is_file = re.compile(r"[a-z]+\.[a-z]+").fullmatch
+            words = [os.path.join(folder, word) if is_file(word) else word for word in words[1:]]
+            result = support.command(*words)
+            self.assertEqual(result.returncode, 0, result.stderr)
+
+
 class Gallery(unittest.TestCase):
     """The snippets run one after the other, as the page says."""
 
