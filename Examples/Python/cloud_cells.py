@@ -73,7 +73,8 @@ def main(cloud_path, number_of_cells, picture_path):
 def choose_colours(cloud, labels, count):
     """A colour for each cell, one that none of its neighbours has: of these the rarest so far."""
     offsets, targets = (
-        vtk_to_numpy(cloud.GetFieldData().GetArray("DGG." + name)) for name in ("Offsets", "Targets")
+        vtk_to_numpy(cloud.GetFieldData().GetArray("DGG." + name))
+        for name in ("Offsets", "Targets")
     )
     # Cells are neighbours where an edge of the graph leads from one to the other.
     edges = np.column_stack([np.repeat(labels, np.diff(offsets)), labels[targets]])

@@ -182,7 +182,9 @@ def graph_edges(mesh, source):
         graph.SetInputData(mesh)
         graph.SetAccuracy(accuracy)
         field = vtkdgg.check(graph).GetFieldData()
-        offsets, targets = (vtk_to_numpy(field.GetArray(f"DGG.{x}")) for x in ("Offsets", "Targets"))
+        offsets, targets = (
+            vtk_to_numpy(field.GetArray(f"DGG.{x}")) for x in ("Offsets", "Targets")
+        )
         path = vtkdgg.vtkDGGPath()
         path.SetInputConnection(graph.GetOutputPort())
         for target in targets[offsets[source] : offsets[source + 1]]:

@@ -58,7 +58,9 @@ def prism(sides, rows):
     angle = 2.0 * np.pi * np.arange(sides) / sides
     radius = 0.5 / np.sin(np.pi / sides)
     ring = np.column_stack([radius * np.cos(angle), radius * np.sin(angle)])
-    points = np.column_stack([np.tile(ring, (rows + 1, 1)), np.repeat(np.arange(rows + 1.0), sides)])
+    points = np.column_stack(
+        [np.tile(ring, (rows + 1, 1)), np.repeat(np.arange(rows + 1.0), sides)]
+    )
     corner = np.arange(sides * rows)
     right = corner // sides * sides + (corner + 1) % sides
     triangles = np.vstack(

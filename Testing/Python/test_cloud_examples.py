@@ -249,7 +249,9 @@ class Cells(unittest.TestCase):
         self.assertLessEqual(np.ptp(np.bincount(colours, minlength=len(module.COLOURS))), 1)
         # Points that no site reaches have no part in it.
         labels[labels == 5] = -1
-        np.testing.assert_array_equal(np.sort(module.choose_colours(cloud, labels, count)) >= 0, True)
+        np.testing.assert_array_equal(
+            np.sort(module.choose_colours(cloud, labels, count)) >= 0, True
+        )
 
     def test_points_without_a_place_and_parts_without_a_site(self):
         points = np.vstack([plane(20), plane(10) / 2.0 + [2.0, 0.0, 0.0], [[np.nan, 0.0, 0.0]]])

@@ -123,14 +123,18 @@ class Command(unittest.TestCase):
         self.assertGreater(self.answer("path", BUMPY, place, 5)["length"], 0.0)
 
     def test_lines(self):
-        found = self.answer("isolines", BUMPY, "--source", 5, "--values", "0.5,1", "--out", out("i.vtp"))
+        found = self.answer(
+            "isolines", BUMPY, "--source", 5, "--values", "0.5,1", "--out", out("i.vtp")
+        )
         self.assertEqual(found["values"], [0.5, 1.0])
         self.assertEqual(len(self.answer("isolines", BUMPY, "--source", 5)["values"]), 10)
         tube = out("tube.ply")
         files.write(tube, support.polydata(*support.prism(9, 6)))
         found = self.answer("loop", tube, "--out", out("loop.vtp"))
         np.testing.assert_allclose(found["lengths"], [9.0], atol=1e-5)
-        found = self.answer("loop", tube, "--through", 28, "--through", 31, "--through", 34, "--rope")
+        found = self.answer(
+            "loop", tube, "--through", 28, "--through", 31, "--through", 34, "--rope"
+        )
         np.testing.assert_allclose(found["lengths"], [9.0], atol=1e-5)
 
     def test_cells(self):

@@ -231,7 +231,17 @@ class Demo(unittest.TestCase):
     def test_help(self):
         result = command("compare", "--help")
         self.assertEqual(result.returncode, 0)
-        for word in ("--source", "--accuracy", "--tolerance", "--out", "--merge", "--cloud", ".off", ".pcd", ".xyz"):
+        for word in (
+            "--source",
+            "--accuracy",
+            "--tolerance",
+            "--out",
+            "--merge",
+            "--cloud",
+            ".off",
+            ".pcd",
+            ".xyz",
+        ):
             self.assertIn(word, result.stdout)
 
 

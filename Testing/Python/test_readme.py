@@ -156,7 +156,6 @@ class PythonPage(unittest.TestCase):
         self.assertLessEqual(names["p"].length, exact.length * 1.01)
         self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
 
-
     def test_from_the_shell(self):
         folder = support.output_folder("readme")
         lines = pages.blocks("Wrapping/Python/README.md", "sh")[0].splitlines()
@@ -181,7 +180,10 @@ class Gallery(unittest.TestCase):
         ("vtkDGGDistance()", r"(farthest from \d+: \d\.\d+ model units away\n?){3}"),
         ("vtkGeodesicDistanceMatrix()", r"from 10 to 40: (\S+)"),
         ("vtkExactGeodesicDistance()", r"farthest point: (\S+) model units away"),
-        ("vtkdgg.vtkHeatGeodesicDistance,", r"(\w+: farthest point \d\.\d+ model units away\n?){4}"),
+        (
+            "vtkdgg.vtkHeatGeodesicDistance,",
+            r"(\w+: farthest point \d\.\d+ model units away\n?){4}",
+        ),
         ("vtkGeodesicProbe()", r"farthest triangle: \d\.\d+ model units away"),
         ("vtkDGGPath()", r"from 0 to 20: (\S+) model units"),
         ("vtkDGGLoop()", r"1 loops, two for each handle"),

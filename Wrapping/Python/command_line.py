@@ -78,7 +78,8 @@ OPTIONS = {
     "tolerance": {
         "type": float,
         "metavar": "T",
-        "help": "how far X,Y,Z may be from the surface, as a fraction of the diagonal (default: 0.01)",
+        "help": "how far X,Y,Z may be from the surface, as a fraction of the diagonal (default: "
+        "0.01)",
     },
     "cloud": {"action": "store_true", "help": "look at points only, also of a mesh"},
     "json": {"action": "store_true", "help": "print the answer as JSON"},

@@ -27,7 +27,9 @@ def surface_of(options):
     """The mesh of the file, for commands that need one."""
     contents, is_cloud = read(options)
     if is_cloud:
-        raise files.MeshFileError(f"{options.file}: holds no surface, which {options.command} needs")
+        raise files.MeshFileError(
+            f"{options.file}: holds no surface, which {options.command} needs"
+        )
     return contents
 
 
