@@ -62,7 +62,11 @@ class Distance(unittest.TestCase):
 
     def test_types_of_arrays(self):
         expected = vtkdgg.distance(self.points, self.triangles, 5)
-        for points in (self.points.tolist(), self.points.astype(np.float32), self.points.T.copy().T):
+        for points in (
+            self.points.tolist(),
+            self.points.astype(np.float32),
+            self.points.T.copy().T,
+        ):
             for triangles in (self.triangles.tolist(), self.triangles.astype(np.uint32)):
                 distances = vtkdgg.distance(points, triangles, 5)
                 self.check_equal(distances, expected)

@@ -21,7 +21,9 @@ def import_with(version, *libraries):
     folder = support.output_folder("another_vtk")
     os.makedirs(os.path.join(folder, "vtkmodules"), exist_ok=True)
     major, minor = version.split(".")
-    with open(os.path.join(folder, "vtkmodules", "vtkCommonCore.py"), "w", encoding="utf-8") as file:
+    with open(
+        os.path.join(folder, "vtkmodules", "vtkCommonCore.py"), "w", encoding="utf-8"
+    ) as file:
         file.write(
             "class vtkVersion:\n"
             f"    GetVTKMajorVersion = staticmethod(lambda: {major})\n"

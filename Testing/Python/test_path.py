@@ -152,7 +152,12 @@ class Small(unittest.TestCase):
         points = self.POINTS + [[9, 0, 0], [9, 1, 0], [8, 0, 0], [1, 1, 0]]
         triangles = [[0, 1, 2], [3, 4, 5]]
         graph = vtkdgg.Graph(points, triangles)
-        for start, end in ((0, 3), (0, 6), ([1.0, 0.5, 0.0], [8.5, 0.2, 0.0]), (4, [1.0, 0.0, 0.0])):
+        for start, end in (
+            (0, 3),
+            (0, 6),
+            ([1.0, 0.5, 0.0], [8.5, 0.2, 0.0]),
+            (4, [1.0, 0.0, 0.0]),
+        ):
             with self.subTest(start=start, end=end):
                 for find in (lambda *ends: vtkdgg.path(points, triangles, *ends), graph.path):
                     with self.assertRaisesRegex(ValueError, "not connected by the surface"):

@@ -259,9 +259,7 @@ class Bar(unittest.TestCase):
             "vtkdgg.Graph(*t.terrain(60), accuracy=0.05)\n"
             "real.write(sys.stderr.getvalue())\n"
         )
-        result = subprocess.run(
-            [sys.executable, "-c", script], capture_output=True, check=True
-        )
+        result = subprocess.run([sys.executable, "-c", script], capture_output=True, check=True)
         return result.stderr.decode()
 
     def test_terminal(self):

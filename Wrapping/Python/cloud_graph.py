@@ -137,5 +137,5 @@ class CloudGraph(Queries):
 
     @property
     def components(self) -> NDArray[np.int32]:
-        """The connected part of each point, from the largest on; -1 for a point that is not finite."""
+        """The connected part of each point, from the largest on; -1 where it is not finite."""
         return np.array(vtk_to_numpy(self._surface.GetPointData().GetArray("Component")))

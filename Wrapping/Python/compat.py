@@ -7,8 +7,8 @@
     import vtkdgg.compat as gdist
 
 Answers of the heat method are as good as that method is, all others are exact, but for paths of
-EdgeFlipGeodesicSolver: they are geodesics and at most 1 % longer than the shortest. Wrong input is a
-ValueError or a VTKError, on whatever the original prints or does.
+EdgeFlipGeodesicSolver: they are geodesics and at most 1 % longer than the shortest. Wrong input is
+a ValueError or a VTKError, whatever the original prints or does.
 """
 
 from __future__ import annotations
@@ -76,8 +76,8 @@ def compute_distance_multisource(
 class EdgeFlipGeodesicSolver:
     """That of potpourri3d: geodesic paths and loops, prepared once.
 
-    There is no limit of iterations, and none is needed; a path through more than two vertices that is
-    pulled tight between the first and the last one is not there.
+    There is no limit of iterations, and none is needed; a path through more than two vertices that
+    is pulled tight between the first and the last one is not there.
     """
 
     def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
@@ -179,8 +179,8 @@ def compute_gdist(
     max_distance: float = np.inf,
     is_one_indexed: bool = False,
 ) -> NDArray[np.float64]:
-    """That of gdist: exact distances of the targets (of all vertices) from the nearest source (vertex
-    0), infinite beyond the largest distance."""
+    """That of gdist: exact distances of the targets (of all vertices) from the nearest source
+    (vertex 0), infinite beyond the largest distance."""
     solve = PyGeodesicAlgorithmExact(vertices, np.asarray(triangles) - int(is_one_indexed))
     return solve.geodesicDistances(source_indices, target_indices, max_distance)[0]
 

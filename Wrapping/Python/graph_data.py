@@ -34,7 +34,9 @@ class GraphData:
         ImportError
             When SciPy is not installed.
         """
-        csr_matrix = self._csr_matrix("Graph.csr", "; Graph.offsets, .targets and .lengths do without")
+        csr_matrix = self._csr_matrix(
+            "Graph.csr", "; Graph.offsets, .targets and .lengths do without"
+        )
         n = self.number_of_points
         return csr_matrix((self.lengths, self.targets, self.offsets), shape=(n, n), copy=True)
 

@@ -13,10 +13,10 @@ _NUMBERS = tuple(int(number) for number in signal.Signals)
 class Interruption:
     """Keeps what handlers of signals raise until the work is over.
 
-    Python runs these handlers in the main thread as soon as it executes any bytecode, and that is in
-    an observer here. What an observer raises is lost, and a KeyboardInterrupt ends the program there.
-    So handlers are called as ever, but `raised` has their exception, for the observer to stop the
-    work and for the caller to raise.
+    Python runs these handlers in the main thread as soon as it executes any bytecode, and that is
+    in an observer here. What an observer raises is lost, and a KeyboardInterrupt ends the program
+    there. So handlers are called as ever, but `raised` has their exception, for the observer to
+    stop the work and for the caller to raise.
     """
 
     def __init__(self):

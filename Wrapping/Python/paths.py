@@ -33,7 +33,8 @@ def path(
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
 ) -> Any:
-    """A shortest path on a mesh: ``path(points, triangles, start, end)`` or ``path(mesh, start, end)``.
+    """A shortest path on a mesh: ``path(points, triangles, start, end)`` or
+    ``path(mesh, start, end)``.
 
     Parameters
     ----------

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """``mesh.dgg`` of the meshes of PyVista, and its reader of PCD files.
 
-PyVista 0.48 and newer finds both by the entry points of the installed package; to import this module
-does it as well.
+PyVista 0.48 and newer finds both by the entry points of the installed package; to import this
+module does it as well.
 """
 
 from __future__ import annotations

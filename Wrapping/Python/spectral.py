@@ -180,8 +180,8 @@ def earth_movers(
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
 ) -> Any:
-    """The least cost of moving mass within a surface: ``earth_movers(points, triangles, start, end)``
-    or ``earth_movers(mesh, start, end)``.
+    """The least cost of moving mass within a surface:
+    ``earth_movers(points, triangles, start, end)`` or ``earth_movers(mesh, start, end)``.
 
     Parameters
     ----------
