@@ -55,7 +55,8 @@ private:
 /// The same unknown of several systems.
 using SparseLanes = Eigen::Array<double, 8, 1>;
 
-/// L D L^T of a positive definite matrix.
+/// L D L^T of a positive definite matrix. Eigen's factorization of it takes seconds on large
+/// meshes, and can neither report progress nor be stopped; only its ordering is used.
 class SparseFactor
 {
 public:
