@@ -37,4 +37,4 @@ dgg_install "${DGG_PACKAGES[@]}" glmark2-data
 
 build="$DGG_ROOT/build/demo"
 dgg_build "$build" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF
-dgg_with_display "$build/bin/vtkdgg-python" "$DGG_ROOT/Examples/Python/demo.py" "$@"
+dgg_with_display "$build/bin/vtkdgg" compare "$@"

@@ -8,14 +8,14 @@ Usage: cloud_cells.py CLOUD NUMBER_OF_CELLS PICTURE.png
 import sys
 from argparse import ArgumentTypeError
 
-import cloud_file
 import numpy as np
 import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from cloud_discs import disc_radii, discs, spacings_of
 from example_arguments import integer
-from mesh_file import MeshFileError
+from vtkdgg.commands import files
+from vtkdgg.commands.discs import disc_radii, discs, spacings_of
+from vtkdgg.commands.files import MeshFileError
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -46,7 +46,7 @@ UNREACHED = (0.75, 0.75, 0.75)
 def main(cloud_path, number_of_cells, picture_path):
     """Run the pipeline."""
     # The graph of the points: built once, for both filters.
-    graph = cloud_file.make_graph(cloud_file.read(cloud_path))
+    graph = files.make_graph(files.read(cloud_path))
 
     # Points that are far from each other, ...
     sampler = vtkdgg.vtkGeodesicSampler()
@@ -73,7 +73,8 @@ def main(cloud_path, number_of_cells, picture_path):
 def choose_colours(cloud, labels, count):
     """A colour for each cell, one that none of its neighbours has: of these the rarest so far."""
     offsets, targets = (
-        vtk_to_numpy(cloud.GetFieldData().GetArray("DGG." + name)) for name in ("Offsets", "Targets")
+        vtk_to_numpy(cloud.GetFieldData().GetArray("DGG." + name))
+        for name in ("Offsets", "Targets")
     )
     # Cells are neighbours where an edge of the graph leads from one to the other.
     edges = np.column_stack([np.repeat(labels, np.diff(offsets)), labels[targets]])
@@ -118,7 +119,7 @@ def render(graph, voronoi, colours, picture_path):
     cloud = voronoi.GetOutput()
     points = vtk_to_numpy(cloud.GetPoints().GetData())
     finite = np.isfinite(points).all(axis=1)
-    drawn = cloud_file.cloud_of(points[finite])
+    drawn = files.cloud_of(points[finite])
     radii = disc_radii(spacings_of(graph)[finite])
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)

@@ -13,9 +13,9 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from cloud_discs import disc_radii, discs, spacings_of
-from cloud_file import cloud_of
-from demo_picture import DISTANCE_COLOURS, INK, marker
+from vtkdgg.commands.discs import disc_radii, discs, spacings_of
+from vtkdgg.commands.files import cloud_of
+from vtkdgg.commands.pictures import DISTANCE_COLOURS, INK, marker
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkIOImage import vtkPNGWriter

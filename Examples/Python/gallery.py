@@ -15,8 +15,8 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from demo_picture import DISTANCE_COLOURS, ERROR_COLOURS, INK, lookup_table, marker
-from mesh_file import MeshFileError, make_reader, read_all, triangles_of
+from vtkdgg.commands.files import MeshFileError, make_reader, read_all, triangles_of
+from vtkdgg.commands.pictures import DISTANCE_COLOURS, ERROR_COLOURS, INK, lookup_table, marker
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -182,7 +182,9 @@ def graph_edges(mesh, source):
         graph.SetInputData(mesh)
         graph.SetAccuracy(accuracy)
         field = vtkdgg.check(graph).GetFieldData()
-        offsets, targets = (vtk_to_numpy(field.GetArray(f"DGG.{x}")) for x in ("Offsets", "Targets"))
+        offsets, targets = (
+            vtk_to_numpy(field.GetArray(f"DGG.{x}")) for x in ("Offsets", "Targets")
+        )
         path = vtkdgg.vtkDGGPath()
         path.SetInputConnection(graph.GetOutputPort())
         for target in targets[offsets[source] : offsets[source + 1]]:

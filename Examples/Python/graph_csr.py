@@ -11,9 +11,9 @@ from argparse import ArgumentTypeError
 import numpy as np
 import vtkdgg
 from example_arguments import integer
-from mesh_file import MeshFileError, make_reader
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
+from vtkdgg.commands.files import MeshFileError, make_reader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 

@@ -4,7 +4,7 @@
 
 import numpy as np
 import vtkdgg
-from mesh_file import MeshFileError
+from vtkdgg.commands.files import MeshFileError
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import mutable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStaticCellLocator, vtkStaticPointLocator

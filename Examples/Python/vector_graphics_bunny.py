@@ -14,7 +14,6 @@ import sys
 import numpy as np
 import vtkdgg
 from example_arguments import integer
-from mesh_file import MeshFileError, read_all, triangles_of
 from surface_canvas import Canvas, Field, Polar, ellipse, ids_of, lines_of, smooth, tangents
 from vector_graphics import (
     DIFFUSION,
@@ -29,6 +28,7 @@ from vector_graphics import (
     make_shaded,
     write_picture,
 )
+from vtkdgg.commands.files import MeshFileError, read_all, triangles_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkWindowedSincPolyDataFilter

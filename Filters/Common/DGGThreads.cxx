@@ -16,7 +16,7 @@
 
 namespace
 {
-/// How often a thread that waits for others reports their progress.
+/// How often the calling thread reports progress, between its ranges and when it waits for others.
 constexpr std::chrono::milliseconds PollInterval(10);
 
 /// Ranges of a loop, which threads take one after the other until none is left or one throws. The
@@ -33,8 +33,8 @@ public:
   {
   }
 
-  void RunFirst() noexcept { this->Run(0); }
-  void RunOthers() noexcept { this->Run(this->Next.fetch_add(this->Grain)); }
+  void RunFirst(const dgg::ProgressCallback& progress) noexcept { this->Run(0, progress); }
+  void RunOthers() noexcept { this->Run(this->Next.fetch_add(this->Grain), nullptr); }
   void Rethrow() const
   {
     if (this->Thrown)
@@ -45,13 +45,19 @@ public:
   dgg::Offset GetNumberOfRanges() const { return (this->Size + this->Grain - 1) / this->Grain; }
 
 private:
-  void Run(dgg::Offset begin) noexcept
+  void Run(dgg::Offset begin, const dgg::ProgressCallback& progress) noexcept
   {
     try
     {
+      auto due = std::chrono::steady_clock::now() + PollInterval;
       for (; begin < this->Size; begin = this->Next.fetch_add(this->Grain))
       {
         this->Body(begin, std::min(this->Size, begin + this->Grain));
+        if (progress && std::chrono::steady_clock::now() > due)
+        {
+          progress(0.0);
+          due = std::chrono::steady_clock::now() + PollInterval;
+        }
       }
     }
     catch (...)
@@ -103,7 +109,7 @@ dgg::ParallelFor DGGMakeParallelFor(const dgg::ProgressCallback& progress)
         // The system gives no more threads: this one does it all.
       }
     }
-    queue.RunFirst();
+    queue.RunFirst(progress);
     while (done.valid() && done.wait_for(PollInterval) != std::future_status::ready)
     {
       if (progress)

@@ -11,11 +11,11 @@
 #include <cstddef>    // for std::size_t
 #include <functional> // for the steps
 
-/// Runs loops by vtkSMPTools. The calling thread takes part in them; once nothing is left for it to
-/// do, it calls `progress` with 0 now and then until the other threads are done, so that what they
-/// have reported reaches the observers of a filter and their wish to abort reaches the loop. What a
-/// loop throws in any thread is thrown to the caller, after the loop: an exception that leaves a
-/// thread would end the program.
+/// Runs loops by vtkSMPTools. The calling thread takes part in them; between its ranges, and once
+/// nothing is left for it to do, it calls `progress` with 0 now and then until the other threads
+/// are done, so that what they have reported reaches the observers of a filter and their wish to
+/// abort reaches the loop. What a loop throws in any thread is thrown to the caller, after the
+/// loop: an exception that leaves a thread would end the program.
 VTKDGGFILTERSCOMMON_EXPORT dgg::ParallelFor DGGMakeParallelFor(
   const dgg::ProgressCallback& progress = dgg::ProgressCallback());
 

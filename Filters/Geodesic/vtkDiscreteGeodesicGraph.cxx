@@ -108,7 +108,8 @@ vtkTypeUInt64 vtkDiscreteGeodesicGraph::EstimateMemory()
 dgg::Status vtkDiscreteGeodesicGraph::Estimate()
 {
   DGG_RETURN_IF_ERROR(this->CheckProperties());
-  vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
+  vtkSmartPointer<vtkPolyData> surface;
+  DGG_RETURN_IF_ERROR(this->GetWholeInput(surface));
   if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)
   {
     vtkWarningMacro("The input is empty: it has neither points nor cells. So is its graph.");

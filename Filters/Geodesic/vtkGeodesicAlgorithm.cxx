@@ -5,21 +5,27 @@
 #include "DGGCompatibility.h"
 #include "DGGContext.h"
 #include "DGGMeshAdapter.h"
+#include "DGGPartedUpdate.h"
 #include "DGGProperties.h"
 #include "DGGThreads.h"
 
 #include "dggInvalidInput.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -61,36 +67,40 @@ void WriteReport(std::ostream& os, const DGGPreparedMesh& mesh)
      << "\n";
 }
 
-int CountPieces(vtkInformation* outInfo)
-{
-  return outInfo->Has(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())
-    ? outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())
-    : 1;
-}
-
-/// The input was brought here for the output port that the request names. What was once asked of
-/// other ports does not matter.
-dgg::Status CheckPieces(vtkInformation* request, vtkInformationVector* outputVector)
+/// What is asked of the output port that the request names, as the input was brought here for it.
+/// What was once asked of other ports does not matter.
+int GetAsked(vtkInformation* request, vtkInformationVector* outputVector,
+  vtkInformationIntegerKey* key, int otherwise)
 {
   const int ports = outputVector->GetNumberOfInformationObjects();
   const int asked = request && request->Has(vtkExecutive::FROM_OUTPUT_PORT())
     ? request->Get(vtkExecutive::FROM_OUTPUT_PORT())
     : -1;
-  int pieces = 1;
+  int value = otherwise;
   for (int port = 0; port < ports; ++port)
   {
-    if (port == asked || asked < 0 || asked >= ports)
+    vtkInformation* outInfo = outputVector->GetInformationObject(port);
+    if ((port == asked || asked < 0 || asked >= ports) && outInfo->Has(key))
     {
-      pieces = std::max(pieces, CountPieces(outputVector->GetInformationObject(port)));
+      value = std::max(value, outInfo->Get(key));
     }
   }
-  if (pieces > 1)
+  return value;
+}
+
+/// Whether the other pieces can be had: each process has one of them.
+dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* controller)
+{
+  if (pieces <= 1 ||
+    (controller && pieces == controller->GetNumberOfProcesses() &&
+      piece == controller->GetLocalProcessId()))
   {
-    return dgg::InvalidInput("one of ", pieces,
-      " pieces was asked for, but distances need the whole surface: gather it on one process and "
-      "update this filter there, with one piece");
+    return dgg::Status::Success();
   }
-  return dgg::Status::Success();
+  return dgg::InvalidInput("one of ", pieces,
+    " pieces was asked for, but distances need the whole surface: call SetController() with a "
+    "controller of as many processes, each of which updates its piece, or gather the surface on "
+    "one process and update this filter there, with one piece");
 }
 
 /// An empty output does not count as up to date: the next update tries again.
@@ -111,15 +121,25 @@ vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
   , MergeCoincidentPoints(false)
   , MergeTolerance(0.0)
   , OutputPointsPrecision(DOUBLE_PRECISION)
+  , Controller(nullptr)
+  , GatherLimit(100000000)
   , Reached(0.0)
   , IsStopped(false)
   , GapsBuildTime(0)
   , Adapter(new DGGMeshAdapter)
+  , Parts(new DGGPartedUpdate)
 {
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 //------------------------------------------------------------------------------
-vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm() = default;
+vtkGeodesicAlgorithm::~vtkGeodesicAlgorithm()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkCxxSetObjectMacro(vtkGeodesicAlgorithm, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
@@ -128,6 +148,8 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "GatherLimit: " << this->GatherLimit << "\n";
   os << indent << "MeshBuildTime: " << this->GetMeshBuildTime() << "\n";
   os << indent << "MeshReport:\n";
   std::istringstream report(this->GetMeshReport());
@@ -187,8 +209,43 @@ int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* inf
 {
   // Port 0 is needed, but looked for by us: when the pipeline does it, an earlier output stays.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return port >= 0 && port < this->GetNumberOfInputPorts() ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkGeodesicAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    port == 0 && this->PassesSurface() ? "vtkDataObject" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) && this->PassesSurface())
+  {
+    this->MakeSurfaceOutput(
+      vtkDataObject::GetData(inputVector[0]), outputVector->GetInformationObject(0));
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+/// Of the type of the input where that has parts.
+void vtkGeodesicAlgorithm::MakeSurfaceOutput(vtkDataObject* input, vtkInformation* outInfo) const
+{
+  const char* type =
+    vtkCompositeDataSet::SafeDownCast(input) ? input->GetClassName() : "vtkPolyData";
+  vtkDataObject* output = vtkDataObject::GetData(outInfo);
+  if (!output || std::strcmp(output->GetClassName(), type) != 0)
+  {
+    outInfo->Set(vtkDataObject::DATA_OBJECT(),
+      vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type)));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -210,34 +267,40 @@ bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
   this->Reached = 0.0;
   this->IsStopped = false;
   this->Caller = std::this_thread::get_id();
-  // Nothing may be thrown across VTK: an exception that reaches Python ends the interpreter.
-  dgg::Status status;
   unsigned long errorCode = vtkErrorCode::UserError;
-  try
-  {
-    status = step();
-  }
-  catch (const std::bad_alloc&)
-  {
-    status = dgg::Status::Invalid("memory is exhausted: " + this->GetMemoryRemedy());
-    errorCode = vtkErrorCode::UnknownError;
-  }
-  catch (const std::exception& exception)
-  {
-    status = dgg::Status::Invalid(std::string("unexpected failure: ") + exception.what());
-    errorCode = vtkErrorCode::UnknownError;
-  }
-  catch (...)
-  {
-    status = dgg::Status::Invalid("unexpected failure");
-    errorCode = vtkErrorCode::UnknownError;
-  }
+  const dgg::Status status = this->Try(step, errorCode);
   if (!status.IsOk() && !status.IsAborted())
   {
     this->SetErrorCode(errorCode);
     vtkErrorMacro(<< status.GetMessage());
   }
   return status.IsOk();
+}
+
+//------------------------------------------------------------------------------
+/// Nothing may be thrown across VTK: an exception that reaches Python ends the interpreter.
+dgg::Status vtkGeodesicAlgorithm::Try(
+  const std::function<dgg::Status()>& step, unsigned long& errorCode) const
+{
+  try
+  {
+    return step();
+  }
+  catch (const std::bad_alloc&)
+  {
+    errorCode = vtkErrorCode::UnknownError;
+    return dgg::Status::Invalid("memory is exhausted: " + this->GetMemoryRemedy());
+  }
+  catch (const std::exception& exception)
+  {
+    errorCode = vtkErrorCode::UnknownError;
+    return dgg::Status::Invalid(std::string("unexpected failure: ") + exception.what());
+  }
+  catch (...)
+  {
+    errorCode = vtkErrorCode::UnknownError;
+    return dgg::Status::Invalid("unexpected failure");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -262,7 +325,36 @@ bool vtkGeodesicAlgorithm::AttemptOutsideOfUpdate(const std::function<dgg::Statu
 dgg::Status vtkGeodesicAlgorithm::Follow(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  DGG_RETURN_IF_ERROR(CheckPieces(request, outputVector));
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int pieces = GetAsked(request, outputVector, Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  const int piece = GetAsked(request, outputVector, Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  DGG_RETURN_IF_ERROR(CheckPieces(piece, pieces, this->Controller));
+  const int ports = this->GetNumberOfInputPorts();
+  if (pieces == 1 && DGGPartedUpdate::IsPlain(inputVector, ports))
+  {
+    *this->Parts = DGGPartedUpdate();
+    return this->Compute(inputVector, outputVector);
+  }
+  const auto compute = [this](vtkInformationVector** inputs, vtkInformationVector* outputs) {
+    unsigned long errorCode = vtkErrorCode::NoError;
+    return this->Try([&] { return this->Compute(inputs, outputs); }, errorCode);
+  };
+  const dgg::Status status = this->Parts->Run(DGGProcesses(pieces > 1 ? this->Controller : nullptr),
+    pieces > 1 ? this->GatherLimit : VTK_ID_MAX, inputVector, ports, outputVector,
+    this->PassesSurface(), compute);
+  if (status.IsOk() && this->Parts->GetNumberOfOthers() > 0)
+  {
+    vtkWarningMacro(<< this->Parts->GetNumberOfOthers()
+                    << " blocks of the input are no vtkPolyData: they take no part. Extract their "
+                       "surfaces first.");
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicAlgorithm::Compute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
   {
@@ -300,6 +392,20 @@ dgg::Status vtkGeodesicAlgorithm::CheckInputs(
   vtkPolyData* vtkNotUsed(surface), vtkInformationVector** vtkNotUsed(inputVector)) const
 {
   return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::PassesSurface() const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicAlgorithm::GetWholeInput(vtkSmartPointer<vtkPolyData>& surface)
+{
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  surface = vtkPolyData::SafeDownCast(input);
+  return input && !surface ? DGGPartedUpdate::Join(input, surface) : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

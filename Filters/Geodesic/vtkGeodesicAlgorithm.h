@@ -37,6 +37,20 @@
  * neighbours; they are connected to it and to those that it is connected to. All other filters need
  * a surface.
  *
+ * <b>Several processes, blocks, partitions</b>. Input in parts is joined to one surface, on which
+ * the first process computes for all; all must update together.
+ *  - Pieces of processes and partitions of a vtkPartitionedDataSet, but for ghost cells, are joined
+ *    where points have the same global id; without these, where points on the rims of different
+ *    parts are in the same place. What several processes have counts once.
+ *  - Blocks, leaves of a vtkMultiBlockDataSet or members of a vtkPartitionedDataSetCollection, are
+ *    not connected, but by MergeCoincidentPoints. Each source belongs to the nearest.
+ *  - Ids of points and cells are those of the joined surface: block by block, in each by global ids
+ *    or else part by part.
+ *  - An output that is the input with arrays added has the parts and the type of the input; for
+ *    blocks, GetOutput() is null, and GetOutputDataObject(0) has them. Field data of the whole,
+ * such as a graph, are those of the data object itself on the first process. New geometry is one
+ *    vtkPolyData there; so is what getters tell. What is joined is kept until a part changes.
+ *
  * <b>Guarantee and cost</b>. Results do not depend on the number of threads. The mesh is prepared
  * once, kept until points, polygons or strips change, and shared by the filters of a chain. Changes
  * in place need Modified(): of the array or the vtkPoints of coordinates, of the vtkCellArray (not
@@ -49,7 +63,8 @@
  *    or one that is not finite;
  *  - an extent outside [1e-70, 1e70]; more than 2^31 - 1 points or 3 * triangles; so many defects,
  *    or triangles so long, that the work would grow out of proportion;
- *  - one piece of several in a parallel pipeline: gather the surface first.
+ *  - one piece of several without a Controller that has as many processes; pieces with more points
+ *    than GatherLimit.
  *
  * An input without points and cells is a warning, with an empty output. AbortExecute, set by an
  * observer of ProgressEvent, empties the output with error code zero; the next update starts anew.
@@ -65,6 +80,7 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkDGGPropertyMacros.h"        // For names
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For the whole input
 
 #include <atomic>     // For the progress
 #include <functional> // For Attempt()
@@ -78,8 +94,10 @@ namespace dgg
 class Status;
 }
 class DGGMeshAdapter;
+class DGGPartedUpdate;
 struct DGGContext;
 struct DGGDomain;
+class vtkMultiProcessController;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -117,6 +135,24 @@ public:
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * The processes that have pieces of the surface. Default: the global controller at the time when
+   * the filter is made.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+  ///@{
+  /**
+   * Most points of all inputs that the first process gathers from all; more are an error. Default
+   * 100 million; each takes some 200 bytes, and its arrays twice.
+   */
+  vtkSetMacro(GatherLimit, vtkIdType);
+  vtkGetMacro(GatherLimit, vtkIdType);
   ///@}
 
   /**
@@ -182,11 +218,15 @@ public:
    */
   vtkMTimeType GetMeshBuildTime() const;
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   vtkGeodesicAlgorithm();
   ~vtkGeodesicAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -205,6 +245,12 @@ protected:
     vtkInformationVector* outputVector) = 0;
   virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) = 0;
   ///@}
+
+  /**
+   * Whether output 0 is the surface with arrays added, and so has the parts of the input. Default
+   * false: it is new geometry, as other outputs are.
+   */
+  virtual bool PassesSurface() const;
 
   /**
    * Whether this filter treats the input as a cloud, of which only the points count. Default false;
@@ -226,6 +272,11 @@ protected:
    * Bring the mesh up to date; null is an error. For use outside of updates; Execute() need not.
    */
   dgg::Status PrepareMesh(vtkPolyData* surface);
+
+  /**
+   * The input of port 0, its parts joined, for use outside of updates; null when there is none.
+   */
+  dgg::Status GetWholeInput(vtkSmartPointer<vtkPolyData>& surface);
 
   /**
    * What a surface is treated as.
@@ -266,17 +317,23 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
+  dgg::Status Try(const std::function<dgg::Status()>& step, unsigned long& errorCode) const;
   dgg::Status Follow(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
+  dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  void MakeSurfaceOutput(vtkDataObject* input, vtkInformation* outInfo) const;
 
   bool MergeCoincidentPoints;
   double MergeTolerance;
   int OutputPointsPrecision;
+  vtkMultiProcessController* Controller;
+  vtkIdType GatherLimit;
   std::atomic<double> Reached; // progress of the update so far
   std::atomic<bool> IsStopped; // whether observers have asked for that
   std::thread::id Caller;      // of the update
   vtkMTimeType GapsBuildTime;  // of the mesh whose gaps have been looked for
   std::unique_ptr<DGGMeshAdapter> Adapter;
+  std::unique_ptr<DGGPartedUpdate> Parts;
 };
 
 #endif

@@ -108,6 +108,7 @@ struct vtkGeodesicDistanceMatrix::vtkInternals
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
   : ProjectionTolerance(0.01)
+  , MaximumDistance(VTK_DOUBLE_MAX)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , GenerateTable(true)
   , GraphUser(new DGGGraphUser)
@@ -126,6 +127,7 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRowIds: " << this->RowIds.size() << "\n";
   os << indent << "NumberOfColumnIds: " << this->ColumnIds.size() << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "GenerateTable: " << (this->GenerateTable ? "On" : "Off") << "\n";
   os << indent << "Matrix: " << this->Internals->Matrix->GetNumberOfTuples() << " x "
@@ -171,7 +173,8 @@ int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), v
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceMatrix::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } }));
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance },
+    { "MaximumDistance", this->MaximumDistance } }));
   return this->GraphUser->Check();
 }
 
@@ -281,8 +284,11 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   const DGGMatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
   DGG_RETURN_IF_ERROR(DGGMatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
     sourcesAreRows ? columns : rows, entries)
-                        .Run(symmetric));
-  std::replace(entries.Values, entries.Values + rows.size() * columns.size(), dgg::Infinity,
+                        .Run(symmetric, this->MaximumDistance));
+  std::replace_if(
+    entries.Values, entries.Values + rows.size() * columns.size(),
+    [this](
+      double distance) { return distance == dgg::Infinity || distance > this->MaximumDistance; },
     this->UnreachedValue);
   vtkTable* output = vtkTable::GetData(outputVector);
   output->Initialize();

@@ -9,9 +9,9 @@
  * and port 2; without any they are the rows, and the matrix is symmetric. The graph is that on the
  * input, or built here, see vtkGeodesicAlgorithm. GetMatrix() has a tuple for each row and a
  * component for each column: the distance (double, in units of the coordinates), UnreachedValue
- * between components. The output is the same as a vtkTable with columns "0", "1" and so on
- * (GenerateTable). An id of a point that no polygon uses is a warning; it is connected to itself
- * only.
+ * between components and beyond MaximumDistance. The output is the same as a vtkTable with columns
+ * "0", "1" and so on (GenerateTable). An id of a point that no polygon uses is a warning; it is
+ * connected to itself only.
  *
  * <b>Guarantee and cost</b>. exact distance <= result <= (1 + accuracy) * exact distance, up to
  * rounding (1e-6), if the rule of the graph has a guarantee. Between points of the mesh distances
@@ -20,7 +20,7 @@
  *
  * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no rows; an id out of range; a point that is not finite, or farther from the surface than
- *    ProjectionTolerance; a negative ProjectionTolerance;
+ *    ProjectionTolerance; a ProjectionTolerance or MaximumDistance that is negative or NaN;
  *  - an Accuracy outside [1e-6, 0.5]; a graph or matrix that takes more than MemoryLimit.
  *
  * @code
@@ -89,7 +89,15 @@ public:
 
   ///@{
   /**
-   * Distance of pairs that are not connected. Default NaN.
+   * How far to search, in units of the coordinates; not negative. Default: no limit.
+   */
+  vtkSetMacro(MaximumDistance, double);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of pairs that are not connected, or farther apart. Default NaN.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
@@ -161,6 +169,7 @@ private:
   std::vector<vtkIdType> RowIds;
   std::vector<vtkIdType> ColumnIds;
   double ProjectionTolerance;
+  double MaximumDistance;
   double UnreachedValue;
   bool GenerateTable;
   std::unique_ptr<DGGGraphUser> GraphUser;

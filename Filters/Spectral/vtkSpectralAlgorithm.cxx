@@ -114,13 +114,6 @@ vtkTypeUInt64 vtkSpectralAlgorithm::GetMemorySize() const
 }
 
 //------------------------------------------------------------------------------
-int vtkSpectralAlgorithm::FillOutputPortInformation(int vtkNotUsed(port), vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkSpectralAlgorithm::CheckProperties() const
 {
   if (this->ResultArrayName.empty())

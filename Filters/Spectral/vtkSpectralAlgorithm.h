@@ -172,11 +172,11 @@ protected:
   explicit vtkSpectralAlgorithm(const std::string& resultArrayName);
   ~vtkSpectralAlgorithm() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
   dgg::Status CheckProperties() const override;
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 

@@ -216,6 +216,7 @@ protected:
   dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
 

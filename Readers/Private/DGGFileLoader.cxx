@@ -73,10 +73,7 @@ unsigned long vtkDGG::ReadFile(vtkAlgorithm* reader, const char* fileName,
   if (!RunOnFile(reader, "read", fileName, work, code))
   {
     output->Initialize();
-    if (code == vtkErrorCode::NoError)
-    {
-      outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    }
+    outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
   }
   return code;
 }

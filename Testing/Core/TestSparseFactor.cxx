@@ -9,6 +9,9 @@
 #include "dggSparseFactor.h"
 #include "dggSplineCells.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+
 #include <cmath>
 #include <vector>
 
@@ -43,7 +46,7 @@ TEST(SparseFactor, SingularMatricesAreRaised)
   const dgg::EliminationOrder order(pairs);
   EXPECT_EQ(order.GetNumberOfFactorEntries(), Size / 2);
   dgg::SparseFactor factor;
-  ASSERT_TRUE(factor.Compute(order, pairs));
+  ASSERT_TRUE(factor.Compute(order, pairs).IsOk());
   EXPECT_TRUE(factor.IsRaised());
   // In at one of a pair, out at the other.
   std::vector<double> values(Size);
@@ -76,13 +79,87 @@ TEST(SparseFactor, KnownValuesStayAndAreOfNoConcernToOthers)
     values[last] = 7.0;
   }
   dgg::SparseFactor factor;
-  ASSERT_TRUE(factor.Compute(order, pairs, isKnown));
+  ASSERT_TRUE(factor.Compute(order, pairs, isKnown).IsOk());
   EXPECT_FALSE(factor.IsRaised());
   factor.Solve(values);
   for (int i = 0; i < Size; ++i)
   {
     EXPECT_EQ(values[i], isKnown[i] ? 7.0 : 3.0) << i;
   }
+}
+
+/// Laplacian of a square grid, and a multiple of the identity.
+Matrix Grid(int size, double shift)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int v = 0; v < size * size; ++v)
+  {
+    entries.emplace_back(v, v, shift);
+    for (const int w : { v % size + 1 < size ? v + 1 : v, v + size < size * size ? v + size : v })
+    {
+      if (w != v)
+      {
+        entries.insert(
+          entries.end(), { { v, v, 1.0 }, { w, w, 1.0 }, { v, w, -1.0 }, { w, v, -1.0 } });
+      }
+    }
+  }
+  Matrix laplacian(size * size, size * size);
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  return laplacian;
+}
+
+TEST(SparseFactor, AgreesWithEigen)
+{
+  constexpr int Size = 40;
+  const Matrix grid = Grid(Size, 0.01);
+  Eigen::VectorXd expected = Eigen::VectorXd::LinSpaced(Size * Size, -1.0, 2.0);
+  std::vector<double> values(expected.data(), expected.data() + expected.size());
+  const Eigen::SimplicialLDLT<Matrix> peer(grid);
+  expected = peer.solve(expected);
+  dgg::SparseFactor factor;
+  ASSERT_TRUE(factor.Compute(dgg::EliminationOrder(grid), grid).IsOk());
+  EXPECT_FALSE(factor.IsRaised());
+  EXPECT_EQ(factor.CountNegative(), 0);
+  factor.Solve(values);
+  for (int v = 0; v < Size * Size; ++v)
+  {
+    EXPECT_NEAR(values[v], expected[v], 1e-11 * expected.lpNorm<Eigen::Infinity>()) << v;
+  }
+}
+
+TEST(SparseFactor, CountsEigenvaluesBelowZero)
+{
+  constexpr int Size = 12;
+  const Matrix grid = Grid(Size, 0.0);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{ Eigen::MatrixXd(grid) };
+  for (const int k : { 1, 3, 4, 6 }) // others are in pairs
+  {
+    const double sigma = 0.3 * solver.eigenvalues()[k - 1] + 0.7 * solver.eigenvalues()[k];
+    const auto below = (solver.eigenvalues().array() < sigma).count();
+    const Matrix shifted = Grid(Size, -sigma);
+    dgg::SparseFactor factor;
+    ASSERT_TRUE(factor.Compute(dgg::EliminationOrder(shifted), shifted).IsOk());
+    EXPECT_EQ(factor.CountNegative(), below) << k;
+  }
+}
+
+TEST(SparseFactor, StopsInBetween)
+{
+  const Matrix grid = Grid(200, 1.0); // takes several reports
+  const dgg::EliminationOrder order(grid);
+  int reports = 0;
+  double last = 0.0;
+  dgg::SparseFactor factor;
+  const auto watch = [&](double done) {
+    EXPECT_GE(done, last);
+    last = done;
+    return ++reports < 3;
+  };
+  EXPECT_TRUE(factor.Compute(order, grid, {}, watch).IsAborted());
+  EXPECT_EQ(reports, 3);
+  EXPECT_FALSE(factor.IsComputed());
+  EXPECT_TRUE(factor.Compute(order, grid).IsOk());
 }
 
 TEST(SparseFactor, MeshesWithNeedles)

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 using namespace dggtest;
@@ -91,6 +92,7 @@ TEST_F(GeodesicDistanceMatrix, Defaults)
   EXPECT_EQ(filter->GetNumberOfColumnIds(), 0);
   EXPECT_EQ(filter->GetAccuracy(), 0.01);
   EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
+  EXPECT_EQ(filter->GetMaximumDistance(), VTK_DOUBLE_MAX);
   EXPECT_EQ(filter->GetMemoryLimit(), 0u);
   EXPECT_TRUE(std::isnan(filter->GetUnreachedValue()));
   EXPECT_FALSE(filter->GetUsedInputGraph());
@@ -137,6 +139,48 @@ TEST_F(GeodesicDistanceMatrix, IsThatOfTheGraph)
     {
       EXPECT_NEAR(other[i][j], matrix[i][j], 1e-9);
     }
+  }
+}
+
+TEST_F(GeodesicDistanceMatrix, EndsAtTheMaximumDistance)
+{
+  std::vector<vtkIdType> ids(60);
+  std::iota(ids.begin(), ids.end(), 100);
+  double a[3];
+  double b[3];
+  this->Terrain->GetPoint(40, a);
+  this->Terrain->GetPoint(41, b);
+  const Points middle{ { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) } };
+  for (const bool isSymmetric : { true, false })
+  {
+    // Enough rows for searches from several sources at once, and places that are no vertices.
+    this->Filter->SetRowIds(ids);
+    this->Filter->SetRowData(MakeSourcePoints(middle));
+    this->Filter->SetColumnIds(isSymmetric ? std::vector<vtkIdType>() : ids);
+    this->Filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+    ExpectSuccess(this->Filter);
+    const Rows all = GetRows(this->Filter);
+    for (const double radius : { 0.0, all[0][7], 0.4 * all[0][59] })
+    {
+      this->Filter->SetMaximumDistance(radius);
+      ExpectSuccess(this->Filter);
+      const Rows near = GetRows(this->Filter);
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        for (std::size_t j = 0; j < all[i].size(); ++j)
+        {
+          // Sums may be rounded in another order.
+          const bool isAtRim = std::abs(all[i][j] - radius) < 1e-9;
+          EXPECT_TRUE(isAtRim || std::isnan(near[i][j]) == (all[i][j] > radius)) << i << " " << j;
+          EXPECT_TRUE(std::isnan(near[i][j]) || std::abs(near[i][j] - all[i][j]) < 1e-9);
+        }
+      }
+    }
+  }
+  for (const double wrong : { -1.0, std::nan("") })
+  {
+    this->Filter->SetMaximumDistance(wrong);
+    ExpectError(this->Filter, { "MaximumDistance" });
   }
 }
 
@@ -474,8 +518,8 @@ TEST_F(GeodesicDistanceMatrix, PrintSelf)
   this->Filter->Print(os);
   for (const char* text :
     { "NumberOfRowIds: 2\n", "NumberOfColumnIds: 0\n", "Accuracy: 0.05\n", "MemoryLimit: 0\n",
-      "UnreachedValue: nan\n", "GraphAccuracy: 0.05\n", "GenerateTable: On\n", "Matrix: 2 x 2\n",
-      "AcceptCoarserGraph: Off\n", "GraphIsGuaranteed: yes\n", "MemorySize: " })
+      "MaximumDistance: ", "UnreachedValue: nan\n", "GraphAccuracy: 0.05\n", "GenerateTable: On\n",
+      "Matrix: 2 x 2\n", "AcceptCoarserGraph: Off\n", "GraphIsGuaranteed: yes\n", "MemorySize: " })
   {
     EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
   }

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The installed package works: installed_package.py PREFIX VERSION WITH_PCL."""
 
+import importlib.metadata
 import os
+import subprocess
 import sys
 
 import vtkdgg
@@ -51,3 +53,14 @@ if WITH_PCL.upper() in ("ON", "1", "TRUE", "YES") and not hasattr(vtkdgg, "vtkPo
 for name in ("py.typed", "vtkDGGFiltersGeodesic.pyi", "vtkDGGReaders.pyi"):
     if not os.path.exists(os.path.join(os.path.dirname(WHERE), name)):
         sys.exit(f"{name} is missing")
+if importlib.metadata.version("vtkdgg") != VERSION:
+    sys.exit(f"metadata are of version {importlib.metadata.version('vtkdgg')}")
+COMMAND = subprocess.run(
+    [os.path.join(PREFIX, "bin", "vtkdgg"), "--version"],
+    env={key: value for key, value in os.environ.items() if key != "PYTHONPATH"},
+    capture_output=True,
+    text=True,
+    check=True,
+)
+if not COMMAND.stdout.startswith(f"vtkdgg {VERSION}, VTK "):
+    sys.exit(f"the command says: {COMMAND.stdout}")

@@ -58,7 +58,9 @@ def prism(sides, rows):
     angle = 2.0 * np.pi * np.arange(sides) / sides
     radius = 0.5 / np.sin(np.pi / sides)
     ring = np.column_stack([radius * np.cos(angle), radius * np.sin(angle)])
-    points = np.column_stack([np.tile(ring, (rows + 1, 1)), np.repeat(np.arange(rows + 1.0), sides)])
+    points = np.column_stack(
+        [np.tile(ring, (rows + 1, 1)), np.repeat(np.arange(rows + 1.0), sides)]
+    )
     corner = np.arange(sides * rows)
     right = corner // sides * sides + (corner + 1) % sides
     triangles = np.vstack(
@@ -169,6 +171,17 @@ def run(script, *arguments, cwd=None):
     )
 
 
+def command(*arguments):
+    """Run the command as a user does."""
+    return subprocess.run(
+        [sys.executable, "-m", "vtkdgg", *map(str, arguments)],
+        cwd=OUTPUT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
 def example(name):
     """A module of the examples."""
     folder = os.path.join(EXAMPLES, "Python")
@@ -182,7 +195,7 @@ def example(name):
 
 
 def table(result):
-    """The table that the demo prints."""
+    """The table that a command prints."""
     return dict(line.split(None, 1) for line in result.stdout.splitlines() if " " in line)
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo and the examples on point clouds."""
+"""The command compare and the examples on point clouds."""
 
 import os
 import re
@@ -10,7 +10,7 @@ import unittest
 import numpy as np
 import support
 import vtkdgg
-from support import BUMPY, run, table
+from support import BUMPY, command, run, table
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
@@ -39,7 +39,7 @@ class DemoOnClouds(unittest.TestCase):
         """The table, the distances, the length of the path, and the picture."""
         folder = support.output_folder(os.path.join("demo_cloud", name))
         shutil.rmtree(folder)
-        result = run("demo.py", *arguments, "--out", folder)
+        result = command("compare", *arguments, "--out", folder)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertEqual(result.stderr, "")
         self.assertFalse(os.path.exists(os.path.join(folder, "error.png")))
@@ -186,7 +186,7 @@ class DemoOnClouds(unittest.TestCase):
             ((unseen, "--source", "1"), "--source 1: this point is not finite"),
         ):
             with self.subTest(arguments=arguments):
-                result = run("demo.py", *arguments)
+                result = command("compare", *arguments)
                 self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
                 self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
                 self.assertRegex(result.stderr, pattern)
@@ -249,7 +249,9 @@ class Cells(unittest.TestCase):
         self.assertLessEqual(np.ptp(np.bincount(colours, minlength=len(module.COLOURS))), 1)
         # Points that no site reaches have no part in it.
         labels[labels == 5] = -1
-        np.testing.assert_array_equal(np.sort(module.choose_colours(cloud, labels, count)) >= 0, True)
+        np.testing.assert_array_equal(
+            np.sort(module.choose_colours(cloud, labels, count)) >= 0, True
+        )
 
     def test_points_without_a_place_and_parts_without_a_site(self):
         points = np.vstack([plane(20), plane(10) / 2.0 + [2.0, 0.0, 0.0], [[np.nan, 0.0, 0.0]]])

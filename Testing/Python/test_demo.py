@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo on meshes."""
+"""The command compare on meshes."""
 
 import os
 import shutil
@@ -9,7 +9,8 @@ import unittest
 import numpy as np
 import support
 import vtkdgg
-from support import BUMPY, TETRAHEDRON, number_of_colours, run, table
+from support import BUMPY, TETRAHEDRON, command, number_of_colours, table
+from vtkdgg.commands.measured import Errors
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
@@ -22,7 +23,7 @@ class Demo(unittest.TestCase):
         """The finished program and the arrays that it wrote."""
         folder = support.output_folder(os.path.join("demo", name))
         shutil.rmtree(folder)
-        result = run("demo.py", *arguments, "--out", folder)
+        result = command("compare", *arguments, "--out", folder)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         for file, colours in (("distance.png", 1000), ("error.png", 500)):
             picture = os.path.join(folder, file)
@@ -89,30 +90,28 @@ class Demo(unittest.TestCase):
 
     def test_broken_promise(self):
         # What the table's last line of defence says of distances that are off.
-        errors = support.example("demo_errors").Errors
         exact = np.array([0.0, 1.0, 2.0, np.nan])
-        self.assertTrue(errors(exact * 1.01, exact).keeps(0.01))
-        self.assertFalse(errors(exact * 1.02, exact).keeps(0.01))
-        self.assertFalse(errors(exact * 0.98, exact).keeps(0.01))
-        self.assertFalse(errors(exact * 0.999, exact).is_upper_bound)
-        self.assertTrue(errors(exact * 1.001, exact).is_upper_bound)
-        self.assertFalse(errors(np.array([0.0, 1.0, np.nan, np.nan]), exact).keeps(0.5))
-        self.assertFalse(errors(np.array([0.1, 1.0, 2.0, np.nan]), exact).keeps(0.5))
+        self.assertTrue(Errors(exact * 1.01, exact).keeps(0.01))
+        self.assertFalse(Errors(exact * 1.02, exact).keeps(0.01))
+        self.assertFalse(Errors(exact * 0.98, exact).keeps(0.01))
+        self.assertFalse(Errors(exact * 0.999, exact).is_upper_bound)
+        self.assertTrue(Errors(exact * 1.001, exact).is_upper_bound)
+        self.assertFalse(Errors(np.array([0.0, 1.0, np.nan, np.nan]), exact).keeps(0.5))
+        self.assertFalse(Errors(np.array([0.1, 1.0, 2.0, np.nan]), exact).keeps(0.5))
 
     def test_no_relative_errors_near_the_source(self):
         # Such distances consist of the length added to triangles without area.
-        errors = support.example("demo_errors").Errors
         exact = np.array([0.0, 1e-14, 3e-14, 1.0, np.nan])
         distances = np.array([0.0, 2e-14, 1e-14, 1.01, np.nan])
-        self.assertFalse(errors(distances, exact).keeps(0.01))
-        result = errors(distances, exact, 1e-7)
+        self.assertFalse(Errors(distances, exact).keeps(0.01))
+        result = Errors(distances, exact, 1e-7)
         self.assertTrue(result.keeps(0.01) and result.is_upper_bound)
         self.assertEqual(result.number_near, 2)
         np.testing.assert_array_equal(result.signed[:3], 0.0)
         self.assertAlmostEqual(result.mean, 0.01, delta=1e-12)
         distances[1] = 2e-7
-        self.assertFalse(errors(distances, exact, 1e-7).keeps(0.01))
-        self.assertFalse(errors(exact + 2e-7, exact, 1e-7).keeps(0.01))
+        self.assertFalse(Errors(distances, exact, 1e-7).keeps(0.01))
+        self.assertFalse(Errors(exact + 2e-7, exact, 1e-7).keeps(0.01))
 
     def test_points_that_coincide(self):
         # A square with a side of no width, as if two points had not been merged.
@@ -223,16 +222,26 @@ class Demo(unittest.TestCase):
             ((TETRAHEDRON, "--accuracy", "nan"), "0.5"),
         ):
             with self.subTest(arguments=arguments):
-                result = run("demo.py", *arguments)
+                result = command("compare", *arguments)
                 self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
                 self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
                 self.assertRegex(result.stderr, pattern)
                 self.assertEqual(result.stdout, "")
 
     def test_help(self):
-        result = run("demo.py", "--help")
+        result = command("compare", "--help")
         self.assertEqual(result.returncode, 0)
-        for word in ("--source", "--accuracy", "--tolerance", "--out", "--merge", "--cloud", ".off", ".pcd", ".xyz"):
+        for word in (
+            "--source",
+            "--accuracy",
+            "--tolerance",
+            "--out",
+            "--merge",
+            "--cloud",
+            ".off",
+            ".pcd",
+            ".xyz",
+        ):
             self.assertIn(word, result.stdout)
 
 

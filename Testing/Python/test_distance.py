@@ -44,9 +44,10 @@ class Distance(unittest.TestCase):
         distances = vtkdgg.distance(self.points, self.triangles, places)
         self.check_equal(distances, self.straight(*places))
 
-    def test_integer_coordinates(self):
-        distances = vtkdgg.distance(self.points, self.triangles, [[2, 1, 0]])
-        self.check_equal(distances, self.straight([2, 1, 0]))
+    def test_one_place(self):
+        for place in ([2.0, 1.0, 0.0], [[2.0, 1.0, 0.0]]):
+            distances = vtkdgg.distance(self.points, self.triangles, place)
+            self.check_equal(distances, self.straight([2, 1, 0]))
 
     def test_around_a_corner(self):
         # The unit cube: from a corner to the opposite one along two faces.
@@ -61,7 +62,11 @@ class Distance(unittest.TestCase):
 
     def test_types_of_arrays(self):
         expected = vtkdgg.distance(self.points, self.triangles, 5)
-        for points in (self.points.tolist(), self.points.astype(np.float32), self.points.T.copy().T):
+        for points in (
+            self.points.tolist(),
+            self.points.astype(np.float32),
+            self.points.T.copy().T,
+        ):
             for triangles in (self.triangles.tolist(), self.triangles.astype(np.uint32)):
                 distances = vtkdgg.distance(points, triangles, 5)
                 self.check_equal(distances, expected)
@@ -176,7 +181,7 @@ class WrongInput(unittest.TestCase):
             self.refuses("points: row 4 is not finite", bad)
 
     def test_triangles(self):
-        self.refuses(r"triangles: the shape must be \(m, 3\)", triangles=[[0, 1, 2, 3]])
+        self.refuses(r"triangles: the shape must be \(m, 3\)", triangles=[[0, 1]])
         self.refuses("triangles: integers are wanted, not float64", triangles=[[0.0, 1.0, 2.0]])
         self.refuses("triangles: integers are wanted, not bool", triangles=[[True, False, True]])
         self.refuses(r"triangles: point id 9 \(entry 1, 2\)", triangles=[[0, 1, 2], [3, 4, 9]])
@@ -187,10 +192,11 @@ class WrongInput(unittest.TestCase):
         self.refuses(r"sources: point id -1 \(entry 1\)", sources=[0, -1])
         self.refuses("sources: at least one", sources=[])
         self.refuses("sources: point ids", sources=1.0)
-        self.refuses("sources: point ids", sources=[0.5, 0.5, 0.0])
+        self.refuses("sources: point ids", sources=[0.5, 0.5])
+        self.refuses("sources: point ids", sources=[[0, 1, 2]])  # ids or coordinates?
         self.refuses("sources: numbers are wanted, not bool", sources=[True, False])
         self.refuses("sources: numbers are wanted", sources="first")
-        self.refuses("sources: numbers are wanted", sources=None)
+        self.refuses("sources: missing", sources=None)
         self.refuses(r"sources: the shape must be \(n, 3\)", sources=[[0.0, 1.0]])
         self.refuses("sources: row 0 is not finite", sources=[[np.nan, 0.0, 0.0]])
 

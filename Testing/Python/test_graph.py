@@ -52,7 +52,7 @@ class Distance(unittest.TestCase):
         exact = self.exact(9)
         degree, error = 0.0, np.inf
         for accuracy in (0.3, 0.03, 0.003):
-            graph = vtkdgg.Graph(self.points, self.triangles, accuracy)
+            graph = vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
             raw_error = np.mean(graph.distance(9, correction=False) - exact)
             self.assertGreater(graph.degree, degree)
             self.assertLess(raw_error, 0.5 * error)
@@ -255,10 +255,10 @@ class WrongInput(unittest.TestCase):
         for accuracy in (0.0, 1e-7, 0.51, -1.0, np.nan, np.inf):
             with self.subTest(accuracy=accuracy):
                 with self.assertRaisesRegex(vtkdgg.VTKError, "accuracy.*1e-06, 0.5"):
-                    vtkdgg.Graph(self.points, self.triangles, accuracy)
+                    vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
         for accuracy in ("fine", None, [0.1, 0.2]):
             with self.assertRaisesRegex(ValueError, "accuracy: a number is wanted"):
-                vtkdgg.Graph(self.points, self.triangles, accuracy)
+                vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
 
     def test_construction(self):
         for construction in ("guaranteed", 0, None):

@@ -143,7 +143,7 @@ class Small(unittest.TestCase):
             self.assertEqual(repr(path), "<vtkdgg.Path: length 5, 2 points>")
 
     def test_coincident_ends(self):
-        for place in (1, [1.0, 1.0, 0.0], [1, 1, 0]):
+        for place in (1, [1.0, 1.0, 0.0]):
             path = vtkdgg.path(self.POINTS, [[0, 1, 2]], place, place)
             self.assertEqual((path.length, len(path.points)), (0.0, 1))
             self.assertEqual(repr(path), "<vtkdgg.Path: length 0, 1 point>")
@@ -152,7 +152,12 @@ class Small(unittest.TestCase):
         points = self.POINTS + [[9, 0, 0], [9, 1, 0], [8, 0, 0], [1, 1, 0]]
         triangles = [[0, 1, 2], [3, 4, 5]]
         graph = vtkdgg.Graph(points, triangles)
-        for start, end in ((0, 3), (0, 6), ([1.0, 0.5, 0.0], [8.5, 0.2, 0.0]), (4, [1, 0, 0])):
+        for start, end in (
+            (0, 3),
+            (0, 6),
+            ([1.0, 0.5, 0.0], [8.5, 0.2, 0.0]),
+            (4, [1.0, 0.0, 0.0]),
+        ):
             with self.subTest(start=start, end=end):
                 for find in (lambda *ends: vtkdgg.path(points, triangles, *ends), graph.path):
                     with self.assertRaisesRegex(ValueError, "not connected by the surface"):
@@ -167,7 +172,7 @@ class Small(unittest.TestCase):
         triangles = [[0, 1, 2], [3, 4, 5]]
         path = vtkdgg.path(points, triangles, 0, 5, merge_coincident_points=True)
         self.assertAlmostEqual(path.length, np.sqrt(2.0), delta=1e-12)
-        path = vtkdgg.path(points, triangles, 4, [0, 0, 0], merge_coincident_points=True)
+        path = vtkdgg.path(points, triangles, 4, [0.0, 0.0, 0.0], merge_coincident_points=True)
         self.assertEqual(path.point_ids[0], 1)  # the first of both
         with self.assertRaisesRegex(ValueError, "not connected .* merge_coincident_points"):
             vtkdgg.path(points, triangles, 0, 5)
@@ -181,6 +186,7 @@ class Small(unittest.TestCase):
             (-1, 0, r"start: point id -1 .*does not exist"),
             (0, 1.5, "end: a point id"),
             ([0, 1], 0, "start: a point id"),
+            ([0, 0, 1], 0, "start: a point id"),  # three ids, or coordinates?
             ([[0, 1, 2]], 0, "start: a point id"),
             (True, 0, "start: numbers are wanted"),
             ("a", 0, "start: numbers are wanted"),
@@ -192,8 +198,8 @@ class Small(unittest.TestCase):
                 with self.assertRaisesRegex(ValueError, pattern):
                     vtkdgg.path(self.POINTS, [[0, 1, 2]], start, end)
         with self.assertRaisesRegex(vtkdgg.VTKError, "path end point 1 .*ProjectionTolerance"):
-            graph.path(0, [1, 1, 1])
-        self.assertEqual(graph.path(0, [1, 1, 1], projection_tolerance=1).points[-1, 2], 0.0)
+            graph.path(0, [1.0, 1.0, 1.0])
+        self.assertEqual(graph.path(0, [1.0, 1.0, 1.0], projection_tolerance=1).points[-1, 2], 0.0)
         with self.assertRaisesRegex(ValueError, "projection_tolerance"):
             graph.path(0, 1, projection_tolerance=-1)
         with self.assertRaisesRegex(vtkdgg.VTKError, "accuracy"):

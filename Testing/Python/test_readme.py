@@ -151,9 +151,24 @@ class PythonPage(unittest.TestCase):
         exact = vtkdgg.distance(points, triangles, [0, 10, 20])
         self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
         self.assertEqual(names["m"].shape, (2, 3))
+        self.assertEqual(len({line.value for line in names["lines"]}), 10)
+        self.assertEqual(names["cells"].areas.shape, (20,))
         exact = vtkdgg.path(points, triangles, 0, 10)
         self.assertLessEqual(names["p"].length, exact.length * 1.01)
         self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
+
+    def test_from_the_shell(self):
+        folder = support.output_folder("readme")
+        lines = pages.blocks("Wrapping/Python/README.md", "sh")[0].splitlines()
+        self.assertEqual(len(lines), 6)
+        shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
+        for line in lines:
+            words = line.replace(" 1.5,2,0", " 300").replace(" 1000", " 600").split()
+            self.assertEqual(words[0], "vtkdgg")
+            is_file = re.compile(r"[a-z]+\.[a-z]+").fullmatch
+            words = [os.path.join(folder, word) if is_file(word) else word for word in words[1:]]
+            result = support.command(*words)
+            self.assertEqual(result.returncode, 0, result.stderr)
 
 
 class Gallery(unittest.TestCase):
@@ -166,7 +181,10 @@ class Gallery(unittest.TestCase):
         ("vtkDGGDistance()", r"(farthest from \d+: \d\.\d+ model units away\n?){3}"),
         ("vtkGeodesicDistanceMatrix()", r"from 10 to 40: (\S+)"),
         ("vtkExactGeodesicDistance()", r"farthest point: (\S+) model units away"),
-        ("vtkdgg.vtkHeatGeodesicDistance,", r"(\w+: farthest point \d\.\d+ model units away\n?){4}"),
+        (
+            "vtkdgg.vtkHeatGeodesicDistance,",
+            r"(\w+: farthest point \d\.\d+ model units away\n?){4}",
+        ),
         ("vtkGeodesicProbe()", r"farthest triangle: \d\.\d+ model units away"),
         ("vtkDGGPath()", r"from 0 to 20: (\S+) model units"),
         ("vtkDGGLoop()", r"1 loops, two for each handle"),
@@ -252,13 +270,7 @@ class Gallery(unittest.TestCase):
         for folder, ending in (("Python", ".py"), ("Cxx", ".cxx")):
             for file in os.listdir(os.path.join(support.EXAMPLES, folder)):
                 name, extension = os.path.splitext(file)
-                is_part = name.startswith("demo_") or name in (
-                    "cloud_discs",
-                    "cloud_file",
-                    "example_arguments",
-                    "mesh_file",
-                    "surface_canvas",
-                )
+                is_part = name in ("example_arguments", "surface_canvas")
                 if extension == ending and not is_part:
                     self.assertIn(f"`{name}`", page)
 

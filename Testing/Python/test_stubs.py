@@ -8,6 +8,7 @@ import os
 import unittest
 
 import vtkdgg
+from vtkdgg import compat
 
 FOLDER = os.path.dirname(vtkdgg.__file__)
 MODULES = [
@@ -15,6 +16,10 @@ MODULES = [
     for name in dir(vtkdgg)
     if name.startswith("vtkDGG") and inspect.ismodule(getattr(vtkdgg, name))
 ]
+CLASSES = ["CloudGraph", "EarthMovers", "Graph", "Isoline", "Loop", "Path", "Samples", "Voronoi"]
+CLASSES.append("VTKError")
+FUNCTIONS = ["biharmonic", "check", "distance", "earth_movers", "greens_function", "path"]
+FUNCTIONS.append("show_progress")
 
 
 def stub_of(module):
@@ -48,18 +53,23 @@ class Stubs(unittest.TestCase):
         # Nothing else is in the package but what the Python sources define.
         rest = {name for name in dir(vtkdgg) if not name.startswith("_")} - seen
         modules = {name for name in rest if inspect.ismodule(getattr(vtkdgg, name))}
-        self.assertEqual(rest - modules, {"Graph", "Path", "VTKError", "check", "distance", "path"})
+        self.assertEqual(rest - modules, set(CLASSES + FUNCTIONS))
 
     def test_marker(self):
         self.assertTrue(os.path.exists(os.path.join(FOLDER, "py.typed")))
 
     def test_functions_are_annotated(self):
-        functions = [vtkdgg.check, vtkdgg.distance, vtkdgg.path, vtkdgg.VTKError.__init__]
-        for name, member in vars(vtkdgg.Graph).items():
-            member = getattr(member, "fget", None) or getattr(member, "__func__", member)
-            if inspect.isfunction(member) and (name == "__init__" or not name.startswith("_")):
-                functions.append(member)
-        self.assertGreater(len(functions), 15)
+        functions = [getattr(vtkdgg, name) for name in FUNCTIONS]
+        functions += [getattr(compat, name) for name in compat.__all__]
+        classes = [getattr(vtkdgg, name) for name in CLASSES] + functions
+        for kind in {base for c in classes if isinstance(c, type) for base in c.__mro__}:
+            if kind.__module__.startswith("vtkdgg"):
+                for name, member in vars(kind).items():
+                    member = getattr(member, "fget", None) or getattr(member, "__func__", member)
+                    if inspect.isfunction(member) and (name == "__init__" or name[0] != "_"):
+                        functions.append(member)
+        functions = [function for function in functions if not isinstance(function, type)]
+        self.assertGreater(len(functions), 50)
         for function in functions:
             with self.subTest(function.__qualname__):
                 signature = inspect.signature(function)

@@ -5,9 +5,9 @@
 import operator
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 
 def numbers(values, name, kind="number"):
@@ -42,46 +42,36 @@ def coordinates(values, name):
     return array
 
 
-def corners(values, number_of_points):
-    """The corners of triangles, an array of shape (m, 3) of point ids."""
-    array = numbers(values, "triangles", "integer")
-    if array.size == 0 and array.ndim < 2:
-        array = np.empty((0, 3), dtype=np.int64)
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"triangles: the shape must be (m, 3), not {array.shape}")
-    _check_ids(array, number_of_points, "triangles")
-    return np.ascontiguousarray(array, dtype=np.int64)
-
-
 def places(values, name, number_of_points):
-    """Points of the surface: a list of ids and None, or None and an array of coordinates."""
+    """Places on the surface: a list of ids and None, or None and an array of coordinates. Integers
+    are ids, floats are coordinates, whatever their number."""
     array = numbers(values, name)
     if array.size == 0:
         raise ValueError(f"{name}: at least one is wanted")
-    if array.ndim == 2:
-        return None, coordinates(array, name)
-    if array.ndim > 2 or array.dtype.kind not in "iu":
+    if array.dtype.kind == "f" and (array.shape == (3,) or array.ndim == 2):
+        return None, coordinates(np.atleast_2d(array), name)
+    if array.dtype.kind == "f" or array.ndim > 1:
         raise ValueError(
-            f"{name}: point ids (an integer or a sequence of integers) or coordinates "
-            f"of shape (k, 3) are wanted, not {array.dtype} of shape {array.shape}"
+            f"{name}: point ids (an integer or a sequence of integers) or coordinates (floats of "
+            f"shape (3,) or (k, 3)) are wanted, not {array.dtype} of shape {array.shape}"
         )
     array = np.atleast_1d(array)
     if number_of_points:
-        _check_ids(array, number_of_points, name)
+        check_ids(array, number_of_points, name)
     return [int(i) for i in array], None
 
 
 def place(value, name, number_of_points):
-    """A point of the surface: an id, or an array of three coordinates."""
+    """A place on the surface: an id, or an array of three coordinates."""
     array = numbers(value, name)
-    if array.shape == (3,):
+    if array.dtype.kind == "f" and array.shape == (3,):
         return coordinates(array[np.newaxis], name)[0]
-    if array.ndim > 0 or array.dtype.kind not in "iu":
+    if array.ndim > 0 or array.dtype.kind == "f":
         raise ValueError(
-            f"{name}: a point id (an integer) or coordinates of shape (3,) are wanted, "
+            f"{name}: a point id (an integer) or coordinates (floats of shape (3,)) are wanted, "
             f"not {array.dtype} of shape {array.shape}"
         )
-    _check_ids(array[np.newaxis], number_of_points, name)
+    check_ids(array[np.newaxis], number_of_points, name)
     return int(array)
 
 
@@ -141,7 +131,7 @@ def number_of_bytes(value, name):
     return int(value)
 
 
-def _check_ids(array, number_of_points, name):
+def check_ids(array, number_of_points, name):
     outside = (array < 0) | (array >= number_of_points)
     if outside.any():
         place = np.unravel_index(int(np.argmax(outside)), array.shape)
@@ -152,18 +142,10 @@ def _check_ids(array, number_of_points, name):
         )
 
 
-def polydata(points, triangles=None):
-    """Arrays that have been checked as vtkPolyData. Deep: a pipeline may outlive the arrays."""
-    mesh = vtkPolyData()
+def polydata(points):
+    """Coordinates that have been checked, as points without cells."""
+    result = vtkPolyData()
     vtk_points = vtkPoints()
-    vtk_points.SetData(numpy_to_vtk(points, deep=True))
-    mesh.SetPoints(vtk_points)
-    if triangles is not None:
-        offsets = np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64)
-        cells = vtkCellArray()
-        cells.SetData(
-            numpy_to_vtkIdTypeArray(offsets, deep=True),
-            numpy_to_vtkIdTypeArray(triangles.ravel(), deep=True),
-        )
-        mesh.SetPolys(cells)
-    return mesh
+    vtk_points.SetData(numpy_to_vtk(points, deep=True))  # a pipeline may outlive the array
+    result.SetPoints(vtk_points)
+    return result

@@ -14,6 +14,9 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
+from .interruption import Interruption
+from .progress import Bar
+
 __all__ = ["VTKError", "check"]
 
 # What VTK puts before a message, and the addresses of objects in it.
@@ -50,7 +53,9 @@ def check(algorithm: vtkAlgorithm) -> Any:
     Python warnings.
 
     An update that an observer stops by AbortExecute is no error, here as in VTK: the output is
-    empty then, and ``algorithm.GetAbortExecute()`` says why.
+    empty then, and ``algorithm.GetAbortExecute()`` says why. Ctrl-C stops it as well and is a
+    KeyboardInterrupt as ever, after which the algorithm can be used again. Other threads of Python
+    go on meanwhile.
 
     Parameters
     ----------
@@ -73,11 +78,11 @@ def check(algorithm: vtkAlgorithm) -> Any:
     --------
     >>> mesh = vtkdgg.check(reader)
     """
-    return run(algorithm)
+    return run(algorithm, bar=None)
 
 
-def run(algorithm, heard=None, refused=None):
-    """What check() does, for use inside the package.
+def run(algorithm, heard=None, refused=None, bar=Bar):
+    """What check() does, for use inside the package; with a progress bar.
 
     Warnings that are in the set `heard` are not repeated, whichever class gives them; the others
     are added to it. A warning counts as an error, and stops the update, when the function `refused`
@@ -86,12 +91,12 @@ def run(algorithm, heard=None, refused=None):
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
-    reports = _update(algorithm, pipeline, refused)
+    reports = _update(algorithm, pipeline, refused, bar)
     if not reports.errors and _failed(pipeline):
         # It failed in an earlier update, whose messages are gone. Run it again to have them.
         for node in _failed(pipeline):
             node.Modified()
-        reports = _update(algorithm, pipeline, refused)
+        reports = _update(algorithm, pipeline, refused, bar)
     failed = [node for node in _failed(pipeline) if not _recovered(node, reports)]
     if reports.errors or failed:
         # What failed must run again in the next update, even when nothing else changes.
@@ -141,8 +146,10 @@ def _upstream(algorithm):
     return found
 
 
-def _update(algorithm, pipeline, refused=None):
+def _update(algorithm, pipeline, refused, bar):
     reports = _Reports()
+    bar = bar and bar()
+    interruption = Interruption()
 
     def watch(target, node):
         def on_error(caller, event, text):
@@ -163,9 +170,21 @@ def _update(algorithm, pipeline, refused=None):
             (target, target.AddObserver("WarningEvent", on_warning)),
         ]
 
+    stopped = []
+
+    def on_progress(caller, event):
+        # Here other threads of Python get their turn and handlers of signals run: the wrappers of
+        # VTK hold the interpreter lock, but Python code gives it away when others wait for it.
+        if interruption.raised:
+            caller.SetAbortExecute(1)
+            stopped.append(caller)
+        elif bar:
+            bar.show(caller.GetClassName(), caller.GetProgress())
+
     watched = []
     for node in pipeline:
         watched += watch(node, node)
+        watched.append((node, node.AddObserver("ProgressEvent", on_progress)))
         # Executives report what is wrong with the connections.
         watched += watch(node.GetExecutive(), node)
     # Image writers write in Write() only.
@@ -174,11 +193,18 @@ def _update(algorithm, pipeline, refused=None):
     display = vtkObject.GetGlobalWarningDisplay()
     vtkObject.GlobalWarningDisplayOn()
     try:
-        execute()
+        with interruption:
+            execute()
     finally:
         vtkObject.SetGlobalWarningDisplay(display)
         for target, tag in watched:
             target.RemoveObserver(tag)
+        if bar:
+            bar.close()
+    if interruption.raised:
+        for node in stopped:
+            node.Modified()  # what it has left counts as done
+        raise interruption.raised
     return reports
 
 

@@ -15,7 +15,13 @@ import sys
 from collections import defaultdict
 
 # Where classes of VTK that occur in signatures come from.
-VTK_MODULES = ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkIOCore")
+VTK_MODULES = (
+    "vtkCommonCore",
+    "vtkCommonDataModel",
+    "vtkCommonExecutionModel",
+    "vtkIOCore",
+    "vtkParallelCore",
+)
 ARGUMENT = re.compile(r"(\w+)(?::(\([^)]*\)|\[[^\]]*\]|[\w.]+))?(=[^,]+)?(?:, *|$)")
 
 

@@ -4,32 +4,26 @@
 
 from __future__ import annotations
 
-import threading
-from typing import TYPE_CHECKING, Any, Literal, Optional, Tuple, Union, overload
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import arguments
+from . import arguments, meshes
 from .errors import VTKError, run
-from .graph_info import ARRAYS, CONSTRUCTIONS, GraphInfo, damaged
-from .paths import Path, find
-from .surface import copy_surface, from_arrays, to_arrays
-from .vtkDGGFiltersGeodesic import (
-    vtkDGGDistance,
-    vtkDGGPath,
-    vtkDiscreteGeodesicGraph,
-    vtkGeodesicDistanceMatrix,
-)
+from .graph_info import CONSTRUCTIONS, GraphInfo, damaged
+from .queries import Queries
+from .results import Isoline, Loop, array_of, lines_of
+from .surface import copy_surface
+from .vtkDGGFiltersGeodesic import vtkApolloniusIsolines, vtkDGGLoop, vtkDiscreteGeodesicGraph
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 __all__ = ["Graph"]
 
 
-class Graph:
+class Graph(Queries):
     """Geodesic distances and paths on one triangle mesh, asked many times.
 
     A sparse graph is built once, in which shortest paths are geodesics up to a known error; then a
@@ -39,10 +33,8 @@ class Graph:
 
     Parameters
     ----------
-    points : array_like, shape (n, 3)
-        Coordinates; at least one point.
-    triangles : array_like of int, shape (m, 3)
-        Point ids of the corners.
+    points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
+        As for `distance`; at least one point.
     accuracy : float, optional
         Largest relative error of a distance, in [1e-6, 0.5]. The mean error is far smaller.
     construction : str, optional
@@ -91,8 +83,9 @@ class Graph:
 
     def __init__(
         self,
-        points: ArrayLike,
-        triangles: ArrayLike,
+        points: Any,
+        triangles: Optional[ArrayLike] = None,
+        *,
         accuracy: float = 0.01,
         construction: str = "Guaranteed",
         number_of_neighbors: int = 30,
@@ -100,10 +93,9 @@ class Graph:
         merge_coincident_points: bool = False,
         merge_tolerance: float = 0.0,
     ) -> None:
-        points = arguments.coordinates(points, "points")
-        if len(points) == 0:
+        surface, _ = meshes.take(points, triangles)
+        if surface.GetNumberOfPoints() == 0:
             raise ValueError("points: at least one is wanted")
-        triangles = arguments.corners(triangles, len(points))
         if construction not in CONSTRUCTIONS:
             known = ", ".join(CONSTRUCTIONS)
             raise ValueError(f"construction: one of {known} is wanted, not {construction!r}")
@@ -114,10 +106,10 @@ class Graph:
         builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
         builder.SetMergeCoincidentPoints(bool(merge_coincident_points))
         builder.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
-        self._build(builder, arguments.polydata(points, triangles))
+        self._build(builder, surface)
 
     @classmethod
-    def from_polydata(cls, polydata: vtkPolyData, memory_limit: Optional[int] = None) -> Graph:
+    def from_polydata(cls, polydata: vtkPolyData, *, memory_limit: Optional[int] = None) -> Graph:
         """The graph that vtkDiscreteGeodesicGraph has put on a surface.
 
         It is used as it is, without a copy. Points and cells are copied; the arrays of point, cell
@@ -142,6 +134,8 @@ class Graph:
         if polydata.GetNumberOfPoints() == 0:
             raise ValueError("polydata: at least one point is wanted")
         info = GraphInfo(polydata)
+        if info.is_cloud:
+            raise ValueError("polydata: its graph is that of a point cloud: see vtkdgg.CloudGraph")
         builder = vtkDiscreteGeodesicGraph()
         builder.SetConstruction(info.construction)
         if info.accuracy is not None:
@@ -160,343 +154,117 @@ class Graph:
             raise damaged(builder.GetInputGraphDamage()) from None
         return graph
 
-    @overload
-    def distance(
-        self,
-        sources: ArrayLike,
-        correction: bool = ...,
-        maximum_distance: Optional[float] = ...,
-        initial_distances: Optional[ArrayLike] = ...,
-        return_source: Literal[False] = ...,
-        unreached: float = ...,
-        projection_tolerance: Optional[float] = ...,
-    ) -> NDArray[np.float64]: ...
+    @classmethod
+    def from_points(cls, points: Any, **options: Any) -> Any:
+        """The graph of a point cloud: a `CloudGraph`, whose parameters these are."""
+        from .cloud_graph import CloudGraph
 
-    @overload
-    def distance(
+        return CloudGraph(points, **options)
+
+    def isolines(
         self,
         sources: ArrayLike,
-        correction: bool = ...,
-        maximum_distance: Optional[float] = ...,
-        initial_distances: Optional[ArrayLike] = ...,
+        values: ArrayLike,
         *,
-        return_source: Literal[True],
-        unreached: float = ...,
-        projection_tolerance: Optional[float] = ...,
-    ) -> Tuple[NDArray[np.float64], NDArray[np.int64]]: ...
-
-    def distance(
-        self,
-        sources: ArrayLike,
-        correction: bool = True,
-        maximum_distance: Optional[float] = None,
         initial_distances: Optional[ArrayLike] = None,
-        return_source: bool = False,
-        unreached: float = np.nan,
         projection_tolerance: Optional[float] = None,
-    ) -> Union[NDArray[np.float64], Tuple[NDArray[np.float64], NDArray[np.int64]]]:
-        """Distance of every point from the nearest source.
+        as_polydata: bool = False,
+    ) -> Any:
+        """Curves along which the distance from the nearest source has a value.
 
         Parameters
         ----------
-        sources : int, sequence of int, or array_like of float, shape (k, 3)
-            Point ids, or coordinates of points anywhere on the surface; they are moved to the
-            closest point of the surface.
-        correction : bool, optional
-            True: the best estimate within the promised error. False: the length of a path in the
-            graph, which is never shorter than the exact distance; these are a metric.
-        maximum_distance : float, optional
-            Points farther than this are left unreached. Default: no limit.
-        initial_distances : float or sequence of float, optional
-            The distances that the sources start with. Default: 0.
-        return_source : bool, optional
-            Whether to return the nearest source as well.
-        unreached : float, optional
-            Distance given to points that no source reaches. Default: NaN.
-        projection_tolerance : float, optional
-            How far coordinates may be from the surface, as a fraction of the diagonal of its
-            bounding box. Default: 0.01.
+        sources, initial_distances, projection_tolerance
+            As for `distance`.
+        values : float, or sequence of float, or int
+            The distances. An integer is a number of them: evenly spaced up to the largest distance,
+            without it and 0.
+        as_polydata : bool, optional
+            Whether to return a vtkPolyData with polylines and the arrays of vtkApolloniusIsolines.
 
         Returns
         -------
-        distances : numpy.ndarray of float64, shape (n,)
-            In the unit of the points.
-        nearest : numpy.ndarray of int, shape (n,)
-            Index into `sources` of the nearest one, -1 where none reaches. Only with
-            `return_source`.
-
-        Raises
-        ------
-        ValueError
-            When an argument has the wrong shape or type, or an id does not exist.
-        VTKError
-            When the filter refuses the input, as for coordinates far off the surface.
-        """
-        ids, places = arguments.places(sources, "sources", self.number_of_points)
-        limit = arguments.limit(maximum_distance, "maximum_distance")
-        unreached = arguments.number(unreached, "unreached")
-        offsets = None
-        if initial_distances is not None:
-            count = len(places) if ids is None else len(ids)
-            offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
-
-        search = self._filter(vtkDGGDistance, projection_tolerance)
-        distances, nearest = self._search(search, ids, places, offsets, limit, correction)
-        distances[np.isinf(distances)] = unreached
-        return (distances, nearest) if return_source else distances
-
-    def matrix(
-        self,
-        rows: ArrayLike,
-        columns: Optional[ArrayLike] = None,
-        unreached: float = np.nan,
-        projection_tolerance: Optional[float] = None,
-    ) -> NDArray[np.float64]:
-        """Distances between two sets of points, or between all pairs of one.
-
-        They are lengths of paths in the graph (there is no correction): at least the exact
-        distance, and at most (1 + accuracy) times that. Between points of the mesh they are a
-        metric.
-
-        Parameters
-        ----------
-        rows, columns : int, sequence of int, or array_like of float, shape (k, 3)
-            Point ids or coordinates, as for `distance`. Without columns they are the rows; then the
-            matrix is symmetric.
-        unreached : float, optional
-            Distance given to pairs that are not connected. Default: NaN.
-        projection_tolerance : float, optional
-            How far coordinates may be from the surface, as a fraction of the diagonal of its
-            bounding box. Default: 0.01.
-
-        Returns
-        -------
-        numpy.ndarray of float64, shape (number of rows, number of columns)
-            In the unit of the points.
+        list of Isoline, or vtkPolyData
+            In order of increasing values; none for a value that no point has.
 
         Raises
         ------
         ValueError, VTKError
-            As for `distance`; a VTKError also when the matrix would take more memory than
-            `memory_limit`.
+            As for `distance`.
         """
-        row_ids, row_places = arguments.places(rows, "rows", self.number_of_points)
-        column_ids, column_places = None, None
-        if columns is not None:
-            column_ids, column_places = arguments.places(columns, "columns", self.number_of_points)
+        array = arguments.numbers(values, "values")
+        is_number = array.ndim == 0 and array.dtype.kind in "iu"
+        if not is_number:
+            array = arguments.finite_numbers(values, "values", array.size)
+        search = self._search(sources, True, None, initial_distances, projection_tolerance)
+        search.SetUnreachedValue(np.nan)
+        search.GenerateVirtualSourceOn()
+        # The filter keeps the output, and makes another one for the next query.
+        field = vtkPolyData()
+        field.ShallowCopy(run(search, self._heard))
+        if is_number:
+            distances = array_of(field.GetPointData(), search.GetDistanceArrayName())
+            largest = np.nanmax(distances) if np.isfinite(distances).any() else 0.0
+            array = largest * np.arange(1, int(array) + 1) / (int(array) + 1)
+        contour = vtkApolloniusIsolines()
+        contour.SetMergeCoincidentPoints(self._info.is_merged)
+        contour.SetMergeTolerance(self._info.merge_tolerance)
+        contour.SetInputData(field)
+        for i, value in enumerate(array):
+            contour.SetValue(i, value)
+        output = run(contour, self._heard)
+        return output if as_polydata else lines_of(output, Isoline, value="IsoValue")
 
-        tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
-        tabulate.SetRowIds([] if row_ids is None else row_ids)
-        tabulate.SetRowData(None if row_places is None else arguments.polydata(row_places))
-        tabulate.SetColumnIds([] if column_ids is None else column_ids)
-        tabulate.SetColumnData(None if column_places is None else arguments.polydata(column_places))
-        tabulate.SetUnreachedValue(arguments.number(unreached, "unreached"))
-        tabulate.GenerateTableOff()
-        run(tabulate, self._heard)
-        matrix = tabulate.GetMatrix()
-        shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
-        tabulate.ReleaseMatrix()  # it is ours alone now, and is not given out twice
-        return vtk_to_numpy(matrix).reshape(shape)
-
-    def path(
+    def loop(
         self,
-        start: ArrayLike,
-        end: ArrayLike,
-        straighten: bool = True,
-        detour: Optional[float] = None,
+        points: Optional[ArrayLike] = None,
+        *,
+        rope: bool = False,
+        taut: bool = False,
         projection_tolerance: Optional[float] = None,
-    ) -> Path:
-        """A path on the surface from one point to another.
-
-        It is a geodesic: no path next to it is shorter. Its length is at least the exact distance,
-        and at most (1 + accuracy) times that.
+        as_polydata: bool = False,
+    ) -> Any:
+        """Closed curves that no curve next to them undercuts.
 
         Parameters
         ----------
-        start, end : int, or array_like, shape (3,)
-            A point id, or coordinates of a point anywhere on the surface; it is moved to the
-            closest point of the surface. Three integers are coordinates.
-        straighten : bool, optional
-            False: the path in the graph as it is, with small bends at some points.
-        detour : float, optional
-            Behind every bump there are several geodesics. The shortest one is taken of those with
-            detours from the first one found of up to this fraction of its length, in [0, 0.1].
-            Default: 1e-4.
+        points : int, sequence of int, or array_like of float, shape (3,) or (k, 3), optional
+            Point ids or coordinates, as for `distance`: the shortest loop found through each of
+            them. Default: None, loops around the handles and holes of the surface.
+        rope : bool, optional
+            One loop through all points, in their order.
+        taut : bool, optional
+            Let go of the points and pull the loops tight.
         projection_tolerance : float, optional
-            How far coordinates may be from the surface, as a fraction of the diagonal of its
-            bounding box. Default: 0.01.
+            As for `distance`.
+        as_polydata : bool, optional
+            Whether to return a vtkPolyData with polylines and the arrays of vtkDGGLoop.
 
         Returns
         -------
-        Path
+        list of Loop, or vtkPolyData
+            Loops that contract to a point are left out, with a warning.
 
         Raises
         ------
-        ValueError
-            When an argument has the wrong shape or type, an id does not exist, or start and end are
-            not connected by the surface.
-        VTKError
-            When the filter refuses the input, as for coordinates far off the surface.
+        ValueError, VTKError
+            As for `distance`; a VTKError also for a rope of less than three points, or handles of a
+            surface with edges of more than two triangles.
         """
-        ends = tuple(
-            arguments.place(value, name, self.number_of_points)
-            for value, name in ((start, "start"), (end, "end"))
-        )
-        detour = 1e-4 if detour is None else arguments.number(detour, "detour")
-        if not 0.0 <= detour <= 0.1:
-            raise ValueError(f"detour: must be in [0, 0.1], is {detour}")
-        finder = self._filter(vtkDGGPath, projection_tolerance)
-        finder.SetStraighten(bool(straighten))
-        finder.SetDetour(detour)
-        points = vtk_to_numpy(self._surface.GetPoints().GetData())
-        return find(finder, ends, points, self._heard)
-
-    @property
-    def csr(self) -> Any:
-        """The graph as a new scipy.sparse.csr_matrix of lengths, shape (n, n).
-
-        It has arrays of its own, because SciPy sorts them in place now and then.
-
-        Raises
-        ------
-        ImportError
-            When SciPy is not installed.
-        """
-        try:
-            from scipy.sparse import csr_matrix
-        except ImportError as error:
-            raise ImportError(
-                "Graph.csr needs SciPy, which is not installed (Debian: python3-scipy, else: "
-                "pip install scipy); Graph.offsets, .targets and .lengths do without"
-            ) from error
-        n = self.number_of_points
-        return csr_matrix((self.lengths, self.targets, self.offsets), shape=(n, n), copy=True)
-
-    @property
-    def offsets(self) -> NDArray[np.int64]:
-        """int64, shape (n + 1,): edges that leave point i are offsets[i] to offsets[i + 1] - 1.
-
-        A view that cannot be written to, as are `targets` and `lengths`.
-        """
-        return self._array("Offsets")
-
-    @property
-    def targets(self) -> NDArray[np.int32]:
-        """int32, one for each directed edge: the point at its end. Not sorted in a row."""
-        return self._array("Targets")
-
-    @property
-    def lengths(self) -> NDArray[Any]:
-        """float32 (float64 below an accuracy of 1e-5), one for each directed edge: rounded up."""
-        return self._array("Lengths")
-
-    @property
-    def number_of_points(self) -> int:
-        """Number of points, n."""
-        return self._surface.GetNumberOfPoints()
-
-    @property
-    def accuracy(self) -> Optional[float]:
-        """What the graph was built for; None for a SaddleVertexGraph."""
-        return self._info.accuracy
-
-    @property
-    def construction(self) -> str:
-        """The rule that chose the edges. Only "Guaranteed" is sure to keep to `accuracy`."""
-        return CONSTRUCTIONS[self._info.construction]
-
-    @property
-    def degree(self) -> float:
-        """Mean number of edges that leave a point."""
-        return len(self.targets) / self.number_of_points
-
-    @property
-    def nbytes(self) -> int:
-        """Bytes of the arrays of the graph."""
-        return sum(self._array(name).nbytes for name in ARRAYS)
-
-    @property
-    def polydata(self) -> vtkPolyData:
-        """The surface with its graph as a new vtkPolyData, for filters and writers.
-
-        It has all that was given to `from_polydata`. It shares its arrays with this object: do not
-        change them in place.
-        """
-        result = vtkPolyData()
-        result.ShallowCopy(self._surface)
-        return result
-
-    def __repr__(self) -> str:
-        quality = "" if self.accuracy is None else f", accuracy {self.accuracy:g}"
-        return (
-            f"<vtkdgg.Graph: {self.number_of_points} points, {len(self.targets)} edges, "
-            f"{self.construction}{quality}, {self.nbytes / 2**20:.1f} MiB>"
-        )
-
-    def __getstate__(self):
-        # Filters prepare themselves again.
-        return {
-            "surface": to_arrays(self._surface),
-            "memory_limit": self._memory_limit,
-            "heard": self._heard,
-        }
-
-    def __setstate__(self, state):
-        self._heard = set(state["heard"])
-        self._memory_limit = state["memory_limit"]
-        self._local = threading.local()
-        self._surface = from_arrays(state["surface"])
-        self._info = GraphInfo(self._surface)
-
-    def _build(self, builder, surface, refused=None):
-        """Take the graph of the surface, or have the builder make one; `refused` as for run()."""
-        self._heard = set()  # what is wrong with the mesh is said once, not by each filter
-        self._memory_limit = builder.GetMemoryLimit()
-        self._local = threading.local()
-        builder.SetInputData(surface)
-        self._surface = vtkPolyData()  # without the builder, which keeps much more
-        self._surface.ShallowCopy(run(builder, self._heard, refused))
-        self._info = GraphInfo(self._surface)
-
-    @property
-    def _filters(self):
-        """Those of this thread: another one would change sources before results are read."""
-        return self._local.__dict__
-
-    def _filter(self, kind, tolerance):
-        """The filter of the class, which keeps what it has prepared for the next query."""
-        filters = self._filters
-        if kind not in filters:
-            consumer = kind()
-            consumer.SetMergeCoincidentPoints(self._info.is_merged)
-            consumer.SetMergeTolerance(self._info.merge_tolerance)
-            consumer.SetMemoryLimit(self._memory_limit)
-            consumer.SetInputData(self._surface)
-            filters[kind] = consumer
-        consumer = filters[kind]
-        consumer.SetProjectionTolerance(arguments.projection_tolerance(tolerance))
-        return consumer
-
-    def _search(self, search, ids, places, offsets, limit, correction):
-        """Distances, infinite where unreached, and nearest sources."""
-        search.SetUnreachedValue(np.inf)
-        search.SetCorrection(bool(correction))
-        search.SetMaximumDistance(limit)
-        search.GenerateNearestSourceOn()
-        ids = [] if ids is None else ids
-        search.SetSourceIds(ids, np.zeros(len(ids)) if offsets is None else offsets[: len(ids)])
-        search.SetSourceData(None if places is None else arguments.polydata(places))
-        if places is not None and offsets is not None:
-            array = numpy_to_vtk(offsets, deep=True)
-            array.SetName(search.GetInitialDistanceArrayName())
-            search.GetInputDataObject(1, 0).GetPointData().AddArray(array)
-        data = run(search, self._heard).GetPointData()
-        # Copies: the output is kept, and given out again when the same is asked for.
-        distances = np.array(vtk_to_numpy(data.GetArray(search.GetDistanceArrayName())))
-        nearest = vtk_to_numpy(data.GetArray(search.GetSourceArrayName())).astype(np.intp)
-        return distances, nearest
-
-    def _array(self, name):
-        view = vtk_to_numpy(self._surface.GetFieldData().GetArray(f"DGG.{name}"))
-        view.flags.writeable = False
-        return view
+        tie = self._filter(vtkDGGLoop, projection_tolerance)
+        ids, places = [], None
+        if points is not None:
+            ids, places = arguments.places(points, "points", self.number_of_points)
+        elif rope:
+            raise ValueError("points: a rope needs some")
+        tie.SetPointIds(ids or [])
+        tie.SetPointData(None if places is None else arguments.polydata(places))
+        if points is None:
+            tie.SetModeToAroundHandles()
+        else:
+            tie.SetMode(tie.Rope if rope else tie.ThroughPoint)
+        tie.SetTaut(bool(taut))
+        output = run(tie, self._heard)
+        if as_polydata:
+            return self._given_away(tie)
+        return lines_of(output, Loop, length="Length", angle="Angle")

@@ -6,8 +6,9 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ARRAYS = ("Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Info")
-# By the numbers of vtkDiscreteGeodesicGraph.ConstructionType.
-CONSTRUCTIONS = ("Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph")
+# By the numbers in DGG.Info: those of vtkDiscreteGeodesicGraph, then those of vtkPointCloudDGG.
+CONSTRUCTIONS = ("Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph", "A", "B", "C")
+_FIRST_SCHEME = 4  # of those that vtkPointCloudDGG has
 _VERSION = 1
 _SIZE = 12
 
@@ -26,8 +27,10 @@ class GraphInfo:
     ----------
     construction : int
         Index into CONSTRUCTIONS.
+    is_cloud : bool
+        Whether it is the graph of a point cloud.
     accuracy : float or None
-        None for a SaddleVertexGraph.
+        None for a SaddleVertexGraph; of a cloud, how far edges were pruned, or 0.
     number_of_neighbors : int
         Of a SaddleVertexGraph.
     is_merged : bool
@@ -49,20 +52,17 @@ class GraphInfo:
                 "polydata: its graph has a DGG.Info of another version, or is damaged; build it "
                 "anew by vtkDiscreteGeodesicGraph"
             )
-        if values[1] == 1:
-            raise ValueError(
-                "polydata: its graph is that of a point cloud; search it by vtkDGGDistance, "
-                "vtkDGGPath or vtkGeodesicDistanceMatrix"
-            )
-        if values[1] != 0:
-            raise damaged(f"its kind is {values[1]}, not that of a mesh")
-        if not 0 <= values[2] < len(CONSTRUCTIONS):
+        if values[1] not in (0, 1):
+            raise damaged(f"its kind is {values[1]}, neither that of a mesh nor of a cloud")
+        self.is_cloud = bool(values[1])
+        known = range(_FIRST_SCHEME, 7) if self.is_cloud else range(_FIRST_SCHEME)
+        if values[2] not in known:
             raise damaged(f"its construction is {values[2]}")
         self.construction = int(values[2])
         has_accuracy = CONSTRUCTIONS[self.construction] != "SaddleVertexGraph"
         self.accuracy = float(values[3:4].view(np.float64)[0]) if has_accuracy else None
         self.number_of_neighbors = int(values[4])
-        if has_accuracy and not 1e-6 <= self.accuracy <= 0.5:
+        if has_accuracy and not self.is_cloud and not 1e-6 <= self.accuracy <= 0.5:
             raise damaged(f"its accuracy is {self.accuracy}")
         if not (has_accuracy or 1 <= self.number_of_neighbors < 2**31):
             raise damaged(f"its number of neighbours is {self.number_of_neighbors}")

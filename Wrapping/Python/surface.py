@@ -15,8 +15,9 @@ def copy_surface(polydata):
     """The surface with points and cells of its own. Arrays of all other data are shared."""
     result = vtkPolyData()
     points = vtkPoints()
-    points.SetDataType(polydata.GetPoints().GetDataType())  # which DeepCopy() leaves as it is
-    points.DeepCopy(polydata.GetPoints())
+    if polydata.GetPoints():
+        points.SetDataType(polydata.GetPoints().GetDataType())  # which DeepCopy() leaves as it is
+        points.DeepCopy(polydata.GetPoints())
     result.SetPoints(points)
     for kind in CELLS:
         cells = vtkCellArray()

@@ -8,7 +8,8 @@
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
 #include "dggVirtualSources.h" // for VirtualSources
 
-#include <cmath> // for std::sin
+#include <algorithm> // for std::min
+#include <cmath>     // for std::sin
 
 namespace dgg
 {
@@ -59,20 +60,29 @@ struct CornerModel
                                                      : std::remainder(angle, this->Total);
   }
 
-  /// The distance at polar coordinates (rho, phi).
-  double At(double rho, double phi) const
+  /// What it says along one direction.
+  struct Ray
   {
-    const double angle = this->AngleFrom(phi);
-    if (std::abs(angle) >= Pi)
+    double Offset;
+    double Length;
+    double Bend; // 4 sin^2 of half the angle between the direction and that of the source
+
+    double At(double rho) const
     {
-      return this->AtVertex() + rho;
+      // The law of cosines, accurate for small angles.
+      const double difference = this->Length - rho;
+      return this->Offset + std::sqrt(difference * difference + this->Length * rho * this->Bend);
     }
-    // The law of cosines, accurate for small angles.
+  };
+  Ray Along(double phi) const
+  {
+    const double angle = std::min(Pi, std::abs(this->AngleFrom(phi))); // pi: through the vertex
     const double sine = std::sin(0.5 * angle);
-    const double difference = this->Length - rho;
-    return this->Offset +
-      std::sqrt(difference * difference + 4.0 * this->Length * rho * sine * sine);
+    return { this->Offset, this->Length, 4.0 * sine * sine };
   }
+
+  /// The distance at polar coordinates (rho, phi).
+  double At(double rho, double phi) const { return this->Along(phi).At(rho); }
 };
 }
 

@@ -237,17 +237,17 @@ void EdgeProfile::SetUpModels()
   const Id h = this->HalfEdge;
   // The edge as it leaves its ends: h itself, and the side of the same face that comes before.
   const Id next = SurfaceMesh::Next(h);
-  this->PolarAngles = { { mesh.PolarAngle(h), mesh.PolarAngle(next) + mesh.CornerAngle(next) } };
+  const std::array<double, 2> polarAngles{ { mesh.PolarAngle(h),
+    mesh.PolarAngle(next) + mesh.CornerAngle(next) } };
   const std::array<Id, 2> vertices{ { mesh.Origin(h), mesh.Destination(h) } };
   for (int k = 0; k < 2; ++k)
   {
-    this->Models[k] = CornerModel(mesh, vertices[k], sources, this->Ends[k]);
-  }
-  for (int k = 0; k < 2; ++k)
-  {
-    this->Missing[k] = this->Models[k].IsKnown
-      ? std::max(0.0, this->Ends[1 - k] - this->Models[k].At(this->Length, this->PolarAngles[k]))
-      : std::max(0.0, this->Ends[1 - k] - this->Ends[k] - this->Length);
+    const CornerModel& model = this->Models[k] =
+      CornerModel(mesh, vertices[k], sources, this->Ends[k]);
+    this->Rays[k] = model.Along(polarAngles[k]);
+    this->Missing[k] = std::max(0.0,
+      this->Ends[1 - k] -
+        (model.IsKnown ? this->Rays[k].At(this->Length) : this->Ends[k] + this->Length));
   }
 }
 
@@ -300,12 +300,8 @@ void EdgeProfile::SetUpOpposites()
 double EdgeProfile::ModelAt(int end, double x) const
 {
   const double rho = end == 0 ? x : this->Length - x;
-  const CornerModel& model = this->Models[end];
-  if (!model.IsKnown)
-  {
-    return this->Ends[end] + rho + this->Missing[end] * rho / this->Length;
-  }
-  return model.At(rho, this->PolarAngles[end]) + this->Missing[end] * rho / this->Length;
+  const double missing = this->Missing[end] * rho / this->Length;
+  return missing + (this->Models[end].IsKnown ? this->Rays[end].At(rho) : this->Ends[end] + rho);
 }
 
 void EdgeProfile::FindModelBreaks()

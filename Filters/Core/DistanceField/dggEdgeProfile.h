@@ -113,8 +113,8 @@ private:
   std::array<double, 2> Ends{ { 0.0, 0.0 } };
   std::vector<Piece> Pieces;
   std::array<CornerModel, 2> Models;
-  std::array<double, 2> PolarAngles{ { 0.0, 0.0 } }; // of the edge at its ends
-  std::array<double, 2> Missing{ { 0.0, 0.0 } };     // of the model of an end at the other one
+  std::array<CornerModel::Ray, 2> Rays{};        // of the models along the edge
+  std::array<double, 2> Missing{ { 0.0, 0.0 } }; // of the model of an end at the other one
   std::vector<Opposite> Opposites;
   std::size_t NumberOfOpposites = 0; // the others are kept for their memory
   bool HasLinearFace = false;        // one that is reached, without models

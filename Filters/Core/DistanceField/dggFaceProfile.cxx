@@ -18,7 +18,8 @@ constexpr double WindowSlack = 1e-9;
 /// A model that misses less than this is right, relative.
 constexpr double Rounding = 1e-13;
 
-/// The candidate of a lower bound, after those of models.
+/// The first candidates of models, after the ways over three corners, and of lower bounds.
+constexpr Id FirstImageCandidate = 3;
 constexpr Id LeastCandidate = 9;
 
 double LargestOf(const std::array<double, 3>& values)
@@ -169,21 +170,24 @@ void FaceProfile::SetUpModels()
         this->Distances[j] - this->Distances[k] - Distance(this->Corners[j], this->Corners[k]);
       this->MissingOver[k][j] = missing > this->Negligible ? missing : 0.0;
     }
+    this->Seen[k].Count = 0;
+    this->IsRaised[k] = false;
     if (!this->Models[k].IsKnown)
     {
       continue;
     }
     // Measured: without models that miss much, or with linear faces in their place, errors are
     // larger on CAD models and on scans.
-    const Id h = 3 * this->Face + k;
-    const Id previous = SurfaceMesh::Previous(h);
-    const double first = mesh.PolarAngle(h);
-    const std::array<double, 2> predicted{ { this->Models[k].At(mesh.Length(h), first),
-      this->Models[k].At(mesh.Length(previous), first + mesh.CornerAngle(h)) } };
-    for (int i = 0; i < 2; ++i)
+    this->FindSources(k);
+    for (const int j : { (k + 1) % 3, (k + 2) % 3 })
     {
-      const int j = (k + 1 + i) % 3;
-      this->Missing[k][j] = std::max(0.0, this->Distances[j] - predicted[i]);
+      int nearest = -1;
+      const double length = this->DistanceToSource(k, this->Corners[j], nearest);
+      const double missing = this->Distances[j] -
+        (nearest < 0 ? this->Distances[k] + Distance(this->Corners[j], this->Corners[k])
+                     : this->Models[k].Offset + length);
+      this->Missing[k][j] = missing > this->Negligible ? missing : 0.0;
+      this->IsRaised[k] = this->IsRaised[k] || this->Missing[k][j] > 0.0;
     }
   }
   double raise = 0.0;
@@ -198,6 +202,54 @@ void FaceProfile::SetUpModels()
   {
     this->LowerBounds[k] = this->Distances[k] - excess;
   }
+}
+
+/// Where the source of corner k is seen less than half a turn away from some direction into the
+/// face, on the side of the corner where the angle is smaller (CornerModel::AngleFrom()).
+void FaceProfile::FindSources(int k)
+{
+  const CornerModel& model = this->Models[k];
+  const Id h = 3 * this->Face + k;
+  const double corner = this->Field.Mesh->CornerAngle(h);
+  const double reach = model.IsOpen ? Pi : std::min(Pi, 0.5 * model.Total);
+  double angle = model.Angle - this->Field.Mesh->PolarAngle(h);
+  if (!model.IsOpen)
+  {
+    angle -=
+      model.Total * std::floor((angle + reach) / model.Total); // the first one from -reach on
+  }
+  SeenSources& seen = this->Seen[k];
+  const int most = !model.IsOpen ? 2 : angle >= -reach ? 1 : 0;
+  while (seen.Count < most && angle <= corner + reach)
+  {
+    const Point2 image{ model.Length * std::cos(angle), model.Length * std::sin(angle) };
+    const double side = angle > Pi ? -1.0 : angle < corner - Pi ? 1.0 : 0.0;
+    seen.Sources[seen.Count++] = { FromFrame(this->Corners[k], this->Axes[k], image), side };
+    angle += model.Total;
+  }
+}
+
+/// The straight distance to the source of corner k, and where that is seen; `nearest` stays as it
+/// is where the source lies behind the corner.
+double FaceProfile::DistanceToSource(int k, const Point2& p, int& nearest) const
+{
+  const Point2& corner = this->Corners[k];
+  double least = Infinity;
+  for (int i = 0; i < this->Seen[k].Count; ++i)
+  {
+    const SeenSource& source = this->Seen[k].Sources[i];
+    if (source.Side * Cross(Difference(source.Image, corner), Difference(p, corner)) < 0.0)
+    {
+      continue;
+    }
+    const double distance = Distance(source.Image, p);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = i;
+    }
+  }
+  return least;
 }
 
 FaceProfile::LowerBound FaceProfile::GetLowerBound(const Point2& p) const
@@ -324,35 +376,33 @@ FieldSample FaceProfile::FromWindows(const Point2& p) const
 FaceProfile::Wave FaceProfile::FromModel(
   int k, const Point2& p, const std::array<double, 3>& barycentric) const
 {
-  const CornerModel& model = this->Models[k];
-  Wave over;
-  over.Distance =
-    Raised(this->Distances[k] + Distance(p, this->Corners[k]), this->MissingOver[k], barycentric);
-  over.Corner = k;
-  over.IsOverCorner = true;
-  over.Image = this->Corners[k];
-  over.Candidate = k;
-  if (!model.IsKnown)
-  {
-    return over;
-  }
-  const Point2 here = this->InFrameOf(k, p);
-  const double phi = std::atan2(here.Y, here.X);
-  const double angle = model.AngleFrom(this->Field.Mesh->PolarAngle(3 * this->Face + k) + phi);
-  if (std::abs(angle) >= Pi)
-  {
-    return over;
-  }
-  const double turned = phi + angle;
-  const Point2 image{ model.Length * std::cos(turned), model.Length * std::sin(turned) };
   Wave wave;
-  wave.Image = FromFrame(this->Corners[k], this->Axes[k], image);
-  wave.Distance = Raised(model.Offset + Distance(p, wave.Image), this->Missing[k], barycentric);
   wave.Corner = k;
-  wave.Candidate = 3 + (angle < 0.0 ? 2 * k : 2 * k + 1);
-  // No more than the way over the corner, which is all that there is where the source is behind it:
-  // what is missing must not end there at once.
-  return over.Distance < wave.Distance ? over : wave;
+  int nearest = -1;
+  const double length = this->DistanceToSource(k, p, nearest);
+  if (nearest >= 0)
+  {
+    wave.Distance = this->Models[k].Offset + length;
+    wave.Image = this->Seen[k].Sources[nearest].Image;
+    wave.Candidate = FirstImageCandidate + 2 * k + nearest;
+    if (!this->IsRaised[k])
+    {
+      return wave; // no more than the way over the corner
+    }
+    wave.Distance = Raised(wave.Distance, this->Missing[k], barycentric);
+  }
+  // That is all that there is where the source is behind the corner: what is missing must not end
+  // there at once.
+  const double over =
+    Raised(this->Distances[k] + Distance(p, this->Corners[k]), this->MissingOver[k], barycentric);
+  if (over < wave.Distance)
+  {
+    wave.Distance = over;
+    wave.IsOverCorner = true;
+    wave.Image = this->Corners[k];
+    wave.Candidate = k;
+  }
+  return wave;
 }
 
 FieldSample FaceProfile::SampleOf(
@@ -390,18 +440,38 @@ FieldSample FaceProfile::FromModels(const Point2& p) const
   {
     return {};
   }
-  FieldSample sample = this->SampleOf(best, p, b);
+  const FieldSample sample = this->SampleOf(best, p, b);
   const LowerBound bound = this->GetLowerBound(p);
-  if (bound.Distance > sample.Distance + this->Negligible) // not at the corner, which is as given
-  {
-    const Point2 way = Difference(this->Corners[bound.Corner], p);
-    const double length = Norm(way.X, way.Y);
-    sample.Distance = bound.Distance;
-    sample.Gradient = { way.X / length, way.Y / length };
-    sample.HasImage = false;
-    sample.Candidate = LeastCandidate + bound.Corner;
-  }
+  return bound.Distance > sample.Distance + this->Negligible // not at the corner, which is as given
+    ? this->FromLowerBound(bound.Corner, p)
+    : sample;
+}
+
+FieldSample FaceProfile::FromLowerBound(int k, const Point2& p) const
+{
+  const Point2 way = Difference(this->Corners[k], p);
+  const double length = Norm(way.X, way.Y);
+  FieldSample sample;
+  sample.Distance = this->LowerBounds[k] - length;
+  sample.Gradient = { way.X / length, way.Y / length };
+  sample.Candidate = LeastCandidate + k;
   return sample;
+}
+
+FieldSample FaceProfile::SampleOfCandidate(Id candidate, const Point2& p) const
+{
+  if (candidate >= LeastCandidate)
+  {
+    return this->FromLowerBound(candidate - LeastCandidate, p);
+  }
+  Wave wave;
+  wave.Candidate = candidate;
+  wave.IsOverCorner = candidate < FirstImageCandidate;
+  wave.Corner = wave.IsOverCorner ? candidate : (candidate - FirstImageCandidate) / 2;
+  wave.Image = wave.IsOverCorner
+    ? this->Corners[wave.Corner]
+    : this->Seen[wave.Corner].Sources[(candidate - FirstImageCandidate) % 2].Image;
+  return this->SampleOf(wave, p, this->BarycentricOf(p));
 }
 
 FieldSample FaceProfile::Linear(const Point2& p) const

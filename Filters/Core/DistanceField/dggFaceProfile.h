@@ -38,6 +38,8 @@ public:
   /// The distance at a point of the face.
   double At(const Point2& p) const { return this->SampleAt(p).Distance; }
   FieldSample SampleAt(const Point2& p) const;
+  /// That of one candidate of models alone, also where another one is nearer.
+  FieldSample SampleOfCandidate(Id candidate, const Point2& p) const;
 
   /// Whether the distance comes from models of the corners, and that of one of them alone at a
   /// point.
@@ -77,6 +79,23 @@ private:
     double Offset;
   };
 
+  /// The virtual source of a corner in the plane of the face.
+  struct SeenSource
+  {
+    Point2 Image;
+    /// Seen from all the face if 0. Else from one side only of the line through image and corner:
+    /// the sign of the cross product of the ways from the corner to the image and to the point.
+    double Side;
+  };
+
+  /// On one side of the tip of the cone around the corner, or on both, if the cut runs through the
+  /// face.
+  struct SeenSources
+  {
+    std::array<SeenSource, 2> Sources;
+    int Count = 0;
+  };
+
   /// What a corner knows of a point: most of a sample, but for its gradient, which only the least
   /// of three is asked for.
   struct Wave
@@ -91,11 +110,14 @@ private:
   void CollectWindows();
   void CollectSources();
   void SetUpModels();
+  void FindSources(int k);
+  double DistanceToSource(int k, const Point2& p, int& nearest) const;
   FieldSample FromCorner(int k, const Point2& p) const;
   FieldSample FromWindows(const Point2& p) const;
   Wave FromModel(int k, const Point2& p, const std::array<double, 3>& barycentric) const;
   FieldSample SampleOf(const Wave& wave, const Point2& p, const std::array<double, 3>& b) const;
   FieldSample FromModels(const Point2& p) const;
+  FieldSample FromLowerBound(int k, const Point2& p) const;
   FieldSample Linear(const Point2& p) const;
   Point2 InFrameOf(int k, const Point2& p) const;
 
@@ -109,6 +131,8 @@ private:
   std::array<std::size_t, 4> FirstWindows{ { 0, 0, 0, 0 } };
   std::vector<FieldSample> Sources;
   std::array<CornerModel, 3> Models;
+  std::array<SeenSources, 3> Seen;                         // of the models
+  std::array<bool, 3> IsRaised{ { false, false, false } }; // whether a model misses something
   std::array<std::array<double, 3>, 3> Missing{};         // of the model of a corner at another one
   std::array<std::array<double, 3>, 3> MissingOver{};     // of the way over a corner at another one
   std::array<double, 3> LowerBounds{ { 0.0, 0.0, 0.0 } }; // of the distance, at corners

@@ -440,7 +440,8 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, dou
   for (Offset first = 0; first < numberOfGroups; first += step)
   {
     ForRange(parallel, std::min(step, numberOfGroups - first), 1, [&](Offset begin, Offset end) {
-      for (Offset i = begin; i < end; ++i)
+      const double done = static_cast<double>(first) / static_cast<double>(numberOfGroups);
+      for (Offset i = begin; i < end && Goes(progress, done); ++i)
       {
         internals.ConsumeGroup(sources, groups[first + i], maximumDistance, consume);
       }

@@ -94,9 +94,8 @@ public:
 
   /// Triangulation, matrices and their factors: what the options change is done anew, the rest is
   /// kept. `checkMemory`, which may be empty, is asked before there are more factors than before,
-  /// with GetEstimatedMemory(). Progress is reported, and a stop heeded, between the parts of the
-  /// work only: Eigen's factorizations cannot be interrupted. After a failure or a stop, a later
-  /// call starts where that one ended. Fails when the time step factor is out of range.
+  /// with GetEstimatedMemory(). After a failure or a stop, a later call starts with the part of the
+  /// work that had not been done. Fails when the time step factor is out of range.
   Status Prepare(const HeatOptions& options, const ProgressCallback& progress,
     const std::function<Status(double bytes)>& checkMemory = {});
   /// Bytes that all takes when it is factorized, at most twice what they are. After Prepare().

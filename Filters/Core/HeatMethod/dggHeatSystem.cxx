@@ -172,6 +172,7 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   for (const Part& part : parts)
   {
     DGG_RETURN_IF_ERROR(ReportTo(progress, done));
+    const ProgressCallback ofPart = ProgressPart(progress, done, done + 1.0 / 3.0);
     done += 1.0 / 3.0;
     if (!part.IsWanted)
     {
@@ -183,15 +184,10 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
       continue;
     }
     ++this->NumberOfFactorizations;
-    const bool isFactored = part.Key
-      ? part.Factor->Compute(this->Order, this->MakeHeatMatrix(),
-          part.IsCooled ? this->OnBoundary : std::vector<std::uint8_t>())
-      : part.Factor->Compute(this->Order, this->Stiffness, isPinned);
-    if (!isFactored)
-    {
-      return Status::Invalid(
-        "a linear system could not be factorized: remove triangles that have next to no area");
-    }
+    DGG_RETURN_IF_ERROR(part.Key
+        ? part.Factor->Compute(this->Order, this->MakeHeatMatrix(),
+            part.IsCooled ? this->OnBoundary : std::vector<std::uint8_t>(), ofPart)
+        : part.Factor->Compute(this->Order, this->Stiffness, isPinned, ofPart));
     if (part.Key)
     {
       *part.Key = factor;

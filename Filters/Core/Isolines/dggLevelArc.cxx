@@ -29,7 +29,6 @@ constexpr double NewtonReach = 0.8;
 constexpr double NearestSearch = 1.0 / 16.0;
 constexpr int StepsOfSearch = 15; // each twice as far
 constexpr int MostRootSteps = 80;
-constexpr int MostCornerSteps = 40;
 /// Of pieces that are found one below the other where a corner is looked for.
 constexpr int MostPieces = 8;
 /// Largest turn between two points of an arc, and of an arc within a face.
@@ -223,28 +222,22 @@ bool LevelArc::FindCorner(
   after = to;
   Point2 place;
   LevelPoint found;
-  if (from.Sample.HasImage && to.Sample.HasImage)
+  for (int step = 0; step < MostPieces && !found.IsOnLevel; ++step)
   {
-    for (int step = 0; step < MostPieces && !found.IsOnLevel; ++step)
+    if (!(from.Sample.HasImage && after.Sample.HasImage ? this->MeetCircles(from, after, place)
+                                                        : this->MeetCandidates(from, after, place)))
     {
-      if (!this->MeetCircles(from, after, place))
+      return false;
+    }
+    found = this->Look(place);
+    if (!found.IsOnLevel)
+    {
+      if (found.Sample.Distance > this->Level)
       {
         return false;
       }
-      found = this->Look(place);
-      if (!found.IsOnLevel)
-      {
-        if (!found.Sample.HasImage || found.Sample.Distance > this->Level)
-        {
-          return false;
-        }
-        after.Sample = found.Sample;
-      }
+      after.Sample = found.Sample;
     }
-  }
-  else if (this->ApproachCorner(before, after, place))
-  {
-    found = this->Look(place);
   }
   // The corner of a wedge of half-angle beta is 1 / (2 sin(beta)) lengths of the chord away.
   const double turn = 0.5 * Distance(from.Sample.Gradient, to.Sample.Gradient);
@@ -306,38 +299,29 @@ bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2&
   return true;
 }
 
-/// Points of the level are found until the two on either side of the corner are close enough to
-/// take tangents. Fails when there is a third piece between.
-bool LevelArc::ApproachCorner(LevelPoint& before, LevelPoint& after, Point2& corner) const
+/// The point where the level sets of both pieces meet, by Newton's method from the middle of the
+/// chord on.
+bool LevelArc::MeetCandidates(const LevelPoint& from, const LevelPoint& to, Point2& corner) const
 {
-  const LevelPoint from = before;
-  const LevelPoint to = after;
-  for (int step = 0;
-       step < MostCornerSteps && Distance(before.Place, after.Place) > 1e-8 * this->Size; ++step)
+  const Point2 middle = Between(from.Place, to.Place, 0.5);
+  corner = middle;
+  for (int step = 0; step < MostNewtonSteps; ++step)
   {
-    const LevelPoint middle = this->Project(before, after);
-    if (middle.IsOnLevel && this->IsSamePiece(middle, from))
+    const FieldSample a = this->Profile.SampleOfCandidate(from.Sample.Candidate, corner);
+    const FieldSample b = this->Profile.SampleOfCandidate(to.Sample.Candidate, corner);
+    const double missA = this->Level - a.Distance;
+    const double missB = this->Level - b.Distance;
+    if (std::max(std::abs(missA), std::abs(missB)) <= 1e-3 * this->Close)
     {
-      before = middle;
+      break;
     }
-    else if (middle.IsOnLevel && this->IsSamePiece(middle, to))
+    const double area = Cross(a.Gradient, b.Gradient);
+    corner.X += (missA * b.Gradient.Y - missB * a.Gradient.Y) / area;
+    corner.Y += (missB * a.Gradient.X - missA * b.Gradient.X) / area;
+    if (!(Distance(corner, middle) <= this->Size))
     {
-      after = middle;
+      return false; // nearly tangent
     }
-    else
-    {
-      return false;
-    }
-  }
-  const Point2& g = before.Sample.Gradient;
-  const Point2& h = after.Sample.Gradient;
-  const double area = Cross(g, h);
-  const double atG = Dot(g, before.Place);
-  const double atH = Dot(h, after.Place);
-  corner = { (atG * h.Y - atH * g.Y) / area, (g.X * atH - h.X * atG) / area };
-  if (!(Distance(corner, before.Place) <= 1e-6 * this->Size) || !this->Look(corner).IsOnLevel)
-  {
-    corner = after.Place; // hardly a corner
   }
   return true;
 }

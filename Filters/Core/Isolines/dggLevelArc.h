@@ -55,7 +55,7 @@ private:
   bool FindCorner(
     const LevelPoint& from, const LevelPoint& to, LevelPoint& before, LevelPoint& after) const;
   bool MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2& corner) const;
-  bool ApproachCorner(LevelPoint& before, LevelPoint& after, Point2& corner) const;
+  bool MeetCandidates(const LevelPoint& from, const LevelPoint& to, Point2& corner) const;
   LevelPoint Project(const LevelPoint& from, const LevelPoint& to) const;
 
   const FaceProfile& Profile;

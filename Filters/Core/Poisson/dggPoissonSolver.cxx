@@ -42,7 +42,7 @@ Status PoissonSolver::Prepare(
     DGG_RETURN_IF_ERROR(checkMemory(bytes, system.IsReady() ? 0.0 : bytes));
   }
   DGG_RETURN_IF_ERROR(ReportTo(progress, AnalysisDone));
-  DGG_RETURN_IF_ERROR(system.Factorize());
+  DGG_RETURN_IF_ERROR(system.Factorize(ProgressPart(progress, AnalysisDone, 1.0)));
   return ReportTo(progress, 1.0);
 }
 

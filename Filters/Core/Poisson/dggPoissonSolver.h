@@ -49,7 +49,7 @@ struct PoissonOptions
 };
 
 /// -Laplace u = f by linear finite elements (cotangents, lumped areas) on a mesh that must outlive
-/// it. The system is factorized once (Eigen, L D L^T with approximate minimum degree) and kept.
+/// it. The system is factorized once (L D L^T with approximate minimum degree) and kept.
 ///
 /// Any triangle complex will do: edges with more than two faces conduct between all of them,
 /// vertices with several fans between these, and orientation plays no part. Where nothing is

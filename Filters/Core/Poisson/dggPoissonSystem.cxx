@@ -193,7 +193,7 @@ std::array<double, 3> PoissonSystem::GetCotangents(Id face) const
   return dgg::GetCotangents(this->Triangulation, face, LargestCotangent);
 }
 
-Status PoissonSystem::Factorize()
+Status PoissonSystem::Factorize(const ProgressCallback& progress)
 {
   if (!this->IsAnalyzed)
   {
@@ -210,11 +210,7 @@ Status PoissonSystem::Factorize()
     isKnown[v] = this->IsFixed(v) || this->IsPinned(v);
   }
   ++this->NumberOfFactorizations;
-  if (!this->Factor.Compute(this->Order, this->Stiffness, isKnown))
-  {
-    return Status::Invalid(
-      "the linear system could not be factorized: remove triangles that have next to no area");
-  }
+  DGG_RETURN_IF_ERROR(this->Factor.Compute(this->Order, this->Stiffness, isKnown, progress));
   Status status =
     this->NeedsRefinement() ? CheckThinTriangles(*this, this->ComponentIsThin) : Status::Success();
   if (!status.IsOk())

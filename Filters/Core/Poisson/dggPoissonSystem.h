@@ -36,8 +36,8 @@ public:
 
   /// Triangulation, matrices, order of elimination.
   Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
-  /// After Analyze(). Eigen's factorization cannot be interrupted.
-  Status Factorize();
+  /// After Analyze().
+  Status Factorize(const ProgressCallback& progress = {});
   /// Grows whenever other options change the matrix or the weights, which makes what was computed
   /// with them out of date.
   std::uint64_t GetRevision() const { return this->Revision; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSparseFactor.h"
 
+#include "dggProgressPart.h"
 #include "dggScaledNumber.h"
 
 #include <Eigen/OrderingMethods>
@@ -9,12 +10,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace dgg
 {
 namespace
 {
+/// Products that a factorization sums up between two reports of progress.
+constexpr Offset WorkPerReport = 1 << 22;
+
 bool IsZero(double value)
 {
   return value == 0.0;
@@ -52,14 +57,17 @@ EliminationOrder::EliminationOrder(const Eigen::SparseMatrix<double>& matrix)
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   Eigen::AMDOrdering<int>()(matrix, order); // old place of each new one
   const auto n = static_cast<std::size_t>(matrix.cols());
-  auto places = std::make_shared<std::vector<Id>>(n);
+  auto pattern = std::make_shared<Pattern>();
+  this->Shared = pattern;
+  pattern->Places.resize(n);
   for (int place = 0; place < matrix.cols(); ++place)
   {
-    (*places)[order.indices()[place]] = place;
+    pattern->Places[order.indices()[place]] = place;
   }
-  this->Places = places;
   const Eigen::SparseMatrix<double> upper = this->Permute(matrix);
-  std::vector<Id> parent(n, NoId);
+  std::vector<Id>& parent = pattern->Parents;
+  parent.assign(n, NoId);
+  pattern->Columns.assign(n + 1, 0);
   std::vector<Id> mark(n, NoId);
   for (Id column = 0; column < upper.cols(); ++column)
   {
@@ -70,10 +78,12 @@ EliminationOrder::EliminationOrder(const Eigen::SparseMatrix<double>& matrix)
       {
         parent[i] = parent[i] == NoId ? column : parent[i];
         mark[i] = column;
-        ++this->FactorEntries;
+        ++pattern->Columns[i + 1];
       }
     }
   }
+  std::partial_sum(pattern->Columns.begin(), pattern->Columns.end(), pattern->Columns.begin());
+  this->FactorEntries = pattern->Columns.back();
 }
 
 Status EliminationOrder::Check() const
@@ -87,10 +97,10 @@ Status EliminationOrder::Check() const
 
 double EliminationOrder::EstimateFactorMemory() const
 {
-  // Rows and values of the factor; half of the matrix, permuted, of which Eigen makes a copy; the
-  // diagonal, the beginnings of columns, and arrays to work with.
+  // Rows and values of the factor; half of the matrix, permuted; the diagonal, the beginnings of
+  // columns, and arrays to work with.
   constexpr double entry = sizeof(double) + sizeof(int);
-  const auto n = this->Places ? static_cast<double>(this->Places->size()) : 0.0;
+  const auto n = this->Shared ? static_cast<double>(this->Shared->Places.size()) : 0.0;
   return entry * (static_cast<double>(this->FactorEntries + this->MatrixEntries) + n) +
     n * (2.0 * sizeof(double) + 8.0 * sizeof(int));
 }
@@ -101,7 +111,8 @@ std::vector<Id> EliminationOrder::FindLast(const std::vector<Id>& parts, Id numb
   for (std::size_t v = 0; v < parts.size(); ++v)
   {
     Id& of = last[parts[v]];
-    of = of == NoId || (*this->Places)[v] > (*this->Places)[of] ? static_cast<Id>(v) : of;
+    const std::vector<Id>& places = this->Shared->Places;
+    of = of == NoId || places[v] > places[of] ? static_cast<Id>(v) : of;
   }
   return last;
 }
@@ -111,25 +122,27 @@ Eigen::SparseMatrix<double> EliminationOrder::Permute(
   const Eigen::SparseMatrix<double>& matrix) const
 {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(matrix.cols());
-  std::copy(this->Places->begin(), this->Places->end(), permutation.indices().data());
+  const std::vector<Id>& places = this->Shared->Places;
+  std::copy(places.begin(), places.end(), permutation.indices().data());
   Eigen::SparseMatrix<double> upper(matrix.rows(), matrix.cols());
   upper.selfadjointView<Eigen::Upper>() =
     matrix.selfadjointView<Eigen::Upper>().twistedBy(permutation);
   return upper;
 }
 
-bool SparseFactor::Compute(const EliminationOrder& order, const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<std::uint8_t>& isKnown)
+Status SparseFactor::Compute(const EliminationOrder& order,
+  const Eigen::SparseMatrix<double>& matrix, const std::vector<std::uint8_t>& isKnown,
+  const ProgressCallback& progress)
 {
   this->Clear();
-  this->Places = order.Places;
+  this->Pattern = order.Shared;
   Eigen::SparseMatrix<double> upper = order.Permute(matrix);
   if (!isKnown.empty())
   {
     std::vector<std::uint8_t> isKnownAt(isKnown.size());
     for (std::size_t v = 0; v < isKnown.size(); ++v)
     {
-      isKnownAt[(*this->Places)[v]] = isKnown[v];
+      isKnownAt[this->Pattern->Places[v]] = isKnown[v];
     }
     for (int column = 0; column < upper.cols(); ++column)
     {
@@ -142,25 +155,100 @@ bool SparseFactor::Compute(const EliminationOrder& order, const Eigen::SparseMat
       }
     }
   }
-  this->Decomposition.compute(upper);
-  if (this->Decomposition.info() != Eigen::Success)
+  Status status = this->Factorize(upper, progress);
+  if (!status.IsOk() && !status.IsAborted())
   {
     double largest = 0.0;
     ForEachOnDiagonal(upper, [&](double& d) { largest = std::max(largest, std::abs(d)); });
     ForEachOnDiagonal(upper, [&](double& d) { d += 1e-10 * largest; });
-    this->Decomposition.compute(upper);
+    status = this->Factorize(upper, progress);
     this->Raised = true;
   }
-  this->Computed = this->Decomposition.info() == Eigen::Success;
-  return this->Computed;
+  this->Computed = status.IsOk();
+  if (!this->Computed)
+  {
+    this->Clear();
+  }
+  return status;
+}
+
+/// Row by row: the entries of a row of L are the solution of the system of all rows before it
+/// (T. A. Davis, "Direct methods for sparse linear systems", 2006, section 4.7).
+Status SparseFactor::Factorize(
+  const Eigen::SparseMatrix<double>& upper, const ProgressCallback& progress)
+{
+  const std::vector<Id>& parents = this->Pattern->Parents;
+  const std::vector<Offset>& begins = this->Pattern->Columns;
+  const std::size_t n = parents.size();
+  this->Rows.resize(static_cast<std::size_t>(begins.back()));
+  this->Entries.resize(static_cast<std::size_t>(begins.back()));
+  this->Diagonal.resize(n);
+  std::vector<Offset> ends(begins.begin(), begins.end() - 1); // of what is there of columns
+  std::vector<double> row(n, 0.0);
+  std::vector<Id> mark(n, NoId);
+  std::vector<Id> columns(n); // of the entries of a row, in an order in which they can be found
+  Offset work = 0;
+  for (Id k = 0; k < static_cast<Id>(n); ++k)
+  {
+    std::size_t first = n;
+    mark[k] = k;
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(upper, k); entry; ++entry)
+    {
+      row[entry.row()] += entry.value();
+      std::size_t length = 0;
+      for (auto i = static_cast<Id>(entry.row()); mark[i] != k; i = parents[i])
+      {
+        columns[length++] = i;
+        mark[i] = k;
+      }
+      while (length > 0)
+      {
+        columns[--first] = columns[--length];
+      }
+    }
+    double pivot = row[k];
+    row[k] = 0.0;
+    for (; first < n; ++first)
+    {
+      const Id i = columns[first];
+      const double value = row[i];
+      row[i] = 0.0;
+      for (Offset p = begins[i]; p < ends[i]; ++p)
+      {
+        row[this->Rows[p]] -= this->Entries[p] * value;
+      }
+      const double entry = value / this->Diagonal[i];
+      pivot -= entry * value;
+      work += ends[i] - begins[i];
+      this->Rows[ends[i]] = k;
+      this->Entries[ends[i]++] = entry;
+    }
+    this->Diagonal[k] = pivot;
+    if (pivot == 0.0)
+    {
+      return Status::Invalid(
+        "a linear system could not be factorized: remove triangles that have next to no area");
+    }
+    if (work > WorkPerReport)
+    {
+      work = 0;
+      DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(k) / static_cast<double>(n)));
+    }
+  }
+  return Status::Success();
+}
+
+Id SparseFactor::CountNegative() const
+{
+  return static_cast<Id>(std::count_if(
+    this->Diagonal.begin(), this->Diagonal.end(), [](double pivot) { return pivot < 0.0; }));
 }
 
 void SparseFactor::Clear()
 {
-  if (this->Computed)
-  {
-    this->Decomposition.compute(Eigen::SparseMatrix<double>(0, 0));
-  }
+  this->Rows = std::vector<Id>();
+  this->Entries = std::vector<double>();
+  this->Diagonal = std::vector<double>();
   this->Computed = false;
   this->Raised = false;
 }
@@ -168,7 +256,7 @@ void SparseFactor::Clear()
 template <typename Number>
 void SparseFactor::Solve(std::vector<Number>& values) const
 {
-  const std::vector<Id>& places = *this->Places;
+  const std::vector<Id>& places = this->Pattern->Places;
   std::vector<Number> inOrder(values.size());
   for (std::size_t v = 0; v < values.size(); ++v)
   {
@@ -184,28 +272,27 @@ void SparseFactor::Solve(std::vector<Number>& values) const
 template <typename Number>
 void SparseFactor::SolveInOrder(std::vector<Number>& values) const
 {
-  const Eigen::SparseMatrix<double>& lower = this->Decomposition.matrixL().nestedExpression();
-  const int* const begin = lower.outerIndexPtr();
-  const int* const rows = lower.innerIndexPtr();
-  const double* const entries = lower.valuePtr();
-  const auto diagonal = this->Decomposition.vectorD();
-  const auto n = static_cast<int>(lower.cols());
-  for (int j = 0; j < n; ++j)
+  const Offset* const begin = this->Pattern->Columns.data();
+  const Id* const rows = this->Rows.data();
+  const double* const entries = this->Entries.data();
+  const double* const diagonal = this->Diagonal.data();
+  const auto n = static_cast<Id>(this->Diagonal.size());
+  for (Id j = 0; j < n; ++j)
   {
     if (!IsZero(values[j])) // few are not where there are few sources
     {
       const Number value = values[j];
-      for (int p = begin[j]; p < begin[j + 1]; ++p)
+      for (Offset p = begin[j]; p < begin[j + 1]; ++p)
       {
         values[rows[p]] += value * -entries[p];
       }
       values[j] = value * (1.0 / diagonal[j]);
     }
   }
-  for (int j = n - 1; j >= 0; --j)
+  for (Id j = n - 1; j >= 0; --j)
   {
     Number value = values[j];
-    for (int p = begin[j]; p < begin[j + 1]; ++p)
+    for (Offset p = begin[j]; p < begin[j + 1]; ++p)
     {
       value += values[rows[p]] * -entries[p];
     }

@@ -7,8 +7,7 @@
 
 #include "dggTypes.h" // for Offset
 
-#include <Eigen/SparseCholesky> // for the factorization
-#include <Eigen/SparseCore>     // for matrices
+#include <Eigen/SparseCore> // for matrices
 
 #include <cstdint> // for flags
 #include <memory>  // for the order
@@ -40,7 +39,15 @@ private:
 
   Eigen::SparseMatrix<double> Permute(const Eigen::SparseMatrix<double>& matrix) const;
 
-  std::shared_ptr<const std::vector<Id>> Places; // of unknowns
+  /// Where entries of a factor are, by places in the order.
+  struct Pattern
+  {
+    std::vector<Id> Places;      ///< of unknowns
+    std::vector<Id> Parents;     ///< the row of the first entry of each column, NoId for none
+    std::vector<Offset> Columns; ///< where the entries of each column begin, and their number
+  };
+
+  std::shared_ptr<const Pattern> Shared;
   Offset MatrixEntries = 0;
   Offset FactorEntries = 0;
 };
@@ -48,7 +55,8 @@ private:
 /// The same unknown of several systems.
 using SparseLanes = Eigen::Array<double, 8, 1>;
 
-/// L D L^T of a positive definite matrix.
+/// L D L^T of a positive definite matrix. Eigen's factorization of it takes seconds on large
+/// meshes, and can neither report progress nor be stopped; only its ordering is used.
 class SparseFactor
 {
 public:
@@ -56,12 +64,15 @@ public:
   /// upper triangle is read. Equations of unknowns that are known, if flags are given, say that
   /// the unknown is its right-hand side, and no other equation has it. Where rounding leaves a
   /// pivot of 0, as among faces with next to no area, the diagonal is raised by 1e-10 of its
-  /// largest entry. False when that fails, too.
-  bool Compute(const EliminationOrder& order, const Eigen::SparseMatrix<double>& matrix,
-    const std::vector<std::uint8_t>& isKnown = {});
+  /// largest entry; it is an error when that fails, too. Progress is reported after each few
+  /// million operations.
+  Status Compute(const EliminationOrder& order, const Eigen::SparseMatrix<double>& matrix,
+    const std::vector<std::uint8_t>& isKnown = {}, const ProgressCallback& progress = {});
   bool IsComputed() const { return this->Computed; }
   /// Whether the diagonal was raised: solutions then are those of a system nearby.
   bool IsRaised() const { return this->Raised; }
+  /// Pivots below 0: as many as eigenvalues (Sylvester).
+  Id CountNegative() const;
   void Clear();
 
   /// Replace the right-hand side by the solution. `Number` is double, ScaledNumber, or
@@ -72,13 +83,14 @@ public:
   void Solve(std::vector<Number>& values) const;
 
 private:
-  using Factor =
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
+  Status Factorize(const Eigen::SparseMatrix<double>& upper, const ProgressCallback& progress);
   template <typename Number>
   void SolveInOrder(std::vector<Number>& values) const;
 
-  Factor Decomposition;
-  std::shared_ptr<const std::vector<Id>> Places;
+  std::shared_ptr<const EliminationOrder::Pattern> Pattern;
+  std::vector<Id> Rows; ///< of the entries of L below the diagonal, column by column
+  std::vector<double> Entries;
+  std::vector<double> Diagonal; ///< D
   bool Computed = false;
   bool Raised = false;
 };

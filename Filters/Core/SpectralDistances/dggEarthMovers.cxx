@@ -197,18 +197,16 @@ public:
   }
 
   /// Replace sources by the solution, 0 where it is pinned.
-  bool Solve(std::vector<double>& values)
+  Status Solve(std::vector<double>& values, const ProgressCallback& progress)
   {
-    if (!this->Factor.Compute(this->System.GetOrder(), this->Upper, this->IsPinned))
-    {
-      return false;
-    }
+    DGG_RETURN_IF_ERROR(
+      this->Factor.Compute(this->System.GetOrder(), this->Upper, this->IsPinned, progress));
     for (std::size_t v = 0; v < values.size(); ++v)
     {
       values[v] = this->IsPinned[v] ? 0.0 : values[v];
     }
     this->Factor.Solve(values);
-    return true;
+    return Status::Success();
   }
 
 private:
@@ -429,9 +427,9 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   {
     const double gap = result.Distance - result.LowerBound;
     const double done =
-      std::log(firstGap / gap) / std::log(firstGap / (tolerance * result.Distance));
-    DGG_RETURN_IF_ERROR(ReportTo(options.Progress,
-      std::max(done, static_cast<double>(result.Iterations) / options.MostIterations)));
+      std::max(std::log(firstGap / gap) / std::log(firstGap / (tolerance * result.Distance)),
+        static_cast<double>(result.Iterations) / options.MostIterations);
+    DGG_RETURN_IF_ERROR(ReportTo(options.Progress, done));
     const double e = aim * gap / area;
     const auto linearFlow = [&](std::size_t f) {
       return Linearize(exact[f], flows.GradientOf(f, potential), e);
@@ -448,7 +446,12 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     {
       step[v] = sources[v] - rest[v];
     }
-    if (!matrix.Solve(step))
+    const Status solved = matrix.Solve(step, [&](double) { return Goes(options.Progress, done); });
+    if (solved.IsAborted())
+    {
+      return solved;
+    }
+    if (!solved.IsOk())
     {
       break;
     }

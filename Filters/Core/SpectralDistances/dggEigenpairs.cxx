@@ -120,8 +120,8 @@ public:
   }
 
   /// How many eigenvalues of L v = lambda M v are below sigma, 0 included; -1 when that cannot be
-  /// found out.
-  Id CountBelow(double sigma) const
+  /// found out, or progress asks to stop.
+  Id CountBelow(double sigma, const ProgressCallback& progress) const
   {
     Eigen::SparseMatrix<double> matrix = this->System.GetStiffness();
     for (int column = 0; column < matrix.cols(); ++column)
@@ -139,12 +139,9 @@ public:
         }
       }
     }
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
-    if (factor.info() != Eigen::Success)
-    {
-      return -1;
-    }
-    return static_cast<Id>((factor.vectorD().array() < 0.0).count());
+    SparseFactor factor;
+    const Status status = factor.Compute(this->System.GetOrder(), matrix, {}, progress);
+    return status.IsOk() && !factor.IsRaised() ? factor.CountNegative() : -1;
   }
 
 private:
@@ -312,11 +309,11 @@ Status FindAllAtOnce(
       --gap;
     }
     const double sigma = 0.5 * (gap > 0 ? valueOf(gap - 1) + valueOf(gap) : valueOf(0));
-    const Id below = op.CountBelow(sigma) - op.GetNullity();
+    const auto more = [&](double) { return Goes(progress, SearchDone); };
+    const Id below = op.CountBelow(sigma, more) - op.GetNullity();
     for (int search = 1; gap < below && search < MostSearches && status.IsOk(); ++search)
     {
       op.SetKnown(vectors);
-      const auto more = [&](double) { return Goes(progress, SearchDone); };
       status = FindLargest(op, below - gap, search, more, inverses, vectors);
       gap = 0;
       while (gap < CountDefinite(inverses) && valueOf(gap) < sigma)

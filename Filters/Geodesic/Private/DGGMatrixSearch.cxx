@@ -101,7 +101,7 @@ dgg::Status DGGMatrixSearch::LinkPoints(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGMatrixSearch::Run(bool symmetric)
+dgg::Status DGGMatrixSearch::Run(bool symmetric, double radius)
 {
   this->IsSymmetric = symmetric;
   const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), dgg::IsVertex) &&
@@ -125,7 +125,7 @@ dgg::Status DGGMatrixSearch::Run(bool symmetric)
       this->LinkPoints(this->Targets, this->Sources, TargetsLinked, this->TargetLinks,
         [this](std::size_t j, std::size_t i) -> double& { return this->Distances(i, j); }));
   }
-  DGG_RETURN_IF_ERROR(this->Search());
+  DGG_RETURN_IF_ERROR(this->Search(radius));
   if (symmetric)
   {
     this->Mirror();
@@ -134,7 +134,7 @@ dgg::Status DGGMatrixSearch::Run(bool symmetric)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGMatrixSearch::Search()
+dgg::Status DGGMatrixSearch::Search(double radius)
 {
   std::vector<std::vector<dgg::GraphSeed>> seeds(this->Sources.size());
   for (std::size_t i = 0; i < seeds.size(); ++i)
@@ -144,7 +144,7 @@ dgg::Status DGGMatrixSearch::Search()
       seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
   }
-  return this->Graph.GetSearch().Many(seeds, dgg::Infinity, this->Context.Parallel,
+  return this->Graph.GetSearch().Many(seeds, radius, this->Context.Parallel,
     dgg::ProgressPart(this->Progress, this->Done, 1.0),
     [this](std::size_t source, const double* field) { this->LookAtTargets(source, field); });
 }

@@ -45,13 +45,14 @@ public:
     const Points& targets, const DGGMatrixEntries& distances);
 
   /// With `symmetric`, the targets are the sources: then one half is searched, and mirrored.
-  dgg::Status Run(bool symmetric);
+  /// Distances above `radius` may stay dgg::Infinity.
+  dgg::Status Run(bool symmetric, double radius);
 
 private:
   template <typename EntryType>
   dgg::Status LinkPoints(
     const Points& points, const Points& others, double end, Links& links, EntryType entry);
-  dgg::Status Search();
+  dgg::Status Search(double radius);
   void LookAtTargets(std::size_t source, const double* field) const;
   void Mirror() const;
 

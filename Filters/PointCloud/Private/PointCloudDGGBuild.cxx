@@ -54,7 +54,8 @@ vtkTypeUInt64 vtkPointCloudDGG::EstimateMemory()
 dgg::Status vtkPointCloudDGG::Estimate()
 {
   DGG_RETURN_IF_ERROR(this->CheckProperties());
-  vtkPolyData* cloud = vtkPolyData::SafeDownCast(this->GetInput());
+  vtkSmartPointer<vtkPolyData> cloud;
+  DGG_RETURN_IF_ERROR(this->GetWholeInput(cloud));
   if (cloud && cloud->GetNumberOfPoints() == 0)
   {
     vtkWarningMacro("The input is empty: it has no points. So is its graph.");

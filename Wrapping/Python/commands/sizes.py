@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How large the triangles of the demo's mesh are, and what that means for its results."""
+"""How large the triangles of a mesh are, and what that means for its results."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One-liners on numpy arrays."""
+"""Distances on a surface in one call."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import arguments
+from . import arguments, meshes
 from .errors import run
+from .results import array_of
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
     vtkExactGeodesicDistance,
@@ -18,34 +18,38 @@ from .vtkDGGFiltersGeodesic import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 __all__ = ["distance"]
 
 
 def distance(
-    points: ArrayLike,
-    triangles: ArrayLike,
-    sources: ArrayLike,
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    sources: Optional[ArrayLike] = None,
+    *,
     maximum_distance: Optional[float] = None,
     unreached: float = np.nan,
     accuracy: Optional[float] = None,
-    merge_coincident_points: bool = False,
-    projection_tolerance: Optional[float] = None,
-    merge_tolerance: float = 0.0,
     method: Optional[str] = None,
-) -> NDArray[np.float64]:
-    """Geodesic distance of every point of a triangle mesh from the nearest source.
+    merge_coincident_points: bool = False,
+    merge_tolerance: float = 0.0,
+    projection_tolerance: Optional[float] = None,
+    as_polydata: bool = False,
+) -> Any:
+    """Geodesic distance of every point of a mesh from the nearest source:
+    ``distance(points, triangles, sources)`` or ``distance(mesh, sources)``.
 
     Parameters
     ----------
-    points : array_like, shape (n, 3)
-        Coordinates.
-    triangles : array_like of int, shape (m, 3)
-        Point ids of the corners.
-    sources : int, sequence of int, or array_like of float, shape (k, 3)
-        Point ids, or coordinates of points anywhere on the surface; they are moved to the closest
-        point of the surface.
+    points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
+        Coordinates, and point ids of the corners. Polygons have more columns, or are one row that
+        has the number of corners before those of each polygon, or rows of unequal lengths. A mesh
+        is a vtkPolyData, as those of PyVista are, or has `points` or `vertices`, and `faces` or
+        `cells`, as those of trimesh and meshio.
+    sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+        Integers are point ids, floats coordinates of points anywhere on the surface, which are
+        moved to the closest point of it.
     maximum_distance : float, optional
         Points farther than this are left unreached. Default: no limit.
     unreached : float, optional
@@ -53,6 +57,9 @@ def distance(
     accuracy : float, optional
         Largest relative error, in [1e-6, 0.5]. Default: None, the exact distance. With a number a
         graph is built for this one call. That pays off for many calls: see `Graph`.
+    method : {"exact", "graph", "fast"}, optional
+        Default: "exact", or "graph" when there is an `accuracy`, whose default is 0.01 then. "fast"
+        takes milliseconds, and nothing bounds its errors; together with `accuracy` it is an error.
     merge_coincident_points : bool, optional
         Whether points with the very same coordinates are one, as along the seams of a textured
         mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
@@ -63,13 +70,12 @@ def distance(
     projection_tolerance : float, optional
         How far coordinates of sources may be from the surface, as a fraction of the diagonal of
         its bounding box. Default: 0.01. (ProjectionTolerance, in the messages of the filters.)
-    method : {"exact", "graph", "fast"}, optional
-        Default: "exact", or "graph" when there is an `accuracy`, whose default is 0.01 then. "fast"
-        takes milliseconds, and nothing bounds its errors; together with `accuracy` it is an error.
+    as_polydata : bool, optional
+        Whether to return the surface with the point array "GeodesicDistance".
 
     Returns
     -------
-    numpy.ndarray of float64, shape (n,)
+    numpy.ndarray of float64, shape (n,), or vtkPolyData
         Distances in the unit of `points`; empty when there are no points.
 
     Raises
@@ -92,10 +98,9 @@ def distance(
     >>> d
     array([0., 3., 4.])
     """
-    points = arguments.coordinates(points, "points")
-    triangles = arguments.corners(triangles, len(points))
+    surface, (sources,) = meshes.take(points, triangles, sources=sources)
     limit = arguments.limit(maximum_distance, "maximum_distance")
-    ids, places = arguments.places(sources, "sources", len(points))
+    ids, places = arguments.places(sources, "sources", surface.GetNumberOfPoints())
     unreached = arguments.number(unreached, "unreached")
     tolerance = arguments.projection_tolerance(projection_tolerance)
     kinds = {
@@ -109,13 +114,13 @@ def distance(
         raise ValueError(f"method is {method!r}: it has to be one of {', '.join(map(repr, kinds))}")
     if accuracy is not None and method != "graph":
         raise ValueError(f'accuracy is for the method "graph", not for {method!r}')
-    if len(points) == 0:
-        return np.empty(0)
+    if surface.GetNumberOfPoints() == 0:
+        return surface if as_polydata else np.empty(0)
 
     distance_filter = kinds[method]()
     if accuracy is not None:
         distance_filter.SetAccuracy(arguments.number(accuracy, "accuracy"))
-    distance_filter.SetInputData(arguments.polydata(points, triangles))
+    distance_filter.SetInputData(surface)
     if ids is not None:
         distance_filter.SetSourceIds(ids)
     else:
@@ -127,5 +132,4 @@ def distance(
     distance_filter.SetUnreachedValue(unreached)
     name = distance_filter.GetDistanceArrayName()
     output = run(distance_filter)
-    # A copy, because the output goes with the filter.
-    return np.array(vtk_to_numpy(output.GetPointData().GetArray(name)), dtype=np.float64)
+    return output if as_polydata else array_of(output.GetPointData(), name)

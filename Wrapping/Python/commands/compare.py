@@ -5,26 +5,22 @@ measures the error against the exact solver. Prints a table; writes distance.vtp
 error.png. A file that holds points and no polygons is a point cloud: then there are distances, and
 the path to the farthest point."""
 
-import argparse
 import os
 import sys
 import time
 import warnings
 
-import cloud_file
-import demo_bounds
-import demo_cloud
-import demo_picture
-import demo_source
 import numpy as np
 import vtkdgg
-from demo_errors import Errors
-from demo_output import print_table, save, with_arrays
-from demo_size import floor_of, notes
-from demo_solve import Direct, Graph, Query
-from demo_words import counted, in_options
-from mesh_file import MeshFileError, triangles_of
 from vtkmodules.vtkCommonCore import vtkSMPTools
+
+from . import bounds, compare_cloud, files, pictures, places
+from .files import triangles_of
+from .measured import Errors
+from .output import print_table, save, with_arrays
+from .sizes import floor_of, notes
+from .solve import Direct, Graph, Query
+from .words import counted
 
 DEFAULT_MESH = "/usr/share/glmark2/models/bunny.obj"
 DEFAULT_ACCURACY = 0.01
@@ -34,21 +30,13 @@ class UsageError(Exception):
     """A wrong argument; the text says which."""
 
 
-class Parser(argparse.ArgumentParser):
-    """Reports errors as the rest of the program does: one line, exit code 2."""
-
-    def error(self, message):
-        raise UsageError(f"{message} (--help explains)")
-
-
-def parse(arguments):
-    """Command line to options."""
-    parser = Parser(prog="demo.sh", description=__doc__)
+def add_arguments(parser):
+    """What the command takes."""
     parser.add_argument(
         "mesh",
         nargs="?",
         default=DEFAULT_MESH,
-        help=f"{' '.join(cloud_file.EXTENSIONS)} (default: %(default)s)",
+        help=f"{' '.join(files.EXTENSIONS)} (default: %(default)s)",
     )
     parser.add_argument(
         "--source",
@@ -84,14 +72,6 @@ def parse(arguments):
     parser.add_argument(
         "--out", metavar="DIR", default="out", help="folder of the results (default: ./%(default)s)"
     )
-    # argparse would take coordinates that start with a minus sign for an option.
-    joined = []
-    for argument in arguments:
-        if joined and joined[-1] == "--source":
-            joined[-1] = f"--source={argument}"
-        else:
-            joined.append(argument)
-    return parser.parse_args(joined)
 
 
 def defects(distance):
@@ -196,41 +176,40 @@ def write(folder, mesh, source, query, exact, errors, accuracy):
         },
     )
     save(paths[0], result)
-    step = demo_picture.save_distances(paths[1], result, "GeodesicDistance", source)
+    step = pictures.save_distances(paths[1], result, "GeodesicDistance", source)
     note = (
         f"promised  {percent(accuracy)}",
         f"largest  {percent(errors.largest)}",
         f"mean  {percent(errors.mean)}",
     )
     isolines = ("GeodesicDistance", step)
-    demo_picture.save_errors(paths[2], result, "RelativeError", accuracy, isolines, source, note)
+    pictures.save_errors(paths[2], result, "RelativeError", accuracy, isolines, source, note)
     return paths, step
 
 
-def main(arguments):
-    """Run the demo; returns the exit code."""
-    options = parse(arguments)
+def run(options):
+    """Compare; returns the exit code."""
     start = time.perf_counter()
-    contents = cloud_file.read(options.mesh)
+    contents = files.read(options.mesh)
     read_time = time.perf_counter() - start
-    if not options.cloud and not cloud_file.is_cloud(contents):
+    if not options.cloud and not files.is_cloud(contents):
         return on_mesh(options, contents, read_time)
     for option, given in (("--accuracy", options.accuracy is not None), ("--merge", options.merge)):
         if given:
             raise UsageError(f"{option}: not on a point cloud, only on a mesh (--help explains)")
-    return demo_cloud.run(options, contents, read_time)
+    return compare_cloud.run(options, contents, read_time)
 
 
 def on_mesh(options, contents, read_time):
-    """Run the demo on a mesh; returns the exit code."""
+    """Compare on a mesh; returns the exit code."""
     start = time.perf_counter()
     mesh = triangles_of(contents, options.mesh)
     read_time += time.perf_counter() - start
-    source = demo_source.choose(options.source, mesh)
+    source = places.choose(options.source, mesh)
     if source is None:
-        source = demo_source.far_point(mesh)
+        source = places.far_point(mesh)
     accuracy = DEFAULT_ACCURACY if options.accuracy is None else options.accuracy
-    location, corners = demo_source.locate(mesh, source)
+    location, corners = places.locate(mesh, source)
 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -243,10 +222,10 @@ def on_mesh(options, contents, read_time):
     sooner = Errors(first.distances, exact.distances, floor)
     raw = Errors(query.upper_bound, exact.distances, floor)
     corrected = Errors(query.distances, exact.distances, floor)
-    bounds = demo_bounds.compare(
+    agreement = bounds.compare(
         exact.distances,
-        demo_bounds.upper_bound(mesh, location, corners),
-        demo_bounds.lower_bound(mesh, location),
+        bounds.upper_bound(mesh, location, corners),
+        bounds.lower_bound(mesh, location),
     )
     paths, step = write(options.out, mesh, location, query, exact, corrected, accuracy)
 
@@ -271,35 +250,21 @@ def on_mesh(options, contents, read_time):
         *near_rows(corrected, floor),
         ("reached", f"{reached.sum()} of {reached.size} vertices"),
         ("range", f"0 to {np.nanmax(np.append(query.distances, 0.0)):.6g} model units"),
-        ("upper bound", bound_line(bounds["upper"], "edge graph")),
-        ("lower bound", bound_line(bounds["lower"], "Euclid")),
+        ("upper bound", bound_line(agreement["upper"], "edge graph")),
+        ("lower bound", bound_line(agreement["lower"], "Euclid")),
         ("isolines", f"every {step:g} model units"),
         ("written", ", ".join(paths)),
     )
     print_table(rows, notes(mesh), caught)
-    return verdict(raw, corrected, accuracy, bounds)
+    return verdict(raw, corrected, accuracy, agreement)
 
 
-def verdict(raw, corrected, accuracy, bounds):
+def verdict(raw, corrected, accuracy, agreement):
     """The exit code: 1, with the reason, when a promise is broken."""
-    broken = bounds["upper"]["violations"] + bounds["lower"]["violations"]
+    broken = agreement["upper"]["violations"] + agreement["lower"]["violations"]
     if broken:
         print(f"error: {broken} exact distances break a bound", file=sys.stderr)
     kept = raw.keeps(accuracy) and corrected.keeps(accuracy) and raw.is_upper_bound
     if not kept:
         print("error: an error is larger than promised", file=sys.stderr)
     return 0 if kept and not broken else 1
-
-
-if __name__ == "__main__":
-    try:
-        sys.exit(main(sys.argv[1:]))
-    except (
-        UsageError,
-        demo_source.SourceError,
-        MeshFileError,
-        vtkdgg.VTKError,
-        OSError,
-    ) as problem:
-        print(f"error: {in_options(' '.join(str(problem).split()))}", file=sys.stderr)
-        sys.exit(2)

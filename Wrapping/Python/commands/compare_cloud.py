@@ -1,22 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo on a point cloud: distances, and the path to the farthest point."""
+"""The comparison on a point cloud: distances, and the path to the farthest point."""
 
 import os
 import sys
 import warnings
 
-import demo_cloud_picture
-import demo_source
 import numpy as np
-from cloud_discs import spacings_of
-from demo_output import print_table, save, with_arrays
-from demo_solve import CloudGraph, Path, Query
-from demo_words import counted
-from mesh_file import MeshFileError
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import cloud_pictures, places
+from .discs import spacings_of
+from .files import MeshFileError
+from .output import print_table, save, with_arrays
+from .solve import CloudGraph, Path, Query
+from .words import counted
 
 # Rounding of the lengths of edges, relative.
 ROUNDING = 1e-6
@@ -43,15 +43,15 @@ def place(location):
 
 
 def run(options, contents, read_time):
-    """Run the demo on the points of this data; returns the exit code."""
+    """Compare on the points of this data; returns the exit code."""
     cloud = points_of(contents)
     points = vtk_to_numpy(cloud.GetPoints().GetData()).astype(float)
     finite = np.isfinite(points).all(axis=1)
     if not finite.any():
         raise MeshFileError(f"{options.mesh}: none of its points is finite")
-    source = demo_source.choose(options.source, cloud)
+    source = places.choose(options.source, cloud)
     if isinstance(source, int) and not finite[source]:
-        raise demo_source.SourceError(f"--source {source}: this point is not finite")
+        raise places.SourceError(f"--source {source}: this point is not finite")
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         graph = CloudGraph(cloud)
@@ -71,7 +71,7 @@ def run(options, contents, read_time):
     arrays = {"GeodesicDistance": query.distances, "Component": component}
     save(paths[0], with_arrays(cloud, arrays))
     save(paths[1], path.output)
-    demo_cloud_picture.save_distances(
+    cloud_pictures.save_distances(
         paths[2],
         points[finite],
         query.distances[finite],

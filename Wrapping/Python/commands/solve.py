@@ -1,15 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filters of the demo: graphs, queries of them, and the exact solver to compare with."""
+"""The filters of a comparison: graphs, queries of them, and the exact solver to compare with."""
 
 import statistics
 import time
 
 import vtkdgg
-from cloud_file import make_graph
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from .files import make_graph
 
 NUMBER_OF_QUERIES = 9
 

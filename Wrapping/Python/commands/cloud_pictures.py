@@ -5,9 +5,15 @@
 import math
 
 import numpy as np
-from cloud_discs import RADIUS, disc_radii, discs
-from cloud_file import cloud_of
-from demo_picture import (
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+from .discs import RADIUS, disc_radii, discs
+from .files import cloud_of
+from .pictures import (
     DISTANCE_COLOURS,
     INK,
     SIZE,
@@ -23,11 +29,6 @@ from demo_picture import (
     unreached,
     up_of,
 )
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTubeFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 # A disc has no fewer pixels than this across.
 PIXELS = 3.0

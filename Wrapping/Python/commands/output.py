@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the demo prints and writes, on meshes and on clouds."""
+"""What commands print and write."""
 
 import vtkdgg
-from demo_words import in_options
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from .words import in_options
 
 
 def with_arrays(data, arrays):

@@ -1,17 +1,81 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Read what may be a point cloud: points without polygons, in any format that the examples know."""
+"""Files of surfaces and of point clouds, in any format that is known."""
 
 import os
 
 import numpy as np
 import vtkdgg
-from mesh_file import READERS, MeshFileError, read_all
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
+READERS = {
+    ".obj": vtkOBJReader,
+    ".off": vtkdgg.vtkDGGOFFReader,
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".vtk": vtkPolyDataReader,
+    ".vtp": vtkXMLPolyDataReader,
+}
+WRITERS = {
+    ".obj": vtkOBJWriter,
+    ".pcd": vtkdgg.vtkPCDWriter,
+    ".ply": vtkPLYWriter,
+    ".stl": vtkSTLWriter,
+    ".vtk": vtkPolyDataWriter,
+    ".vtp": vtkXMLPolyDataWriter,
+}
+# Those in which point clouds come as well.
 EXTENSIONS = sorted([*READERS, ".pcd", ".xyz"])
+
+
+class MeshFileError(Exception):
+    """The file cannot be read as a surface; the text says why."""
+
+
+def make_reader(path):
+    """Reader for the file, chosen by its extension."""
+    extension = os.path.splitext(path)[1].lower()
+    if extension not in READERS:
+        known = " ".join(sorted(READERS))
+        raise MeshFileError(f"{path}: unknown extension '{extension}'; known are {known}")
+    if not os.path.isfile(path):
+        raise MeshFileError(f"{path}: no such file")
+    reader = READERS[extension]()
+    reader.SetFileName(path)
+    return reader
+
+
+def read_all(path, reader=None):
+    """All that the file holds, by this reader or the one that its extension asks for."""
+    try:
+        return vtkdgg.check(reader or make_reader(path))
+    except vtkdgg.VTKError as error:
+        reason = " ".join(str(error).split())
+        raise MeshFileError(f"{path}: cannot be read ({reason})") from None
+
+
+def triangles_of(contents, path):
+    """The triangles in it; polygons and strips are triangulated, lines and verts left out."""
+    triangulate = vtkTriangleFilter()
+    triangulate.PassLinesOff()
+    triangulate.PassVertsOff()
+    triangulate.SetInputData(contents)
+    mesh = vtkdgg.check(triangulate)
+    ids = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
+    if len(ids) > 0 and not 0 <= ids.min() <= ids.max() < mesh.GetNumberOfPoints():
+        wrong = ids.min() if ids.min() < 0 else ids.max()
+        last = mesh.GetNumberOfPoints() - 1
+        raise MeshFileError(f"{path}: a cell names point {wrong}, but the last is {last}")
+    if mesh.GetNumberOfPolys() == 0:
+        raise MeshFileError(f"{path}: holds no surface")
+    return mesh
 
 
 def read(path):
@@ -90,3 +154,17 @@ def read_xyz(path):
                 raise MeshFileError(f"{path}: line {number}: {shown} does not start with X Y Z")
             points.append(point)
     return np.array(points, dtype=float).reshape(-1, 3)
+
+
+def write(path, data):
+    """Write a file; its extension chooses the format."""
+    extension = os.path.splitext(path)[1].lower()
+    if extension not in WRITERS:
+        known = " ".join(sorted(WRITERS))
+        raise MeshFileError(f"{path}: cannot write '{extension}'; known are {known}")
+    writer = WRITERS[extension]()
+    if hasattr(writer, "SetFileTypeToBinary"):
+        writer.SetFileTypeToBinary()  # exact, and VTK does not read every NaN in a text
+    writer.SetFileName(path)
+    writer.SetInputData(data)
+    vtkdgg.check(writer)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the distances of the demo start: read it from the command line, or choose it."""
+"""Places of a command line, and one to start with where none is given."""
 
 import math
 
@@ -16,7 +16,7 @@ class SourceError(Exception):
     """There is no such source; the text says why."""
 
 
-def choose(text, mesh):
+def choose(text, mesh, name="--source"):
     """A point id (int) or coordinates (list of 3 floats); None for no text."""
     if text is None:
         return None
@@ -28,10 +28,10 @@ def choose(text, mesh):
             if len(source) != 3 or not all(math.isfinite(x) for x in source):
                 raise ValueError
     except ValueError:
-        raise SourceError(f"--source {text}: neither a point id nor X,Y,Z") from None
+        raise SourceError(f"{name} {text}: neither a point id nor X,Y,Z") from None
     count = mesh.GetNumberOfPoints()
     if isinstance(source, int) and not 0 <= source < count:
-        raise SourceError(f"--source {source}: there are points 0 to {count - 1}")
+        raise SourceError(f"{name} {source}: there are points 0 to {count - 1}")
     return source
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pictures of the demo: a surface coloured by distance or by error, with isolines of distance,
+"""Pictures: a surface coloured by distance or by error, with isolines of distance,
 the source, and a scalar bar."""
 
 import math

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Words of the demo's table."""
+"""Words of tables."""
 
 
 def counted(count, one, many=None):
@@ -9,7 +9,7 @@ def counted(count, one, many=None):
 
 
 def in_options(text):
-    """What a filter says, with the options of the demo beside its properties."""
+    """What a filter says, with the options of the command beside its properties."""
     for words, option in (
         ("raise ProjectionTolerance", "--tolerance"),
         ("turn MergeCoincidentPoints on", "--merge"),

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGJoinedParts.h"
+
+#include "DGGPartRims.h"
+
+#include "dggDisjointSets.h"
+#include "dggInvalidInput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace
+{
+using Parts = std::vector<DGGSurfacePart>;
+using Numbers = std::vector<DGGPartNumbers>;
+
+bool AreSame(vtkDataArray* a, vtkDataArray* b)
+{
+  return a == b ||
+    (a && b && a->GetDataType() == b->GetDataType() &&
+      a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+      a->GetNumberOfTuples() == b->GetNumberOfTuples() &&
+      std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+        static_cast<std::size_t>(a->GetDataSize()) *
+          static_cast<std::size_t>(a->GetDataTypeSize())) == 0);
+}
+
+/// Whether a process sends what another one has as well: the same cells on the same points, and, as
+/// for sources, the same point data where there are no faces.
+bool AreSame(vtkPolyData* a, vtkPolyData* b)
+{
+  if (a->GetNumberOfPoints() != b->GetNumberOfPoints() ||
+    a->GetNumberOfCells() != b->GetNumberOfCells())
+  {
+    return false;
+  }
+  bool same = !a->GetPoints() || AreSame(a->GetPoints()->GetData(), b->GetPoints()->GetData());
+  for (int kind = 0; kind < DGGNumberOfCellKinds && same; ++kind)
+  {
+    vtkCellArray* of[2] = { DGGGetCells(a, kind), DGGGetCells(b, kind) };
+    same = of[0]->GetNumberOfCells() == of[1]->GetNumberOfCells() &&
+      (of[0]->GetNumberOfCells() == 0 ||
+        (AreSame(of[0]->GetOffsetsArray(), of[1]->GetOffsetsArray()) &&
+          AreSame(of[0]->GetConnectivityArray(), of[1]->GetConnectivityArray())));
+  }
+  const bool hasFaces = a->GetNumberOfPolys() + a->GetNumberOfStrips() > 0;
+  vtkPointData* data = a->GetPointData();
+  same = same && (hasFaces || data->GetNumberOfArrays() == b->GetPointData()->GetNumberOfArrays());
+  for (int i = 0; i < data->GetNumberOfArrays() && same && !hasFaces; ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    same = array && AreSame(array, b->GetPointData()->GetArray(array->GetName()));
+  }
+  return same;
+}
+
+/// Global ids that all parts have, or nothing.
+std::vector<vtkDataArray*> FindGlobalIds(const Parts& parts, bool ofPoints)
+{
+  std::vector<vtkDataArray*> ids;
+  for (const DGGSurfacePart& part : parts)
+  {
+    vtkPolyData* data = part.Data;
+    const vtkIdType size = ofPoints ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+    vtkDataArray* array =
+      ofPoints ? data->GetPointData()->GetGlobalIds() : data->GetCellData()->GetGlobalIds();
+    if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != size)
+    {
+      return {};
+    }
+    ids.push_back(array);
+  }
+  return ids;
+}
+
+vtkIdType GetId(vtkDataArray* ids, vtkIdType i)
+{
+  return static_cast<vtkIdType>(ids->GetComponent(i, 0));
+}
+
+/// Points with the same global ids in one block are one.
+dgg::Status JoinGlobalIds(
+  const Parts& parts, const std::vector<vtkDataArray*>& ids, dgg::DisjointSets& points)
+{
+  struct Place
+  {
+    std::size_t Part;
+    vtkIdType Point;
+    dgg::Id InAll;
+  };
+  std::map<std::pair<int, vtkIdType>, Place> found;
+  dgg::Id inAll = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    for (vtkIdType i = 0; i < parts[p].Data->GetNumberOfPoints(); ++i, ++inAll)
+    {
+      const vtkIdType id = GetId(ids[p], i);
+      const auto first = found.insert({ { parts[p].Block, id }, { p, i, inAll } });
+      const Place& place = first.first->second;
+      points.Join(place.InAll, inAll);
+      double a[3];
+      double b[3];
+      parts[place.Part].Data->GetPoint(place.Point, a);
+      parts[p].Data->GetPoint(i, b);
+      if (!first.second && !std::equal(a, a + 3, b))
+      {
+        return dgg::InvalidInput("two points have the global id ", id, ", one at (", a[0], ", ",
+          a[1], ", ", a[2], ") and one at (", b[0], ", ", b[1], ", ", b[2],
+          "): number the points of all parts anew, or remove the global ids, so that parts are "
+          "joined by coordinates");
+      }
+    }
+  }
+  return dgg::Status::Success();
+}
+
+/// Consecutive numbers of the sets of points, by block, and global ids where there are any.
+void NumberPoints(const Parts& parts, const std::vector<vtkDataArray*>& ids,
+  dgg::DisjointSets& points, Numbers& numbers)
+{
+  std::vector<std::tuple<int, vtkIdType, dgg::Id>> order; // of one point of each set
+  dgg::Id inAll = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    for (vtkIdType i = 0; i < parts[p].Data->GetNumberOfPoints(); ++i, ++inAll)
+    {
+      if (points.Find(inAll) == inAll)
+      {
+        order.emplace_back(parts[p].Block, ids.empty() ? 0 : GetId(ids[p], i), inAll);
+      }
+    }
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<vtkIdType> ofSets(static_cast<std::size_t>(inAll), -1);
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    ofSets[std::get<2>(order[k])] = static_cast<vtkIdType>(k);
+  }
+  inAll = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    for (vtkIdType i = 0; i < parts[p].Data->GetNumberOfPoints(); ++i, ++inAll)
+    {
+      numbers[p].Points.push_back(ofSets[points.Find(inAll)]);
+    }
+  }
+}
+
+/// The same for cells, kind by kind. Those with the same global id are one.
+void NumberCells(const Parts& parts, const std::vector<vtkDataArray*>& ids, Numbers& numbers)
+{
+  vtkIdType next = 0;
+  for (int kind = 0; kind < DGGNumberOfCellKinds; ++kind)
+  {
+    using Origin = std::tuple<int, vtkIdType, std::size_t, vtkIdType>; // block, id, part, cell
+    std::vector<Origin> order;
+    for (std::size_t p = 0; p < parts.size(); ++p)
+    {
+      vtkIdType cell = 0;
+      for (int before = 0; before < kind; ++before)
+      {
+        cell += DGGGetCells(parts[p].Data, before)->GetNumberOfCells();
+      }
+      const vtkIdType end = cell + DGGGetCells(parts[p].Data, kind)->GetNumberOfCells();
+      numbers[p].Cells.resize(static_cast<std::size_t>(end), -1);
+      for (; cell < end; ++cell)
+      {
+        order.emplace_back(parts[p].Block, ids.empty() ? 0 : GetId(ids[p], cell), p, cell);
+      }
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t k = 0; k < order.size(); ++k)
+    {
+      const bool isAgain = !ids.empty() && k > 0 &&
+        std::get<0>(order[k - 1]) == std::get<0>(order[k]) &&
+        std::get<1>(order[k - 1]) == std::get<1>(order[k]);
+      next += isAgain ? 0 : 1;
+      numbers[std::get<2>(order[k])].Cells[std::get<3>(order[k])] = next - 1;
+    }
+  }
+}
+
+DGGPartNumbers MakeIdentity(vtkPolyData* part)
+{
+  DGGPartNumbers numbers;
+  numbers.Points.resize(static_cast<std::size_t>(part->GetNumberOfPoints()));
+  numbers.Cells.resize(static_cast<std::size_t>(part->GetNumberOfCells()));
+  std::iota(numbers.Points.begin(), numbers.Points.end(), 0);
+  std::iota(numbers.Cells.begin(), numbers.Cells.end(), 0);
+  return numbers;
+}
+
+/// `whole` is what the output was made from, whose arrays are those of the input.
+DGGChangedArrays FindChanges(
+  vtkDataSetAttributes* whole, vtkDataSetAttributes* output, const std::vector<vtkIdType>& numbers)
+{
+  DGGChangedArrays changes;
+  for (int i = 0; i < whole->GetNumberOfArrays(); ++i)
+  {
+    const char* name = whole->GetAbstractArray(i)->GetName();
+    if (name && !output->HasArray(name))
+    {
+      changes.Removed.emplace_back(name);
+    }
+  }
+  for (int i = 0; i < output->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = output->GetArray(i);
+    if (!array || !array->GetName() || whole->GetAbstractArray(array->GetName()) == array)
+    {
+      continue;
+    }
+    auto some = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    some->SetName(array->GetName());
+    some->SetNumberOfComponents(array->GetNumberOfComponents());
+    some->CopyComponentNames(array);
+    some->SetNumberOfTuples(static_cast<vtkIdType>(numbers.size()));
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+    {
+      some->SetTuple(static_cast<vtkIdType>(k), numbers[k], array);
+    }
+    changes.Added.push_back(some);
+  }
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    vtkAbstractArray* active = output->GetAbstractAttribute(type);
+    changes.Active[type] = active && active->GetName() ? active->GetName() : "";
+  }
+  return changes;
+}
+
+void ApplyChanges(const DGGChangedArrays& changes, vtkDataSetAttributes* data)
+{
+  for (const std::string& name : changes.Removed)
+  {
+    data->RemoveArray(name.c_str());
+  }
+  for (vtkDataArray* array : changes.Added)
+  {
+    data->AddArray(array);
+  }
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    const std::string& name = changes.Active[type];
+    if (!name.empty())
+    {
+      data->SetActiveAttribute(name.c_str(), type);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGJoinedParts::Join(const Parts& parts)
+{
+  this->Numbers.assign(parts.size(), DGGPartNumbers());
+  this->Whole = vtkSmartPointer<vtkPolyData>::New();
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return parts[a].Block < parts[b].Block; });
+  std::vector<std::size_t> used; // those that are not empty, but the first of several
+  std::vector<std::size_t> first(parts.size());
+  double size = 0.0;
+  for (const std::size_t p : order)
+  {
+    const auto same = std::find_if(used.begin(), used.end(), [&](std::size_t q) {
+      return parts[q].Block == parts[p].Block && AreSame(parts[q].Data, parts[p].Data);
+    });
+    first[p] = same == used.end() ? p : *same;
+    if (same == used.end() && !DGGIsEmpty(parts[p].Data))
+    {
+      used.push_back(p);
+      size += static_cast<double>(parts[p].Data->GetNumberOfPoints());
+    }
+  }
+  if (size > std::numeric_limits<dgg::Id>::max())
+  {
+    return dgg::InvalidInput("the parts of the input have ", size, " points, of which ",
+      std::numeric_limits<dgg::Id>::max(), " are possible: make them fewer");
+  }
+  if (used.size() <= 1)
+  {
+    if (!parts.empty())
+    {
+      this->Whole->ShallowCopy(parts[used.empty() ? 0 : used[0]].Data);
+    }
+    for (const std::size_t p : used)
+    {
+      this->Numbers[p] = MakeIdentity(parts[p].Data);
+    }
+  }
+  else
+  {
+    Parts some;
+    for (const std::size_t p : used)
+    {
+      DGG_RETURN_IF_ERROR(DGGCheckCells(parts[p].Data));
+      some.push_back(parts[p]);
+    }
+    ::Numbers numbers(some.size());
+    const std::vector<vtkDataArray*> pointIds = FindGlobalIds(some, true);
+    dgg::DisjointSets points(static_cast<std::size_t>(size));
+    if (pointIds.empty())
+    {
+      DGGJoinRims(some, points);
+    }
+    else
+    {
+      DGG_RETURN_IF_ERROR(JoinGlobalIds(some, pointIds, points));
+    }
+    NumberPoints(some, pointIds, points, numbers);
+    NumberCells(some, FindGlobalIds(some, false), numbers);
+    this->Whole = DGGAssembleParts(some, numbers);
+    for (std::size_t k = 0; k < used.size(); ++k)
+    {
+      this->Numbers[used[k]] = std::move(numbers[k]);
+    }
+  }
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    this->Numbers[p] = this->Numbers[first[p]];
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+DGGPartResult DGGJoinedParts::MakeResult(vtkPolyData* output, std::size_t part) const
+{
+  const DGGPartNumbers& numbers = this->Numbers[part];
+  return { FindChanges(this->Whole->GetPointData(), output->GetPointData(), numbers.Points),
+    FindChanges(this->Whole->GetCellData(), output->GetCellData(), numbers.Cells) };
+}
+
+//------------------------------------------------------------------------------
+void DGGJoinedParts::AddResult(const DGGPartResult& result, vtkPolyData* part)
+{
+  ApplyChanges(result.Points, part->GetPointData());
+  ApplyChanges(result.Cells, part->GetCellData());
+}

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGPartedUpdate.h"
+
+#include "dggInvalidInput.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+
+#include <new>
+#include <numeric>
+
+namespace
+{
+vtkDataObject* GetData(vtkInformationVector* vector)
+{
+  return vtkDataObject::GetData(vector, 0);
+}
+
+/// Processes that wait for this one are to hear of what is thrown here.
+dgg::Status Guard(const std::function<dgg::Status()>& step)
+{
+  try
+  {
+    return step();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return dgg::Status::Invalid(
+      "memory is exhausted while the parts of the input are joined: use a smaller surface");
+  }
+}
+
+void Add(vtkInformationVector* vector, vtkDataObject* data)
+{
+  vtkNew<vtkInformation> info;
+  info->Set(vtkDataObject::DATA_OBJECT(), data);
+  vector->Append(info);
+}
+}
+
+//------------------------------------------------------------------------------
+bool DGGPartedUpdate::IsPlain(vtkInformationVector** inputs, int numberOfInputs)
+{
+  for (int port = 0; port < numberOfInputs; ++port)
+  {
+    if (vtkCompositeDataSet::SafeDownCast(GetData(inputs[port])))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGPartedUpdate::Join(vtkDataObject* input, vtkSmartPointer<vtkPolyData>& whole)
+{
+  vtkIdType others = 0;
+  std::vector<DGGSurfacePart> parts = DGGFindParts(input, others);
+  for (DGGSurfacePart& part : parts)
+  {
+    DGG_RETURN_IF_ERROR(DGGRemoveGhosts(part.Data));
+  }
+  DGGJoinedParts joined;
+  DGG_RETURN_IF_ERROR(joined.Join(parts));
+  whole = joined.GetWhole();
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
+  vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs,
+  bool passesSurface, const Step& step)
+{
+  this->Ports.resize(static_cast<std::size_t>(numberOfInputs));
+  const dgg::Status gathered = this->FindParts(processes, limit, inputs);
+  if (!gathered.IsOk())
+  {
+    this->Ports.clear(); // so that the next update looks again
+    return gathered;
+  }
+  DGG_RETURN_IF_ERROR(processes.Agree(processes.IsFirst()
+      ? Guard([&] { return this->Compute(inputs, outputs, passesSurface, step); })
+      : dgg::Status::Success()));
+  for (int port = passesSurface ? 1 : 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    output->Initialize();
+    if (processes.IsFirst())
+    {
+      output->ShallowCopy(this->Outputs[port]);
+    }
+  }
+  if (passesSurface)
+  {
+    processes.Scatter(this->Ports[0].Counts, this->Results);
+    this->Deliver(GetData(inputs[0]), vtkDataObject::GetData(outputs, 0));
+  }
+  this->Outputs.clear();
+  this->Results.clear();
+  return gathered;
+}
+
+//------------------------------------------------------------------------------
+/// Find those here, and gather them where they have changed on any process.
+dgg::Status DGGPartedUpdate::FindParts(
+  const DGGProcesses& processes, vtkIdType limit, vtkInformationVector** inputs)
+{
+  std::vector<int> isSame;
+  vtkIdType numberOfPoints = 0;
+  this->Others = 0;
+  const dgg::Status here = Guard([&] {
+    for (std::size_t p = 0; p < this->Ports.size(); ++p)
+    {
+      Port& port = this->Ports[p];
+      vtkIdType others = 0;
+      std::vector<DGGSurfacePart> parts = DGGFindParts(GetData(inputs[p]), others);
+      this->Others += others;
+      std::vector<std::pair<const void*, vtkMTimeType>> key;
+      for (const DGGSurfacePart& part : parts)
+      {
+        key.emplace_back(part.Data, part.Data->GetMTime());
+        numberOfPoints += part.Data->GetNumberOfPoints();
+      }
+      isSame.push_back(port.Joined.GetWhole() && key == port.Key ? 1 : 0);
+      if (!isSame.back())
+      {
+        port.Key.clear();
+        for (DGGSurfacePart& part : parts)
+        {
+          DGG_RETURN_IF_ERROR(DGGRemoveGhosts(part.Data));
+        }
+        port.Parts = parts;
+        port.Key = key;
+      }
+    }
+    return dgg::Status::Success();
+  });
+  DGG_RETURN_IF_ERROR(processes.Agree(here));
+  const vtkIdType sum = processes.Sum(numberOfPoints);
+  if (sum > limit)
+  {
+    return dgg::InvalidInput("the pieces of all processes have ", sum,
+      " points together, and GatherLimit is ", limit,
+      ": call SetGatherLimit() with a larger number if the first process has the memory, or make "
+      "the surface smaller");
+  }
+  isSame = processes.AndAll(isSame);
+  dgg::Status joined;
+  for (std::size_t p = 0; p < this->Ports.size(); ++p)
+  {
+    Port& port = this->Ports[p];
+    if (isSame[p])
+    {
+      continue;
+    }
+    std::vector<DGGSurfacePart> all = port.Parts;
+    port.Counts = processes.Gather(all);
+    if (joined.IsOk() && processes.IsFirst())
+    {
+      joined = Guard([&] { return port.Joined.Join(all); });
+    }
+    else
+    {
+      port.Joined.Join({}); // so that there is one, also where it is not used
+    }
+  }
+  return processes.Agree(joined);
+}
+
+//------------------------------------------------------------------------------
+/// On the first process: the step, and what it has for the parts.
+dgg::Status DGGPartedUpdate::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
+  bool passesSurface, const Step& step)
+{
+  std::vector<vtkSmartPointer<vtkInformationVector>> wholes;
+  std::vector<vtkInformationVector*> pointers;
+  for (std::size_t p = 0; p < this->Ports.size(); ++p)
+  {
+    const Port& port = this->Ports[p];
+    vtkDataObject* input = GetData(inputs[p]);
+    wholes.push_back(vtkSmartPointer<vtkInformationVector>::New());
+    pointers.push_back(wholes.back());
+    if (input || std::accumulate(port.Counts.begin(), port.Counts.end(), std::size_t(0)) > 0)
+    {
+      vtkPolyData* whole = port.Joined.GetWhole();
+      whole->GetFieldData()->Initialize();
+      if (input)
+      {
+        whole->GetFieldData()->PassData(input->GetFieldData());
+      }
+      Add(wholes.back(), whole);
+    }
+  }
+  vtkNew<vtkInformationVector> results;
+  this->Outputs.clear();
+  this->Results.clear();
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    this->Outputs.push_back(passesSurface && port == 0
+        ? vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkPolyData>::New())
+        : vtkSmartPointer<vtkDataObject>::Take(
+            vtkDataObject::GetData(outputs, port)->NewInstance()));
+    Add(results, this->Outputs.back());
+  }
+  DGG_RETURN_IF_ERROR(step(pointers.data(), results));
+  if (passesSurface)
+  {
+    const Port& surface = this->Ports[0];
+    const std::size_t count =
+      std::accumulate(surface.Counts.begin(), surface.Counts.end(), std::size_t(0));
+    for (std::size_t part = 0; part < count; ++part)
+    {
+      this->Results.push_back(
+        surface.Joined.MakeResult(vtkPolyData::SafeDownCast(this->Outputs[0]), part));
+    }
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+/// The input as it is here, with the results for its parts.
+void DGGPartedUpdate::Deliver(vtkDataObject* input, vtkDataObject* output)
+{
+  output->Initialize();
+  if (!input)
+  {
+    return;
+  }
+  const std::vector<DGGSurfacePart>& parts = this->Ports[0].Parts;
+  const auto fill = [&](vtkDataObject* leaf, std::size_t part) {
+    leaf->ShallowCopy(parts[part].Data);
+    DGGJoinedParts::AddResult(this->Results[part], vtkPolyData::SafeDownCast(leaf));
+  };
+  auto* tree = vtkCompositeDataSet::SafeDownCast(input);
+  if (tree)
+  {
+    auto* copy = vtkCompositeDataSet::SafeDownCast(output);
+    copy->CopyStructure(tree);
+    const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+    std::size_t part = 0;
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      vtkDataObject* data = leaf->GetCurrentDataObject();
+      const auto filled = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+      if (vtkPolyData::SafeDownCast(data))
+      {
+        fill(filled, part++);
+      }
+      else
+      {
+        filled->ShallowCopy(data);
+      }
+      copy->SetDataSet(leaf, filled);
+    }
+  }
+  else
+  {
+    fill(output, 0);
+  }
+  // What belongs to the whole, such as a graph.
+  vtkDataObject* whole = this->Outputs.empty() ? input : this->Outputs[0].Get();
+  output->GetFieldData()->Initialize();
+  output->GetFieldData()->PassData(whole->GetFieldData());
+}

@@ -1,0 +1,437 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Input in blocks and partitions, in one process.
+#include "PartTestTools.h"
+
+#include "vtkApolloniusIsolines.h"
+#include "vtkDGGDistance.h"
+#include "vtkDGGPath.h"
+#include "vtkDiscreteGeodesicGraph.h"
+#include "vtkDiscreteGreensFunction.h"
+#include "vtkExactGeodesicDistance.h"
+#include "vtkGeodesicVoronoi.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace dggtest;
+
+namespace
+{
+/// Three terrains side by side, gaps between them, of different sizes.
+class Blocks : public testing::Test
+{
+protected:
+  const std::vector<int> Sizes{ 13, 17, 21 };
+  std::vector<vtkSmartPointer<vtkPolyData>> Surfaces;
+  vtkNew<vtkMultiBlockDataSet> All;
+
+  Blocks()
+  {
+    for (std::size_t block = 0; block < this->Sizes.size(); ++block)
+    {
+      this->Surfaces.push_back(MakeTerrain(this->Sizes[block]));
+      vtkPoints* points = this->Surfaces.back()->GetPoints();
+      for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+      {
+        double p[3];
+        points->GetPoint(i, p);
+        points->SetPoint(i, p[0] + 1.2 * static_cast<double>(block), p[1], p[2]);
+      }
+      this->All->SetBlock(static_cast<unsigned int>(block), this->Surfaces.back());
+    }
+  }
+
+  static std::array<double, 3> GetPlace(int block, double x, double y)
+  {
+    return { { x + 1.2 * block, y, GetTerrainHeight(x, y) } };
+  }
+
+  static vtkPolyData* GetBlock(vtkAlgorithm* filter, unsigned int block, int port = 0)
+  {
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(port));
+    return output ? vtkPolyData::SafeDownCast(output->GetBlock(block)) : nullptr;
+  }
+
+  static vtkDataArray* GetArray(
+    vtkAlgorithm* filter, unsigned int block, const char* name = "GeodesicDistance")
+  {
+    vtkPolyData* leaf = GetBlock(filter, block);
+    return leaf ? leaf->GetPointData()->GetArray(name) : nullptr;
+  }
+
+  static void ExpectEqual(vtkDataArray* array, vtkDataArray* expected, double tolerance = 1e-12)
+  {
+    ASSERT_TRUE(array && expected);
+    ASSERT_EQ(array->GetNumberOfTuples(), expected->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < expected->GetNumberOfValues(); ++i)
+    {
+      ASSERT_NEAR(
+        array->GetVariantValue(i).ToDouble(), expected->GetVariantValue(i).ToDouble(), tolerance);
+    }
+  }
+
+  static void ExpectUnreached(vtkDataArray* array)
+  {
+    ASSERT_NE(array, nullptr);
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      ASSERT_TRUE(std::isnan(array->GetComponent(i, 0)));
+    }
+  }
+
+  /// The distance on one block alone.
+  template <typename Filter>
+  vtkSmartPointer<Filter> OnBlock(std::size_t block, vtkPolyData* sources)
+  {
+    auto filter = vtkSmartPointer<Filter>::New();
+    filter->SetInputData(this->Surfaces[block]);
+    filter->SetSourceData(sources);
+    filter->Update();
+    return filter;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Blocks, ASourceBelongsToTheNearestBlock)
+{
+  const auto source = MakeSourcePoints({ GetPlace(1, 0.3, 0.6) });
+  vtkNew<vtkDGGDistance> filter;
+  filter->SetInputDataObject(this->All);
+  filter->SetSourceData(source);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetOutput(), nullptr);
+  ExpectEqual(GetArray(filter, 1),
+    this->OnBlock<vtkDGGDistance>(1, source)->GetOutput()->GetPointData()->GetArray(
+      "GeodesicDistance"),
+    1e-7);
+  ExpectUnreached(GetArray(filter, 0));
+  ExpectUnreached(GetArray(filter, 2));
+  for (unsigned int block = 0; block < 3; ++block)
+  {
+    EXPECT_STREQ(
+      GetBlock(filter, block)->GetPointData()->GetScalars()->GetName(), "GeodesicDistance");
+    EXPECT_EQ(GetBlock(filter, block)->GetPoints(), this->Surfaces[block]->GetPoints());
+    EXPECT_EQ(GetBlock(filter, block)->GetPolys(), this->Surfaces[block]->GetPolys());
+  }
+  // A plain input again.
+  filter->SetInputData(this->Surfaces[1]);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), this->Surfaces[1]->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Blocks, IdsCountThePointsOfAllBlocks)
+{
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputDataObject(this->All);
+  const vtkIdType first = this->Surfaces[0]->GetNumberOfPoints();
+  const vtkIdType second = this->Surfaces[1]->GetNumberOfPoints();
+  filter->SetSourceIds({ 5, first + second + 7 });
+  filter->GenerateNearestSourceOn();
+  ExpectSuccess(filter);
+  EXPECT_EQ(GetArray(filter, 0)->GetComponent(5, 0), 0.0);
+  EXPECT_EQ(GetArray(filter, 2)->GetComponent(7, 0), 0.0);
+  EXPECT_EQ(GetArray(filter, 0, "GeodesicSource")->GetComponent(30, 0), 0.0);
+  EXPECT_EQ(GetArray(filter, 2, "GeodesicSource")->GetComponent(30, 0), 1.0);
+  EXPECT_EQ(GetArray(filter, 1, "GeodesicSource")->GetComponent(30, 0), -1.0);
+  ExpectUnreached(GetArray(filter, 1));
+  filter->SetSourceIds({ first + second + this->Surfaces[2]->GetNumberOfPoints() });
+  ExpectError(filter, { "vtkExactGeodesicDistance", "out of range" });
+}
+
+//------------------------------------------------------------------------------
+/// The graph of all blocks is built once, and again only when a block changes.
+TEST_F(Blocks, GraphsAreKept)
+{
+  vtkNew<vtkDiscreteGeodesicGraph> graph;
+  graph->SetInputDataObject(this->All);
+  vtkNew<vtkDGGDistance> chained;
+  chained->SetInputConnection(graph->GetOutputPort());
+  vtkNew<vtkDGGDistance> alone;
+  alone->SetInputDataObject(this->All);
+  vtkMTimeType built = 0;
+  vtkMTimeType own = 0;
+  for (const int block : { 0, 2, 1, 0 })
+  {
+    const auto source = MakeSourcePoints({ GetPlace(block, 0.5, 0.1 * block + 0.1) });
+    chained->SetSourceData(source);
+    alone->SetSourceData(source);
+    ExpectSuccess(chained);
+    ExpectSuccess(alone);
+    EXPECT_TRUE(chained->GetUsedInputGraph());
+    EXPECT_FALSE(alone->GetUsedInputGraph());
+    built = built == 0 ? graph->GetGraphBuildTime() : built;
+    own = own == 0 ? alone->GetGraphBuildTime() : own;
+    EXPECT_EQ(graph->GetGraphBuildTime(), built);
+    EXPECT_EQ(alone->GetGraphBuildTime(), own);
+    ExpectEqual(GetArray(chained, block), GetArray(alone, block));
+  }
+  EXPECT_TRUE(graph->GetOutputDataObject(0)->GetFieldData()->HasArray("DGG.Offsets"));
+  EXPECT_FALSE(GetBlock(graph, 0)->GetFieldData()->HasArray("DGG.Offsets"));
+  EXPECT_GT(graph->EstimateMemory(), 0u);
+
+  this->Surfaces[1]->GetPoints()->SetPoint(3, this->Surfaces[1]->GetPoint(4));
+  this->Surfaces[1]->GetPoints()->Modified();
+  this->All->Modified();
+  chained->Update();
+  EXPECT_NE(graph->GetGraphBuildTime(), built);
+}
+
+//------------------------------------------------------------------------------
+/// Nothing, nothing with points, and no vtkPolyData.
+TEST_F(Blocks, LeavesThatAreNoSurfaces)
+{
+  vtkNew<vtkMultiBlockDataSet> mixed;
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  mixed->SetNumberOfBlocks(5);
+  mixed->SetBlock(1, empty);
+  mixed->SetBlock(2, this->Surfaces[0]);
+  mixed->SetBlock(3, image);
+  mixed->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "terrain");
+  vtkNew<vtkDGGDistance> filter;
+  filter->SetInputDataObject(mixed);
+  filter->SetSourceIds({ 4 });
+  ExpectWarning(filter, { "1 blocks of the input are no vtkPolyData" });
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(output->GetBlock(0), nullptr);
+  EXPECT_EQ(GetBlock(filter, 1)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(GetArray(filter, 2)->GetComponent(4, 0), 0.0);
+  EXPECT_TRUE(output->GetBlock(3)->IsA("vtkImageData"));
+  EXPECT_STREQ(output->GetMetaData(2u)->Get(vtkCompositeDataSet::NAME()), "terrain");
+
+  vtkNew<vtkMultiBlockDataSet> nothing;
+  filter->SetInputDataObject(nothing);
+  ExpectWarning(filter, { "empty" });
+  filter->SetInputData(this->Surfaces[0]);
+  ExpectSuccess(filter);
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Blocks, NestedBlocksAndSourcesInSeveral)
+{
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, this->Surfaces[1]);
+  inner->SetBlock(1, this->Surfaces[2]);
+  vtkNew<vtkMultiBlockDataSet> outer;
+  outer->SetBlock(0, this->Surfaces[0]);
+  outer->SetBlock(1, inner);
+  const auto sources =
+    MakeSourcePoints({ GetPlace(2, 0.3, 0.6), GetPlace(0, 0.7, 0.2), GetPlace(2, 0.8, 0.8) });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputDataObject(outer);
+  filter->SetSourceData(sources);
+  filter->GenerateNearestSourceOn();
+  ExpectSuccess(filter);
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* innerOutput = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(1));
+  ASSERT_NE(innerOutput, nullptr);
+  auto* last = vtkPolyData::SafeDownCast(innerOutput->GetBlock(1));
+  const auto expected = this->OnBlock<vtkExactGeodesicDistance>(
+    2, MakeSourcePoints({ GetPlace(2, 0.3, 0.6), GetPlace(2, 0.8, 0.8) }));
+  ExpectEqual(last->GetPointData()->GetArray("GeodesicDistance"),
+    expected->GetOutput()->GetPointData()->GetArray("GeodesicDistance"));
+  ExpectEqual(GetArray(filter, 0),
+    this->OnBlock<vtkExactGeodesicDistance>(0, MakeSourcePoints({ GetPlace(0, 0.7, 0.2) }))
+      ->GetOutput()
+      ->GetPointData()
+      ->GetArray("GeodesicDistance"));
+  double range[2];
+  last->GetPointData()->GetArray("GeodesicSource")->GetRange(range);
+  EXPECT_EQ(range[0], 0.0);
+  EXPECT_EQ(range[1], 2.0);
+}
+
+//------------------------------------------------------------------------------
+/// New geometry is one output for all blocks.
+TEST_F(Blocks, PathsIsolinesCellsAndGreensFunctions)
+{
+  auto ends = MakeSourcePoints({ GetPlace(1, 0.1, 0.2), GetPlace(1, 0.9, 0.7),
+    GetPlace(2, 0.2, 0.2), GetPlace(2, 0.8, 0.9), GetPlace(0, 0.5, 0.5) });
+  ends->SetLines(MakeCells({ { 0, 1 }, { 2, 3 } }));
+  vtkNew<vtkDGGPath> path;
+  path->SetInputDataObject(this->All);
+  path->SetPairData(ends);
+  path->SetMethodToExact();
+  ExpectSuccess(path);
+  vtkNew<vtkDGGPath> expected;
+  expected->SetInputData(this->Surfaces[2]);
+  expected->SetPairData(ends);
+  expected->SetMethodToExact();
+  ends->SetLines(MakeCells({ { 2, 3 } }));
+  expected->Update();
+  ASSERT_EQ(path->GetOutput()->GetNumberOfCells(), 2);
+  EXPECT_NEAR(path->GetOutput()->GetCellData()->GetArray("Length")->GetComponent(1, 0),
+    expected->GetOutput()->GetCellData()->GetArray("Length")->GetComponent(0, 0), 1e-12);
+  // Between blocks.
+  ends->SetLines(MakeCells({ { 0, 4 } }));
+  ends->Modified();
+  ExpectWarning(path, { "not connected" });
+  EXPECT_EQ(path->GetOutput()->GetNumberOfCells(), 0);
+
+  vtkNew<vtkExactGeodesicDistance> distance;
+  distance->SetInputDataObject(this->All);
+  distance->SetSourceData(MakeSourcePoints({ GetPlace(0, 0.5, 0.5), GetPlace(2, 0.2, 0.2) }));
+  distance->GenerateWindowsOn();
+  vtkNew<vtkApolloniusIsolines> isolines;
+  isolines->SetInputConnection(distance->GetOutputPort());
+  isolines->SetValue(0, 0.3);
+  ExpectSuccess(isolines);
+  EXPECT_TRUE(isolines->GetUsedWindows());
+  EXPECT_EQ(isolines->GetOutput()->GetNumberOfLines(), 2);
+
+  vtkNew<vtkGeodesicVoronoi> voronoi;
+  voronoi->SetInputDataObject(this->All);
+  voronoi->SetSiteData(
+    MakeSourcePoints({ GetPlace(1, 0.1, 0.2), GetPlace(0, 0.5, 0.5), GetPlace(1, 0.9, 0.7) }));
+  ExpectSuccess(voronoi);
+  double range[2];
+  GetArray(voronoi, 1, "GeodesicSource")->GetRange(range);
+  EXPECT_EQ(range[0], 0.0);
+  EXPECT_EQ(range[1], 2.0);
+  GetArray(voronoi, 0, "GeodesicSource")->GetRange(range);
+  EXPECT_EQ(range[0], 1.0);
+  EXPECT_EQ(range[1], 1.0);
+  ASSERT_NE(voronoi->GetCells(), nullptr);
+  EXPECT_GT(voronoi->GetCells()->GetNumberOfCells(), 0);
+  EXPECT_GT(voronoi->GetBoundaries()->GetNumberOfCells(), 0);
+
+  vtkNew<vtkDiscreteGreensFunction> greens;
+  greens->SetInputDataObject(this->All);
+  greens->SetSourceData(MakeSourcePoints({ GetPlace(1, 0.5, 0.5), GetPlace(2, 0.2, 0.2) }));
+  greens->SetEvaluationData(MakeSourcePoints({ GetPlace(2, 0.4, 0.4) }));
+  ExpectSuccess(greens);
+  vtkNew<vtkDiscreteGreensFunction> alone;
+  alone->SetInputData(this->Surfaces[2]);
+  alone->SetSourceData(MakeSourcePoints({ GetPlace(2, 0.2, 0.2) }));
+  alone->Update();
+  vtkDataArray* found = GetArray(greens, 2, "GreensFunction");
+  vtkDataArray* single = alone->GetOutput()->GetPointData()->GetArray("GreensFunction");
+  ASSERT_EQ(found->GetNumberOfComponents(), 2);
+  for (vtkIdType i = 0; i < found->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_EQ(found->GetComponent(i, 0), 0.0);
+    ASSERT_NEAR(found->GetComponent(i, 1), single->GetComponent(i, 0), 1e-10);
+  }
+  EXPECT_EQ(greens->GetEvaluation()->GetNumberOfPoints(), 1);
+}
+
+//------------------------------------------------------------------------------
+/// The partitions of a vtkPartitionedDataSet are one surface, those of a collection are not.
+TEST_F(Blocks, PartitionsAreJoined)
+{
+  vtkPolyData* surface = this->Surfaces[2];
+  const Labels labels = LabelRandomly(surface, 4, 3);
+  vtkNew<vtkPartitionedDataSet> partitions;
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  for (int i = 0; i < 4; ++i)
+  {
+    const auto index = static_cast<unsigned int>(i);
+    partitions->SetPartition(index, TakePart(surface, labels, i));
+    collection->SetPartition(0, index, TakePart(surface, labels, i, PartIds::None, true));
+  }
+  collection->SetPartition(1, 0, this->Surfaces[0]);
+  const auto source = MakeSourcePoints({ GetPlace(2, 0.3, 0.6) });
+  vtkDataArray* expected = nullptr;
+  const auto whole = this->OnBlock<vtkExactGeodesicDistance>(2, source);
+  expected = whole->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetSourceData(source);
+  for (const bool isCollection : { false, true })
+  {
+    filter->SetInputDataObject(isCollection ? static_cast<vtkDataObject*>(collection) : partitions);
+    ExpectSuccess(filter);
+    auto* members = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(0));
+    auto* output = isCollection && members
+      ? members->GetPartitionedDataSet(0)
+      : vtkPartitionedDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    ASSERT_NE(output, nullptr);
+    EXPECT_EQ(filter->GetNumberOfComponents(), isCollection ? 2 : 1);
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      auto* part = vtkPolyData::SafeDownCast(output->GetPartitionAsDataObject(i));
+      ASSERT_NE(part, nullptr);
+      vtkDataArray* ids = part->GetPointData()->GetArray("Whole");
+      vtkDataArray* distances = part->GetPointData()->GetArray("GeodesicDistance");
+      for (vtkIdType k = 0; k < part->GetNumberOfPoints(); ++k)
+      {
+        const auto id = static_cast<vtkIdType>(ids->GetComponent(k, 0));
+        ASSERT_NEAR(distances->GetComponent(k, 0), expected->GetComponent(id, 0), 1e-12);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Blocks that touch are joined only on demand.
+TEST_F(Blocks, BlocksThatTouch)
+{
+  const auto surface = MakeTerrain(17);
+  const Labels labels = LabelStrips(surface, 2);
+  vtkNew<vtkMultiBlockDataSet> halves;
+  halves->SetBlock(0, TakePart(surface, labels, 0));
+  halves->SetBlock(1, TakePart(surface, labels, 1));
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputDataObject(halves);
+  filter->SetSourceData(MakeSourcePoints({ { { 0.1, 0.5, GetTerrainHeight(0.1, 0.5) } } }));
+  ExpectWarning(filter, { "the same coordinates" });
+  double range[2];
+  GetArray(filter, 0)->GetRange(range);
+  EXPECT_GT(range[1], 0.3);
+  ExpectUnreached(GetArray(filter, 1));
+  filter->MergeCoincidentPointsOn();
+  ExpectSuccess(filter);
+  GetArray(filter, 1)->GetFiniteRange(range);
+  EXPECT_GT(range[1], 0.9);
+}
+
+//------------------------------------------------------------------------------
+/// Sources in blocks.
+TEST_F(Blocks, OtherPortsTakeBlocks)
+{
+  vtkNew<vtkMultiBlockDataSet> sources;
+  sources->SetBlock(0, MakeSourcePoints({ GetPlace(0, 0.5, 0.5) }));
+  sources->SetBlock(2, MakeSourcePoints({ GetPlace(0, 0.2, 0.2) }));
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(this->Surfaces[0]);
+  filter->SetInputDataObject(1, sources);
+  ExpectSuccess(filter);
+  const auto expected = this->OnBlock<vtkExactGeodesicDistance>(
+    0, MakeSourcePoints({ GetPlace(0, 0.5, 0.5), GetPlace(0, 0.2, 0.2) }));
+  ASSERT_NE(filter->GetOutput(), nullptr);
+  EXPECT_EQ(GetDistances(filter), GetDistances(expected));
+}
+
+//------------------------------------------------------------------------------
+TEST_F(Blocks, WrongBlocks)
+{
+  this->Surfaces[1]->GetPolys()->InsertNextCell({ 0, 1, 100000 });
+  vtkNew<vtkDGGDistance> filter;
+  filter->SetInputDataObject(this->All);
+  filter->SetSourceIds({ 0 });
+  const Listener listener(filter);
+  filter->Update();
+  ASSERT_EQ(listener.Errors.size(), 1u);
+  EXPECT_NE(listener.Errors[0].find("names point 100000"), std::string::npos);
+  EXPECT_EQ(GetBlock(filter, 0), nullptr);
+  EXPECT_NE(filter->GetErrorCode(), 0u);
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Clouds of which several processes have pieces. Run under mpiexec.
+#include "FilterTestTools.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkPointCloudDGG.h"
+
+#include "vtkDataArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+using namespace dggtest;
+
+//------------------------------------------------------------------------------
+TEST(CloudInPieces, IsGathered)
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  const int here = controller->GetLocalProcessId();
+  const int count = controller->GetNumberOfProcesses();
+  const auto terrain = MakeTerrain(33);
+  Points all;
+  Points some;
+  std::vector<std::size_t> ids;
+  for (vtkIdType i = 0; i < terrain->GetNumberOfPoints(); ++i)
+  {
+    all.emplace_back();
+    terrain->GetPoint(i, all.back().data());
+    if (i * count / terrain->GetNumberOfPoints() == here)
+    {
+      some.push_back(all.back());
+      ids.push_back(static_cast<std::size_t>(i));
+    }
+  }
+  std::vector<double> found[2];
+  for (const bool isAlone : { true, false })
+  {
+    vtkNew<vtkPointCloudDGG> graph;
+    graph->SetInputData(MakeSourcePoints(isAlone ? all : some));
+    vtkNew<vtkDGGDistance> distance;
+    distance->SetInputConnection(graph->GetOutputPort());
+    distance->SetSourceIds({ 40, 900 });
+    if (isAlone)
+    {
+      graph->SetController(nullptr);
+      distance->SetController(nullptr);
+    }
+    const Listener listener(distance);
+    distance->UpdatePiece(isAlone ? 0 : here, isAlone ? 1 : count, 0);
+    EXPECT_TRUE(listener.Errors.empty());
+    EXPECT_EQ(distance->GetUsedInputGraph(), isAlone || here == 0);
+    found[isAlone ? 0 : 1] = GetDistances(distance);
+  }
+  ASSERT_EQ(found[1].size(), ids.size());
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    ASSERT_EQ(found[1][k], found[0][ids[k]]);
+  }
+}

@@ -1,0 +1,244 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command vtkdgg; `compare` has tests of its own."""
+
+import contextlib
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+import types
+import unittest
+
+import numpy as np
+import support
+import vtkdgg
+from support import BUMPY, TETRAHEDRON
+from vtkdgg.command_line import main, make_parser
+from vtkdgg.commands import files
+
+FOLDER = support.output_folder("command")
+HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
+
+
+def out(name):
+    """A file that is written."""
+    path = os.path.join(FOLDER, name)
+    if os.path.exists(path):
+        os.remove(path)
+    return path
+
+
+def command(*arguments):
+    """The command in this process, which saves time; support.command() is that of users."""
+    with contextlib.redirect_stdout(io.StringIO()) as said:
+        with contextlib.redirect_stderr(io.StringIO()) as complained:
+            try:
+                code = main(arguments)
+            except SystemExit as leaving:  # after --help
+                code = leaving.code
+    return types.SimpleNamespace(
+        returncode=code, stdout=said.getvalue(), stderr=complained.getvalue()
+    )
+
+
+class Command(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.mesh = files.read(BUMPY)
+        cls.exact = vtkdgg.distance(cls.mesh, 5)
+
+    def answer(self, *arguments):
+        """What a command found, as JSON; and the same as a table."""
+        result = command(*arguments, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        found = json.loads(result.stdout)
+        result = command(*arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for key in set(found) - {"warnings"}:
+            self.assertRegex(result.stdout, rf"(?m)^{re.escape(key)} ")
+        return found
+
+    def test_version_and_help(self):
+        result = support.command("--version")
+        self.assertRegex(result.stdout, rf"\Avtkdgg {vtkdgg.__version__}, VTK 9\.\d.*, \d+ threads")
+        names = list(make_parser()._subparsers._group_actions[0].choices)
+        self.assertEqual(
+            names,
+            "info graph distance path loop isolines voronoi sample greens render compare".split(),
+        )
+        result = command("--help")
+        for name in names:
+            self.assertRegex(result.stdout, rf"(?m)^    {name} +[A-Z]")
+            said = command(name, "--help")
+            self.assertEqual(said.returncode, 0)
+            self.assertIn("--out" if name != "info" else "--json", said.stdout)
+            if name not in ("compare",):
+                self.assertIn(f"example:\n  vtkdgg {name} mesh.ply", said.stdout)
+
+    def test_info(self):
+        found = self.answer("info", BUMPY)
+        self.assertEqual((found["points"], found["polygons"], found["genus"]), (642, 1280, "0"))
+        self.assertEqual(found["kind"], "surface")
+        self.assertEqual(self.answer("info", BUMPY, "--cloud")["kind"], "point cloud")
+
+    def test_graph(self):
+        path = out("graph.vtp")
+        found = self.answer("graph", BUMPY, "--accuracy", 0.05, "--out", path)
+        graph = vtkdgg.Graph.from_polydata(files.read(path))
+        self.assertEqual((found["edges"], found["accuracy"]), (len(graph.targets), 0.05))
+        self.assertTrue((np.abs(graph.distance(5) - self.exact) <= 0.0501 * self.exact).all())
+
+    def test_distance(self):
+        path = out("distance.vtp")
+        found = self.answer("distance", BUMPY, "--source", 5, "--out", path)
+        self.assertAlmostEqual(found["largest"], self.exact.max())
+        values = support.point_array(files.read(path), "GeodesicDistance")
+        np.testing.assert_array_equal(values, self.exact)
+        x, y, z = self.mesh.GetPoint(7)
+        both = self.answer("distance", BUMPY, "--source", 5, "--source", f"{x},{y},{z}")
+        expected = vtkdgg.distance(self.mesh, [5, 7]).max()
+        self.assertAlmostEqual(both["largest"], expected, delta=1e-6)
+        near = self.answer("distance", BUMPY, "--source", 5, "--maximum", 1.0, "--accuracy", 0.01)
+        self.assertLess(near["reached"], 642)
+        for method in ("graph", "fast"):
+            rough = self.answer("distance", BUMPY, "--source", 5, "--method", method)
+            self.assertAlmostEqual(rough["largest"], self.exact.max(), delta=0.1)
+
+    def test_path(self):
+        path = out("path.vtk")
+        found = self.answer("path", BUMPY, 5, 100, "--out", path)
+        self.assertAlmostEqual(found["length"], self.exact[100])
+        self.assertEqual(files.read(path).GetNumberOfLines(), 1)
+        near = self.answer("path", BUMPY, 5, 100, "--accuracy", 0.05)
+        self.assertLessEqual(near["length"], 1.05 * self.exact[100])
+        place = ",".join(str(x) for x in self.mesh.GetPoint(int(np.argmin(
+            [self.mesh.GetPoint(i)[0] for i in range(642)]
+        ))))  # fmt: skip
+        self.assertTrue(place.startswith("-"))
+        self.assertGreater(self.answer("path", BUMPY, place, 5)["length"], 0.0)
+
+    def test_lines(self):
+        found = self.answer(
+            "isolines", BUMPY, "--source", 5, "--values", "0.5,1", "--out", out("i.vtp")
+        )
+        self.assertEqual(found["values"], [0.5, 1.0])
+        self.assertEqual(len(self.answer("isolines", BUMPY, "--source", 5)["values"]), 10)
+        tube = out("tube.ply")
+        files.write(tube, support.polydata(*support.prism(9, 6)))
+        found = self.answer("loop", tube, "--out", out("loop.vtp"))
+        np.testing.assert_allclose(found["lengths"], [9.0], atol=1e-5)
+        found = self.answer(
+            "loop", tube, "--through", 28, "--through", 31, "--through", 34, "--rope"
+        )
+        np.testing.assert_allclose(found["lengths"], [9.0], atol=1e-5)
+
+    def test_cells(self):
+        found = self.answer("sample", BUMPY, "--number", 12, "--out", out("samples.vtp"))
+        self.assertEqual(found["samples"], 12)
+        cells = out("cells.vtp")
+        found = self.answer("voronoi", BUMPY, "--site", 5, "--site", 100, "--out", cells)
+        self.assertEqual(len(found["areas"]), 2)
+        self.assertTrue(files.read(cells).GetCellData().HasArray("SiteId"))
+        even = self.answer("voronoi", BUMPY, "--number", 6, "--iterations", 5)
+        self.assertEqual(even["sites"], 6)
+
+    def test_greens(self):
+        found = self.answer("greens", BUMPY, "--source", 5, "--source", 7, "--method", "Vertex")
+        expected = vtkdgg.greens_function(self.mesh, [5, 7], method="Vertex")
+        np.testing.assert_allclose(found["largest"], expected.max(axis=0))
+
+    def test_render(self):
+        first, second = out("first.png"), out("second.png")
+        kept = out("kept.vtp")
+        self.answer("distance", BUMPY, "--source", 5, "--out", kept)
+        for arguments in ((BUMPY, "--source", 5, "--out", first), (kept, "--out", second)):
+            result = support.command("render", *arguments)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertGreater(support.number_of_colours(first), 1000)
+        error = support.image_error(support.read_image(first), support.read_image(second))
+        self.assertLess(error, 100.0)
+
+    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    def test_clouds(self):
+        cloud = out("cloud.pcd")
+        x, y = np.meshgrid(np.linspace(0, 2, 41), np.linspace(0, 1, 21))
+        files.write(cloud, files.cloud_of(np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])))
+        self.assertEqual(self.answer("info", cloud)["kind"], "point cloud")
+        self.assertGreater(self.answer("graph", cloud)["edges"], 861)
+        found = self.answer("distance", cloud, "--source", 0)
+        self.assertAlmostEqual(found["largest"], np.sqrt(5.0), delta=0.02)
+        self.assertAlmostEqual(
+            self.answer("path", cloud, 0, 860)["length"], np.sqrt(5.0), delta=0.03
+        )
+        self.assertEqual(self.answer("voronoi", cloud, "--number", 4)["sites"], 4)
+        for name in ("loop", "greens --source 0", "isolines --source 0"):
+            name, *rest = name.split()
+            result = command(name, cloud, *rest)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(f"holds no surface, which {name} needs", result.stderr)
+
+    def test_no_answer(self):
+        points, triangles = support.grid(1, 1)
+        two = out("two.ply")
+        points = np.vstack([points, points + [5, 0, 0]])
+        files.write(two, support.polydata(points, np.vstack([triangles, triangles + 4])))
+        for arguments, pattern in (
+            (("path", two, 0, 5), "not connected"),
+            (("loop", BUMPY), "no loop"),
+        ):
+            result = command(*arguments)
+            self.assertEqual((result.returncode, result.stdout), (1, ""))
+            self.assertRegex(result.stderr, rf"\Ano answer: .*{pattern}")
+
+    def test_mistakes(self):
+        for arguments, pattern in (
+            ((), "command"),
+            (("fly", BUMPY), "invalid choice"),
+            (("info",), "file"),
+            (("info", "missing.ply"), "no such file"),
+            (("info", "mesh.abc"), "unknown extension"),
+            (("distance", BUMPY), "--source"),
+            (("distance", BUMPY, "--source", "642"), "--source 642: there are points 0 to 641"),
+            (("distance", BUMPY, "--source", "1,2"), "neither a point id nor X,Y,Z"),
+            (("distance", BUMPY, "--source", "9,9,9"), r"\(--tolerance\)"),
+            (("distance", BUMPY, "--source", "0", "--method", "best"), "invalid choice"),
+            (("distance", BUMPY, "--source", "0", "--out", "a.abc"), "cannot write '.abc'"),
+            (("distance", BUMPY, "--source", "0", "--out", "none/a.vtp"), "error"),
+            (("graph", BUMPY, "--accuracy", "2"), "0.5"),
+            (("graph", BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
+            (("isolines", BUMPY, "--source", "0", "--values", "a,b"), "--values"),
+            (("sample", BUMPY, "--number", "0"), "NumberOfSamples"),
+            (("render", TETRAHEDRON, "--out", "a.png"), "no point array 'GeodesicDistance'"),
+        ):
+            with self.subTest(arguments=arguments):
+                # What draws starts again where there is no display.
+                start = support.command if arguments[:1] == ("render",) else command
+                result = start(*arguments)
+                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+                self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
+                self.assertRegex(result.stderr, pattern)
+
+    def test_interrupted(self):
+        x, y = np.meshgrid(np.arange(250.0), np.arange(250.0))
+        points, triangles = support.grid(249, 249)
+        points[:, 2] = 3.0 * np.sin(x.ravel() / 5.0) * np.cos(y.ravel() / 7.0)
+        path = out("large.vtp")
+        files.write(path, support.polydata(points, triangles))
+        running = subprocess.Popen(
+            [sys.executable, "-m", "vtkdgg", "graph", path, "--accuracy", "0.001"],
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        time.sleep(2.0)
+        running.send_signal(signal.SIGINT)
+        _, said = running.communicate(timeout=60)
+        self.assertEqual((running.returncode, said), (130, "interrupted\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,203 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes of other packages, and places on them."""
+
+import types
+import unittest
+
+import numpy as np
+import support
+import vtkdgg
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkStripper
+
+POINTS, TRIANGLES = support.grid(4, 3)
+QUADS = np.array(
+    [[5 * j + i, 5 * j + i + 1, 5 * j + i + 6, 5 * j + i + 5] for j in range(3) for i in range(4)]
+)
+REST = TRIANGLES[np.r_[6:12, 18:24]]  # what is left beside six of the quads
+STRAIGHT = np.linalg.norm(POINTS - POINTS[0], axis=1)
+
+
+def padded(cells):
+    """As PyVista has them: the number of corners before the corners, all in one row."""
+    return np.column_stack([np.full(len(cells), np.shape(cells)[1]), cells]).ravel()
+
+
+def strips():
+    """A vtkPolyData without polygons."""
+    stripper = vtkStripper()
+    stripper.SetInputData(support.polydata(POINTS, TRIANGLES))
+    stripper.PassThroughPointIdsOff()
+    return vtkdgg.check(stripper)
+
+
+class Block:
+    """A block of cells of meshio."""
+
+    def __init__(self, kind, data):
+        self.type = kind
+        self.data = np.asarray(data)
+
+
+Mesh = types.SimpleNamespace
+MESHES = {
+    "vtkPolyData": support.polydata(POINTS, TRIANGLES),
+    "strips": strips(),
+    "pyvista": Mesh(points=POINTS.astype(np.float32), faces=padded(TRIANGLES)),
+    "pyvista, quads": Mesh(points=POINTS, faces=padded(QUADS)),
+    "pyvista, mixed": Mesh(points=POINTS, faces=np.append(padded(QUADS[:6]), padded(REST))),
+    "trimesh": Mesh(vertices=POINTS, faces=TRIANGLES),
+    "lists": Mesh(vertices=POINTS.tolist(), faces=TRIANGLES.tolist()),
+    "meshio": Mesh(
+        points=POINTS,
+        cells=[
+            Block("vertex", [[0]]),
+            Block("line", [[0, 1]]),
+            Block("triangle", REST),
+            Block("quad", QUADS[:6]),
+        ],
+    ),
+    "meshio, polygons": Mesh(points=POINTS, cells=[Block("polygon4", QUADS)]),
+}
+
+
+class Meshes(unittest.TestCase):
+    def test_all_kinds(self):
+        for name, mesh in MESHES.items():
+            with self.subTest(name):
+                np.testing.assert_allclose(vtkdgg.distance(mesh, 0), STRAIGHT, rtol=1e-6)
+                np.testing.assert_allclose(vtkdgg.distance(mesh, sources=[0]), STRAIGHT, rtol=1e-6)
+                self.assertAlmostEqual(vtkdgg.path(mesh, 0, end=18).length, STRAIGHT[18], 5)
+                graph = vtkdgg.Graph(mesh, accuracy=0.1)
+                self.assertAlmostEqual(graph.path(start=0, end=18).length, STRAIGHT[18], 5)
+                self.assertEqual(vtkdgg.greens_function(mesh, [0, 3]).shape, (20, 2))
+                self.assertAlmostEqual(vtkdgg.earth_movers(mesh, 0, 4).lower_bound, 4.0, delta=0.5)
+
+    def test_cells(self):
+        rows = QUADS[:6].tolist() + REST.tolist()
+        for cells in (QUADS, QUADS.tolist(), padded(QUADS), padded(TRIANGLES), rows):
+            distances = vtkdgg.distance(POINTS, cells, 0)
+            np.testing.assert_allclose(distances, STRAIGHT, rtol=1e-12)
+
+    def test_wrong_cells(self):
+        for cells, pattern in (
+            ([[0, 1]], "triangles: the shape"),
+            ([[0, 1, 2], [0, 1]], "triangles: a polygon has 2 corners"),
+            ([3, 0, 1], "triangles: the shape .* number of corners before"),
+            ([3, 0, 1, 2, 4, 0, 1], "number of corners before"),
+            ([-1, 0, 1, 2], "triangles: "),
+            ([2, 0, 1], "triangles: a polygon has 2 corners"),
+            ([3, 0, 1, 99], "triangles: point id 99"),
+            ([[0, 1, 2], [0, 1, 2, 99]], "triangles: point id 99"),
+            ([[0.0, 1, 2]], "triangles: integers"),
+            (7, "triangles: the shape"),
+            ("abc", "triangles: integers"),
+        ):
+            with self.subTest(cells=cells), self.assertRaisesRegex(ValueError, pattern):
+                vtkdgg.distance(POINTS, cells, 0)
+
+    def test_wrong_meshes(self):
+        grid = vtkUnstructuredGrid()
+        for mesh in (grid, vtkImageData()):
+            with self.assertRaisesRegex(ValueError, "vtkDataSetSurfaceFilter"):
+                vtkdgg.distance(mesh, 0)
+        solid = Mesh(points=POINTS, cells=[Block("tetra", [[0, 1, 5, 6]])])
+        with self.assertRaisesRegex(ValueError, "'tetra'"):
+            vtkdgg.Graph(solid)
+        with self.assertRaisesRegex(ValueError, "triangles: they are missing"):
+            vtkdgg.distance(POINTS, sources=0)
+        with self.assertRaisesRegex(ValueError, "triangles: the mesh has cells"):
+            vtkdgg.distance(MESHES["trimesh"], TRIANGLES, 0)
+        with self.assertRaisesRegex(ValueError, "end: missing"):
+            vtkdgg.path(MESHES["trimesh"], 0)
+        with self.assertRaisesRegex(vtkdgg.VTKError, "vtkPointCloudDGG|triangle"):
+            vtkdgg.distance(Mesh(points=POINTS), 0)
+
+    def test_input_is_left_alone(self):
+        mesh = support.polydata(POINTS, TRIANGLES)
+        before = mesh.GetMTime()
+        vtkdgg.earth_movers(mesh, STRAIGHT, STRAIGHT[::-1].copy())
+        vtkdgg.distance(mesh, 0)
+        self.assertEqual(mesh.GetMTime(), before)
+        self.assertEqual(mesh.GetPointData().GetNumberOfArrays(), 0)
+
+    def test_own_data_comes_along(self):
+        mesh = support.polydata(POINTS, TRIANGLES)
+        height = support.numpy_to_vtk(POINTS[:, 1].copy(), deep=True)
+        height.SetName("height")
+        mesh.GetPointData().AddArray(height)
+        graph = vtkdgg.Graph(mesh, accuracy=0.1)
+        for output in (
+            vtkdgg.distance(mesh, 0, as_polydata=True),
+            graph.distance(0, as_polydata=True),
+            vtkdgg.greens_function(mesh, 0, as_polydata=True),
+        ):
+            np.testing.assert_array_equal(support.point_array(output, "height"), POINTS[:, 1])
+
+
+class Places(unittest.TestCase):
+    """Integers are ids, floats are coordinates, in every function."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.graph = vtkdgg.Graph(POINTS, TRIANGLES, accuracy=0.1)
+
+    def several(self):
+        """What takes several places."""
+        mesh, graph = MESHES["trimesh"], self.graph
+        return {
+            "distance": lambda places: vtkdgg.distance(mesh, places),
+            "Graph.distance": graph.distance,
+            "Graph.matrix": graph.matrix,
+            "Graph.paths": lambda places: graph.paths(places, 19),
+            "Graph.voronoi": graph.voronoi,
+            "Graph.isolines": lambda places: graph.isolines(places, 3),
+            "Graph.sample": lambda places: graph.sample(5, start=places),
+            "greens_function": lambda places: vtkdgg.greens_function(mesh, places),
+            "biharmonic": lambda places: vtkdgg.biharmonic(mesh, places, number_of_eigenvalues=5),
+            "earth_movers": lambda places: vtkdgg.earth_movers(mesh, places, 7),
+        }
+
+    def test_several(self):
+        for name, ask in self.several().items():
+            for places in (
+                2, [2, 7], np.array([2, 7], dtype=np.uint8), [1.5, 1.0, 0.0], [[1.5, 1.0, 0.0]],
+                np.float32([[1.5, 1.0, 0.0], [0.0, 0.5, 0.0]]), [0, 0, 1],
+            ):  # fmt: skip
+                with self.subTest(name, places=places):
+                    ask(places)
+            for places in ([[0, 0, 1]], [[0, 0]], [0.5, 1.0], 1.5, [], "x", [True], [0, 99], None):
+                with self.subTest(name, places=places), self.assertRaises(ValueError):
+                    if name == "Graph.sample" and places is None:
+                        raise ValueError("its default")
+                    ask(places)
+
+    def test_one(self):
+        mesh, graph = MESHES["trimesh"], self.graph
+        for ask in (lambda place: vtkdgg.path(mesh, place, 7), lambda p: graph.path(7, p)):
+            for place in (2, np.int8(2), [1.5, 1.0, 0.0]):
+                ask(place)
+            for place in ([0, 0, 1], [2], [[1.5, 1.0, 0.0]], 1.5, None, True, "x", 99):
+                with self.subTest(place=place), self.assertRaises(ValueError):
+                    ask(place)
+
+    def test_masses_or_a_place(self):
+        triangle = Mesh(vertices=[[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces=[[0, 1, 2]])
+        with self.assertRaisesRegex(ValueError, "three numbers may be masses"):
+            vtkdgg.earth_movers(triangle, [1.0, 0.0, 0.0], 1)
+
+    def test_options_are_keywords(self):
+        for call in (
+            lambda: vtkdgg.distance(POINTS, TRIANGLES, 0, 5.0),
+            lambda: vtkdgg.path(POINTS, TRIANGLES, 0, 1, 0.1),
+            lambda: vtkdgg.Graph(POINTS, TRIANGLES, 0.1),
+            lambda: self.graph.distance(0, False),
+            lambda: self.graph.path(0, 1, True),
+        ):
+            with self.assertRaises(TypeError):
+                call()
+
+
+if __name__ == "__main__":
+    unittest.main()

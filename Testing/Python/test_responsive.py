@@ -1,0 +1,289 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Long updates: other threads go on, Ctrl-C stops them, and what was stopped can be used again."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+import warnings
+
+import numpy as np
+import support
+import vtkdgg
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
+# Seconds that a pause may take. What was measured on an idle machine is far below that; tests run
+# beside others.
+PATIENCE = 1.0
+
+
+def terrain(size):
+    """Points and triangles of hills."""
+    points, triangles = support.grid(size, size)
+    points[:, 2] = 3.0 * np.sin(points[:, 0] / 5.0) * np.cos(points[:, 1] / 7.0)
+    return points, triangles
+
+
+POINTS, TRIANGLES = terrain(180)
+SURFACE = support.polydata(POINTS, TRIANGLES)
+SMALL = support.polydata(*terrain(60))
+
+
+def isolines():
+    """Their filter, with a field to draw."""
+    search = vtkdgg.vtkExactGeodesicDistance()
+    search.SetInputData(SURFACE)
+    search.AddSourceId(5)
+    search.GenerateWindowsOn()
+    contour = vtkdgg.vtkApolloniusIsolines()
+    contour.SetInputData(vtkdgg.check(search))
+    contour.GenerateValues(100, 0.0, 200.0)
+    return contour
+
+
+def made(kind, surface=SURFACE, **properties):
+    """A filter of the surface with these properties."""
+    algorithm = kind()
+    algorithm.SetInputData(surface)
+    for name, value in properties.items():
+        getattr(algorithm, f"Set{name}")(value)
+    return algorithm
+
+
+WORK = {
+    "graph": lambda: made(vtkdgg.vtkDiscreteGeodesicGraph),
+    "exact": lambda: made(vtkdgg.vtkExactGeodesicDistance, SourceIds=[5]),
+    "heat": lambda: made(vtkdgg.vtkHeatGeodesicDistance, SourceIds=[5]),
+    "Green's function": lambda: made(vtkdgg.vtkDiscreteGreensFunction, SourceIds=[5]),
+    "sampler": lambda: made(vtkdgg.vtkGeodesicSampler, SMALL, NumberOfSamples=400),
+    "matrix": lambda: made(
+        vtkdgg.vtkGeodesicDistanceMatrix, RowIds=list(range(64)), ColumnIds=list(range(500))
+    ),
+    "isolines": isolines,
+}
+
+
+class Heartbeat(threading.Thread):
+    """A thread that notes when it had its turn."""
+
+    def __init__(self):
+        super().__init__()
+        self.beats = []
+        self._is_done = threading.Event()
+
+    def run(self):
+        while not self._is_done.wait(0.005):
+            self.beats.append(time.monotonic())
+
+    def __enter__(self):
+        self.start()
+        while not self.beats:
+            time.sleep(0.001)
+        return self
+
+    def __exit__(self, *_):
+        self._is_done.set()
+        self.join()
+
+
+class OtherThreads(unittest.TestCase):
+    def test_they_go_on(self):
+        for name, make in WORK.items():
+            with self.subTest(name), Heartbeat() as heart:
+                algorithm = make()
+                start = time.monotonic()
+                vtkdgg.check(algorithm)
+                end = time.monotonic()
+                within = [start] + [beat for beat in heart.beats if start < beat < end] + [end]
+                self.assertGreater(len(within), 5, f"{end - start:.2f} s")
+                self.assertLess(max(np.diff(within)), PATIENCE)
+
+    def test_they_cannot_change_what_is_used(self):
+        """The arrays that were given are scribbled over while they are used."""
+        points, triangles = terrain(150)
+        expected = vtkdgg.distance(points, triangles, 7)
+        mesh = support.polydata(points, triangles)
+        view = support.vtk_to_numpy(mesh.GetPoints().GetData())
+        for given, array in (((points, triangles), points), ((mesh,), view)):
+            began = threading.Event()
+            keep = array.copy()
+
+            def scribble(array=array, began=began):
+                began.wait()
+                array[:] = np.nan
+
+            scribbler = threading.Thread(target=scribble)
+            scribbler.start()
+
+            def update(*arguments, began=began, scribbler=scribbler):
+                began.set()
+                scribbler.join()
+                return original(*arguments)
+
+            original, vtkdgg.errors._update = vtkdgg.errors._update, update
+            try:
+                np.testing.assert_array_equal(vtkdgg.distance(*given, 7), expected)
+            finally:
+                vtkdgg.errors._update = original
+            array[:] = keep
+
+    def test_views_of_a_graph_cannot_be_written_to(self):
+        graph = vtkdgg.Graph(*terrain(10), accuracy=0.1)
+        for name in ("points", "offsets", "targets", "lengths"):
+            with self.subTest(name), self.assertRaises(ValueError):
+                getattr(graph, name)[0] = 0
+
+
+class Interrupted(unittest.TestCase):
+    def interrupt(self, work, seconds):
+        """Do some work in which Ctrl-C comes after some seconds. How late it took effect."""
+        late = []
+
+        def press():
+            time.sleep(seconds)
+            late.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        finger = threading.Thread(target=press)
+        finger.start()
+        with self.assertRaises(KeyboardInterrupt):
+            try:
+                work()
+            finally:
+                late.append(time.monotonic())
+                finger.join()
+        return late[1] - late[0]
+
+    def test_stops_and_can_be_used_again(self):
+        for name, make in WORK.items():
+            with self.subTest(name):
+                first = make()
+                start = time.monotonic()
+                expected = vtkdgg.check(first)
+                seconds = time.monotonic() - start
+                again = make()
+                late = self.interrupt(lambda: vtkdgg.check(again), 0.3 * seconds)
+                self.assertLess(late, PATIENCE)
+                self.assertEqual(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+                output = vtkdgg.check(again)
+                kinds = range(7)
+                self.assertEqual(
+                    [output.GetNumberOfElements(kind) for kind in kinds],
+                    [expected.GetNumberOfElements(kind) for kind in kinds],
+                )
+
+    def test_filters_of_others(self):
+        """What they have left does not count as done."""
+        chain = made(vtkTriangleFilter)
+        distance = vtkdgg.vtkExactGeodesicDistance()
+        distance.SetInputConnection(chain.GetOutputPort())
+        distance.AddSourceId(5)
+        tag = chain.AddObserver("ProgressEvent", lambda *_: os.kill(os.getpid(), signal.SIGINT))
+        with self.assertRaises(KeyboardInterrupt):
+            vtkdgg.check(distance)
+        chain.RemoveObserver(tag)
+        output = vtkdgg.check(distance)
+        found = support.point_array(output, "GeodesicDistance")
+        np.testing.assert_array_equal(found, vtkdgg.distance(SURFACE, 5))
+
+    def test_graph(self):
+        self.interrupt(lambda: vtkdgg.Graph(POINTS, TRIANGLES, accuracy=0.005), 0.3)
+        graph = vtkdgg.Graph(*terrain(100), accuracy=0.05)
+        expected = graph.matrix(np.arange(0, 10201, 3))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.interrupt(lambda: graph.matrix(np.arange(0, 10201, 3)), 0.1)
+        np.testing.assert_array_equal(graph.matrix(np.arange(0, 10201, 3)), expected)
+
+    def test_any_handler(self):
+        """A handler of the user is called as ever, and what it raises comes out."""
+
+        class TimeOut(Exception):
+            pass
+
+        def give_up(number, frame):
+            raise TimeOut
+
+        calls = []
+        for handler, raised in ((give_up, TimeOut), (lambda *_: calls.append(1), None)):
+            before = signal.signal(signal.SIGALRM, handler)
+            try:
+                signal.setitimer(signal.ITIMER_REAL, 0.1)
+                algorithm = made(vtkdgg.vtkHeatGeodesicDistance, SourceIds=[5])
+                if raised:
+                    with self.assertRaises(raised):
+                        vtkdgg.check(algorithm)
+                else:
+                    self.assertGreater(vtkdgg.check(algorithm).GetNumberOfPoints(), 0)
+                self.assertIs(signal.getsignal(signal.SIGALRM), handler)
+            finally:
+                signal.signal(signal.SIGALRM, before)
+        self.assertEqual(calls, [1])
+
+    def test_program_ends_as_ever(self):
+        script = (
+            "import os, signal, threading, sys\n"
+            f"sys.path.insert(0, {os.path.dirname(os.path.abspath(__file__))!r})\n"
+            "import test_responsive as t, vtkdgg\n"
+            "threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+            "vtkdgg.Graph(t.POINTS, t.TRIANGLES, accuracy=0.001)\n"
+        )
+        result = subprocess.run(
+            [sys.executable, "-c", script], capture_output=True, text=True, check=False
+        )
+        self.assertEqual(result.returncode, -signal.SIGINT, result.stderr)
+        self.assertTrue(result.stderr.rstrip().endswith("KeyboardInterrupt"), result.stderr)
+
+
+class Bar(unittest.TestCase):
+    """What is said of the progress."""
+
+    def shown(self, is_terminal, modules="", on=True, seconds=0.0):
+        """Standard error of a graph that is built in a process of its own."""
+        script = (
+            "import io, sys, types\n"
+            f"sys.path.insert(0, {os.path.dirname(os.path.abspath(__file__))!r})\n"
+            "class Terminal(io.StringIO):\n"
+            f"    isatty = lambda self: {is_terminal}\n"
+            "real, sys.stderr = sys.stderr, Terminal()\n"
+            "sys.modules['tqdm'] = None\n"
+            f"{modules}\n"
+            "import test_responsive as t, vtkdgg\n"
+            f"vtkdgg.show_progress({on})\n"
+            f"vtkdgg.progress._PATIENCE = {seconds}\n"
+            "vtkdgg.progress._PAUSE = 0.0\n"
+            "vtkdgg.Graph(*t.terrain(60), accuracy=0.05)\n"
+            "real.write(sys.stderr.getvalue())\n"
+        )
+        result = subprocess.run([sys.executable, "-c", script], capture_output=True, check=True)
+        return result.stderr.decode()
+
+    def test_terminal(self):
+        self.assertRegex(self.shown(True), r"\A(\rvtk\w+: +\d+ %)+\r\x1b\[K\Z")
+
+    def test_nothing(self):
+        self.assertEqual(self.shown(False), "")
+        self.assertEqual(self.shown(True, on=False), "")
+        self.assertEqual(self.shown(True, seconds=1000.0), "")
+
+    def test_tqdm(self):
+        stand_in = (
+            "class Tqdm:\n"
+            "    desc, n = '', 0\n"
+            "    def __init__(self, total, leave, bar_format): sys.stderr.write(f'of {total}\\n')\n"
+            "    def refresh(self): sys.stderr.write(f'{self.desc} {self.n:.0f}\\n')\n"
+            "    def close(self): sys.stderr.write('closed\\n')\n"
+            "sys.modules['tqdm'] = types.ModuleType('tqdm')\n"
+            "sys.modules['tqdm.auto'] = types.SimpleNamespace(tqdm=Tqdm)\n"
+        )
+        for is_terminal, modules in ((True, ""), (False, "sys.modules['ipykernel'] = sys\n")):
+            text = self.shown(is_terminal, stand_in + modules)
+            self.assertRegex(text, r"\Aof 100\n(vtk\w+ \d+\n)+closed\n\Z")
+
+
+if __name__ == "__main__":
+    unittest.main()

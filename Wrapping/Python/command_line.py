@@ -1,0 +1,228 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Geodesics on meshes and point clouds, from the shell.
+
+Exit codes: 0, done; 1, there is no answer, or a promise is broken; 2, something is wrong with what
+was given; 130, interrupted.
+"""
+
+import argparse
+import json
+import os
+import re
+import shutil
+import sys
+import warnings
+
+from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
+
+from . import build_info
+from .commands import answers, compare, files, places
+from .commands.output import print_table
+from .commands.words import in_options
+from .errors import VTKError
+
+EXAMPLES = """examples:
+  vtkdgg info mesh.ply
+  vtkdgg distance mesh.ply --source 0 --source 1.5,2,0 --out distance.vtp
+  vtkdgg path mesh.ply 0 1000 --out path.vtp
+  vtkdgg isolines mesh.ply --source 0 --count 20 --accuracy 0.001 --out isolines.vtp
+  vtkdgg voronoi mesh.ply --number 50 --iterations 10 --out cells.vtp
+  vtkdgg render mesh.ply --source 0 --out picture.png
+  vtkdgg compare mesh.ply --accuracy 0.01 --out folder"""
+# Those that draw need a display.
+DRAWING = ("compare", "render")
+
+
+def version():
+    """What is there, in one line."""
+    threads = vtkSMPTools.GetEstimatedNumberOfThreads()
+    clouds = "with" if build_info.HAS_POINT_CLOUDS else "without"
+    return (
+        f"vtkdgg {build_info.VERSION}, VTK {vtkVersion.GetVTKVersion()}, {threads} threads "
+        f"({vtkSMPTools.GetBackend()}), {clouds} point clouds"
+    )
+
+
+class Parser(argparse.ArgumentParser):
+    """Reports errors as the rest of the program does: one line, exit code 2."""
+
+    def error(self, message):
+        raise compare.UsageError(f"{message} (--help explains)")
+
+
+def numbers(text):
+    """Numbers with commas in between."""
+    return [float(word) for word in text.split(",")]
+
+
+# Options of several commands.
+OPTIONS = {
+    "source": {
+        "action": "append",
+        "required": True,
+        "metavar": "ID|X,Y,Z",
+        "help": "where distances start: a point id, or coordinates on the surface; several times "
+        "for several",
+    },
+    "accuracy": {
+        "type": float,
+        "metavar": "E",
+        "help": "largest relative error, 1e-6 to 0.5 (default: exact, and 0.01 where a graph is "
+        "needed)",
+    },
+    "merge": {
+        "action": "store_true",
+        "help": "treat points of a mesh with equal coordinates as one (texture seams)",
+    },
+    "tolerance": {
+        "type": float,
+        "metavar": "T",
+        "help": "how far X,Y,Z may be from the surface, as a fraction of the diagonal (default: "
+        "0.01)",
+    },
+    "cloud": {"action": "store_true", "help": "look at points only, also of a mesh"},
+    "json": {"action": "store_true", "help": "print the answer as JSON"},
+}
+
+
+def make_parser():
+    """All commands and their options."""
+    parser = Parser(
+        prog="vtkdgg",
+        description=__doc__,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--version", action="version", version=version())
+    commands = parser.add_subparsers(dest="command", metavar="command", required=True)
+
+    def add(run, *shared, out=".vtp .vtk .ply .stl .obj", needs_out=False, example=""):
+        name = run.__name__
+        command = commands.add_parser(
+            name,
+            help=run.__doc__.rstrip("."),
+            description=run.__doc__,
+            epilog=f"example:\n  vtkdgg {name} mesh.ply {example}",
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+        )
+        command.add_argument("file", help=" ".join(files.EXTENSIONS))
+        for option in (*shared, "cloud", "json"):
+            command.add_argument(f"--{option}", **OPTIONS[option])
+        if out:
+            command.add_argument("--out", metavar="FILE", required=needs_out, help=f"write {out}")
+        command.set_defaults(run=run)
+        return command
+
+    built = ("accuracy", "merge")
+    placed = (*built, "tolerance")
+    add(answers.info, out="")
+    add(answers.graph, *built, out=".vtp .vtk", example="--accuracy 0.001 --out graph.vtp")
+    command = add(answers.distance, "source", *placed, example="--source 0 --out distance.vtp")
+    command.add_argument("--method", choices=("exact", "graph", "fast"), help="default: exact")
+    command.add_argument("--maximum", type=float, metavar="D", help="stop at this distance")
+    command = add(answers.path, *placed, example="0 1000 --out path.vtp")
+    for name in ("start", "end"):
+        command.add_argument(name, metavar="ID|X,Y,Z", help=f"{name} of the path")
+    command = add(answers.loop, *placed, example="--through 0 --taut --out loop.vtp")
+    command.add_argument(
+        "--through",
+        action="append",
+        metavar="ID|X,Y,Z",
+        help="a loop through this point; several times for several (default: around handles)",
+    )
+    command.add_argument("--rope", action="store_true", help="one loop through all points")
+    command.add_argument("--taut", action="store_true", help="pull the loops tight")
+    command = add(answers.isolines, "source", *placed, example="--source 0 --count 20")
+    command.add_argument("--values", type=numbers, metavar="D,D,...", help="the distances")
+    command.add_argument("--count", type=int, default=10, help="or how many (default: %(default)s)")
+    command = add(answers.voronoi, *placed, example="--number 50 --iterations 10 --out cells.vtp")
+    command.add_argument("--site", action="append", metavar="ID|X,Y,Z", help="a site")
+    command.add_argument(
+        "--number", type=int, default=20, help="or how many, spread evenly (default: %(default)s)"
+    )
+    command.add_argument("--iterations", type=int, default=0, help="move sites to the middle")
+    command = add(answers.sample, *built, example="--number 500 --out samples.vtp")
+    command.add_argument("--number", type=int, required=True, help="how many")
+    command.add_argument("--first", type=int, default=0, metavar="ID", help="the first one")
+    command = add(answers.greens, "source", "merge", "tolerance", example="--source 0")
+    methods = ("SingularitySubtraction", "Localized", "Interpolated", "Vertex")
+    command.add_argument("--method", choices=methods, default=methods[0])
+    command.add_argument("--boundary", choices=("Neumann", "Dirichlet"), default="Neumann")
+    drawn = "--source 0 --out picture.png"
+    command = add(answers.render, *placed, out=".png", needs_out=True, example=drawn)
+    command.add_argument("--source", **{**OPTIONS["source"], "required": False})
+    command.add_argument("--array", default="GeodesicDistance", help="default: %(default)s")
+    command = commands.add_parser(
+        "compare",
+        help="Our methods beside each other, with their errors and pictures",
+        description=compare.__doc__,
+    )
+    compare.add_arguments(command)
+    command.set_defaults(run=compare.run)
+    return parser
+
+
+def said_with(found):
+    """An answer as lines of a table."""
+
+    def text(value):
+        if isinstance(value, float):
+            return f"{value:.8g}"
+        return ", ".join(map(text, value)) if isinstance(value, list) else str(value)
+
+    return [(key, text(value)) for key, value in found.items()]
+
+
+def answer(options):
+    """Run a command that answers a question, and print what it found."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = options.run(options)
+    if options.json:
+        notes = [str(warning.message) for warning in caught]
+        print(json.dumps({**found, "warnings": notes}, indent=2))
+    else:
+        print_table(said_with(found), [], caught)
+    return 0
+
+
+def with_display(arguments):
+    """Start again with a virtual display, where there is none."""
+    if shutil.which("xvfb-run") is None:
+        raise compare.UsageError("there is no display to draw with, and no xvfb-run to make one")
+    packages = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    known = [packages, *filter(None, [os.environ.get("PYTHONPATH")])]
+    screen = ["xvfb-run", "-a", "-s", "-screen 0 1920x1440x24 -noreset"]
+    os.execvpe(
+        screen[0],
+        [*screen, sys.executable, "-m", "vtkdgg", *arguments],
+        {**os.environ, "PYTHONPATH": os.pathsep.join(known)},
+    )
+
+
+def main(arguments=None):
+    """Run the command; its exit code."""
+    arguments = sys.argv[1:] if arguments is None else list(map(str, arguments))
+    try:
+        # A blank keeps argparse from taking coordinates with a minus sign for an option.
+        options = make_parser().parse_args([re.sub(r"^-(?=[\d.])", " -", a) for a in arguments])
+        if options.command in DRAWING and sys.platform == "linux" and not os.environ.get("DISPLAY"):
+            with_display(arguments)
+        return options.run(options) if options.command == "compare" else answer(options)
+    except answers.Negative as reason:
+        print(f"no answer: {reason}", file=sys.stderr)
+        return 1
+    except (
+        compare.UsageError,
+        places.SourceError,
+        files.MeshFileError,
+        ValueError,
+        VTKError,
+        OSError,
+    ) as problem:
+        print(f"error: {in_options(' '.join(str(problem).split()))}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return 130

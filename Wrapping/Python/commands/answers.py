@@ -1,0 +1,271 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The commands that answer one question: each takes its options, writes a file where one is asked
+for, and returns what it found as a dict."""
+
+import time
+
+import numpy as np
+import vtkdgg
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from . import files, places
+
+
+class Negative(Exception):
+    """There is no answer; the text says why."""
+
+
+def read(options):
+    """What the file holds, and whether it is a cloud."""
+    contents = files.read(options.file)
+    is_cloud = options.cloud or files.is_cloud(contents)
+    return contents, is_cloud
+
+
+def surface_of(options):
+    """The mesh of the file, for commands that need one."""
+    contents, is_cloud = read(options)
+    if is_cloud:
+        raise files.MeshFileError(
+            f"{options.file}: holds no surface, which {options.command} needs"
+        )
+    return contents
+
+
+def graph_of(options):
+    """Its graph."""
+    contents, is_cloud = read(options)
+    if is_cloud:
+        for name in ("accuracy", "merge"):
+            if getattr(options, name, None):
+                raise files.MeshFileError(f"--{name}: not on a point cloud, only on a mesh")
+        return vtkdgg.CloudGraph(contents)
+    accuracy = 0.01 if options.accuracy is None else options.accuracy
+    return vtkdgg.Graph(contents, accuracy=accuracy, merge_coincident_points=options.merge)
+
+
+def several(texts, contents, name):
+    """Places as functions take them: ids, or coordinates as soon as one is that."""
+    found = [places.choose(text, contents, name) for text in texts]
+    if all(isinstance(place, int) for place in found):
+        return found
+    return np.array([contents.GetPoint(p) if isinstance(p, int) else p for p in found])
+
+
+def written(options, data):
+    """Write the file, if one is asked for; what there is to say of it."""
+    if options.out is None:
+        return {}
+    files.write(options.out, data)
+    return {"written": options.out}
+
+
+def spread(values):
+    """The range of numbers, without those that are not there."""
+    finite = values[np.isfinite(values)]
+    low, high = (float(finite.min()), float(finite.max())) if finite.size else (None, None)
+    return {"reached": int(finite.size), "smallest": low, "largest": high}
+
+
+def info(options):
+    """What the file holds."""
+    contents, is_cloud = read(options)
+    found = {
+        "kind": "point cloud" if is_cloud else "surface",
+        "points": contents.GetNumberOfPoints(),
+        "polygons": contents.GetNumberOfPolys() + contents.GetNumberOfStrips(),
+        "bounds": list(contents.GetBounds()),
+        "diagonal": contents.GetLength(),
+    }
+    data = contents.GetPointData()
+    found["point arrays"] = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
+    if not is_cloud:
+        look = vtkdgg.vtkExactGeodesicDistance()
+        look.SetInputData(contents)
+        look.SetSourceIds([0])
+        look.SetMaximumDistance(0.0)
+        vtkdgg.check(look)
+        for line in look.GetMeshReport().splitlines():
+            key, _, value = line.partition(": ")
+            found.setdefault(key, value)
+    return found
+
+
+def graph(options):
+    """Build a graph, and keep it in a file."""
+    start = time.perf_counter()
+    made = graph_of(options)
+    return {
+        "points": made.number_of_points,
+        "edges": len(made.targets),
+        "degree": made.degree,
+        "bytes": made.nbytes,
+        "accuracy": made.accuracy,
+        "seconds": time.perf_counter() - start,
+        **written(options, made.polydata),
+    }
+
+
+def distance(options):
+    """Distances of all points from the nearest source."""
+    contents, is_cloud = read(options)
+    sources = several(options.source, contents, "--source")
+    choices = {"maximum_distance": options.maximum, "projection_tolerance": options.tolerance}
+    if is_cloud or options.method == "graph":
+        output = graph_of(options).distance(sources, as_polydata=True, **choices)
+    else:
+        output = vtkdgg.distance(
+            contents,
+            sources,
+            method=options.method,
+            accuracy=options.accuracy,
+            merge_coincident_points=options.merge,
+            as_polydata=True,
+            **choices,
+        )
+    values = vtk_to_numpy(output.GetPointData().GetArray("GeodesicDistance"))
+    output.GetPointData().SetActiveScalars("GeodesicDistance")
+    return {"points": len(values), **spread(values), **written(options, output)}
+
+
+def path(options):
+    """A shortest path."""
+    contents, is_cloud = read(options)
+    ends = [places.choose(getattr(options, name), contents, name) for name in ("start", "end")]
+    tolerance = options.tolerance
+    try:
+        if is_cloud or options.accuracy is not None:
+            output = graph_of(options).path(*ends, projection_tolerance=tolerance, as_polydata=True)
+        else:
+            output = vtkdgg.path(
+                contents,
+                *ends,
+                merge_coincident_points=options.merge,
+                projection_tolerance=tolerance,
+                as_polydata=True,
+            )
+    except ValueError as error:
+        if "not connected" not in str(error):
+            raise
+        raise Negative(str(error)) from None
+    length = output.GetCellData().GetArray("Length").GetValue(0)
+    return {"length": length, "points": output.GetNumberOfPoints(), **written(options, output)}
+
+
+def loop(options):
+    """Closed geodesics."""
+    contents = surface_of(options)
+    points = several(options.through, contents, "--through") if options.through else None
+    output = graph_of(options).loop(
+        points,
+        rope=options.rope,
+        taut=options.taut,
+        projection_tolerance=options.tolerance,
+        as_polydata=True,
+    )
+    if output.GetNumberOfLines() == 0:
+        raise Negative("there is no loop that does not contract to a point")
+    lengths = vtk_to_numpy(output.GetCellData().GetArray("Length"))
+    return {"loops": len(lengths), "lengths": lengths.tolist(), **written(options, output)}
+
+
+def isolines(options):
+    """Curves of equal distance."""
+    contents = surface_of(options)
+    output = graph_of(options).isolines(
+        several(options.source, contents, "--source"),
+        options.values if options.values else options.count,
+        projection_tolerance=options.tolerance,
+        as_polydata=True,
+    )
+    values = vtk_to_numpy(output.GetCellData().GetArray("IsoValue"))
+    return {
+        "lines": output.GetNumberOfLines(),
+        "values": np.unique(values).tolist(),
+        **written(options, output),
+    }
+
+
+def voronoi(options):
+    """Cells of the nearest of some sites."""
+    contents, _ = read(options)
+    made = graph_of(options)
+    if options.site:
+        sites = several(options.site, contents, "--site")
+    else:
+        sites = made.sample(options.number).points
+    choices = {"iterations": options.iterations, "projection_tolerance": options.tolerance}
+    cells = made.voronoi(sites, **choices)
+    found = {"sites": len(cells.sites), "covering radius": spread(cells.distances)["largest"]}
+    if cells.areas is not None:
+        found["areas"] = cells.areas.tolist()
+    if options.out:
+        found.update(written(options, made.voronoi(sites, as_polydata=True, **choices)))
+    return found
+
+
+def sample(options):
+    """Points that are spread evenly."""
+    output = graph_of(options).sample(options.number, first=options.first, as_polydata=True)
+    radii = vtk_to_numpy(output.GetPointData().GetArray("CoveringRadius"))
+    return {
+        "samples": output.GetNumberOfPoints(),
+        "covering radius": float(radii[-1]),
+        **written(options, output),
+    }
+
+
+def greens(options):
+    """Green's functions of the Laplacian."""
+    contents = surface_of(options)
+    output = vtkdgg.greens_function(
+        contents,
+        several(options.source, contents, "--source"),
+        method=options.method,
+        boundary=options.boundary,
+        merge_coincident_points=options.merge,
+        projection_tolerance=options.tolerance,
+        as_polydata=True,
+    )
+    values = vtk_to_numpy(output.GetPointData().GetArray("GreensFunction")).reshape(
+        output.GetNumberOfPoints(), -1
+    )
+    return {
+        "points": values.shape[0],
+        "sources": values.shape[1],
+        "smallest": values.min(axis=0).tolist(),
+        "largest": values.max(axis=0).tolist(),
+        **written(options, output),
+    }
+
+
+def render(options):
+    """A picture of a surface with its distances and isolines."""
+    from . import pictures
+
+    contents = surface_of(options)
+    source = None
+    if options.source:
+        sources = several(options.source, contents, "--source")
+        contents = vtkdgg.distance(
+            contents,
+            sources,
+            projection_tolerance=options.tolerance,
+            merge_coincident_points=options.merge,
+            accuracy=options.accuracy,
+            as_polydata=True,
+        )
+        source, _ = places.locate(contents, sources[0])
+    array = contents.GetPointData().GetArray(options.array)
+    if array is None:
+        raise files.MeshFileError(
+            f"{options.file}: has no point array {options.array!r}; give a --source, or the file "
+            "that the command distance has written"
+        )
+    mesh = files.triangles_of(contents, options.file)
+    values = vtk_to_numpy(mesh.GetPointData().GetArray(options.array))
+    if source is None:
+        source = np.array(mesh.GetPoint(int(np.nanargmin(values))))
+    step = pictures.save_distances(options.out, mesh, options.array, source)
+    return {**spread(values), "isolines every": step, "written": options.out}

@@ -1,0 +1,185 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A graph in arrays, and the filters that search it."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import arguments
+from .errors import run
+from .graph_info import ARRAYS, CONSTRUCTIONS, GraphInfo
+from .surface import from_arrays, to_arrays
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+class GraphData:
+    """What a graph consists of. It can be copied and pickled; it is not built again."""
+
+    @property
+    def csr(self) -> Any:
+        """The graph as a new scipy.sparse.csr_matrix of lengths, shape (n, n).
+
+        It has arrays of its own, because SciPy sorts them in place now and then.
+
+        Raises
+        ------
+        ImportError
+            When SciPy is not installed.
+        """
+        csr_matrix = self._csr_matrix(
+            "Graph.csr", "; Graph.offsets, .targets and .lengths do without"
+        )
+        n = self.number_of_points
+        return csr_matrix((self.lengths, self.targets, self.offsets), shape=(n, n), copy=True)
+
+    @property
+    def points(self) -> NDArray[Any]:
+        """Coordinates, shape (n, 3). A view that cannot be written to."""
+        return _read_only(self._surface.GetPoints().GetData())
+
+    @property
+    def offsets(self) -> NDArray[np.int64]:
+        """int64, shape (n + 1,): edges that leave point i are offsets[i] to offsets[i + 1] - 1.
+
+        A view that cannot be written to, as are `targets` and `lengths`.
+        """
+        return self._array("Offsets")
+
+    @property
+    def targets(self) -> NDArray[np.int32]:
+        """int32, one for each directed edge: the point at its end. Not sorted in a row."""
+        return self._array("Targets")
+
+    @property
+    def lengths(self) -> NDArray[Any]:
+        """float32 (float64 below an accuracy of 1e-5), one for each directed edge: rounded up."""
+        return self._array("Lengths")
+
+    @property
+    def number_of_points(self) -> int:
+        """Number of points, n."""
+        return self._surface.GetNumberOfPoints()
+
+    @property
+    def accuracy(self) -> Optional[float]:
+        """What the graph was built for; None for a SaddleVertexGraph."""
+        return self._info.accuracy
+
+    @property
+    def construction(self) -> str:
+        """The rule that chose the edges. Only "Guaranteed" is sure to keep to `accuracy`."""
+        return CONSTRUCTIONS[self._info.construction]
+
+    @property
+    def is_cloud(self) -> bool:
+        """Whether it is the graph of a point cloud."""
+        return self._info.is_cloud
+
+    @property
+    def degree(self) -> float:
+        """Mean number of edges that leave a point."""
+        return len(self.targets) / self.number_of_points
+
+    @property
+    def nbytes(self) -> int:
+        """Bytes of the arrays of the graph."""
+        names = (name for name in ARRAYS if self._surface.GetFieldData().HasArray(f"DGG.{name}"))
+        return sum(self._array(name).nbytes for name in names)
+
+    @property
+    def polydata(self) -> vtkPolyData:
+        """The surface with its graph as a new vtkPolyData, for filters and writers.
+
+        It has all other data of the mesh that was given. It shares its arrays with this object: do
+        not change them in place.
+        """
+        result = vtkPolyData()
+        result.ShallowCopy(self._surface)
+        return result
+
+    def __repr__(self) -> str:
+        quality = "" if self.accuracy is None else f", accuracy {self.accuracy:g}"
+        return (
+            f"<vtkdgg.{type(self).__name__}: {self.number_of_points} points, {len(self.targets)} "
+            f"edges, {self.construction}{quality}, {self.nbytes / 2**20:.1f} MiB>"
+        )
+
+    def __getstate__(self):
+        # Filters prepare themselves again.
+        return {
+            "surface": to_arrays(self._surface),
+            "memory_limit": self._memory_limit,
+            "heard": self._heard,
+        }
+
+    def __setstate__(self, state):
+        self._heard = set(state["heard"])
+        self._memory_limit = state["memory_limit"]
+        self._local = threading.local()
+        self._surface = from_arrays(state["surface"])
+        self._info = GraphInfo(self._surface)
+
+    def _build(self, builder, surface, refused=None):
+        """Take the graph of the surface, or have the builder make one; `refused` as for run()."""
+        self._heard = set()  # what is wrong with the mesh is said once, not by each filter
+        self._memory_limit = builder.GetMemoryLimit()
+        self._local = threading.local()
+        builder.SetInputData(surface)
+        self._surface = vtkPolyData()  # without the builder, which keeps much more
+        self._surface.ShallowCopy(run(builder, self._heard, refused))
+        self._info = GraphInfo(self._surface)
+
+    @property
+    def _filters(self):
+        """Those of this thread: another one would change sources before results are read."""
+        return self._local.__dict__
+
+    def _filter(self, kind, tolerance):
+        """The filter of the class, which keeps what it has prepared for the next query."""
+        filters = self._filters
+        if kind not in filters:
+            consumer = kind()
+            consumer.SetMergeCoincidentPoints(self._info.is_merged)
+            consumer.SetMergeTolerance(self._info.merge_tolerance)
+            consumer.SetMemoryLimit(self._memory_limit)
+            consumer.SetInputData(self._surface)
+            filters[kind] = consumer
+        consumer = filters[kind]
+        consumer.SetProjectionTolerance(arguments.projection_tolerance(tolerance))
+        return consumer
+
+    @staticmethod
+    def _given_away(algorithm, port=0):
+        """What the filter has at the port, for the caller to keep. The next query makes another."""
+        result = vtkPolyData()
+        result.ShallowCopy(algorithm.GetOutputDataObject(port))
+        algorithm.Modified()
+        return result
+
+    @staticmethod
+    def _csr_matrix(who, remedy=""):
+        try:
+            from scipy.sparse import csr_matrix
+        except ImportError as error:
+            raise ImportError(
+                f"{who} needs SciPy, which is not installed (Debian: python3-scipy, else: pip "
+                f"install scipy){remedy}"
+            ) from error
+        return csr_matrix
+
+    def _array(self, name):
+        return _read_only(self._surface.GetFieldData().GetArray(f"DGG.{name}"))
+
+
+def _read_only(array):
+    view = vtk_to_numpy(array)
+    view.flags.writeable = False
+    return view

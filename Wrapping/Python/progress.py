@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How far an update is, for those who wait for it."""
+
+from __future__ import annotations
+
+import sys
+import time
+
+__all__ = ["show_progress"]
+
+# Seconds before anything is shown, and between two lines.
+_PATIENCE = 1.0
+_PAUSE = 0.1
+
+_is_on = True
+
+
+def show_progress(on: bool = True) -> None:
+    """Whether functions of this package show a progress bar, once they have taken a second.
+
+    It is one of tqdm's where that is installed, else a plain line; on terminals and in notebooks
+    only. The default is on.
+
+    Parameters
+    ----------
+    on : bool, optional
+        True or False.
+    """
+    global _is_on
+    _is_on = bool(on)
+
+
+class Bar:
+    """The progress of one call."""
+
+    def __init__(self):
+        self._next = time.monotonic() + _PATIENCE if _is_on else float("inf")
+        self._line = None
+
+    def show(self, name, fraction):
+        """Show it, unless it is too early for that."""
+        now = time.monotonic()
+        if now >= self._next:
+            self._next = now + _PAUSE
+            self._line = self._line or _line()
+            self._line.show(name, fraction)
+
+    def close(self):
+        """Remove it."""
+        if self._line:
+            self._line.close()
+
+
+def _line():
+    is_terminal = sys.stderr is not None and sys.stderr.isatty()
+    if not is_terminal and "ipykernel" not in sys.modules:
+        return _Nothing()
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return _Plain() if is_terminal else _Nothing()
+    return _Tqdm(tqdm)
+
+
+class _Nothing:
+    def show(self, name, fraction):
+        """Nothing."""
+
+    def close(self):
+        """Nothing."""
+
+
+class _Plain:
+    def show(self, name, fraction):
+        """Write over the line before."""
+        sys.stderr.write(f"\r{name}: {100.0 * fraction:3.0f} %")
+        sys.stderr.flush()
+
+    def close(self):
+        """Clear the line."""
+        sys.stderr.write("\r\x1b[K")
+        sys.stderr.flush()
+
+
+class _Tqdm:
+    def __init__(self, tqdm):
+        self._bar = tqdm(
+            total=100, leave=False, bar_format="{desc}: {percentage:3.0f}%|{bar}| {elapsed}"
+        )
+
+    def show(self, name, fraction):
+        """Move the bar."""
+        self._bar.desc = name
+        self._bar.n = 100.0 * fraction
+        self._bar.refresh()
+
+    def close(self):
+        """Remove the bar."""
+        self._bar.close()

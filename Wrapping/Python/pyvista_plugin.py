@@ -1,0 +1,143 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""``mesh.dgg`` of the meshes of PyVista, and its reader of PCD files.
+
+PyVista 0.48 and newer finds both by the entry points of the installed package; to import this
+module does it as well.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pyvista
+
+from . import distances, paths, spectral
+from .cloud_graph import CloudGraph
+from .errors import check
+from .graph import Graph
+from .vtkDGGReaders import vtkPCDReader
+
+
+class DGGAccessor:
+    """Geodesics on a mesh of PyVista; whatever has points comes back as one as well.
+
+    Without `accuracy` answers are exact; with it, and in all methods below `graph`, a graph answers
+    that is built for the first call and kept until the mesh or the accuracy changes.
+    """
+
+    def __init__(self, dataset: Any) -> None:
+        self._mesh = dataset
+        self._graph = None
+        self._key = None
+
+    def graph(self, accuracy: float = 0.01, **options: Any) -> Any:
+        """The `vtkdgg.Graph` of the mesh, or the `vtkdgg.CloudGraph` of points without polygons."""
+        key = (accuracy, tuple(sorted(options.items())), self._mesh.GetMTime())
+        if key != self._key:
+            if self._mesh.GetNumberOfPolys() + self._mesh.GetNumberOfStrips() > 0:
+                self._graph = Graph(self._mesh, accuracy=accuracy, **options)
+            else:
+                self._graph = CloudGraph(self._mesh, **options)
+            self._key = key
+        return self._graph
+
+    def distance(self, sources: Any, accuracy: Any = None, **options: Any) -> Any:
+        """The mesh with the point array "GeodesicDistance"; see `vtkdgg.distance`."""
+        if accuracy is not None:
+            found = self.graph(accuracy).distance(sources, as_polydata=True, **options)
+        else:
+            found = distances.distance(self._mesh, sources, as_polydata=True, **options)
+        return pyvista.wrap(found)
+
+    def geodesic(
+        self,
+        start_vertex: Any,
+        end_vertex: Any,
+        inplace: bool = False,
+        keep_order: bool = True,
+        use_scalar_weights: bool = False,
+        progress_bar: bool = False,
+    ) -> Any:
+        """An exact shortest path, with the arguments of PyVista's `geodesic`, which follows edges.
+
+        Ends may be coordinates as well. Where the path crosses edges and faces, its array
+        "vtkOriginalPointIds" has -1. There are no scalar weights; progress is shown in any case.
+        """
+        found = pyvista.wrap(self._path(start_vertex, end_vertex, use_scalar_weights, True))
+        if not keep_order:
+            found.lines = found.lines[:1].tolist() + found.lines[:0:-1].tolist()
+        if not inplace:
+            return found
+        self._mesh.copy_from(found)
+        return self._mesh
+
+    def geodesic_distance(
+        self,
+        start_vertex: Any,
+        end_vertex: Any,
+        use_scalar_weights: bool = False,
+        progress_bar: bool = False,
+    ) -> float:
+        """The exact distance, with the arguments of PyVista's `geodesic_distance`."""
+        return self._path(start_vertex, end_vertex, use_scalar_weights, False).length
+
+    def paths(self, starts: Any, ends: Any, accuracy: float = 0.01, **options: Any) -> Any:
+        """Paths between many pairs of points; see `vtkdgg.Graph.paths`."""
+        graph = self.graph(accuracy)
+        return pyvista.wrap(graph.paths(starts, ends, as_polydata=True, **options))
+
+    def isolines(self, sources: Any, values: Any, accuracy: float = 0.01, **options: Any) -> Any:
+        """Curves of equal distance; see `vtkdgg.Graph.isolines`."""
+        graph = self.graph(accuracy)
+        return pyvista.wrap(graph.isolines(sources, values, as_polydata=True, **options))
+
+    def loop(self, points: Any = None, accuracy: float = 0.01, **options: Any) -> Any:
+        """Closed geodesics; see `vtkdgg.Graph.loop`."""
+        return pyvista.wrap(self.graph(accuracy).loop(points, as_polydata=True, **options))
+
+    def sample(self, number_of_samples: int, accuracy: float = 0.01, **options: Any) -> Any:
+        """Points that are spread evenly; see `vtkdgg.Graph.sample`."""
+        graph = self.graph(accuracy)
+        return pyvista.wrap(graph.sample(number_of_samples, as_polydata=True, **options))
+
+    def voronoi(self, sites: Any, accuracy: float = 0.01, **options: Any) -> Any:
+        """Cells of some sites; see `vtkdgg.Graph.voronoi`."""
+        return pyvista.wrap(self.graph(accuracy).voronoi(sites, as_polydata=True, **options))
+
+    def greens_function(self, sources: Any, **options: Any) -> Any:
+        """Green's functions; see `vtkdgg.greens_function`."""
+        found = spectral.greens_function(self._mesh, sources, as_polydata=True, **options)
+        return pyvista.wrap(found)
+
+    def biharmonic(self, sources: Any, **options: Any) -> Any:
+        """Smooth distances; see `vtkdgg.biharmonic`."""
+        return pyvista.wrap(spectral.biharmonic(self._mesh, sources, as_polydata=True, **options))
+
+    def earth_movers(self, start: Any, end: Any, **options: Any) -> Any:
+        """How mass is moved; see `vtkdgg.earth_movers`."""
+        found = spectral.earth_movers(self._mesh, start, end, as_polydata=True, **options)
+        return pyvista.wrap(found)
+
+    def _path(self, start, end, use_scalar_weights, as_polydata):
+        if use_scalar_weights:
+            raise ValueError("use_scalar_weights: geodesics of a surface have no weights")
+        return paths.path(self._mesh, start, end, as_polydata=as_polydata)
+
+
+def read_pcd(path: Any, **_: Any) -> Any:
+    """A PCD file as a mesh of PyVista."""
+    reader = vtkPCDReader()
+    reader.SetFileName(str(path))
+    return pyvista.wrap(check(reader))
+
+
+def register() -> None:
+    """Register both, as far as this PyVista knows such registries."""
+    if hasattr(pyvista, "register_dataset_accessor"):
+        pyvista.register_dataset_accessor("dgg", pyvista.PolyData)(DGGAccessor)
+    if hasattr(pyvista, "register_reader"):
+        pyvista.register_reader(".pcd", read_pcd)
+
+
+register()

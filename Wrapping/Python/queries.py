@@ -1,0 +1,467 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What can be asked of a graph, be it that of a mesh or of a cloud."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+from . import arguments
+from .errors import run
+from .graph_data import GraphData
+from .paths import find
+from .results import Samples, Voronoi, array_of
+from .vtkDGGFiltersGeodesic import (
+    vtkDGGDistance,
+    vtkDGGPath,
+    vtkGeodesicDistanceMatrix,
+    vtkGeodesicSampler,
+    vtkGeodesicVoronoi,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+# Numbers in a part of a matrix that becomes sparse.
+_BLOCK = 2**23
+
+
+class Queries(GraphData):
+    """Distances, paths and what follows from them."""
+
+    def distance(
+        self,
+        sources: ArrayLike,
+        *,
+        correction: bool = True,
+        maximum_distance: Optional[float] = None,
+        initial_distances: Optional[ArrayLike] = None,
+        return_source: bool = False,
+        unreached: float = np.nan,
+        projection_tolerance: Optional[float] = None,
+        as_polydata: bool = False,
+    ) -> Any:
+        """Distance of every point from the nearest source.
+
+        Parameters
+        ----------
+        sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+            Integers are point ids, floats coordinates of points anywhere on the surface, which are
+            moved to the closest point of it.
+        correction : bool, optional
+            True: the best estimate within the promised error. False: the length of a path in the
+            graph, which is never shorter than the exact distance; these are a metric.
+        maximum_distance : float, optional
+            Points farther than this are left unreached. Default: no limit.
+        initial_distances : float or sequence of float, optional
+            The distances that the sources start with. Default: 0.
+        return_source : bool, optional
+            Whether to return the nearest source as well.
+        unreached : float, optional
+            Distance given to points that no source reaches. Default: NaN.
+        projection_tolerance : float, optional
+            How far coordinates may be from the surface, as a fraction of the diagonal of its
+            bounding box. Default: 0.01.
+        as_polydata : bool, optional
+            Whether to return the surface with the point arrays "GeodesicDistance" and
+            "GeodesicSource".
+
+        Returns
+        -------
+        distances : numpy.ndarray of float64, shape (n,), or vtkPolyData
+            In the unit of the points.
+        nearest : numpy.ndarray of int, shape (n,)
+            Index into `sources` of the nearest one, -1 where none reaches. Only with
+            `return_source`, and without `as_polydata`.
+
+        Raises
+        ------
+        ValueError
+            When an argument has the wrong shape or type, or an id does not exist.
+        VTKError
+            When the filter refuses the input, as for coordinates far off the surface.
+        """
+        unreached = arguments.number(unreached, "unreached")
+        search = self._search(
+            sources, correction, maximum_distance, initial_distances, projection_tolerance
+        )
+        search.SetUnreachedValue(unreached if as_polydata else np.inf)
+        output = run(search, self._heard)
+        if as_polydata:
+            return self._given_away(search)
+        # Copies: the output is kept, and given out again when the same is asked for.
+        distances = array_of(output.GetPointData(), search.GetDistanceArrayName())
+        distances[np.isinf(distances)] = unreached
+        if not return_source:
+            return distances
+        nearest = output.GetPointData().GetArray(search.GetSourceArrayName())
+        return distances, vtk_to_numpy(nearest).astype(np.intp)
+
+    def matrix(
+        self,
+        rows: ArrayLike,
+        columns: Optional[ArrayLike] = None,
+        *,
+        unreached: float = np.nan,
+        projection_tolerance: Optional[float] = None,
+    ) -> NDArray[np.float64]:
+        """Distances between two sets of points, or between all pairs of one.
+
+        They are lengths of paths in the graph (there is no correction): at least the exact
+        distance, and at most (1 + accuracy) times that. Between points of the mesh they are a
+        metric.
+
+        Parameters
+        ----------
+        rows, columns : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+            Point ids or coordinates, as for `distance`. Without columns they are the rows; then the
+            matrix is symmetric.
+        unreached : float, optional
+            Distance given to pairs that are not connected. Default: NaN.
+        projection_tolerance : float, optional
+            As for `distance`.
+
+        Returns
+        -------
+        numpy.ndarray of float64, shape (number of rows, number of columns)
+            In the unit of the points.
+
+        Raises
+        ------
+        ValueError, VTKError
+            As for `distance`; a VTKError also when the matrix would take more memory than
+            `memory_limit`.
+        """
+        tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
+        tabulate.SetMaximumDistance(np.inf)
+        tabulate.SetUnreachedValue(arguments.number(unreached, "unreached"))
+        self._set_rows(tabulate, rows)
+        ids, places = [], None
+        if columns is not None:
+            ids, places = arguments.places(columns, "columns", self.number_of_points)
+        tabulate.SetColumnIds(ids or [])
+        tabulate.SetColumnData(None if places is None else arguments.polydata(places))
+        return self._tabulate(tabulate)
+
+    def sparse_matrix(
+        self,
+        maximum_distance: float,
+        rows: Optional[ArrayLike] = None,
+        *,
+        projection_tolerance: Optional[float] = None,
+    ) -> Any:
+        """Distances between all pairs of points that are close to each other.
+
+        Those of `matrix`, without the pairs that are farther apart and those of a point with
+        itself. A point that is in the very place of another one has an explicit 0.
+
+        Parameters
+        ----------
+        maximum_distance : float
+            How far apart two points may be, in the unit of the points.
+        rows : int, sequence of int, or array_like of float, shape (3,) or (k, 3), optional
+            Point ids or coordinates, as for `distance`. Default: all points of the mesh.
+        projection_tolerance : float, optional
+            As for `distance`.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix of float64, shape (number of rows, n)
+            In the unit of the points.
+
+        Raises
+        ------
+        ImportError
+            When SciPy is not installed.
+        ValueError, VTKError
+            As for `distance`.
+        """
+        csr_matrix = self._csr_matrix("Graph.sparse_matrix")
+        n = self.number_of_points
+        radius = arguments.limit(maximum_distance, "maximum_distance")
+        ids, places = arguments.places(np.arange(n) if rows is None else rows, "rows", n)
+        rows = np.asarray(ids) if places is None else places
+        tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
+        tabulate.SetMaximumDistance(radius)
+        tabulate.SetUnreachedValue(np.inf)
+        tabulate.SetColumnIds(list(range(n)))
+        tabulate.SetColumnData(None)
+        step = max(1, _BLOCK // n)
+        values, targets, counts = [], [], []
+        for first in range(0, len(rows), step):
+            part = rows[first : first + step]
+            self._set_rows(tabulate, part)
+            block = self._tabulate(tabulate)
+            if places is None:
+                block[np.arange(len(part)), part] = np.inf
+            found = np.flatnonzero(block < np.inf)
+            starts = n * np.arange(len(part) + 1)
+            counts.append(np.diff(np.searchsorted(found, starts)))
+            values.append(block.ravel()[found])
+            found -= np.repeat(starts[:-1], counts[-1])
+            targets.append(found.astype(np.int32))
+        offsets = np.concatenate([[0], np.cumsum(np.concatenate(counts))])
+        return csr_matrix(
+            (np.concatenate(values), np.concatenate(targets), offsets), shape=(len(rows), n)
+        )
+
+    def path(
+        self,
+        start: ArrayLike,
+        end: ArrayLike,
+        *,
+        straighten: bool = True,
+        detour: Optional[float] = None,
+        projection_tolerance: Optional[float] = None,
+        as_polydata: bool = False,
+    ) -> Any:
+        """A path on the surface from one point to another.
+
+        It is a geodesic: no path next to it is shorter. Its length is at least the exact distance,
+        and at most (1 + accuracy) times that.
+
+        Parameters
+        ----------
+        start, end : int, or array_like of float, shape (3,)
+            A point id, or coordinates of a point anywhere on the surface; it is moved to the
+            closest point of the surface.
+        straighten : bool, optional
+            False: the path in the graph as it is, with small bends at some points.
+        detour : float, optional
+            Behind every bump there are several geodesics. The shortest one is taken of those with
+            detours from the first one found of up to this fraction of its length, in [0, 0.1].
+            Default: 1e-4.
+        projection_tolerance : float, optional
+            As for `distance`.
+        as_polydata : bool, optional
+            Whether to return a vtkPolyData with one polyline, and the arrays of vtkDGGPath.
+
+        Returns
+        -------
+        Path or vtkPolyData
+
+        Raises
+        ------
+        ValueError
+            When an argument has the wrong shape or type, an id does not exist, or start and end are
+            not connected by the surface.
+        VTKError
+            When the filter refuses the input, as for coordinates far off the surface.
+        """
+        ends = (
+            arguments.place(value, name, self.number_of_points)
+            for value, name in ((start, "start"), (end, "end"))
+        )
+        finder = self._path_finder(straighten, detour, projection_tolerance)
+        found = find(finder, *([place] for place in ends), self._heard)
+        return self._given_away(finder) if as_polydata else found[0]
+
+    def paths(
+        self,
+        starts: ArrayLike,
+        ends: ArrayLike,
+        *,
+        straighten: bool = True,
+        detour: Optional[float] = None,
+        projection_tolerance: Optional[float] = None,
+        as_polydata: bool = False,
+    ) -> Any:
+        """Paths between many pairs of points, on all threads.
+
+        Parameters
+        ----------
+        starts, ends : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+            Point ids or coordinates, as for `distance`; as many starts as ends, or one of either.
+        straighten, detour, projection_tolerance
+            As for `path`.
+        as_polydata : bool, optional
+            Whether to return one vtkPolyData with a polyline for each path that there is; the cell
+            array "PairId" numbers them.
+
+        Returns
+        -------
+        list of Path, or vtkPolyData
+            None, with a warning, for a pair that the surface does not connect.
+
+        Raises
+        ------
+        ValueError, VTKError
+            As for `path`.
+        """
+        sets = []
+        for values, name in ((starts, "starts"), (ends, "ends")):
+            ids, places = arguments.places(values, name, self.number_of_points)
+            sets.append(list(places) if ids is None else ids)
+        count = max(map(len, sets))
+        if any(len(places) not in (1, count) for places in sets):
+            raise ValueError(
+                f"starts and ends: as many are wanted of both, or one, not {len(sets[0])} and "
+                f"{len(sets[1])}"
+            )
+        finder = self._path_finder(straighten, detour, projection_tolerance)
+        sets = [places * count if len(places) == 1 else places for places in sets]
+        found = find(finder, *sets, self._heard)
+        return self._given_away(finder) if as_polydata else found
+
+    def sample(
+        self,
+        number_of_samples: int,
+        *,
+        first: int = 0,
+        start: Optional[ArrayLike] = None,
+        covering_radius: float = 0.0,
+        in_faces: bool = False,
+        projection_tolerance: Optional[float] = None,
+        as_polydata: bool = False,
+    ) -> Any:
+        """Points that are spread evenly: each is as far as possible from those before.
+
+        Parameters
+        ----------
+        number_of_samples : int
+            How many there are at most, those of `start` included.
+        first : int, optional
+            The point id of the first one. Default: 0.
+        start : int, sequence of int, or array_like of float, shape (3,) or (k, 3), optional
+            Samples to begin with, in place of `first`.
+        covering_radius : float, optional
+            Stop when every point of the mesh is this close to a sample. Default: 0, do not.
+        in_faces : bool, optional
+            Whether samples may lie in faces and on edges, and not only in points of the mesh.
+        projection_tolerance : float, optional
+            As for `distance`.
+        as_polydata : bool, optional
+            Whether to return the points as vtkPolyData, with the arrays of vtkGeodesicSampler.
+
+        Returns
+        -------
+        Samples or vtkPolyData
+
+        Raises
+        ------
+        ValueError, VTKError
+            As for `distance`.
+        """
+        n = self.number_of_points
+        sampler = self._filter(vtkGeodesicSampler, projection_tolerance)
+        sampler.SetNumberOfSamples(arguments.integer(number_of_samples, "number_of_samples"))
+        first = arguments.place(first, "first", n)
+        if not isinstance(first, int):
+            raise ValueError("first: a point id is wanted; coordinates go into start")
+        sampler.SetFirstSample(first)
+        places = None
+        if start is not None:
+            ids, places = arguments.places(start, "start", n)
+            places = self.points[ids] if places is None else places
+        sampler.SetStartData(None if places is None else arguments.polydata(places))
+        sampler.SetCoveringRadius(arguments.limit(covering_radius, "covering_radius"))
+        sampler.SetInFaces(bool(in_faces))
+        output = run(sampler, self._heard)
+        if as_polydata:
+            return self._given_away(sampler)
+        data = output.GetPointData()
+        return Samples(
+            points=np.array(vtk_to_numpy(output.GetPoints().GetData()), dtype=np.float64),
+            point_ids=array_of(data, "vtkOriginalPointIds"),
+            faces=array_of(data, "FaceId"),
+            covering_radii=array_of(data, "CoveringRadius"),
+        )
+
+    def voronoi(
+        self,
+        sites: ArrayLike,
+        *,
+        iterations: int = 0,
+        projection_tolerance: Optional[float] = None,
+        as_polydata: bool = False,
+    ) -> Any:
+        """Which of some sites is nearest, and how large their cells are.
+
+        Parameters
+        ----------
+        sites : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+            Point ids or coordinates, as for `distance`.
+        iterations : int, optional
+            How often sites are moved to the middle of their cells, at most. Default: 0.
+        projection_tolerance : float, optional
+            As for `distance`.
+        as_polydata : bool, optional
+            Whether to return a vtkPolyData: the surface cut along the borders of cells, with the
+            cell array "SiteId". That of a cloud is the cloud with the point array "GeodesicSource".
+
+        Returns
+        -------
+        Voronoi or vtkPolyData
+
+        Raises
+        ------
+        ValueError, VTKError
+            As for `distance`.
+        """
+        ids, places = arguments.places(sites, "sites", self.number_of_points)
+        iterations = arguments.integer(iterations, "iterations")
+        if iterations < 0:
+            raise ValueError(f"iterations: must not be negative, is {iterations}")
+        divide = self._filter(vtkGeodesicVoronoi, projection_tolerance)
+        divide.SetSiteIds(ids or [])
+        divide.SetSiteData(None if places is None else arguments.polydata(places))
+        divide.SetCentroidal(iterations > 0)
+        divide.SetNumberOfIterations(iterations)
+        output = run(divide, self._heard)
+        if as_polydata:
+            return self._given_away(divide, 0 if self.is_cloud else 2)
+        data, moved = output.GetPointData(), divide.GetOutput(3)
+        areas = None if self.is_cloud else array_of(moved.GetPointData(), "CellArea")
+        return Voronoi(
+            nearest=vtk_to_numpy(data.GetArray("GeodesicSource")).astype(np.intp),
+            distances=array_of(data, "GeodesicDistance"),
+            sites=np.array(vtk_to_numpy(moved.GetPoints().GetData()), dtype=np.float64),
+            areas=areas,
+        )
+
+    def _search(self, sources, correction, maximum_distance, initial_distances, tolerance):
+        """The search from the sources, not run yet."""
+        ids, places = arguments.places(sources, "sources", self.number_of_points)
+        limit = arguments.limit(maximum_distance, "maximum_distance")
+        offsets = None
+        if initial_distances is not None:
+            count = len(places) if ids is None else len(ids)
+            offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
+        search = self._filter(vtkDGGDistance, tolerance)
+        search.SetCorrection(bool(correction))
+        search.SetMaximumDistance(limit)
+        search.GenerateNearestSourceOn()
+        search.GenerateVirtualSourceOff()
+        ids = [] if ids is None else ids
+        search.SetSourceIds(ids, np.zeros(len(ids)) if offsets is None else offsets[: len(ids)])
+        search.SetSourceData(None if places is None else arguments.polydata(places))
+        if places is not None and offsets is not None:
+            array = numpy_to_vtk(offsets, deep=True)
+            array.SetName(search.GetInitialDistanceArrayName())
+            search.GetInputDataObject(1, 0).GetPointData().AddArray(array)
+        return search
+
+    def _set_rows(self, tabulate, rows):
+        ids, places = arguments.places(rows, "rows", self.number_of_points)
+        tabulate.SetRowIds(ids or [])
+        tabulate.SetRowData(None if places is None else arguments.polydata(places))
+
+    def _tabulate(self, tabulate):
+        tabulate.GenerateTableOff()
+        run(tabulate, self._heard)
+        matrix = tabulate.GetMatrix()
+        shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
+        tabulate.ReleaseMatrix()  # it is ours alone now, and is not given out twice
+        return vtk_to_numpy(matrix).reshape(shape)
+
+    def _path_finder(self, straighten, detour, tolerance):
+        detour = 1e-4 if detour is None else arguments.number(detour, "detour")
+        if not 0.0 <= detour <= 0.1:
+            raise ValueError(f"detour: must be in [0, 0.1], is {detour}")
+        finder = self._filter(vtkDGGPath, tolerance)
+        finder.SetStraighten(bool(straighten))
+        finder.SetDetour(detour)
+        return finder

@@ -1,0 +1,214 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is found on a surface, as numpy arrays."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING, List
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["EarthMovers", "Isoline", "Loop", "Path", "Samples", "Voronoi"]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Path:
+    """A polyline on a surface, from start to end. Every piece lies in one triangle.
+
+    Attributes
+    ----------
+    points : numpy.ndarray of float64, shape (k, 3)
+        One point when start and end coincide.
+    length : float
+        In the unit of the points.
+    graph_length : float
+        Length of the path in the graph, before it was shortened: at most (1 + accuracy) times the
+        exact distance. NaN for exact paths.
+    faces : numpy.ndarray of int64, shape (k,)
+        The cell that the piece after the point lies in; that before it for the last point. -1 at a
+        point that no cell uses, and on clouds.
+    point_ids : numpy.ndarray of int64, shape (k,)
+        The point of the mesh where the path is at one, else -1.
+    arc_lengths : numpy.ndarray of float64, shape (k,)
+        Length of the path up to the point.
+    """
+
+    points: NDArray[np.float64]
+    length: float
+    graph_length: float
+    faces: NDArray[np.int64]
+    point_ids: NDArray[np.int64]
+    arc_lengths: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        count = len(self.points)
+        unit = "point" if count == 1 else "points"
+        return f"<vtkdgg.Path: length {self.length:g}, {count} {unit}>"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Loop:
+    """A closed polyline on a surface; the last point is the first one again.
+
+    Attributes
+    ----------
+    points : numpy.ndarray of float64, shape (k, 3)
+        Closed.
+    length : float
+        In the unit of the points.
+    angle : float
+        The smallest angle of the loop at its points, in radians: pi for a closed geodesic.
+    faces, point_ids, arc_lengths : numpy.ndarray, shape (k,)
+        As those of a `Path`.
+    """
+
+    points: NDArray[np.float64]
+    length: float
+    angle: float
+    faces: NDArray[np.int64]
+    point_ids: NDArray[np.int64]
+    arc_lengths: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        return f"<vtkdgg.Loop: length {self.length:g}, {len(self.points)} points>"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Isoline:
+    """A polyline along which a distance has one value, with lower distances on its left.
+
+    Attributes
+    ----------
+    points : numpy.ndarray of float64, shape (k, 3)
+        The last one is the first one again unless the line ends at the boundary.
+    value : float
+        The distance, in the unit of the points.
+    faces, point_ids, arc_lengths : numpy.ndarray, shape (k,)
+        As those of a `Path`.
+    """
+
+    points: NDArray[np.float64]
+    value: float
+    faces: NDArray[np.int64]
+    point_ids: NDArray[np.int64]
+    arc_lengths: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        return f"<vtkdgg.Isoline: value {self.value:g}, {len(self.points)} points>"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Samples:
+    """Points that are spread evenly on a surface, in the order in which they were chosen.
+
+    Attributes
+    ----------
+    points : numpy.ndarray of float64, shape (k, 3)
+        Where they are.
+    point_ids : numpy.ndarray of int64, shape (k,)
+        The point of the mesh, -1 for one that lies in a face or on an edge.
+    faces : numpy.ndarray of int64, shape (k,)
+        A cell that it lies in; -1 at points that no cell uses, and on clouds.
+    covering_radii : numpy.ndarray of float64, shape (k,)
+        The largest distance of a point of the mesh from the samples up to this one, in the unit of
+        the points; infinite until every component has a sample.
+    """
+
+    points: NDArray[np.float64]
+    point_ids: NDArray[np.int64]
+    faces: NDArray[np.int64]
+    covering_radii: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        radius = self.covering_radii[-1] if len(self.points) else np.inf
+        return f"<vtkdgg.Samples: {len(self.points)}, covering radius {radius:g}>"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Voronoi:
+    """Which of some sites is nearest.
+
+    Attributes
+    ----------
+    nearest : numpy.ndarray of int, shape (n,)
+        Index of the nearest site of each point of the mesh, -1 where none reaches.
+    distances : numpy.ndarray of float64, shape (n,)
+        Distance from it, in the unit of the points; NaN where none reaches.
+    sites : numpy.ndarray of float64, shape (k, 3)
+        Where the sites are, after they were moved.
+    areas : numpy.ndarray of float64, shape (k,), or None
+        Areas of the cells; None for a cloud.
+    """
+
+    nearest: NDArray[np.intp]
+    distances: NDArray[np.float64]
+    sites: NDArray[np.float64]
+    areas: NDArray[np.float64] | None
+
+    def __repr__(self) -> str:
+        return f"<vtkdgg.Voronoi: {len(self.sites)} sites, {len(self.nearest)} points>"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class EarthMovers:
+    """How one distribution is moved to another one at the least cost.
+
+    Attributes
+    ----------
+    distance : float
+        The cost: for distributions of mass 1 a length in the unit of the points.
+    lower_bound : float
+        What it is at least, on this mesh.
+    potential : numpy.ndarray of float64, shape (n,)
+        A length at each point, with slope at most 1, that proves the lower bound.
+    flow : numpy.ndarray of float64, shape (m, 3)
+        Mass per length that flows through each cell.
+    """
+
+    distance: float
+    lower_bound: float
+    potential: NDArray[np.float64]
+    flow: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        return f"<vtkdgg.EarthMovers: distance {self.distance:g}>"
+
+
+def array_of(data, name):
+    """A copy of an array of VTK: outputs go with their filters."""
+    return np.array(vtk_to_numpy(data.GetArray(name)))
+
+
+def lines_of(output, kind, **names):
+    """The polylines of a filter as objects of the kind; `names` are those of arrays with one value
+    per line."""
+    if output.GetNumberOfLines() == 0:
+        return []
+    points = np.array(vtk_to_numpy(output.GetPoints().GetData()), dtype=np.float64)
+    offsets = vtk_to_numpy(output.GetLines().GetOffsetsArray())
+    corners = vtk_to_numpy(output.GetLines().GetConnectivityArray())
+    data, cells = output.GetPointData(), output.GetCellData()
+    per_point = {
+        "faces": array_of(data, "FaceId"),
+        "point_ids": array_of(data, "vtkOriginalPointIds"),
+        "arc_lengths": array_of(data, "ArcLength"),
+    }
+    first = output.GetNumberOfVerts()  # arrays of cells begin with those
+    per_line = {key: array_of(cells, name)[first:] for key, name in names.items()}
+    lines: List = []
+    for i in range(len(offsets) - 1):
+        ids = corners[offsets[i] : offsets[i + 1]]
+        ids = ids[:1] if len(ids) == 2 and ids[0] == ids[1] else ids
+        lines.append(
+            kind(
+                points=points[ids],
+                **{key: values[ids] for key, values in per_point.items()},
+                **{key: float(values[i]) for key, values in per_line.items()},
+            )
+        )
+    return lines

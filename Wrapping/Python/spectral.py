@@ -1,0 +1,296 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What stands on the Laplacian of a surface: Green's functions, smooth distances, transport."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+
+from . import arguments, meshes
+from .errors import run
+from .results import EarthMovers, array_of
+from .vtkDGGFiltersSpectral import (
+    vtkBiharmonicDistance,
+    vtkDiscreteGreensFunction,
+    vtkSurfaceEarthMoversDistance,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = ["biharmonic", "earth_movers", "greens_function"]
+
+
+def greens_function(
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    sources: Optional[ArrayLike] = None,
+    *,
+    method: str = "SingularitySubtraction",
+    boundary: str = "Neumann",
+    at: Optional[ArrayLike] = None,
+    merge_coincident_points: bool = False,
+    merge_tolerance: float = 0.0,
+    projection_tolerance: Optional[float] = None,
+    as_polydata: bool = False,
+) -> Any:
+    """Green's functions of the Laplacian: ``greens_function(points, triangles, sources)`` or
+    ``greens_function(mesh, sources)``.
+
+    Parameters
+    ----------
+    points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
+        As for `distance`.
+    sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+        As for `distance`.
+    method : {"SingularitySubtraction", "Localized", "Interpolated", "Vertex"}, optional
+        See vtkDiscreteGreensFunction.
+    boundary : {"Neumann", "Dirichlet"}, optional
+        What holds at the boundary: no flow through it, or the value 0.
+    at : array_like of float, shape (3,) or (p, 3), optional
+        Points on the surface where the values are wanted. Default: the points of the mesh.
+    merge_coincident_points, merge_tolerance, projection_tolerance
+        As for `distance`.
+    as_polydata : bool, optional
+        Whether to return the surface, or the points of `at`, with the point array "GreensFunction".
+
+    Returns
+    -------
+    numpy.ndarray of float64, shape (n, k) or (p, k), or vtkPolyData
+        Numbers without a unit, positive at the sources; one column for each source.
+
+    Raises
+    ------
+    ValueError, VTKError
+        As for `distance`.
+
+    See Also
+    --------
+    vtkDiscreteGreensFunction : the filter that does the work, with further options.
+
+    Examples
+    --------
+    >>> g = vtkdgg.greens_function(mesh, [0, 10])
+    >>> g.shape
+    (642, 2)
+    """
+    surface, (sources,) = meshes.take(points, triangles, sources=sources)
+    solve = vtkDiscreteGreensFunction()
+    solve.SetMethod(_choice(solve, method, "method"))
+    solve.SetBoundary(_choice(solve, boundary, "boundary"))
+    _set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
+    return _solve(solve, surface, sources, at, as_polydata)
+
+
+def biharmonic(
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    sources: Optional[ArrayLike] = None,
+    *,
+    kind: str = "Biharmonic",
+    method: str = "Spectrum",
+    number_of_eigenvalues: Optional[int] = None,
+    diffusion_time: Optional[float] = None,
+    boundary: str = "Neumann",
+    at: Optional[ArrayLike] = None,
+    unreached: float = np.nan,
+    merge_coincident_points: bool = False,
+    merge_tolerance: float = 0.0,
+    projection_tolerance: Optional[float] = None,
+    as_polydata: bool = False,
+) -> Any:
+    """Smooth distances made of the Laplacian: ``biharmonic(points, triangles, sources)`` or
+    ``biharmonic(mesh, sources)``.
+
+    Parameters
+    ----------
+    points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
+        As for `distance`.
+    sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+        As for `distance`.
+    kind : {"Biharmonic", "CommuteTime", "Diffusion"}, optional
+        Which distance.
+    method : {"Spectrum", "Exact"}, optional
+        The smallest eigenvalues of the Laplacian, or all.
+    number_of_eigenvalues, diffusion_time : int, float, optional
+        For the spectrum, and for diffusion. Default: as vtkBiharmonicDistance has them.
+    boundary : {"Neumann", "Dirichlet"}, optional
+        As for `greens_function`.
+    at : array_like of float, shape (3,) or (p, 3), optional
+        As for `greens_function`.
+    unreached : float, optional
+        What points of another component get. Default: NaN.
+    merge_coincident_points, merge_tolerance, projection_tolerance
+        As for `distance`.
+    as_polydata : bool, optional
+        Whether to return the surface, or the points of `at`, with the point array
+        "BiharmonicDistance".
+
+    Returns
+    -------
+    numpy.ndarray of float64, shape (n, k) or (p, k), or vtkPolyData
+        Biharmonic distances in the unit of the points, commute-time distances without one,
+        diffusion distances in one over it; one column for each source.
+
+    Raises
+    ------
+    ValueError, VTKError
+        As for `distance`.
+
+    See Also
+    --------
+    vtkBiharmonicDistance : the filter that does the work.
+
+    Examples
+    --------
+    >>> d = vtkdgg.biharmonic(mesh, 0)
+    >>> d.shape
+    (642, 1)
+    """
+    surface, (sources,) = meshes.take(points, triangles, sources=sources)
+    solve = vtkBiharmonicDistance()
+    solve.SetKind(_choice(solve, kind, "kind"))
+    solve.SetMethod(_choice(solve, method, "method"))
+    if number_of_eigenvalues is not None:
+        solve.SetNumberOfEigenvalues(
+            arguments.integer(number_of_eigenvalues, "number_of_eigenvalues")
+        )
+    if diffusion_time is not None:
+        solve.SetDiffusionTime(arguments.number(diffusion_time, "diffusion_time"))
+    solve.SetBoundary(_choice(solve, boundary, "boundary"))
+    solve.SetUnreachedValue(arguments.number(unreached, "unreached"))
+    _set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
+    return _solve(solve, surface, sources, at, as_polydata)
+
+
+def earth_movers(
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    start: Optional[ArrayLike] = None,
+    end: Optional[ArrayLike] = None,
+    *,
+    density: bool = True,
+    normalize: bool = True,
+    tolerance: Optional[float] = None,
+    merge_coincident_points: bool = False,
+    merge_tolerance: float = 0.0,
+    projection_tolerance: Optional[float] = None,
+    as_polydata: bool = False,
+) -> Any:
+    """The least cost of moving mass within a surface:
+    ``earth_movers(points, triangles, start, end)`` or ``earth_movers(mesh, start, end)``.
+
+    Parameters
+    ----------
+    points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
+        As for `distance`.
+    start, end : array_like of float, shape (n,), or places as the sources of `distance`
+        Where the mass is before and after: what each point has, or places with the mass 1 each.
+    density : bool, optional
+        Whether numbers of the points are mass per area, else masses.
+    normalize : bool, optional
+        Whether to scale both to the mass 1; else they need the same mass.
+    tolerance : float, optional
+        How far the two bounds may be apart, as a fraction. Default: as the filter has it.
+    merge_coincident_points, merge_tolerance, projection_tolerance
+        As for `distance`.
+    as_polydata : bool, optional
+        Whether to return the surface with the arrays of vtkSurfaceEarthMoversDistance.
+
+    Returns
+    -------
+    EarthMovers or vtkPolyData
+
+    Raises
+    ------
+    ValueError, VTKError
+        As for `distance`; a ValueError for three numbers on a mesh of three points, which may be
+        masses or a place.
+
+    See Also
+    --------
+    vtkSurfaceEarthMoversDistance : the filter that does the work, with further options.
+
+    Examples
+    --------
+    >>> vtkdgg.earth_movers(mesh, 0, 20).lower_bound <= vtkdgg.path(mesh, 0, 20).length
+    True
+    """
+    surface, (start, end) = meshes.take(points, triangles, start=start, end=end)
+    move = vtkSurfaceEarthMoversDistance()
+    _set_distribution(surface, start, "start", move.SetFromArrayName, move.SetFromData)
+    _set_distribution(surface, end, "end", move.SetToArrayName, move.SetToData)
+    move.SetArrayMeaning(move.Density if density else move.Mass)
+    move.SetNormalize(bool(normalize))
+    if tolerance is not None:
+        move.SetTolerance(arguments.limit(tolerance, "tolerance"))
+    _set_up(move, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
+    output = run(move)
+    if as_polydata:
+        return output
+    return EarthMovers(
+        distance=move.GetDistance(),
+        lower_bound=move.GetLowerBound(),
+        potential=array_of(output.GetPointData(), "EarthMoversPotential"),
+        flow=array_of(output.GetCellData(), "EarthMoversFlow"),
+    )
+
+
+def _choice(algorithm, value, name):
+    """The number of a choice by its name in an enumeration of the class."""
+    kinds = {"method": "MethodType", "boundary": "BoundaryType", "kind": "KindType"}
+    kind = getattr(type(algorithm), kinds[name])
+    known = {
+        key: number
+        for base in type(algorithm).__mro__
+        for key, number in vars(base).items()
+        if isinstance(number, kind)
+    }
+    if value not in known:
+        raise ValueError(f"{name}: one of {', '.join(known)} is wanted, not {value!r}")
+    return known[value]
+
+
+def _set_up(algorithm, surface, is_merged, merge_tolerance, projection_tolerance):
+    algorithm.SetInputData(surface)
+    algorithm.SetMergeCoincidentPoints(bool(is_merged))
+    algorithm.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
+    algorithm.SetProjectionTolerance(arguments.projection_tolerance(projection_tolerance))
+
+
+def _solve(solve, surface, sources, at, as_polydata):
+    ids, places = arguments.places(sources, "sources", surface.GetNumberOfPoints())
+    solve.SetSourceIds(ids or [])
+    solve.SetSourceData(None if places is None else arguments.polydata(places))
+    if at is not None:
+        at = np.atleast_2d(arguments.numbers(at, "at"))
+        solve.SetEvaluationData(arguments.polydata(arguments.coordinates(at, "at")))
+    run(solve)
+    output = solve.GetOutput() if at is None else solve.GetEvaluation()
+    if as_polydata:
+        return output
+    values = array_of(output.GetPointData(), solve.GetResultArrayName())
+    return values.reshape(len(values), -1)
+
+
+def _set_distribution(surface, values, name, set_array, set_points):
+    """Numbers of all points become an array, places become points."""
+    array = arguments.numbers(values, name)
+    count = surface.GetNumberOfPoints()
+    if array.dtype.kind == "f" and array.shape == (count,):
+        if count == 3:
+            raise ValueError(f"{name}: three numbers may be masses of the points, or a place")
+        if not np.isfinite(array).all():
+            raise ValueError(f"{name}: entry {int(np.argmin(np.isfinite(array)))} is not finite")
+        numbers = numpy_to_vtk(np.ascontiguousarray(array, dtype=np.float64), deep=True)
+        numbers.SetName(name)
+        surface.GetPointData().AddArray(numbers)
+        set_array(name)
+        return
+    ids, places = arguments.places(values, name, count)
+    if places is None:
+        places = meshes.points_of(surface)[ids]
+    set_points(arguments.polydata(places))
