@@ -88,6 +88,7 @@ class Session(unittest.TestCase):
         # In the middle of the top, where it can be seen.
         np.testing.assert_allclose(distance.Source.Center[:2], (low + high)[:2] / 2)
         np.testing.assert_allclose(distance.Source.Center[2], high[2])
+        self.assertEqual(simple.GeodesicSampler(Input=mesh).CoveringRadius, 0.0)
         path = simple.GeodesicPath(Input=mesh)
         np.testing.assert_allclose(path.Ends.StartPoint, low)
         np.testing.assert_allclose(path.Ends.EndPoint, high)
