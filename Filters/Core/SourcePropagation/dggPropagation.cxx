@@ -15,7 +15,7 @@ namespace
 {
 /// What the offset of a source adds to the key that it competes with: less than any difference
 /// that matters, more than rounding.
-constexpr float OffsetPenalty = 1e-4F;
+constexpr float OffsetPenalty = 1e-5F;
 /// What a thread takes at one time.
 constexpr std::size_t LabelsPerChunk = 64;
 constexpr Offset ValuesPerBlock = 65536;
