@@ -264,7 +264,7 @@ TEST_P(SourcePropagation, ManySources)
     const std::vector<double> exact = Exact(mesh, sources);
     const dgg::PropagationResult result = this->Run(mesh, sources);
     const bool isLong = named.Name == "stretched";
-    ExpectNear(result.Distances, exact, isLong ? 0.04 : 0.005, 0.05, isLong ? 1.0 : 0.3);
+    ExpectNear(result.Distances, exact, isLong ? 0.04 : 0.005, 0.05, isLong ? 1.5 : 0.3);
     std::vector<std::vector<double>> single;
     for (const dgg::GeodesicSource& source : sources)
     {
@@ -275,7 +275,7 @@ TEST_P(SourcePropagation, ManySources)
     {
       const double found = single[result.NearestSource[v]][v];
       wrong += found > 1.02 * exact[v] + 1e-9 ? 1 : 0;
-      EXPECT_LE(found, 2.0 * exact[v] + 1e-9) << v;
+      EXPECT_LE(found, (isLong ? 2.5 : 1.3) * exact[v] + 1e-9) << v;
       EXPECT_NEAR(result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-9);
       EXPECT_GE(result.Virtual.Offsets[v], -1e-4) << v;
     }
