@@ -462,6 +462,10 @@ TEST_F(SeveralProcesses, ReadersGiveOnePiece)
   filter->SetSourceIds({ 0 });
   this->Update(filter);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), this->IsFirst() ? 4 : 0);
+  if (this->Count == 1)
+  {
+    return;
+  }
   // Without a file, nobody waits for the first process.
   reader->SetFileName("none.off");
   const Listener silence(reader);
