@@ -475,6 +475,37 @@ TEST_F(SeveralProcesses, ReadersGiveOnePiece)
 }
 
 //------------------------------------------------------------------------------
+/// A plane in pieces of other cells than triangles, with verts and lines.
+TEST_F(SeveralProcesses, PiecesOfQuadsAndStrips)
+{
+  for (const GridCells cells : { GridCells::Quads, GridCells::Strips })
+  {
+    const auto part = MakeGrid(10, 3, cells);
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      part->GetPoint(i, p);
+      part->GetPoints()->SetPoint(i, p[0], p[1] + 3.0 * this->Here, 0.0);
+    }
+    part->SetVerts(MakeCells({ { 1 }, { 5 } }));
+    part->SetLines(MakeCells({ { 0, 7, 3 } }));
+    const std::function<void(vtkExactGeodesicDistance*)> prepare =
+      [](vtkExactGeodesicDistance* filter) {
+        filter->SetSourceData(MakeSourcePoints({ { { 2.5, 0.5, 0.0 } } }));
+      };
+    const auto filter = this->Together<vtkExactGeodesicDistance>(part, prepare);
+    const auto distances = GetDistances(filter);
+    ASSERT_EQ(distances.size(), static_cast<std::size_t>(part->GetNumberOfPoints()));
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      const double* p = part->GetPoint(i);
+      EXPECT_NEAR(distances[i], std::hypot(p[0] - 2.5, p[1] - 0.5), 1e-12);
+    }
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), part->GetNumberOfCells());
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST_F(SeveralProcesses, PiecesOfASource)
 {
   vtkNew<vtkSphereSource> sphere; // whose pieces differ by roundings on their rims
