@@ -126,6 +126,17 @@ protected:
     }
   }
 
+  static vtkIdType GetNumberOfReached(vtkPolyData* part)
+  {
+    vtkDataArray* array = part->GetPointData()->GetArray("GeodesicDistance");
+    vtkIdType reached = 0;
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      reached += array->GetComponent(i, 0) >= 0.0 ? 1 : 0;
+    }
+    return reached;
+  }
+
   /// The same points in the same number of cells, whatever their order.
   static void ExpectSameSet(vtkPolyData* curves, vtkPolyData* expected, double tolerance)
   {
@@ -718,4 +729,11 @@ TEST_F(SeveralProcesses, BlocksInParts)
         FloatTolerance);
     }
   }
+  // Each process alone, with the same parts.
+  filter->SetSourceData(MakeSourcePoints({ { { (this->Here + 0.5) / this->Count, 0.5, 0.0 } } }));
+  filter->SetProjectionTolerance(0.5);
+  filter->Update();
+  output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(GetNumberOfReached(vtkPolyData::SafeDownCast(output->GetBlock(0))),
+    vtkPolyData::SafeDownCast(part->GetBlock(0))->GetNumberOfPoints());
 }
