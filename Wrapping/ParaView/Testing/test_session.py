@@ -85,7 +85,9 @@ class Session(unittest.TestCase):
         mesh.UpdatePipeline()
         low, high = np.reshape(mesh.GetDataInformation().GetBounds(), (3, 2)).T
         distance = simple.GeodesicDistance(Input=mesh)
-        np.testing.assert_allclose(distance.Source.Center, (low + high) / 2)
+        # In the middle of the top, where it can be seen.
+        np.testing.assert_allclose(distance.Source.Center[:2], (low + high)[:2] / 2)
+        np.testing.assert_allclose(distance.Source.Center[2], high[2])
         path = simple.GeodesicPath(Input=mesh)
         np.testing.assert_allclose(path.Ends.StartPoint, low)
         np.testing.assert_allclose(path.Ends.EndPoint, high)

@@ -40,7 +40,9 @@ def large():
 
 
 class Watch:
-    """Observes the updates of a filter; stops them at the first progress when asked to."""
+    """Observes the updates of a filter; stops them at the first progress when asked to. With several
+    outputs there are several updates: ParaView asks for each output, and what is aborted is missing.
+    """
 
     def __init__(self, proxy, stops=False, then=None):
         self.filter = proxy.SMProxy.GetClientSideObject()
@@ -51,11 +53,12 @@ class Watch:
 
     def look(self, *_):
         self.seen.append(self.filter.GetProgress())
-        if self.stops and self.seen[-1] > 0 and self.stopped is None:
-            self.stopped = time.monotonic()
+        if self.stops and self.seen[-1] > 0:
             self.filter.SetAbortExecute(1)
-            if self.then:
-                self.then()
+            if self.stopped is None:
+                self.stopped = time.monotonic()
+                if self.then:
+                    self.then()
 
     def close(self):
         self.filter.RemoveObserver(self.tag)
