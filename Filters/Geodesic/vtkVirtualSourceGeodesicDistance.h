@@ -11,8 +11,8 @@
  *
  * <b>Guarantee and cost</b>. No distance is longer than the shortest way along mesh edges, up to
  * rounding, for any number of sources; Certify bounds the error. Otherwise, of 10 sources on each
- * of 28 real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 %
- * too short, where a ridge hides what lies behind, and up to 12 % too long. On coarse or broken
+ * of 27 real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 %
+ * too short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken
  * models of CAD 0.6 to 1.6 % on the mean, and up to 20 % too short and 60 % too long; there
  * vtkExactGeodesicDistance is fast enough. Of a thousand sources at once the mean is smaller, but
  * where there are about as many sources as triangles, or these are long, single distances may be
