@@ -140,7 +140,7 @@ TEST(GraphPairs, ManyCanBeAborted)
   int reports = 0;
   const dgg::Status status = c.GetSearch().Many(
     sources, dgg::Infinity, [&](Offset size, Offset, const auto& body) { body(0, size); },
-    [&](double) { return ++reports < 3; }, [&](std::size_t, const double*) { ++visits; });
+    [&](double) { return ++reports < 40; }, [&](std::size_t, const double*) { ++visits; });
   EXPECT_TRUE(status.IsAborted());
   EXPECT_GT(visits, 0u);
   EXPECT_LT(visits, sources.size());
