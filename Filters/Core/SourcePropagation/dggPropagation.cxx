@@ -41,12 +41,11 @@ void Lower(std::atomic<float>& value, float candidate)
 
 template <bool High>
 Propagation<High>::Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift,
-  float radius, bool hasRivals, const ParallelFor& parallel, int threads)
+  float radius, const ParallelFor& parallel, int threads)
   : Mesh(mesh)
   , Faces(faces)
   , Shift(shift)
   , Radius(radius)
-  , HasRivals(hasRivals)
   , FirstHub(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces())
   , Rounds(threads)
   , Entries(static_cast<std::size_t>(threads))
@@ -93,8 +92,10 @@ Id Propagation<High>::SlotOf(Id entry) const
 }
 
 template <bool High>
-void Propagation<High>::Start(const std::vector<GeodesicSource>& sources)
+void Propagation<High>::Start(const std::vector<GeodesicSource>& sources, bool wantsLabels)
 {
+  this->HasRivals = sources.size() > 1;
+  this->WantsLabels = wantsLabels;
   PropagationChunk& chunk = this->Chunks.front().front();
   const double unit = this->Faces.GetUnit();
   for (std::size_t k = 0; k < sources.size(); ++k)
@@ -470,17 +471,20 @@ void Propagation<High>::TakeShortcuts(PropagationChunk& chunk)
       this->ReachHub(way.Vertex, way.Distance, way.Label.Root, chunk);
     }
   }
-  this->Shortcuts.insert(this->Shortcuts.end(), chunk.Shortcuts.begin(), chunk.Shortcuts.end());
+  if (this->WantsLabels)
+  {
+    this->Shortcuts.insert(this->Shortcuts.end(), chunk.Shortcuts.begin(), chunk.Shortcuts.end());
+  }
   chunk.Shortcuts.clear();
 }
 
 template <bool High>
 const std::vector<PropagationShortcut>& Propagation<High>::FindShortcuts(
-  const ParallelFor& parallel, bool wantsLabels)
+  const ParallelFor& parallel)
 {
   TakeWaysAlongEdges(
     this->Mesh, this->Faces, this->Radius, parallel, this->Distances.get(), this->Shortcuts);
-  if (wantsLabels)
+  if (this->WantsLabels)
   {
     KeepShortest(this->Distances.get(), this->Shortcuts);
   }

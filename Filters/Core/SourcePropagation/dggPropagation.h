@@ -45,18 +45,17 @@ class Propagation
 {
 public:
   Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift, float radius,
-    bool hasRivals, const ParallelFor& parallel, int threads);
+    const ParallelFor& parallel, int threads);
 
-  void Start(const std::vector<GeodesicSource>& sources);
+  void Start(const std::vector<GeodesicSource>& sources, bool wantsLabels);
   /// Some rounds. Nothing is left to do when IsDone() holds.
   Status Advance(RoundTeam& team);
   bool IsDone() const { return this->HasEnded; }
   double GetProgress() const;
 
-  /// Mend what is missing then; to be called once. Those that vertices have their distances from,
-  /// nearest first, if labels are wanted.
-  const std::vector<PropagationShortcut>& FindShortcuts(
-    const ParallelFor& parallel, bool wantsLabels);
+  /// Mends what is missing then; to be called once. Returns the ways that vertices have their
+  /// distances from, nearest first, if labels are wanted.
+  const std::vector<PropagationShortcut>& FindShortcuts(const ParallelFor& parallel);
 
   double GetDistance(Id v) const
   {
@@ -89,8 +88,9 @@ private:
   const PropagationFaces& Faces;
   const double Shift;
   const float Radius;
-  const bool HasRivals; ///< several sources; of one all labels of a face are about as good
-  const Id FirstHub;    ///< slots from here on are those of hubs
+  const Id FirstHub;        ///< slots from here on are those of hubs
+  bool HasRivals = false;   ///< several sources; of one all labels of a face are about as good
+  bool WantsLabels = false; ///< then shortcuts are kept
   std::unique_ptr<PropagationSlot[]> Slots;
   /// Lengths of ways to the vertices.
   std::unique_ptr<std::atomic<float>[]> Distances;

@@ -51,9 +51,8 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   const int threads =
     std::min(mesh.GetNumberOfFaces() / FacesPerThread, static_cast<Id>(RoundTeam::LargestTeam));
   const ParallelFor parallel = threads > 1 ? options.Parallel : ParallelFor();
-  Propagation<High> propagation(
-    mesh, faces, shift, limit, sources.size() > 1, parallel, parallel ? threads : 1);
-  propagation.Start(sources);
+  Propagation<High> propagation(mesh, faces, shift, limit, parallel, parallel ? threads : 1);
+  propagation.Start(sources, options.WantNearestSource || options.WantVirtualSource);
   while (!propagation.IsDone())
   {
     Status status;
@@ -66,7 +65,7 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
     }
   }
   PropagationOutput output(mesh, options, shift, result);
-  const auto& shortcuts = propagation.FindShortcuts(parallel, output.WantsLabels());
+  const auto& shortcuts = propagation.FindShortcuts(parallel);
   ForRange(parallel, mesh.GetNumberOfVertices(), VerticesPerBlock, [&](Offset begin, Offset end) {
     for (auto v = static_cast<Id>(begin); v < end; ++v)
     {
