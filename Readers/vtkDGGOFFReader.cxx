@@ -556,5 +556,5 @@ int vtkDGGOFFReader::RequestData(
     parser.ReadData(progress, output);
   };
   this->SetErrorCode(vtkDGG::ReadFile(this, this->FileName, outputVector, read));
-  return 1; // filters downstream run and become empty, and other processes do not wait for this one
+  return vtkDGG::GoesOn(this->ErrorCode, outputVector) ? 1 : 0;
 }

@@ -7,6 +7,7 @@
 #include "dggDisjointSets.h"
 #include "dggInvalidInput.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -14,9 +15,9 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -25,6 +26,10 @@ namespace
 {
 using Parts = std::vector<DGGSurfacePart>;
 using Numbers = std::vector<DGGPartNumbers>;
+
+/// How far apart points with the same global id may be, as a fraction of the diagonal: processes
+/// may have rounded them otherwise.
+constexpr double IdTolerance = 1e-5;
 
 bool AreSame(vtkDataArray* a, vtkDataArray* b)
 {
@@ -90,37 +95,43 @@ vtkIdType GetId(vtkDataArray* ids, vtkIdType i)
   return static_cast<vtkIdType>(ids->GetComponent(i, 0));
 }
 
-/// Points with the same global ids in one block are one.
+/// Points with the same global ids in one block are one. Fails where these are in different places,
+/// as when each process has numbered its own points.
 dgg::Status JoinGlobalIds(
   const Parts& parts, const std::vector<vtkDataArray*>& ids, dgg::DisjointSets& points)
 {
-  struct Place
-  {
-    std::size_t Part;
-    vtkIdType Point;
-    dgg::Id InAll;
-  };
-  std::map<std::pair<int, vtkIdType>, Place> found;
-  dgg::Id inAll = 0;
+  using Named = std::tuple<int, vtkIdType, std::size_t, vtkIdType, dgg::Id>;
+  std::vector<Named> named; // block, id, part, point of the part, point of all
+  vtkBoundingBox box;
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    for (vtkIdType i = 0; i < parts[p].Data->GetNumberOfPoints(); ++i, ++inAll)
+    box.AddBounds(parts[p].Data->GetBounds());
+    for (vtkIdType i = 0; i < parts[p].Data->GetNumberOfPoints(); ++i)
     {
-      const vtkIdType id = GetId(ids[p], i);
-      const auto first = found.insert({ { parts[p].Block, id }, { p, i, inAll } });
-      const Place& place = first.first->second;
-      points.Join(place.InAll, inAll);
-      double a[3];
-      double b[3];
-      parts[place.Part].Data->GetPoint(place.Point, a);
-      parts[p].Data->GetPoint(i, b);
-      if (!first.second && !std::equal(a, a + 3, b))
-      {
-        return dgg::InvalidInput("two points have the global id ", id, ", one at (", a[0], ", ",
-          a[1], ", ", a[2], ") and one at (", b[0], ", ", b[1], ", ", b[2],
-          "): number the points of all parts anew, or remove the global ids, so that parts are "
-          "joined by coordinates");
-      }
+      named.emplace_back(
+        parts[p].Block, GetId(ids[p], i), p, i, static_cast<dgg::Id>(named.size()));
+    }
+  }
+  std::sort(named.begin(), named.end());
+  for (std::size_t k = 1; k < named.size(); ++k)
+  {
+    const Named& one = named[k - 1];
+    const Named& other = named[k];
+    if (std::get<0>(one) != std::get<0>(other) || std::get<1>(one) != std::get<1>(other))
+    {
+      continue;
+    }
+    points.Join(std::get<4>(one), std::get<4>(other));
+    double a[3];
+    double b[3];
+    parts[std::get<2>(one)].Data->GetPoint(std::get<3>(one), a);
+    parts[std::get<2>(other)].Data->GetPoint(std::get<3>(other), b);
+    if (std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > IdTolerance * box.GetDiagonalLength())
+    {
+      return dgg::InvalidInput("two points have the global id ", std::get<1>(one), ", one at (",
+        a[0], ", ", a[1], ", ", a[2], ") and one at (", b[0], ", ", b[1], ", ", b[2],
+        "): number the points of all parts anew, or remove the global ids, so that parts are "
+        "joined by coordinates");
     }
   }
   return dgg::Status::Success();

@@ -4,9 +4,11 @@
 
 #include "DGGDistanceTask.h"
 #include "DGGGraphUser.h"
+#include "DGGMeshQuality.h"
 #include "DGGPropagation.h"
 
 #include "dggProgressPart.h"
+#include "dggSourceFinding.h"
 
 #include "vtkObjectFactory.h"
 
@@ -25,6 +27,8 @@ constexpr double CertifyStart = 0.5;
 vtkVirtualSourceGeodesicDistance::vtkVirtualSourceGeodesicDistance()
   : Quality(Automatic)
   , Certify(false)
+  , QualityWarning(false)
+  , MeshTime(0)
   , Propagation(new DGGPropagation)
   , GraphUser(new DGGGraphUser)
 {
@@ -40,6 +44,7 @@ void vtkVirtualSourceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "Certify: " << (this->Certify ? "On" : "Off") << "\n";
+  os << indent << "QualityWarning: " << (this->QualityWarning ? "true" : "false") << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -78,6 +83,12 @@ dgg::Status vtkVirtualSourceGeodesicDistance::ComputeDistances(DGGDistanceTask& 
   options.WantVirtualSource = task.WantVirtualSource;
   DGGGraphUser& graph = *this->GraphUser;
   std::vector<dgg::GraphSeed> seeds;
+  const vtkMTimeType meshTime = this->Certify ? 0 : task.Context.Surface.GetBuildTime();
+  if (this->MeshTime != meshTime)
+  {
+    this->MeshTime = meshTime;
+    this->QualityWarning = !this->Certify && DGGWarnOfLongTriangles(this);
+  }
   if (this->Certify)
   {
     DGG_RETURN_IF_ERROR(graph.Update(task.Context, this));
@@ -109,14 +120,36 @@ dgg::Status vtkVirtualSourceGeodesicDistance::ClampToGraph(
 {
   DGGGraphUser& graph = *this->GraphUser;
   dgg::SearchOptions options;
+  options.Correct = task.WantVirtualSource;
   options.MaximumDistance = graph.WidenLimit(task.MaximumDistance, task.Sources);
   options.Progress = dgg::ProgressPart(graph.GetRemainingProgress(task.Context), CertifyStart, 1.0);
   dgg::SearchResult result;
   DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));
+  const std::vector<double> estimates = task.Distances;
   dgg::ClampToLabels(graph.GetSearch().GetGraph(), seeds, result.Distances, task.Distances);
-  for (std::size_t v = 0; v < task.VirtualSource.Offsets.size(); ++v)
+  // What was not within the interval came from the wrong source.
+  dgg::VirtualSources sources;
+  if (task.WantVirtualSource)
   {
-    task.VirtualSource.Offsets[v] = task.Distances[v] - task.VirtualSource.Lengths[v];
+    dgg::FindVirtualSources(task.Context.Surface.GetMesh(), result, sources);
+  }
+  for (std::size_t v = 0; v < estimates.size(); ++v)
+  {
+    if (task.Distances[v] == estimates[v])
+    {
+      continue;
+    }
+    if (task.WantNearestSource)
+    {
+      const dgg::Id seed = result.Seeds[v];
+      task.NearestSource[v] = seed == dgg::NoId ? dgg::NoId : seeds[seed].Source;
+    }
+    if (task.WantVirtualSource)
+    {
+      task.VirtualSource.Lengths[v] = sources.Lengths[v];
+      task.VirtualSource.Angles[v] = sources.Angles[v];
+      task.VirtualSource.Offsets[v] = task.Distances[v] - sources.Lengths[v];
+    }
   }
   return dgg::Status::Success();
 }

@@ -3,11 +3,12 @@
 #include "DGGFileLoader.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +74,17 @@ unsigned long vtkDGG::ReadFile(vtkAlgorithm* reader, const char* fileName,
   if (!RunOnFile(reader, "read", fileName, work, code))
   {
     output->Initialize();
-    outputVector->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    outputVector->GetInformationObject(0)->Set(
+      vtkStreamingDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
   }
   return code;
+}
+
+bool vtkDGG::GoesOn(unsigned long errorCode, vtkInformationVector* outputVector)
+{
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  auto* pieces = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES();
+  return errorCode == vtkErrorCode::NoError || (outInfo->Has(pieces) && outInfo->Get(pieces) > 1);
 }
 
 std::vector<char> vtkDGG::LoadFile(const char* name, std::size_t limit)

@@ -54,11 +54,16 @@ using FileProgress = std::function<void(double)>;
 bool RunOnFile(vtkAlgorithm* algorithm, const char* verb, const char* fileName,
   const std::function<void(const FileProgress&)>& work, unsigned long& code);
 
-/// Load a file for a reader and let `read` turn it into the output, which is empty if that fails;
-/// when the user has aborted, it does not count as up to date. Returns the error code.
+/// Load a file for a reader and let `read` turn it into the output; if that fails, or the user has
+/// aborted, it is empty and does not count as up to date. Returns the error code.
 unsigned long ReadFile(vtkAlgorithm* reader, const char* fileName,
   vtkInformationVector* outputVector,
   void (*read)(std::string_view file, const FileProgress& progress, vtkPolyData* output));
+
+/// Whether filters downstream of a reader are to run, as they do after success. One that reads for
+/// several processes must not be the only one to stop: filters of the others would wait for this
+/// one.
+bool GoesOn(unsigned long errorCode, vtkInformationVector* outputVector);
 
 /// The first bytes of a file, at most `limit`. Throws.
 std::vector<char> LoadFile(const char* name, std::size_t limit);

@@ -137,11 +137,13 @@ TEST(GraphPairs, ManyCanBeAborted)
   const SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
   const std::vector<std::vector<GraphSeed>> sources(500, { SeedAt(3) });
   std::size_t visits = 0;
+  int reports = 0;
   const dgg::Status status = c.GetSearch().Many(
     sources, dgg::Infinity, [&](Offset size, Offset, const auto& body) { body(0, size); },
-    [](double) { return false; }, [&](std::size_t, const double*) { ++visits; });
+    [&](double) { return ++reports < 40; }, [&](std::size_t, const double*) { ++visits; });
   EXPECT_TRUE(status.IsAborted());
   EXPECT_GT(visits, 0u);
+  EXPECT_LT(visits, sources.size());
 }
 
 TEST(GraphPairs, GroupsOfSourcesAreCloseTogether)

@@ -90,11 +90,12 @@ TEST_P(SourcePropagation, ExactInThePlane)
   {
     flattened.Points[i] *= 0.05;
   }
-  for (const NamedMesh& named : { NamedMesh{ "irregular", Plane(30, 20, 0.25, 3) },
-         NamedMesh{ "grid", Plane(30, 20) }, NamedMesh{ "flattened", flattened },
-         NamedMesh{ "refined", RandomlyRefined(Plane(8, 8, 0.2, 5), 300, 6, 1e-3) },
-         NamedMesh{ "slivers", SliverPlane(16, 0.01) },
-         NamedMesh{ "needles", NeedlePlane(16, 0.01) }, NamedMesh{ "caps", CapPlane(16, 0.1) } })
+  for (const NamedMesh& named :
+    { NamedMesh{ "irregular", Plane(30, 20, 0.25, 3) }, NamedMesh{ "grid", Plane(30, 20) },
+      NamedMesh{ "large grid", Plane(100, 100) }, NamedMesh{ "flattened", flattened },
+      NamedMesh{ "refined", RandomlyRefined(Plane(8, 8, 0.2, 5), 300, 6, 1e-3) },
+      NamedMesh{ "slivers", SliverPlane(16, 0.01) }, NamedMesh{ "needles", NeedlePlane(16, 0.01) },
+      NamedMesh{ "caps", CapPlane(16, 0.1) } })
   {
     SCOPED_TRACE(named.Name);
     const dgg::SurfaceMesh mesh = Build(named.Mesh);
@@ -198,6 +199,90 @@ TEST_P(SourcePropagation, SeveralSources)
   EXPECT_EQ(result.NearestSource[580], 2);
 }
 
+/// Faces keep one virtual source, and have corners nearest to others.
+TEST_P(SourcePropagation, NoLongerThanAlongEdges)
+{
+  // The short side of a needle is nearest to another source than the needle.
+  TestMesh needles = Plane(1, 1);
+  needles.Points = { 0.0, 0.0, 0.0, 10.0, 0.0, 0.0, 10.0, 0.2, 0.0, 0.0, 0.2, 0.0 };
+  TestMesh flattened = Terrain(24, 0.3, 4);
+  for (std::size_t i = 1; i < flattened.Points.size(); i += 3)
+  {
+    flattened.Points[i] *= 0.02;
+  }
+  for (const NamedMesh& named :
+    { NamedMesh{ "two needles", needles }, NamedMesh{ "needles", NeedlePlane(16, 0.01) },
+      NamedMesh{ "slivers", SliverPlane(16, 0.01) }, NamedMesh{ "flattened", flattened },
+      NamedMesh{ "block", Subdivided(TwoHoledBlock(), 2) }, NamedMesh{ "book", PinchedPlates(4) },
+      NamedMesh{ "sphere", NoisySphere(3, 0.3, 3) } })
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const Id step : { 2, 3, 8, 1000 })
+    {
+      Sources sources;
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); v += step)
+      {
+        sources.push_back(VertexSource(v, 0.01 * (v % 7)));
+      }
+      const std::vector<double> bound = EdgeGraphDistances(mesh, sources);
+      const std::vector<double> distances = this->Run(mesh, sources).Distances;
+      for (std::size_t v = 0; v < bound.size(); ++v)
+      {
+        ASSERT_LE(distances[v], bound[v] + 1e-5 * LargestFinite(bound)) << step << " " << v;
+      }
+    }
+  }
+}
+
+/// Of many sources, two of them in one face: as close as one, but for long triangles, each of which
+/// is nearest to several, and nearly always the right one.
+TEST_P(SourcePropagation, ManySources)
+{
+  TestMesh stretched = Terrain(30, 0.3, 4);
+  for (std::size_t i = 0; i < stretched.Points.size(); i += 3)
+  {
+    stretched.Points[i] *= 8.0;
+  }
+  for (const NamedMesh& named : { NamedMesh{ "sphere", NoisySphere(4, 0.1, 3) },
+         NamedMesh{ "stretched", stretched }, NamedMesh{ "pinched", PinchedPlates(6) } })
+  {
+    SCOPED_TRACE(named.Name);
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    Sources sources;
+    for (const Id v : SomeVertices(mesh, 20, 5))
+    {
+      sources.push_back(VertexSource(v));
+    }
+    for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 20, 8))
+    {
+      sources.push_back({ point, 0.0 });
+    }
+    const Id f = mesh.GetNumberOfFaces() / 2;
+    sources.push_back({ dgg::SurfacePoint::InFace(mesh, f, { { 0.2, 0.3, 0.5 } }), 0.0 });
+    sources.push_back({ dgg::SurfacePoint::InFace(mesh, f, { { 0.5, 0.4, 0.1 } }), 0.0 });
+    const std::vector<double> exact = Exact(mesh, sources);
+    const dgg::PropagationResult result = this->Run(mesh, sources);
+    const bool isLong = named.Name == "stretched";
+    ExpectNear(result.Distances, exact, isLong ? 0.04 : 0.005, 0.05, isLong ? 1.5 : 0.3);
+    std::vector<std::vector<double>> single;
+    for (const dgg::GeodesicSource& source : sources)
+    {
+      single.push_back(Exact(mesh, { source }));
+    }
+    std::size_t wrong = 0;
+    for (std::size_t v = 0; v < exact.size(); ++v)
+    {
+      const double found = single[result.NearestSource[v]][v];
+      wrong += found > 1.02 * exact[v] + 1e-9 ? 1 : 0;
+      EXPECT_LE(found, (isLong ? 2.5 : 1.3) * exact[v] + 1e-9) << v;
+      EXPECT_NEAR(result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-9);
+      EXPECT_GE(result.Virtual.Offsets[v], -1e-4) << v;
+    }
+    EXPECT_LE(wrong, (isLong ? 0.04 : 0.015) * exact.size());
+  }
+}
+
 /// The distance of a source is its initial one, or that of another one that is nearer.
 TEST_P(SourcePropagation, SourcesAreExact)
 {
@@ -258,7 +343,7 @@ TEST_P(SourcePropagation, AnyTrianglesWillDo)
         ASSERT_EQ(result.Distances[v] < dgg::Infinity, isReached) << v;
         ASSERT_EQ(result.NearestSource[v], isReached ? 0 : dgg::NoId) << v;
         ASSERT_GE(result.Distances[v], 0.0) << v; // false for NaN
-        ASSERT_LE(result.Distances[v], isReached ? bound[v] + 0.4 * diameter : dgg::Infinity) << v;
+        ASSERT_LE(result.Distances[v], isReached ? bound[v] + 1e-5 * diameter : dgg::Infinity) << v;
         ASSERT_TRUE(!isReached || std::isfinite(result.Virtual.Angles[v])) << v;
       }
     }
@@ -349,13 +434,19 @@ TEST_P(SourcePropagation, SameBitsInAnyThreads)
     { Plane(150, 150), NoisySphere(5, 0.3, 3), Subdivided(lattice, 4), WeldedPlates(9, 90, 90, 3) })
   {
     const dgg::SurfaceMesh mesh = Build(test);
-    const Sources sources{ VertexSource(0), VertexSource(100), VertexSource(200, 0.5) };
+    Sources sources{ VertexSource(0), VertexSource(100), VertexSource(200, 0.5) };
+    for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 300, 8))
+    {
+      sources.push_back({ point, 0.0 });
+    }
     const auto expected = this->Run(mesh, sources);
+    const auto single = this->Run(mesh, { sources[0] });
     for (const int threads : { 1, 2, 3, 8 })
     {
       SCOPED_TRACE(threads);
-      ExpectSameBits(
-        expected, this->Run(mesh, sources, [&](auto& o) { o.Parallel = WithThreads(threads); }));
+      const auto parallel = [&](auto& o) { o.Parallel = WithThreads(threads); };
+      ExpectSameBits(expected, this->Run(mesh, sources, parallel));
+      ExpectSameBits(single, this->Run(mesh, { sources[0] }, parallel));
     }
   }
 }
@@ -393,6 +484,7 @@ TEST_P(SourcePropagation, ProgressAndRefusals)
   refuse({ VertexSource(-1) });
   refuse({ VertexSource(mesh.GetNumberOfVertices()) });
   refuse({ VertexSource(0, dgg::Infinity) });
+  refuse({ VertexSource(0, 1e31), VertexSource(1), VertexSource(2) });
   refuse({ VertexSource(0), VertexSource(1) });
 }
 }

@@ -37,13 +37,12 @@ using Filters = ::testing::Types<vtkDGGFastMarchingDistance, vtkHeatGeodesicDist
   vtkVirtualSourceGeodesicDistance>;
 TYPED_TEST_SUITE(ApproximateDistances, Filters);
 
-/// Filters that are not for long triangles.
+/// None of them is for long triangles.
 template <typename Filter>
 class QualityWarnings : public ApproximateDistances<Filter>
 {
 };
-using FiltersWithWarnings = ::testing::Types<vtkDGGFastMarchingDistance, vtkHeatGeodesicDistance>;
-TYPED_TEST_SUITE(QualityWarnings, FiltersWithWarnings);
+TYPED_TEST_SUITE(QualityWarnings, Filters);
 
 TYPED_TEST(ApproximateDistances, CloseToExact)
 {
@@ -253,7 +252,7 @@ TEST(VirtualSourceGeodesicDistance, Quality)
     terrain->GetPoints()->SetPoint(i, 10.0 * p[0], p[1], p[2]);
   }
   terrain->GetPoints()->Modified();
-  ExpectSuccess(filter);
+  ExpectWarning(filter, { "triangles are long" });
   const auto best = GetDistances(filter);
   filter->SetQualityToAutomatic();
   ExpectSuccess(filter);
@@ -310,6 +309,51 @@ TEST(VirtualSourceGeodesicDistance, CertifyKeepsThePromiseOfTheGraph)
   }
 }
 
+/// Where triangles are long and sources many, the nearest source is the graph's as well.
+TEST(VirtualSourceGeodesicDistance, CertifyMendsNearestSources)
+{
+  auto terrain = MakeTerrain(20);
+  for (vtkIdType i = 0; i < terrain->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    terrain->GetPoint(i, p);
+    terrain->GetPoints()->SetPoint(i, 8.0 * p[0], p[1], p[2]);
+  }
+  std::vector<vtkIdType> sources;
+  for (vtkIdType i = 3; i < terrain->GetNumberOfPoints(); i += 17)
+  {
+    sources.push_back(i);
+  }
+  vtkNew<vtkVirtualSourceGeodesicDistance> filter;
+  filter->SetInputData(terrain);
+  filter->SetSourceIds(sources);
+  filter->SetQualityToFast();
+  filter->GenerateNearestSourceOn();
+  filter->GenerateVirtualSourceOn();
+  filter->SetAccuracy(0.001);
+  filter->CertifyOn();
+  ExpectSuccess(filter);
+  EXPECT_FALSE(filter->GetQualityWarning());
+  const auto exact = GetExactDistances(terrain, sources);
+  const auto certified = GetDistances(filter);
+  ExpectWithin(certified, exact, 0.001);
+  auto* virtualSources = filter->GetOutput()->GetPointData()->GetArray("GeodesicVirtualSource");
+  const auto nearest = GetNearestSources(filter);
+  std::vector<std::vector<double>> single;
+  for (const vtkIdType source : sources)
+  {
+    single.push_back(GetExactDistances(terrain, std::vector<vtkIdType>{ source }));
+  }
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    EXPECT_LE(single[nearest[i]][i], 1.001 * exact[i] + 1e-9) << i;
+    const auto id = static_cast<vtkIdType>(i);
+    const double offset = virtualSources->GetComponent(id, 0);
+    EXPECT_NEAR(offset + virtualSources->GetComponent(id, 1), certified[i], 1e-12);
+    EXPECT_GT(offset, -0.001 * certified[i] - 1e-5) << i;
+  }
+}
+
 TEST(VirtualSourceGeodesicDistance, CertifyBuildsItsOwnGraphOrRefuses)
 {
   auto grid = MakeTerrain(12);
@@ -356,6 +400,17 @@ TEST(VirtualSourceGeodesicDistance, ThreadsDoNotMatter)
       EXPECT_EQ(GetNearestSources(filter), expectedSources) << threading;
     });
   }
+}
+
+/// Farther apart than single precision holds.
+TEST(VirtualSourceGeodesicDistance, InitialDistancesTooFarApart)
+{
+  vtkNew<vtkVirtualSourceGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(8, 8));
+  filter->SetSourceIds({ 0, 5 }, { 0.0, 1e31 });
+  ExpectError(filter, { "source 1", "1e30" });
+  filter->SetSourceIds({ 0, 5 }, { 1e31, 1e31 });
+  ExpectSuccess(filter);
 }
 
 /// What single precision must not lose: any scale, the very limit, sources by themselves.

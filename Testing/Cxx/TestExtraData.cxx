@@ -432,7 +432,7 @@ TEST_P(ExtraData, PropagationIsCertifiedByGraphs)
     std::cout << (i == 0 ? "Fast: " : "High: ") << 100.0 * means[i] << " % on the mean, "
               << 100.0 * *range.first << " to " << 100.0 * *range.second << " %\n";
   }
-  EXPECT_LE(means[1], means[0]);
+  EXPECT_LE(means[1], 1.02 * means[0]); // on round ones they are equally good
 }
 
 /// Virtual sources are no worse than linear interpolation, on coarse CAD models as well: by far

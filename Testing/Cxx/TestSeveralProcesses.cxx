@@ -126,6 +126,17 @@ protected:
     }
   }
 
+  static vtkIdType GetNumberOfReached(vtkPolyData* part)
+  {
+    vtkDataArray* array = part->GetPointData()->GetArray("GeodesicDistance");
+    vtkIdType reached = 0;
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      reached += array->GetComponent(i, 0) >= 0.0 ? 1 : 0;
+    }
+    return reached;
+  }
+
   /// The same points in the same number of cells, whatever their order.
   static void ExpectSameSet(vtkPolyData* curves, vtkPolyData* expected, double tolerance)
   {
@@ -462,12 +473,47 @@ TEST_F(SeveralProcesses, ReadersGiveOnePiece)
   filter->SetSourceIds({ 0 });
   this->Update(filter);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), this->IsFirst() ? 4 : 0);
+  if (this->Count == 1)
+  {
+    return;
+  }
   // Without a file, nobody waits for the first process.
   reader->SetFileName("none.off");
   const Listener silence(reader);
   const Listener listener(filter);
   this->Update(filter);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+//------------------------------------------------------------------------------
+/// A plane in pieces of other cells than triangles, with verts and lines.
+TEST_F(SeveralProcesses, PiecesOfQuadsAndStrips)
+{
+  for (const GridCells cells : { GridCells::Quads, GridCells::Strips })
+  {
+    const auto part = MakeGrid(10, 3, cells);
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      part->GetPoint(i, p);
+      part->GetPoints()->SetPoint(i, p[0], p[1] + 3.0 * this->Here, 0.0);
+    }
+    part->SetVerts(MakeCells({ { 1 }, { 5 } }));
+    part->SetLines(MakeCells({ { 0, 7, 3 } }));
+    const std::function<void(vtkExactGeodesicDistance*)> prepare =
+      [](vtkExactGeodesicDistance* filter) {
+        filter->SetSourceData(MakeSourcePoints({ { { 2.5, 0.5, 0.0 } } }));
+      };
+    const auto filter = this->Together<vtkExactGeodesicDistance>(part, prepare);
+    const auto distances = GetDistances(filter);
+    ASSERT_EQ(distances.size(), static_cast<std::size_t>(part->GetNumberOfPoints()));
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      const double* p = part->GetPoint(i);
+      EXPECT_NEAR(distances[i], std::hypot(p[0] - 2.5, p[1] - 0.5), 1e-12);
+    }
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), part->GetNumberOfCells());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -683,4 +729,11 @@ TEST_F(SeveralProcesses, BlocksInParts)
         FloatTolerance);
     }
   }
+  // Each process alone, with the same parts.
+  filter->SetSourceData(MakeSourcePoints({ { { (this->Here + 0.5) / this->Count, 0.5, 0.0 } } }));
+  filter->SetProjectionTolerance(0.5);
+  filter->Update();
+  output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(GetNumberOfReached(vtkPolyData::SafeDownCast(output->GetBlock(0))),
+    vtkPolyData::SafeDownCast(part->GetBlock(0))->GetNumberOfPoints());
 }

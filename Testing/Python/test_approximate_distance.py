@@ -57,8 +57,13 @@ class ApproximateDistances(unittest.TestCase):
         np.testing.assert_allclose(found, self.exact, rtol=1e-2)
         found = vtkdgg.distance(self.points, self.triangles, 200, method="exact")
         np.testing.assert_allclose(found, self.exact, rtol=1e-12)
-        for wrong in ({"method": "quick"}, {"method": "fast", "accuracy": 0.1}):
-            with self.assertRaises(ValueError):
+        for wrong in (
+            {"method": "quick"},
+            {"method": ["fast"]},
+            {"method": 1},
+            {"method": "fast", "accuracy": 0.1},
+        ):
+            with self.assertRaisesRegex(ValueError, "method"):
                 vtkdgg.distance(self.points, self.triangles, 200, **wrong)
 
     def test_wrong_properties(self):

@@ -7,6 +7,7 @@ import io
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -21,6 +22,7 @@ from support import BUMPY, TETRAHEDRON
 from vtkdgg.command_line import main, make_parser
 from vtkdgg.commands import files
 
+PACKAGES = os.path.dirname(os.path.dirname(vtkdgg.__file__))
 FOLDER = support.output_folder("command")
 HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
 
@@ -66,7 +68,7 @@ class Command(unittest.TestCase):
     def test_version_and_help(self):
         result = support.command("--version")
         self.assertRegex(result.stdout, rf"\Avtkdgg {vtkdgg.__version__}, VTK 9\.\d.*, \d+ threads")
-        names = list(make_parser()._subparsers._group_actions[0].choices)
+        names = list(make_parser().commands)
         self.assertEqual(
             names,
             "info graph distance path loop isolines voronoi sample greens render compare".split(),
@@ -79,6 +81,25 @@ class Command(unittest.TestCase):
             self.assertIn("--out" if name != "info" else "--json", said.stdout)
             if name not in ("compare",):
                 self.assertIn(f"example:\n  vtkdgg {name} mesh.ply", said.stdout)
+
+    @unittest.skipUnless(shutil.which("bash"), "no bash")
+    def test_completion(self):
+        folder = os.path.dirname(os.path.dirname(os.path.dirname(PACKAGES)))
+        script = os.path.join(folder, "share", "bash-completion", "completions", "vtkdgg")
+        for words, at, expected in (
+            (["vtkdgg", "vo"], 1, ["voronoi"]),
+            (["vtkdgg", "--v"], 1, ["--version"]),
+            (["vtkdgg", "path", "--acc"], 2, ["--accuracy"]),
+            (["vtkdgg", "path", "mesh"], 2, []),
+        ):
+            line = f"source {script}; COMP_WORDS=({' '.join(words)}); COMP_CWORD={at}; _vtkdgg; "
+            said = subprocess.run(
+                ["bash", "-c", line + 'echo "${COMPREPLY[@]}"'],
+                capture_output=True,
+                text=True,
+                check=True,
+            )
+            self.assertEqual(said.stdout.split(), expected)
 
     def test_info(self):
         found = self.answer("info", BUMPY)

@@ -131,6 +131,35 @@ class OtherThreads(unittest.TestCase):
                 vtkdgg.errors._update = original
             array[:] = keep
 
+    def test_several_updates_at_once(self):
+        """Each waits while another one has its turn, wherever it is."""
+        points, triangles = terrain(60)
+        graph = vtkdgg.Graph(points, triangles, accuracy=0.05)
+        work = [
+            lambda: graph.distance(7),
+            lambda: graph.matrix(np.arange(0, 3721, 40)),
+            lambda: graph.path(7, 3700).points,
+            lambda: vtkdgg.distance(points, triangles, [7, 3000]),
+            lambda: vtkdgg.Graph(points, triangles, accuracy=0.02).distance([1.5, 2.0, 0.5]),
+            lambda: vtkdgg.greens_function(points, triangles, 7),
+        ]
+        expected = [task() for task in work]
+        found = [[] for _ in work]
+
+        def repeat(i):
+            for _ in range(3):
+                found[i].append(work[i]())
+
+        threads = [threading.Thread(target=repeat, args=(i,)) for i in range(len(work))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for answers, answer in zip(found, expected):
+            self.assertEqual(len(answers), 3)
+            for other in answers:
+                np.testing.assert_array_equal(other, answer)
+
     def test_views_of_a_graph_cannot_be_written_to(self):
         graph = vtkdgg.Graph(*terrain(10), accuracy=0.1)
         for name in ("points", "offsets", "targets", "lengths"):

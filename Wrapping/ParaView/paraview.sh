@@ -10,8 +10,9 @@
 #   CMAKE ARGUMENTS  such as -DCMAKE_PREFIX_PATH=FOLDER, where ParaView is if not in a usual place
 #
 # A ParaView that is installed with its development files is used. Without one, on Debian, its
-# packages are unpacked below FOLDER, and nothing that is installed changes. The exit status is 3
-# where there is no ParaView and none can be had.
+# packages are unpacked below FOLDER, and nothing that is installed is removed; compilers and
+# libraries that the build needs are installed. The exit status is 3 where there is no ParaView and
+# none can be had.
 
 set -euo pipefail
 
@@ -82,7 +83,8 @@ unpack() {
   }
   echo "Unpacking $(find "$archives" -name '*.deb' | wc -l) packages into $root ..."
   rm -rf "$root.part"
-  find "$archives" -name '*.deb' -exec dpkg-deb -x {} "$root.part" \;
+  find "$archives" -name '*.deb' -print0 | xargs -0 -I '{}' dpkg-deb -x '{}' "$root.part" ||
+    dgg_fail "could not unpack ParaView in $root.part"
   mv "$root.part" "$root"
   rm -rf "$archives"
 }
@@ -128,6 +130,7 @@ chmod +x "$build/run"
 dgg_build "$build" \
   -DCMAKE_BUILD_TYPE=Release \
   -DDGG_PARAVIEW_PLUGIN=ON \
+  -DDGG_KERNEL_FROM= \
   -DBUILD_TESTING="$test" \
   "$@"
 echo "Built $build/lib/paraview/plugins/Geodesics/Geodesics.so"

@@ -96,6 +96,7 @@ def make_parser():
     )
     parser.add_argument("--version", action="version", version=version())
     commands = parser.add_subparsers(dest="command", metavar="command", required=True)
+    parser.commands = commands.choices
 
     def add(run, *shared, out=".vtp .vtk .ply .stl .obj", needs_out=False, example=""):
         name = run.__name__
@@ -209,7 +210,12 @@ def main(arguments=None):
         options = make_parser().parse_args([re.sub(r"^-(?=[\d.])", " -", a) for a in arguments])
         if options.command in DRAWING and sys.platform == "linux" and not os.environ.get("DISPLAY"):
             with_display(arguments)
-        return options.run(options) if options.command == "compare" else answer(options)
+        code = options.run(options) if options.command == "compare" else answer(options)
+        sys.stdout.flush()
+        return code
+    except BrokenPipeError:  # who reads has enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
     except answers.Negative as reason:
         print(f"no answer: {reason}", file=sys.stderr)
         return 1

@@ -110,7 +110,7 @@ def distance(
     }
     if method is None:
         method = "exact" if accuracy is None else "graph"
-    if method not in kinds:
+    if not isinstance(method, str) or method not in kinds:
         raise ValueError(f"method is {method!r}: it has to be one of {', '.join(map(repr, kinds))}")
     if accuracy is not None and method != "graph":
         raise ValueError(f'accuracy is for the method "graph", not for {method!r}')

@@ -19,6 +19,7 @@
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <string>
@@ -252,9 +253,10 @@ public:
     return groups;
   }
 
-  /// Distances from each source of a group, given by their places.
+  /// Distances from each source of a group, given by their places, as long as it `goes` on.
   void ConsumeGroup(const std::vector<std::vector<GraphSeed>>& sources,
-    const std::vector<std::size_t>& group, double radius, const FieldConsumer& consume) const
+    const std::vector<std::size_t>& group, double radius, const std::function<bool()>& goes,
+    const FieldConsumer& consume) const
   {
     const auto workspace = this->ManyWorkspaces.Borrow(this->Graph, this->BucketWidth);
     ManySources::Sources members;
@@ -264,8 +266,8 @@ public:
     }
     if (this->PlanSweep(members, radius, workspace->Order))
     {
-      workspace->Search.Run(members, radius, workspace->Order);
-      for (std::size_t k = 0; k < group.size(); ++k)
+      const bool isDone = workspace->Search.Run(members, radius, workspace->Order, goes);
+      for (std::size_t k = 0; k < group.size() && isDone; ++k)
       {
         workspace->Search.GetField(k, workspace->Field);
         consume(group[k], workspace->Field.data());
@@ -274,6 +276,10 @@ public:
     }
     for (std::size_t place : group)
     {
+      if (!goes())
+      {
+        return;
+      }
       this->FindField(sources[place], radius, workspace->Field);
       consume(place, workspace->Field.data());
     }
@@ -437,15 +443,24 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, dou
   const Offset step = std::max(FewestGroups,
     std::min(numberOfGroups / FewestReports,
       VerticesPerReport / std::max<Id>(1, internals.Graph.NumberOfVertices)));
+  std::atomic<bool> isStopped{ false };
   for (Offset first = 0; first < numberOfGroups; first += step)
   {
     ForRange(parallel, std::min(step, numberOfGroups - first), 1, [&](Offset begin, Offset end) {
       const double done = static_cast<double>(first) / static_cast<double>(numberOfGroups);
-      for (Offset i = begin; i < end && Goes(progress, done); ++i)
+      const auto goes = [&] {
+        isStopped = isStopped || !Goes(progress, done);
+        return !isStopped;
+      };
+      for (Offset i = begin; i < end && goes(); ++i)
       {
-        internals.ConsumeGroup(sources, groups[first + i], maximumDistance, consume);
+        internals.ConsumeGroup(sources, groups[first + i], maximumDistance, goes, consume);
       }
     });
+    if (isStopped)
+    {
+      return Status::Abort();
+    }
     const auto done = static_cast<double>(std::min(first + step, numberOfGroups));
     DGG_RETURN_IF_ERROR(ReportTo(progress, done / static_cast<double>(numberOfGroups)));
   }

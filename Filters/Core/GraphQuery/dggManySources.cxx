@@ -28,19 +28,35 @@ ManySources::ManySources(const GraphView& graph, double bucketWidth)
 {
 }
 
-void ManySources::Run(const Sources& sources, double radius, const SweepOrder& order)
+bool ManySources::Run(
+  const Sources& sources, double radius, const SweepOrder& order, const std::function<bool()>& goes)
 {
   const auto n = static_cast<std::size_t>(this->Graph.NumberOfVertices);
   this->Radius = radius;
   this->Labels.assign(n, Lanes());
   this->Keys.assign(n, NotWaiting);
   this->Queue.Reset(this->Start(sources), this->BucketWidth);
+  bool isDone = false;
   WithLengths(this->Graph, [&](const auto* lengths) {
     this->SweepNearField(lengths, order);
+    if (!goes())
+    {
+      return;
+    }
     this->Sweep(lengths, order.Vertices);
+    if (!goes())
+    {
+      return;
+    }
     this->Certify(lengths);
+    if (!goes())
+    {
+      return;
+    }
     this->Mend(lengths);
+    isDone = true;
   });
+  return isDone;
 }
 
 void ManySources::GetField(std::size_t k, std::vector<double>& field) const

@@ -10,8 +10,9 @@
 #include "dggGraphSearch.h"   // for GraphSeed
 #include "dggLanes.h"         // for Lanes
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for the vertices
+#include <cstddef>    // for std::size_t
+#include <functional> // for the question whether to go on
+#include <vector>     // for the vertices
 
 namespace dgg
 {
@@ -37,7 +38,9 @@ public:
 
   using Sources = std::vector<const std::vector<GraphSeed>*>;
 
-  void Run(const Sources& sources, double radius, const SweepOrder& order);
+  /// `goes` is asked between parts of the work. False when it has told to stop.
+  bool Run(const Sources& sources, double radius, const SweepOrder& order,
+    const std::function<bool()>& goes);
 
   /// The distances of all vertices from source `k`, Infinity beyond the radius.
   void GetField(std::size_t k, std::vector<double>& field) const;

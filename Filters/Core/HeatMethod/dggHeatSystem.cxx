@@ -150,7 +150,6 @@ HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
 
 Status HeatSystem::Factorize(const ProgressCallback& progress)
 {
-  DGG_RETURN_IF_ERROR(this->Order.Check());
   const double factor = this->Options.TimeStepFactor;
   struct Part
   {

@@ -203,7 +203,6 @@ Status PoissonSystem::Factorize(const ProgressCallback& progress)
   {
     return Status::Success();
   }
-  DGG_RETURN_IF_ERROR(this->Order.Check());
   std::vector<std::uint8_t> isKnown(this->Components.size(), 0);
   for (Id v = 0; v < this->GetNumberOfVertices(); ++v)
   {

@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <string>
 
 namespace dgg
 {
@@ -84,15 +82,6 @@ EliminationOrder::EliminationOrder(const Eigen::SparseMatrix<double>& matrix)
   }
   std::partial_sum(pattern->Columns.begin(), pattern->Columns.end(), pattern->Columns.begin());
   this->FactorEntries = pattern->Columns.back();
-}
-
-Status EliminationOrder::Check() const
-{
-  return this->FactorEntries <= std::numeric_limits<int>::max()
-    ? Status::Success()
-    : Status::Invalid("the factor of the linear system would have " +
-        std::to_string(this->FactorEntries) +
-        " entries, more than can be numbered: use a smaller mesh");
 }
 
 double EliminationOrder::EstimateFactorMemory() const

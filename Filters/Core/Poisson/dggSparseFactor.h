@@ -27,8 +27,6 @@ public:
   /// Off-diagonal entries that a factor has (Liu, "The role of elimination trees in sparse
   /// factorization", 1990).
   Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
-  /// Fails when these are more than can be numbered.
-  Status Check() const;
   /// Bytes that a factor takes while it is computed.
   double EstimateFactorMemory() const;
   /// The unknown of each part that is eliminated last.
@@ -55,8 +53,8 @@ private:
 /// The same unknown of several systems.
 using SparseLanes = Eigen::Array<double, 8, 1>;
 
-/// L D L^T of a positive definite matrix. Eigen's factorization of it takes seconds on large
-/// meshes, and can neither report progress nor be stopped; only its ordering is used.
+/// L D L^T of a symmetric matrix, without pivoting. Eigen's factorization of it takes seconds on
+/// large meshes, and can neither report progress nor be stopped; only its ordering is used.
 class SparseFactor
 {
 public:

@@ -7,7 +7,9 @@
 
 #include "dggPropagationFaces.h" // for the corners
 
-#include <cmath> // for std::sqrt
+#include <algorithm> // for std::max
+#include <cmath>     // for std::sqrt
+#include <limits>    // for UnreachedKey
 
 /// Labels are small structures that are handed on while they change: they have to stay in registers
 /// all the way, or what is written piece by piece and read as a whole stalls (twice the time).
@@ -19,6 +21,11 @@
 
 namespace dgg
 {
+/// Distances that differ by less, relative, are the same. Labels that are nearer by less would go
+/// round in circles, for a gain by rounding each time.
+constexpr float PropagationRounding = 5e-7F;
+inline constexpr float UnreachedKey = std::numeric_limits<float>::max();
+
 /// A virtual source as a face sees it.
 struct PropagationLabel
 {
@@ -49,17 +56,22 @@ inline float PlaneLength(float x, float y)
   return std::sqrt(x * x + y * y);
 }
 
+/// How far beyond an end of the axis a line may pass, about, as a part of the axis: ways straight
+/// through a vertex do not bend there by rounding.
+constexpr float BendSlack = 1e-4F;
+
 /// The end of the axis, if the straight line from the source of a label to a point above the axis
 /// passes beyond that end, becomes the source.
 inline void BendAround(PropagationLabel& label, float length, float x, float y)
 {
-  if (label.Y * (x - label.X) - label.X * (y - label.Y) > 0.0F)
+  const float slack = BendSlack * length * (y - label.Y + std::abs(x - label.X));
+  if (label.Y * (x - label.X) - label.X * (y - label.Y) > slack)
   {
     label.Offset += PlaneLength(label.X, label.Y);
     label.X = 0.0F;
     label.Y = 0.0F;
   }
-  else if ((length - label.X) * (y - label.Y) + label.Y * (x - label.X) < 0.0F)
+  else if ((length - label.X) * (y - label.Y) + label.Y * (x - label.X) < -slack)
   {
     label.Offset += PlaneLength(length - label.X, label.Y);
     label.X = length;
@@ -96,6 +108,60 @@ DGG_INLINE Way WayTo(int corner, const PropagationLabel& label, const Propagatio
   }
   way.Length = PlaneLength(way.X - way.Label.X, way.Y - way.Label.Y);
   return way;
+}
+
+/// Turn a label into the frame of the twin of one of the two half-edges that it leaves through.
+DGG_INLINE void UnfoldTo(int side, PropagationLabel& label, const PropagationFace& face)
+{
+  // As in FaceUnfolding.
+  const int k = label.Entry % 3;
+  const float length = face.Lengths[side];
+  const bool isLeft = side == PreviousOf(k);
+  const float x = isLeft ? label.X : face.Lengths[k] - label.X;
+  const float cosine = face.Cosines[isLeft ? k : side];
+  const float sine = face.Sines[isLeft ? k : side];
+  const float along = cosine * x + sine * label.Y;
+  label.Y = cosine * label.Y - sine * x;
+  label.X = isLeft ? along : length - along;
+  if (label.Y > 0.0F)
+  {
+    // The source is on the far side, as behind a hole: the way bends around the nearer end.
+    const float end = 2.0F * label.X < length ? 0.0F : length;
+    label.Offset += PlaneLength(label.X - end, label.Y);
+    label.X = end;
+    label.Y = 0.0F;
+  }
+}
+
+/// How much earlier than any way found so far a source may reach the end of an edge, as a part of
+/// the edge. Ways that have yet to be found are shorter by less than that, shadows hide more.
+constexpr float ShadowTolerance = 0.05F;
+
+/// Move a source to where it does not reach an end of the axis earlier than is known so far.
+DGG_INLINE void StayOutOfShadows(PropagationLabel& label, float length, float knownA, float knownB)
+{
+  const float tolerance = ShadowTolerance * length;
+  float a = PlaneLength(label.X, label.Y);
+  float b = PlaneLength(length - label.X, label.Y);
+  const bool isHiddenA = knownA < UnreachedKey && knownA - label.Offset > a + tolerance;
+  const bool isHiddenB = knownB < UnreachedKey && knownB - label.Offset > b + tolerance;
+  if (!isHiddenA && !isHiddenB)
+  {
+    return;
+  }
+  a = isHiddenA ? knownA - label.Offset : a;
+  b = isHiddenB ? knownB - label.Offset : b;
+  if (std::abs(a - b) <= length)
+  {
+    label.X = 0.5F * (length + (a - b) * (a + b) / length);
+    label.Y = -std::sqrt(std::max(0.0F, a * a - label.X * label.X));
+  }
+  else
+  {
+    label.Offset += std::min(a, b);
+    label.X = a < b ? 0.0F : length;
+    label.Y = 0.0F;
+  }
 }
 
 /// Whether the source is the vertex that the entry starts at. Then its other end need not be behind

@@ -7,7 +7,8 @@
 
 #include "dggSourcePropagation.h" // for PropagationResult
 
-#include <vector> // for sources
+#include <algorithm> // for std::min
+#include <vector>    // for sources
 
 namespace dgg
 {
@@ -35,7 +36,16 @@ public:
   }
   /// False when it is beyond the maximum distance. Several threads may set different vertices.
   bool SetDistance(Id v, double distance);
+  /// Whether that is what it has been set to.
+  bool IsAt(Id v, double distance) const
+  {
+    return this->Result.Distances[v] == std::min(distance, this->Options.MaximumDistance);
+  }
   void SetSource(Id v, Id root, const VirtualPlace& place);
+  Id GetNearest(Id v) const
+  {
+    return this->Options.WantNearestSource ? this->Result.NearestSource[v] : NoId;
+  }
   /// The sources themselves, and the corners of the faces that they lie in, are known exactly; no
   /// label has come to them.
   void TakeSources(const std::vector<GeodesicSource>& sources);

@@ -3,6 +3,7 @@
 #include "dggPropagationRounds.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace dgg
 {

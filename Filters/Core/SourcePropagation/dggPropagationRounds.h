@@ -10,13 +10,10 @@
 
 #include <atomic>  // for what threads share
 #include <cstddef> // for std::size_t
-#include <limits>  // for Unreached
 #include <vector>  // for entries
 
 namespace dgg
 {
-inline constexpr float UnreachedKey = std::numeric_limits<float>::max();
-
 /// The best label of a face or an edge.
 struct alignas(32) PropagationSlot // not on two cache lines
 {

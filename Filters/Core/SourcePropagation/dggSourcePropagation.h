@@ -48,17 +48,20 @@ class PropagationFaces;
 /// 2021, on one mesh, which must outlive it. A virtual source is unfolded from face to face, as
 /// long as the straight line from it to the next face crosses the edge between them; else the
 /// nearer end of the edge becomes the virtual source. Each face (or edge) keeps the best one that
-/// has reached it. Nothing bounds the error: where sources pass a saddle vertex, what lies in the
-/// shadow may be reached too early, and single vertices too late. Measured: up to 3 % and 7 % on
-/// real meshes of compact triangles, up to 60 % and 90 % on coarse ones of CAD.
+/// has reached it. No distance is longer than the shortest way along mesh edges. Nothing else
+/// bounds the error: where sources pass a saddle vertex, what lies in the shadow may be reached too
+/// early, and single vertices too late.
 ///
-/// Four things differ from the paper.
+/// Five things differ from the paper.
 ///  - Faces are visited in synchronous rounds over buckets of distance, so that the result does not
 ///    depend on the number of threads.
 ///  - Of sources that are equally near, up to rounding, that with the smaller offset is kept: it
 ///    explains more of the mesh. On regular and flat meshes this decides on the accuracy.
 ///  - A source that would reach an end of the edge earlier than any way found so far is moved to
 ///    where it does not: that end lies in a shadow. Not so where no way can bend, as in the plane.
+///  - Faces have corners that are nearest to other sources than the one they keep. A way that is
+///    shorter along an edge, or from one of several sources that a face has turned down, counts for
+///    the vertex that it leads to.
 ///  - Irregular vertices, and edges of many faces, keep the best source as well and pass it on to
 ///    all their faces, once a round at most.
 ///
@@ -72,9 +75,9 @@ public:
   SourcePropagation(const SourcePropagation&) = delete;
   SourcePropagation& operator=(const SourcePropagation&) = delete;
 
-  /// Distances from the nearest of the sources. Fails as ExactGeodesics does, and where distances
-  /// do not settle: single precision is too little for some meshes of very small and long
-  /// triangles.
+  /// Distances from the nearest of the sources. Fails as ExactGeodesics does, with initial
+  /// distances more than 1e30 mean edges apart, and where distances do not settle: single precision
+  /// is too little for some meshes of very small and long triangles.
   Status Run(const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
     PropagationResult& result) const;
 

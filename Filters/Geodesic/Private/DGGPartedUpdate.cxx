@@ -75,6 +75,11 @@ dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
   vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs,
   bool passesSurface, const Step& step)
 {
+  if (!(processes == this->Processes))
+  {
+    this->Ports.clear();
+    this->Processes = processes;
+  }
   this->Ports.resize(static_cast<std::size_t>(numberOfInputs));
   const dgg::Status gathered = this->FindParts(processes, limit, inputs);
   if (!gathered.IsOk())

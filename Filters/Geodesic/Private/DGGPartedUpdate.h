@@ -57,6 +57,7 @@ private:
   void Deliver(vtkDataObject* input, vtkDataObject* output);
 
   std::vector<Port> Ports;
+  DGGProcesses Processes{ nullptr }; // that Ports are of
   vtkIdType Others = 0;
   std::vector<vtkSmartPointer<vtkDataObject>> Outputs; // of the step
   std::vector<DGGPartResult> Results;                  // of parts, for output 0

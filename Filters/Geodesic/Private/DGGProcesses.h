@@ -23,6 +23,7 @@ public:
   }
 
   bool IsFirst() const;
+  bool operator==(const DGGProcesses& other) const { return this->Controller == other.Controller; }
 
   /// Success if it went well everywhere, else what went wrong on the first process with an error.
   /// Nobody goes on alone, or waits for one that does not.

@@ -1,0 +1,538 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPropagation.h"
+
+#include "dggPrefetch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <type_traits>
+
+namespace dgg
+{
+namespace
+{
+/// What the offset of a source adds to the key that it competes with: less than any difference
+/// that matters, more than rounding.
+constexpr float OffsetPenalty = 1e-5F;
+/// What a thread takes at one time.
+constexpr std::size_t LabelsPerChunk = 64;
+constexpr Offset ValuesPerBlock = 65536;
+/// So many labels for each face, and so many more, do not settle.
+constexpr std::size_t MostLabelsPerFace = 7;
+constexpr std::size_t ManyLabels = 100000;
+/// Progress is reported about so often, but not after fewer labels: threads start anew each time.
+constexpr double NumberOfReports = 12.0;
+constexpr double FewestLabelsPerReport = 8192.0;
+/// Labels that are propagated.
+constexpr double FastLabelsPerFace = 1.2;
+constexpr double HighLabelsPerFace = 1.9;
+constexpr double LargestProgress = 0.99;
+
+void Lower(std::atomic<float>& value, float candidate)
+{
+  float old = value.load(std::memory_order_relaxed);
+  while (candidate < old && !value.compare_exchange_weak(old, candidate, std::memory_order_relaxed))
+  {
+  }
+}
+}
+
+template <bool High>
+Propagation<High>::Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift,
+  float radius, const ParallelFor& parallel, int threads)
+  : Mesh(mesh)
+  , Faces(faces)
+  , Shift(shift)
+  , Radius(radius)
+  , FirstHub(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces())
+  , Rounds(threads)
+  , Entries(static_cast<std::size_t>(threads))
+  , Chunks(static_cast<std::size_t>(threads), std::vector<PropagationChunk>(1))
+{
+  // Not by constructors: to touch this memory first takes as long as a tenth of the rounds.
+  const auto fill = [&](auto& array, Offset size, const auto& value) {
+    using Value = std::decay_t<decltype(array[0])>;
+    array.reset(new Value[static_cast<std::size_t>(size)]);
+    ForRange(parallel, size, ValuesPerBlock, [&](Offset begin, Offset end) {
+      for (Offset i = begin; i < end; ++i)
+      {
+        value(array[i]);
+      }
+    });
+  };
+  fill(this->Slots, Offset(this->FirstHub) + faces.GetNumberOfHubs(),
+    [](PropagationSlot& slot) { slot.Clear(); });
+  fill(this->Distances, mesh.GetNumberOfVertices(),
+    [](std::atomic<float>& distance) { distance.store(UnreachedKey, std::memory_order_relaxed); });
+}
+
+template <bool High>
+double Propagation<High>::CountExpected() const
+{
+  return (High ? HighLabelsPerFace : FastLabelsPerFace) * this->Mesh.GetNumberOfFaces();
+}
+
+template <bool High>
+double Propagation<High>::GetProgress() const
+{
+  return std::min(LargestProgress, static_cast<double>(this->Propagated) / this->CountExpected());
+}
+
+template <bool High>
+Id Propagation<High>::SlotOf(Id entry) const
+{
+  if (!High)
+  {
+    return SurfaceMesh::Face(entry);
+  }
+  const Id twin = this->Faces[SurfaceMesh::Face(entry)].Behind[entry % 3];
+  return twin >= 0 ? std::min(entry, twin) : entry;
+}
+
+template <bool High>
+void Propagation<High>::Start(const std::vector<GeodesicSource>& sources, bool wantsLabels)
+{
+  this->HasRivals = sources.size() > 1;
+  this->WantsLabels = wantsLabels;
+  PropagationChunk& chunk = this->Chunks.front().front();
+  const double unit = this->Faces.GetUnit();
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    const SurfacePoint& point = sources[k].Point;
+    const auto root = static_cast<Id>(k);
+    const auto offset = static_cast<float>((sources[k].InitialDistance - this->Shift) / unit);
+    if (point.On == SurfacePoint::Support::Vertex)
+    {
+      Lower(this->Distances[point.Vertex], offset);
+      if (this->Faces.GetHub(point.Vertex) != NoId)
+      {
+        this->ReachHub(point.Vertex, offset, root, chunk);
+      }
+      else
+      {
+        this->Radiate({ 0.0F, 0.0F, offset, NoId, root }, point.Vertex, chunk);
+      }
+      continue;
+    }
+    ForEachFaceAround(this->Mesh, point, [&](Id f, const std::array<double, 3>& b) {
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const float distance =
+          offset + static_cast<float>(DistanceToCorner(this->Mesh, f, b, h % 3) / unit);
+        Lower(this->Distances[this->Mesh.Origin(h)], distance);
+        this->ReachHub(this->Mesh.Origin(h), distance, root, chunk);
+      }
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        // From behind the edge, with the face on its other side.
+        const Point2 place = PlaceInFrame(this->Mesh, h, b);
+        this->Cross(h,
+          { static_cast<float>((this->Mesh.Length(h) - place.X) / unit),
+            -static_cast<float>(place.Y / unit), offset, NoId, root },
+          chunk);
+      }
+    });
+  }
+  this->TakeShortcuts(chunk);
+}
+
+/// A vertex as source, in all faces around it.
+template <bool High>
+void Propagation<High>::Radiate(const PropagationLabel& from, Id v, PropagationChunk& chunk)
+{
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    this->Enter({ 0.0F, 0.0F, from.Offset, *g, from.Root }, chunk);
+  }
+}
+
+/// A hub is reached: other fans of the vertex are reached through it only.
+template <bool High>
+void Propagation<High>::ReachHub(Id v, float distance, Id root, PropagationChunk& chunk)
+{
+  const Id hub = this->Faces.GetHub(v);
+  if (hub != NoId && distance <= this->Radius)
+  {
+    this->Offer(distance, { 0.0F, 0.0F, distance, v, root }, this->FirstHub + hub, chunk);
+  }
+}
+
+template <bool High>
+Status Propagation<High>::Advance(RoundTeam& team)
+{
+  const std::size_t most =
+    ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
+  const double step = std::max(FewestLabelsPerReport, this->CountExpected() / NumberOfReports);
+  const std::size_t stop = this->Propagated + static_cast<std::size_t>(step);
+  RoundTeam::Counts counts{};
+  while (this->Propagated < stop)
+  {
+    if (!this->Rounds.Next(this->Slots.get(), this->Entries))
+    {
+      this->HasEnded = true;
+      break;
+    }
+    for (std::size_t t = 0; t < this->Entries.size(); ++t)
+    {
+      const std::size_t count = (this->Entries[t].size() + LabelsPerChunk - 1) / LabelsPerChunk;
+      this->Chunks[t].resize(std::max(this->Chunks[t].size(), count));
+      counts[t] = static_cast<Offset>(count);
+    }
+    // A round: what was found in it counts in the next one.
+    this->IsShared = team.IsShared();
+    team.ForEach(counts, this->IsShared, [&](int owner, Offset i, int) {
+      const std::vector<BucketQueue::Entry>& entries = this->Entries[owner];
+      const std::size_t begin = static_cast<std::size_t>(i) * LabelsPerChunk;
+      const std::size_t end = std::min(entries.size(), begin + LabelsPerChunk);
+      this->Collect(entries.data() + begin, entries.data() + end, this->Chunks[owner][i]);
+    });
+    team.ForEach(counts, this->IsShared, [&](int owner, Offset i, int thread) {
+      this->Chunks[owner][i].Thread = thread;
+      this->Propagate(this->Chunks[owner][i]);
+    });
+    std::size_t labels = 0;
+    std::size_t known = 0;
+    for (std::size_t t = 0; t < this->Chunks.size(); ++t)
+    {
+      for (Offset i = 0; i < counts[t]; ++i)
+      {
+        labels += this->Chunks[t][i].GetNumberOfLabels();
+        known += this->Chunks[t][i].Known;
+        this->TakeShortcuts(this->Chunks[t][i]);
+      }
+    }
+    this->Rounds.AdjustWidth(labels, known);
+    this->Propagated += labels;
+    if (this->Propagated > most)
+    {
+      return Status::Invalid("the triangles are too irregular for virtual sources: distances did "
+                             "not settle; use another method");
+    }
+  }
+  return Status::Success();
+}
+
+/// The labels that have changed, and how far they are from the vertices behind their edges.
+template <bool High>
+void Propagation<High>::Collect(
+  const BucketQueue::Entry* begin, const BucketQueue::Entry* end, PropagationChunk& chunk)
+{
+  chunk.Labels.clear();
+  chunk.Vertices.clear();
+  chunk.Edges.clear();
+  chunk.Known = 0;
+  for (const BucketQueue::Entry* entry = begin; entry != end; ++entry)
+  {
+    PropagationSlot& slot = this->Slots[entry->Vertex];
+    if (slot.IsPending.load(std::memory_order_relaxed) &&
+      slot.IsPending.exchange(false, std::memory_order_relaxed))
+    {
+      const PropagationLabel& label = slot.Best;
+      chunk.Known += slot.Threshold < UnreachedKey ? 1 : 0;
+      slot.Threshold = (1.0F - PropagationRounding) * slot.Key.load(std::memory_order_relaxed);
+      if (entry->Vertex >= this->FirstHub)
+      {
+        const bool isVertex = entry->Vertex < this->FirstHub + this->Faces.GetNumberOfVertexHubs();
+        (isVertex ? chunk.Vertices : chunk.Edges).push_back(label);
+        continue;
+      }
+      const int k = label.Entry % 3;
+      const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+      const int apex = PreviousOf(k);
+      Lower(this->Distances[face.Corners[apex]], WayTo(apex, label, face).GetDistance());
+      if (IsAtOrigin(label))
+      {
+        Lower(this->Distances[face.Corners[NextOf(k)]], label.Offset + face.Lengths[k]);
+      }
+      chunk.Labels.push_back(label);
+      for (const int side : { PreviousOf(k), NextOf(k) })
+      {
+        const Id behind = face.Behind[side];
+        if (behind >= 0)
+        {
+          const Id exit = 3 * SurfaceMesh::Face(label.Entry) + side;
+          Prefetch(&this->Faces[SurfaceMesh::Face(behind)]);
+          Prefetch(&this->Slots[High ? std::min(exit, behind) : SurfaceMesh::Face(behind)]);
+        }
+      }
+    }
+  }
+}
+
+template <bool High>
+void Propagation<High>::Propagate(PropagationChunk& chunk)
+{
+  for (const PropagationLabel& label : chunk.Labels)
+  {
+    const int k = label.Entry % 3;
+    this->Leave(label, PreviousOf(k), chunk);
+    this->Leave(label, NextOf(k), chunk);
+    const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+    if (face.IsIrregular)
+    {
+      for (const int corner : { PreviousOf(k), NextOf(k) })
+      {
+        if (corner == PreviousOf(k) || IsAtOrigin(label))
+        {
+          const float distance = WayTo(corner, label, face).GetDistance();
+          this->ReachHub(face.Corners[corner], distance, label.Root, chunk);
+        }
+      }
+    }
+  }
+  for (const PropagationLabel& label : chunk.Vertices)
+  {
+    this->Radiate(label, label.Entry, chunk);
+  }
+  for (const PropagationLabel& label : chunk.Edges)
+  {
+    for (Id t = this->Mesh.Twin(label.Entry); t != label.Entry; t = this->Mesh.Twin(t))
+    {
+      this->CrossInto(t, label.Entry, label, chunk);
+    }
+  }
+}
+
+/// Through one of the two other edges of the face that a label has entered.
+template <bool High>
+void Propagation<High>::Leave(const PropagationLabel& label, int side, PropagationChunk& chunk)
+{
+  const Id f = SurfaceMesh::Face(label.Entry);
+  const PropagationFace& face = this->Faces[f];
+  if (face.Behind[side] == PropagationFaces::Nothing)
+  {
+    return;
+  }
+  PropagationLabel image = label;
+  if (High)
+  {
+    const int k = label.Entry % 3;
+    const float base = face.Lengths[k];
+    const float left = face.Lengths[PreviousOf(k)];
+    const float x = left * face.Cosines[k] + (side == PreviousOf(k) ? 0.0F : base);
+    BendAround(image, base, 0.5F * x, 0.5F * left * face.Sines[k]);
+  }
+  UnfoldTo(side, image, face);
+  const float length = face.Lengths[side];
+  const int origin = NextOf(side); // of the twin
+  const float a = this->Distances[face.Corners[origin]].load(std::memory_order_relaxed);
+  const float b = this->Distances[face.Corners[side]].load(std::memory_order_relaxed);
+  if (std::abs(a - b) > length + PropagationRounding * a)
+  {
+    chunk.Shortcuts.push_back(
+      a < b ? WayAlongEdge(f, face, origin, side, a) : WayAlongEdge(f, face, side, origin, b));
+  }
+  if (this->Faces.HasShadows())
+  {
+    StayOutOfShadows(image, length, a, b);
+  }
+  this->Cross(3 * f + side, image, chunk);
+}
+
+/// Into all faces behind an edge. The label is in the frame of a twin that is oriented alike.
+template <bool High>
+void Propagation<High>::Cross(Id exit, PropagationLabel label, PropagationChunk& chunk)
+{
+  const PropagationFace& face = this->Faces[SurfaceMesh::Face(exit)];
+  const Id behind = face.Behind[exit % 3];
+  if (behind >= 0)
+  {
+    label.Entry = behind;
+    this->Enter(label, chunk);
+  }
+  else if (behind == PropagationFaces::AskMesh)
+  {
+    for (Id t = this->Mesh.Twin(exit); t != exit && t != NoId; t = this->Mesh.Twin(t))
+    {
+      this->CrossInto(t, exit, label, chunk);
+    }
+  }
+  else if (behind <= PropagationFaces::FirstGate)
+  {
+    // The label that is the best one at the middle goes on.
+    const float length = face.Lengths[exit % 3];
+    const float distance = label.Offset + PlaneLength(0.5F * length - label.X, label.Y);
+    if (distance <= this->Radius + length)
+    {
+      label.Entry = exit;
+      this->Offer(distance, label, this->FirstHub + PropagationFaces::FirstGate - behind, chunk);
+    }
+  }
+}
+
+/// Into one of several faces of an edge.
+template <bool High>
+void Propagation<High>::CrossInto(Id t, Id exit, PropagationLabel label, PropagationChunk& chunk)
+{
+  if (this->Mesh.Origin(t) == this->Mesh.Origin(exit))
+  {
+    label.X = this->Faces[SurfaceMesh::Face(exit)].Lengths[exit % 3] - label.X;
+  }
+  label.Entry = t;
+  this->Enter(label, chunk);
+}
+
+template <bool High>
+void Propagation<High>::Enter(PropagationLabel label, PropagationChunk& chunk)
+{
+  const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+  const int k = label.Entry % 3;
+  const float length = face.Lengths[k];
+  float x = 0.5F * length;
+  float y = 0.0F;
+  if (!High)
+  {
+    // Labels of a face compete at its centroid: in the plane they are all exact then.
+    const float left = face.Lengths[PreviousOf(k)];
+    x = (length + left * face.Cosines[k]) / 3.0F;
+    y = left * face.Sines[k] / 3.0F;
+    BendAround(label, length, x, y);
+  }
+  const float distance = label.Offset + PlaneLength(x - label.X, y - label.Y);
+  const float reach =
+    std::max(length, std::max(face.Lengths[NextOf(k)], face.Lengths[PreviousOf(k)]));
+  if (distance <= this->Radius + reach)
+  {
+    this->Offer(distance + OffsetPenalty * label.Offset, label, this->SlotOf(label.Entry), chunk);
+  }
+}
+
+template <bool High>
+void Propagation<High>::Offer(
+  float key, const PropagationLabel& label, Id id, PropagationChunk& chunk)
+{
+  PropagationSlot& slot = this->Slots[id];
+  if (!(key <= slot.Key.load(std::memory_order_relaxed) && key < slot.Threshold))
+  {
+    if (this->HasRivals)
+    {
+      this->Lose(id, label, chunk);
+    }
+    return;
+  }
+  while (this->IsShared && slot.IsLocked.exchange(true, std::memory_order_acquire))
+  {
+    std::this_thread::yield();
+  }
+  const float best = slot.Key.load(std::memory_order_relaxed);
+  const bool isBetter = key < best || (key == best && ComesBefore(label, slot.Best));
+  if (this->HasRivals && best < UnreachedKey)
+  {
+    this->Lose(id, isBetter ? slot.Best : label, chunk);
+  }
+  if (isBetter)
+  {
+    slot.Key.store(key, std::memory_order_relaxed);
+    slot.Best = label;
+    slot.IsPending.store(true, std::memory_order_relaxed);
+  }
+  slot.IsLocked.store(false, std::memory_order_release);
+  if (isBetter)
+  {
+    this->Rounds.Push(chunk.Thread, key, id);
+  }
+}
+
+/// What a face or an edge does not keep may still be the first to reach a corner.
+template <bool High>
+void Propagation<High>::Lose(Id id, const PropagationLabel& label, PropagationChunk& chunk) const
+{
+  if (id >= this->FirstHub)
+  {
+    return;
+  }
+  const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
+  const auto look = [&](int corner) {
+    const Id v = face.Corners[corner];
+    const float distance = WayTo(corner, label, face).GetDistance();
+    if (distance <= this->Distances[v].load(std::memory_order_relaxed))
+    {
+      chunk.Shortcuts.push_back({ v, distance, label });
+    }
+  };
+  const int k = label.Entry % 3;
+  look(PreviousOf(k));
+  if (IsAtOrigin(label))
+  {
+    look(NextOf(k));
+  }
+}
+
+template <bool High>
+void Propagation<High>::TakeShortcuts(PropagationChunk& chunk)
+{
+  for (const PropagationShortcut& way : chunk.Shortcuts)
+  {
+    Lower(this->Distances[way.Vertex], way.Distance);
+    if (way.Label.Root != NoId)
+    {
+      this->ReachHub(way.Vertex, way.Distance, way.Label.Root, chunk);
+    }
+  }
+  if (this->WantsLabels)
+  {
+    this->Shortcuts.insert(this->Shortcuts.end(), chunk.Shortcuts.begin(), chunk.Shortcuts.end());
+  }
+  chunk.Shortcuts.clear();
+}
+
+template <bool High>
+const std::vector<PropagationShortcut>& Propagation<High>::FindShortcuts(
+  const ParallelFor& parallel)
+{
+  TakeWaysAlongEdges(
+    this->Mesh, this->Faces, this->Radius, parallel, this->Distances.get(), this->Shortcuts);
+  if (this->WantsLabels)
+  {
+    KeepShortest(this->Distances.get(), this->Shortcuts);
+  }
+  return this->Shortcuts;
+}
+
+template <bool High>
+Way Propagation<High>::SeeFrom(Id v, const PropagationLabel& label, VirtualPlace& place) const
+{
+  const Id f = SurfaceMesh::Face(label.Entry);
+  const PropagationFace& face = this->Faces[f];
+  const int corner = face.Corners[0] == v ? 0 : face.Corners[1] == v ? 1 : 2;
+  const Id at = 3 * f + corner;
+  const Way way = WayTo(corner, label, face);
+  const Point2 direction =
+    DirectionInFrame(this->Mesh, label.Entry, at, { way.Label.X - way.X, way.Label.Y - way.Y });
+  place = { way.Length * this->Faces.GetUnit(), at, std::atan2(direction.Y, direction.X) };
+  return way;
+}
+
+template <bool High>
+bool Propagation<High>::FindLabel(Id v, PropagationLabel& label, VirtualPlace& place) const
+{
+  float nearest = UnreachedKey;
+  for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+  {
+    const Id f = SurfaceMesh::Face(*g);
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const PropagationLabel& best = this->Slots[this->SlotOf(h)].Best;
+      VirtualPlace seen;
+      if (best.Entry != h)
+      {
+        continue;
+      }
+      const Way way = this->SeeFrom(v, best, seen);
+      const float rank = way.GetDistance() + OffsetPenalty * way.Label.Offset;
+      if (rank < nearest)
+      {
+        nearest = rank;
+        label = way.Label;
+        place = seen;
+      }
+    }
+  }
+  return nearest < UnreachedKey;
+}
+
+template class Propagation<false>;
+template class Propagation<true>;
+}
