@@ -42,13 +42,13 @@ def main():
         mesh = simple.OpenDataFile(name)
         count = len(support.points(mesh))
         ready = simple.GeodesicGraph(Input=mesh)
-        for label, source, make, arguments in (
-            ("Geodesic Distance", ready, simple.GeodesicDistance, {"GenerateVirtualSource": 1}),
-            ("Instant Geodesic Distance", mesh, simple.InstantGeodesicDistance, {"GenerateVirtualSource": 1}),
-            ("Exact Geodesic Distance", mesh, simple.ExactGeodesicDistance, {"GenerateWindows": 1}),
+        for source, make, inside in (
+            (ready, "GeodesicDistance", "GenerateVirtualSource"),
+            (mesh, "InstantGeodesicDistance", "GenerateVirtualSource"),
+            (mesh, "ExactGeodesicDistance", "GenerateWindows"),
         ):
-            a, b, cpu = measure(source, make, **arguments)
-            print(f"{label:27}{count:8} points {a:8.0f} {b:8.0f} {a + b:8.0f} {cpu:8.0f}")
+            a, b, cpu = measure(source, getattr(simple, make), **{inside: 1})
+            print(f"{make:27}{count:8} points {a:8.0f} {b:8.0f} {a + b:8.0f} {cpu:8.0f}")
 
 
 if __name__ == "__main__":

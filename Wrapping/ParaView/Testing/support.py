@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the plugin share.
 
-DGG_WRITE_BASELINE=1 in the environment writes the baselines of pictures anew. Look at them before you
-keep them.
+DGG_WRITE_BASELINE=1 in the environment writes the baselines of pictures anew. Look at them before
+you keep them.
 """
 
 import os

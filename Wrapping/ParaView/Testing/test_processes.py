@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A session on any number of processes, in pvbatch: the surface is read by one and given out to all.
-Alone, it writes its results; under mpiexec, they are compared with those."""
+"""A session on any number of processes, in pvbatch: the surface is read by one and given out to
+all. Alone, it writes its results; under mpiexec, they are compared with those."""
 
 import numpy as np
 import support

@@ -22,7 +22,8 @@ def arrays(pipeline):
 
 def in_session():
     """The pipeline that a state file or a script has made."""
-    return {name: simple.FindSource(name) for name in ("distance", "lines", "path", "cells", "green")}
+    names = ("distance", "lines", "path", "cells", "green")
+    return {name: simple.FindSource(name) for name in names}
 
 
 def run(script):

@@ -40,8 +40,9 @@ def large():
 
 
 class Watch:
-    """Observes the updates of a filter; stops them at the first progress when asked to. With several
-    outputs there are several updates: ParaView asks for each output, and what is aborted is missing.
+    """Observes the updates of a filter; stops them at the first progress when asked to. With
+    several outputs there are several updates: ParaView asks for each output, and what is aborted is
+    missing.
     """
 
     def __init__(self, proxy, stops=False, then=None):
