@@ -65,8 +65,8 @@
  *  - an extent outside [1e-70, 1e70]; more than 2^31 - 1 points or 3 * triangles; so many defects,
  *    or triangles so long, that the work would grow out of proportion;
  *  - one piece of several without a Controller that has as many processes; pieces with more points
- *    than GatherLimit, or that would take more than MemoryLimit on the first process. Memory that
- *    is exhausted amid a message all the same leaves the other processes waiting.
+ *    than GatherLimit, or that take more than MemoryLimit while they are gathered. Memory that is
+ *    exhausted amid a message all the same leaves the other processes waiting.
  *
  * An input without points and cells is a warning, with an empty output. AbortExecute, set by an
  * observer of ProgressEvent, empties the output with error code zero; the next update starts anew.

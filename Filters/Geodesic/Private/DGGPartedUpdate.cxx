@@ -187,8 +187,8 @@ dgg::Status DGGPartedUpdate::FindParts(const DGGProcesses& processes, vtkIdType 
 }
 
 //------------------------------------------------------------------------------
-/// Before messages, in the midst of which it would be too late: what others send takes its size
-/// twice, as a message and read, or joined.
+/// Before messages, in the midst of which it would be too late: what is sent takes its size twice
+/// on either side, as a message and when it is made or read.
 dgg::Status DGGPartedUpdate::CheckMemory(
   const DGGProcesses& processes, vtkTypeUInt64 limit, const std::vector<int>& isSame) const
 {
@@ -200,10 +200,11 @@ dgg::Status DGGPartedUpdate::CheckMemory(
       here += isSame[p] ? 0 : static_cast<vtkIdType>(part.Data->GetActualMemorySize());
     }
   }
-  const auto others = static_cast<double>(processes.Sum(here) - here);
-  return processes.Agree(processes.IsFirst() && others > 0.0
-      ? DGGCheckMemory("gathering the pieces of other processes", 2.0 * 1024.0 * others, limit,
-          "run the first process where there is more memory, make the surface smaller")
+  const vtkIdType others = processes.Sum(here) - here;
+  const double bytes = 2.0 * 1024.0 * static_cast<double>(processes.IsFirst() ? others : here);
+  return processes.Agree(bytes > 0.0
+      ? DGGCheckMemory("gathering the pieces of all processes", bytes, limit,
+          "run them where there is more memory, make the surface smaller")
       : dgg::Status::Success());
 }
 

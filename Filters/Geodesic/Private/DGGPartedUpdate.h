@@ -31,7 +31,7 @@ public:
 
   /// Outputs are filled on all processes, or none. `passesSurface`: output 0 is input 0 with arrays
   /// added, and gets its parts; other outputs come as a whole on the first process. `limit` is the
-  /// most points that may be gathered, `memory` a MemoryLimit for what the first process receives.
+  /// most points that may be gathered, `memory` a MemoryLimit for the messages.
   /// Memory that is exhausted in the midst of a message is not repaired: others wait for ever.
   dgg::Status Run(const DGGProcesses& processes, vtkIdType limit, vtkTypeUInt64 memory,
     vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs,
