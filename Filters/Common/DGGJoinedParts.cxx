@@ -65,8 +65,11 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
   same = same && (hasFaces || data->GetNumberOfArrays() == b->GetPointData()->GetNumberOfArrays());
   for (int i = 0; i < data->GetNumberOfArrays() && same && !hasFaces; ++i)
   {
-    vtkDataArray* array = data->GetArray(i);
-    same = array && AreSame(array, b->GetPointData()->GetArray(array->GetName()));
+    vtkDataArray* array = data->GetArray(i); // strings do not count
+    same = !array ||
+      AreSame(array,
+        array->GetName() ? b->GetPointData()->GetArray(array->GetName())
+                         : b->GetPointData()->GetArray(i));
   }
   return same;
 }
@@ -90,9 +93,10 @@ std::vector<vtkDataArray*> FindGlobalIds(const Parts& parts, bool ofPoints)
   return ids;
 }
 
+/// Exact, other than through double.
 vtkIdType GetId(vtkDataArray* ids, vtkIdType i)
 {
-  return static_cast<vtkIdType>(ids->GetComponent(i, 0));
+  return static_cast<vtkIdType>(ids->GetVariantValue(i).ToTypeInt64());
 }
 
 /// Points with the same global ids in one block are one. Fails where these are in different places,
@@ -169,7 +173,8 @@ void NumberPoints(const Parts& parts, const std::vector<vtkDataArray*>& ids,
   }
 }
 
-/// The same for cells, kind by kind. Those with the same global id are one.
+/// The same for cells, kind by kind. Those with the same global id on the same points are one; on
+/// others they are not, as faces of a volume have its ids.
 void NumberCells(const Parts& parts, const std::vector<vtkDataArray*>& ids, Numbers& numbers)
 {
   vtkIdType next = 0;
@@ -179,11 +184,7 @@ void NumberCells(const Parts& parts, const std::vector<vtkDataArray*>& ids, Numb
     std::vector<Origin> order;
     for (std::size_t p = 0; p < parts.size(); ++p)
     {
-      vtkIdType cell = 0;
-      for (int before = 0; before < kind; ++before)
-      {
-        cell += DGGGetCells(parts[p].Data, before)->GetNumberOfCells();
-      }
+      auto cell = static_cast<vtkIdType>(numbers[p].Cells.size());
       const vtkIdType end = cell + DGGGetCells(parts[p].Data, kind)->GetNumberOfCells();
       numbers[p].Cells.resize(static_cast<std::size_t>(end), -1);
       for (; cell < end; ++cell)
@@ -191,12 +192,32 @@ void NumberCells(const Parts& parts, const std::vector<vtkDataArray*>& ids, Numb
         order.emplace_back(parts[p].Block, ids.empty() ? 0 : GetId(ids[p], cell), p, cell);
       }
     }
-    std::sort(order.begin(), order.end());
+    const auto hasSameId = [&](const Origin& a, const Origin& b) {
+      return !ids.empty() && std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
+    };
+    const auto getCorners = [&](const Origin& origin) {
+      const std::size_t p = std::get<2>(origin);
+      vtkCellArray* cells = DGGGetCells(parts[p].Data, kind);
+      const auto end = static_cast<vtkIdType>(numbers[p].Cells.size());
+      vtkIdType size = 0;
+      const vtkIdType* points = nullptr;
+      cells->GetCellAtId(std::get<3>(origin) - (end - cells->GetNumberOfCells()), size, points);
+      std::vector<vtkIdType> corners;
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        corners.push_back(numbers[p].Points[points[k]]);
+      }
+      std::sort(corners.begin(), corners.end());
+      return corners;
+    };
+    std::sort(order.begin(), order.end(), [&](const Origin& a, const Origin& b) {
+      return hasSameId(a, b) ? std::make_pair(getCorners(a), a) < std::make_pair(getCorners(b), b)
+                             : a < b;
+    });
     for (std::size_t k = 0; k < order.size(); ++k)
     {
-      const bool isAgain = !ids.empty() && k > 0 &&
-        std::get<0>(order[k - 1]) == std::get<0>(order[k]) &&
-        std::get<1>(order[k - 1]) == std::get<1>(order[k]);
+      const bool isAgain = k > 0 && hasSameId(order[k - 1], order[k]) &&
+        getCorners(order[k - 1]) == getCorners(order[k]);
       next += isAgain ? 0 : 1;
       numbers[std::get<2>(order[k])].Cells[std::get<3>(order[k])] = next - 1;
     }
@@ -284,7 +305,7 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
     [&](std::size_t a, std::size_t b) { return parts[a].Block < parts[b].Block; });
   std::vector<std::size_t> used; // those that are not empty, but the first of several
   std::vector<std::size_t> first(parts.size());
-  double size = 0.0;
+  vtkIdType size = 0;
   for (const std::size_t p : order)
   {
     const auto same = std::find_if(used.begin(), used.end(), [&](std::size_t q) {
@@ -294,7 +315,7 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
     if (same == used.end() && !DGGIsEmpty(parts[p].Data))
     {
       used.push_back(p);
-      size += static_cast<double>(parts[p].Data->GetNumberOfPoints());
+      size += parts[p].Data->GetNumberOfPoints();
     }
   }
   if (size > std::numeric_limits<dgg::Id>::max())

@@ -40,8 +40,9 @@ struct DGGPartResult
 ///    the same place.
 ///
 /// Points are numbered block by block, in each of them by global ids or else part by part in the
-/// order in which they come; cells alike, within their kind. A part that another process has as
-/// well counts once. One part alone stays as it is.
+/// order in which they come; cells alike, within their kind, where those with the same global id on
+/// the same points are one. A part that another process has as well counts once. One part alone
+/// stays as it is.
 class VTKDGGFILTERSCOMMON_EXPORT DGGJoinedParts
 {
 public:

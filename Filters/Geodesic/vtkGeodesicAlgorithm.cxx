@@ -340,8 +340,8 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
     return this->Try([&] { return this->Compute(inputs, outputs); }, errorCode);
   };
   const dgg::Status status = this->Parts->Run(DGGProcesses(pieces > 1 ? this->Controller : nullptr),
-    pieces > 1 ? this->GatherLimit : VTK_ID_MAX, inputVector, ports, outputVector,
-    this->PassesSurface(), compute);
+    pieces > 1 ? this->GatherLimit : VTK_ID_MAX, this->MemoryLimit, inputVector, ports,
+    outputVector, this->PassesSurface(), compute);
   if (status.IsOk() && this->Parts->GetNumberOfOthers() > 0)
   {
     vtkWarningMacro(<< this->Parts->GetNumberOfOthers()

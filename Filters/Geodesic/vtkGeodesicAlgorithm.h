@@ -47,9 +47,10 @@
  *  - Ids of points and cells are those of the joined surface: block by block, in each by global ids
  *    or else part by part.
  *  - An output that is the input with arrays added has the parts and the type of the input; for
- *    blocks, GetOutput() is null, and GetOutputDataObject(0) has them. Field data of the whole,
- * such as a graph, are those of the data object itself on the first process. New geometry is one
- *    vtkPolyData there; so is what getters tell. What is joined is kept until a part changes.
+ *    blocks, GetOutput() is null, and GetOutputDataObject(0) has them. Ghost cells are missing
+ *    there. Field data of the whole, such as a graph, are those of the data object itself on the
+ *    first process. New geometry is one vtkPolyData there; so is what getters tell. What is joined
+ *    is kept until a part changes.
  *
  * <b>Guarantee and cost</b>. Results do not depend on the number of threads. The mesh is prepared
  * once, kept until points, polygons or strips change, and shared by the filters of a chain. Changes
@@ -64,7 +65,8 @@
  *  - an extent outside [1e-70, 1e70]; more than 2^31 - 1 points or 3 * triangles; so many defects,
  *    or triangles so long, that the work would grow out of proportion;
  *  - one piece of several without a Controller that has as many processes; pieces with more points
- *    than GatherLimit.
+ *    than GatherLimit, or that take more than MemoryLimit while they are gathered. Memory that is
+ *    exhausted amid a message all the same leaves the other processes waiting.
  *
  * An input without points and cells is a warning, with an empty output. AbortExecute, set by an
  * observer of ProgressEvent, empties the output with error code zero; the next update starts anew.

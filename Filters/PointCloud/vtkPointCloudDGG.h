@@ -216,7 +216,8 @@ public:
   /**
    * Predict the memory of the graph from the edges of some points, with the input brought up to
    * date. Returns GetEstimatedMemory(); 0 after an error, an abort or, with a warning, for an empty
-   * input. GetErrorCode() changes by an error only.
+   * input. GetErrorCode() changes by an error only. On several processes the graph is that of the
+   * piece that is here; all must call it.
    */
   vtkTypeUInt64 EstimateMemory();
 

@@ -382,6 +382,58 @@ TEST_F(Blocks, PartitionsAreJoined)
 }
 
 //------------------------------------------------------------------------------
+/// As of faces of a volume cell. What two parts have is known by its points as well.
+TEST_F(Blocks, CellsWithOneGlobalId)
+{
+  vtkPolyData* surface = this->Surfaces[2];
+  const Labels labels = LabelStrips(surface, 2);
+  vtkNew<vtkPartitionedDataSet> partitions;
+  for (int i = 0; i < 2; ++i)
+  {
+    const auto part = TakePart(surface, labels, i, PartIds::Global, true);
+    for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(part->GetPointData()),
+           static_cast<vtkDataSetAttributes*>(part->GetCellData()) })
+    {
+      data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+    }
+    vtkDataArray* ids = part->GetCellData()->GetGlobalIds();
+    for (vtkIdType c = 0; c < ids->GetNumberOfTuples(); ++c)
+    {
+      ids->SetComponent(c, 0, std::floor(ids->GetComponent(c, 0) / 2.0));
+    }
+    partitions->SetPartition(static_cast<unsigned int>(i), part);
+  }
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputDataObject(partitions);
+  filter->SetSourceIds({ 0 });
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfTriangles(), surface->GetNumberOfCells());
+  EXPECT_EQ(filter->GetNumberOfDuplicateFaces(), 0);
+}
+
+//------------------------------------------------------------------------------
+/// The same leaves, at first in one surface and then in two.
+TEST_F(Blocks, LeavesGroupedAnew)
+{
+  const auto surface = MakeTerrain(17);
+  const Labels labels = LabelStrips(surface, 2);
+  const auto left = TakePart(surface, labels, 0);
+  const auto right = TakePart(surface, labels, 1);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetSourceIds({ 0 });
+  for (const unsigned int members : { 1u, 2u, 1u })
+  {
+    vtkNew<vtkPartitionedDataSetCollection> collection;
+    collection->SetPartition(0, 0, left);
+    collection->SetPartition(members - 1, members == 1 ? 1 : 0, right);
+    filter->SetInputDataObject(collection);
+    const Listener silence(filter); // of blocks that touch
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfComponents(), members);
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Blocks that touch are joined only on demand.
 TEST_F(Blocks, BlocksThatTouch)
 {

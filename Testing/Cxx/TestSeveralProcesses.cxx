@@ -24,11 +24,13 @@
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSphereSource.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkXMLPPolyDataReader.h"
 #include "vtkXMLPPolyDataWriter.h"
@@ -210,6 +212,33 @@ TEST_F(SeveralProcesses, GlobalIdsNumberPoints)
     const auto alone = Alone<vtkDGGDistance>(this->Surface, prepare);
     const auto filter = this->Together<vtkDGGDistance>(part, prepare);
     ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Ids that neither 32 bits nor a double hold.
+TEST_F(SeveralProcesses, LargeGlobalIds)
+{
+  const auto part = this->TakeStrip(this->Surface, PartIds::Global);
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(part->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(part->GetCellData()) })
+  {
+    auto* ids = vtkIdTypeArray::SafeDownCast(data->GetGlobalIds());
+    ASSERT_NE(ids, nullptr);
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      ids->SetValue(i, ids->GetValue(i) + (vtkIdType(1) << 54) + (vtkIdType(1) << 33));
+    }
+  }
+  const std::function<void(vtkDGGDistance*)> prepare = [](vtkDGGDistance* filter) {
+    filter->SetSourceIds({ 77, 500 });
+  };
+  const auto alone = Alone<vtkDGGDistance>(this->Surface, prepare);
+  const auto filter = this->Together<vtkDGGDistance>(part, prepare);
+  ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
+  if (this->IsFirst())
+  {
+    EXPECT_EQ(filter->GetNumberOfTriangles(), this->Surface->GetNumberOfCells());
   }
 }
 
@@ -414,6 +443,15 @@ TEST_F(SeveralProcesses, SourcesCountOnce)
 {
   const auto part = this->TakeStrip(this->Surface);
   const auto sources = MakeSources();
+  vtkNew<vtkStringArray> names;
+  names->SetName("Names");
+  names->InsertNextValue("one");
+  names->InsertNextValue("other");
+  vtkNew<vtkDoubleArray> unnamed;
+  unnamed->InsertNextValue(1.0);
+  unnamed->InsertNextValue(2.0);
+  sources->GetPointData()->AddArray(names);
+  sources->GetPointData()->AddArray(unnamed);
   vtkNew<vtkPolyData> none;
   for (const std::string where : { "everywhere", "first", "last", "one each" })
   {
@@ -638,6 +676,9 @@ TEST_F(SeveralProcesses, ErrorsOfOneProcess)
   filter->SetGatherLimit(100);
   expectError("GatherLimit is 100");
   filter->SetGatherLimit(1000000);
+  filter->SetMemoryLimit(1000);
+  expectError("gathering the pieces");
+  filter->SetMemoryLimit(0);
   filter->SetProjectionTolerance(-1.0);
   expectError("ProjectionTolerance");
   filter->SetProjectionTolerance(0.01);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGPartedUpdate.h"
 
+#include "DGGFreeMemory.h"
+
 #include "dggInvalidInput.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -72,8 +74,8 @@ dgg::Status DGGPartedUpdate::Join(vtkDataObject* input, vtkSmartPointer<vtkPolyD
 
 //------------------------------------------------------------------------------
 dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
-  vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs,
-  bool passesSurface, const Step& step)
+  vtkTypeUInt64 memory, vtkInformationVector** inputs, int numberOfInputs,
+  vtkInformationVector* outputs, bool passesSurface, const Step& step)
 {
   if (!(processes == this->Processes))
   {
@@ -81,15 +83,21 @@ dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
     this->Processes = processes;
   }
   this->Ports.resize(static_cast<std::size_t>(numberOfInputs));
-  const dgg::Status gathered = this->FindParts(processes, limit, inputs);
+  const dgg::Status gathered = this->FindParts(processes, limit, memory, inputs);
   if (!gathered.IsOk())
   {
     this->Ports.clear(); // so that the next update looks again
     return gathered;
   }
-  DGG_RETURN_IF_ERROR(processes.Agree(processes.IsFirst()
+  const dgg::Status computed = processes.Agree(processes.IsFirst()
       ? Guard([&] { return this->Compute(inputs, outputs, passesSurface, step); })
-      : dgg::Status::Success()));
+      : dgg::Status::Success());
+  if (!computed.IsOk())
+  {
+    this->Outputs.clear();
+    this->Results.clear();
+    return computed;
+  }
   for (int port = passesSurface ? 1 : 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
@@ -111,8 +119,8 @@ dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
 
 //------------------------------------------------------------------------------
 /// Find those here, and gather them where they have changed on any process.
-dgg::Status DGGPartedUpdate::FindParts(
-  const DGGProcesses& processes, vtkIdType limit, vtkInformationVector** inputs)
+dgg::Status DGGPartedUpdate::FindParts(const DGGProcesses& processes, vtkIdType limit,
+  vtkTypeUInt64 memory, vtkInformationVector** inputs)
 {
   std::vector<int> isSame;
   vtkIdType numberOfPoints = 0;
@@ -124,10 +132,10 @@ dgg::Status DGGPartedUpdate::FindParts(
       vtkIdType others = 0;
       std::vector<DGGSurfacePart> parts = DGGFindParts(GetData(inputs[p]), others);
       this->Others += others;
-      std::vector<std::pair<const void*, vtkMTimeType>> key;
+      std::vector<PartKey> key;
       for (const DGGSurfacePart& part : parts)
       {
-        key.emplace_back(part.Data, part.Data->GetMTime());
+        key.emplace_back(part.Data, part.Data->GetMTime(), part.Block);
         numberOfPoints += part.Data->GetNumberOfPoints();
       }
       isSame.push_back(port.Joined.GetWhole() && key == port.Key ? 1 : 0);
@@ -154,6 +162,7 @@ dgg::Status DGGPartedUpdate::FindParts(
       "the surface smaller");
   }
   isSame = processes.AndAll(isSame);
+  DGG_RETURN_IF_ERROR(this->CheckMemory(processes, memory, isSame));
   dgg::Status joined;
   for (std::size_t p = 0; p < this->Ports.size(); ++p)
   {
@@ -163,7 +172,8 @@ dgg::Status DGGPartedUpdate::FindParts(
       continue;
     }
     std::vector<DGGSurfacePart> all = port.Parts;
-    port.Counts = processes.Gather(all);
+    const dgg::Status gathered = processes.Gather(all, port.Counts);
+    joined = joined.IsOk() ? gathered : joined;
     if (joined.IsOk() && processes.IsFirst())
     {
       joined = Guard([&] { return port.Joined.Join(all); });
@@ -174,6 +184,28 @@ dgg::Status DGGPartedUpdate::FindParts(
     }
   }
   return processes.Agree(joined);
+}
+
+//------------------------------------------------------------------------------
+/// Before messages, in the midst of which it would be too late: what is sent takes its size twice
+/// on either side, as a message and when it is made or read.
+dgg::Status DGGPartedUpdate::CheckMemory(
+  const DGGProcesses& processes, vtkTypeUInt64 limit, const std::vector<int>& isSame) const
+{
+  vtkIdType here = 0; // in KiB
+  for (std::size_t p = 0; p < this->Ports.size(); ++p)
+  {
+    for (const DGGSurfacePart& part : this->Ports[p].Parts)
+    {
+      here += isSame[p] ? 0 : static_cast<vtkIdType>(part.Data->GetActualMemorySize());
+    }
+  }
+  const vtkIdType others = processes.Sum(here) - here;
+  const double bytes = 2.0 * 1024.0 * static_cast<double>(processes.IsFirst() ? others : here);
+  return processes.Agree(bytes > 0.0
+      ? DGGCheckMemory("gathering the pieces of all processes", bytes, limit,
+          "run them where there is more memory, make the surface smaller")
+      : dgg::Status::Success());
 }
 
 //------------------------------------------------------------------------------

@@ -11,7 +11,7 @@
 #include "vtkInformationVector.h" // for inputs and outputs of the step
 
 #include <functional> // for the step
-#include <utility>    // for the key
+#include <tuple>      // for the key
 #include <vector>     // for the ports
 
 /// Joins the parts of the inputs, blocks, partitions and what other processes have, has the first
@@ -31,9 +31,11 @@ public:
 
   /// Outputs are filled on all processes, or none. `passesSurface`: output 0 is input 0 with arrays
   /// added, and gets its parts; other outputs come as a whole on the first process. `limit` is the
-  /// most points that may be gathered.
-  dgg::Status Run(const DGGProcesses& processes, vtkIdType limit, vtkInformationVector** inputs,
-    int numberOfInputs, vtkInformationVector* outputs, bool passesSurface, const Step& step);
+  /// most points that may be gathered, `memory` a MemoryLimit for the messages.
+  /// Memory that is exhausted in the midst of a message is not repaired: others wait for ever.
+  dgg::Status Run(const DGGProcesses& processes, vtkIdType limit, vtkTypeUInt64 memory,
+    vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs,
+    bool passesSurface, const Step& step);
 
   /// The whole of an input, on this process alone.
   static dgg::Status Join(vtkDataObject* input, vtkSmartPointer<vtkPolyData>& whole);
@@ -42,16 +44,20 @@ public:
   vtkIdType GetNumberOfOthers() const { return this->Others; }
 
 private:
+  using PartKey = std::tuple<const void*, vtkMTimeType, int>; // object, time, block
+
   struct Port
   {
-    std::vector<std::pair<const void*, vtkMTimeType>> Key; // of the parts on this process
-    std::vector<DGGSurfacePart> Parts;                     // those here, without ghosts
-    std::vector<std::size_t> Counts;                       // of parts, per process
-    DGGJoinedParts Joined;                                 // on the first process
+    std::vector<PartKey> Key;          // of the parts on this process
+    std::vector<DGGSurfacePart> Parts; // those here, without ghosts
+    std::vector<std::size_t> Counts;   // of parts, per process
+    DGGJoinedParts Joined;             // on the first process
   };
 
-  dgg::Status FindParts(
-    const DGGProcesses& processes, vtkIdType limit, vtkInformationVector** inputs);
+  dgg::Status FindParts(const DGGProcesses& processes, vtkIdType limit, vtkTypeUInt64 memory,
+    vtkInformationVector** inputs);
+  dgg::Status CheckMemory(
+    const DGGProcesses& processes, vtkTypeUInt64 limit, const std::vector<int>& isSame) const;
   dgg::Status Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
     bool passesSurface, const Step& step);
   void Deliver(vtkDataObject* input, vtkDataObject* output);

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGProcesses.h"
 
+#include "dggInvalidInput.h"
+
+#include "vtkCellData.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <string>
 
@@ -15,7 +19,7 @@ namespace
 {
 constexpr int First = 0;
 constexpr int PartTag = 5811;
-constexpr int ResultTag = 5812;
+constexpr int ArrayTag = 5812;
 
 void SendArrays(vtkMultiProcessController* controller, const DGGChangedArrays& arrays, int to)
 {
@@ -32,7 +36,8 @@ void SendArrays(vtkMultiProcessController* controller, const DGGChangedArrays& a
   for (vtkDataArray* array : arrays.Added)
   {
     // What VTK's messages of arrays leave out.
-    stream << array->GetDataType() << std::string(array->GetName())
+    const char* arrayName = array->GetName();
+    stream << array->GetDataType() << std::string(arrayName ? arrayName : "")
            << array->GetNumberOfComponents();
     for (int k = 0; k < array->GetNumberOfComponents(); ++k)
     {
@@ -40,18 +45,18 @@ void SendArrays(vtkMultiProcessController* controller, const DGGChangedArrays& a
       stream << std::string(name ? name : "");
     }
   }
-  controller->Send(stream, to, ResultTag);
+  controller->Send(stream, to, ArrayTag);
   for (vtkDataArray* array : arrays.Added)
   {
-    controller->Send(array, to, ResultTag);
+    controller->Send(array, to, ArrayTag);
   }
 }
 
-DGGChangedArrays ReceiveArrays(vtkMultiProcessController* controller)
+DGGChangedArrays ReceiveArrays(vtkMultiProcessController* controller, int from)
 {
   DGGChangedArrays arrays;
   vtkMultiProcessStream stream;
-  controller->Receive(stream, First, ResultTag);
+  controller->Receive(stream, from, ArrayTag);
   int removed = 0;
   int added = 0;
   stream >> removed >> added;
@@ -71,8 +76,8 @@ DGGChangedArrays ReceiveArrays(vtkMultiProcessController* controller)
     std::string name;
     stream >> type >> name >> components;
     const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-    controller->Receive(array, First, ResultTag);
-    array->SetName(name.c_str());
+    controller->Receive(array, from, ArrayTag);
+    array->SetName(name.empty() ? nullptr : name.c_str());
     array->SetNumberOfComponents(components);
     for (int k = 0; k < components; ++k)
     {
@@ -85,6 +90,47 @@ DGGChangedArrays ReceiveArrays(vtkMultiProcessController* controller)
     arrays.Added.push_back(array);
   }
   return arrays;
+}
+
+/// VTK's messages of data sets cut ids to 32 bits: their arrays go for themselves.
+DGGChangedArrays TakeIds(vtkDataSetAttributes* data)
+{
+  DGGChangedArrays ids;
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    vtkAbstractArray* active = data->GetAbstractAttribute(type);
+    ids.Active[type] = active && active->GetName() ? active->GetName() : "";
+  }
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (array && array->GetDataType() == VTK_ID_TYPE)
+    {
+      ids.Added.emplace_back(array);
+      data->RemoveArray(i);
+    }
+  }
+  return ids;
+}
+
+void SendPart(vtkMultiProcessController* controller, vtkPolyData* part)
+{
+  vtkNew<vtkPolyData> bare;
+  bare->ShallowCopy(part);
+  bare->GetFieldData()->Initialize();
+  const DGGPartResult ids{ TakeIds(bare->GetPointData()), TakeIds(bare->GetCellData()) };
+  controller->Send(bare, First, PartTag);
+  SendArrays(controller, ids.Points, First);
+  SendArrays(controller, ids.Cells, First);
+}
+
+void ReceivePart(vtkMultiProcessController* controller, vtkPolyData* part, int from)
+{
+  controller->Receive(part, from, PartTag);
+  DGGPartResult ids;
+  ids.Points = ReceiveArrays(controller, from);
+  ids.Cells = ReceiveArrays(controller, from);
+  DGGJoinedParts::AddResult(ids, part);
 }
 }
 
@@ -142,30 +188,30 @@ std::vector<int> DGGProcesses::AndAll(const std::vector<int>& holds) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::size_t> DGGProcesses::Gather(std::vector<DGGSurfacePart>& parts) const
+dgg::Status DGGProcesses::Gather(
+  std::vector<DGGSurfacePart>& parts, std::vector<std::size_t>& counts) const
 {
-  std::vector<std::size_t> counts(1, parts.size());
+  counts.assign(1, parts.size());
   if (!this->IsFirst())
   {
     vtkMultiProcessStream stream;
     stream << static_cast<int>(parts.size());
     for (const DGGSurfacePart& part : parts)
     {
-      stream << part.Block << (DGGIsEmpty(part.Data) ? 1 : 0);
+      stream << part.Block << static_cast<vtkTypeInt64>(part.Data->GetNumberOfPoints())
+             << static_cast<vtkTypeInt64>(part.Data->GetNumberOfCells());
     }
     this->Controller->Send(stream, First, PartTag);
     for (const DGGSurfacePart& part : parts)
     {
       if (!DGGIsEmpty(part.Data))
       {
-        vtkNew<vtkPolyData> bare;
-        bare->ShallowCopy(part.Data);
-        bare->GetFieldData()->Initialize();
-        this->Controller->Send(bare, First, PartTag);
+        SendPart(this->Controller, part.Data);
       }
     }
-    return counts;
+    return dgg::Status::Success();
   }
+  dgg::Status status;
   const int processes = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
   for (int process = 1; process < processes; ++process)
   {
@@ -176,17 +222,24 @@ std::vector<std::size_t> DGGProcesses::Gather(std::vector<DGGSurfacePart>& parts
     for (int i = 0; i < count; ++i)
     {
       DGGSurfacePart part{ vtkSmartPointer<vtkPolyData>::New(), 0 };
-      int isEmpty = 0;
-      stream >> part.Block >> isEmpty;
-      if (!isEmpty)
+      vtkTypeInt64 points = 0;
+      vtkTypeInt64 cells = 0;
+      stream >> part.Block >> points >> cells;
+      if (points > 0 || cells > 0)
       {
-        this->Controller->Receive(part.Data, process, PartTag);
+        ReceivePart(this->Controller, part.Data, process);
+      }
+      if (part.Data->GetNumberOfPoints() != points || part.Data->GetNumberOfCells() != cells)
+      {
+        status = dgg::InvalidInput("of ", points, " points and ", cells, " cells that process ",
+          process, " has sent, ", part.Data->GetNumberOfPoints(), " and ",
+          part.Data->GetNumberOfCells(), " have arrived: repair the piece, or make it smaller");
       }
       parts.push_back(part);
     }
     counts.push_back(static_cast<std::size_t>(count));
   }
-  return counts;
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -198,8 +251,8 @@ void DGGProcesses::Scatter(
     results.resize(counts[0]);
     for (DGGPartResult& result : results)
     {
-      result.Points = ReceiveArrays(this->Controller);
-      result.Cells = ReceiveArrays(this->Controller);
+      result.Points = ReceiveArrays(this->Controller, First);
+      result.Cells = ReceiveArrays(this->Controller, First);
     }
     return;
   }

@@ -32,9 +32,10 @@ public:
   /// Whether something holds on all of them, item by item.
   std::vector<int> AndAll(const std::vector<int>& holds) const;
 
-  /// On the first process: append the parts of the others, process by process. Returns how many
-  /// parts each of them has.
-  std::vector<std::size_t> Gather(std::vector<DGGSurfacePart>& parts) const;
+  /// On the first process: append the parts of the others, process by process, and count those of
+  /// each. Fails there when one does not arrive as it was sent; the others are received all the
+  /// same.
+  dgg::Status Gather(std::vector<DGGSurfacePart>& parts, std::vector<std::size_t>& counts) const;
   /// Back again: the first process has the results of all parts, the others get theirs.
   void Scatter(const std::vector<std::size_t>& counts, std::vector<DGGPartResult>& results) const;
 
