@@ -23,6 +23,7 @@ list(APPEND doc_inputs
   Examples/README.md
   Testing/README.md
   Testing/Benchmark/README.md
+  Wrapping/ParaView/README.md
   Wrapping/Python/README.md)
 
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${CMAKE_CURRENT_SOURCE_DIR}/README.md")
@@ -34,7 +35,7 @@ set(DOXYGEN_FILTER_PATTERNS
 set(DOXYGEN_DISTRIBUTE_GROUP_DOC YES)
 # What VTK documents.
 set(DOXYGEN_EXCLUDE_SYMBOLS
-  FillInputPortInformation FillOutputPortInformation New PrintSelf RequestData WriteData
+  FillInputPortInformation FillOutputPortInformation New PrintSelf ProcessRequest RequestData WriteData
   vtkDGG::Detail)
 set(DOXYGEN_MACRO_EXPANSION YES)
 set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
