@@ -49,8 +49,8 @@
  *  - An output that is the input with arrays added has the parts and the type of the input; for
  *    blocks, GetOutput() is null, and GetOutputDataObject(0) has them. Ghost cells are missing
  *    there. Field data of the whole, such as a graph, are those of the data object itself on the
- *    first process. New geometry is one vtkPolyData there; so is what getters tell. What is joined
- *    is kept until a part changes.
+ *    first process. New geometry is one vtkPolyData there, and getters report there only. What is
+ *    joined is kept until a part changes.
  *
  * <b>Guarantee and cost</b>. Results do not depend on the number of threads. The mesh is prepared
  * once, kept until points, polygons or strips change, and shared by the filters of a chain. Changes

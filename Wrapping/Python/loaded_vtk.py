@@ -28,8 +28,8 @@ def require():
 
 
 def _library():
-    """The name of VTK's core library in this process, where the system tells (Linux). Builds of one
-    version differ, as ParaView's do from others, and two in one process do not get along."""
+    """The name of VTK's core library in this process, where the system reports it (Linux). Builds of
+    one version differ, as ParaView's do from others, and two in one process do not get along."""
     try:
         with open("/proc/self/maps", encoding="utf-8", errors="replace") as maps:
             found = re.search(r"/(libvtkCommonCore[^/\n]*)\.so", maps.read())

@@ -38,7 +38,7 @@ public:
 
   using Sources = std::vector<const std::vector<GraphSeed>*>;
 
-  /// `goes` is asked between parts of the work. False when it has told to stop.
+  /// `goes` is asked between parts of the work whether to go on. Returns false when it was stopped.
   bool Run(const Sources& sources, double radius, const SweepOrder& order,
     const std::function<bool()>& goes);
 

@@ -13,7 +13,7 @@
 
 inline void dggCheckVersion()
 {
-  // The other functions of vtkVersion are inline: they tell the version of the build.
+  // The other functions of vtkVersion are inline: they report the version of the build.
   if (std::strncmp(vtkVersion::GetVTKVersionFull(), VTK_VERSION, std::strlen(VTK_VERSION)) != 0)
   {
     vtkGenericWarningMacro(

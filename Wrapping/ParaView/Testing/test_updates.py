@@ -70,7 +70,7 @@ class Updates(unittest.TestCase):
         simple.ResetSession()
 
     def test_progress_and_abort(self):
-        """What ParaView's progress bar gets, and that an abort is heard at once."""
+        """What ParaView's progress bar gets, and that an abort takes effect at once."""
         mesh = large()
         handler = sm.ActiveConnection.Session.GetProgressHandler()
         bar = []
