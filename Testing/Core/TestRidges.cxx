@@ -482,10 +482,10 @@ TEST(Ridges, OfRoundingAloneComeToAnEnd)
 TEST(Ridges, DoNotDependOnThreadsAndCanBeStopped)
 {
   const RidgeCase test(Torus(24, 14), { VertexSource(3) }, 5.0);
-  ProgressListener listener;
+  ProgressListener listener; // of one thread
   Ridges again;
-  ASSERT_TRUE(
-    FindRidges(test.Field, test.Options, WithThreads(3), std::ref(listener), again).IsOk());
+  ASSERT_TRUE(FindRidges(test.Field, test.Options, {}, std::ref(listener), again).IsOk());
+  ASSERT_TRUE(FindRidges(test.Field, test.Options, WithThreads(3), {}, again).IsOk());
   ASSERT_EQ(again.Lines.size(), test.Found.Lines.size());
   for (std::size_t i = 0; i < again.Lines.size(); ++i)
   {

@@ -8,10 +8,11 @@ import textwrap
 
 import support
 
-# From the root. Every README.md of the source tree is one.
+# From the root. Every page of the source tree is one.
 PAGES = (
     "README.md",
     "Examples/README.md",
+    "Examples/Solved.md",
     "Filters/Geodesic/README.md",
     "Filters/PointCloud/README.md",
     "Filters/Spectral/README.md",

@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import unittest
+import warnings
 
 import numpy as np
 import pages
@@ -66,8 +67,8 @@ class Pages(unittest.TestCase):
         found = set()
         for folder, folders, files in os.walk(support.ROOT):
             folders[:] = [f for f in folders if not f.startswith(".") and f not in ("build", "out")]
-            if "README.md" in files:
-                found.add(os.path.relpath(os.path.join(folder, "README.md"), support.ROOT))
+            names = (name for name in files if name.endswith(".md"))
+            found.update(os.path.relpath(os.path.join(folder, n), support.ROOT) for n in names)
         self.assertEqual(found, set(pages.PAGES))
 
     def test_front_page_is_short(self):
@@ -92,6 +93,7 @@ class Pages(unittest.TestCase):
             ("README.md", "python"): 2,
             ("README.md", "cpp"): 1,
             ("Examples/README.md", "python"): len(Gallery.EXPECTED),
+            ("Examples/Solved.md", "python"): 28,
             ("Filters/Geodesic/README.md", "py"): 1,
             ("Filters/PointCloud/README.md", "python"): 1,
             ("Readers/README.md", "python"): 1,
@@ -169,6 +171,61 @@ class PythonPage(unittest.TestCase):
             words = [os.path.join(folder, word) if is_file(word) else word for word in words[1:]]
             result = support.command(*words)
             self.assertEqual(result.returncode, 0, result.stderr)
+
+
+class Solved(unittest.TestCase):
+    """The answers run one after the other, as the page says."""
+
+    @classmethod
+    def setUpClass(cls):
+        names = cls.names = {}
+        cls.printed = []
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)
+            for block in pages.blocks("Examples/Solved.md", "python"):
+                if "CloudGraph" not in block or HAS_CLOUDS:
+                    cls.printed += execute(block.replace("mesh.ply", BUMPY), names).splitlines()
+
+    def test_distances(self):
+        names = self.names
+        closest = np.linalg.norm(names["points"] - names["curve"].points[5], axis=1).argmin()
+        self.assertLess(names["from_curve"][closest], 0.2)
+        matrix = names["matrix"]
+        np.testing.assert_array_equal(matrix, matrix.T)
+        np.testing.assert_allclose(matrix[[0, 50, 100]], names["fields"], rtol=0.02)
+        close = names["close"].toarray()
+        np.testing.assert_array_equal(close > 0, (matrix <= 0.3) & (matrix > 0))
+        self.assertEqual(set(names["labels"]), {"front", "top", "back"})
+        self.assertLess(names["error"].mean(), 0.02)
+
+    def test_paths(self):
+        names = self.names
+        path = names["path"] if not HAS_CLOUDS else names["graph"].path(0, 100)
+        self.assertEqual([names["corners"][0], names["corners"][-1]], [0, 100])
+        self.assertGreater(len(names["crossed"]), 5)
+        self.assertGreaterEqual(path.length, names["exact"][100] * (1 - 1e-9))
+        self.assertIn("start and end are not connected", "".join(self.printed))
+        self.assertEqual(names["loops"], [])
+
+    def test_curves_and_regions(self):
+        names = self.names
+        self.assertEqual({line.value for line in names["offsets"]}, {0.1, 0.2})
+        self.assertEqual({line.value for line in names["lines"]}, {0.25, 0.5, 0.75})
+        self.assertGreater(names["bands"].GetNumberOfCells(), 100)
+        self.assertAlmostEqual(names["area"], np.pi * 0.25, delta=0.3)
+        further = names["around"] - names["exact"]
+        self.assertGreater(np.nanmin(further), -1e-9)
+        self.assertGreater(np.nanmax(further), 0.05)
+        self.assertEqual(names["cells"].areas.shape, (30,))
+
+    def test_input(self):
+        names = self.names
+        soup = vtkdgg.distance(names["soup"], names["apart"], 0, merge_coincident_points=True)
+        at = names["triangles"].ravel()
+        start = names["triangles"][0, 0]
+        exact = vtkdgg.distance(names["points"], names["triangles"], int(start))
+        np.testing.assert_allclose(soup, exact[at], rtol=1e-9)
+        self.assertIn("1 point is on no triangle", self.printed)
 
 
 class Gallery(unittest.TestCase):

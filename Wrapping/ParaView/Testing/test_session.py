@@ -105,6 +105,29 @@ class Session(unittest.TestCase):
         sites = support.array(self.pipeline["cells"], "GeodesicDistance")
         np.testing.assert_allclose(found, sites, rtol=0.02)
 
+    def test_blocks(self):
+        """A source belongs to the nearest block; an empty one between them changes nothing."""
+        first = support.bumpy()
+        moved = simple.Transform(Input=first)
+        moved.Transform.Translate = [5.0, 0.0, 0.0]
+        nothing = simple.Clip(Input=first, Invert=0)
+        nothing.ClipType.Origin = [100.0, 0.0, 0.0]
+        empty = simple.ExtractSurface(Input=nothing)
+        blocks = simple.GroupDatasets(Input=[first, empty, moved])
+        place = [5.0 + scenes.SOURCE[0], *scenes.SOURCE[1:]]
+        alone = simple.GeodesicDistance(Input=moved)
+        together = simple.GeodesicDistance(Input=simple.GeodesicGraph(Input=blocks))
+        alone.Source.Center = together.Source.Center = place
+        output = support.fetch(together)
+        values = [
+            support.vtk_to_numpy(output.GetBlock(i).GetPointData().GetArray("GeodesicDistance"))
+            for i in (0, 2)
+        ]
+        self.assertEqual(output.GetBlock(1).GetNumberOfPoints(), 0)
+        self.assertTrue(np.isnan(values[0]).all() or np.isinf(values[0]).all())
+        np.testing.assert_allclose(
+            values[1], support.array(alone, "GeodesicDistance"), rtol=1e-12)
+
     def test_state_files(self):
         scenes.draw(self.pipeline)
         name = str(support.OUTPUT / "session.pvsm")
