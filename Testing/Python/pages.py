@@ -13,6 +13,7 @@ PAGES = (
     "README.md",
     "Examples/README.md",
     "Examples/Solved.md",
+    "Examples/Tutorial.md",
     "Filters/Geodesic/README.md",
     "Filters/PointCloud/README.md",
     "Filters/Spectral/README.md",

@@ -56,6 +56,27 @@ class Gallery(unittest.TestCase):
                 self.assertNotIn("Traceback", result.stderr)
 
 
+class Tutorial(unittest.TestCase):
+    @unittest.skipUnless(hasattr(vtkdgg, "vtkPointCloudDGG"), "built without PCL")
+    def test_pictures(self):
+        folder = support.output_folder("tutorial")
+        result = run("tutorial.py", folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        way, up, across = re.fullmatch(
+            r"(\S+) km, (\S+) km up, .*\nthe neck is \S+ around, (\S+) across\n", result.stdout
+        ).groups()
+        self.assertGreater(float(way), np.hypot(9.39, 5.27))  # the straight line
+        self.assertLess(float(up), 1.0)
+        self.assertAlmostEqual(float(across), 0.77, delta=0.03)
+        for name in ("terrain", "vessel", "part", "scan"):
+            with self.subTest(name):
+                picture = os.path.join(folder, f"tutorial_{name}.png")
+                self.assertGreater(number_of_colours(picture), 200)
+
+    def test_mistakes(self):
+        self.assertEqual(run("tutorial.py").returncode, 1)
+
+
 class Patches(unittest.TestCase):
     def test_two_surfaces(self):
         picture = os.path.join(support.output_folder("patches"), "patches.png")

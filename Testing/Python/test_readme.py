@@ -94,6 +94,7 @@ class Pages(unittest.TestCase):
             ("README.md", "cpp"): 1,
             ("Examples/README.md", "python"): len(Gallery.EXPECTED),
             ("Examples/Solved.md", "python"): 28,
+            ("Examples/Tutorial.md", "python"): 7,
             ("Filters/Geodesic/README.md", "py"): 1,
             ("Filters/PointCloud/README.md", "python"): 1,
             ("Readers/README.md", "python"): 1,
@@ -212,7 +213,7 @@ class Solved(unittest.TestCase):
         self.assertEqual({line.value for line in names["offsets"]}, {0.1, 0.2})
         self.assertEqual({line.value for line in names["lines"]}, {0.25, 0.5, 0.75})
         self.assertGreater(names["bands"].GetNumberOfCells(), 100)
-        self.assertAlmostEqual(names["area"], np.pi * 0.25, delta=0.3)
+        self.assertTrue(0.3 < names["area"] < np.pi * 0.25)
         further = names["around"] - names["exact"]
         self.assertGreater(np.nanmin(further), -1e-9)
         self.assertGreater(np.nanmax(further), 0.05)
