@@ -21,6 +21,8 @@ endforeach ()
 list(APPEND doc_inputs
   README.md
   Examples/README.md
+  Examples/Solved.md
+  Examples/Tutorial.md
   Testing/README.md
   Testing/Benchmark/README.md
   Wrapping/ParaView/README.md
