@@ -243,7 +243,8 @@ TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
       ASSERT_TRUE(drawing.Solve().IsOk());
       expectEnough("solved");
       EXPECT_EQ(count, 2 + regions);
-      EXPECT_LE(asked, 2.0 * static_cast<double>(probe.GetHeapPeak())); // nor far too much
+      const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it is not measured
+      EXPECT_TRUE(peak == 0.0 || asked <= 2.0 * peak) << "far too much: " << asked;
     }
   }
 }
