@@ -65,7 +65,8 @@ trap unmount EXIT
 mount -t proc proc "$root/proc"
 mount --bind "$folder/archives" "$root/var/cache/apt/archives"
 rm -f "$root/etc/apt/apt.conf.d/docker-clean"
-echo 'Binary::apt::APT::Keep-Downloaded-Packages "true"; APT::Install-Recommends "false";' \
+echo 'Binary::apt::APT::Keep-Downloaded-Packages "true"; APT::Install-Recommends "false";
+Dpkg::Use-Pty "0";' \
   >"$root/etc/apt/apt.conf.d/99keep"
 mkdir "$root/root/packages"
 cp "$packages"/*.deb "$root/root/packages"
@@ -98,7 +99,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 reader = vtkPLYReader()
 reader.SetFileName(\"mesh.ply\")
 print(vtkdgg.distance(vtkdgg.check(reader), 0).max())"'
-  shown 'vtkdgg distance mesh.ply --source 0 --accuracy 0.01 --out distance.vtp'
+  shown 'vtkdgg distance mesh.ply --source 0 --accuracy 0.01 --out bounded.vtp'
   shown 'vtkdgg render mesh.ply --source 0 --out distance.png'
   shown 'man vtkdgg | head -n 30'
   shown 'source /usr/share/bash-completion/bash_completion && _completion_loader vtkdgg;

@@ -24,7 +24,8 @@ list(APPEND doc_inputs
   Testing/README.md
   Testing/Benchmark/README.md
   Wrapping/ParaView/README.md
-  Wrapping/Python/README.md)
+  Wrapping/Python/README.md
+  Wrapping/README.md)
 
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${CMAKE_CURRENT_SOURCE_DIR}/README.md")
 set(DOXYGEN_IMAGE_PATH Examples/Images Testing/Baseline)
