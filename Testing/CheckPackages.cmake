@@ -5,6 +5,7 @@
 # documentation, and depend on what they need:
 #   cmake -DBUILD=<build tree> -DPACKAGES=<folder> -DVERSION=... -DSOVERSION=... -DWITH_PCL=...
 #     -DWITH_PYTHON=... -P CheckPackages.cmake
+cmake_minimum_required(VERSION 3.20) # if (... IN_LIST ...)
 
 # check_package(<name> <depends>...): its files go to ${packed}.
 function (check_package name)
@@ -25,6 +26,7 @@ function (check_package name)
   endforeach ()
 
   set(folder "${PACKAGES}/unpacked/${name}")
+  file(MAKE_DIRECTORY "${folder}")
   execute_process(
     COMMAND dpkg-deb --extract "${archive}" "${folder}"
     COMMAND_ERROR_IS_FATAL ANY)

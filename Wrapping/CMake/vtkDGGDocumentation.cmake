@@ -20,6 +20,7 @@ foreach (folder IN ITEMS Filters/Geodesic Filters/PointCloud Filters/Spectral Re
 endforeach ()
 list(APPEND doc_inputs
   README.md
+  CHANGELOG.md
   Examples/README.md
   Testing/README.md
   Testing/Benchmark/README.md

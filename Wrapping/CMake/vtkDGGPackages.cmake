@@ -4,12 +4,14 @@
 # Debian packages, one for each component of what is installed: cpack -G DEB, or the target package.
 # The folders are those of Debian when the prefix is /usr (preset package). With the plugin, there is
 # one package, which has all of its libraries in its own folder: ParaView's VTK is another one.
-find_program(DGG_GZIP gzip)
-find_program(DGG_DPKG_DEB dpkg-deb)
-mark_as_advanced(DGG_GZIP DGG_DPKG_DEB)
-if (NOT DGG_GZIP OR NOT DGG_DPKG_DEB)
-  return ()
-endif ()
+foreach (program IN ITEMS dpkg-deb dpkg-shlibdeps file gzip)
+  find_program("DGG_PROGRAM_${program}" "${program}")
+  mark_as_advanced("DGG_PROGRAM_${program}")
+  if (NOT DGG_PROGRAM_${program})
+    message(STATUS "No Debian packages can be made: there is no ${program}.")
+    return ()
+  endif ()
+endforeach ()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -120,7 +122,7 @@ file(WRITE "${folder}/changelog.Debian" "vtkdgg (${version}) unstable; urgency=m
 configure_file("${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${folder}/changelog" COPYONLY)
 foreach (file IN ITEMS changelog changelog.Debian)
   execute_process(
-    COMMAND "${DGG_GZIP}" -9nf "${folder}/${file}"
+    COMMAND "${DGG_PROGRAM_gzip}" -9nf "${folder}/${file}"
     COMMAND_ERROR_IS_FATAL ANY)
 endforeach ()
 foreach (component IN LISTS CPACK_COMPONENTS_ALL)

@@ -92,6 +92,7 @@ unpack() {
   rm -rf "$archives"
 }
 
+[ "$package" = OFF ] || builds+=(file) # which CPack asks
 dgg_install "${builds[@]}"
 if [ ! -d "$root" ] && is_usable "$@"; then
   echo "Using the ParaView in $(cat "$build/found")"
