@@ -45,6 +45,23 @@ set_tests_properties(Install.BuildConsumer PROPERTIES
   LABELS "Install"
   TIMEOUT 600)
 
+# An unknown component is named.
+set(unknown_dir "${consumer_output}/UnknownComponent")
+file(WRITE "${unknown_dir}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.20)
+project(UnknownComponent LANGUAGES C CXX)
+find_package(vtkDGG COMPONENTS FiltersGeodesic FiltersUnknown)
+message(STATUS \"found: \${vtkDGG_FOUND}. \${vtkDGG_NOT_FOUND_MESSAGE}\")
+")
+add_test(NAME Install.UnknownComponent
+  COMMAND "${CMAKE_COMMAND}" -DEXIT_CODE=0
+    "-DEXPECTED=found: 0. vtkDGG has no component FiltersUnknown[.]"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/RunAndMatch.cmake" --
+    "${CMAKE_COMMAND}" -S "${unknown_dir}" -B "${unknown_dir}/build"
+      "-DvtkDGG_DIR:PATH=${install_prefix}/${dgg_cmake_destination}")
+set_tests_properties(Install.UnknownComponent PROPERTIES
+  FIXTURES_REQUIRED dgg_install
+  LABELS "Install")
+
 function (dgg_add_consumer_test name exit_code expected)
   add_test(NAME "Install.${name}"
     COMMAND "${CMAKE_COMMAND}" "-DEXIT_CODE=${exit_code}" "-DEXPECTED=${expected}"

@@ -22,6 +22,7 @@ PAGES = (
     "Testing/README.md",
     "Wrapping/ParaView/README.md",
     "Wrapping/Python/README.md",
+    "Wrapping/README.md",
 )
 
 
