@@ -45,6 +45,18 @@ enum class GreensMethod
   Vertex
 };
 
+/// Of which operator.
+enum class GreensOrder
+{
+  Laplace,
+  /// Of the bi-Laplacian L M^-1 L, M the lumped areas: Laplace^2 q = delta - 1 / area, q(x, y) the
+  /// integral of g(x, z) g(z, y), an area. Bounded, smooth but for d^2 log(d) / (8 pi) at the pole,
+  /// positive there whatever the sign of g. Two substitutions. The methods are those of the first
+  /// g; all converge like h^2 (with a logarithm for poles inside of faces): on the unit sphere with
+  /// 2562, 10 242 and 40 962 vertices XXX.
+  BiLaplace
+};
+
 /// Which sign Green's functions have next to the pole.
 enum class GreensSign
 {
@@ -83,6 +95,7 @@ enum class GreensRemark
 struct GreensQuery
 {
   GreensMethod Method = GreensMethod::SingularitySubtraction;
+  GreensOrder Order = GreensOrder::Laplace;
   GreensSign Sign = GreensSign::Positive;
   GreensPole Pole = GreensPole::CellAverage;
   /// Where s ends. 0: 0.28 times the square root of the component's area (up to 0.35 on coarse
