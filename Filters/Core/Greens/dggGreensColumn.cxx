@@ -154,8 +154,8 @@ GreensQuery GetFirstQuery(const GreensQuery& query)
   return first;
 }
 
-void RaiseOrder(const PoissonSystem& system, const GreensQuery& query, GreensResult* begin,
-  GreensResult* end)
+void RaiseOrder(
+  const PoissonSystem& system, const GreensQuery& query, GreensResult* begin, GreensResult* end)
 {
   if (query.Order == GreensOrder::Laplace)
   {

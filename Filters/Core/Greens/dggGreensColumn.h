@@ -94,8 +94,8 @@ Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query);
 /// What is asked of the Laplacian first.
 GreensQuery GetFirstQuery(const GreensQuery& query);
 /// Replace the results of the first query by those of the order that is asked for.
-void RaiseOrder(const PoissonSystem& system, const GreensQuery& query, GreensResult* begin,
-  GreensResult* end);
+void RaiseOrder(
+  const PoissonSystem& system, const GreensQuery& query, GreensResult* begin, GreensResult* end);
 
 /// Value of piecewise linear data at a point.
 double InterpolateAt(
