@@ -143,49 +143,6 @@ Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query)
   return Status::Success();
 }
 
-GreensQuery GetFirstQuery(const GreensQuery& query)
-{
-  GreensQuery first = query;
-  if (query.Order == GreensOrder::BiLaplace)
-  {
-    first.Sign = GreensSign::Positive;
-    first.WantIntegrals = true;
-  }
-  return first;
-}
-
-void RaiseOrder(
-  const PoissonSystem& system, const GreensQuery& query, GreensResult* begin, GreensResult* end)
-{
-  if (query.Order == GreensOrder::Laplace)
-  {
-    return;
-  }
-  std::vector<std::vector<double>> columns;
-  for (GreensResult* result = begin; result != end; ++result)
-  {
-    for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
-    {
-      result->Integrals[v] = system.IsFixed(v) ? 0.0 : result->Integrals[v];
-    }
-    columns.push_back(std::move(result->Integrals));
-  }
-  system.Solve(columns);
-  for (GreensResult* result = begin; result != end; ++result)
-  {
-    result->Values.swap(columns[result - begin]);
-    result->Integrals.clear();
-    for (std::size_t i = 0; i < query.Targets.size(); ++i)
-    {
-      result->TargetValues[i] = InterpolateAt(system.GetMesh(), query.Targets[i], result->Values);
-    }
-    for (Id v = 0; v < system.GetNumberOfVertices() && query.WantIntegrals; ++v)
-    {
-      result->Integrals.push_back(system.GetArea(v) * result->Values[v]);
-    }
-  }
-}
-
 double InterpolateAt(
   const SurfaceMesh& mesh, const SurfacePoint& point, const std::vector<double>& values)
 {
@@ -478,7 +435,9 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
     return Status::Success();
   }
   this->Singular = Logarithm(radius, this->GetPoleAngle());
-  workspace.Singular.Assemble(this->Singular, this->Distances, faces);
+  workspace.Singular.Assemble(
+    this->Singular, this->Distances, faces, this->Query.Order == GreensOrder::BiLaplace);
+  this->PotentialLoads = workspace.Singular.GetPotentialLoads();
   this->Sources = workspace.Singular.GetLoads();
   this->Integrals = workspace.Singular.GetIntegrals();
   if (faces.empty())

@@ -102,7 +102,7 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
     DGG_RETURN_IF_ERROR(
       columns[k].Finish(solutions[k], partOf(k, SolveDone, 1.0), *workspace, results[first + k]));
   }
-  RaiseOrder(system, query, results.data() + first, results.data() + end);
+  RaiseOrder(system, query, columns, results.data() + first);
   return ReportTo(progress, 1.0);
 }
 }

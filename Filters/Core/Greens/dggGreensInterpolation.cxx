@@ -183,7 +183,7 @@ Status GreensInterpolation::Run(
     return runFunction(1.0 - LastPart);
   }
   column.AddLogarithm(regular, result);
-  RaiseOrder(system, query, &result, &result + 1);
+  RaiseOrder(system, query, { column }, &result);
   Status status = ReportTo(query.Progress, 1.0);
   if (!status.IsOk())
   {
