@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Green's functions of the bi-Laplacian, from those of the Laplacian: L q = M g. With
-// GreensMethod::SingularitySubtraction, g = s + r enters with the exact integrals of the logarithm
-// s, and what s is the Laplacian of but for smooth terms, S, is subtracted from q.
+// GreensMethod::SingularitySubtraction, g = s + r enters with the integrals of the logarithm s, and
+// S, which has -s as Laplacian but for what is smooth, is subtracted from q.
 #include "dggGreensColumn.h"
-
-#include <utility>
 
 namespace dgg
 {

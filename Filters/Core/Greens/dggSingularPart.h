@@ -76,7 +76,7 @@ public:
   /// `distances` per vertex, those of all corners of faces that have one
   /// within R; may be Infinity elsewhere. Faces that reach into the disk with their insides alone
   /// do not count when a corner is not reached: s is next to nothing there.
-  /// `hasPotential`: those of S as well.
+  /// `hasPotential`: loads of S as well, and integrals of s against hat functions.
   void Assemble(const Logarithm& logarithm, const std::vector<double>& distances,
     const std::vector<PoleFace>& poleFaces, bool hasPotential = false);
 
@@ -84,7 +84,8 @@ public:
   const std::vector<double>& GetLoads() const { return this->Loads; }
   /// The same of S; empty where they were not asked for.
   const std::vector<double>& GetPotentialLoads() const { return this->PotentialLoads; }
-  /// Per vertex, its part of the integral of s: a third of that over each of its faces.
+  /// Per vertex, its part of the integral of s: a third of that over each of its faces, or
+  /// the integral of s phi.
   const std::vector<double>& GetIntegrals() const { return this->Integrals; }
 
 private:

@@ -4,6 +4,7 @@
 
 #include "dggBlockLoop.h"
 #include "dggGeodesicSource.h"
+#include "dggGreensColumn.h"
 #include "dggInvalidInput.h"
 #include "dggPoissonSystem.h"
 #include "dggSiteEquations.h"
@@ -16,7 +17,7 @@ namespace dgg
 namespace
 {
 /// Functions that are solved for together.
-constexpr Offset BlockSize = GreensFunction::PolesInBlock;
+constexpr Offset BlockSize = SparseLanes::SizeAtCompileTime;
 /// Part of the progress when the dense matrix is to be factorized.
 constexpr double SolvesDone = 0.9;
 /// Squared biharmonic distance of sites in the same place, relative to what it is made of.
@@ -44,6 +45,12 @@ public:
       : Status::Invalid("the solver has been prepared anew: call Prepare() again");
   }
 
+  void AddLoad(const SurfacePoint& site, double weight, std::vector<double>& sources) const
+  {
+    ForEachCornerAround(this->System.GetMesh(), site,
+      [&](Id v, double part, double) { sources[v] += weight * part; });
+  }
+
   /// Per site, the first one of its component where that has constants: their function is 1. NoId
   /// elsewhere.
   std::vector<Id> FindFirst(const std::vector<SurfacePoint>& sites) const
@@ -60,8 +67,9 @@ public:
     return first;
   }
 
-  /// Green's functions of all sites, at all sites. Those of single sites, whose function is 1, are
-  /// not needed: they may lie where triangles are too thin.
+  /// Green's functions of all sites, at all sites, with loads that are linear in faces: symmetric.
+  /// Those of single sites, whose function is 1, are not needed: they may lie where triangles are
+  /// too thin.
   Status FindGreens(const std::vector<SurfacePoint>& sites, const std::vector<Id>& first,
     const ParallelFor& parallel, const ProgressCallback& progress, Eigen::MatrixXd& greens) const
   {
@@ -85,25 +93,22 @@ public:
     }
     const auto size = static_cast<Eigen::Index>(sites.size());
     greens = Eigen::MatrixXd::Zero(size, size);
-    const GreensFunction function(this->Solver);
     return ForBlocks(static_cast<Offset>(needed.size()), BlockSize, parallel, progress,
-      [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
-        std::vector<SurfacePoint> poles;
+      [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
+        std::vector<std::vector<double>> columns;
         for (Offset k = begin; k < end; ++k)
         {
-          poles.push_back(sites[needed[k]]);
+          columns.emplace_back(this->System.GetNumberOfVertices(), 0.0);
+          this->AddLoad(sites[needed[k]], 1.0, columns.back());
         }
-        GreensQuery query;
-        query.Method = GreensMethod::Interpolated; // symmetric
-        query.Order = GreensOrder::BiLaplace;
-        query.Targets = sites;
-        query.Progress = within;
-        std::vector<GreensResult> results;
-        DGG_RETURN_IF_ERROR(function.Run(poles, query, results));
+        this->System.SolveBiLaplace(columns);
         for (Offset k = begin; k < end; ++k)
         {
-          greens.col(needed[k]) =
-            Eigen::Map<const Eigen::VectorXd>(results[k - begin].TargetValues.data(), size);
+          for (Eigen::Index i = 0; i < size; ++i)
+          {
+            greens(i, needed[k]) =
+              InterpolateAt(this->System.GetMesh(), sites[i], columns[k - begin]);
+          }
         }
         return Status::Success();
       });
@@ -173,8 +178,7 @@ public:
       column.assign(n, 0.0);
       for (std::size_t j = 0; j < weights.size(); ++j)
       {
-        ForEachCornerAround(this->System.GetMesh(), this->Sites[j],
-          [&](Id v, double part, double) { column[v] += weights[j] * part; });
+        this->AddLoad(this->Sites[j], weights[j], column);
       }
     }
     this->System.SolveBiLaplace(columns);
