@@ -100,7 +100,6 @@ TEST(SpectralMemory, OfGreensFunctions)
     const dgg::SurfaceMesh mesh = Build(named.Mesh);
     dgg::PoissonSolver solver(mesh);
     ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
-    const dgg::GreensFunction function(solver);
     const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
     std::vector<dgg::SurfacePoint> poles;
     for (std::size_t k = 0; k < dgg::GreensFunction::PolesInBlock; ++k)
@@ -109,6 +108,7 @@ TEST(SpectralMemory, OfGreensFunctions)
     }
     for (const dgg::GreensOrder order : { dgg::GreensOrder::Laplace, dgg::GreensOrder::BiLaplace })
     {
+      const dgg::GreensFunction function(solver);
       dgg::GreensQuery query;
       query.Order = order;
       query.Radius = named.Name == "needles" ? 1.2 : 0.0; // or no distances would be found

@@ -92,8 +92,7 @@ private:
   std::vector<double> Sources;
   std::vector<double> Distances;
   std::vector<double> TargetDistances;
-  std::vector<double> Integrals;
-  std::vector<double> PotentialLoads;
+  std::vector<double> Integrals; // of the logarithm, with loads of its potential where it is needed
 };
 
 /// Fails when the solver is not ready or the query makes no sense.

@@ -47,13 +47,12 @@ std::vector<double> GreensColumn::TakeSecondSources(GreensResult& result) const
   sources.swap(result.Integrals);
   for (Id v = 0; v < this->System.GetNumberOfVertices(); ++v)
   {
-    sources[v] += this->HasLogarithm() ? this->PotentialLoads[v] : 0.0;
     if (this->System.IsFixed(v))
     {
       sources[v] = this->HasLogarithm() ? -this->Singular.PotentialAt(this->Distances[v]) : 0.0;
     }
   }
-  result.Values.clear(); // before there is more
+  std::vector<double>().swap(result.Values); // before there is more
   return sources;
 }
 
