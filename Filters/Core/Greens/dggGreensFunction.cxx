@@ -78,6 +78,7 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
 {
   const PoissonSystem& system = this->Solver.GetSystem();
   const auto workspace = this->Pool->Borrow(system);
+  const GreensQuery firstQuery = GetFirstQuery(query);
   std::vector<GreensColumn> columns(end - first, GreensColumn(system));
   std::vector<std::vector<double>> solutions(columns.size());
   const auto partOf = [&](std::size_t k, double begin, double finish) {
@@ -90,7 +91,7 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
     const ProgressCallback part = partOf(k, 0.0, StartDone);
-    DGG_RETURN_IF_ERROR(columns[k].Start(poles[first + k], query, part, *workspace));
+    DGG_RETURN_IF_ERROR(columns[k].Start(poles[first + k], firstQuery, part, *workspace));
     DGG_RETURN_IF_ERROR(ReportTo(part, 1.0));
     solutions[k] = columns[k].TakeSources();
   }
@@ -101,6 +102,7 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
     DGG_RETURN_IF_ERROR(
       columns[k].Finish(solutions[k], partOf(k, SolveDone, 1.0), *workspace, results[first + k]));
   }
+  RaiseOrder(system, query, columns, results.data() + first);
   return ReportTo(progress, 1.0);
 }
 }
