@@ -37,7 +37,7 @@ from vtkdgg.commands import files
 mesh = files.read(sys.argv[1])
 for _ in range(2):
     scene = explorer.Scene(mesh)
-    window = explorer.Explorer(scene, size=(300, 200))
+    window = explorer.Explorer(scene, size=(300, 200), place=mesh.GetPoint(5))
 
     def leave(interactor, event):
         print(scene.used, len(scene.values))
@@ -47,7 +47,7 @@ for _ in range(2):
     window.interactor.Initialize()
     window.interactor.AddObserver("TimerEvent", leave)
     window.interactor.CreateOneShotTimer(10)
-    window.start(mesh.GetPoint(5))
+    window.start()
     print("graph" if scene._graph else "no graph", "open" if window.window else "closed", sep=", ")
 """
 
@@ -429,8 +429,8 @@ class Command(unittest.TestCase):
     def explore(self, *arguments):
         """The command, whose window is closed at once; what it prints."""
 
-        def start(window, place):
-            window.scene.press(place)
+        def start(window):
+            window.scene.press(window._start)
             window.scene.held = None
             window.refresh()
             window.close()
@@ -445,7 +445,7 @@ class Command(unittest.TestCase):
         found = self.explore(BUMPY)
         self.assertRegex(found["shown"][0], "642 points, distances by fast")
         self.assertEqual(found["written"], [])
-        found = self.explore(BUMPY, "--source", 5, "--accuracy", 0.1, "--merge")
+        self.explore(BUMPY, "--source", 5, "--accuracy", 0.1, "--merge")
         if HAS_CLOUDS:
             found = self.explore(BUMPY, "--cloud", "--source", "1,0,0")
             self.assertRegex(found["shown"][0], "642 points, distances by graph: nothing")

@@ -50,6 +50,8 @@ class Explorer:
         Name of screenshots, which are numbered: explore-1.png and so on.
     size : tuple of int, optional
         Of the window, in pixels.
+    place : int, or array_like of float, shape (3,), optional
+        Where to begin: an id on a cloud, else coordinates. Default: far out.
 
     Attributes
     ----------
@@ -61,8 +63,9 @@ class Explorer:
         Screenshots.
     """
 
-    def __init__(self, scene, picture="explore.png", size=(1280, 960)):
+    def __init__(self, scene, picture="explore.png", size=(1280, 960), place=None):
         self.scene = scene
+        self._start = far_place(scene) if place is None else place
         self.seconds = 0.0
         self.written = []
         self._picture = picture
@@ -102,18 +105,17 @@ class Explorer:
         self.look()
         self.refresh()
 
-    def start(self, place=None):
-        """Open the window, with a source if one is given, until it is closed."""
+    def start(self):
+        """Open the window, with a source, until it is closed."""
         self.window.Render()
-        if place is not None:
-            # A cloud needs its graph, and is seen meanwhile; a surface is answered at once.
-            if self.scene.is_cloud:
-                self.scene.places.append(place)
-                self._settle()
-            else:
-                self.scene.press(place)
-                self.scene.held = None
-                self.draw()
+        # A cloud needs its graph, and is seen meanwhile; a surface is answered at once.
+        if self.scene.is_cloud:
+            self.scene.places.append(self._start)
+            self._settle()
+        else:
+            self.scene.press(self._start)
+            self.scene.held = None
+            self.draw()
         self.interactor.Start()
         self.close()
 
@@ -126,13 +128,11 @@ class Explorer:
         self.window = self.renderer = self.interactor = self._style = None
         self._passing = []
 
-    def look(self, place=None):
-        """Look at all of it, from where the place is seen."""
+    def look(self):
+        """Look at all of it, from where the place to begin with is seen."""
         surface = self.scene.surface
         up = pictures.up_of(surface)
-        if place is None:
-            place = far_place(self.scene)
-        place = self._where(place)
+        place = self._where(self._start)
         if self.scene.is_cloud:
             points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
             direction = cloud_pictures.best_direction(
@@ -174,13 +174,14 @@ class Explorer:
         self.refresh()
         self.window.Render()
 
-    def save_picture(self):
-        """Write a screenshot to a file that is not there yet; its name."""
+    def save_picture(self, path=None):
+        """Write a screenshot, to a file that is not there yet unless one is given; its name."""
         stem, extension = os.path.splitext(self._picture)
         number = 1
-        while os.path.exists(f"{stem}-{number}{extension}"):
+        while path is None:
+            name = f"{stem}-{number}{extension}"
+            path = None if os.path.exists(name) else name
             number += 1
-        path = f"{stem}-{number}{extension}"
         pictures.write_png(path, self.window)
         self.written.append(path)
         return path
@@ -317,6 +318,6 @@ def explore(scene, place=None, picture="explore.png"):
     --------
     >>> explore(Scene(mesh))  # doctest: +SKIP
     """
-    window = Explorer(scene, picture)
-    window.start(far_place(scene) if place is None else place)
+    window = Explorer(scene, picture, place=place)
+    window.start()
     return window

@@ -214,6 +214,7 @@ def bar_of(scene, table):
         title = "Green's\nfunction" if scene.shown == "greens" else "Geodesic\ndistance"
         values = labels(low, high)
     bar = scalar_bar(table, title, values, "%-.4g", bottom=0.25)
+    bar.SetMaximumNumberOfColors(table.GetNumberOfTableValues())  # bands as wide as they are
     return [bar, *unreached(bar, scene.values)]
 
 

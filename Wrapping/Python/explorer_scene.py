@@ -119,6 +119,7 @@ class Scene:
         if self.is_cloud and view in ("error", "greens"):
             raise ValueError("on clouds there are no exact distances, and no Laplacian")
         self.view = "distance" if self.view == view else view
+        self.held = None
         if self.view != "voronoi":
             self.places = self.places[: 2 if self.is_cloud else 3]
         self._reach = 0.0
