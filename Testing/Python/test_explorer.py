@@ -174,6 +174,19 @@ class Surface(unittest.TestCase):
                 length = vtkdgg.path(self.mesh, place, point).length
                 self.assertAlmostEqual(length, values[i], delta=1e-3)
 
+    def test_suggestion(self):
+        hand, scene = self.hand, self.scene
+        suggested = np.array(self.mesh.GetPoint(5))
+        for pixel in (hand.middle(), hand.pixel(suggested)):
+            scene.suggest(suggested)
+            scene.update()
+            self.assert_equal(scene.distances, self.graph.distance(suggested))
+            hand.click(tuple(int(x) for x in pixel))
+            # The first click has replaced it, or taken hold of it.
+            self.assertEqual(len(scene.places), 1)
+            hand.click(hand.middle(20, 20))
+            self.assertEqual(len(scene.places), 2)
+
     def test_path_and_loop(self):
         hand, scene = self.hand, self.scene
         first, second, third = hand.middle(), hand.middle(40, 10), hand.middle(10, -40)

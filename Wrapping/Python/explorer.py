@@ -108,12 +108,12 @@ class Explorer:
     def start(self):
         """Open the window, with a source, until it is closed."""
         self.window.Render()
-        # A cloud needs its graph, and is seen meanwhile; a surface is answered at once.
-        if self.scene.is_cloud:
-            self.scene.places.append(self._start)
+        self.scene.suggest(self._start)
+        if self.scene.is_cloud:  # needs its graph, and is seen meanwhile
             self._settle()
         else:
-            self.scene.press(self._start)
+            self.scene.held = 0
+            self.scene.update(is_moving=True)  # which does not wait for a graph
             self.scene.held = None
             self.draw()
         self.interactor.Start()

@@ -106,10 +106,17 @@ class Scene:
         """The places that distances start from."""
         return self.places if self.view == "voronoi" else self.places[:1]
 
-    # After the following four an update is due.
+    # After the following five an update is due.
+
+    def suggest(self, place):
+        """Begin with a source that the first click replaces."""
+        self.clear()
+        self.places = [place]
+        self._is_suggested = True
 
     def clear(self):
         """Forget all places."""
+        self._is_suggested = False
         self.places = []
         self.held = None
         self._reach = 0.0
@@ -148,11 +155,12 @@ class Scene:
         """Take hold of the place with this index, or of a new one; later ones than a loop has begin
         anew."""
         if handle is None:
-            most = 2 if self.is_cloud else 3
-            if self.view != "voronoi" and len(self.places) >= most:
+            is_full = len(self.places) >= (2 if self.is_cloud else 3)
+            if self._is_suggested or (self.view != "voronoi" and is_full):
                 self.places = []
             handle = len(self.places)
             self.places.append(place)
+        self._is_suggested = False
         self.held = handle
         self.move(place)
 
