@@ -124,6 +124,13 @@ dgg_add_consumer_test(PatchBoundaries 0
   "${consumer_dir}/PatchBoundaries" "mesh.ply" "mesh.ply" "patches.png")
 set_tests_properties("Install.PatchBoundaries" PROPERTIES
   ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(GeodesicExplorer 0
+  "virtual sources, [0-9.]+ ms.*virtual sources, .*graph, [0-9.]+ ms.*graph, path 0.[0-9]+, [0-9.]+ ms"
+  "${consumer_dir}/GeodesicExplorer" "mesh.ply" --play)
+set_tests_properties("Install.GeodesicExplorer" PROPERTIES
+  ENVIRONMENT "${dgg_rendering_environment}")
+dgg_add_consumer_test(GeodesicExplorer.MissingFile 1 "Usage: "
+  "${consumer_dir}/GeodesicExplorer" "missing.ply")
 dgg_add_consumer_test(Isolines.MissingFile 1 "missing.ply: no points"
   "${consumer_dir}/Isolines" "missing.ply" 8 "wrong.png")
 dgg_add_consumer_test(VoronoiCells.MissingFile 1 "missing.ply: no points"

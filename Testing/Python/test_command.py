@@ -72,7 +72,7 @@ class Command(unittest.TestCase):
         names = list(make_parser().commands)
         self.assertEqual(
             names,
-            "info graph distance path loop isolines voronoi sample greens render compare".split(),
+            "info graph distance path loop isolines voronoi sample greens render explore compare".split(),
         )
         result = command("--help")
         for name in names:

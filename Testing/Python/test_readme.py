@@ -15,6 +15,7 @@ import pages
 import support
 import vtkdgg
 from support import BUMPY, run
+from vtkdgg.explorer import HELP
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
@@ -172,6 +173,13 @@ class PythonPage(unittest.TestCase):
             words = [os.path.join(folder, word) if is_file(word) else word for word in words[1:]]
             result = support.command(*words)
             self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_keys_of_the_explorer(self):
+        page = pages.text_of("Wrapping/Python/README.md")
+        keys = re.findall(r"(?m)^(\S)(?: and (\S))?: ", HELP)
+        self.assertEqual(len(keys), 10)
+        for key in filter(None, (key for pair in keys for key in pair)):
+            self.assertIn(f"`{key}`", page)
 
 
 class Solved(unittest.TestCase):

@@ -126,7 +126,7 @@ def save(path, mesh, source, props, direction=None):
     for prop in props:
         renderer.AddViewProp(prop)
     renderer.AddActor(marker(source, size_of(mesh)))
-    _light(renderer)
+    light(renderer)
     _aim(renderer, mesh, source, direction)
 
     window = vtkRenderWindow()
@@ -135,6 +135,11 @@ def save(path, mesh, source, props, direction=None):
     window.SetSize(*SIZE)
     window.AddRenderer(renderer)
     window.Render()
+    write_png(path, window)
+
+
+def write_png(path, window):
+    """Write what the window shows."""
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
     grabber.ReadFrontBufferOff()
@@ -303,7 +308,8 @@ def _style(text, size):
     text.SetFontFamilyToArial()
 
 
-def _light(renderer):
+def light(renderer):
+    """Lights from above, aside and behind."""
     kit = vtkLightKit()
     kit.SetKeyLightIntensity(0.95)
     kit.SetKeyLightWarmth(0.55)
@@ -318,7 +324,7 @@ def _aim(renderer, mesh, source, direction):
     centre = np.array(mesh.GetCenter())
     up = up_of(mesh)
     if direction is None:
-        direction = _best_direction(mesh, np.array(source), up)
+        direction = best_direction(mesh, np.array(source), up)
     away = 2.0 * size_of(mesh)
     right = np.cross(up, direction)
     right /= np.linalg.norm(right)
@@ -357,7 +363,8 @@ def up_of(mesh):
     return np.array((0.0, 0.0, 1.0) if z < 0.4 * min(x, y) else (0.0, 1.0, 0.0))
 
 
-def _best_direction(mesh, source, up):
+def best_direction(mesh, source, up):
+    """Where to look from, to see much of the surface and the source."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     a, b, c = (points[triangles[:, i]] for i in range(3))
