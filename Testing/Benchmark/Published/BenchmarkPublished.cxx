@@ -18,8 +18,8 @@
 ///   Published/MESH/Pruning/RULE/ACCURACY/Build, .../Query/K
 ///       RULE is None, Progress or Published
 ///   Published/MESH/Pseudo/RULE/ACCURACY/Build, .../Query/K
-///       RULE is Plain, OneRelay on the mesh as it is, Pseudo, the same with pseudo-vertices, or
-///       Guaranteed
+///       RULE is Plain, candidates of the mesh as it is, pruned as published; Pseudo, the same with
+///       pseudo-vertices; or Guaranteed
 /// Times are CPU seconds on one thread.
 
 #include "BenchmarkArguments.h"
@@ -148,21 +148,16 @@ void Query(benchmark::State& state, const MeshRecipe& recipe, const std::string&
   ReportErrors(state, mesh, source, result.Distances);
 }
 
-dgg::Status BuildWithRule(
-  const dgg::SurfaceMesh& surface, Construction rule, double accuracy, dgg::GeodesicGraph& graph)
-{
-  dgg::GraphOptions options;
-  options.Construction = rule;
-  options.Accuracy = accuracy;
-  return dgg::GraphBuilder(surface).Build(options, graph);
-}
-
+/// Gaps are looked for among the candidates.
 dgg::Status BuildPseudo(const dgg::SurfaceMesh& surface, double accuracy, OwnGraph& own)
 {
-  dgg::GeodesicGraph first;
-  DGG_RETURN_IF_ERROR(BuildWithRule(surface, Construction::OneRelay, accuracy, first));
-  DGG_RETURN_IF_ERROR(AddPseudoVertices(surface, first.View(), accuracy, own.Surface, own.Added));
-  return BuildWithRule(own.Surface, Construction::OneRelay, accuracy, own.Graph);
+  dgg::GeodesicGraph candidates;
+  DGG_RETURN_IF_ERROR(
+    BuildFromCandidates(surface, accuracy, PruningRule::None, candidates, own.Statistics));
+  DGG_RETURN_IF_ERROR(
+    AddPseudoVertices(surface, candidates.View(), accuracy, own.Surface, own.Added));
+  return BuildFromCandidates(
+    own.Surface, accuracy, PruningRule::Published, own.Graph, own.Statistics);
 }
 
 void RegisterOwn(const MeshRecipe& mesh, const std::string& name, int sources,
@@ -192,15 +187,17 @@ void RegisterMesh(const MeshRecipe& mesh, const std::string& part, const std::st
   }
   if (part == "Pseudo")
   {
-    for (const auto& plain : { std::make_pair("Plain", Construction::OneRelay),
-           std::make_pair("Guaranteed", Construction::Guaranteed) })
-    {
-      const Construction rule = plain.second;
-      RegisterOwn(mesh, std::string("Pseudo/") + plain.first + "/" + text, sources,
-        [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
-          return BuildWithRule(surface, rule, accuracy, own.Graph);
-        });
-    }
+    RegisterOwn(
+      mesh, "Pseudo/Plain/" + text, sources, [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
+        return BuildFromCandidates(
+          surface, accuracy, PruningRule::Published, own.Graph, own.Statistics);
+      });
+    RegisterOwn(mesh, "Pseudo/Guaranteed/" + text, sources,
+      [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
+        dgg::GraphOptions options;
+        options.Accuracy = accuracy;
+        return dgg::GraphBuilder(surface).Build(options, own.Graph);
+      });
     RegisterOwn(
       mesh, "Pseudo/Pseudo/" + text, sources, [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
         return BuildPseudo(surface, accuracy, own);

@@ -135,11 +135,14 @@ TEST_F(Published, PseudoVerticesLeaveTheSurfaceAsItIs)
     stretched.Points[i] *= 8.0;
   }
   this->Use(stretched);
-  const dgg::GeodesicGraph plain = this->Build(this->Surface, dgg::GraphConstruction::OneRelay);
+  dgg::GeodesicGraph candidates;
+  CandidateStatistics statistics;
+  ASSERT_TRUE(
+    BuildFromCandidates(this->Surface, Accuracy, PruningRule::None, candidates, statistics).IsOk());
   dgg::SurfaceMesh refined;
   dgg::Id added = 0;
   const dgg::Status status =
-    AddPseudoVertices(this->Surface, plain.View(), Accuracy, refined, added);
+    AddPseudoVertices(this->Surface, candidates.View(), Accuracy, refined, added);
   ASSERT_TRUE(status.IsOk()) << status.GetMessage();
   EXPECT_GT(added, this->Surface.GetNumberOfVertices());
   EXPECT_EQ(refined.GetNumberOfVertices(), this->Surface.GetNumberOfVertices() + added);

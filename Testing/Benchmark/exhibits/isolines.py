@@ -137,9 +137,7 @@ class Resolution(Errors):
 
     name = "F5.14"
     title = "isolines against resolution"
-    published = (
-        "isolines of a model with 3K and 5K vertices; the finer ones are smoother, as pictures."
-    )
+    published = "isolines of a model with 3K and 5K vertices, as pictures."
 
     def groups(self, figures):
         """{model: [(vertices, cases)]}."""
