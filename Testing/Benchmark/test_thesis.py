@@ -29,7 +29,7 @@ from table_support import OUTPUT, cells_of
 
 NAMES = (
     "T3.1 T3.2 T3.4 T5.1 T5.2 T5.3 T5.4 F1.1 F3.6 F3.7 F3.8 F3.9 F3.10 F3.11 F3.12 F3.13 F3.14 F3.15 "
-    "F3.16 F3.18 F4.4 F4.5 F4.6 F4.7 F5.1 F5.2 F5.3 F5.9 F5.10 F5.11 F5.14 F5.15 F5.16 F5.17 F5.18"
+    "F3.16 F3.18 F4.4 F4.5 F4.6 F4.7 F5.1 F5.2 F5.3 F5.9 F5.10 F5.11 F5.14 F5.15 F5.16 F5.17 F5.18 D1.1 D1.2"
 )
 
 
@@ -106,7 +106,7 @@ class Page(unittest.TestCase):
 
     def test_chosen(self):
         self.assertEqual([e.name for e in thesis.chosen(["F3.9", "T3.2"])], ["T3.2", "F3.9"])
-        with self.assertRaisesRegex(SystemExit, "no exhibit T1.9; there are F1.1, "):
+        with self.assertRaisesRegex(SystemExit, "no exhibit T1.9; there are D1.1, "):
             thesis.chosen(["F3.9", "T1.9"])
 
 

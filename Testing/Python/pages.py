@@ -9,6 +9,7 @@ import textwrap
 import support
 
 # From the root. Every README.md of the source tree is one.
+OTHER_PAGES = ("Testing/Benchmark/Differences.md", "Testing/Benchmark/Thesis.md")
 PAGES = (
     "README.md",
     "Examples/README.md",
@@ -20,6 +21,7 @@ PAGES = (
     "Testing/README.md",
     "Wrapping/ParaView/README.md",
     "Wrapping/Python/README.md",
+    *OTHER_PAGES,
 )
 
 

@@ -50,7 +50,6 @@ def measured(run, name, rules, accuracies, sources=3):
         "--many=0",
         "--threads=1",
         "--benchmark_filter=^Graph/.*/(Build|Certified|Corrected)/",
-        "--benchmark_min_time=0",
         run.file(name),
     )
     found = {}
