@@ -25,6 +25,7 @@ list(APPEND doc_inputs
   Examples/Solved.md
   Examples/Tutorial.md
   Testing/README.md
+  Testing/Benchmark/Differences.md
   Testing/Benchmark/README.md
   Wrapping/ParaView/README.md
   Wrapping/Python/README.md
