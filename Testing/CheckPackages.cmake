@@ -58,7 +58,8 @@ check_package(libvtkdgg-dev
   "${library} (= ${VERSION}-1)" libvtk9-dev libvtk9-qt-dev ${cloud_headers})
 if (WITH_PYTHON)
   check_package(python3-vtkdgg
-    "${library} (= ${VERSION}-1)" "python3 (>= 3." "python3 (<< 3." python3-numpy python3-vtk9 libvtk9.)
+    "${library} (= ${VERSION}-1)" libvtk9. "python3 (>= 3." "python3 (<< 3." python3-numpy
+    python3-vtk9)
   check_package(vtkdgg-tools "python3-vtkdgg (= ${VERSION}-1)" "python3,")
 endif ()
 

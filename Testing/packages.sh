@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Install the Debian packages into a clean Debian 12, use them as a stranger would (Python, shell,
-# C++, or ParaView), and remove them without a trace. To be run by root where there is debootstrap; it
-# downloads a gigabyte the first time.
+# C++, or ParaView), and remove them without a trace. To be run by root where there is debootstrap;
+# it downloads a gigabyte the first time.
 #
 # Usage: Testing/packages.sh [--paraview] PACKAGES FOLDER [MESH]
 #   --paraview  the package of the plugin, which is not for the system that has the others
@@ -55,7 +55,7 @@ unmount() {
 
 mkdir -p "$folder/archives/partial"
 [ -d "$folder/base" ] || {
-  debootstrap --variant=minbase bookworm "$folder/base.part" "${DGG_MIRROR:-http://deb.debian.org/debian}"
+  debootstrap --variant=minbase bookworm "$folder/base.part"
   mv "$folder/base.part" "$folder/base"
 }
 unmount 2>/dev/null
@@ -105,8 +105,8 @@ print(vtkdgg.distance(vtkdgg.check(reader), 0).max())"'
   shown 'source /usr/share/bash-completion/bash_completion && _completion_loader vtkdgg;
 COMP_WORDS=(vtkdgg dist) COMP_CWORD=1 && _vtkdgg && echo "${COMPREPLY[@]}"'
   cp -r "$here/../Examples/Cxx" "$root/root/Examples"
-  shown 'cmake -S Examples -B build >/dev/null && cmake --build build --target TenLines && build/TenLines &&
-ls -l distance.vtp'
+  shown 'cmake -S Examples -B build >/dev/null && cmake --build build --target TenLines &&
+build/TenLines && ls -l distance.vtp'
 fi
 shown "apt-get purge -y -qq ${names//|/ } | grep -v '^(Reading'"
 list >"$folder/$system.after"
