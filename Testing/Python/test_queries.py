@@ -293,7 +293,8 @@ class Spectral(unittest.TestCase):
         found = vtkdgg.interpolate(self.mesh, sites, truth[sites])
         self.assertEqual(found.shape, (642,))
         np.testing.assert_allclose(found[sites], truth[sites], atol=1e-9)
-        self.assertLess(np.abs(found - truth).max(), 0.2)
+        self.assertLess(np.abs(found - truth).max(), 0.3)
+        self.assertLess(np.abs(found - truth).mean(), 0.05)
         # Places and several numbers, and where they are wanted.
         both = np.column_stack([truth, np.full(642, 3.0)])
         middle = points[support.bumpy()[1][[3, 500]]].mean(axis=1)

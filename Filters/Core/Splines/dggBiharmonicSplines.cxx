@@ -212,7 +212,7 @@ Status BiharmonicSplines::Prepare(const std::vector<SurfacePoint>& sites,
 {
   Implementation& internals = *this->Internals;
   internals.Sites.clear();
-  DGG_RETURN_IF_ERROR(CheckSplineSites(internals.Solver, sites));
+  DGG_RETURN_IF_ERROR(CheckSplinePlaces(internals.Solver, sites));
   const std::vector<Id> first = internals.FindFirst(sites);
   Eigen::MatrixXd greens;
   DGG_RETURN_IF_ERROR(

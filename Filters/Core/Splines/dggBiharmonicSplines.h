@@ -38,7 +38,7 @@ public:
   BiharmonicSplines& operator=(const BiharmonicSplines&) = delete;
 
   /// Solve for the functions of the sites, eight at a time, and factorize a dense matrix. Fails as
-  /// CheckSplineSites() does, and where sites are in the same place, or more than three in a face,
+  /// CheckSplinePlaces() does, and where sites are in the same place, or more than three in a face,
   /// in which functions are linear. To be done again when the solver has been prepared with other
   /// options. Progress is reported by the threads of `parallel`, several at once.
   Status Prepare(const std::vector<SurfacePoint>& sites, const ParallelFor& parallel,

@@ -177,10 +177,10 @@ Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& site
   {
     points.push_back(SurfacePoint::AtVertex(site));
   }
-  return CheckSplineSites(solver, points);
+  return CheckSplinePlaces(solver, points);
 }
 
-Status CheckSplineSites(const PoissonSolver& solver, const std::vector<SurfacePoint>& sites)
+Status CheckSplinePlaces(const PoissonSolver& solver, const std::vector<SurfacePoint>& sites)
 {
   if (!solver.IsReady())
   {

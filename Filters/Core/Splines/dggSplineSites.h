@@ -29,7 +29,7 @@ DGG_CORE_EXPORT Id CountSplineComponents(const PoissonSolver& solver);
 /// an earlier one; when a component with a vertex without given value has no site, or one with
 /// triangles that are too thin has several.
 /// @{
-DGG_CORE_EXPORT Status CheckSplineSites(
+DGG_CORE_EXPORT Status CheckSplinePlaces(
   const PoissonSolver& solver, const std::vector<SurfacePoint>& sites);
 DGG_CORE_EXPORT Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites);
 /// @}

@@ -266,9 +266,12 @@ class Updates(unittest.TestCase):
         self.assertIsNotNone(support.fetch(green).GetPointData().GetArray("GreensFunction"))
         self.run_one(simple.BiharmonicDistance(Input=self.mesh, NumberOfEigenvalues=20))
         self.run_one(simple.HarmonicBSpline(Input=self.mesh))
-        values = simple.Calculator(Input=self.mesh, ResultArrayName="Height", Function="coordsZ")
+        sites = simple.GeodesicSampler(Input=self.mesh, NumberOfSamples=7)
+        sites = simple.Calculator(Input=sites, ResultArrayName="Height", Function="coordsZ")
         spline = self.run_one(
-            simple.HarmonicBSpline(Input=values, Order="Biharmonic", SiteValuesArrayName="Height")
+            simple.HarmonicBSpline(
+                Input=self.mesh, Source=sites, Order="Biharmonic", SiteValuesArrayName="Height"
+            )
         )
         self.assertIsNotNone(support.fetch(spline).GetPointData().GetArray("Interpolation"))
         mass = simple.Calculator(Input=self.mesh, ResultArrayName="From", Function="coordsX+2")
