@@ -20,12 +20,13 @@ LEG, EAR, NOSE, BACK = (0.52, 0.36), (0.43, 0.85), (0.19, 0.57), (0.50, 0.55)
 # Clicks, drags from one place to another, and keys.
 PICTURES = {
     "explorer_drag": [(BACK, LEG)],
+    "explorer_path": [BACK, EAR],
     "explorer_loop": [BACK, EAR, NOSE],
     "explorer_voronoi": ["v", BACK, EAR, NOSE, LEG, (0.30, 0.35)],
     "explorer_error": [LEG, "e"],
     "explorer_greens": [LEG, "g"],
 }
-ON_CLOUDS = ("explorer_drag", "explorer_loop", "explorer_voronoi")
+ON_CLOUDS = ("explorer_drag", "explorer_path", "explorer_voronoi")
 
 
 def play(window, act):

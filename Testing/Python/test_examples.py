@@ -83,7 +83,7 @@ class ExplorerPictures(unittest.TestCase):
         result = run("explorer_pictures.py", BUMPY, folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         written = re.findall(r"Written: (.*)", result.stdout)
-        self.assertEqual(len(written), 5)
+        self.assertEqual(len(written), 6)
         for path in written:
             with self.subTest(path):
                 self.assertGreater(number_of_colours(path), 500)

@@ -209,7 +209,7 @@ def bar_of(scene, table):
     if scene.shown == "voronoi":
         return []
     if scene.shown == "error":
-        title, values = "Relative error\n(%)", [high * 10.0**power for power in range(-3, 1)]
+        title, values = "Relative\nerror (%)", [high * 10.0**power for power in range(-3, 1)]
     else:
         title = "Green's\nfunction" if scene.shown == "greens" else "Geodesic\ndistance"
         values = labels(low, high)
