@@ -16,6 +16,7 @@ from exhibits.every import ALL
 from exhibits.exhibit import (
     BETTER,
     FAILED,
+    NOT_REGENERATED,
     REPRODUCED,
     WORSE,
     Exhibit,
@@ -90,6 +91,17 @@ class Page(unittest.TestCase):
         self.assertIn("**Not regenerated.** Nobody knows how.", text)
         row = cells_of(text.splitlines(), "[F9.1](#figure-91-a-count)", "exhibit")
         self.assertEqual(row["verdict"], BETTER)
+
+    def test_not_wanted(self):
+        exhibit = Counted()
+        kept = Kept(self.run, False)
+
+        def word():
+            return thesis.measured(exhibit, kept, self.fail, False)[1].word
+
+        self.assertEqual((word(), exhibit.count), (NOT_REGENERATED, 0))
+        kept.figures(exhibit)
+        self.assertEqual((word(), exhibit.count), (BETTER, 1))
 
     def test_failures(self):
         for problem in (ValueError("too small"), TooLong("not done"), OSError("no such file")):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One run of exhibits: its meshes, the programs it calls, and results that are kept."""
 
+import hashlib
 import json
 import os
 import signal
@@ -83,7 +84,9 @@ class Run:
     def program(self, name, *arguments):
         """Run a benchmark program; the path of its JSON."""
         key = (name, *arguments)
-        path = os.path.join(self.folder, f"{name}-{len(self._made)}.json")
+        # Of the same arguments the same file: plots of kept results read it again.
+        mark = hashlib.sha1(" ".join(arguments).encode()).hexdigest()[:8]
+        path = os.path.join(self.folder, f"{name}-{mark}.json")
 
         def make():
             command = [
@@ -113,7 +116,7 @@ class Kept:
 
     def find(self, exhibit):
         """Figures from an earlier run with these settings; None without."""
-        if not self.reuse or not os.path.isfile(self.path(exhibit)):
+        if not os.path.isfile(self.path(exhibit)):
             return None
         with open(self.path(exhibit), encoding="utf-8") as file:
             found = json.load(file)
@@ -121,7 +124,7 @@ class Kept:
 
     def figures(self, exhibit, seconds=MOST_SECONDS):
         """Those that are kept, else measured now and kept."""
-        figures = self.find(exhibit)
+        figures = self.find(exhibit) if self.reuse else None
         if figures is None:
             with limited_time(seconds):
                 figures = exhibit.measure(self.run)
