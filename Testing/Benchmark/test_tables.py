@@ -125,7 +125,9 @@ class PathTables(unittest.TestCase):
             entry("Path/ball/VertexDefault", 0.1, ms_mean=0.125, excess_mean=-1e-16, excess_max=0),
             entry("Cells/ball/FarthestPoints/x", 30.0, per_ten_queries=0.75, **cells),
             entry("Cells/ball/Voronoi/manual_time", 14.0, **voronoi, **cells),
-            entry("Matrix/ball/Update", 2500, size=50, threads=2, error_mean=4e-4, error_max=2e-3),
+            entry(
+                "Matrix/ball/Update", 2500, size=50, threads=2, error_mean=4e-4, error_max=2e-3
+            ),
             entry("Loop/ball/AroundHandles/manual_time", 70.0, loops=20, empty=5, **loops),
             entry("Loop/ball/ThroughPoint/manual_time", 8.0, loops=4, **loops),
         ]
