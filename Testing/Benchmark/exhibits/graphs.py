@@ -8,12 +8,13 @@ import time
 import numpy as np
 import vtkdgg
 from benchmark_results import count_text, errors, median, percent, quotient_text, slope, table
-from plot_tools import STYLES, add_legend, draw_curve, load_matplotlib, style_axes
+from plot_tools import STYLES
 from summarize_graph import Run as GraphRun
 from vtkdgg.commands.methods import field
 from vtkdgg.commands.sizes import floor_of
 
 from . import searches, surfaces
+from .drawing import plot_curves
 from .exhibit import BETTER, NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
 from .fields import errors_text, exact_fields, sources_of, summary
 
@@ -72,6 +73,11 @@ def sweep(run):
     return found
 
 
+def named(styles):
+    """Styles by what rules are called."""
+    return [(COLUMNS[rule], style) for rule, style in styles.items()]
+
+
 def curve(graphs, key):
     """Points (accuracy, figure), coarse ones first."""
     return sorted(((float(e), f[key]) for e, f in graphs.items()), reverse=True)
@@ -120,18 +126,17 @@ class Degree(Exhibit):
         )
 
     def draw(self, figures, path):
-        subplots, handle = load_matplotlib()
-        figure, axes = subplots(1, 1, figsize=(6.4, 5.0))
         styles = dict(zip(COLUMNS, STYLES))
-        for rule, style in styles.items():
-            draw_curve(axes, curve(figures[rule], "degree"), style)
-        for accuracy, (low, high) in self.ranges.items():
-            axes.plot([float(accuracy)] * 2, (low, high), color="#999999", linewidth=6, zorder=1)
-        style_axes(axes, "edges per vertex (grey: published)", "ε", y_label="degree")
-        add_legend(figure, handle, styles.items(), columns=3)
-        figure.tight_layout(rect=(0.0, 0.09, 1.0, 1.0))
-        figure.savefig(path, dpi=80)
-        return True
+
+        def more(axes):
+            for accuracy, (low, high) in self.ranges.items():
+                axes.plot(
+                    [float(accuracy)] * 2, (low, high), color="#999999", linewidth=6, zorder=1
+                )
+
+        curves = [(curve(figures[rule], "degree"), style, "-") for rule, style in styles.items()]
+        title = "edges per vertex (grey: published)"
+        return plot_curves(path, title, "ε", curves, named(styles), more=more)
 
     def verdict(self, figures):
         exponent = self.exponent(figures["OneRelay"])
@@ -177,22 +182,26 @@ class ErrorAgainstDegree(Exhibit):
         return table(["rule", "mean error at degree 25, % (published: 0.32)", "exponent"], rows)
 
     def draw(self, figures, path):
-        subplots, handle = load_matplotlib()
-        figure, axes = subplots(1, 1, figsize=(6.4, 5.0))
         styles = dict(zip(COLUMNS, STYLES))
-        for rule, style in styles.items():
-            for key, line in (("error", "-"), ("corrected", "--"))[: 2 if rule in RULES else 1]:
-                points = sorted(
-                    (f["degree"], 100.0 * f[key]["mean"]) for f in figures[rule].values()
-                )
-                draw_curve(axes, points, style, line, key == "error")
-        axes.plot(self.wanted[0], 100.0 * self.wanted[1], "*", color="black", markersize=14)
-        style_axes(axes, "mean error (star: published)", "edges per vertex", "relative error (%)")
-        lines = (("distance in the graph", "-"), ("corrected", "--"))
-        add_legend(figure, handle, styles.items(), lines, columns=3)
-        figure.tight_layout(rect=(0.0, 0.13, 1.0, 1.0))
-        figure.savefig(path, dpi=80)
-        return True
+        kinds = {"error": ("-", "distance in the graph"), "corrected": ("--", "corrected")}
+
+        def more(axes):
+            x, y = self.wanted
+            axes.plot(x, 100.0 * y, "*", color="black", markersize=14)
+
+        curves = [
+            (
+                sorted((f["degree"], 100.0 * f[key]["mean"]) for f in figures[rule].values()),
+                style,
+                line,
+            )
+            for rule, style in styles.items()
+            for key, (line, _) in kinds.items()
+            if key == "error" or rule in RULES
+        ]
+        lines = [(title, line) for line, title in kinds.values()]
+        title = "mean error in % (star: published)"
+        return plot_curves(path, title, "edges per vertex", curves, named(styles), lines, more)
 
     def verdict(self, figures):
         published = self.at_degree(figures["Published"], "error", self.wanted[0])
@@ -383,20 +392,20 @@ class CostOfAccuracy(Exhibit):
         return table(header, rows)
 
     def draw(self, figures, path):
-        subplots, handle = load_matplotlib()
-        figure, axes = subplots(1, 1, figsize=(6.4, 5.0))
         styles = dict(zip(RULES, STYLES))
         unit = figures["Guaranteed"]["0.01"]["build"]
-        for rule, style in styles.items():
-            points = [
-                (100.0 * f["error"]["mean"], f["build"] / unit) for f in figures[rule].values()
-            ]
-            draw_curve(axes, sorted(points), style)
-        style_axes(axes, "time to build (ours at ε = 0.01 is 1)", "mean error (%)")
-        add_legend(figure, handle, styles.items(), columns=3)
-        figure.tight_layout(rect=(0.0, 0.09, 1.0, 1.0))
-        figure.savefig(path, dpi=80)
-        return True
+        curves = [
+            (
+                sorted(
+                    (100.0 * f["error"]["mean"], f["build"] / unit) for f in figures[rule].values()
+                ),
+                style,
+                "-",
+            )
+            for rule, style in styles.items()
+        ]
+        title = "time to build (ours at ε = 0.01 is 1)"
+        return plot_curves(path, title, "mean error (%)", curves, named(styles))
 
     def verdict(self, figures):
         return Verdict(

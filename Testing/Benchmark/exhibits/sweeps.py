@@ -10,7 +10,7 @@ import numpy as np
 import passrate
 import vtkdgg
 from benchmark_results import count_text, digits, percent, ratio_text, table
-from plot_tools import STYLES, add_legend, draw_curve, load_matplotlib, style_axes
+from plot_tools import STYLES, add_legend, draw_curve, few_minor, load_matplotlib, style_axes
 from vtkdgg.commands.sizes import floor_of
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
@@ -75,8 +75,8 @@ class Noise(Exhibit):
             noisy = [(float(level), figures[level][rule]) for level in self.levels]
             draw_curve(row[0], [(x, f["degree"]) for x, f in noisy], style)
             draw_curve(row[1], [(x, 100.0 * f["error"]["mean"]) for x, f in noisy], style)
-        style_axes(row[0], "edges per vertex", "noise, mean edges")
-        style_axes(row[1], "mean error (%)", "noise, mean edges")
+        for axes, title in zip(row, ("edges per vertex", "mean error (%)")):
+            style_axes(axes, title, "noise, mean edges", minor=few_minor, y_minor=few_minor)
         add_legend(figure, handle, rules.items(), columns=2)
         figure.tight_layout(rect=(0.0, 0.1, 1.0, 1.0))
         figure.savefig(path, dpi=80)
