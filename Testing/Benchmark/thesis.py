@@ -153,9 +153,10 @@ def main(arguments=None):
     """Measure, judge, and write the page; 1 when something failed."""
     options = parse(arguments)
     wanted = chosen([name for name in options.exhibits.split(",") if name])
-    run = Run(options.out, options.programs, options.data, options.full)
     # What takes hours can be interrupted; what takes minutes is measured together.
-    kept = Kept(run, options.keep or options.full)
+    reuse = options.keep or options.full
+    run = Run(options.out, options.programs, options.data, options.full, reuse)
+    kept = Kept(run)
     pictures = options.pictures or options.out
     os.makedirs(pictures, exist_ok=True)
     # Of stretched triangles, which are meant to be there.
