@@ -151,12 +151,14 @@ class Degree(Exhibit):
             for e, (low, high) in self.ranges.items()
             if e in published
         )
+        texts = [f"{degree:.0f} at {accuracy}" for accuracy, degree in published.items()]
         return Verdict(
             REPRODUCED if fits and abs(exponent + 0.5) < 0.05 else NOT_COMPARABLE,
-            f"Pruned as published the degree is {' and '.join(f'{d:.0f} at {e}' for e, d in published.items())}. The exponent of the direct rule is {exponent:.2f}. Ours has more edges at the same ε, "
-            "which bounds the largest error there and not the mean, and fewer at the same mean error "
-            "(Figure 3.10). ε ends at 1e-6: below it lengths of edges differ by less than directions, "
-            "which are floats, can tell.",
+            f"Pruned as published the degree is {' and '.join(texts)}. The exponent of the direct rule is "
+            f"{exponent:.2f}. Our rule has more edges at the same ε, which bounds its largest error and not "
+            "the mean, and as many at the same mean error (Figure 3.10). The module takes ε down to 1e-6, "
+            "where a vertex has some 6600 edges, as many as meshes of this size have vertices: 1e-9 is not "
+            "measured.",
         )
 
 
@@ -442,9 +444,15 @@ class DirectAgainstIndirect(Exhibit):
     )
 
     def measure(self, run):
-        name = run.pick("bumpy-4", "bumpy-5")
-        accuracies = ["0.1", "0.01", "0.001", "0.0001", *run.pick([], ["0.00001"])]
-        return measured(run, name, RULES, accuracies, sources=1)
+        if run.full:
+            accuracies = ["0.1", "0.01", "0.001", "0.0001", "0.00001"]
+            return measured(run, "bumpy-5", RULES, accuracies, sources=1)
+        # That of other exhibits: the indirect construction takes minutes below 1e-3.
+        found = {rule: dict(graphs) for rule, graphs in sweep(run).items() if rule in RULES}
+        largest = max(growth(run).items(), key=lambda item: int(item[0]))[1]
+        for rule in RULES:
+            found[rule][Growth.accuracy] = largest[rule]
+        return found
 
     def ratio(self, figures, rule, accuracy, key):
         return figures["Indirect"][accuracy][key] / figures[rule][accuracy][key]
@@ -461,14 +469,30 @@ class DirectAgainstIndirect(Exhibit):
         return table([*header, "T / T of Guaranteed"], rows)
 
     def verdict(self, figures):
-        found = [self.ratio(figures, "OneRelay", e, "build") for e in ("0.001", "0.0001")]
+        fine = [e for e in figures["Indirect"] if float(e) <= 0.001]
+        found = [self.ratio(figures, "OneRelay", e, "build") for e in fine]
         low, high = min(found), max(found)
         word = REPRODUCED if low < 40.0 and high > 3.0 else (BETTER if low >= 40.0 else WORSE)
         return Verdict(
             word,
-            f"The indirect construction takes {low:.0f} to {high:.0f} times as long as the direct one "
-            "for ε = 1e-3 to 1e-4.",
+            f"The indirect construction takes {' and '.join(f'{ratio:.0f}' for ratio in found)} times as "
+            f"long as the published direct rule at ε = {' and '.join(fine)}.",
         )
+
+
+def growth(run):
+    """The three rules on finer and finer meshes."""
+    return run.shared("growth", lambda: measured_growth(run))
+
+
+def measured_growth(run):
+    """That, measured now."""
+    found = {}
+    for level in run.pick((3, 4, 5), (3, 4, 5, 6)):
+        graphs = measured(run, f"bumpy-{level}", RULES, [Growth.accuracy], sources=1)
+        vertices = graphs["Guaranteed"][Growth.accuracy]["vertices"]
+        found[int(vertices)] = {rule: graphs[rule][Growth.accuracy] for rule in RULES}
+    return found
 
 
 class Growth(Exhibit):
@@ -483,12 +507,7 @@ class Growth(Exhibit):
     accuracy = "0.001"
 
     def measure(self, run):
-        found = {}
-        for level in run.pick((3, 4, 5), (3, 4, 5, 6)):
-            graphs = measured(run, f"bumpy-{level}", RULES, [self.accuracy], sources=1)
-            vertices = graphs["Guaranteed"][self.accuracy]["vertices"]
-            found[int(vertices)] = {rule: graphs[rule][self.accuracy] for rule in RULES}
-        return found
+        return growth(run)
 
     def exponents(self, figures, key):
         return {

@@ -169,7 +169,8 @@ class DegreeHistogram(Exhibit):
         spread = rule["other"]["deviation"] / rule["other"]["mean"]
         return Verdict(
             NOT_COMPARABLE,
-            f"Histograms of other models were published. The standard deviation is {100.0 * spread:.0f} % of the mean, and saddle vertices have "
+            "Histograms of other models were published. The standard deviation is "
+            f"{100.0 * spread:.0f} % of the mean, and saddle vertices have "
             f"{ratio:.2f} times the degree of others.",
         )
 
