@@ -371,8 +371,8 @@ class Parameters(Exhibit):
         return Verdict(
             REPRODUCED if inner == count else NOT_COMPARABLE,
             f"With chords scheme B has an inner minimum on {inner} of {count} clouds: zigzag, which "
-            "falls with the reach, and short cuts, which grow, cancel there. With arcs there is none to "
-            "look for.",
+            "falls with the reach, and short cuts, which grow, cancel there. With arcs the error has at "
+            "most a shallow one, and hardly depends on the reach beyond.",
         )
 
 
