@@ -15,6 +15,7 @@ import json
 import os
 import sys
 import time
+import warnings
 
 import numpy as np
 import vtkdgg
@@ -81,20 +82,27 @@ def reason(problem):
 
 
 def measure(folder, accuracies, number_of_sources=SOURCES, most_points=1000000, say=print):
-    """Rows of all meshes, and the files that were refused altogether."""
-    rows, refused = [], []
+    """Rows of all meshes, what was said of them, and what was refused."""
+    rows, refused, noted = [], [], []
     for path in meshes_of(folder):
-        say(os.path.basename(path))
-        try:
-            rows += measure_mesh(path, accuracies, number_of_sources, most_points)
-        except (files.MeshFileError, vtkdgg.VTKError, ValueError) as problem:
-            refused.append({"mesh": os.path.basename(path), "reason": reason(problem)})
+        name = os.path.basename(path)
+        say(name)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            try:
+                rows += measure_mesh(path, accuracies, number_of_sources, most_points)
+            except (files.MeshFileError, vtkdgg.VTKError, ValueError) as problem:
+                refused.append({"mesh": name, "reason": reason(problem)})
+        # Each filter says the same.
+        said = dict.fromkeys(reason(warning.message) for warning in caught)
+        noted += [{"mesh": name, "note": note} for note in said]
     refused += [
         {"mesh": f"{row['mesh']}, ε = {row['accuracy']:g}", "reason": row["refused"]}
         for row in rows
         if "refused" in row
     ]
-    return {"rows": [row for row in rows if "mean" in row], "refused": refused}
+    rows = [row for row in rows if "mean" in row]
+    return {"rows": rows, "refused": refused, "noted": noted}
 
 
 def passes(row):
@@ -124,6 +132,8 @@ def tables(results):
     parts.append(table(header, lines))
     refused = [[entry["mesh"], entry["reason"]] for entry in results["refused"]]
     parts.append(table(["refused", "why"], refused))
+    noted = [[entry["mesh"], entry["note"]] for entry in results.get("noted", ())]
+    parts.append(table(["mesh", "what the filters say of it"], noted))
     return "\n".join(part for part in parts if part)
 
 

@@ -6,6 +6,7 @@ import json
 import os
 import shutil
 import unittest
+import unittest.mock
 
 import numpy as np
 import passrate
@@ -16,6 +17,7 @@ from exhibits.every import ALL
 from exhibits.exhibit import (
     BETTER,
     FAILED,
+    NOT_REGENERATED,
     REPRODUCED,
     WORSE,
     Exhibit,
@@ -70,10 +72,10 @@ def folder(name):
 
 class Page(unittest.TestCase):
     def setUp(self):
-        self.run = Run(folder("page"), "nowhere")
+        self.run = Run(folder("page"), "nowhere", reuse=True)
 
     def result(self, exhibit):
-        figures, verdict = thesis.measured(exhibit, Kept(self.run, True), lambda line: None)
+        figures, verdict = thesis.measured(exhibit, Kept(self.run), lambda line: None)
         picture = thesis.picture_of(exhibit, figures, self.run.folder) if figures else None
         return exhibit, figures, verdict, picture
 
@@ -90,6 +92,17 @@ class Page(unittest.TestCase):
         self.assertIn("**Not regenerated.** Nobody knows how.", text)
         row = cells_of(text.splitlines(), "[F9.1](#figure-91-a-count)", "exhibit")
         self.assertEqual(row["verdict"], BETTER)
+
+    def test_not_wanted(self):
+        exhibit = Counted()
+        kept = Kept(self.run)
+
+        def word():
+            return thesis.measured(exhibit, kept, self.fail, False)[1].word
+
+        self.assertEqual((word(), exhibit.count), (NOT_REGENERATED, 0))
+        kept.figures(exhibit)
+        self.assertEqual((word(), exhibit.count), (BETTER, 1))
 
     def test_failures(self):
         for problem in (ValueError("too small"), TooLong("not done"), OSError("no such file")):
@@ -114,15 +127,26 @@ class Results(unittest.TestCase):
     def test_kept(self):
         exhibit = Counted()
         path = folder("kept")
-        kept = Kept(Run(path, "nowhere"), True)
+        kept = Kept(Run(path, "nowhere", reuse=True))
         self.assertEqual(kept.figures(exhibit), {"count": 1, "2": [1, 2]})
         self.assertEqual(kept.figures(exhibit)["count"], 1)
         with open(os.path.join(path, "F9.1.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file)["figures"]["count"], 1)
         # Not when they were to be measured again, or differently.
-        self.assertEqual(Kept(Run(path, "nowhere"), False).figures(exhibit)["count"], 2)
-        self.assertEqual(Kept(Run(path, "nowhere", full=True), True).figures(exhibit)["count"], 3)
-        self.assertEqual(Kept(Run(path, "nowhere", "data"), True).figures(exhibit)["count"], 4)
+        self.assertEqual(Kept(Run(path, "nowhere")).figures(exhibit)["count"], 2)
+        self.assertEqual(
+            Kept(Run(path, "nowhere", full=True, reuse=True)).figures(exhibit)["count"], 3
+        )
+        self.assertEqual(
+            Kept(Run(path, "nowhere", "data", reuse=True)).figures(exhibit)["count"], 4
+        )
+
+    def test_shared(self):
+        path = folder("shared")
+        make = unittest.mock.Mock(side_effect=[{"a": 1}, {"a": 2}])
+        runs = [Run(path, "nowhere", reuse=reuse) for reuse in (True, True, False)]
+        self.assertEqual([run.shared("sum", make)["a"] for run in runs], [1, 1, 2])
+        self.assertEqual(runs[0].shared("sum", make)["a"], 1)
 
     def test_limited_time(self):
         with self.assertRaisesRegex(TooLong, "not done after 1 seconds"):

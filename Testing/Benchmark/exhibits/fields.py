@@ -131,7 +131,8 @@ class Histograms(Maps):
         found = figures["methods"]
         return Verdict(
             NOT_COMPARABLE,
-            f"Pictures of other models were published. The largest error of the graph is {percent(found['graph']['max'])} %, below ε; that of "
+            "Pictures of other models were published. The largest error of the graph is "
+            f"{percent(found['graph']['max'])} %, below ε; that of "
             f"fast marching is {percent(found['fast marching']['max'])} %, of heat "
             f"{percent(found['heat']['max'])} %. Nothing bounds these.",
         )

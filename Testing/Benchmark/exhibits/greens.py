@@ -79,7 +79,7 @@ class Baselines(Anywhere):
 
     name = "F4.6"
     title = "vertex poles and subdivision as baselines"
-    published = "22 to 25 % by the nearest vertex and by subdivision, as curves."
+    published = "curves of the baselines, whose errors are 22 to 25 %."
 
     def rows(self, figures):
         vertex = figures["Vertex"][NEAR]

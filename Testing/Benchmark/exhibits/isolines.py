@@ -5,7 +5,7 @@
 import numpy as np
 import vtkdgg
 from benchmark_results import count_text, digits, median, percent, ratio_text, table
-from plot_tools import STYLES, add_legend, draw_curve, load_matplotlib, style_axes
+from plot_tools import STYLES
 from summarize_isolines import METHODS, STEINER
 from summarize_isolines import Run as IsolineRun
 from vtkdgg.commands.files import cloud_of
@@ -14,6 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkContourFilter
 
 from . import surfaces
+from .drawing import plot_curves
 from .exhibit import NOT_COMPARABLE, Exhibit, Verdict, judged
 from .fields import sources_of
 
@@ -34,6 +35,11 @@ SHOWN = ("Contour", "Apollonius0", "Apollonius2", "Sources", "Windows")
 
 def measured(run):
     """{mesh: {method: {figure: value}}} of isolines of exact distances, by BenchmarkIsolines."""
+    return run.shared("isolines", lambda: measured_now(run))
+
+
+def measured_now(run):
+    """That, measured now."""
     path = run.program(
         "BenchmarkIsolines",
         f"--sizes={run.pick('600,1000,5000', '600,1000,5000,10000,50000')}",
@@ -148,18 +154,14 @@ class Resolution(Errors):
         return found
 
     def draw(self, figures, path):
-        subplots, handle = load_matplotlib()
-        figure, axes = subplots(1, 1, figsize=(6.4, 5.0))
         styles = dict(zip(("Contour", "Apollonius2", "Sources"), STYLES))
-        for sizes in self.groups(figures).values():
-            for method, style in styles.items():
-                points = sorted((n, 100.0 * cases[method]["error_mean"]) for n, cases in sizes)
-                draw_curve(axes, points, style)
-        style_axes(axes, "mean error of isolines (%)", "vertices")
-        add_legend(figure, handle, [(METHODS[m], s) for m, s in styles.items()], columns=3)
-        figure.tight_layout(rect=(0.0, 0.09, 1.0, 1.0))
-        figure.savefig(path, dpi=80)
-        return True
+        curves = [
+            (sorted((n, 100.0 * cases[method]["error_mean"]) for n, cases in sizes), style, "-")
+            for sizes in self.groups(figures).values()
+            for method, style in styles.items()
+        ]
+        legend = [(METHODS[method], style) for method, style in styles.items()]
+        return plot_curves(path, "mean error of isolines (%)", "vertices", curves, legend)
 
     def verdict(self, figures):
         falls = [
@@ -215,16 +217,13 @@ class SteinerPoints(Errors):
         )
 
     def draw(self, figures, path):
-        subplots, handle = load_matplotlib()
-        figure, axes = subplots(1, 1, figsize=(6.4, 5.0))
         styles = dict(zip(self.curves(figures), STYLES))
-        for mesh, points in self.curves(figures).items():
-            draw_curve(axes, [(k + 1, 100.0 * e) for k, e in points], styles[mesh])
-        style_axes(axes, "mean error of isolines (%)", "k + 1, parts of an edge")
-        add_legend(figure, handle, styles.items(), columns=2)
-        figure.tight_layout(rect=(0.0, 0.09, 1.0, 1.0))
-        figure.savefig(path, dpi=80)
-        return True
+        curves = [
+            ([(k + 1, 100.0 * e) for k, e in points], styles[mesh], "-")
+            for mesh, points in self.curves(figures).items()
+        ]
+        title = "mean error of isolines (%)"
+        return plot_curves(path, title, "k + 1, parts of an edge", curves, list(styles.items()))
 
     def verdict(self, figures):
         texts = [

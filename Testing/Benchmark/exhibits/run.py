@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One run of exhibits: its meshes, the programs it calls, and results that are kept."""
 
+import hashlib
 import json
 import os
 import signal
@@ -29,7 +30,8 @@ class TooLong(Exception):
 class Run:
     """Where things are, and how much is measured."""
 
-    def __init__(self, folder, programs, data=None, full=False):
+    def __init__(self, folder, programs, data=None, full=False, reuse=False):
+        self.reuse = reuse  # what is finished is not measured again
         self.folder = folder
         self.programs = programs
         self.data = data
@@ -80,10 +82,39 @@ class Run:
             self._made[key] = make()
         return self._made[key]
 
+    def shared(self, name, make):
+        """The same for figures, which are kept for further runs as those of exhibits are."""
+        path = os.path.join(self.folder, f"shared_{name}.json")
+
+        def find_or_make():
+            figures = self.read(path) if self.reuse else None
+            if figures is None:
+                figures = self.write(path, make())
+            return figures
+
+        return self.once(("shared", name), find_or_make)
+
+    def read(self, path):
+        """Figures from an earlier run with these settings; None without."""
+        if not os.path.isfile(path):
+            return None
+        with open(path, encoding="utf-8") as file:
+            found = json.load(file)
+        return found["figures"] if found["settings"] == self.settings() else None
+
+    def write(self, path, figures):
+        """Keep figures; returns them as they will be read: keys are texts."""
+        with open(path + ".part", "w", encoding="utf-8") as file:
+            json.dump({"settings": self.settings(), "figures": figures}, file, indent=1)
+        os.replace(path + ".part", path)
+        return self.read(path)
+
     def program(self, name, *arguments):
         """Run a benchmark program; the path of its JSON."""
         key = (name, *arguments)
-        path = os.path.join(self.folder, f"{name}-{len(self._made)}.json")
+        # Of the same arguments the same file: plots of kept results read it again.
+        mark = hashlib.sha1(" ".join(arguments).encode()).hexdigest()[:8]
+        path = os.path.join(self.folder, f"{name}-{mark}.json")
 
         def make():
             command = [
@@ -104,33 +135,23 @@ class Run:
 class Kept:
     """Results of exhibits in files, so that what is finished is not measured again."""
 
-    def __init__(self, run, reuse):
+    def __init__(self, run):
         self.run = run
-        self.reuse = reuse
 
     def path(self, exhibit):
         return os.path.join(self.run.folder, f"{exhibit.name}.json")
 
     def find(self, exhibit):
         """Figures from an earlier run with these settings; None without."""
-        if not self.reuse or not os.path.isfile(self.path(exhibit)):
-            return None
-        with open(self.path(exhibit), encoding="utf-8") as file:
-            found = json.load(file)
-        return found["figures"] if found["settings"] == self.run.settings() else None
+        return self.run.read(self.path(exhibit))
 
     def figures(self, exhibit, seconds=MOST_SECONDS):
         """Those that are kept, else measured now and kept."""
-        figures = self.find(exhibit)
+        figures = self.find(exhibit) if self.run.reuse else None
         if figures is None:
             with limited_time(seconds):
                 figures = exhibit.measure(self.run)
-            # As they will be read the next time: keys are texts.
-            figures = json.loads(json.dumps(figures))
-            path = self.path(exhibit)
-            with open(path + ".part", "w", encoding="utf-8") as file:
-                json.dump({"settings": self.run.settings(), "figures": figures}, file, indent=1)
-            os.replace(path + ".part", path)
+            figures = self.run.write(self.path(exhibit), figures)
         return figures
 
 

@@ -15,9 +15,10 @@ from benchmark_results import (
     percent,
     table,
 )
-from plot_tools import STYLES, add_legend, draw_curve, load_matplotlib, style_axes
+from plot_tools import STYLES
 
 from . import surfaces
+from .drawing import plot_curves
 from .exhibit import BETTER, NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
 from .fields import errors_text
 
@@ -53,6 +54,11 @@ def errors_of(figures):
 
 def pruned(run):
     """What candidates, and the two ways to prune them, make of one mesh."""
+    return run.shared("pruned", lambda: measured_pruning(run))
+
+
+def measured_pruning(run):
+    """That, measured now."""
     name = run.pick("bumpy-4", "bumpy-5")
     accuracies = run.pick(ACCURACIES, (*ACCURACIES, "0.0001"))
     found = published(run, name, "Pruning", accuracies)
@@ -299,17 +305,14 @@ class PseudoVertices(Exhibit):
         )
 
     def draw(self, figures, path):
-        subplots, handle = load_matplotlib()
-        figure, axes = subplots(1, 1, figsize=(6.4, 5.0))
-        kinds = dict(zip(("Plain", "Pseudo", "Guaranteed"), STYLES))
-        for kind, style in kinds.items():
-            points = sorted((row["tau"], row[kind]["edges"]) for row in figures)
-            draw_curve(axes, points, style)
-        style_axes(axes, "edges per vertex of the mesh", "anisotropy")
-        add_legend(figure, handle, kinds.items(), columns=3)
-        figure.tight_layout(rect=(0.0, 0.09, 1.0, 1.0))
-        figure.savefig(path, dpi=80)
-        return True
+        titles = {"Plain": "plain", "Pseudo": "with pseudo-vertices", "Guaranteed": "Guaranteed"}
+        styles = dict(zip(titles, STYLES))
+        curves = [
+            (sorted((row["tau"], row[kind]["edges"]) for row in figures), style, "-")
+            for kind, style in styles.items()
+        ]
+        legend = [(titles[kind], style) for kind, style in styles.items()]
+        return plot_curves(path, "edges per vertex of the mesh", "anisotropy", curves, legend)
 
     def verdict(self, figures):
         added = [row["Pseudo"]["added"] for row in figures[1:]]
