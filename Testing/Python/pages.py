@@ -21,6 +21,7 @@ PAGES = (
     "Readers/README.md",
     "Testing/Benchmark/Differences.md",
     "Testing/Benchmark/README.md",
+    "Testing/Benchmark/Thesis.md",
     "Testing/README.md",
     "Wrapping/ParaView/README.md",
     "Wrapping/Python/README.md",
