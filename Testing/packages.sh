@@ -83,9 +83,11 @@ list >"$folder/$system.before"
 shown 'apt-get install -y -qq ./packages/*.deb 2>&1 | grep -v "^(Reading"'
 if [ "$system" = paraview ]; then
   cat >"$root/root/distance.py" <<'END'
+from glob import glob
+
 from paraview.simple import *
 
-LoadDistributedPlugin("Geodesics", ns=globals())
+LoadPlugin(glob("/usr/lib/*/paraview-*/plugins/Geodesics/Geodesics.so")[0], ns=globals())
 distance = GeodesicDistance(Input=OpenDataFile("mesh.ply"), Accuracy=0.01)
 distance.Source.Center = [1.0, 0.0, 0.0]
 distance.UpdatePipeline()
