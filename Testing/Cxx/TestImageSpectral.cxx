@@ -261,7 +261,8 @@ TEST(ImageSpectral, Interpolation)
       EXPECT_NEAR(values[sites.back()], height[sites.back()], 1e-9);
     }
     scene.AddPanel(PebbleView);
-    scene.AddSurface(filter->GetOutput(), "Interpolation", FieldColors(-1.0, 1.2, 22));
+    scene.AddSurface(filter->GetOutput(), "Interpolation", FieldColors(-1.0, 1.2, 11));
+    scene.AddContours(filter->GetOutput(), 0.005, "Interpolation", -1.0, 1.2, 23);
     scene.AddPoints(pebble, sites, 0.035, Ink);
   }
   scene.ExpectBaseline("TestImageInterpolation");
