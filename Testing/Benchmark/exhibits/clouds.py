@@ -16,7 +16,7 @@ from vtkdgg.commands.files import cloud_of
 from vtkdgg.commands.sizes import floor_of
 
 from . import surfaces
-from .exhibit import NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
+from .exhibit import NOT_COMPARABLE, REPRODUCED, Exhibit, Verdict, judged
 from .fields import errors_text, exact_fields, sources_of, summary
 
 # As published: voxels along the largest extent, radius of balls and alpha in voxels.
