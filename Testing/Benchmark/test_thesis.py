@@ -27,6 +27,7 @@ from exhibits.exhibit import (
 )
 from exhibits.fields import summary
 from exhibits.run import Kept, Run, TooLong, limited_time
+from Published import bidirectional
 from table_support import OUTPUT, cells_of
 
 NAMES = (
@@ -195,6 +196,27 @@ class Surfaces(unittest.TestCase):
         points, _ = surfaces.arrays_of(mesh)
         arcs = np.arccos(np.clip(points @ points[0], -1.0, 1.0))
         self.assertLess(np.abs(vtkdgg.distance(mesh, 0) - arcs).max(), 0.02)
+
+
+class BothEnds(unittest.TestCase):
+    def test_lengths(self):
+        mesh = surfaces.make("bumpy-2")
+        graph = vtkdgg.Graph(mesh, accuracy=0.05)
+        read = bidirectional.arrays(graph)
+        points, _ = surfaces.arrays_of(mesh)
+        straight = np.linalg.norm(points - points[150], axis=1) * (1.0 - 1e-6)
+        expected = graph.distance(3, correction=False)[150]
+        settled = {}
+        for name, (length, count) in {
+            "one": bidirectional.one_sided(read, 3, 150),
+            "star": bidirectional.one_sided(read, 3, 150, straight),
+            "two": bidirectional.two_sided(read, 3, 150, False),
+        }.items():
+            self.assertAlmostEqual(length, expected, delta=1e-6 * expected)
+            settled[name] = count
+        self.assertLess(settled["star"], settled["one"])
+        length, _ = bidirectional.two_sided(read, 3, 150, True)
+        self.assertGreaterEqual(length, expected * (1.0 - 1e-6))
 
 
 class PassRate(unittest.TestCase):

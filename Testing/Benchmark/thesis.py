@@ -117,7 +117,8 @@ def page(results, note, images):
 def note_of(run):
     """How this page was made."""
     options = " --data FOLDER" * (run.data is not None) + " --full" * run.full
-    return f"This page was made with `run.sh thesis --readme{options}`."
+    kept = ", exhibit by exhibit (`--keep`)" * (run.reuse and not run.full)
+    return f"This page was made with `run.sh thesis --readme{options}`{kept}."
 
 
 def chosen(names):

@@ -16,7 +16,7 @@ from vtkdgg.commands.files import cloud_of
 from vtkdgg.commands.sizes import floor_of
 
 from . import surfaces
-from .exhibit import NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
+from .exhibit import NOT_COMPARABLE, REPRODUCED, Exhibit, Verdict, judged
 from .fields import errors_text, exact_fields, sources_of, summary
 
 # As published: voxels along the largest extent, radius of balls and alpha in voxels.
@@ -68,16 +68,13 @@ def as_published(scheme, alpha, balls, resolution):
     }
 
 
-def best_published(cloud, errors, spacing_in_voxels):
-    """{scheme: parameters and errors} of the best of the published parameters for which the points
-    are dense enough: elsewhere the band has gaps."""
+def best_published(cloud, errors, resolution):
+    """{scheme: parameters and errors} of the best of the published parameters."""
     found = {}
     for scheme, alphas in ALPHAS.items():
         for balls in BALLS:
-            if balls < spacing_in_voxels:
-                continue
             for alpha in alphas:
-                graph, _ = built(cloud, **as_published(scheme, alpha, balls, RESOLUTION))
+                graph, _ = built(cloud, **as_published(scheme, alpha, balls, resolution))
                 entry = {
                     "balls": balls,
                     "alpha": alpha,
@@ -90,9 +87,10 @@ def best_published(cloud, errors, spacing_in_voxels):
 
 
 class Errors(Exhibit):
-    """Mean errors of graphs of clouds: schemes A and B with published parameters (512 voxels, chords,
-    no edges left out; the better ones of h = 2, 4 and alpha = 1, 2.5 for A and 4 for B), scheme C
-    as it is by default, and fast marching in its band."""
+    """Mean errors of graphs of clouds: schemes A and B with published parameters (chords, no edges left
+    out, as many voxels as give the spacing of the published cloud at 512; the best of h = 2, 4 and
+    alpha = 1, 2.5 for A and 4 for B), scheme C as it is by default, and fast marching in its band.
+    """
 
     name = "T5.1"
     title = "errors on clouds"
@@ -102,7 +100,7 @@ class Errors(Exhibit):
     )
 
     def clouds(self, run):
-        """Name, points as data, function of the errors of a graph, mean spacing, kind."""
+        """Name, kind, points as data, function of the errors of a graph."""
         count = run.pick(30000, 160000)
         points = random_sphere(count)
         yield (
@@ -110,7 +108,6 @@ class Errors(Exhibit):
             "sphere",
             cloud_of(points),
             lambda graph: sphere_errors(graph, points),
-            np.sqrt(4.0 * np.pi / count),
         )
         names = ["torus-200", "terrain-160"] + [name for name in run.scans() if name == "bunny"]
         for name in run.pick(names, ["torus-338", "terrain-257", *names[2:]]):
@@ -120,24 +117,23 @@ class Errors(Exhibit):
         mesh = run.mesh(name)
         sources = sources_of(mesh, 3)
         exact = exact_fields(run, name, 3)
-        points, triangles = surfaces.arrays_of(mesh)
+        points, _ = surfaces.arrays_of(mesh)
 
         def errors(graph):
             found = [graph.distance(s, unreached=np.inf) for s in sources]
             return summary(found, exact, floor_of(mesh))
 
-        spacing = surfaces.mean_edge(points, triangles)
         title = f"vertices of {name}, {count_text(len(points))}"
-        return title, name.split("-")[0], cloud_of(points), errors, spacing
+        return title, name.split("-")[0], cloud_of(points), errors
 
     def measure(self, run):
         found = {}
-        for title, kind, cloud, errors, spacing in self.clouds(run):
-            bounds = np.array(cloud.GetBounds()).reshape(3, 2)
-            voxel = np.ptp(bounds, axis=1).max() / RESOLUTION
+        for title, kind, cloud, errors in self.clouds(run):
+            count = next(count for name, count, _ in PUBLISHED if name == kind)
+            resolution = round(RESOLUTION * (cloud.GetNumberOfPoints() / count) ** 0.5)
             graph, _ = built(cloud)
             entry = {"kind": kind, "C": {"degree": graph.degree, "error": errors(graph)}}
-            entry.update(best_published(cloud, errors, 0.5 * spacing / voxel))
+            entry.update(best_published(cloud, errors, resolution))
             found[title] = entry
         marching = CloudRun(self.marching(run)).groups["Cloud"]
         for cloud, graphs in marching.items():

@@ -9,7 +9,7 @@ def plot_curves(path, title, x_label, curves, legend, lines=(), more=None):
     """One set of axes with curves (points, style, line); `legend` and `lines` as for add_legend(),
     `more` draws into the axes. Says that there is a picture."""
     subplots, handle = load_matplotlib()
-    figure, axes = subplots(1, 1, figsize=(6.4, 5.0))
+    figure, axes = subplots(1, 1, figsize=(8.0, 5.2))
     for points, style, line in curves:
         draw_curve(axes, points, style, line, line == "-")
     if more:

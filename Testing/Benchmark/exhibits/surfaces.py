@@ -7,8 +7,6 @@ import re
 import numpy as np
 from vtkdgg import meshes
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
 NAME = re.compile(
     r"^(?P<kind>sphere|bumpy|torus|terrain)-(?P<size>[0-9]+)"
@@ -198,14 +196,3 @@ def vertex_normals(points, triangles):
     for i in range(3):
         np.add.at(normals, triangles[:, i], np.cross(b - a, c - a))
     return normals / np.linalg.norm(normals, axis=1)[:, None]
-
-
-def decimated(mesh, vertices):
-    """A coarser mesh of about so many vertices."""
-    coarser = vtkQuadricDecimation()
-    coarser.SetTargetReduction(1.0 - vertices / mesh.GetNumberOfPoints())
-    bare = vtkPolyData()
-    bare.CopyStructure(mesh)
-    coarser.SetInputData(bare)
-    coarser.Update()
-    return from_arrays(*arrays_of(coarser.GetOutput()))

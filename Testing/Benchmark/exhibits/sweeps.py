@@ -12,6 +12,7 @@ import vtkdgg
 from benchmark_results import count_text, digits, percent, ratio_text, table
 from plot_tools import STYLES, add_legend, draw_curve, few_minor, load_matplotlib, style_axes
 from vtkdgg.commands.sizes import floor_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 from . import surfaces
@@ -251,16 +252,10 @@ def edge_length(mesh, start, end):
     along.SetStartVertex(start)
     along.SetEndVertex(end)
     along.StopWhenEndReachedOn()
-    points, _ = path_points(vtkdgg.check(along))
-    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
-
-
-def path_points(line):
-    """Points of a polyline in their order."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
+    line = vtkdgg.check(along)
     ids = vtk_to_numpy(line.GetLines().GetConnectivityArray())
-    return vtk_to_numpy(line.GetPoints().GetData()).astype(float)[ids], ids
+    points = vtk_to_numpy(line.GetPoints().GetData()).astype(float)[ids]
+    return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
 class Samples(Exhibit):
