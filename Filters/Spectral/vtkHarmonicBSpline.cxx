@@ -222,7 +222,8 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
   const auto targets = static_cast<double>(numberOfTargets);
   const bool isHarmonic = this->Order == Harmonic;
   const bool isSmooth = this->SmoothEvaluation && isHarmonic && numberOfTargets > 0;
-  const bool hasMatrices = !isHarmonic || !this->SiteValuesArrayName.empty();
+  const bool hasMatrices =
+    !this->SiteValuesArrayName.empty() || (!isHarmonic && this->GenerateBasis);
   const double bytes = isSmooth ? dgg::GreensFunction::BytesPerVertex : SplineBytesPerVertex;
   // Of threads; the equations of sites, as those of vertices; cells and solutions.
   return bytes * n * vtkSMPTools::GetEstimatedNumberOfThreads() +
@@ -259,10 +260,13 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
     return dgg::ProgressPart(task.Progress, begin, end);
   };
   DGGSplineRun run(task, !isHarmonic, this->SmoothEvaluation);
-  DGG_RETURN_IF_ERROR(run.Prepare(part(0.0, PreparationDone)));
-  if (this->GenerateBasis || (isHarmonic && !siteValues.empty()))
+  const bool hasValues = !siteValues.empty();
+  DGG_RETURN_IF_ERROR(
+    run.Prepare(this->GenerateBasis || hasValues, part(0.0, PreparationDone)));
+  if (this->GenerateBasis || (isHarmonic && hasValues))
   {
-    DGG_RETURN_IF_ERROR(run.FindBasis(this->GenerateBasis, part(PreparationDone, BasisDone)));
+    DGG_RETURN_IF_ERROR(
+      run.FindBasis(this->GenerateBasis, hasValues, part(PreparationDone, BasisDone)));
   }
   if (isHarmonic)
   {
@@ -275,7 +279,7 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
     DGG_RETURN_IF_ERROR(
       run.AddSolution(this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance));
   }
-  if (!siteValues.empty())
+  if (hasValues)
   {
     DGG_RETURN_IF_ERROR(run.AddInterpolation(siteValues, this->InterpolationArrayName));
   }

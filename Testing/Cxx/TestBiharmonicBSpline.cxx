@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
@@ -226,6 +227,36 @@ TEST_F(BiharmonicBSpline, BiLaplaceEquation)
   for (vtkIdType i = 0; i < this->Surface->GetNumberOfPoints(); ++i)
   {
     EXPECT_NEAR(solution[i], harmonic(i), 0.01);
+  }
+  // Sites, two of which depend on each other as functions, play no part without these.
+  this->Filter->GenerateBasisOff();
+  this->Filter->SetSourceData(
+    MakeSourcePoints({ PointInCell(this->Surface, 70, { { 0.5, 0.5, 0.0 } }),
+      PointInCell(this->Surface, 70, { { 0.4, 0.6, 0.0 } }),
+      PointInCell(this->Surface, 70, { { 0.6, 0.4, 0.0 } }) }));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetValues(this->Filter->GetOutput(), "PoissonSolution"), solution);
+  this->Filter->SetSourceIds({ 9, 9 });
+  ExpectError(this->Filter, { "same as site 0" });
+}
+
+TEST_F(BiharmonicBSpline, MatricesOfSitesOnlyWhereTheyAreNeeded)
+{
+  // 600 sites: such a matrix takes 2.9 MB, what a thread holds 0.3 MB.
+  AddValues(this->Surface, "f", [](vtkIdType i) { return std::vector<double>{ 1.0 * (i % 2) }; });
+  this->Filter->SetNumberOfSites(600);
+  this->Filter->GenerateBasisOff();
+  this->Filter->SetRightHandSideArrayName("f");
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMemoryLimit(
+    this->Filter->GetMemorySize() + 4000000 + 300000 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  for (const int order : { vtkHarmonicBSpline::Biharmonic, vtkHarmonicBSpline::Harmonic })
+  {
+    this->Filter->SetOrder(order);
+    this->Filter->SetSiteValuesArrayName("v");
+    ExpectError(this->Filter, { "MemoryLimit" });
+    this->Filter->SetSiteValuesArrayName(nullptr);
+    ExpectSuccess(this->Filter);
   }
 }
 
