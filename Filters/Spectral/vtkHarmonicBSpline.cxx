@@ -29,9 +29,10 @@ vtkStandardNewMacro(vtkHarmonicBSpline);
 
 namespace
 {
-/// Parts of the progress: what functions are made of, the functions.
+/// Parts of the progress: what functions are made of, the functions, the solution.
 constexpr double PreparationDone = 0.4;
-constexpr double BasisDone = 0.9;
+constexpr double BasisDone = 0.8;
+constexpr double SolutionDone = 0.85;
 /// What sources may sum to without a warning, relative to the sum of their sizes. Densities are
 /// only integrated up to the mesh.
 constexpr double DensityTolerance = 1e-2;
@@ -261,8 +262,7 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
   };
   DGGSplineRun run(task, !isHarmonic, this->SmoothEvaluation);
   const bool hasValues = !siteValues.empty();
-  DGG_RETURN_IF_ERROR(
-    run.Prepare(this->GenerateBasis || hasValues, part(0.0, PreparationDone)));
+  DGG_RETURN_IF_ERROR(run.Prepare(this->GenerateBasis || hasValues, part(0.0, PreparationDone)));
   if (this->GenerateBasis || (isHarmonic && hasValues))
   {
     DGG_RETURN_IF_ERROR(
@@ -276,12 +276,14 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
   double imbalance = 0.0;
   if (!this->RightHandSideArrayName.empty())
   {
+    DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, BasisDone));
     DGG_RETURN_IF_ERROR(
       run.AddSolution(this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance));
   }
   if (hasValues)
   {
-    DGG_RETURN_IF_ERROR(run.AddInterpolation(siteValues, this->InterpolationArrayName));
+    DGG_RETURN_IF_ERROR(
+      run.AddInterpolation(siteValues, this->InterpolationArrayName, part(SolutionDone, 1.0)));
   }
   if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {

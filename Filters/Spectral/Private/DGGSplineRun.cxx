@@ -232,13 +232,14 @@ void DGGSplineRun::AddCells(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGSplineRun::AddInterpolation(
-  const std::vector<std::vector<double>>& siteValues, const std::string& name)
+dgg::Status DGGSplineRun::AddInterpolation(const std::vector<std::vector<double>>& siteValues,
+  const std::string& name, const dgg::ProgressCallback& progress)
 {
+  const dgg::ParallelFor& parallel = this->Task.Context.Parallel;
   std::vector<std::vector<double>> functions;
   DGG_RETURN_IF_ERROR(this->IsBiharmonic
-      ? this->Biharmonic.Interpolate(siteValues, functions)
-      : this->Harmonic.Interpolate(this->AtSites, siteValues, functions));
+      ? this->Biharmonic.Interpolate(siteValues, parallel, progress, functions)
+      : this->Harmonic.Interpolate(this->AtSites, siteValues, parallel, progress, functions));
   std::vector<std::vector<double>> atTargets;
   for (const std::vector<double>& function : functions)
   {

@@ -45,8 +45,8 @@ public:
   void AddCells(const std::string& name);
   /// Functions with given values at the sites. After Prepare() for functions, of order 1 after
   /// FindBasis() as well.
-  dgg::Status AddInterpolation(
-    const std::vector<std::vector<double>>& siteValues, const std::string& name);
+  dgg::Status AddInterpolation(const std::vector<std::vector<double>>& siteValues,
+    const std::string& name, const dgg::ProgressCallback& progress);
   /// The solution for the sources of an array. `imbalance` is the largest sum that has to be
   /// balanced in a component, relative to the sum of sizes.
   dgg::Status AddSolution(const std::string& sourceName, bool isDensity,
