@@ -41,6 +41,8 @@ constexpr double IntegralTolerance = 1e-6;
 /// each: cells, sources, solutions.
 constexpr double SplineBytesPerVertex = 450.0;
 constexpr double HeldNumbers = 7.0;
+/// Numbers for each point and component of an interpolation: functions, and the array of them.
+constexpr double InterpolationNumbers = 2.0;
 /// Matrices of pairs of sites that are there at once: functions at sites, their factor.
 constexpr double SiteMatrices = 4.0;
 }
@@ -163,12 +165,14 @@ dgg::Status vtkHarmonicBSpline::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   DGG_RETURN_IF_ERROR(this->Superclass::CheckInputs(surface, inputVector));
+  this->SiteValueComponents = 0;
   if (!this->SiteValuesArrayName.empty())
   {
     const DGGSourceSet sites = this->GetSources(inputVector);
     std::vector<std::vector<double>> siteValues;
     DGG_RETURN_IF_ERROR(
       DGGReadSiteValues(this->SiteValuesArrayName, surface, sites.Ids, sites.Points, siteValues));
+    this->SiteValueComponents = siteValues.size();
   }
   std::vector<double> values;
   return this->RightHandSideArrayName.empty()
@@ -226,10 +230,12 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
   const bool hasMatrices =
     !this->SiteValuesArrayName.empty() || (!isHarmonic && this->GenerateBasis);
   const double bytes = isSmooth ? dgg::GreensFunction::BytesPerVertex : SplineBytesPerVertex;
-  // Of threads; the equations of sites, as those of vertices; cells and solutions.
+  const double held =
+    HeldNumbers + InterpolationNumbers * static_cast<double>(this->SiteValueComponents);
+  // Of threads; the equations of sites, as those of vertices; cells, solutions, interpolations.
   return bytes * n * vtkSMPTools::GetEstimatedNumberOfThreads() +
     (isHarmonic ? std::min(1.0, sites / n) * solver.GetEstimatedMemory() : 0.0) +
-    (HeldNumbers * (n + targets) + (isSmooth ? sites * targets : 0.0) +
+    (held * (n + targets) + (isSmooth ? sites * targets : 0.0) +
       (hasMatrices ? SiteMatrices * sites * sites : 0.0)) *
     sizeof(double);
 }

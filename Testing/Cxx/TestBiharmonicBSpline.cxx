@@ -382,6 +382,21 @@ TEST_F(BiharmonicBSpline, NamesAndLimits)
   ExpectError(this->Filter, { "MemoryLimit", "fewer sources" });
 }
 
+TEST_F(BiharmonicBSpline, ManyComponentsCountInMemory)
+{
+  // 2000 take 20 MB as functions and in the array.
+  this->Filter->SetNumberOfSites(10);
+  this->Filter->GenerateBasisOff();
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMemoryLimit(
+    this->Filter->GetMemorySize() + 15000000 + 300000 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  AddValues(this->Surface, "v",
+    [](vtkIdType i) { return std::vector<double>(2000, i % 3 == 0 ? 1.0 : 2.0); });
+  ExpectError(this->Filter, { "MemoryLimit" });
+}
+
 TEST_F(BiharmonicBSpline, ProgressGrowsAndStops)
 {
   this->Filter->SetNumberOfSites(60);
