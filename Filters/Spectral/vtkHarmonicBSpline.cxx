@@ -29,9 +29,10 @@ vtkStandardNewMacro(vtkHarmonicBSpline);
 
 namespace
 {
-/// Parts of the progress: what functions are made of, the functions.
+/// Parts of the progress: what functions are made of, the functions, the solution.
 constexpr double PreparationDone = 0.4;
-constexpr double BasisDone = 0.9;
+constexpr double BasisDone = 0.8;
+constexpr double SolutionDone = 0.85;
 /// What sources may sum to without a warning, relative to the sum of their sizes. Densities are
 /// only integrated up to the mesh.
 constexpr double DensityTolerance = 1e-2;
@@ -40,6 +41,8 @@ constexpr double IntegralTolerance = 1e-6;
 /// each: cells, sources, solutions.
 constexpr double SplineBytesPerVertex = 450.0;
 constexpr double HeldNumbers = 7.0;
+/// Numbers for each point and component of an interpolation: functions, and the array of them.
+constexpr double InterpolationNumbers = 2.0;
 /// Matrices of pairs of sites that are there at once: functions at sites, their factor.
 constexpr double SiteMatrices = 4.0;
 }
@@ -162,12 +165,14 @@ dgg::Status vtkHarmonicBSpline::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   DGG_RETURN_IF_ERROR(this->Superclass::CheckInputs(surface, inputVector));
+  this->SiteValueComponents = 0;
   if (!this->SiteValuesArrayName.empty())
   {
     const DGGSourceSet sites = this->GetSources(inputVector);
     std::vector<std::vector<double>> siteValues;
     DGG_RETURN_IF_ERROR(
       DGGReadSiteValues(this->SiteValuesArrayName, surface, sites.Ids, sites.Points, siteValues));
+    this->SiteValueComponents = siteValues.size();
   }
   std::vector<double> values;
   return this->RightHandSideArrayName.empty()
@@ -222,12 +227,15 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
   const auto targets = static_cast<double>(numberOfTargets);
   const bool isHarmonic = this->Order == Harmonic;
   const bool isSmooth = this->SmoothEvaluation && isHarmonic && numberOfTargets > 0;
-  const bool hasMatrices = !isHarmonic || !this->SiteValuesArrayName.empty();
+  const bool hasMatrices =
+    !this->SiteValuesArrayName.empty() || (!isHarmonic && this->GenerateBasis);
   const double bytes = isSmooth ? dgg::GreensFunction::BytesPerVertex : SplineBytesPerVertex;
-  // Of threads; the equations of sites, as those of vertices; cells and solutions.
+  const double held =
+    HeldNumbers + InterpolationNumbers * static_cast<double>(this->SiteValueComponents);
+  // Of threads; the equations of sites, as those of vertices; cells, solutions, interpolations.
   return bytes * n * vtkSMPTools::GetEstimatedNumberOfThreads() +
     (isHarmonic ? std::min(1.0, sites / n) * solver.GetEstimatedMemory() : 0.0) +
-    (HeldNumbers * (n + targets) + (isSmooth ? sites * targets : 0.0) +
+    (held * (n + targets) + (isSmooth ? sites * targets : 0.0) +
       (hasMatrices ? SiteMatrices * sites * sites : 0.0)) *
     sizeof(double);
 }
@@ -259,10 +267,12 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
     return dgg::ProgressPart(task.Progress, begin, end);
   };
   DGGSplineRun run(task, !isHarmonic, this->SmoothEvaluation);
-  DGG_RETURN_IF_ERROR(run.Prepare(part(0.0, PreparationDone)));
-  if (this->GenerateBasis || (isHarmonic && !siteValues.empty()))
+  const bool hasValues = !siteValues.empty();
+  DGG_RETURN_IF_ERROR(run.Prepare(this->GenerateBasis || hasValues, part(0.0, PreparationDone)));
+  if (this->GenerateBasis || (isHarmonic && hasValues))
   {
-    DGG_RETURN_IF_ERROR(run.FindBasis(this->GenerateBasis, part(PreparationDone, BasisDone)));
+    DGG_RETURN_IF_ERROR(
+      run.FindBasis(this->GenerateBasis, hasValues, part(PreparationDone, BasisDone)));
   }
   if (isHarmonic)
   {
@@ -272,12 +282,14 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
   double imbalance = 0.0;
   if (!this->RightHandSideArrayName.empty())
   {
+    DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, BasisDone));
     DGG_RETURN_IF_ERROR(
       run.AddSolution(this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance));
   }
-  if (!siteValues.empty())
+  if (hasValues)
   {
-    DGG_RETURN_IF_ERROR(run.AddInterpolation(siteValues, this->InterpolationArrayName));
+    DGG_RETURN_IF_ERROR(
+      run.AddInterpolation(siteValues, this->InterpolationArrayName, part(SolutionDone, 1.0)));
   }
   if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {

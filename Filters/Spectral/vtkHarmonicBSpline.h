@@ -26,7 +26,7 @@
  *    evaluation point; -1 without a polygon, or with a given value;
  *  - `PoissonSolution` (double), with RightHandSideArrayName: u = sum_j lambda_j psi_j with
  *    -Laplace u = f, f averaged over cells. Of order Biharmonic, u with Laplace^2 u = f, whatever
- * the sites. Mean 0 in components where nothing is given;
+ *    the sites. Mean 0 in components where nothing is given;
  *  - `Interpolation` (double, as many components as the array with the values), with
  *    SiteValuesArrayName: the sum of functions that has these values at the sites.
  *
@@ -47,17 +47,22 @@
  * boundary nothing flows, so that slopes flatten close to it. Of order Harmonic errors fall like
  * the square, and there are bumps at sites.
  *
- * Two substitutions per site, of order Biharmonic two more with GenerateBasis; for interpolation a
- * dense matrix of sites is factorized: some thousand sites will do. Memory is 8 bytes per point and
- * site with GenerateBasis, and 32 bytes per pair of sites for interpolation.
+ * With GenerateBasis or SiteValuesArrayName a substitution per site, of order Biharmonic two. To
+ * meet values takes as many again for each function and step of refinement, of which there are four
+ * at most: for each component of the interpolation, and of order Biharmonic for each site with
+ * GenerateBasis. For these a dense matrix of sites is factorized: some thousand sites will do.
+ * Memory is 8 bytes per point and site with GenerateBasis, and where there is such a matrix 32
+ * bytes per pair of sites.
  *
- * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: two sites at the same point; more than
- * three sites in a triangle (Biharmonic); a component without a site; Dirichlet conditions and a
- * site on the boundary; a right-hand side that is missing, has several components or is not finite;
- * values of sites that are missing, have other numbers of components on the surface than on port 1,
- * or are not finite; array names that are empty or the same; equations of cells that cannot be
- * solved to 1e-8, or values of sites that cannot be met; SmoothEvaluation with Dirichlet conditions
- * and an evaluation point in a component without a boundary.
+ * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: two sites at the same point; of order
+ * Biharmonic more sites than corners of the triangles that hold them, as more than three in a
+ * triangle or two on an edge, where functions or an interpolation are asked for; a component
+ * without a site; Dirichlet conditions and a site on the boundary; a right-hand side that is
+ * missing, has several components or is not finite; values of sites that are missing, have other
+ * numbers of components on the surface than on port 1, are not finite, or are so large that values
+ * between them would not be; array names that are empty or the same; equations of cells that cannot
+ * be solved to 1e-8, or values of sites that cannot be met; SmoothEvaluation with Dirichlet
+ * conditions and an evaluation point in a component without a boundary.
  *
  * @code
  * vtkNew<vtkHarmonicBSpline> spline;
@@ -245,6 +250,7 @@ private:
   bool GenerateBasis;
   bool SmoothEvaluation;
   std::vector<vtkIdType> UsedSites;
+  mutable std::size_t SiteValueComponents = 0; // as CheckInputs() has found them
 };
 
 #endif

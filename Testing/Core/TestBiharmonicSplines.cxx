@@ -57,7 +57,7 @@ public:
   std::vector<double> Interpolate(const std::vector<double>& values) const
   {
     Columns functions;
-    EXPECT_TRUE(Ok(this->Splines.Interpolate({ values }, functions)));
+    EXPECT_TRUE(Ok(this->Splines.Interpolate({ values }, nullptr, nullptr, functions)));
     return functions.empty() ? std::vector<double>() : functions[0];
   }
   std::vector<double> AtSites(const std::vector<double>& function) const
@@ -134,7 +134,7 @@ TEST(BiharmonicSplines, HaveTheValuesOfSites)
         value *= 1e200;
       }
       Columns functions;
-      ASSERT_TRUE(Ok(spline.Splines.Interpolate({ values, large }, functions)));
+      ASSERT_TRUE(Ok(spline.Splines.Interpolate({ values, large }, nullptr, nullptr, functions)));
       ExpectValues(values, spline.AtSites(functions[0]), named.Name);
       for (std::size_t v = 0; v < functions[0].size(); ++v)
       {
@@ -339,6 +339,31 @@ TEST(BiharmonicSplines, LinearFunctionsInThePlane)
   EXPECT_LT(previous, 2e-3);
 }
 
+TEST(BiharmonicSplines, ValuesBeyondTheLargestNumber)
+{
+  // Between two sites that are close the slope is steep: values rise beyond those of sites.
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
+  Biharmonic spline(mesh);
+  spline.PrepareSome(9);
+  std::vector<dgg::SurfacePoint> sites = spline.Sites;
+  Id edge = 0;
+  while (mesh.Origin(edge) != sites[0].Vertex)
+  {
+    ++edge;
+  }
+  sites.push_back(dgg::SurfacePoint::AtVertex(mesh.Destination(edge)));
+  ASSERT_TRUE(Ok(spline.Prepare(sites)));
+  std::vector<double> values(sites.size(), 1.0);
+  values[0] = 0.0;
+  const std::vector<double> function = spline.Interpolate(values);
+  EXPECT_GT(*std::max_element(function.begin(), function.end()), 1.1);
+  std::fill(values.begin() + 1, values.end(), 1.7e308);
+  Columns functions;
+  EXPECT_TRUE(
+    Says(spline.Splines.Interpolate({ values }, nullptr, nullptr, functions), "too large"));
+  EXPECT_TRUE(functions.empty());
+}
+
 TEST(BiharmonicSplines, ComponentsDoNotKnowOfEachOther)
 {
   const dgg::SurfaceMesh mesh = Build(SeveralComponents());
@@ -366,10 +391,12 @@ TEST(BiharmonicSplines, ThreadsDoNotMatter)
   alone.PrepareSome(30);
   dgg::BiharmonicSplines together(*alone.Solver);
   ASSERT_TRUE(Ok(together.Prepare(alone.Sites, WithThreads(3), nullptr)));
-  const std::vector<double> values = RandomValues(30, 2);
+  const Columns values(20, RandomValues(30, 2)); // several blocks
   Columns functions;
-  ASSERT_TRUE(Ok(together.Interpolate({ values }, functions)));
-  EXPECT_EQ(alone.Interpolate(values), functions[0]);
+  Columns expected;
+  ASSERT_TRUE(Ok(together.Interpolate(values, WithThreads(3), nullptr, functions)));
+  ASSERT_TRUE(Ok(alone.Splines.Interpolate(values, nullptr, nullptr, expected)));
+  EXPECT_EQ(functions, expected);
 }
 
 TEST(BiharmonicSplines, RefusesWhatMakesNoSense)
@@ -382,7 +409,7 @@ TEST(BiharmonicSplines, RefusesWhatMakesNoSense)
   };
   const auto interpolate = [&](const Columns& values) {
     Columns functions{ { 1.0 } };
-    const dgg::Status status = splines.Interpolate(values, functions);
+    const dgg::Status status = splines.Interpolate(values, nullptr, nullptr, functions);
     EXPECT_EQ(functions.empty(), !status.IsOk());
     return status;
   };
@@ -396,7 +423,7 @@ TEST(BiharmonicSplines, RefusesWhatMakesNoSense)
   std::vector<Id> vertices;
   ASSERT_TRUE(Ok(dgg::ChooseSplineSites(solver, 6, nullptr, vertices)));
   const std::vector<dgg::SurfacePoint> sites = AtVertices(vertices);
-  // In one face: the same place twice, and more than three.
+  // The same place twice, and more sites than corners: of one face, of two, of an edge.
   std::vector<dgg::SurfacePoint> more = sites;
   more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.2, 0.5, 0.3 } }));
   more.push_back(more.back());
@@ -405,7 +432,26 @@ TEST(BiharmonicSplines, RefusesWhatMakesNoSense)
   more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.3, 0.2, 0.5 } }));
   EXPECT_TRUE(Ok(prepare(more)));
   more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.1, 0.1, 0.8 } }));
-  EXPECT_TRUE(Says(prepare(more), "more than three in a triangle"));
+  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
+  Id edge = 0;
+  while (mesh.Origin(edge) != vertices[0] || mesh.Twin(edge) == dgg::NoId)
+  {
+    ++edge;
+  }
+  more = sites;
+  for (const Id face : { mesh.Face(edge), mesh.Face(mesh.Twin(edge)) })
+  {
+    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.6, 0.2, 0.2 } }));
+    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.2, 0.6, 0.2 } }));
+    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.2, 0.2, 0.6 } }));
+  }
+  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
+  more = AtVertices({ vertices.begin() + 1, vertices.end() });
+  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.25));
+  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.5));
+  EXPECT_TRUE(Ok(prepare(more)));
+  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.75));
+  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
   EXPECT_TRUE(Says(interpolate({ { 1.0 } }), "no sites")); // not those of before
 
   ASSERT_TRUE(Ok(prepare(sites)));
@@ -444,6 +490,13 @@ TEST(BiharmonicSplines, StopsWhenAsked)
     [&](Progress progress) { return spline.Splines.Prepare(spline.Sites, nullptr, progress); },
     [&](Progress progress) {
       return spline.Splines.FindBasis(nullptr, progress, [](Id, const auto&) {});
+    },
+    [&](Progress progress) {
+      Columns functions{ { 1.0 } };
+      const Columns values(20, RandomValues(40, 2));
+      const dgg::Status status = spline.Splines.Interpolate(values, nullptr, progress, functions);
+      EXPECT_EQ(functions.size(), status.IsOk() ? 20u : 0u);
+      return status;
     }
   };
   for (const auto& step : steps)
@@ -475,8 +528,10 @@ TEST(HarmonicSplines, InterpolateValuesAtSites)
       }
       const std::vector<double> values = RandomValues(splines.Sites.size(), 3);
       Columns functions;
-      ASSERT_TRUE(Ok(splines.Functions.Interpolate(
-        atSites, { values, std::vector<double>(values.size(), 0.1) }, functions)));
+      const auto interpolate = [&](const Columns& columns) {
+        return splines.Functions.Interpolate(atSites, columns, nullptr, nullptr, functions);
+      };
+      ASSERT_TRUE(Ok(interpolate({ values, std::vector<double>(values.size(), 0.1) })));
       for (std::size_t i = 0; i < values.size(); ++i)
       {
         EXPECT_NEAR(functions[0][splines.Sites[i]], values[i], 1e-11) << named.Name;
@@ -486,11 +541,11 @@ TEST(HarmonicSplines, InterpolateValuesAtSites)
         const dgg::PoissonSystem& system = splines.Solver.GetSystem();
         ASSERT_TRUE(!system.IsFree(system.GetComponent(v)) || functions[1][v] == 0.1);
       }
-      EXPECT_TRUE(Says(splines.Functions.Interpolate({ 1.0 }, { values }, functions), "1 values"));
-      EXPECT_TRUE(Says(splines.Functions.Interpolate(atSites, { { NaN } }, functions), "1 values"));
+      EXPECT_TRUE(Says(interpolate({ { NaN } }), "1 values"));
       std::fill(atSites.begin(), atSites.end(), 1.0);
-      EXPECT_TRUE(Says(
-        splines.Functions.Interpolate(atSites, { values }, functions), "depend on each other"));
+      EXPECT_TRUE(Says(interpolate({ values }), "depend on each other"));
+      atSites = { 1.0 };
+      EXPECT_TRUE(Says(interpolate({ values }), "1 values"));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
@@ -227,6 +228,38 @@ TEST_F(BiharmonicBSpline, BiLaplaceEquation)
   {
     EXPECT_NEAR(solution[i], harmonic(i), 0.01);
   }
+  // Sites, two of which depend on each other as functions, play no part without these.
+  this->Filter->GenerateBasisOff();
+  this->Filter->SetSourceData(
+    MakeSourcePoints({ PointInCell(this->Surface, 70, { { 0.5, 0.5, 0.0 } }),
+      PointInCell(this->Surface, 70, { { 0.4, 0.6, 0.0 } }),
+      PointInCell(this->Surface, 70, { { 0.6, 0.4, 0.0 } }) }));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetValues(this->Filter->GetOutput(), "PoissonSolution"), solution);
+  this->Filter->SetSourceIds({ 9, 9 });
+  ExpectError(this->Filter, { "same as site 0" });
+}
+
+TEST_F(BiharmonicBSpline, MatricesOfSitesOnlyWhereTheyAreNeeded)
+{
+  // 600 sites: such a matrix takes 2.9 MB, what a thread holds 0.3 MB.
+  AddValues(this->Surface, "f",
+    [this](vtkIdType i) { return std::vector<double>{ this->Surface->GetPoint(i)[0] }; });
+  this->Filter->SetNumberOfSites(10);
+  this->Filter->GenerateBasisOff();
+  this->Filter->SetRightHandSideArrayName("f");
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMemoryLimit(
+    this->Filter->GetMemorySize() + 4000000 + 300000 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->Filter->SetNumberOfSites(600);
+  for (const int order : { vtkHarmonicBSpline::Biharmonic, vtkHarmonicBSpline::Harmonic })
+  {
+    this->Filter->SetOrder(order);
+    this->Filter->SetSiteValuesArrayName("v");
+    ExpectError(this->Filter, { "MemoryLimit" });
+    this->Filter->SetSiteValuesArrayName(nullptr);
+    ExpectSuccess(this->Filter);
+  }
 }
 
 TEST_F(BiharmonicBSpline, ZeroOnADirichletBoundary)
@@ -325,7 +358,7 @@ TEST_F(BiharmonicBSpline, WrongSites)
   setPlaces({ inCell(0.2, 0.3), inCell(0.2, 0.3) });
   ExpectError(this->Filter, { "site 4 is in the same place as site 3" });
   setPlaces({ inCell(0.2, 0.3), inCell(0.3, 0.3), inCell(0.3, 0.5), inCell(0.1, 0.1) });
-  ExpectError(this->Filter, { "more than three in a triangle" });
+  ExpectError(this->Filter, { "more sites than corners" });
   this->ExpectUnharmed();
 }
 
@@ -349,8 +382,28 @@ TEST_F(BiharmonicBSpline, NamesAndLimits)
   ExpectError(this->Filter, { "MemoryLimit", "fewer sources" });
 }
 
+TEST_F(BiharmonicBSpline, ManyComponentsCountInMemory)
+{
+  // 2000 take 20 MB as functions and in the array.
+  this->Filter->SetNumberOfSites(10);
+  this->Filter->GenerateBasisOff();
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMemoryLimit(
+    this->Filter->GetMemorySize() + 15000000 + 300000 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  AddValues(this->Surface, "v",
+    [](vtkIdType i) { return std::vector<double>(2000, i % 3 == 0 ? 1.0 : 2.0); });
+  ExpectError(this->Filter, { "MemoryLimit" });
+}
+
 TEST_F(BiharmonicBSpline, ProgressGrowsAndStops)
 {
   this->Filter->SetNumberOfSites(60);
-  ExpectProgressAndStops(this->Filter, { 0.05, 0.4, 0.7 }, [this] { return this->Values(); });
+  for (const int order : { vtkHarmonicBSpline::Biharmonic, vtkHarmonicBSpline::Harmonic })
+  {
+    this->Filter->SetOrder(order);
+    ExpectProgressAndStops(
+      this->Filter, { 0.05, 0.4, 0.7, 0.88 }, [this] { return this->Values(); });
+  }
 }

@@ -300,6 +300,8 @@ class Spectral(unittest.TestCase):
         middle = points[support.bumpy()[1][[3, 500]]].mean(axis=1)
         there = vtkdgg.interpolate(self.mesh, middle, both[:2], at=middle)
         np.testing.assert_allclose(there, both[:2], atol=1e-9)
+        one = vtkdgg.interpolate(self.mesh, sites, truth[sites].reshape(-1, 1))
+        np.testing.assert_array_equal(one, found.reshape(642, 1))
         rough = vtkdgg.interpolate(self.mesh, sites, truth[sites], order=1)
         np.testing.assert_allclose(rough[sites], truth[sites], atol=1e-9)
         np.testing.assert_array_equal(vtkdgg.interpolate(self.mesh, 7, 2.5), 2.5)

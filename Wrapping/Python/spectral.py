@@ -292,7 +292,7 @@ def interpolate(
     Raises
     ------
     ValueError, VTKError
-        As for `distance`; for as many values as there are no sites, for sites in the same place, and
+        As for `distance`; if there is not one value for each site, for sites in the same place, and
         for parts of the surface without a site.
 
     See Also
@@ -331,7 +331,9 @@ def interpolate(
         spline.SetSourceData(points)
     output = _evaluate(spline, at)
     output.GetPointData().RemoveArray(_SITE_VALUES)
-    return output if as_polydata else array_of(output.GetPointData(), "Interpolation")
+    if as_polydata:
+        return output
+    return array_of(output.GetPointData(), "Interpolation").reshape(-1, *numbers.shape[1:])
 
 
 #: The array that takes values to vtkHarmonicBSpline.

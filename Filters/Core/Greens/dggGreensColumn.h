@@ -100,7 +100,7 @@ Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query);
 
 /// What is asked of the Laplacian first. The order stays, which columns know of.
 GreensQuery GetFirstQuery(const GreensQuery& query);
-/// Replace the results of the first query by those of the order that is asked for.
+/// Replace the results of the first query by those of GreensOrder::BiLaplace.
 void RaiseOrder(const PoissonSystem& system, const GreensQuery& query,
   const std::vector<GreensColumn>& columns, GreensResult* results);
 

@@ -183,7 +183,11 @@ Status GreensInterpolation::Run(
     return runFunction(1.0 - LastPart);
   }
   column.AddLogarithm(regular, result);
-  RaiseOrder(system, query, { column }, &result);
+  if (query.Order == GreensOrder::BiLaplace)
+  {
+    DGG_RETURN_IF_ERROR(ReportTo(query.Progress, 1.0 - LastPart));
+    RaiseOrder(system, query, { column }, &result);
+  }
   Status status = ReportTo(query.Progress, 1.0);
   if (!status.IsOk())
   {

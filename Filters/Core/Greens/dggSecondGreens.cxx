@@ -21,10 +21,6 @@ GreensQuery GetFirstQuery(const GreensQuery& query)
 void RaiseOrder(const PoissonSystem& system, const GreensQuery& query,
   const std::vector<GreensColumn>& columns, GreensResult* results)
 {
-  if (query.Order == GreensOrder::Laplace)
-  {
-    return;
-  }
   std::vector<std::vector<double>> solutions;
   for (std::size_t k = 0; k < columns.size(); ++k)
   {

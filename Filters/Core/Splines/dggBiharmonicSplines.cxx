@@ -228,13 +228,15 @@ Status BiharmonicSplines::Prepare(const std::vector<SurfacePoint>& sites,
 }
 
 Status BiharmonicSplines::Interpolate(const std::vector<std::vector<double>>& siteValues,
+  const ParallelFor& parallel, const ProgressCallback& progress,
   std::vector<std::vector<double>>& functions) const
 {
   functions.clear();
   const Implementation& internals = *this->Internals;
   DGG_RETURN_IF_ERROR(internals.Check());
   return internals.Equations.Solve(
-    siteValues, [&](auto& columns) { return internals.Combine(columns); }, functions);
+    siteValues, [&](auto& columns) { return internals.Combine(columns); }, parallel, progress,
+    functions);
 }
 
 Status BiharmonicSplines::FindBasis(const ParallelFor& parallel, const ProgressCallback& progress,
@@ -243,7 +245,7 @@ Status BiharmonicSplines::FindBasis(const ParallelFor& parallel, const ProgressC
   DGG_RETURN_IF_ERROR(this->Internals->Check());
   const std::size_t count = this->Internals->Sites.size();
   return ForBlocks(static_cast<Offset>(count), BlockSize, parallel, progress,
-    [&](Offset, Offset begin, Offset end, const ProgressCallback&) {
+    [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
       std::vector<std::vector<double>> values;
       for (Offset site = begin; site < end; ++site)
       {
@@ -251,7 +253,7 @@ Status BiharmonicSplines::FindBasis(const ParallelFor& parallel, const ProgressC
         values.back()[site] = 1.0;
       }
       std::vector<std::vector<double>> functions;
-      DGG_RETURN_IF_ERROR(this->Interpolate(values, functions));
+      DGG_RETURN_IF_ERROR(this->Interpolate(values, nullptr, within, functions));
       for (Offset site = begin; site < end; ++site)
       {
         consume(static_cast<Id>(site), functions[site - begin]);

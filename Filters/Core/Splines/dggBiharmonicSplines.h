@@ -38,15 +38,17 @@ public:
   BiharmonicSplines& operator=(const BiharmonicSplines&) = delete;
 
   /// Solve for the functions of the sites, eight at a time, and factorize a dense matrix. Fails as
-  /// CheckSplinePlaces() does, and where sites are in the same place, or more than three in a face,
-  /// in which functions are linear. To be done again when the solver has been prepared with other
-  /// options. Progress is reported by the threads of `parallel`, several at once.
+  /// CheckSplinePlaces() does, and where sites are in the same place, or more than the corners of
+  /// the faces that hold them, since functions are linear there: at most three in one face, two on
+  /// one edge. To be done again when the solver has been prepared with other options. Progress is
+  /// reported by the threads of `parallel`, several at once.
   Status Prepare(const std::vector<SurfacePoint>& sites, const ParallelFor& parallel,
     const ProgressCallback& progress);
 
   /// Functions per vertex, one for each column of values, one per site. They have these values to
   /// 1e-9 of their differences, mostly 1e-13, or it fails; it does where values are not finite.
   Status Interpolate(const std::vector<std::vector<double>>& siteValues,
+    const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<std::vector<double>>& functions) const;
 
   /// The functions that are 1 at one site and 0 at the others. They sum to 1 in components without

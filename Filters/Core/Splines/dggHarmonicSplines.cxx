@@ -331,8 +331,8 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
 }
 
 Status HarmonicSplines::Interpolate(const std::vector<double>& atSites,
-  const std::vector<std::vector<double>>& siteValues,
-  std::vector<std::vector<double>>& functions) const
+  const std::vector<std::vector<double>>& siteValues, const ParallelFor& parallel,
+  const ProgressCallback& progress, std::vector<std::vector<double>>& functions) const
 {
   functions.clear();
   const Implementation& internals = *this->Internals;
@@ -350,6 +350,7 @@ Status HarmonicSplines::Interpolate(const std::vector<double>& atSites,
   }
   const auto size = static_cast<Eigen::Index>(count);
   SiteEquations equations(internals.System);
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0)); // factorizing takes long
   DGG_RETURN_IF_ERROR(
     equations.Prepare(places, Eigen::Map<const Eigen::MatrixXd>(atSites.data(), size, size)));
   return equations.Solve(
@@ -363,6 +364,6 @@ Status HarmonicSplines::Interpolate(const std::vector<double>& atSites,
       }
       return Status::Success();
     },
-    functions);
+    parallel, progress, functions);
 }
 }

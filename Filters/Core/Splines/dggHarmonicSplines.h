@@ -97,8 +97,8 @@ public:
   /// differences: the sums of basis functions that do. `atSites[j * sites + i]` is psi_j at site i,
   /// as FindBasis() has found it. Fails where these depend on each other, or values are not finite.
   Status Interpolate(const std::vector<double>& atSites,
-    const std::vector<std::vector<double>>& siteValues,
-    std::vector<std::vector<double>>& functions) const;
+    const std::vector<std::vector<double>>& siteValues, const ParallelFor& parallel,
+    const ProgressCallback& progress, std::vector<std::vector<double>>& functions) const;
 
 private:
   class Implementation;

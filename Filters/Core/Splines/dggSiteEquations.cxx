@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSiteEquations.h"
 
+#include "dggBlockLoop.h"
 #include "dggGreensColumn.h"
 #include "dggInvalidInput.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dgg
@@ -17,6 +19,7 @@ constexpr double LeastCondition = 1e-14;
 constexpr double LargestError = 1e-9;
 constexpr double GoodError = 1e-13;
 constexpr int MostSteps = 4;
+constexpr const char* TooLarge = "the values of the sites are too large: divide them by a number";
 }
 
 Status SiteEquations::Prepare(
@@ -32,7 +35,8 @@ Status SiteEquations::Prepare(
   return isKnown && this->Factor.rcond() > LeastCondition
     ? Status::Success()
     : Status::Invalid("values at the sites depend on each other: leave out some that are close to "
-                      "each other, as more than three in a triangle, or refine the mesh there");
+                      "each other, as more sites than corners of the triangles that hold them, or "
+                      "refine the mesh there");
 }
 
 Status SiteEquations::CheckValues(const std::vector<std::vector<double>>& siteValues) const
@@ -68,32 +72,54 @@ std::vector<double> SiteEquations::FindConstants(const std::vector<double>& valu
 }
 
 Status SiteEquations::Solve(const std::vector<std::vector<double>>& siteValues,
-  const Combine& combine, std::vector<std::vector<double>>& functions) const
+  const Combine& combine, const ParallelFor& parallel, const ProgressCallback& progress,
+  std::vector<std::vector<double>>& functions) const
 {
   functions.clear();
   DGG_RETURN_IF_ERROR(this->CheckValues(siteValues));
+  std::vector<std::vector<double>> all(siteValues.size());
+  DGG_RETURN_IF_ERROR(ForBlocks(static_cast<Offset>(all.size()), SparseLanes::SizeAtCompileTime,
+    parallel, progress, [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
+      std::vector<std::vector<double>> found(static_cast<std::size_t>(end - begin));
+      DGG_RETURN_IF_ERROR(this->SolveBlock(begin, siteValues, combine, within, found));
+      std::move(found.begin(), found.end(), all.begin() + begin);
+      return Status::Success();
+    }));
+  functions.swap(all);
+  return Status::Success();
+}
+
+/// As many functions as are in `found`, from column `begin` on.
+Status SiteEquations::SolveBlock(Offset begin, const std::vector<std::vector<double>>& siteValues,
+  const Combine& combine, const ProgressCallback& progress,
+  std::vector<std::vector<double>>& found) const
+{
   const auto count = static_cast<Eigen::Index>(this->Sites.size());
-  const auto width = static_cast<Eigen::Index>(siteValues.size());
+  const auto width = static_cast<Eigen::Index>(found.size());
   const auto n = static_cast<std::size_t>(this->System.GetNumberOfVertices());
   std::vector<std::vector<double>> constants;
   Eigen::MatrixXd wanted(count, width);
   Eigen::RowVectorXd sizes = Eigen::RowVectorXd::Ones(width);
   for (Eigen::Index c = 0; c < width; ++c)
   {
-    constants.push_back(this->FindConstants(siteValues[c]));
+    const std::vector<double>& values = siteValues[begin + c];
+    constants.push_back(this->FindConstants(values));
     for (Eigen::Index i = 0; i < count; ++i)
     {
-      wanted(i, c) = siteValues[c][i] - constants[c][this->System.GetComponent(this->Sites[i])];
+      wanted(i, c) = values[i] - constants[c][this->System.GetComponent(this->Sites[i])];
     }
     const double size = wanted.col(c).cwiseAbs().maxCoeff();
     if (!std::isfinite(size))
     {
-      return Status::Invalid("the values of the sites are too large: divide them by a number");
+      return Status::Invalid(TooLarge);
     }
     sizes[c] = size > 0.0 ? size : 1.0;
     wanted.col(c) /= sizes[c];
   }
-  std::vector<std::vector<double>> found(siteValues.size(), std::vector<double>(n, 0.0));
+  for (std::vector<double>& function : found)
+  {
+    function.assign(n, 0.0);
+  }
   Eigen::MatrixXd missing = wanted;
   double error = missing.size() > 0 ? missing.cwiseAbs().maxCoeff() : 0.0;
   for (int step = 0; step < MostSteps && error > GoodError; ++step)
@@ -118,7 +144,8 @@ Status SiteEquations::Solve(const std::vector<std::vector<double>>& siteValues,
           wanted(i, c) - InterpolateAt(this->System.GetMesh(), this->Sites[i], found[c]);
       }
     }
-    error = missing.cwiseAbs().maxCoeff();
+    error = missing.allFinite() ? missing.cwiseAbs().maxCoeff() : Infinity;
+    DGG_RETURN_IF_ERROR(ReportTo(progress, (step + 1.0) / (MostSteps + 1.0)));
   }
   if (!(error <= LargestError))
   {
@@ -131,9 +158,12 @@ Status SiteEquations::Solve(const std::vector<std::vector<double>>& siteValues,
     {
       const Id component = this->System.GetComponent(static_cast<Id>(v));
       found[c][v] = found[c][v] * sizes[c] + constants[c][component];
+      if (!std::isfinite(found[c][v])) // it may go beyond the values of sites
+      {
+        return Status::Invalid(TooLarge);
+      }
     }
   }
-  functions.swap(found);
   return Status::Success();
 }
 }

@@ -5,6 +5,7 @@
 #ifndef dggSiteEquations_h
 #define dggSiteEquations_h
 
+#include "dggParallel.h"      // for ParallelFor
 #include "dggPoissonSystem.h" // for the system
 
 #include <Eigen/Dense> // for the factor
@@ -30,15 +31,19 @@ public:
   /// Replaces coefficients by functions per vertex, column by column.
   using Combine = std::function<Status(std::vector<std::vector<double>>& columns)>;
 
-  /// The functions that have the values of each column, refined until they do. Constants are so to
-  /// the last bit. Fails where values are not finite, there are not as many as sites, or 1e-9 of
-  /// their differences is left.
+  /// The functions that have the values of each column, eight at a time, refined until they do.
+  /// Constants are so to the last bit. Fails where values are not finite, there are not as many as
+  /// sites, or 1e-9 of their differences is left.
   Status Solve(const std::vector<std::vector<double>>& siteValues, const Combine& combine,
+    const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<std::vector<double>>& functions) const;
 
 private:
   Status CheckValues(const std::vector<std::vector<double>>& siteValues) const;
   std::vector<double> FindConstants(const std::vector<double>& values) const;
+  Status SolveBlock(Offset begin, const std::vector<std::vector<double>>& siteValues,
+    const Combine& combine, const ProgressCallback& progress,
+    std::vector<std::vector<double>>& found) const;
 
   const PoissonSystem& System;
   std::vector<SurfacePoint> Sites;

@@ -9,6 +9,7 @@
 #include "dggGeodesicSource.h"
 #include "dggInvalidInput.h"
 #include "dggProgressPart.h"
+#include "dggSplineSites.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -171,12 +172,13 @@ DGGSplineRun::DGGSplineRun(DGGSpectralTask& task, bool isBiharmonic, bool isSmoo
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGSplineRun::Prepare(const dgg::ProgressCallback& progress)
+dgg::Status DGGSplineRun::Prepare(bool wantsFunctions, const dgg::ProgressCallback& progress)
 {
   const dgg::ParallelFor& parallel = this->Task.Context.Parallel;
   if (this->IsBiharmonic)
   {
-    return this->Biharmonic.Prepare(this->Task.Sources, parallel, progress);
+    return wantsFunctions ? this->Biharmonic.Prepare(this->Task.Sources, parallel, progress)
+                          : dgg::CheckSplinePlaces(this->Task.Solver, this->Task.Sources);
   }
   std::vector<dgg::Id> sites;
   for (const dgg::SurfacePoint& source : this->Task.Sources)
@@ -193,13 +195,15 @@ dgg::Status DGGSplineRun::Prepare(const dgg::ProgressCallback& progress)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGSplineRun::FindBasis(bool isResult, const dgg::ProgressCallback& progress)
+dgg::Status DGGSplineRun::FindBasis(
+  bool isResult, bool isKept, const dgg::ProgressCallback& progress)
 {
   const std::vector<dgg::SurfacePoint>& sites = this->Task.Sources;
-  this->AtSites.assign(this->IsBiharmonic ? 0 : sites.size() * sites.size(), 0.0);
+  const bool isAtSites = isKept && !this->IsBiharmonic;
+  this->AtSites.assign(isAtSites ? sites.size() * sites.size() : 0, 0.0);
   const auto consume = [&](dgg::Id site, const std::vector<double>& values) {
     const auto j = static_cast<std::size_t>(site);
-    for (std::size_t i = 0; i < sites.size() && !this->IsBiharmonic; ++i)
+    for (std::size_t i = 0; i < sites.size() && isAtSites; ++i)
     {
       this->AtSites[j * sites.size() + i] = values[sites[i].Vertex];
     }
@@ -228,13 +232,14 @@ void DGGSplineRun::AddCells(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGSplineRun::AddInterpolation(
-  const std::vector<std::vector<double>>& siteValues, const std::string& name)
+dgg::Status DGGSplineRun::AddInterpolation(const std::vector<std::vector<double>>& siteValues,
+  const std::string& name, const dgg::ProgressCallback& progress)
 {
+  const dgg::ParallelFor& parallel = this->Task.Context.Parallel;
   std::vector<std::vector<double>> functions;
   DGG_RETURN_IF_ERROR(this->IsBiharmonic
-      ? this->Biharmonic.Interpolate(siteValues, functions)
-      : this->Harmonic.Interpolate(this->AtSites, siteValues, functions));
+      ? this->Biharmonic.Interpolate(siteValues, parallel, progress, functions)
+      : this->Harmonic.Interpolate(this->AtSites, siteValues, parallel, progress, functions));
   std::vector<std::vector<double>> atTargets;
   for (const std::vector<double>& function : functions)
   {

@@ -36,15 +36,17 @@ public:
   /// `isSmooth`: of order 1, functions at targets by Green's functions of their own.
   DGGSplineRun(DGGSpectralTask& task, bool isBiharmonic, bool isSmooth);
 
-  /// What basis functions are made of.
-  dgg::Status Prepare(const dgg::ProgressCallback& progress);
-  /// All basis functions. They become results if `isResult`.
-  dgg::Status FindBasis(bool isResult, const dgg::ProgressCallback& progress);
+  /// Sites are checked, and if functions are wanted prepared for. Of order 1 solutions need that.
+  dgg::Status Prepare(bool wantsFunctions, const dgg::ProgressCallback& progress);
+  /// All basis functions. They become results if `isResult`, and of order 1 are kept at sites for
+  /// AddInterpolation() if `isKept`.
+  dgg::Status FindBasis(bool isResult, bool isKept, const dgg::ProgressCallback& progress);
   /// The site of each point, of order 1.
   void AddCells(const std::string& name);
-  /// Functions with given values at the sites. Of order 1 after FindBasis().
-  dgg::Status AddInterpolation(
-    const std::vector<std::vector<double>>& siteValues, const std::string& name);
+  /// Functions with given values at the sites. After Prepare() for functions, of order 1 after
+  /// FindBasis() as well.
+  dgg::Status AddInterpolation(const std::vector<std::vector<double>>& siteValues,
+    const std::string& name, const dgg::ProgressCallback& progress);
   /// The solution for the sources of an array. `imbalance` is the largest sum that has to be
   /// balanced in a component, relative to the sum of sizes.
   dgg::Status AddSolution(const std::string& sourceName, bool isDensity,
