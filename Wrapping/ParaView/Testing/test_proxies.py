@@ -177,9 +177,12 @@ class Proxies(unittest.TestCase):
                 else:
                     old = prop.GetElement(0)
                     choices = prop.FindDomain("vtkSMEnumerationDomain")
-                    is_on = old and prop.FindDomain("vtkSMBooleanDomain")
-                    count = choices.GetNumberOfEntries() if choices else 2 if is_on else old + 2
-                    prop.SetElement(0, (old + 1) % count)
+                    if choices:
+                        entries = range(choices.GetNumberOfEntries())
+                        new = next(v for v in map(choices.GetEntryValue, entries) if v != old)
+                    else:
+                        new = 0 if old and prop.FindDomain("vtkSMBooleanDomain") else old + 1
+                    prop.SetElement(0, new)
                 proxy.UpdateVTKObjects()
                 self.assertTrue(state(proxy) != before, f"{kind}: {key}")
 
