@@ -131,6 +131,10 @@ set_tests_properties("Install.GeodesicExplorer" PROPERTIES
   ENVIRONMENT "${dgg_leaking_environment}")
 dgg_add_consumer_test(GeodesicExplorer.MissingFile 1 "Usage: "
   "${consumer_dir}/GeodesicExplorer" "missing.ply")
+dgg_add_consumer_test(GeodesicExplorer.NoFile 1 "^Usage: "
+  "${consumer_dir}/GeodesicExplorer")
+dgg_add_consumer_test(GeodesicExplorer.WrongOption 1 "^Usage: "
+  "${consumer_dir}/GeodesicExplorer" "mesh.ply" --lay)
 dgg_add_consumer_test(Isolines.MissingFile 1 "missing.ply: no points"
   "${consumer_dir}/Isolines" "missing.ply" 8 "wrong.png")
 dgg_add_consumer_test(VoronoiCells.MissingFile 1 "missing.ply: no points"

@@ -8,7 +8,8 @@ find_program(DGG_LINTIAN lintian)
 mark_as_advanced(DGG_LINTIAN)
 
 add_test(NAME Packages.Clean
-  COMMAND "${CMAKE_COMMAND}" -E rm -rf "${packages_dir}")
+  COMMAND sh -c "rm -rf \"$1\" && mkdir -p \"$1\" && touch \"$1/libvtkdgg-dev_0.0-1_all.deb\"" sh
+    "${packages_dir}")
 set_tests_properties(Packages.Clean PROPERTIES
   FIXTURES_SETUP dgg_clean_packages)
 add_test(NAME Packages.Build

@@ -7,6 +7,7 @@
 #include "vtkApolloniusIsolines.h"
 #include "vtkCellData.h"
 #include "vtkCellPicker.h"
+#include "vtkCommand.h"
 #include "vtkDGGDistance.h"
 #include "vtkDGGPath.h"
 #include "vtkDataArray.h"
@@ -17,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPLYReader.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -71,12 +73,7 @@ public:
   void OnLeftButtonDown() override
   {
     this->IsHeld = this->Pick(!this->IsEnd); // by turns
-    if (this->IsHeld)
-    {
-      this->Show();
-      return;
-    }
-    this->Superclass::OnLeftButtonDown();
+    this->IsHeld ? this->Show() : this->Superclass::OnLeftButtonDown();
   }
 
   void OnMouseMove() override
@@ -126,8 +123,7 @@ private:
     distance->Update();
     const double high = distance->GetOutput()->GetScalarRange()[1];
     this->Isolines->SetInputConnection(distance->GetOutputPort());
-    this->Isolines->SetMethod(
-      this->IsHeld ? vtkApolloniusIsolines::Linear : vtkApolloniusIsolines::LocalSources);
+    this->Isolines->SetMethod(this->IsHeld ? Isolines->Linear : Isolines->LocalSources);
     this->Isolines->GenerateValues(19, 0.05 * high, 0.95 * high);
     this->Isolines->Update();
     this->CurrentRenderer->AddActor(this->Curves[0]);
@@ -139,8 +135,8 @@ private:
     {
       this->Path->Update();
       vtkDataArray* lengths = this->Path->GetOutput()->GetCellData()->GetArray("Length");
-      const bool isThere = lengths != nullptr && lengths->GetNumberOfTuples() > 0;
-      said += ", path " + (isThere ? std::to_string(lengths->GetTuple1(0)) : "none");
+      const bool isFound = lengths && lengths->GetNumberOfTuples() > 0;
+      said += ", path " + (isFound ? std::to_string(lengths->GetTuple1(0)) : "none");
       this->CurrentRenderer->AddActor(this->Curves[1]);
     }
     said += ", " + std::to_string(1e3 * (vtkTimerLog::GetUniversalTime() - start)) + " ms";
@@ -164,9 +160,13 @@ vtkStandardNewMacro(Explorer);
 
 int main(int argc, char* argv[])
 {
+  const bool isPlayed = argc == 3 && std::string(argv[2]) == "--play";
   vtkNew<vtkPLYReader> reader;
-  reader->SetFileName(argc > 1 ? argv[1] : "");
-  reader->Update();
+  if (argc == 2 || isPlayed)
+  {
+    reader->SetFileName(argv[1]);
+    reader->Update();
+  }
   if (reader->GetOutput()->GetNumberOfPolys() == 0)
   {
     std::cerr << "Usage: " << argv[0] << " MESH.ply [--play], of a mesh with triangles\n";
@@ -174,7 +174,7 @@ int main(int argc, char* argv[])
   }
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(argc > 2);
+  window->SetOffScreenRendering(isPlayed);
   window->AddRenderer(renderer);
   vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(window);
@@ -182,15 +182,15 @@ int main(int argc, char* argv[])
   interactor->SetInteractorStyle(explorer);
   explorer->SetUp(renderer, reader->GetOutput());
   window->Render();
-  if (argc == 2)
+  if (!isPlayed)
   {
     interactor->Start();
     return EXIT_SUCCESS;
   }
-  const int press = vtkCommand::LeftButtonPressEvent;
+  const int press = vtkCommand::LeftButtonPressEvent, move = vtkCommand::MouseMoveEvent;
   const int release = vtkCommand::LeftButtonReleaseEvent;
-  const int events[][3] = { { press, 150, 150 }, { vtkCommand::MouseMoveEvent, 160, 170 },
-    { release, 160, 170 }, { press, 130, 120 }, { release, 130, 120 } };
+  const int events[][3] = { { press, 150, 150 }, { move, 160, 170 }, { release, 160, 170 },
+    { press, 130, 120 }, { release, 130, 120 } };
   for (const auto& event : events)
   {
     interactor->SetEventPosition(event[1], event[2]);

@@ -50,11 +50,10 @@ def main(path, folder, names):
     """Draw the pictures."""
     contents = files.read(path)
     is_cloud = files.is_cloud(contents)
-    surface = contents if is_cloud else files.triangles_of(contents, path)
     for name in names or (ON_CLOUDS if is_cloud else PICTURES):
         if name not in PICTURES:
             raise files.MeshFileError(f"'{name}' is none of the pictures {', '.join(PICTURES)}")
-        window = Explorer(Scene(surface, is_cloud), size=SIZE)
+        window = Explorer(Scene(contents, is_cloud), size=SIZE)
         window.window.Render()
         for act in PICTURES[name]:
             play(window, act)

@@ -20,9 +20,10 @@ from support import BUMPY
 from vtkdgg import explorer
 from vtkdgg.command_line import main
 from vtkdgg.commands import files
+from vtkdgg.errors import VTKError
 from vtkdgg.explorer import Explorer, Scene
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 FOLDER = support.output_folder("explorer")
 HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
@@ -394,6 +395,71 @@ class Surface(unittest.TestCase):
         hand.window.draw()
         self.assertIsNone(hand.scene.values)
         self.assertIn("ProjectionTolerance", hand.window._status.GetInput())
+        # Nothing is held.
+        hand.scene.places = [np.zeros(3)]
+        hand.scene.held = None
+        hand.scene.update(is_moving=True)
+        np.testing.assert_allclose(hand.scene.values, [0, 1, 2], atol=1e-4)
+
+    def test_surfaces(self):
+        points, triangles = support.grid(3, 3)
+        for kind, ids in (
+            ("Polys", [0, 3, 15, 12]),
+            ("Strips", [0, 1, 4, 5, 8, 9]),
+            ("Lines", [0, 1]),
+            ("Verts", [0]),
+        ):
+            mesh = support.polydata(points, np.empty((0, 3)))
+            cells = vtkCellArray()
+            cells.InsertNextCell(len(ids), ids)
+            getattr(mesh, f"Set{kind}")(cells)
+            if kind in ("Lines", "Verts"):
+                with self.assertRaisesRegex(ValueError, "surface: holds no surface"):
+                    Scene(mesh)
+                continue
+            hand = Hand(self, mesh)
+            hand.click(hand.pixel([0.6, 0.5, 0.0]).astype(int))
+            self.assertAlmostEqual(hand.scene.values[0], np.hypot(*hand.place()[:2]), delta=0.02)
+        for wrong in (np.nan, np.inf):
+            points[5, 1] = wrong
+            with self.assertRaisesRegex(ValueError, "points: row 5 is not finite"):
+                Scene(support.polydata(points, triangles))
+
+    def test_no_errors(self):
+        # Distances are there, what they are compared with is not.
+        hand, scene = self.hand, self.scene
+        hand.click(hand.middle())
+        search = scene._search
+
+        def refuse(method, is_moving=False):
+            if method == "exact":
+                raise VTKError(["no exact distances today"])
+            return search(method, is_moving)
+
+        with unittest.mock.patch.object(scene, "_search", refuse):
+            hand.key("e")
+        self.assertIn("no exact distances today", hand.window._status.GetInput())
+        for name in ("distances", "values", "lines", "cells", "errors"):
+            self.assertIsNone(getattr(scene, name), name)
+        hand.key("e")
+        hand.key("e")
+        self.assertIsNotNone(scene.errors)
+
+    def test_no_screenshot(self):
+        hand = self.hand
+        hand.window._picture = os.path.join(FOLDER, "missing", "shot.png")
+        # An exception in an observer is printed and lost.
+        with unittest.mock.patch("sys.excepthook") as lost:
+            hand.key("s")
+        lost.assert_not_called()
+        self.assertEqual(hand.window.written, [])
+        self.assertRegex(hand.window._status.GetInput(), "Unable to open file .*shot-1.png")
+
+    def test_no_display(self):
+        with unittest.mock.patch.dict(os.environ):
+            os.environ.pop("DISPLAY", None)
+            with self.assertRaisesRegex(OSError, "no display to open a window on"):
+                explorer.explore(self.scene)
 
 
 @unittest.skipUnless(HAS_CLOUDS, "built without PCL")

@@ -15,7 +15,7 @@ import pages
 import support
 import vtkdgg
 from support import BUMPY, run
-from vtkdgg.explorer import HELP
+from vtkdgg.commands.words import HELP
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
@@ -74,6 +74,10 @@ class Pages(unittest.TestCase):
 
     def test_front_page_is_short(self):
         self.assertLessEqual(len(pages.text_of("README.md").splitlines()), 250)
+
+    def test_changes_begin_with_this_version(self):
+        heading = re.search(r"(?m)^## ([\d.]+)", pages.text_of("CHANGELOG.md"))
+        self.assertEqual(heading[1], vtkdgg.__version__)
 
     def test_links(self):
         for page in pages.PAGES:

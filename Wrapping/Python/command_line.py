@@ -20,9 +20,8 @@ from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
 from . import build_info
 from .commands import answers, compare, files, places
 from .commands.output import print_table
-from .commands.words import in_options
+from .commands.words import HELP, in_options
 from .errors import VTKError
-from .explorer import HELP
 
 EXAMPLES = """examples:
   vtkdgg info mesh.ply
@@ -214,10 +213,8 @@ def main(arguments=None):
     try:
         # A blank keeps argparse from taking coordinates with a minus sign for an option.
         options = make_parser().parse_args([re.sub(r"^-(?=[\d.])", " -", a) for a in arguments])
-        if sys.platform == "linux" and not os.environ.get("DISPLAY"):
-            if options.command == "explore":
-                raise compare.UsageError("there is no display to open a window on")
-            if options.command in DRAWING:
+        if options.command in DRAWING:
+            if sys.platform == "linux" and not os.environ.get("DISPLAY"):
                 with_display(arguments)
         code = options.run(options) if options.command == "compare" else answer(options)
         sys.stdout.flush()

@@ -13,24 +13,13 @@ from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
 
 from .commands import cloud_pictures, pictures, places
-from .explorer_props import CloudSkin, Skin, bar_of, lines_actor, table_of, text_actor
+from .commands.words import HELP
+from .errors import VTKError
+from .explorer_props import CloudSkin, Skin, bar_of, lines_actor, table_of
 from .explorer_scene import Scene
 
 __all__ = ["Explorer", "Scene", "explore"]
 
-HELP = """click: source of the distances, then the end of a path, then the corner of a loop
-drag: move what is there; beside the surface, or with Ctrl, turn the camera
-middle button, wheel: move the camera, zoom
-m: method (graph, exact, fast)
-+ and -: accuracy of the graph
-e: errors against exact distances
-v: Voronoi cells, of one more source with each click
-g: Green's function
-c: clear
-r: all in view
-s: screenshot
-h: this help
-q: quit"""
 # Colours of the places: source, end, corner.
 MARKERS = ((0.86, 0.12, 0.16), pictures.INK, (0.10, 0.35, 0.75))
 PATH_COLOUR = (0.86, 0.12, 0.16)
@@ -61,9 +50,17 @@ class Explorer:
         That the last step of dragging took, without rendering.
     written : list of str
         Screenshots.
+
+    Raises
+    ------
+    OSError
+        Where there is no display.
     """
 
     def __init__(self, scene, picture="explore.png", size=(1280, 960), place=None):
+        self.window = vtkRenderWindow()
+        if self.window.IsA("vtkXOpenGLRenderWindow") and not os.environ.get("DISPLAY"):
+            raise OSError("there is no display to open a window on")  # VTK would end the process
         self.scene = scene
         self._start = far_place(scene) if place is None else place
         self.seconds = 0.0
@@ -73,9 +70,14 @@ class Explorer:
         self._lines = lines_actor()
         self._table = self._known = None
         self._passing = []
-        self._status = text_actor(0.01, 0.015)
-        self._help = text_actor(0.01, 0.985, is_top=True)
-        self._help.SetInput("h: help")
+        self._status = pictures.text("", 0.01, 0.015, 20)
+        self._help = pictures.text("h: help", 0.01, 0.985, 20)
+        self._help.GetTextProperty().SetVerticalJustificationToTop()
+        for prop in (self._status, self._help):
+            look = prop.GetTextProperty()
+            look.SetLineSpacing(1.2)
+            look.SetBackgroundColor(1.0, 1.0, 1.0)
+            look.SetBackgroundOpacity(0.75)
 
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(1.0, 1.0, 1.0)
@@ -84,7 +86,6 @@ class Explorer:
         for prop in (self._skin.actor, self._lines, self._status, self._help):
             self.renderer.AddViewProp(prop)
         pictures.light(self.renderer)
-        self.window = vtkRenderWindow()
         self.window.SetWindowName("vtkdgg explore")
         self.window.SetSize(*size)
         self.window.SetMultiSamples(4)
@@ -280,27 +281,29 @@ class Explorer:
         elif key == "c":
             self._change(scene.clear)
         elif key == "s":
-            scene.message = f"written: {self.save_picture()}"
-            self.draw()
+            self._change(self._shoot, self.draw)
         elif key in ("h", "?"):
-            is_open = self._help.GetInput() == HELP
-            self._help.SetInput("h: help" if is_open else HELP)
-            self.window.Render()
+            self._change(self._turn_help, self.window.Render)
         elif key == "r":
-            self.renderer.ResetCamera()
-            self.window.Render()
+            self._change(self.renderer.ResetCamera, self.window.Render)
         elif key == "q":
             self.interactor.TerminateApp()
 
-    def _change(self, change):
-        """Do what a key asks for, at rest."""
+    def _change(self, change, show=None):
+        """Do what a key asks for, and show that; unless another way is given, the scene at rest."""
         try:
             change()
-        except ValueError as refusal:
-            self.scene.message = str(refusal)
+        except (ValueError, VTKError) as refusal:
+            self.scene.message = " ".join(str(refusal).split())
             self.draw()
         else:
-            self._settle()
+            (show or self._settle)()
+
+    def _shoot(self):
+        self.scene.message = f"written: {self.save_picture()}"
+
+    def _turn_help(self):
+        self._help.SetInput("h: help" if self._help.GetInput() == HELP else HELP)
 
 
 def far_place(scene):

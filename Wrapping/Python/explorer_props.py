@@ -10,14 +10,12 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator, vtkStaticPointLocator
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCellPicker,
     vtkPointPicker,
     vtkPolyDataMapper,
-    vtkTextActor,
 )
 
 from .commands.cloud_pictures import make_bands
@@ -31,6 +29,7 @@ from .commands.pictures import (
     labels,
     lookup_table,
     scalar_bar,
+    shaded,
     unreached,
 )
 
@@ -47,7 +46,7 @@ class Skin:
         ids = numpy_to_vtkIdTypeArray(np.arange(surface.GetNumberOfPoints()), deep=True)
         ids.SetName("Id")
         numbered.GetPointData().AddArray(ids)
-        self._points = _shaded(numbered)
+        self._points = shaded(numbered)
         self._ids = np.array(vtk_to_numpy(self._points.GetPointData().GetArray("Id")))
         self._mapper = vtkPolyDataMapper()
         self._mapper.SetInputData(self._points)
@@ -88,7 +87,7 @@ class Skin:
             mapper.SetScalarModeToUsePointData()
         else:
             if cells is not self._cells:
-                self._cells, self._shaded_cells = cells, _shaded(cells)
+                self._cells, self._shaded_cells = cells, shaded(cells)
             mapper.SetInputData(self._shaded_cells)
             mapper.SetScalarModeToUseCellData()
         if table:
@@ -138,16 +137,6 @@ class CloudSkin:
         """The id of the nearest point at a pixel, None where there is none."""
         found = self._picker.Pick(x, y, 0.0, renderer) and self._picker.GetPointId() >= 0
         return self._picker.GetPointId() if found else None
-
-
-def _shaded(surface):
-    """With normals; sharp edges stay sharp."""
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(surface)
-    normals.SetFeatureAngle(50.0)
-    normals.ConsistencyOff()
-    normals.Update()
-    return normals.GetOutput()
 
 
 def spacing_of(cloud):
@@ -216,20 +205,3 @@ def bar_of(scene, table):
     bar = scalar_bar(table, title, values, "%-.4g", bottom=0.25)
     bar.SetMaximumNumberOfColors(table.GetNumberOfTableValues())  # bands as wide as they are
     return [bar, *unreached(bar, scene.values)]
-
-
-def text_actor(x, y, is_top=False):
-    """Lines of text in a corner."""
-    actor = vtkTextActor()
-    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    actor.SetPosition(x, y)
-    look = actor.GetTextProperty()
-    look.SetColor(*INK)
-    look.SetFontSize(20)
-    look.SetFontFamilyToArial()
-    look.SetLineSpacing(1.2)
-    look.SetBackgroundColor(1.0, 1.0, 1.0)
-    look.SetBackgroundOpacity(0.75)
-    if is_top:
-        look.SetVerticalJustificationToTop()
-    return actor

@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import arguments
 from .cloud_graph import CloudGraph
+from .commands import files
 from .commands.measured import Errors
 from .commands.pictures import nice_step
 from .commands.sizes import floor_of
@@ -36,6 +37,9 @@ FILTERS = {
 
 class Scene:
     """Places on a surface or a cloud, and a view of what follows from them.
+
+    A vtkPolyData with `is_cloud` is a cloud, else a surface. Polygons and strips of a surface are
+    cut into triangles; a ValueError says that there is none, or that a point is not finite.
 
     The first place is a source of distances, the second the end of a path, the third makes it a
     loop; in the view "voronoi" all are sources. A place is three coordinates, on a cloud an id.
@@ -69,7 +73,7 @@ class Scene:
             raise ValueError("there are no points to explore")
         if not 1e-6 <= accuracy <= 0.5:
             raise ValueError(f"accuracy: must be in [1e-6, 0.5], is {accuracy:g}")
-        self.surface = surface
+        self.surface = surface if is_cloud else _triangles_of(surface)
         self.is_cloud = is_cloud
         self.accuracy = accuracy
         self.view = "distance"
@@ -187,7 +191,8 @@ class Scene:
         self.times = {}
         places = [tuple(np.ravel(place)) for place in self.sources]
         wanted = is_moving, self.view, self.method, self.accuracy, places
-        is_changed = wanted != self._wanted and not (is_moving and self.held >= len(places))
+        is_beside = is_moving and self.held is not None and self.held >= len(places)
+        is_changed = wanted != self._wanted and not is_beside
         try:
             if is_changed:
                 self._wanted = None  # until it is there
@@ -196,6 +201,8 @@ class Scene:
             self._find_curves(is_moving)
         except (ImportError, ValueError, VTKError) as problem:
             self.message = " ".join(str(problem).split())
+            if self._wanted is None:  # parts would be taken for all
+                self._forget()
 
     def status(self):
         """Lines of text on what is shown."""
@@ -223,8 +230,11 @@ class Scene:
             lines.append(", ".join(parts))
         return [*lines, self.message] if self.message else lines
 
-    def _find_values(self, is_moving):
+    def _forget(self):
         self.distances = self.values = self.lines = self.cells = self.errors = None
+
+    def _find_values(self, is_moving):
+        self._forget()
         self.shown = self.view
         self.used = "graph" if self.view == "voronoi" else self.method
         if is_moving and self.view != "voronoi":
@@ -376,3 +386,12 @@ class Scene:
                 self.loop = loops[0]
             else:
                 self.message = "no loop: it contracts to a point, or the surface has gaps"
+
+
+def _triangles_of(surface):
+    """The surface in triangles."""
+    arguments.coordinates(vtk_to_numpy(surface.GetPoints().GetData()), "points")
+    try:
+        return files.triangles_of(surface, "surface")
+    except files.MeshFileError as refusal:
+        raise ValueError(str(refusal)) from None

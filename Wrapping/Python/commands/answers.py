@@ -285,8 +285,6 @@ def explore(options):
         refuse_on_clouds(options)
         files.make_graph(contents)  # an error where there are none of clouds
         contents = files.finite_points(contents, options.file)
-    else:
-        contents = files.triangles_of(contents, options.file)
     place = places.choose(options.source, contents)
     if is_cloud and place is not None and not isinstance(place, int):
         place = contents.FindPoint(place)

@@ -167,15 +167,20 @@ def lookup_table(colours, low, high, unreached):
     return table
 
 
-def surface(mesh, array_name, table, shine=0.12):
-    """An actor of the mesh in the colours of an array."""
-    # Normals are for shading only; sharp edges stay sharp.
+def shaded(mesh):
+    """The mesh with normals, for shading only; sharp edges stay sharp."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
     normals.SetFeatureAngle(50.0)
     normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def surface(mesh, array_name, table, shine=0.12):
+    """An actor of the mesh in the colours of an array."""
     mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
+    mapper.SetInputData(shaded(mesh))
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(array_name)
     mapper.SetLookupTable(table)
