@@ -45,6 +45,23 @@ set_tests_properties(Install.BuildConsumer PROPERTIES
   LABELS "Install"
   TIMEOUT 600)
 
+# An unknown component is named.
+set(unknown_dir "${consumer_output}/UnknownComponent")
+file(WRITE "${unknown_dir}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.20)
+project(UnknownComponent LANGUAGES C CXX)
+find_package(vtkDGG COMPONENTS FiltersGeodesic FiltersUnknown)
+message(STATUS \"found: \${vtkDGG_FOUND}. \${vtkDGG_NOT_FOUND_MESSAGE}\")
+")
+add_test(NAME Install.UnknownComponent
+  COMMAND "${CMAKE_COMMAND}" -DEXIT_CODE=0
+    "-DEXPECTED=found: 0. vtkDGG has no component FiltersUnknown[.]"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/RunAndMatch.cmake" --
+    "${CMAKE_COMMAND}" -S "${unknown_dir}" -B "${unknown_dir}/build"
+      "-DvtkDGG_DIR:PATH=${install_prefix}/${dgg_cmake_destination}")
+set_tests_properties(Install.UnknownComponent PROPERTIES
+  FIXTURES_REQUIRED dgg_install
+  LABELS "Install")
+
 function (dgg_add_consumer_test name exit_code expected)
   add_test(NAME "Install.${name}"
     COMMAND "${CMAKE_COMMAND}" "-DEXIT_CODE=${exit_code}" "-DEXPECTED=${expected}"
@@ -65,23 +82,23 @@ foreach (extension IN ITEMS off ply)
   dgg_add_consumer_test("Pipeline.${extension}" 0 "points, distances 0 to [0-9.]+, ${extension}.png"
     "${consumer_dir}/ExactDistancePipeline" "mesh.${extension}" 0 "${extension}.png")
   set_tests_properties("Install.Pipeline.${extension}" PROPERTIES
-    ENVIRONMENT "${dgg_rendering_environment}")
+    ENVIRONMENT "${dgg_leaking_environment}")
 endforeach ()
 dgg_add_consumer_test(GraphPipeline 0 "from point 3: up to [0-9.]+.*from point 600.*edges, [0-9.]+ per"
   "${consumer_dir}/GraphPipeline" "mesh.ply" 3 600 "graph.png")
 set_tests_properties("Install.GraphPipeline" PROPERTIES
-  ENVIRONMENT "${dgg_rendering_environment}")
+  ENVIRONMENT "${dgg_leaking_environment}")
 dgg_add_consumer_test(TerrainPath 0
   "on the surface: 12.50.* km.*along mesh edges: 13.22.* km, [0-9.]+ % longer"
   "${consumer_dir}/TerrainPath" "terrain.png")
 set_tests_properties("Install.TerrainPath" PROPERTIES
-  ENVIRONMENT "${dgg_rendering_environment}")
+  ENVIRONMENT "${dgg_leaking_environment}")
 dgg_add_consumer_test(GraphPipeline.WrongSource 1 "source id 642"
   "${consumer_dir}/GraphPipeline" "mesh.ply" 0 642 "wrong.png")
 dgg_add_consumer_test(Isolines 0 "[0-9]+ lines, [0-9]+ ridges, [0-9]+ triangles in bands"
   "${consumer_dir}/Isolines" "mesh.ply" 8 "isolines.png")
 set_tests_properties("Install.Isolines" PROPERTIES
-  ENVIRONMENT "${dgg_rendering_environment}")
+  ENVIRONMENT "${dgg_leaking_environment}")
 dgg_add_consumer_test(Isolines.WrongNumber 1 "not a number of lines"
   "${consumer_dir}/Isolines" "mesh.ply" none "wrong.png")
 dgg_add_consumer_test(GreensPipeline 0
@@ -92,21 +109,32 @@ dgg_add_consumer_test(GreensPipeline.WrongPoint 1 "source id 642"
 dgg_add_consumer_test(VoronoiCells 0 "20 cells, areas from [0-9.]+.*iterations [0-9.]+"
   "${consumer_dir}/VoronoiCells" "mesh.ply" 20 "cells.png")
 set_tests_properties("Install.VoronoiCells" PROPERTIES
-  ENVIRONMENT "${dgg_rendering_environment}")
+  ENVIRONMENT "${dgg_leaking_environment}")
 dgg_add_consumer_test(VoronoiCells.WrongNumber 1 "NumberOfSamples"
   "${consumer_dir}/VoronoiCells" "mesh.ply" 0 "wrong.png")
 dgg_add_consumer_test(Loops 0
   "through the point: length 6.*angle [0-3].*taut: length 6.275.*angle 3.14159.*2 rims"
   "${consumer_dir}/Loops" "mesh.ply" 76 0.2 "loops.png")
 set_tests_properties("Install.Loops" PROPERTIES
-  ENVIRONMENT "${dgg_rendering_environment}")
+  ENVIRONMENT "${dgg_leaking_environment}")
 dgg_add_consumer_test(Loops.WrongPoint 1 "loop point id 642"
   "${consumer_dir}/Loops" "mesh.ply" 642 0.2 "wrong.png")
 dgg_add_consumer_test(PatchBoundaries 0
   "landmarks +first surface +second surface.*0 to 1 +0.7004[0-9]* +0.7004[0-9]*.*5 to 4 "
   "${consumer_dir}/PatchBoundaries" "mesh.ply" "mesh.ply" "patches.png")
 set_tests_properties("Install.PatchBoundaries" PROPERTIES
-  ENVIRONMENT "${dgg_rendering_environment}")
+  ENVIRONMENT "${dgg_leaking_environment}")
+dgg_add_consumer_test(GeodesicExplorer 0
+  "virtual sources, [0-9.]+ ms.*virtual sources, .*graph, [0-9.]+ ms.*graph, path 0.[0-9]+, [0-9.]+ ms"
+  "${consumer_dir}/GeodesicExplorer" "mesh.ply" --play)
+set_tests_properties("Install.GeodesicExplorer" PROPERTIES
+  ENVIRONMENT "${dgg_leaking_environment}")
+dgg_add_consumer_test(GeodesicExplorer.MissingFile 1 "Usage: "
+  "${consumer_dir}/GeodesicExplorer" "missing.ply")
+dgg_add_consumer_test(GeodesicExplorer.NoFile 1 "^Usage: "
+  "${consumer_dir}/GeodesicExplorer")
+dgg_add_consumer_test(GeodesicExplorer.WrongOption 1 "^Usage: "
+  "${consumer_dir}/GeodesicExplorer" "mesh.ply" --lay)
 dgg_add_consumer_test(Isolines.MissingFile 1 "missing.ply: no points"
   "${consumer_dir}/Isolines" "missing.ply" 8 "wrong.png")
 dgg_add_consumer_test(VoronoiCells.MissingFile 1 "missing.ply: no points"

@@ -25,8 +25,9 @@ if [ "${1:-}" = --all ]; then
   shift
   all=ON
   extra_data="${DGG_EXTRA_DATA:-}"
-  # CGAL and CHOLMOD are independent implementations to check against; Doxygen checks comments.
-  packages+=(libbenchmark-dev libcgal-dev libsuitesparse-dev doxygen glmark2-data)
+  # CGAL and CHOLMOD are independent implementations to check against; Doxygen checks comments; CPack
+  # asks file.
+  packages+=(libbenchmark-dev libcgal-dev libsuitesparse-dev doxygen file glmark2-data)
 fi
 dgg_install "${packages[@]}"
 if [ -n "$extra_data" ]; then

@@ -13,12 +13,14 @@
  * rounding, for any number of sources; Certify bounds the error. Otherwise, of 10 sources on each
  * of 27 real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 %
  * too short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken
- * models of CAD 0.6 to 1.6 % on the mean, and up to 20 % too short and 60 % too long; there
- * vtkExactGeodesicDistance is fast enough. Of a thousand sources at once the mean is smaller, but
- * where there are about as many sources as triangles, or these are long, single distances may be
- * several times too long, and the mean 3 %: no triangle keeps more than one of them. Five million
- * points take a second on one thread, and less on several; several sources a third longer. Single
- * precision: about six digits of the largest distance, initial distances included.
+ * models of CAD 0.6 to 2 % on the mean, and up to 20 % too short and 60 % too long, several times
+ * too long where sides are rough as well; there vtkExactGeodesicDistance is fast enough. Of a
+ * thousand sources at once the mean is smaller, but where there are about as many sources as
+ * triangles, or these are long, single distances may be several times too long, and the mean 3 %:
+ * no triangle keeps more than one of them. Five million points take a second on one thread, and
+ * less on several; several sources a third longer. Single precision: about six digits of the
+ * largest distance, initial distances included; along strips of ten thousand triangles rounding
+ * adds up to 1e-4 of it.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; triangles too irregular for distances to
  * settle; initial distances that differ by more than 1e30 mean edges; with Certify also those of

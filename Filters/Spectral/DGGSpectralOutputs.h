@@ -19,6 +19,7 @@
 
 class DGGPreparedMesh;
 struct DGGContext;
+struct DGGSourceSet;
 
 /// The results of a vtkSpectralAlgorithm, for the points of the surface and those of evaluation.
 class DGGSpectralOutputs
@@ -28,6 +29,7 @@ public:
   static double EstimateMemory(
     std::size_t numberOfPoints, std::size_t numberOfTargets, std::size_t numberOfSources);
 
+  /// Without sources there are no arrays of results.
   DGGSpectralOutputs(const DGGPreparedMesh& mesh, std::size_t numberOfPoints,
     std::size_t numberOfTargets, std::size_t numberOfSources, const std::string& name);
   ~DGGSpectralOutputs();
@@ -45,6 +47,10 @@ public:
   void Add(const std::string& name, const std::vector<Number>& values,
     const std::vector<Number>& targetValues);
 
+  /// A further vtkDoubleArray with several components.
+  void AddColumns(const std::string& name, const std::vector<std::vector<double>>& columns,
+    const std::vector<std::vector<double>>& targetColumns);
+
   /// Further arrays of the points, and of the targets.
   const std::vector<vtkSmartPointer<vtkDataArray>>& GetFurtherArrays(int port) const
   {
@@ -55,7 +61,11 @@ public:
   vtkDoubleArray* GetTargetArray() const { return this->AtTargets; }
 
 private:
+  void SetComponents(vtkDoubleArray* atPoints, vtkDoubleArray* atTargets, std::size_t component,
+    const std::vector<double>& values, const std::vector<double>& targetValues) const;
+
   const DGGPreparedMesh& Mesh;
+  std::size_t NumberOfPoints;
   vtkSmartPointer<vtkDoubleArray> AtPoints;
   vtkSmartPointer<vtkDoubleArray> AtTargets;
   std::vector<vtkSmartPointer<vtkDataArray>> Further[2];
@@ -70,6 +80,7 @@ struct DGGSpectralTask
   vtkMTimeType SolverTime;                       ///< changes with the solver
   const std::vector<dgg::SurfacePoint>& Sources; ///< none only where the filter may choose them
   const std::vector<dgg::SurfacePoint>& Targets; ///< may be none
+  const DGGSourceSet& SourceSet;                 ///< as sources are given
   double FreeMemory;                             ///< bytes of the limit that are left for caches
   dgg::ProgressCallback Progress;                ///< the part of the context's that is left
   DGGSpectralOutputs& Outputs;                   ///< to be set for each source

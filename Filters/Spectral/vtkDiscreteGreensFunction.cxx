@@ -149,6 +149,7 @@ struct vtkDiscreteGreensFunction::vtkInternals
 //------------------------------------------------------------------------------
 vtkDiscreteGreensFunction::vtkDiscreteGreensFunction()
   : vtkSpectralAlgorithm("GreensFunction")
+  , Order(Laplace)
   , Method(SingularitySubtraction)
   , SignConvention(PositiveAtSource)
   , PoleValue(CellAverage)
@@ -166,6 +167,7 @@ vtkDiscreteGreensFunction::~vtkDiscreteGreensFunction() = default;
 void vtkDiscreteGreensFunction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Order: " << this->GetOrderAsString() << "\n";
   os << indent << "Method: " << this->GetMethodAsString() << "\n";
   os << indent << "SignConvention: " << this->GetSignConventionAsString() << "\n";
   os << indent << "PoleValue: " << this->GetPoleValueAsString() << "\n";
@@ -174,6 +176,12 @@ void vtkDiscreteGreensFunction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InterpolateRegularPart: " << (this->InterpolateRegularPart ? "On" : "Off")
      << "\n";
   os << indent << "NumberOfColumns: " << this->GetNumberOfColumns() << "\n";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkDiscreteGreensFunction::GetOrderAsString() const
+{
+  return this->Order == BiLaplace ? "BiLaplace" : "Laplace";
 }
 
 //------------------------------------------------------------------------------
@@ -277,6 +285,7 @@ dgg::Status vtkDiscreteGreensFunction::ComputeValues(DGGSpectralTask& task)
     dgg::GreensMethod::Localized, dgg::GreensMethod::Interpolated, dgg::GreensMethod::Vertex };
   dgg::GreensQuery query;
   query.Method = methods[this->Method];
+  query.Order = this->Order == BiLaplace ? dgg::GreensOrder::BiLaplace : dgg::GreensOrder::Laplace;
   query.Sign = this->SignConvention == NegativeAtSource ? dgg::GreensSign::Negative
                                                         : dgg::GreensSign::Positive;
   query.Pole =

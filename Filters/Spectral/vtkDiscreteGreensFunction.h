@@ -8,11 +8,17 @@
  * the source and leaves evenly. Next to x it grows like -log(d) / (2 pi), d the distance from x.
  * For -Laplace u = f, u(x) is mean(u) + the integral of g f.
  *
+ * With Order BiLaplace it is that of the bi-Laplacian, q with Laplace^2 q = delta(x) - 1 / area,
+ * the integral of g(x, z) g(z, y) over z. It is finite, smooth but for d^2 log(d) / (8 pi) next to
+ * x, and grows like an area; for Laplace^2 u = f, u(x) is mean(u) + the integral of q f. What
+ * follows holds for both, but PoleValue and SignConvention do not matter to q, which is positive at
+ * x.
+ *
  * <b>Input and output</b>. Those of vtkSpectralAlgorithm; the result is `GreensFunction`, one
- * component per source, without a unit and independent of scale. It is that of the component of its
- * source, with mean 0, and 0 in other components. With Dirichlet conditions 1 / area is left out,
- * and g is 0 on the boundary. Evaluation points see the logarithm exactly. At the source see
- * PoleValue.
+ * component per source, without a unit and independent of scale (an area with BiLaplace). It is
+ * that of the component of its source, with mean 0, and 0 in other components. With Dirichlet
+ * conditions 1 / area is left out, and g is 0 on the boundary (with BiLaplace, Laplace q as well).
+ * Evaluation points see the logarithm exactly. At the source see PoleValue.
  *
  * <b>Guarantee and cost</b>. By Method; h is the edge length:
  *  - SingularitySubtraction subtracts the logarithm of the geodesic distance up to a radius and
@@ -26,9 +32,12 @@
  *  - Vertex takes the corner with the largest barycentric coordinate that is not on a Dirichlet
  *    boundary.
  *
+ * With BiLaplace all but Vertex are second order, SingularitySubtraction at the source as well.
+ *
  * Where a method does not work around a source, as on triangles about as large as the radius,
  * Interpolated takes its place with a warning, see GetUsedMethod(). Eight functions are solved for
  * at a time, on all threads; SingularitySubtraction takes a local exact distance field besides.
+ * BiLaplace takes one more solution.
  *
  * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Dirichlet conditions and a source that lies
  * on the boundary, or in a component without one; a Radius that is negative or not finite.
@@ -64,6 +73,26 @@ public:
   static vtkDiscreteGreensFunction* New();
   vtkTypeMacro(vtkDiscreteGreensFunction, vtkSpectralAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Of which operator, see above.
+   */
+  enum OrderType
+  {
+    Laplace = 1,
+    BiLaplace = 2
+  };
+
+  ///@{
+  /**
+   * Of which operator. Default Laplace.
+   */
+  vtkSetClampMacro(Order, int, Laplace, BiLaplace);
+  vtkGetMacro(Order, int);
+  void SetOrderToLaplace() { this->SetOrder(Laplace); }
+  void SetOrderToBiLaplace() { this->SetOrder(BiLaplace); }
+  const char* GetOrderAsString() const;
+  ///@}
 
   /**
    * How the function of a source is found, see above.
@@ -211,6 +240,7 @@ private:
 
   void WarnOfRemarks();
 
+  int Order;
   int Method;
   int SignConvention;
   int PoleValue;

@@ -3,13 +3,12 @@
 #include "vtkHarmonicBSpline.h"
 
 #include "DGGContext.h"
-#include "DGGDistribution.h"
-#include "DGGPreparedMesh.h"
 #include "DGGProperties.h"
+#include "DGGSourceCollector.h"
 #include "DGGSpectralOutputs.h"
+#include "DGGSplineRun.h"
 
-#include "dggGeodesicSource.h"
-#include "dggHarmonicSplines.h"
+#include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 #include "dggSplineSites.h"
 
@@ -24,17 +23,16 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
+#include <utility>
 
 vtkStandardNewMacro(vtkHarmonicBSpline);
 
 namespace
 {
-/// Parts of the progress: cells, functions at evaluation points, functions at points.
-constexpr double CellsDone = 0.3;
-constexpr double EvaluationDone = 0.5;
-constexpr double BasisDone = 0.95;
+/// Parts of the progress: what functions are made of, the functions, the solution.
+constexpr double PreparationDone = 0.4;
+constexpr double BasisDone = 0.8;
+constexpr double SolutionDone = 0.85;
 /// What sources may sum to without a warning, relative to the sum of their sizes. Densities are
 /// only integrated up to the mesh.
 constexpr double DensityTolerance = 1e-2;
@@ -43,178 +41,22 @@ constexpr double IntegralTolerance = 1e-6;
 /// each: cells, sources, solutions.
 constexpr double SplineBytesPerVertex = 450.0;
 constexpr double HeldNumbers = 7.0;
-
-/// The corner that a point is nearest to, a free one if there is one.
-dgg::Id FindNearestCorner(const dgg::PoissonSolver& solver, const dgg::SurfacePoint& point)
-{
-  dgg::Id nearest = dgg::NoId;
-  double least = 0.0;
-  bool isFree = false;
-  dgg::ForEachCornerAround(solver.GetMesh(), point, [&](dgg::Id v, double, double distance) {
-    const bool isBetter = !solver.IsFixed(v) && !isFree;
-    const bool isWorse = solver.IsFixed(v) && isFree;
-    if (nearest == dgg::NoId || isBetter || (!isWorse && distance < least))
-    {
-      nearest = v;
-      least = distance;
-      isFree = !solver.IsFixed(v);
-    }
-  });
-  return nearest;
-}
-
-/// Piecewise linear functions at points.
-std::vector<double> Interpolate(const dgg::SurfaceMesh& mesh,
-  const std::vector<dgg::SurfacePoint>& points, const std::vector<double>& values)
-{
-  std::vector<double> found(points.size(), 0.0);
-  for (std::size_t k = 0; k < points.size(); ++k)
-  {
-    dgg::ForEachCornerAround(
-      mesh, points[k], [&](dgg::Id v, double weight, double) { found[k] += weight * values[v]; });
-  }
-  return found;
-}
-
-/// The numbers of a point array of the surface.
-dgg::Status ReadSources(vtkPolyData* surface, const std::string& name, std::vector<double>& values)
-{
-  return DGGReadNumbers(surface, name, "the surface", "SetRightHandSideArrayName()", false, values);
-}
-
-/// Sources per vertex from numbers per point; none where values are given. `imbalance` is the
-/// largest sum that has to be balanced in a component, relative to the sum of sizes.
-std::vector<double> Integrate(const DGGPreparedMesh& prepared, const dgg::PoissonSolver& solver,
-  const std::vector<double>& numbers, bool isDensity, double& imbalance)
-{
-  const std::size_t n = solver.GetAreas().size();
-  std::vector<double> sources(n, 0.0);
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    const dgg::Id v = prepared.GetVertex(static_cast<vtkIdType>(i));
-    const bool isFirst = v == static_cast<dgg::Id>(i);
-    if (!solver.IsFixed(v) && (isFirst || !isDensity))
-    {
-      sources[v] += isDensity ? numbers[i] * solver.GetAreas()[v] : numbers[i];
-    }
-  }
-  dgg::Id count = 0;
-  const std::vector<dgg::Id> components = solver.GetMesh().ComputeComponents(count);
-  std::vector<double> sums(count, 0.0);
-  std::vector<double> sizes(count, 0.0);
-  std::vector<char> isGiven(count, 0);
-  for (std::size_t v = 0; v < n; ++v)
-  {
-    const bool hasFace = solver.GetAreas()[v] > 0.0;
-    sums[components[v]] += hasFace ? sources[v] : 0.0;
-    sizes[components[v]] += std::abs(sources[v]);
-    isGiven[components[v]] |= solver.IsFixed(static_cast<dgg::Id>(v)) ? 1 : 0;
-  }
-  imbalance = 0.0;
-  for (dgg::Id c = 0; c < count; ++c)
-  {
-    const bool counts = !isGiven[c] && sizes[c] > 0.0;
-    imbalance = counts ? std::max(imbalance, std::abs(sums[c]) / sizes[c]) : imbalance;
-  }
-  return sources;
-}
-
-/// Finds what a task asks for.
-class Run
-{
-public:
-  explicit Run(DGGSpectralTask& task)
-    : Task(task)
-    , Mesh(task.Solver.GetMesh())
-    , Splines(task.Solver)
-  {
-  }
-
-  /// Cells and functions of sites.
-  dgg::Status FindBasis(const std::vector<dgg::Id>& sites, bool isSmooth,
-    const std::string& cellName, const dgg::ProgressCallback& progress)
-  {
-    const dgg::ParallelFor& parallel = this->Task.Context.Parallel;
-    DGG_RETURN_IF_ERROR(
-      this->Splines.Prepare(sites, parallel, dgg::ProgressPart(progress, 0.0, CellsDone)));
-    if (isSmooth)
-    {
-      DGG_RETURN_IF_ERROR(
-        this->Splines.Evaluate(this->Task.Targets, dgg::GreensMethod::SingularitySubtraction,
-          parallel, dgg::ProgressPart(progress, CellsDone, EvaluationDone), this->Evaluated));
-    }
-    DGG_RETURN_IF_ERROR(this->Splines.FindBasis(parallel,
-      dgg::ProgressPart(progress, isSmooth ? EvaluationDone : CellsDone, BasisDone),
-      [this](dgg::Id site, const std::vector<double>& values) {
-        this->Task.Outputs.Set(static_cast<std::size_t>(site), values,
-          this->Evaluated.empty() ? Interpolate(this->Mesh, this->Task.Targets, values)
-                                  : this->EvaluatedOf(static_cast<std::size_t>(site)));
-      }));
-    const std::vector<dgg::Id>& cells = this->Splines.GetCells();
-    std::vector<dgg::Id> targetCells;
-    for (const dgg::SurfacePoint& target : this->Task.Targets)
-    {
-      targetCells.push_back(cells[FindNearestCorner(this->Task.Solver, target)]);
-    }
-    this->Task.Outputs.Add<vtkIdTypeArray>(cellName, cells, targetCells);
-    return dgg::Status::Success();
-  }
-
-  /// The solution for the sources of an array.
-  dgg::Status FindSolution(const std::string& sourceName, bool isDensity,
-    const std::string& solutionName, double& imbalance)
-  {
-    std::vector<double> numbers;
-    std::vector<double> coefficients;
-    std::vector<double> solution;
-    DGG_RETURN_IF_ERROR(ReadSources(this->Task.Context.Input, sourceName, numbers));
-    const std::vector<double> sources =
-      Integrate(this->Task.Context.Surface, this->Task.Solver, numbers, isDensity, imbalance);
-    DGG_RETURN_IF_ERROR(this->Splines.Solve(sources, {}, coefficients));
-    DGG_RETURN_IF_ERROR(this->Splines.Combine(coefficients, {}, solution));
-    std::vector<double> atTargets = Interpolate(this->Mesh, this->Task.Targets, solution);
-    if (!this->Evaluated.empty())
-    {
-      std::fill(atTargets.begin(), atTargets.end(), 0.0);
-      for (std::size_t site = 0; site < coefficients.size(); ++site)
-      {
-        const std::vector<double> function = this->EvaluatedOf(site);
-        for (std::size_t k = 0; k < function.size(); ++k)
-        {
-          atTargets[k] += coefficients[site] * function[k];
-        }
-      }
-    }
-    this->Task.Outputs.Add<vtkDoubleArray>(solutionName, solution, atTargets);
-    return dgg::Status::Success();
-  }
-
-private:
-  /// The function of a site at the targets.
-  std::vector<double> EvaluatedOf(std::size_t site) const
-  {
-    std::vector<double> values;
-    for (std::size_t k = site; k < this->Evaluated.size(); k += this->Task.Sources.size())
-    {
-      values.push_back(this->Evaluated[k]);
-    }
-    return values;
-  }
-
-  DGGSpectralTask& Task;
-  const dgg::SurfaceMesh& Mesh;
-  dgg::HarmonicSplines Splines;
-  std::vector<double> Evaluated; // per target and site, if they are to be smooth
-};
+/// Numbers for each point and component of an interpolation: functions, and the array of them.
+constexpr double InterpolationNumbers = 2.0;
+/// Matrices of pairs of sites that are there at once: functions at sites, their factor.
+constexpr double SiteMatrices = 4.0;
 }
 
 //------------------------------------------------------------------------------
 vtkHarmonicBSpline::vtkHarmonicBSpline()
   : vtkSpectralAlgorithm("HarmonicBSpline")
+  , Order(Harmonic)
   , NumberOfSites(20)
   , RightHandSideMeaning(Density)
   , CellArrayName("Cell")
   , SolutionArrayName("PoissonSolution")
+  , InterpolationArrayName("Interpolation")
+  , GenerateBasis(true)
   , SmoothEvaluation(false)
 {
 }
@@ -226,16 +68,24 @@ vtkHarmonicBSpline::~vtkHarmonicBSpline() = default;
 void vtkHarmonicBSpline::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Order: " << this->GetOrderAsString() << "\n";
   os << indent << "NumberOfSites: " << this->NumberOfSites << "\n";
   os << indent << "RightHandSideArrayName: " << this->RightHandSideArrayName << "\n";
   os << indent << "RightHandSideMeaning: " << this->GetRightHandSideMeaningAsString() << "\n";
   os << indent << "CellArrayName: " << this->CellArrayName << "\n";
   os << indent << "SolutionArrayName: " << this->SolutionArrayName << "\n";
+  os << indent << "SiteValuesArrayName: " << this->SiteValuesArrayName << "\n";
+  os << indent << "InterpolationArrayName: " << this->InterpolationArrayName << "\n";
+  os << indent << "GenerateBasis: " << (this->GenerateBasis ? "On" : "Off") << "\n";
   os << indent << "SmoothEvaluation: " << (this->SmoothEvaluation ? "On" : "Off") << "\n";
   os << indent << "NumberOfUsedSites: " << this->GetNumberOfUsedSites() << "\n";
 }
 
 //------------------------------------------------------------------------------
+const char* vtkHarmonicBSpline::GetOrderAsString() const
+{
+  return this->Order == Biharmonic ? "Biharmonic" : "Harmonic";
+}
 
 //------------------------------------------------------------------------------
 const char* vtkHarmonicBSpline::GetRightHandSideMeaningAsString() const
@@ -267,19 +117,24 @@ int vtkHarmonicBSpline::RequestData(
 dgg::Status vtkHarmonicBSpline::CheckProperties() const
 {
   DGG_RETURN_IF_ERROR(this->Superclass::CheckProperties());
-  const std::string result = this->GetResultArrayName();
-  const std::string& cell = this->CellArrayName;
-  const std::string& solution = this->SolutionArrayName;
-  if (cell.empty() || solution.empty())
+  std::vector<std::pair<const char*, std::string>> names = { { "ResultArrayName",
+                                                               this->GetResultArrayName() },
+    { "CellArrayName", this->CellArrayName }, { "SolutionArrayName", this->SolutionArrayName },
+    { "InterpolationArrayName", this->InterpolationArrayName } };
+  for (auto name = names.begin(); name != names.end(); ++name)
   {
-    return dgg::Status::Invalid(
-      "CellArrayName or SolutionArrayName is empty: call SetCellArrayName() and "
-      "SetSolutionArrayName() with a name");
-  }
-  if (result == cell || result == solution || cell == solution)
-  {
-    return dgg::Status::Invalid("ResultArrayName '" + result + "', CellArrayName '" + cell +
-      "' and SolutionArrayName '" + solution + "' must be different: change one of them");
+    if (name->second.empty())
+    {
+      return dgg::InvalidInput(name->first, " is empty: call Set", name->first, "() with a name");
+    }
+    for (auto other = names.begin(); other != name; ++other)
+    {
+      if (other->second == name->second)
+      {
+        return dgg::InvalidInput(other->first, " and ", name->first, " are both '", name->second,
+          "' and must be different: change one of them");
+      }
+    }
   }
   return dgg::Status::Success();
 }
@@ -292,15 +147,16 @@ void vtkHarmonicBSpline::MakeEmptyOutput(
   for (int port = 0; port < 2; ++port)
   {
     vtkPointData* data = vtkPolyData::GetData(outputVector, port)->GetPointData();
-    vtkNew<vtkIdTypeArray> cells;
-    cells->SetName(this->CellArrayName.c_str());
-    data->AddArray(cells);
-    if (!this->RightHandSideArrayName.empty())
-    {
-      vtkNew<vtkDoubleArray> solution;
-      solution->SetName(this->SolutionArrayName.c_str());
-      data->AddArray(solution);
-    }
+    const auto add = [&](vtkDataArray* array, const std::string& name, bool isThere) {
+      array->SetName(name.c_str());
+      if (isThere)
+      {
+        data->AddArray(array);
+      }
+    };
+    add(vtkNew<vtkIdTypeArray>(), this->CellArrayName, this->Order == Harmonic);
+    add(vtkNew<vtkDoubleArray>(), this->InterpolationArrayName, !this->SiteValuesArrayName.empty());
+    add(vtkNew<vtkDoubleArray>(), this->SolutionArrayName, !this->RightHandSideArrayName.empty());
   }
 }
 
@@ -309,10 +165,25 @@ dgg::Status vtkHarmonicBSpline::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   DGG_RETURN_IF_ERROR(this->Superclass::CheckInputs(surface, inputVector));
+  this->SiteValueComponents = 0;
+  if (!this->SiteValuesArrayName.empty())
+  {
+    const DGGSourceSet sites = this->GetSources(inputVector);
+    std::vector<std::vector<double>> siteValues;
+    DGG_RETURN_IF_ERROR(
+      DGGReadSiteValues(this->SiteValuesArrayName, surface, sites.Ids, sites.Points, siteValues));
+    this->SiteValueComponents = siteValues.size();
+  }
   std::vector<double> values;
   return this->RightHandSideArrayName.empty()
     ? dgg::Status::Success()
-    : ReadSources(surface, this->RightHandSideArrayName, values);
+    : DGGReadRightHandSide(surface, this->RightHandSideArrayName, values);
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkHarmonicBSpline::CountResults(std::size_t numberOfSources) const
+{
+  return this->GenerateBasis ? numberOfSources : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -332,7 +203,9 @@ dgg::Status vtkHarmonicBSpline::ChooseSources(const dgg::PoissonSolver& solver,
   {
     for (dgg::SurfacePoint& source : sources)
     {
-      source = dgg::SurfacePoint::AtVertex(FindNearestCorner(solver, source));
+      source = this->Order == Harmonic
+        ? dgg::SurfacePoint::AtVertex(DGGFindNearestCorner(solver, source))
+        : source;
     }
     return dgg::Status::Success();
   }
@@ -352,36 +225,71 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
   const auto n = static_cast<double>(solver.GetAreas().size());
   const auto sites = static_cast<double>(numberOfSources);
   const auto targets = static_cast<double>(numberOfTargets);
-  const bool isSmooth = this->SmoothEvaluation && numberOfTargets > 0;
+  const bool isHarmonic = this->Order == Harmonic;
+  const bool isSmooth = this->SmoothEvaluation && isHarmonic && numberOfTargets > 0;
+  const bool hasMatrices =
+    !this->SiteValuesArrayName.empty() || (!isHarmonic && this->GenerateBasis);
   const double bytes = isSmooth ? dgg::GreensFunction::BytesPerVertex : SplineBytesPerVertex;
-  // Of threads; the equations of sites, as those of vertices; cells and solutions.
+  const double held =
+    HeldNumbers + InterpolationNumbers * static_cast<double>(this->SiteValueComponents);
+  // Of threads; the equations of sites, as those of vertices; cells, solutions, interpolations.
   return bytes * n * vtkSMPTools::GetEstimatedNumberOfThreads() +
-    std::min(1.0, sites / n) * solver.GetEstimatedMemory() +
-    (HeldNumbers * (n + targets) + (isSmooth ? sites * targets : 0.0)) * sizeof(double);
+    (isHarmonic ? std::min(1.0, sites / n) * solver.GetEstimatedMemory() : 0.0) +
+    (held * (n + targets) + (isSmooth ? sites * targets : 0.0) +
+      (hasMatrices ? SiteMatrices * sites * sites : 0.0)) *
+    sizeof(double);
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
 {
-  const bool isDensity = this->RightHandSideMeaning == Density;
-  const bool isSmooth = this->SmoothEvaluation && !task.Targets.empty();
-  std::vector<dgg::Id> sites;
-  for (const dgg::SurfacePoint& source : task.Sources)
-  {
-    sites.push_back(source.Vertex);
-  }
-  if (sites.empty())
+  if (task.Sources.empty())
   {
     return dgg::Status::Invalid(
       "values are given at all points: there is no place for a site, use Neumann conditions");
   }
-  Run run(task);
-  DGG_RETURN_IF_ERROR(run.FindBasis(sites, isSmooth, this->CellArrayName, task.Progress));
+  std::vector<vtkIdType> sites;
+  for (const dgg::SurfacePoint& source : task.Sources)
+  {
+    sites.push_back(dgg::IsVertex(source) ? source.Vertex : -1);
+  }
+  std::vector<std::vector<double>> siteValues;
+  if (!this->SiteValuesArrayName.empty())
+  {
+    const DGGSourceSet& given = task.SourceSet;
+    const bool isChosen =
+      given.Ids.empty() && (!given.Points || given.Points->GetNumberOfPoints() == 0);
+    DGG_RETURN_IF_ERROR(DGGReadSiteValues(this->SiteValuesArrayName, task.Context.Input,
+      isChosen ? sites : given.Ids, given.Points, siteValues));
+  }
+  const bool isHarmonic = this->Order == Harmonic;
+  const auto part = [&](double begin, double end) {
+    return dgg::ProgressPart(task.Progress, begin, end);
+  };
+  DGGSplineRun run(task, !isHarmonic, this->SmoothEvaluation);
+  const bool hasValues = !siteValues.empty();
+  DGG_RETURN_IF_ERROR(run.Prepare(this->GenerateBasis || hasValues, part(0.0, PreparationDone)));
+  if (this->GenerateBasis || (isHarmonic && hasValues))
+  {
+    DGG_RETURN_IF_ERROR(
+      run.FindBasis(this->GenerateBasis, hasValues, part(PreparationDone, BasisDone)));
+  }
+  if (isHarmonic)
+  {
+    run.AddCells(this->CellArrayName);
+  }
+  const bool isDensity = this->RightHandSideMeaning == Density;
   double imbalance = 0.0;
   if (!this->RightHandSideArrayName.empty())
   {
-    DGG_RETURN_IF_ERROR(run.FindSolution(
-      this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance));
+    DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, BasisDone));
+    DGG_RETURN_IF_ERROR(
+      run.AddSolution(this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance));
+  }
+  if (hasValues)
+  {
+    DGG_RETURN_IF_ERROR(
+      run.AddInterpolation(siteValues, this->InterpolationArrayName, part(SolutionDone, 1.0)));
   }
   if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {
@@ -399,6 +307,6 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
          "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
   }
   DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, 1.0));
-  this->UsedSites.assign(sites.begin(), sites.end());
+  this->UsedSites.swap(sites);
   return dgg::Status::Success();
 }

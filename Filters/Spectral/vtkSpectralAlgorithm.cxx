@@ -35,7 +35,8 @@ bool IsEmpty(const DGGSourceSet& set)
   return set.Ids.empty() && (!set.Points || set.Points->GetNumberOfPoints() == 0);
 }
 
-/// The points of a port with the results as active scalars.
+/// The points of a port with the results as active scalars; where there are none, the last one of
+/// the further arrays.
 void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array,
   const std::vector<vtkSmartPointer<vtkDataArray>>& further)
 {
@@ -44,8 +45,16 @@ void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array,
   {
     output->GetPointData()->AddArray(other);
   }
-  output->GetPointData()->AddArray(array);
-  output->GetPointData()->SetActiveScalars(array->GetName());
+  vtkDataArray* shown = further.empty() ? nullptr : further.back();
+  if (array)
+  {
+    output->GetPointData()->AddArray(array);
+    shown = array;
+  }
+  if (shown)
+  {
+    output->GetPointData()->SetActiveScalars(shown->GetName());
+  }
 }
 }
 
@@ -160,6 +169,12 @@ std::size_t vtkSpectralAlgorithm::CountSources(
 }
 
 //------------------------------------------------------------------------------
+std::size_t vtkSpectralAlgorithm::CountResults(std::size_t numberOfSources) const
+{
+  return numberOfSources;
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkSpectralAlgorithm::ChooseSources(const dgg::PoissonSolver& vtkNotUsed(solver),
   const std::function<bool(double)>& vtkNotUsed(progress),
   std::vector<dgg::SurfacePoint>& vtkNotUsed(sources)) const
@@ -209,7 +224,8 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   double needed = 0.0;
   const auto others = [&](const dgg::PoissonSolver& solver) {
     const std::size_t count = this->CountSources(solver, sources.size());
-    needed = DGGSpectralOutputs::EstimateMemory(numberOfPoints, targets.size(), count) +
+    needed = DGGSpectralOutputs::EstimateMemory(
+               numberOfPoints, targets.size(), this->CountResults(count)) +
       this->EstimateWorkingMemory(solver, count, targets.size());
     return needed;
   };
@@ -222,10 +238,10 @@ dgg::Status vtkSpectralAlgorithm::Execute(
     cache.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources));
   const double held = context.MemoryLimit == 0 ? 0.0 : cache.GetSolver().GetEstimatedMemory();
   const double left = static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit)) - held - needed;
-  DGGSpectralOutputs outputs(
-    mesh, numberOfPoints, targets.size(), sources.size(), this->ResultArrayName);
+  DGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(),
+    this->CountResults(sources.size()), this->ResultArrayName);
   DGGSpectralTask task{ context, cache.GetSolver(), cache.GetSolverTime(), sources, targets,
-    std::max(0.0, left), dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
+    sourceSet, std::max(0.0, left), dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
   DGG_RETURN_IF_ERROR(this->ComputeValues(task));
   AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
@@ -239,7 +255,8 @@ dgg::Status vtkSpectralAlgorithm::Execute(
 void vtkSpectralAlgorithm::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  const DGGSpectralOutputs outputs(context.Surface, 0, 0, 0, this->ResultArrayName);
+  const DGGSpectralOutputs outputs(
+    context.Surface, 0, 0, this->CountResults(1), this->ResultArrayName);
   AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
   vtkNew<vtkPolyData> none;

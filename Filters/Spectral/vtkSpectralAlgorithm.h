@@ -199,6 +199,16 @@ protected:
   ///@}
 
   /**
+   * Components of the result array; 0 where it is not wanted. One for each source by default.
+   */
+  virtual std::size_t CountResults(std::size_t numberOfSources) const;
+
+  /**
+   * The sources as they are given.
+   */
+  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
+
+  /**
    * Bytes that ComputeValues() takes at one time, besides its results.
    */
   virtual double EstimateWorkingMemory(const dgg::PoissonSolver& solver,
@@ -214,7 +224,6 @@ private:
   vtkSpectralAlgorithm(const vtkSpectralAlgorithm&) = delete;
   void operator=(const vtkSpectralAlgorithm&) = delete;
 
-  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
   static DGGSourceSet GetTargets(vtkInformationVector** inputVector);
 
   std::vector<vtkIdType> SourceIds;

@@ -18,6 +18,7 @@ import time
 
 import numpy as np
 import vtkdgg
+from vtkdgg.commands.methods import graph, propagation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -25,28 +26,6 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 SOURCES = 10
 NEW_MESHES = 5
 SLOW = 2.0  # seconds: what takes longer is measured once
-
-
-def graph(accuracy):
-    """A filter that builds a graph of its own."""
-
-    def make():
-        distance = vtkdgg.vtkDGGDistance()
-        distance.SetAccuracy(accuracy)
-        return distance
-
-    return make
-
-
-def propagation(quality):
-    """Virtual sources of one quality."""
-
-    def make():
-        distance = vtkdgg.vtkVirtualSourceGeodesicDistance()
-        distance.SetQuality(quality)
-        return distance
-
-    return make
 
 
 METHODS = {

@@ -15,6 +15,7 @@ from plot_tools import (
     PlotError,
     add_legend,
     draw_curve,
+    few_minor,
     load_matplotlib,
     run_as_script,
     style_axes,
@@ -66,17 +67,11 @@ def plot(path, picture):
                 f"{mesh}{size}: {title}",
                 "edges per vertex",
                 "relative error (%)",
-                minor=_minor,
+                minor=few_minor,
             )
     add_legend(figure, handle, RULES.items(), [(label, line) for _, line, label in KINDS])
     figure.tight_layout(rect=(0.0, 0.45 / height, 1.0, 1.0))
     figure.savefig(picture, dpi=110)
-
-
-def _minor(value, _):
-    """Label 20 and 50 and the like, not each tick."""
-    digit = f"{value:e}"[0]
-    return f"{value:g}" if digit in "25" else ""
 
 
 if __name__ == "__main__":

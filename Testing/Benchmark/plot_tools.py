@@ -50,8 +50,15 @@ def draw_curve(axes, points, style, line="-", is_filled=True):
         )
 
 
-def style_axes(axes, title, x_label, y_label="", y_format=_plain, minor=None):
-    """Logarithmic both ways, with plain numbers and a grid; `minor` names minor ticks of x."""
+def few_minor(value, _):
+    """Label 20 and 50 and the like, not each tick."""
+    digit = f"{value:e}"[0]
+    return f"{value:g}" if digit in "25" else ""
+
+
+def style_axes(axes, title, x_label, y_label="", y_format=_plain, minor=None, y_minor=None):
+    """Logarithmic both ways, with plain numbers and a grid; `minor` names minor ticks of x, `y_minor`
+    those of y."""
     from matplotlib.ticker import FuncFormatter, NullFormatter
 
     axes.set_xscale("log")
@@ -61,6 +68,8 @@ def style_axes(axes, title, x_label, y_label="", y_format=_plain, minor=None):
     axes.set_ylabel(y_label, fontsize=11)
     axes.xaxis.set_major_formatter(FuncFormatter(_plain))
     axes.xaxis.set_minor_formatter(FuncFormatter(minor) if minor else NullFormatter())
+    if y_minor:
+        axes.yaxis.set_minor_formatter(FuncFormatter(y_minor))
     if y_format:
         axes.yaxis.set_major_formatter(FuncFormatter(y_format))
     axes.tick_params(which="both", labelsize=10, pad=5)

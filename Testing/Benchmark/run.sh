@@ -15,6 +15,10 @@
 #                                 [OPTIONS OF BenchmarkCloud]
 #        Testing/Benchmark/run.sh spectral [--out DIR] [--data DIR] [--libigl DIR] [--readme]
 #                                 [MESH...] [OPTIONS OF BenchmarkSpectral]
+#        Testing/Benchmark/run.sh thesis [--out DIR] [--data DIR] [--full] [--keep] [--readme]
+#                                 [--exhibits LIST]
+#        Testing/Benchmark/run.sh passrate [--out DIR] FOLDER [--accuracies 0.1,0.01,0.001]
+#        Testing/Benchmark/run.sh compare [--out DIR] MESH [OPTIONS OF vtkdgg compare]
 #   exact     the exact solver: writes exact.json and exact.md
 #   first     how soon each distance filter answers on a new mesh, and again: writes first.json and
 #             first.md
@@ -30,16 +34,27 @@
 #   spectral  Green's functions and what is made of them: times and memory beside other libraries,
 #             errors on spheres: writes spectral.json, spectral.md and greens_convergence.png (needs
 #             matplotlib)
+#   thesis    the tables and figures of the thesis, published figures beside ours: writes a folder
+#             thesis with JSON and pictures, and thesis.md there (needs matplotlib)
+#   passrate  whether graphs of all meshes of a folder keep their promise: writes passrate.json,
+#             passrate.md and passrate.png
+#   compare   the errors of all methods on one mesh, as maps and histograms: writes a folder compare
+#             with methods.png
 #   --out     folder of the results (default: out/benchmark in the source tree)
 #   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
 #             as well, to be measured; for first with bunny, armadillo, gargoyle, fandisk,
 #             blade_aniso, igea and terrain_andes; for clouds with igea, terrain_andes (a
-#             grid) and awkward/bunny_raw_5holes; for spectral with bunny and igea
-#   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more
+#             grid) and awkward/bunny_raw_5holes; for spectral with bunny and igea; for thesis with
+#             any of fertility, kitten, gargoyle, bunny, armadillo and blade_aniso
+#   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more; of
+#             the thesis: larger models, which takes hours; exhibits that are finished are kept
+#   --keep    of the thesis: keep finished exhibits of earlier runs without --full as well
+#   --exhibits  of the thesis: only these, T3.4,F3.9,...
 #   --libigl  folder with the headers of libigl, as a further peer of spectral
 #   --readme  put the tables into Testing/Benchmark/README.md and the plot into Examples/Images as
 #             well: first (no plot), graph, cloud, spectral; for spectral, draw
-#             Examples/Images/greens_function.png too
+#             Examples/Images/greens_function.png too; for thesis, write Testing/Benchmark/Thesis.md
+#             and its pictures to Testing/Benchmark/Images
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
@@ -48,6 +63,7 @@
 #   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000 --sources=0
 #   Testing/Benchmark/run.sh cloud scan.ply --clouds= --curves=0 --guards=0 --speed=0
 #   Testing/Benchmark/run.sh spectral scan.ply --sizes= --levels=
+#   Testing/Benchmark/run.sh thesis --exhibits T3.2,F3.9
 #   Testing/Benchmark/run.sh graph scan.ply --rules=Guaranteed,SVG --accuracies=0.02 --many=0
 
 set -euo pipefail
@@ -62,7 +78,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  cloud | exact | first | graph | isolines | path | spectral)
+  cloud | compare | exact | first | graph | isolines | passrate | path | spectral | thesis)
     mode="$1"
     shift
     ;;
@@ -90,16 +106,23 @@ while [ $# -gt 0 ]; do
         isolines) names+=(igea) ;;
         path) ;;
         spectral) names=(bunny igea) ;;
-        *) dgg_fail "--data is for the modes cloud, first, isolines, path and spectral" ;;
+        thesis)
+          names=()
+          arguments+=(--data "$2")
+          ;;
+        *) dgg_fail "--data is for the modes cloud, first, isolines, path, spectral and thesis" ;;
       esac
-      for name in "${names[@]}"; do
+      for name in ${names[@]+"${names[@]}"}; do
         arguments+=("$2/$name.ply")
       done
       shift 2
       ;;
     --full)
-      [ "$mode" = cloud ] || dgg_fail "--full is for the mode cloud"
-      arguments+=("--large=sphere:655362")
+      case "$mode" in
+        cloud) arguments+=("--large=sphere:655362") ;;
+        thesis) arguments+=(--full) ;;
+        *) dgg_fail "--full is for the modes cloud and thesis" ;;
+      esac
       shift
       ;;
     --libigl)
@@ -110,8 +133,8 @@ while [ $# -gt 0 ]; do
       ;;
     --readme)
       case "$mode" in
-        cloud | first | graph | spectral) readme=yes ;;
-        *) dgg_fail "--readme is for the modes cloud, first, graph and spectral" ;;
+        cloud | first | graph | spectral | thesis) readme=yes ;;
+        *) dgg_fail "--readme is for the modes cloud, first, graph, spectral and thesis" ;;
       esac
       shift
       ;;
@@ -211,14 +234,34 @@ measure_spectral() {
   fi
 }
 
+measure_thesis() {
+  local page=()
+  if [ -n "$readme" ]; then
+    page=(--page "$here/Thesis.md" --pictures "$here/Images" --images Images)
+  fi
+  dgg_with_display "$build/bin/vtkdgg-python" "$here/thesis.py" --out "$out/thesis" \
+    --programs "$build/bin" ${page[@]+"${page[@]}"} ${arguments[@]+"${arguments[@]}"}
+}
+
+measure_passrate() {
+  "$build/bin/vtkdgg-python" "$here/passrate.py" "$out" ${arguments[@]+"${arguments[@]}"}
+}
+
+measure_compare() {
+  dgg_with_display "$build/bin/vtkdgg" compare --methods --out "$out/compare" \
+    ${arguments[@]+"${arguments[@]}"}
+}
+
 packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
 case "$mode" in
-  cloud | graph) packages+=(python3-matplotlib) ;;
+  cloud | graph | passrate | thesis) packages+=(python3-matplotlib) ;;
   spectral) packages+=(python3-matplotlib libsuitesparse-dev) ;;
 esac
 with_python=OFF
 [ "$mode" = spectral ] && [ -n "$readme" ] && with_python=ON
-[ "$mode" = first ] && with_python=ON
+case "$mode" in
+  compare | first | passrate | thesis) with_python=ON ;;
+esac
 dgg_install "${packages[@]}"
 
 build="$DGG_ROOT/build/benchmark"

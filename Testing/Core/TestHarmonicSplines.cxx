@@ -405,7 +405,7 @@ TEST(HarmonicSplines, RefusesWhatMakesNoSense)
   ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
   EXPECT_TRUE(Says(splines.FindBasis(nullptr, nullptr, ignore), "no sites"));
   EXPECT_TRUE(Says(prepare({}), "there is no site"));
-  EXPECT_TRUE(Says(prepare({ 0, -1 }), "site 1 (vertex -1) does not exist"));
+  EXPECT_TRUE(Says(prepare({ 0, -1 }), "site 1: vertex -1 does not exist"));
   EXPECT_TRUE(Says(prepare({ mesh.GetNumberOfVertices() }), "does not exist"));
   EXPECT_TRUE(Says(prepare({ 5, 7, 5 }), "site 2 (vertex 5) is the same as site 0"));
   EXPECT_TRUE(Says(prepare({ 0 }), "has no site"));

@@ -9,6 +9,7 @@
 #include "vtkDiscreteGreensFunction.h"
 
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 using namespace dggtest;
 
@@ -241,6 +243,50 @@ TEST(DiscreteGreensFunction, SignAndValueAtTheSource)
   ExpectSuccess(sphere.Filter);
   EXPECT_EQ(sphere.Filter->GetUsedRadius(0), 0.7);
   EXPECT_NEAR(sphere.Values()[300], -positive[300], 5e-3);
+}
+
+TEST(DiscreteGreensFunction, BiLaplacianOnTheSphere)
+{
+  // 1 / (4 pi) at the source, (1 - pi^2 / 6) / (4 pi) opposite to it, anywhere on the surface.
+  Fixture fixture(MakeSphere(4));
+  const double top = 1.0 / (4.0 * vtkMath::Pi());
+  const double bottom = (1.0 - vtkMath::Pi() * vtkMath::Pi() / 6.0) * top;
+  const auto place = PointInCell(fixture.Surface, 70, { { 0.2, 0.3, 0.5 } });
+  fixture.Filter->SetSourceIds({ 33 });
+  fixture.Filter->SetSourceData(MakeSourcePoints({ place }));
+  fixture.Filter->SetEvaluationData(
+    MakeSourcePoints({ place, { { -place[0], -place[1], -place[2] } } }));
+  EXPECT_EQ(fixture.Filter->GetOrder(), vtkDiscreteGreensFunction::Laplace);
+  fixture.Filter->SetOrderToBiLaplace();
+  EXPECT_STREQ(fixture.Filter->GetOrderAsString(), "BiLaplace");
+  for (const int method :
+    { vtkDiscreteGreensFunction::SingularitySubtraction, vtkDiscreteGreensFunction::Interpolated })
+  {
+    fixture.Filter->SetMethod(method);
+    ExpectSuccess(fixture.Filter);
+    const bool isExact = method == vtkDiscreteGreensFunction::SingularitySubtraction;
+    const double tolerance = isExact ? 1e-4 : 8e-4;
+    EXPECT_EQ(fixture.Filter->GetUsedMethod(0), method);
+    EXPECT_NEAR(fixture.Values()[33], top, tolerance);
+    EXPECT_NEAR(fixture.Evaluated(1)[0], top, tolerance);
+    EXPECT_NEAR(fixture.Evaluated(1)[1], bottom, 1e-4);
+    const auto areas = GetPointAreas(fixture.Surface);
+    const auto values = fixture.Values(1);
+    EXPECT_NEAR(std::inner_product(areas.begin(), areas.end(), values.begin(), 0.0), 0.0, 1e-12);
+  }
+  // Neither the sign nor the value at the source play a part. Interpolated columns are near.
+  const auto expected = fixture.Values(1);
+  fixture.Filter->SetSignConventionToNegativeAtSource();
+  fixture.Filter->SetPoleValueToInfinite();
+  ExpectSuccess(fixture.Filter);
+  EXPECT_EQ(fixture.Values(1), expected);
+  fixture.Filter->SetMethodToSingularitySubtraction();
+  fixture.Filter->InterpolateRegularPartOn();
+  ExpectSuccess(fixture.Filter);
+  EXPECT_EQ(fixture.Filter->GetNumberOfColumns(), 4);
+  EXPECT_NEAR(fixture.Evaluated(1)[0], top, 3e-4);
+  fixture.Filter->SetOrder(7);
+  EXPECT_EQ(fixture.Filter->GetOrder(), vtkDiscreteGreensFunction::BiLaplace);
 }
 
 TEST(DiscreteGreensFunction, InterpolatedRegularParts)

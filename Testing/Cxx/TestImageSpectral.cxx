@@ -231,6 +231,43 @@ TEST(ImageSpectral, BSplines)
   scene.ExpectBaseline("TestImageBSpline");
 }
 
+/// Values at a few sites: the functions of both orders, the first one with bumps at the sites.
+TEST(ImageSpectral, Interpolation)
+{
+  auto pebble = MakePebble(4);
+  std::vector<double> height;
+  for (vtkIdType i = 0; i < pebble->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    pebble->GetPoint(i, p);
+    height.push_back(p[2] + 0.5 * std::sin(3.0 * p[0]));
+  }
+  AddArray(pebble->GetPointData(), "Height", height, 1);
+  ImageScene scene(2, 1, 240, 190);
+  for (const int order : { vtkHarmonicBSpline::Harmonic, vtkHarmonicBSpline::Biharmonic })
+  {
+    vtkNew<vtkHarmonicBSpline> filter;
+    filter->SetInputData(pebble);
+    filter->SetOrder(order);
+    filter->SetNumberOfSites(30);
+    filter->SetSiteValuesArrayName("Height");
+    filter->GenerateBasisOff();
+    ExpectSuccess(filter);
+    const auto values = GetValues(filter->GetOutput(), "Interpolation");
+    std::vector<vtkIdType> sites;
+    for (vtkIdType k = 0; k < filter->GetNumberOfUsedSites(); ++k)
+    {
+      sites.push_back(filter->GetUsedSite(k));
+      EXPECT_NEAR(values[sites.back()], height[sites.back()], 1e-9);
+    }
+    scene.AddPanel(PebbleView);
+    scene.AddSurface(filter->GetOutput(), "Interpolation", FieldColors(-1.0, 1.2, 11));
+    scene.AddContours(filter->GetOutput(), 0.005, "Interpolation", -1.0, 1.2, 23);
+    scene.AddPoints(pebble, sites, 0.035, Ink);
+  }
+  scene.ExpectBaseline("TestImageInterpolation");
+}
+
 /// From two places to a third one: the potential, and the flow where it is strong.
 TEST(ImageSpectral, EarthMoversFlow)
 {

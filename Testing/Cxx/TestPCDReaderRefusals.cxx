@@ -147,10 +147,12 @@ TEST_F(PCDReaderRefusals, RefusesMalformedHeaders)
   {
     endless += " a";
   }
-  const auto before = getPeak();
+  [[maybe_unused]] const auto before = getPeak();
   this->ExpectRefused(endless + "\nPOINTS 0\nDATA ascii\n", code, { "line 1: more than 10000" });
   this->ExpectRefused(endless, vtkErrorCode::PrematureEndOfFileError, { "before the line DATA" });
+#ifndef __SANITIZE_ADDRESS__ // it keeps what is given back
   EXPECT_LT(getPeak() - before, 5 * static_cast<long>(endless.size() / 1024));
+#endif
   this->ExpectRefused("FIELDS x y z q\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100000000\n"
                       "POINTS 0\nDATA binary\n",
     code, { "line 5: the COUNTs promise points of 100000003 values" });

@@ -10,6 +10,7 @@ import support
 
 # From the root. Every page of the source tree is one.
 PAGES = (
+    "CHANGELOG.md",
     "README.md",
     "Examples/README.md",
     "Examples/Solved.md",
@@ -18,10 +19,13 @@ PAGES = (
     "Filters/PointCloud/README.md",
     "Filters/Spectral/README.md",
     "Readers/README.md",
+    "Testing/Benchmark/Differences.md",
     "Testing/Benchmark/README.md",
+    "Testing/Benchmark/Thesis.md",
     "Testing/README.md",
     "Wrapping/ParaView/README.md",
     "Wrapping/Python/README.md",
+    "Wrapping/README.md",
 )
 
 

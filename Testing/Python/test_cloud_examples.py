@@ -183,6 +183,7 @@ class DemoOnClouds(unittest.TestCase):
             ((good, "--accuracy", "0.01"), "--accuracy: not on a point cloud"),
             ((good, "--merge"), "--merge: not on a point cloud"),
             ((BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
+            ((BUMPY, "--cloud", "--methods"), "--methods: not on a point cloud"),
             ((unseen, "--source", "1"), "--source 1: this point is not finite"),
         ):
             with self.subTest(arguments=arguments):

@@ -3,6 +3,7 @@
 """The command vtkdgg; `compare` has tests of its own."""
 
 import contextlib
+import gzip
 import io
 import json
 import os
@@ -71,7 +72,7 @@ class Command(unittest.TestCase):
         names = list(make_parser().commands)
         self.assertEqual(
             names,
-            "info graph distance path loop isolines voronoi sample greens render compare".split(),
+            "info graph distance path loop isolines voronoi sample greens render explore compare".split(),
         )
         result = command("--help")
         for name in names:
@@ -100,6 +101,16 @@ class Command(unittest.TestCase):
                 check=True,
             )
             self.assertEqual(said.stdout.split(), expected)
+
+    def test_man_page(self):
+        folder = os.path.dirname(os.path.dirname(os.path.dirname(PACKAGES)))
+        with gzip.open(os.path.join(folder, "share", "man", "man1", "vtkdgg.1.gz"), "rt") as file:
+            parts = re.split(r"^\.S[SH] ", file.read(), flags=re.M)[1:]
+        sections = dict(part.split("\n", 1) for part in parts)
+        self.assertRegex(sections["NAME"], r"^vtkdgg \\- geodesics on meshes")
+        for name, parser in make_parser().commands.items():
+            for option in set(parser._option_string_actions) - {"-h", "--help"}:
+                self.assertIn("\n.B " + option.replace("-", "\\-"), sections[name])
 
     def test_info(self):
         found = self.answer("info", BUMPY)

@@ -79,6 +79,19 @@ class Demo(unittest.TestCase):
             degrees.append(float(table(result)["graph"].split()[1].rstrip(",")))
         self.assertGreater(degrees[1], 2.0 * degrees[0])
 
+    def test_methods(self):
+        result, _ = self.demo("methods", BUMPY, "--source", 5, "--methods")
+        lines = [line[13:] for line in result.stdout.splitlines()]
+        first = next(i for i, line in enumerate(lines) if line.startswith("graph  "))
+        means = {line[:26].strip(): float(line[27:].split()[0]) for line in lines[first : first + 8]}
+        self.assertEqual(len(means), 8)
+        self.assertLess(means["graph, corrected"], 0.3 * means["graph"])
+        self.assertLess(means["graph"], means["graph, published rule"])
+        self.assertLess(means["graph, published rule"], means["heat"])
+        picture = os.path.join(support.output_folder("demo"), "methods", "methods.png")
+        self.assertEqual(support.read_image(picture).GetDimensions(), (2080, 960, 1))
+        self.assertGreater(number_of_colours(picture), 1000)
+
     def test_source_by_coordinates(self):
         # On an edge of the tetrahedron, with a minus sign first.
         result, arrays = self.demo("coordinates", TETRAHEDRON, "--source", "-1,0,0")
@@ -237,6 +250,7 @@ class Demo(unittest.TestCase):
             "--tolerance",
             "--out",
             "--merge",
+            "--methods",
             "--cloud",
             ".off",
             ".pcd",

@@ -77,6 +77,27 @@ class Tutorial(unittest.TestCase):
         self.assertEqual(run("tutorial.py").returncode, 1)
 
 
+class ExplorerPictures(unittest.TestCase):
+    def test_pictures(self):
+        folder = support.output_folder("explorer_pictures")
+        result = run("explorer_pictures.py", BUMPY, folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        written = re.findall(r"Written: (.*)", result.stdout)
+        self.assertEqual(len(written), 6)
+        for path in written:
+            with self.subTest(path):
+                self.assertGreater(number_of_colours(path), 500)
+        self.assertRegex(result.stdout, r"642 points, distances by fast: nothing is promised")
+        self.assertRegex(result.stdout, r"promised 1 %, measured \S+ % on average")
+
+    def test_mistakes(self):
+        for arguments in ((), (BUMPY,), ("missing.ply", "."), (BUMPY, ".", "other")):
+            with self.subTest(arguments=arguments):
+                result = run("explorer_pictures.py", *arguments)
+                self.assertEqual(result.returncode, 1)
+                self.assertNotIn("Traceback", result.stderr)
+
+
 class Patches(unittest.TestCase):
     def test_two_surfaces(self):
         picture = os.path.join(support.output_folder("patches"), "patches.png")

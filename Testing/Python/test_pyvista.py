@@ -163,6 +163,7 @@ class Accessor(unittest.TestCase):
             (dgg.greens_function([5, 6]), "GreensFunction"),
             (dgg.biharmonic(5), "BiharmonicDistance"),
             (dgg.earth_movers(start, end), "EarthMoversPotential"),
+            (dgg.interpolate([5, 40], [1.0, 2.0]), "Interpolation"),
         ):
             with self.subTest(array):
                 self.assertIsInstance(output, PolyData)

@@ -264,6 +264,11 @@ class Spectral(unittest.TestCase):
         disc = support.grid(6, 6)
         held = vtkdgg.greens_function(*disc, 24, boundary="Dirichlet")
         self.assertAlmostEqual(held[0, 0], 0.0)
+        squares = vtkdgg.greens_function(self.mesh, [0, 10], order=2)
+        self.assertAlmostEqual(squares[0, 1], squares[10, 0], 3)
+        self.assertEqual(np.argmax(squares[:, 1]), 10)
+        with self.assertRaisesRegex(ValueError, "order: 1 or 2"):
+            vtkdgg.greens_function(self.mesh, 0, order=3)
         for options in ({"method": "Best"}, {"boundary": "Robin"}):
             with self.assertRaisesRegex(ValueError, "one of"):
                 vtkdgg.greens_function(self.mesh, 0, **options)
@@ -280,6 +285,46 @@ class Spectral(unittest.TestCase):
         self.assertTrue(np.isfinite(diffused).all())
         surface = vtkdgg.biharmonic(self.mesh, 0, as_polydata=True)
         self.assertTrue(surface.GetPointData().HasArray("BiharmonicDistance"))
+
+    def test_interpolate(self):
+        points = support.bumpy()[0]
+        sites = list(range(0, 642, 13))
+        truth = np.sin(2.0 * points[:, 0]) + points[:, 1]
+        found = vtkdgg.interpolate(self.mesh, sites, truth[sites])
+        self.assertEqual(found.shape, (642,))
+        np.testing.assert_allclose(found[sites], truth[sites], atol=1e-9)
+        self.assertLess(np.abs(found - truth).max(), 0.3)
+        self.assertLess(np.abs(found - truth).mean(), 0.05)
+        # Places and several numbers, and where they are wanted.
+        both = np.column_stack([truth, np.full(642, 3.0)])
+        middle = points[support.bumpy()[1][[3, 500]]].mean(axis=1)
+        there = vtkdgg.interpolate(self.mesh, middle, both[:2], at=middle)
+        np.testing.assert_allclose(there, both[:2], atol=1e-9)
+        one = vtkdgg.interpolate(self.mesh, sites, truth[sites].reshape(-1, 1))
+        np.testing.assert_array_equal(one, found.reshape(642, 1))
+        rough = vtkdgg.interpolate(self.mesh, sites, truth[sites], order=1)
+        np.testing.assert_allclose(rough[sites], truth[sites], atol=1e-9)
+        np.testing.assert_array_equal(vtkdgg.interpolate(self.mesh, 7, 2.5), 2.5)
+        surface = vtkdgg.interpolate(self.mesh, sites, truth[sites], as_polydata=True)
+        names = [surface.GetPointData().GetArrayName(i) for i in range(1)]
+        self.assertEqual(names, ["Interpolation"])
+        self.assertEqual(surface.GetPointData().GetNumberOfArrays(), 1)
+        for sites, values, pattern in (
+            ([0, 1], [1.0], "values: one row for each of 2 sites"),
+            ([0], [[[1.0]]], "values: one row"),
+            ([0, 642], [1.0, 2.0], "sites: "),
+            ([0], "x", "values: numbers"),
+        ):
+            with self.assertRaisesRegex(ValueError, pattern):
+                vtkdgg.interpolate(self.mesh, sites, values)
+        with self.assertRaisesRegex(ValueError, "values: missing"):
+            vtkdgg.interpolate(self.mesh, 0)
+        for sites, values, pattern in (
+            ([3, 3], [1.0, 2.0], "same as site 0"),
+            ([3, 4], [1.0, np.nan], "point 4, which is a site"),
+        ):
+            with self.assertRaisesRegex(vtkdgg.VTKError, pattern):
+                vtkdgg.interpolate(self.mesh, sites, values)
 
     def test_earth_movers(self):
         moved = vtkdgg.earth_movers(self.mesh, 0, 20)

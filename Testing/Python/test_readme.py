@@ -15,6 +15,7 @@ import pages
 import support
 import vtkdgg
 from support import BUMPY, run
+from vtkdgg.commands.words import HELP
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
@@ -73,6 +74,10 @@ class Pages(unittest.TestCase):
 
     def test_front_page_is_short(self):
         self.assertLessEqual(len(pages.text_of("README.md").splitlines()), 250)
+
+    def test_changes_begin_with_this_version(self):
+        heading = re.search(r"(?m)^## ([\d.]+)", pages.text_of("CHANGELOG.md"))
+        self.assertEqual(heading[1], vtkdgg.__version__)
 
     def test_links(self):
         for page in pages.PAGES:
@@ -172,6 +177,13 @@ class PythonPage(unittest.TestCase):
             words = [os.path.join(folder, word) if is_file(word) else word for word in words[1:]]
             result = support.command(*words)
             self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_keys_of_the_explorer(self):
+        page = pages.text_of("Wrapping/Python/README.md")
+        keys = re.findall(r"(?m)^(\S)(?: and (\S))?: ", HELP)
+        self.assertEqual(len(keys), 10)
+        for key in filter(None, (key for pair in keys for key in pair)):
+            self.assertIn(f"`{key}`", page)
 
 
 class Solved(unittest.TestCase):

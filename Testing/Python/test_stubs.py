@@ -19,7 +19,7 @@ MODULES = [
 CLASSES = ["CloudGraph", "EarthMovers", "Graph", "Isoline", "Loop", "Path", "Samples", "Voronoi"]
 CLASSES.append("VTKError")
 FUNCTIONS = ["biharmonic", "check", "distance", "earth_movers", "greens_function", "path"]
-FUNCTIONS.append("show_progress")
+FUNCTIONS += ["interpolate", "show_progress"]
 
 
 def stub_of(module):

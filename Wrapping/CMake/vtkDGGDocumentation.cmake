@@ -20,16 +20,20 @@ foreach (folder IN ITEMS Filters/Geodesic Filters/PointCloud Filters/Spectral Re
 endforeach ()
 list(APPEND doc_inputs
   README.md
+  CHANGELOG.md
   Examples/README.md
   Examples/Solved.md
   Examples/Tutorial.md
   Testing/README.md
+  Testing/Benchmark/Differences.md
   Testing/Benchmark/README.md
+  Testing/Benchmark/Thesis.md
   Wrapping/ParaView/README.md
-  Wrapping/Python/README.md)
+  Wrapping/Python/README.md
+  Wrapping/README.md)
 
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${CMAKE_CURRENT_SOURCE_DIR}/README.md")
-set(DOXYGEN_IMAGE_PATH Examples/Images Testing/Baseline)
+set(DOXYGEN_IMAGE_PATH Examples/Images Testing/Baseline Testing/Benchmark/Images)
 # GitHub's anchors are not those of Doxygen.
 set(DOXYGEN_FILTER_PATTERNS
   "*.md=sed -E -f ${CMAKE_CURRENT_SOURCE_DIR}/Wrapping/CMake/vtkDGGAnchors.sed")

@@ -4,8 +4,9 @@
 #
 # Build the plugin for ParaView, 5.11 or later, and say how to start ParaView with it.
 #
-# Usage: Wrapping/ParaView/paraview.sh [--test] [--build FOLDER] [CMAKE ARGUMENTS]
+# Usage: Wrapping/ParaView/paraview.sh [--test] [--package] [--build FOLDER] [CMAKE ARGUMENTS]
 #   --test           also run the tests of the plugin
+#   --package        also make a Debian package of it, in FOLDER/packages
 #   --build FOLDER   where to build; build/paraview by default
 #   CMAKE ARGUMENTS  such as -DCMAKE_PREFIX_PATH=FOLDER, where ParaView is if not in a usual place
 #
@@ -24,6 +25,7 @@ paraview=(paraview paraview-dev python3-paraview libqt5svg5-dev qtxmlpatterns5-d
 
 build="$DGG_ROOT/build/paraview"
 test=OFF
+package=OFF
 while [ $# -gt 0 ]; do
   case "$1" in
     -h | --help)
@@ -31,6 +33,7 @@ while [ $# -gt 0 ]; do
       exit 0
       ;;
     --test) test=ON ;;
+    --package) package=ON ;;
     --build)
       build="${2:?--build needs a folder}"
       shift
@@ -89,6 +92,7 @@ unpack() {
   rm -rf "$archives"
 }
 
+[ "$package" = OFF ] || builds+=(file) # which CPack asks
 dgg_install "${builds[@]}"
 if [ ! -d "$root" ] && is_usable "$@"; then
   echo "Using the ParaView in $(cat "$build/found")"
@@ -110,13 +114,25 @@ else
   [ -x "$patterns" ] && set -- -Dqt_xmlpatterns_executable="$patterns" "$@"
 fi
 
+# With the folders of Debian.
+[ "$package" = OFF ] || set -- -DCMAKE_INSTALL_PREFIX=/usr "$@"
+[ -z "$libraries" ] || export LD_LIBRARY_PATH="$libraries" # for what the build runs
+dgg_build "$build" \
+  -DCMAKE_BUILD_TYPE=Release \
+  -DDGG_PARAVIEW_PLUGIN=ON \
+  -DDGG_KERNEL_FROM= \
+  -DBUILD_TESTING="$test" \
+  "$@"
+plugin="$(cat "$build/plugin")"
+echo "Built $plugin"
+
 # All that runs ParaView runs by this.
 prepend() { printf 'export %s="%s${%s:+:$%s}"\n' "$1" "$2" "$1" "$1"; }
 {
   echo "#!/bin/sh"
   echo "# Run a command with ParaView and the plugin: paraview, pvpython SCRIPT, pvbatch SCRIPT."
   prepend PATH "$(cat "$build/found")"
-  prepend PV_PLUGIN_PATH "$build/lib/paraview/plugins/Geodesics"
+  prepend PV_PLUGIN_PATH "$(dirname "$plugin")"
   if [ -n "$libraries" ]; then
     prepend LD_LIBRARY_PATH "$libraries"
     prepend PYTHONPATH "$root/usr/lib/python3/dist-packages"
@@ -126,14 +142,13 @@ prepend() { printf 'export %s="%s${%s:+:$%s}"\n' "$1" "$2" "$1" "$1"; }
 } >"$build/run"
 chmod +x "$build/run"
 
-[ -z "$libraries" ] || export LD_LIBRARY_PATH="$libraries" # for what the build runs
-dgg_build "$build" \
-  -DCMAKE_BUILD_TYPE=Release \
-  -DDGG_PARAVIEW_PLUGIN=ON \
-  -DDGG_KERNEL_FROM= \
-  -DBUILD_TESTING="$test" \
-  "$@"
-echo "Built $build/lib/paraview/plugins/Geodesics/Geodesics.so"
+if [ "$package" = ON ]; then
+  (cd "$build" && cpack -G DEB) >"$build/package.log" 2>&1 || {
+    tail -n 20 "$build/package.log" >&2
+    dgg_fail "no package could be made"
+  }
+  echo "Packed $(ls "$build"/packages/*.deb)"
+fi
 if [ "$test" = ON ]; then
   dgg_install xvfb xauth
   dgg_with_display "$build/run" ctest --test-dir "$build" --output-on-failure -j "$(nproc)"

@@ -12,6 +12,7 @@ import os
 import re
 import shutil
 import sys
+import textwrap
 import warnings
 
 from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
@@ -19,7 +20,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
 from . import build_info
 from .commands import answers, compare, files, places
 from .commands.output import print_table
-from .commands.words import in_options
+from .commands.words import HELP, in_options
 from .errors import VTKError
 
 EXAMPLES = """examples:
@@ -29,8 +30,9 @@ EXAMPLES = """examples:
   vtkdgg isolines mesh.ply --source 0 --count 20 --accuracy 0.001 --out isolines.vtp
   vtkdgg voronoi mesh.ply --number 50 --iterations 10 --out cells.vtp
   vtkdgg render mesh.ply --source 0 --out picture.png
+  vtkdgg explore mesh.ply
   vtkdgg compare mesh.ply --accuracy 0.01 --out folder"""
-# Those that draw need a display.
+# Those that draw need a display, which may be a virtual one.
 DRAWING = ("compare", "render")
 
 
@@ -154,6 +156,9 @@ def make_parser():
     command = add(answers.render, *placed, out=".png", needs_out=True, example=drawn)
     command.add_argument("--source", **{**OPTIONS["source"], "required": False})
     command.add_argument("--array", default="GeodesicDistance", help="default: %(default)s")
+    command = add(answers.explore, "accuracy", "merge", out=".png, numbered", example="--source 0")
+    command.epilog += "\n\nin the window:\n" + textwrap.indent(HELP, "  ")
+    command.add_argument("--source", metavar="ID|X,Y,Z", help="where to begin (default: far out)")
     command = commands.add_parser(
         "compare",
         help="Our methods beside each other, with their errors and pictures",
@@ -208,8 +213,9 @@ def main(arguments=None):
     try:
         # A blank keeps argparse from taking coordinates with a minus sign for an option.
         options = make_parser().parse_args([re.sub(r"^-(?=[\d.])", " -", a) for a in arguments])
-        if options.command in DRAWING and sys.platform == "linux" and not os.environ.get("DISPLAY"):
-            with_display(arguments)
+        if options.command in DRAWING:
+            if sys.platform == "linux" and not os.environ.get("DISPLAY"):
+                with_display(arguments)
         code = options.run(options) if options.command == "compare" else answer(options)
         sys.stdout.flush()
         return code

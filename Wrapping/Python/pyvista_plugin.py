@@ -119,6 +119,11 @@ class DGGAccessor:
         found = spectral.earth_movers(self._mesh, start, end, as_polydata=True, **options)
         return pyvista.wrap(found)
 
+    def interpolate(self, sites: Any, values: Any, **options: Any) -> Any:
+        """A smooth function with given values; see `vtkdgg.interpolate`."""
+        found = spectral.interpolate(self._mesh, sites, values, as_polydata=True, **options)
+        return pyvista.wrap(found)
+
     def _path(self, start, end, use_scalar_weights, as_polydata):
         if use_scalar_weights:
             raise ValueError("use_scalar_weights: geodesics of a surface have no weights")

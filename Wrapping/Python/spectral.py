@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What stands on the Laplacian of a surface: Green's functions, smooth distances, transport."""
+"""What stands on the Laplacian of a surface: Green's functions, smooth distances, transport,
+interpolation."""
 
 from __future__ import annotations
 
@@ -15,13 +16,14 @@ from .results import EarthMovers, array_of
 from .vtkDGGFiltersSpectral import (
     vtkBiharmonicDistance,
     vtkDiscreteGreensFunction,
+    vtkHarmonicBSpline,
     vtkSurfaceEarthMoversDistance,
 )
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["biharmonic", "earth_movers", "greens_function"]
+__all__ = ["biharmonic", "earth_movers", "greens_function", "interpolate"]
 
 
 def greens_function(
@@ -29,6 +31,7 @@ def greens_function(
     triangles: Optional[ArrayLike] = None,
     sources: Optional[ArrayLike] = None,
     *,
+    order: int = 1,
     method: str = "SingularitySubtraction",
     boundary: str = "Neumann",
     at: Optional[ArrayLike] = None,
@@ -46,6 +49,8 @@ def greens_function(
         As for `distance`.
     sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
         As for `distance`.
+    order : {1, 2}, optional
+        Of the Laplacian, or of the bi-Laplacian.
     method : {"SingularitySubtraction", "Localized", "Interpolated", "Vertex"}, optional
         See vtkDiscreteGreensFunction.
     boundary : {"Neumann", "Dirichlet"}, optional
@@ -60,7 +65,8 @@ def greens_function(
     Returns
     -------
     numpy.ndarray of float64, shape (n, k) or (p, k), or vtkPolyData
-        Numbers without a unit, positive at the sources; one column for each source.
+        Numbers without a unit, or areas of order 2, positive at the sources; one column for each
+        source.
 
     Raises
     ------
@@ -79,6 +85,7 @@ def greens_function(
     """
     surface, (sources,) = meshes.take(points, triangles, sources=sources)
     solve = vtkDiscreteGreensFunction()
+    solve.SetOrder(_order(order))
     solve.SetMethod(_choice(solve, method, "method"))
     solve.SetBoundary(_choice(solve, boundary, "boundary"))
     _set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
@@ -239,6 +246,112 @@ def earth_movers(
     )
 
 
+def interpolate(
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    sites: Optional[ArrayLike] = None,
+    values: Optional[ArrayLike] = None,
+    *,
+    order: int = 2,
+    boundary: str = "Neumann",
+    at: Optional[ArrayLike] = None,
+    merge_coincident_points: bool = False,
+    merge_tolerance: float = 0.0,
+    projection_tolerance: Optional[float] = None,
+    as_polydata: bool = False,
+) -> Any:
+    """A smooth function with the values that are known at some places:
+    ``interpolate(points, triangles, sites, values)`` or ``interpolate(mesh, sites, values)``.
+
+    Parameters
+    ----------
+    points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
+        As for `distance`.
+    sites : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+        Where values are known, as the sources of `distance`. Those of order 1 move to the nearest
+        corner of their triangle.
+    values : array_like of float, shape (k,) or (k, c)
+        One number for each site, or several.
+    order : {1, 2}, optional
+        Of the splines: with 2 biharmonic ones, which are smooth, with 1 harmonic ones, which have
+        bumps at the sites.
+    boundary : {"Neumann", "Dirichlet"}, optional
+        What holds at the boundary: no flow through it, or the value 0.
+    at : array_like of float, shape (3,) or (p, 3), optional
+        As for `greens_function`.
+    merge_coincident_points, merge_tolerance, projection_tolerance
+        As for `distance`.
+    as_polydata : bool, optional
+        Whether to return the surface, or the points of `at`, with the point array "Interpolation".
+
+    Returns
+    -------
+    numpy.ndarray of float64, shape (n,), (n, c), (p,) or (p, c), or vtkPolyData
+        In the unit of the values.
+
+    Raises
+    ------
+    ValueError, VTKError
+        As for `distance`; if there is not one value for each site, for sites in the same place, and
+        for parts of the surface without a site.
+
+    See Also
+    --------
+    vtkHarmonicBSpline : the filter that does the work, with further options.
+
+    Examples
+    --------
+    >>> t = vtkdgg.interpolate(mesh, [0, 10, 20], [15.0, 20.0, 18.0])
+    >>> t.shape
+    (642,)
+    """
+    surface, (sites, values) = meshes.take(points, triangles, sites=sites, values=values)
+    spline = vtkHarmonicBSpline()
+    spline.SetOrder(_order(order))
+    spline.SetBoundary(_choice(spline, boundary, "boundary"))
+    spline.SetSiteValuesArrayName(_SITE_VALUES)
+    spline.GenerateBasisOff()
+    _set_up(spline, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
+    ids, places = arguments.places(sites, "sites", surface.GetNumberOfPoints())
+    count = len(ids) if places is None else len(places)
+    numbers = np.asarray(arguments.numbers(values, "values"), dtype=np.float64)
+    numbers = numbers.reshape(1) if numbers.ndim == 0 else numbers
+    if numbers.ndim > 2 or len(numbers) != count or numbers.size == 0:
+        raise ValueError(
+            f"values: one row for each of {count} sites is wanted, not shape {numbers.shape}"
+        )
+    if places is None:
+        of_points = np.full((surface.GetNumberOfPoints(), *numbers.shape[1:]), np.nan)
+        of_points[ids] = numbers
+        _add_array(surface, of_points)
+        spline.SetSourceIds(ids)
+    else:
+        points = arguments.polydata(places)
+        _add_array(points, numbers)
+        spline.SetSourceData(points)
+    output = _evaluate(spline, at)
+    output.GetPointData().RemoveArray(_SITE_VALUES)
+    if as_polydata:
+        return output
+    return array_of(output.GetPointData(), "Interpolation").reshape(-1, *numbers.shape[1:])
+
+
+#: The array that takes values to vtkHarmonicBSpline.
+_SITE_VALUES = "vtkdgg site values"
+
+
+def _add_array(data, numbers):
+    array = numpy_to_vtk(np.ascontiguousarray(numbers), deep=True)
+    array.SetName(_SITE_VALUES)
+    data.GetPointData().AddArray(array)
+
+
+def _order(value):
+    if isinstance(value, bool) or value not in (1, 2):
+        raise ValueError(f"order: 1 or 2 is wanted, not {value!r}")
+    return int(value)
+
+
 def _choice(algorithm, value, name):
     """The number of a choice by its name in an enumeration of the class."""
     kinds = {"method": "MethodType", "boundary": "BoundaryType", "kind": "KindType"}
@@ -265,15 +378,20 @@ def _solve(solve, surface, sources, at, as_polydata):
     ids, places = arguments.places(sources, "sources", surface.GetNumberOfPoints())
     solve.SetSourceIds(ids or [])
     solve.SetSourceData(None if places is None else arguments.polydata(places))
-    if at is not None:
-        at = np.atleast_2d(arguments.numbers(at, "at"))
-        solve.SetEvaluationData(arguments.polydata(arguments.coordinates(at, "at")))
-    run(solve)
-    output = solve.GetOutput() if at is None else solve.GetEvaluation()
+    output = _evaluate(solve, at)
     if as_polydata:
         return output
     values = array_of(output.GetPointData(), solve.GetResultArrayName())
     return values.reshape(len(values), -1)
+
+
+def _evaluate(solve, at):
+    """The surface, or the points that are asked for, with the results."""
+    if at is not None:
+        at = np.atleast_2d(arguments.numbers(at, "at"))
+        solve.SetEvaluationData(arguments.polydata(arguments.coordinates(at, "at")))
+    run(solve)
+    return solve.GetOutput() if at is None else solve.GetEvaluation()
 
 
 def _set_distribution(surface, values, name, set_array, set_points):

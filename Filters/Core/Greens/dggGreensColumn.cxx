@@ -435,7 +435,8 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
     return Status::Success();
   }
   this->Singular = Logarithm(radius, this->GetPoleAngle());
-  workspace.Singular.Assemble(this->Singular, this->Distances, faces);
+  const bool isSecond = this->Query.Order == GreensOrder::BiLaplace;
+  workspace.Singular.Assemble(this->Singular, this->Distances, faces, isSecond);
   this->Sources = workspace.Singular.GetLoads();
   this->Integrals = workspace.Singular.GetIntegrals();
   if (faces.empty())
@@ -459,6 +460,7 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
     }
     const double area = system.GetArea(v);
     this->Mean += isFree && area > 0.0 ? system.GetWeight(v) / area * this->Integrals[v] : 0.0;
+    this->Integrals[v] += isSecond ? workspace.Singular.GetPotentialLoads()[v] : 0.0;
   }
   return Status::Success();
 }

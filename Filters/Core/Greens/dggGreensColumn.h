@@ -49,6 +49,13 @@ public:
   /// Add the logarithm to the regular part, which is changed and given away.
   void AddLogarithm(std::vector<double>& solution, GreensResult& result) const;
 
+  /// The same for GreensOrder::BiLaplace, with the result that Finish() has made: the sources of
+  /// the second equation, and the result from its solution.
+  /// @{
+  std::vector<double> TakeSecondSources(GreensResult& result) const;
+  void FinishSecond(std::vector<double>& solution, GreensResult& result) const;
+  /// @}
+
   /// Where the logarithm ends if nothing else is asked for and there are no ridges.
   static double GetUsualRadius(const PoissonSystem& system, Id component);
   static bool IsTooCoarse(const PoissonSystem& system, Id component, double radius);
@@ -85,11 +92,17 @@ private:
   std::vector<double> Sources;
   std::vector<double> Distances;
   std::vector<double> TargetDistances;
-  std::vector<double> Integrals;
+  std::vector<double> Integrals; // of the logarithm, with loads of its potential where it is needed
 };
 
 /// Fails when the solver is not ready or the query makes no sense.
 Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query);
+
+/// What is asked of the Laplacian first. The order stays, which columns know of.
+GreensQuery GetFirstQuery(const GreensQuery& query);
+/// Replace the results of the first query by those of GreensOrder::BiLaplace.
+void RaiseOrder(const PoissonSystem& system, const GreensQuery& query,
+  const std::vector<GreensColumn>& columns, GreensResult* results);
 
 /// Value of piecewise linear data at a point.
 double InterpolateAt(

@@ -16,9 +16,11 @@ namespace
 {
 static_assert(
   SparseLanes::SizeAtCompileTime == GreensFunction::PolesInBlock, "a block is solved for at once");
-/// Parts of the progress: distances and loads, the solve, what is made of it.
+/// Parts of the progress: distances and loads, the solve, what is made of it; the rest is for a
+/// second solve.
 constexpr double StartDone = 0.6;
 constexpr double SolveDone = 0.8;
+constexpr double FinishDone = 0.9;
 }
 
 class GreensFunction::Workspaces : public WorkspacePool<GreensWorkspace>
@@ -78,6 +80,7 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
 {
   const PoissonSystem& system = this->Solver.GetSystem();
   const auto workspace = this->Pool->Borrow(system);
+  const GreensQuery firstQuery = GetFirstQuery(query);
   std::vector<GreensColumn> columns(end - first, GreensColumn(system));
   std::vector<std::vector<double>> solutions(columns.size());
   const auto partOf = [&](std::size_t k, double begin, double finish) {
@@ -90,16 +93,23 @@ Status GreensFunction::RunBlock(const std::vector<SurfacePoint>& poles, std::siz
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
     const ProgressCallback part = partOf(k, 0.0, StartDone);
-    DGG_RETURN_IF_ERROR(columns[k].Start(poles[first + k], query, part, *workspace));
+    DGG_RETURN_IF_ERROR(columns[k].Start(poles[first + k], firstQuery, part, *workspace));
     DGG_RETURN_IF_ERROR(ReportTo(part, 1.0));
     solutions[k] = columns[k].TakeSources();
   }
   system.Solve(solutions);
   DGG_RETURN_IF_ERROR(ReportTo(progress, SolveDone));
+  const bool isRaised = query.Order == GreensOrder::BiLaplace;
+  const double finished = isRaised ? FinishDone : 1.0;
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
-    DGG_RETURN_IF_ERROR(
-      columns[k].Finish(solutions[k], partOf(k, SolveDone, 1.0), *workspace, results[first + k]));
+    DGG_RETURN_IF_ERROR(columns[k].Finish(
+      solutions[k], partOf(k, SolveDone, finished), *workspace, results[first + k]));
+  }
+  if (isRaised)
+  {
+    DGG_RETURN_IF_ERROR(ReportTo(progress, FinishDone));
+    RaiseOrder(system, query, columns, results.data() + first);
   }
   return ReportTo(progress, 1.0);
 }

@@ -45,6 +45,19 @@ enum class GreensMethod
   Vertex
 };
 
+/// Of which operator.
+enum class GreensOrder
+{
+  Laplace,
+  /// Laplace^2 q = delta - 1 / area, so q(x, y) is the integral of g(x, z) g(z, y), an area;
+  /// without given values its mean is 0. Of the bi-Laplacian L M^-1 L in numbers, M the lumped
+  /// areas: two substitutions. It is smooth but for d^2 log(d) / (4 Theta) at the pole, Theta the
+  /// angle around it, finite, and positive there whatever the sign of g. Interpolated is symmetric,
+  /// and second order but for a logarithm at the pole. SingularitySubtraction takes out what is not
+  /// smooth: second order everywhere.
+  BiLaplace
+};
+
 /// Which sign Green's functions have next to the pole.
 enum class GreensSign
 {
@@ -83,6 +96,7 @@ enum class GreensRemark
 struct GreensQuery
 {
   GreensMethod Method = GreensMethod::SingularitySubtraction;
+  GreensOrder Order = GreensOrder::Laplace; ///< Sign and Pole play no part in the other one
   GreensSign Sign = GreensSign::Positive;
   GreensPole Pole = GreensPole::CellAverage;
   /// Where s ends. 0: 0.28 times the square root of the component's area (up to 0.35 on coarse
@@ -100,7 +114,8 @@ struct GreensResult
   std::vector<double> Values;       ///< per vertex; 0 in other components
   std::vector<double> TargetValues; ///< per target
   /// Per vertex, the integral of g phi_i with the hat function of the vertex, lumped, if asked for.
-  /// sum Integrals[i] f_i + (mean of u) is the solution of -Laplace u = f at the pole.
+  /// sum Integrals[i] f_i + (mean of u) is the solution of -Laplace u = f, or Laplace^2 u = f, at
+  /// the pole.
   std::vector<double> Integrals;
   GreensMethod Method = GreensMethod::Vertex; ///< the one used
   GreensRemark Remark = GreensRemark::None;

@@ -126,7 +126,7 @@ Status GreensInterpolation::Run(
   const SurfacePoint& pole, const GreensQuery& query, GreensResult& result)
 {
   result = GreensResult();
-  GreensQuery same = query;
+  GreensQuery same = GetFirstQuery(query);
   same.Method = GreensMethod::SingularitySubtraction;
   DGG_RETURN_IF_ERROR(CheckGreensQuery(this->Solver, same));
   DGG_RETURN_IF_ERROR(this->Solver.CheckPole(pole));
@@ -183,6 +183,11 @@ Status GreensInterpolation::Run(
     return runFunction(1.0 - LastPart);
   }
   column.AddLogarithm(regular, result);
+  if (query.Order == GreensOrder::BiLaplace)
+  {
+    DGG_RETURN_IF_ERROR(ReportTo(query.Progress, 1.0 - LastPart));
+    RaiseOrder(system, query, { column }, &result);
+  }
   Status status = ReportTo(query.Progress, 1.0);
   if (!status.IsOk())
   {

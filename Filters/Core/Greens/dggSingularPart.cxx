@@ -29,6 +29,12 @@ double CutMoment(double u)
   return 5.0 / 12.0 - u * (0.75 - u * (0.25 - u / 24.0));
 }
 
+/// S, but for its factor.
+double PotentialOf(double u)
+{
+  return (u > 0.0 ? u * std::log(u) : 0.0) + 1.0 / 3.0 + u * (0.5 - u * (1.0 - u / 6.0));
+}
+
 /// Antiderivative of log(t^2 + y^2), y not negative.
 double LogarithmTo(double t, double y)
 {
@@ -66,7 +72,7 @@ public:
   {
     return LogarithmTo(this->To, this->Height) - LogarithmTo(this->From, this->Height);
   }
-  /// Of a cubic polynomial of u = t^2 + y^2.
+  /// Of a cubic polynomial of u = t^2 + y^2, or what is next to one on a part of the chord.
   double Integrate(double (*polynomial)(double)) const
   {
     const double middle = 0.5 * (this->From + this->To);
@@ -104,53 +110,90 @@ private:
   bool Inside = false;
 };
 
-/// The integral of s over a triangle close to the pole. The triangle is laid out on its first side,
-/// the pole above or below it, whichever fits better.
-double IntegrateNear(const Logarithm& logarithm, const IntrinsicTriangulation& triangulation, Id f,
-  const std::array<double, 3>& d)
+/// Of s over a triangle in the plane.
+double IntegrateOver(
+  const Logarithm& logarithm, const std::array<Point2, 3>& corners, const Point2& pole)
 {
-  const double base = triangulation.Length(3 * f);
-  const std::array<Point2, 3> corners{ { { 0.0, 0.0 }, { base, 0.0 }, triangulation.Apex(f) } };
-  Point2 pole = LayOut(base, d[0], d[1]);
-  const double above = std::abs(Distance(pole, corners[2]) - d[2]);
-  const double below = std::abs(Distance({ pole.X, -pole.Y }, corners[2]) - d[2]);
-  pole.Y = below < above ? -pole.Y : pole.Y;
   double sum = 0.0;
   for (int k = 0; k < 3; ++k)
   {
     const Point2& a = corners[k];
     const Point2& b = corners[(k + 1) % 3];
-    const double sector = logarithm.IntegrateSector(
-      triangulation.Length(3 * f + k), Distance(pole, a), Distance(pole, b));
+    const double sector =
+      logarithm.IntegrateSector(Distance(a, b), Distance(pole, a), Distance(pole, b));
     sum += Cross(Difference(b, a), Difference(pole, a)) < 0.0 ? -sector : sector;
   }
   return sum;
 }
 
+/// The parts of corners in the integral of s over a triangle close to the pole. The triangle is
+/// laid out on its first side, the pole above or below it, whichever fits better, and divided into
+/// `division`^2 small ones. Hat functions are taken to be constant in each.
+std::array<double, 3> IntegrateNear(const Logarithm& logarithm,
+  const IntrinsicTriangulation& triangulation, Id f, const std::array<double, 3>& d, int division)
+{
+  const double base = triangulation.Length(3 * f);
+  const Point2 apex = triangulation.Apex(f);
+  Point2 pole = LayOut(base, d[0], d[1]);
+  const double above = std::abs(Distance(pole, apex) - d[2]);
+  const double below = std::abs(Distance({ pole.X, -pole.Y }, apex) - d[2]);
+  pole.Y = below < above ? -pole.Y : pole.Y;
+  const double step = 1.0 / division;
+  const auto at = [&](int i, int j) {
+    return Point2{ step * (i * base + j * apex.X), step * j * apex.Y };
+  };
+  std::array<double, 3> parts{ { 0.0, 0.0, 0.0 } };
+  const auto add = [&](double i, double j, const std::array<Point2, 3>& corners) {
+    const double integral = IntegrateOver(logarithm, corners, pole);
+    parts[0] += (1.0 - step * (i + j)) * integral;
+    parts[1] += step * i * integral;
+    parts[2] += step * j * integral;
+  };
+  for (int i = 0; i < division; ++i)
+  {
+    for (int j = 0; i + j < division; ++j)
+    {
+      add(i + 1.0 / 3.0, j + 1.0 / 3.0, { { at(i, j), at(i + 1, j), at(i, j + 1) } });
+      if (i + j + 1 < division)
+      {
+        add(i + 2.0 / 3.0, j + 2.0 / 3.0, { { at(i + 1, j + 1), at(i, j + 1), at(i + 1, j) } });
+      }
+    }
+  }
+  return parts;
+}
+
 /// The same by three nodes: exact for quadratic functions, and far from the pole s is smooth. In
 /// the plane the squared distance from a point, with barycentric coordinates b, is sum b_i d_i^2 -
 /// sum b_i b_j l_ij^2.
-double IntegrateFar(const Logarithm& logarithm, const IntrinsicTriangulation& triangulation, Id f,
-  const std::array<double, 3>& d)
+std::array<double, 3> IntegrateFar(const Logarithm& logarithm,
+  const IntrinsicTriangulation& triangulation, Id f, const std::array<double, 3>& d, bool isLumped)
 {
-  double sum = 0.0;
+  std::array<double, 3> parts{ { 0.0, 0.0, 0.0 } };
   for (int node = 0; node < 3; ++node)
   {
+    std::array<double, 3> b{ { 1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0 } };
+    b[node] = 2.0 / 3.0;
     double square = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      const double b = k == node ? 2.0 / 3.0 : 1.0 / 6.0;
-      const double next = (k + 1) % 3 == node ? 2.0 / 3.0 : 1.0 / 6.0;
       const double length = triangulation.Length(3 * f + k);
-      square += b * d[k] * d[k] - b * next * length * length;
+      square += b[k] * d[k] * d[k] - b[k] * b[(k + 1) % 3] * length * length;
     }
-    sum += square > 0.0 ? logarithm.At(std::sqrt(square)) : 0.0;
+    const double value =
+      square > 0.0 ? logarithm.At(std::sqrt(square)) * triangulation.Area(f) / 3.0 : 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      parts[k] += (isLumped ? 1.0 / 3.0 : b[k]) * value;
+    }
   }
-  return sum / 3.0 * triangulation.Area(f);
+  return parts;
 }
 
 /// From here on, in longest sides of a face, it is far.
 constexpr double FarSides = 4.0;
+/// How sides of faces that are near are divided where it matters which corner has which part.
+constexpr int NearDivision = 4;
 }
 
 Logarithm::Logarithm(double radius, double angle)
@@ -190,6 +233,22 @@ double Logarithm::IntegrateAlong(double length, double fromOrigin, double fromEn
   return -0.5 / this->Angle * this->Radius * (chord.IntegrateLogarithm() + chord.Integrate(Cut));
 }
 
+double Logarithm::PotentialAt(double distance) const
+{
+  const double ratio = distance / this->Radius;
+  return ratio < 1.0
+    ? this->Radius * this->Radius / (8.0 * this->Angle) * PotentialOf(ratio * ratio)
+    : 0.0;
+}
+
+double Logarithm::IntegratePotentialAlong(double length, double fromOrigin, double fromEnd) const
+{
+  const Chord chord(length, fromOrigin, fromEnd, this->Radius);
+  return chord.IsInside()
+    ? std::pow(this->Radius, 3) / (8.0 * this->Angle) * chord.Integrate(PotentialOf)
+    : 0.0;
+}
+
 double Logarithm::IntegrateSector(double length, double fromOrigin, double fromEnd) const
 {
   const Chord chord(length, fromOrigin, fromEnd, this->Radius);
@@ -204,11 +263,12 @@ double Logarithm::IntegrateSector(double length, double fromOrigin, double fromE
 }
 
 void SingularPart::Assemble(const Logarithm& logarithm, const std::vector<double>& distances,
-  const std::vector<PoleFace>& poleFaces)
+  const std::vector<PoleFace>& poleFaces, bool hasPotential)
 {
   const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
   const std::size_t n = distances.size();
   this->Loads.assign(n, 0.0);
+  this->PotentialLoads.assign(hasPotential ? n : 0, 0.0);
   this->Integrals.assign(n, 0.0);
   this->Means.resize(triangulation.GetNumberOfHalfEdges());
   this->IsDone.assign(triangulation.GetNumberOfHalfEdges(), 0);
@@ -249,7 +309,7 @@ void SingularPart::Assemble(const Logarithm& logarithm, const std::vector<double
     {
       d = pole.Face == f ? pole.Distances : d;
     }
-    std::array<double, 3> means; // of s on the side across from corner k
+    std::array<std::array<double, 2>, 3> means; // of s and S on the side across from corner k
     double longest = 0.0;
     for (int k = 0; k < 3; ++k)
     {
@@ -270,22 +330,31 @@ void SingularPart::Assemble(const Logarithm& logarithm, const std::vector<double
             fromEnd = edge.FromEnd;
           }
         }
-        this->Means[first] = logarithm.IntegrateAlong(length, fromOrigin, fromEnd) / length;
+        this->Means[first] = { { logarithm.IntegrateAlong(length, fromOrigin, fromEnd) / length,
+          hasPotential ? logarithm.IntegratePotentialAlong(length, fromOrigin, fromEnd) / length
+                       : 0.0 } };
       }
       means[(k + 2) % 3] = this->Means[first];
     }
     const std::array<double, 3> cotangents = this->System.GetCotangents(f);
     const bool isFar = std::min({ d[0], d[1], d[2] }) > FarSides * longest;
-    const double third = (isFar ? IntegrateFar(logarithm, triangulation, f, d)
-                                : IntegrateNear(logarithm, triangulation, f, d)) /
-      3.0;
+    const std::array<double, 3> parts = isFar
+      ? IntegrateFar(logarithm, triangulation, f, d, !hasPotential)
+      : IntegrateNear(logarithm, triangulation, f, d, hasPotential ? NearDivision : 1);
     for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
       const int k = (i + 2) % 3;
-      this->Loads[v[i]] +=
-        cotangents[k] * (means[i] - means[j]) + cotangents[j] * (means[i] - means[k]);
-      this->Integrals[v[i]] += third;
+      const auto loadOf = [&](int part) {
+        return cotangents[k] * (means[i][part] - means[j][part]) +
+          cotangents[j] * (means[i][part] - means[k][part]);
+      };
+      this->Loads[v[i]] += loadOf(0);
+      if (hasPotential)
+      {
+        this->PotentialLoads[v[i]] += loadOf(1);
+      }
+      this->Integrals[v[i]] += parts[i];
     }
   }
 }

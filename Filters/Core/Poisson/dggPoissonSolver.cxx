@@ -101,6 +101,16 @@ Status PoissonSolver::Solve(std::vector<std::vector<double>>& columns) const
   return Status::Success();
 }
 
+Status PoissonSolver::SolveBiLaplace(std::vector<std::vector<double>>& columns) const
+{
+  for (const std::vector<double>& column : columns)
+  {
+    DGG_RETURN_IF_ERROR(this->CheckValues(column));
+  }
+  this->System->SolveBiLaplace(columns);
+  return Status::Success();
+}
+
 const SurfaceMesh& PoissonSolver::GetMesh() const
 {
   return this->System->GetMesh();

@@ -86,6 +86,11 @@ public:
   /// Several right-hand sides, such as the channels of a colour: all or, where one is wrong, none.
   /// More than four are solved for together, eight at a time.
   Status Solve(std::vector<std::vector<double>>& columns) const;
+  /// The same for Laplace^2 u = f: with the matrix L of the Laplacian and the areas M it is
+  /// L M^-1 L u = b, so that u is the solution for that of -Laplace u = f. With Dirichlet
+  /// conditions both are 0 where values are given; with Neumann conditions nothing of either flows
+  /// out.
+  Status SolveBiLaplace(std::vector<std::vector<double>>& columns) const;
   /// Fails when there are not as many as vertices, or some are not finite.
   Status CheckNumbers(const std::vector<double>& values) const;
   /// What Solve() fails for.

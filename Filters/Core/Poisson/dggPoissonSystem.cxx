@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPoissonSystem.h"
 
+#include "dggGeodesicSource.h"
 #include "dggProgressPart.h"
 #include "dggThinTriangles.h"
 
@@ -166,6 +167,15 @@ void PoissonSystem::MarkDirichletVertices()
     std::uint8_t& hasGiven = this->ComponentHasDirichlet[this->Components[v]];
     hasGiven = hasGiven | this->Fixed[v];
   }
+}
+
+bool PoissonSystem::IsFixed(const SurfacePoint& point) const
+{
+  bool isFixed = true;
+  ForEachCornerAround(this->Mesh, point, [&](Id v, double weight, double) {
+    isFixed = isFixed && (!(weight > 0.0) || this->IsFixed(v));
+  });
+  return isFixed;
 }
 
 void PoissonSystem::SetWeights()
@@ -476,5 +486,30 @@ void PoissonSystem::Solve(std::vector<std::vector<double>>& columns) const
       }
     }
   }
+}
+
+void PoissonSystem::Integrate(std::vector<double>& density) const
+{
+  for (std::size_t v = 0; v < density.size(); ++v)
+  {
+    density[v] *= this->IsFixed(static_cast<Id>(v)) ? 0.0 : this->Areas[v];
+  }
+}
+
+void PoissonSystem::SolveBiLaplace(std::vector<std::vector<double>>& columns) const
+{
+  for (std::vector<double>& column : columns)
+  {
+    for (std::size_t v = 0; v < column.size(); ++v)
+    {
+      column[v] = this->IsFixed(static_cast<Id>(v)) ? 0.0 : column[v];
+    }
+  }
+  this->Solve(columns);
+  for (std::vector<double>& column : columns)
+  {
+    this->Integrate(column);
+  }
+  this->Solve(columns);
 }
 }

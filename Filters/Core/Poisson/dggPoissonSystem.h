@@ -72,6 +72,8 @@ public:
   bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
   /// Whether the value of the vertex is given.
   bool IsFixed(Id v) const { return this->Fixed[v] != 0; }
+  /// Whether all corners that matter to a point have given values.
+  bool IsFixed(const SurfacePoint& point) const;
   /// Whether no value is given in the component.
   bool IsFree(Id c) const { return this->ComponentHasDirichlet[c] == 0; }
 
@@ -98,6 +100,11 @@ public:
   void Solve(std::vector<std::vector<double>>& columns) const;
   /// As many systems as lanes, for loops that need them side by side.
   void Solve(std::vector<SparseLanes>& block) const;
+
+  /// Replace a density by sources: its integrals with lumped areas, 0 where values are given.
+  void Integrate(std::vector<double>& density) const;
+  /// L M^-1 L u = b, M the areas: solve, integrate, solve. Given values are 0.
+  void SolveBiLaplace(std::vector<std::vector<double>>& columns) const;
 
   /// Take the weighted mean off in components without given values.
   template <typename Number>

@@ -243,10 +243,7 @@ std::vector<double> SpectralDistance::ColumnOf(std::vector<double> potential) co
   const PoissonSystem& system = this->Solver.GetSystem();
   if (this->Options.Kind == SpectralKind::Biharmonic)
   {
-    for (std::size_t v = 0; v < potential.size(); ++v)
-    {
-      potential[v] *= system.IsFixed(static_cast<Id>(v)) ? 0.0 : this->Solver.GetAreas()[v];
-    }
+    system.Integrate(potential);
     system.Solve(potential);
   }
   return potential;

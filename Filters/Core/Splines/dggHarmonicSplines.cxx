@@ -5,6 +5,7 @@
 #include "dggBlockLoop.h"
 #include "dggGeodesicSource.h"
 #include "dggPoissonSystem.h"
+#include "dggSiteEquations.h"
 #include "dggSplineCells.h"
 #include "dggSplineSites.h"
 
@@ -31,16 +32,6 @@ using Entries = Eigen::SparseMatrix<double>::InnerIterator;
 /// at once.
 using PointVisitor = std::function<void(std::size_t point, const std::vector<double>& greens)>;
 
-/// Whether all corners that matter to a point have given values.
-bool IsGiven(const PoissonSystem& system, const SurfacePoint& point)
-{
-  bool isGiven = true;
-  ForEachCornerAround(system.GetMesh(), point, [&](Id v, double weight, double) {
-    isGiven = isGiven && (!(weight > 0.0) || system.IsFixed(v));
-  });
-  return isGiven;
-}
-
 /// Whether a point lies in a component that is too thin and has no given values.
 bool IsInThinPart(const PoissonSystem& system, const SurfacePoint& point)
 {
@@ -60,7 +51,7 @@ Status FindGreensFunctions(const PoissonSolver& solver, const GreensFunction& fu
   {
     const std::string name = "point " + std::to_string(k);
     DGG_RETURN_IF_ERROR(points[k].Check(system.GetMesh()).Of(name));
-    if (IsGiven(system, points[k]) || IsInThinPart(system, points[k]))
+    if (system.IsFixed(points[k]) || IsInThinPart(system, points[k]))
     {
       continue;
     }
@@ -167,14 +158,6 @@ Status HarmonicSplines::Prepare(
   Implementation& internals = *this->Internals;
   internals.Sites.clear();
   internals.Cells = SplineCells();
-  if (!internals.Solver.IsReady())
-  {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
-  }
-  if (sites.empty())
-  {
-    return Status::Invalid("there is no site: give one at least");
-  }
   DGG_RETURN_IF_ERROR(CheckSplineSites(internals.Solver, sites));
   DGG_RETURN_IF_ERROR(
     FindSplineCells(internals.System, sites, parallel, progress, internals.Cells));
@@ -345,5 +328,42 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
     values[v] += cells.Cells[v] == NoId ? 0.0 : means[system.GetComponent(v)];
   }
   return Status::Success();
+}
+
+Status HarmonicSplines::Interpolate(const std::vector<double>& atSites,
+  const std::vector<std::vector<double>>& siteValues, const ParallelFor& parallel,
+  const ProgressCallback& progress, std::vector<std::vector<double>>& functions) const
+{
+  functions.clear();
+  const Implementation& internals = *this->Internals;
+  DGG_RETURN_IF_ERROR(internals.Check());
+  const std::size_t count = internals.Sites.size();
+  if (atSites.size() != count * count)
+  {
+    return Status::Invalid("there are " + std::to_string(atSites.size()) + " values of " +
+      std::to_string(count) + " functions at as many sites");
+  }
+  std::vector<SurfacePoint> places;
+  for (const Id site : internals.Sites)
+  {
+    places.push_back(SurfacePoint::AtVertex(site));
+  }
+  const auto size = static_cast<Eigen::Index>(count);
+  SiteEquations equations(internals.System);
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0)); // factorizing takes long
+  DGG_RETURN_IF_ERROR(
+    equations.Prepare(places, Eigen::Map<const Eigen::MatrixXd>(atSites.data(), size, size)));
+  return equations.Solve(
+    siteValues,
+    [&](std::vector<std::vector<double>>& columns) {
+      for (std::vector<double>& column : columns)
+      {
+        std::vector<double> coefficients;
+        coefficients.swap(column);
+        DGG_RETURN_IF_ERROR(this->Combine(coefficients, {}, column));
+      }
+      return Status::Success();
+    },
+    parallel, progress, functions);
 }
 }

@@ -93,6 +93,13 @@ public:
   Status Combine(const std::vector<double>& coefficients, const std::vector<double>& givenValues,
     std::vector<double>& values) const;
 
+  /// Functions per vertex that have the values of each column at the sites, to 1e-9 of their
+  /// differences: the sums of basis functions that do. `atSites[j * sites + i]` is psi_j at site i,
+  /// as FindBasis() has found it. Fails where these depend on each other, or values are not finite.
+  Status Interpolate(const std::vector<double>& atSites,
+    const std::vector<std::vector<double>>& siteValues, const ParallelFor& parallel,
+    const ProgressCallback& progress, std::vector<std::vector<double>>& functions) const;
+
 private:
   class Implementation;
   std::unique_ptr<Implementation> Internals;

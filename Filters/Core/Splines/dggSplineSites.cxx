@@ -172,38 +172,52 @@ Status ChooseSplineSites(
 
 Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites)
 {
+  std::vector<SurfacePoint> points;
+  for (const Id site : sites)
+  {
+    points.push_back(SurfacePoint::AtVertex(site));
+  }
+  return CheckSplinePlaces(solver, points);
+}
+
+Status CheckSplinePlaces(const PoissonSolver& solver, const std::vector<SurfacePoint>& sites)
+{
+  if (!solver.IsReady())
+  {
+    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+  }
+  if (sites.empty())
+  {
+    return Status::Invalid("there is no site: give one at least");
+  }
   const PoissonSystem& system = solver.GetSystem();
   std::vector<std::uint8_t> needed = FindSplineComponents(system);
   std::vector<Id> numbers(system.GetNumberOfVertices(), NoId);
   for (std::size_t k = 0; k < sites.size(); ++k)
   {
-    const Id v = sites[k];
-    const std::string what = "site " + std::to_string(k) + " (vertex " + std::to_string(v) + ")";
-    if (v < 0 || v >= system.GetNumberOfVertices())
-    {
-      return Status::Invalid(what + " does not exist: there are " +
-        std::to_string(system.GetNumberOfVertices()) + " vertices");
-    }
-    if (!HasFace(system.GetMesh(), v))
-    {
-      return Status::Invalid(what + " has no face: nothing is defined there");
-    }
-    if (system.IsFixed(v))
+    const SurfacePoint& site = sites[k];
+    const std::string what = "site " + std::to_string(k) + " (" + NameOf(site) + ")";
+    DGG_RETURN_IF_ERROR(solver.CheckPlace(site).Of("site " + std::to_string(k)));
+    if (system.IsFixed(site))
     {
       return Status::Invalid(what +
         " lies on the boundary, where values are given: move it inside, or use Neumann conditions");
     }
-    if (numbers[v] != NoId)
+    if (IsVertex(site))
     {
-      return Status::Invalid(
-        what + " is the same as site " + std::to_string(numbers[v]) + ": leave one of them out");
+      Id& number = numbers[site.Vertex];
+      if (number != NoId)
+      {
+        return Status::Invalid(
+          what + " is the same as site " + std::to_string(number) + ": leave one of them out");
+      }
+      number = static_cast<Id>(k);
     }
     // A single site is right in any component without given values: its function is 1.
-    const Id component = system.GetComponent(v);
+    const Id component = system.GetComponent(site);
     DGG_RETURN_IF_ERROR(needed[component] == 0 || !system.IsFree(component)
         ? CheckThinPlace(system, component, what)
         : Status::Success());
-    numbers[v] = static_cast<Id>(k);
     needed[component] = 0;
   }
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)

@@ -7,6 +7,7 @@
 
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggPoissonSolver.h" // for PoissonSolver
+#include "dggSurfacePoint.h"  // for sites
 
 #include <vector> // for the sites
 
@@ -24,9 +25,14 @@ DGG_CORE_EXPORT Status ChooseSplineSites(
 DGG_CORE_EXPORT Id CountSplineComponents(const PoissonSolver& solver);
 
 /// Fails, with a message that names the site by its number, when there is none, or one does not
-/// exist, has no face, has a given value, or is the same as an earlier one; when a component with a
-/// vertex without given value has no site, or one with triangles that are too thin has several.
+/// exist, has no face, has a given value (or is where all corners have), or is the same vertex as
+/// an earlier one; when a component with a vertex without given value has no site, or one with
+/// triangles that are too thin has several.
+/// @{
+DGG_CORE_EXPORT Status CheckSplinePlaces(
+  const PoissonSolver& solver, const std::vector<SurfacePoint>& sites);
 DGG_CORE_EXPORT Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites);
+/// @}
 }
 
 #endif

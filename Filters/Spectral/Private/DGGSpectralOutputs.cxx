@@ -42,9 +42,13 @@ double DGGSpectralOutputs::EstimateMemory(
 DGGSpectralOutputs::DGGSpectralOutputs(const DGGPreparedMesh& mesh, std::size_t numberOfPoints,
   std::size_t numberOfTargets, std::size_t numberOfSources, const std::string& name)
   : Mesh(mesh)
-  , AtPoints(MakeArray(name, numberOfPoints, numberOfSources))
-  , AtTargets(MakeArray(name, numberOfTargets, numberOfSources))
+  , NumberOfPoints(numberOfPoints)
 {
+  if (numberOfSources > 0)
+  {
+    this->AtPoints = MakeArray(name, numberOfPoints, numberOfSources);
+    this->AtTargets = MakeArray(name, numberOfTargets, numberOfSources);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -54,15 +58,38 @@ DGGSpectralOutputs::~DGGSpectralOutputs() = default;
 void DGGSpectralOutputs::Set(
   std::size_t source, const std::vector<double>& values, const std::vector<double>& targetValues)
 {
-  const int component = static_cast<int>(source);
-  for (vtkIdType i = 0; i < this->AtPoints->GetNumberOfTuples(); ++i)
+  this->SetComponents(this->AtPoints, this->AtTargets, source, values, targetValues);
+}
+
+//------------------------------------------------------------------------------
+void DGGSpectralOutputs::SetComponents(vtkDoubleArray* atPoints, vtkDoubleArray* atTargets,
+  std::size_t component, const std::vector<double>& values,
+  const std::vector<double>& targetValues) const
+{
+  const int k = static_cast<int>(component);
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(this->NumberOfPoints); ++i)
   {
-    this->AtPoints->SetTypedComponent(i, component, values[this->Mesh.GetVertex(i)]);
+    atPoints->SetTypedComponent(i, k, values[this->Mesh.GetVertex(i)]);
   }
   for (std::size_t i = 0; i < targetValues.size(); ++i)
   {
-    this->AtTargets->SetTypedComponent(static_cast<vtkIdType>(i), component, targetValues[i]);
+    atTargets->SetTypedComponent(static_cast<vtkIdType>(i), k, targetValues[i]);
   }
+}
+
+//------------------------------------------------------------------------------
+void DGGSpectralOutputs::AddColumns(const std::string& name,
+  const std::vector<std::vector<double>>& columns,
+  const std::vector<std::vector<double>>& targetColumns)
+{
+  const auto atPoints = MakeArray(name, this->NumberOfPoints, columns.size());
+  const auto atTargets = MakeArray(name, targetColumns[0].size(), columns.size());
+  for (std::size_t k = 0; k < columns.size(); ++k)
+  {
+    this->SetComponents(atPoints, atTargets, k, columns[k], targetColumns[k]);
+  }
+  this->Further[0].push_back(atPoints);
+  this->Further[1].push_back(atTargets);
 }
 
 //------------------------------------------------------------------------------
@@ -70,9 +97,8 @@ template <typename ArrayType, typename Number>
 void DGGSpectralOutputs::Add(const std::string& name, const std::vector<Number>& values,
   const std::vector<Number>& targetValues)
 {
-  const auto points = static_cast<std::size_t>(this->AtPoints->GetNumberOfTuples());
-  const auto atPoints = DGGMakeArray<ArrayType>(name, points);
-  for (std::size_t i = 0; i < points; ++i)
+  const auto atPoints = DGGMakeArray<ArrayType>(name, this->NumberOfPoints);
+  for (std::size_t i = 0; i < this->NumberOfPoints; ++i)
   {
     const auto id = static_cast<vtkIdType>(i);
     atPoints->SetValue(id, values[this->Mesh.GetVertex(id)]);

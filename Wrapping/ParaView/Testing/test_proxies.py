@@ -177,9 +177,12 @@ class Proxies(unittest.TestCase):
                 else:
                     old = prop.GetElement(0)
                     choices = prop.FindDomain("vtkSMEnumerationDomain")
-                    is_on = old and prop.FindDomain("vtkSMBooleanDomain")
-                    count = choices.GetNumberOfEntries() if choices else 2 if is_on else old + 2
-                    prop.SetElement(0, (old + 1) % count)
+                    if choices:
+                        entries = range(choices.GetNumberOfEntries())
+                        new = next(v for v in map(choices.GetEntryValue, entries) if v != old)
+                    else:
+                        new = 0 if old and prop.FindDomain("vtkSMBooleanDomain") else old + 1
+                    prop.SetElement(0, new)
                 proxy.UpdateVTKObjects()
                 self.assertTrue(state(proxy) != before, f"{kind}: {key}")
 
@@ -266,6 +269,14 @@ class Updates(unittest.TestCase):
         self.assertIsNotNone(support.fetch(green).GetPointData().GetArray("GreensFunction"))
         self.run_one(simple.BiharmonicDistance(Input=self.mesh, NumberOfEigenvalues=20))
         self.run_one(simple.HarmonicBSpline(Input=self.mesh))
+        sites = simple.GeodesicSampler(Input=self.mesh, NumberOfSamples=7)
+        sites = simple.Calculator(Input=sites, ResultArrayName="Height", Function="coordsZ")
+        spline = self.run_one(
+            simple.HarmonicBSpline(
+                Input=self.mesh, Source=sites, Order="Biharmonic", SiteValuesArrayName="Height"
+            )
+        )
+        self.assertIsNotNone(support.fetch(spline).GetPointData().GetArray("Interpolation"))
         mass = simple.Calculator(Input=self.mesh, ResultArrayName="From", Function="coordsX+2")
         mass = simple.Calculator(Input=mass, ResultArrayName="To", Function="coordsY+2")
         self.run_one(

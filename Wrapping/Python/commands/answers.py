@@ -33,13 +33,18 @@ def surface_of(options):
     return contents
 
 
+def refuse_on_clouds(options):
+    """Errors of options that are for meshes."""
+    for name in ("accuracy", "merge"):
+        if getattr(options, name, None):
+            raise files.MeshFileError(f"--{name}: not on a point cloud, only on a mesh")
+
+
 def graph_of(options):
     """Its graph."""
     contents, is_cloud = read(options)
     if is_cloud:
-        for name in ("accuracy", "merge"):
-            if getattr(options, name, None):
-                raise files.MeshFileError(f"--{name}: not on a point cloud, only on a mesh")
+        refuse_on_clouds(options)
         return vtkdgg.CloudGraph(contents)
     accuracy = 0.01 if options.accuracy is None else options.accuracy
     return vtkdgg.Graph(contents, accuracy=accuracy, merge_coincident_points=options.merge)
@@ -269,3 +274,23 @@ def render(options):
         source = np.array(mesh.GetPoint(int(np.nanargmin(values))))
     step = pictures.save_distances(options.out, mesh, options.array, source)
     return {**spread(values), "isolines every": step, "written": options.out}
+
+
+def explore(options):
+    """Click and drag on a surface or a cloud, in a window."""
+    from .. import explorer
+
+    contents, is_cloud = read(options)
+    if is_cloud:
+        refuse_on_clouds(options)
+        files.make_graph(contents)  # an error where there are none of clouds
+        contents = files.finite_points(contents, options.file)
+    place = places.choose(options.source, contents)
+    if is_cloud and place is not None and not isinstance(place, int):
+        place = contents.FindPoint(place)
+    elif isinstance(place, int) and not is_cloud:
+        place = contents.GetPoint(place)
+    accuracy = 0.01 if options.accuracy is None else options.accuracy
+    scene = explorer.Scene(contents, is_cloud, accuracy, options.merge)
+    window = explorer.explore(scene, place, options.out or "explore.png")
+    return {"shown": scene.status(), "written": window.written}

@@ -50,22 +50,22 @@ def save_distances(path, points, distances, spacings, way, lines):
     size = size_of(cloud)
     high = float(np.nanmax(distances)) or 1.0
     table = lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED)
-    _make_bands(table, nice_step(high) / high)
+    make_bands(table, nice_step(high) / high)
     bar = scalar_bar(table, "Geodesic distance\n(model units)", labels(0.0, high), "%-.6g", 0.3)
     spacing = float(np.median(spacings))
     radii = np.maximum(disc_radii(spacings), 0.5 * PIXELS * size / SIZE[1])
     props = [
         discs(cloud, radii, distances, table),
-        _tube(way, max(WIDTH * size, 0.5 * RADIUS * spacing)),
+        tube(way, max(WIDTH * size, 0.5 * RADIUS * spacing)),
         marker(way[-1], size, INK),
         bar,
         *unreached(bar, distances),
         *note(lines, 0.24),
     ]
-    save(path, cloud, way[0], props, _best_direction(points, way, up_of(cloud), spacing))
+    save(path, cloud, way[0], props, best_direction(points, way, up_of(cloud), spacing))
 
 
-def _make_bands(table, width):
+def make_bands(table, width):
     """One colour for each band, the lighter and the darker ones in turn; of the whole range."""
     colours = [np.array(table.GetTableValue(i)) for i in range(table.GetNumberOfTableValues())]
     count = 2048
@@ -78,7 +78,8 @@ def _make_bands(table, width):
         table.SetTableValue(i, *colour)
 
 
-def _tube(way, radius):
+def tube(way, radius, colour=(0.86, 0.12, 0.16)):
+    """A curve through these points, drawn with this radius."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(way), deep=True))
     lines = vtkCellArray()
@@ -86,22 +87,22 @@ def _tube(way, radius):
     line = vtkPolyData()
     line.SetPoints(points)
     line.SetLines(lines)
-    tube = vtkTubeFilter()
-    tube.SetInputData(line)
-    tube.SetRadius(radius)
-    tube.SetNumberOfSides(12)
-    tube.CappingOn()
+    thick = vtkTubeFilter()
+    thick.SetInputData(line)
+    thick.SetRadius(radius)
+    thick.SetNumberOfSides(12)
+    thick.CappingOn()
     mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(tube.GetOutputPort())
+    mapper.SetInputConnection(thick.GetOutputPort())
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.86, 0.12, 0.16)
+    actor.GetProperty().SetColor(*colour)
     actor.GetProperty().SetSpecular(0.3)
     return actor
 
 
-def _best_direction(points, way, up, spacing):
+def best_direction(points, way, up, spacing):
     """Where the cloud covers much of the view, and most of the way is in front of it."""
     if not spacing > 0.0:
         return next(directions(up))

@@ -14,7 +14,7 @@ import numpy as np
 import vtkdgg
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from . import bounds, compare_cloud, files, pictures, places
+from . import bounds, compare_cloud, compare_methods, files, pictures, places
 from .files import triangles_of
 from .measured import Errors
 from .output import print_table, save, with_arrays
@@ -24,6 +24,7 @@ from .words import counted
 
 DEFAULT_MESH = "/usr/share/glmark2/models/bunny.obj"
 DEFAULT_ACCURACY = 0.01
+ERROR_COLUMNS = "{:<10} {:<10} {}".format
 
 
 class UsageError(Exception):
@@ -68,6 +69,11 @@ def add_arguments(parser):
         "--cloud",
         action="store_true",
         help="look at points only, also where the file has polygons",
+    )
+    parser.add_argument(
+        "--methods",
+        action="store_true",
+        help="all methods beside each other: their errors, and methods.png with maps and histograms",
     )
     parser.add_argument(
         "--out", metavar="DIR", default="out", help="folder of the results (default: ./%(default)s)"
@@ -120,17 +126,23 @@ def percent(value):
 
 def error_rows(raw, corrected, accuracy):
     """The errors beside the promise, as lines of the table."""
-    form = "{:<10} {:<10} {}".format
-
-    def of(errors):
-        return form(*map(percent, (errors.mean, errors.percentile, errors.largest)))
-
     return (
-        ("error", form("mean", "99.9 %", "largest")),
-        ("raw", of(raw)),
-        ("corrected", of(corrected)),
-        ("promised", form("", "", percent(accuracy))),
+        ("error", ERROR_COLUMNS("mean", "99.9 %", "largest")),
+        ("raw", sizes_of(raw)),
+        ("corrected", sizes_of(corrected)),
+        ("promised", ERROR_COLUMNS("", "", percent(accuracy))),
     )
+
+
+def sizes_of(errors):
+    """Three columns."""
+    return ERROR_COLUMNS(*map(percent, (errors.mean, errors.percentile, errors.largest)))
+
+
+def method_rows(measured):
+    """The errors of all methods, as lines of the table."""
+    lines = [f"{title:<26} {sizes_of(errors)}" for title, errors in measured.items()]
+    return tuple(("" if i else "methods", line) for i, line in enumerate(lines))
 
 
 def near_rows(errors, floor):
@@ -194,7 +206,11 @@ def run(options):
     read_time = time.perf_counter() - start
     if not options.cloud and not files.is_cloud(contents):
         return on_mesh(options, contents, read_time)
-    for option, given in (("--accuracy", options.accuracy is not None), ("--merge", options.merge)):
+    for option, given in (
+        ("--accuracy", options.accuracy is not None),
+        ("--merge", options.merge),
+        ("--methods", options.methods),
+    ):
         if given:
             raise UsageError(f"{option}: not on a point cloud, only on a mesh (--help explains)")
     return compare_cloud.run(options, contents, read_time)
@@ -214,6 +230,9 @@ def on_mesh(options, contents, read_time):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         given = mesh, source, options.merge, options.tolerance
+        measured = {}
+        if options.methods:
+            _, measured = compare_methods.measure(mesh, source, accuracy, *given[2:])
         first = Direct(vtkdgg.vtkVirtualSourceGeodesicDistance, *given)
         graph = Graph(mesh, accuracy, options.merge)
         query = Query(graph, source, options.merge, options.tolerance)
@@ -228,6 +247,9 @@ def on_mesh(options, contents, read_time):
         bounds.lower_bound(mesh, location),
     )
     paths, step = write(options.out, mesh, location, query, exact, corrected, accuracy)
+    if measured:
+        paths.append(os.path.join(options.out, "methods.png"))
+        compare_methods.save(paths[-1], mesh, location, measured)
 
     place = ", ".join(f"{x:.6g}" for x in location)
     which = f"point {source} at " if isinstance(source, int) else ""
@@ -248,6 +270,7 @@ def on_mesh(options, contents, read_time):
         *graph_rows(graph, query, exact),
         *error_rows(raw, corrected, accuracy),
         *near_rows(corrected, floor),
+        *method_rows(measured),
         ("reached", f"{reached.sum()} of {reached.size} vertices"),
         ("range", f"0 to {np.nanmax(np.append(query.distances, 0.0)):.6g} model units"),
         ("upper bound", bound_line(agreement["upper"], "edge graph")),

@@ -126,6 +126,15 @@ def cloud_of(points):
     return cloud
 
 
+def finite_points(contents, path):
+    """The contents, or where points are not finite the others alone."""
+    points = vtk_to_numpy(contents.GetPoints().GetData())
+    finite = np.isfinite(points).all(axis=1)
+    if not finite.any():
+        raise MeshFileError(f"{path}: none of its points is finite")
+    return contents if finite.all() else cloud_of(points[finite])
+
+
 def read_xyz(path):
     """The points of a text file: the first three numbers of each line, of which there may be more.
 

@@ -80,7 +80,7 @@ def save_distances(path, mesh, array_name, source, unit="model units"):
     table = lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED_DISTANCE)
     bar = scalar_bar(table, f"Geodesic distance\n({unit})", labels(0.0, high), "%-.6g")
     props = [
-        _surface(mesh, array_name, table),
+        surface(mesh, array_name, table),
         _isolines(mesh, array_name, step, 0.0011),
         bar,
         *unreached(bar, distances),
@@ -108,7 +108,7 @@ def save_errors(path, mesh, array_name, promised, isolines, source, lines):
     table.SetScaleToLog10()
     bar = scalar_bar(table, "Relative error\n(%)", powers, "%-.4g")
     props = [
-        _surface(sized, name, table, shine=0.0),
+        surface(sized, name, table, shine=0.0),
         _isolines(mesh, *isolines, 0.0006),
         bar,
         *unreached(bar, vtk_to_numpy(sizes)),
@@ -126,15 +126,25 @@ def save(path, mesh, source, props, direction=None):
     for prop in props:
         renderer.AddViewProp(prop)
     renderer.AddActor(marker(source, size_of(mesh)))
-    _light(renderer)
-    _aim(renderer, mesh, source, direction)
+    light(renderer)
+    aim(renderer, mesh, source, direction)
+    write(path, [renderer])
 
+
+def write(path, renderers, size=SIZE):
+    """Draw them in one picture and write the PNG."""
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
+    window.SetSize(*size)
+    for renderer in renderers:
+        window.AddRenderer(renderer)
     window.Render()
+    write_png(path, window)
+
+
+def write_png(path, window):
+    """Write what the window shows."""
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
     grabber.ReadFrontBufferOff()
@@ -157,14 +167,20 @@ def lookup_table(colours, low, high, unreached):
     return table
 
 
-def _surface(mesh, array_name, table, shine=0.12):
-    # Normals are for shading only; sharp edges stay sharp.
+def shaded(mesh):
+    """The mesh with normals, for shading only; sharp edges stay sharp."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
     normals.SetFeatureAngle(50.0)
     normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def surface(mesh, array_name, table, shine=0.12):
+    """An actor of the mesh in the colours of an array."""
     mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
+    mapper.SetInputData(shaded(mesh))
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(array_name)
     mapper.SetLookupTable(table)
@@ -276,22 +292,23 @@ def unreached(bar, values):
         bar.DrawNanAnnotationOn()
         bar.SetNanAnnotation("")  # it would be on the left, where the mesh is
         place = bar.GetPositionCoordinate().GetValue()
-        yield _text("unreached", 0.879, place[1] + 0.005)
+        yield text("unreached", 0.879, place[1] + 0.005)
 
 
 def note(lines, top=0.12):
     """Text below the scalar bar, one actor per line, from this height down."""
     for i, line in enumerate(lines):
-        yield _text(line, 0.815, top - 0.032 * i)
+        yield text(line, 0.815, top - 0.032 * i)
 
 
-def _text(line, x, y):
-    text = vtkTextActor()
-    text.SetInput(line)
-    text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    text.SetPosition(x, y)
-    _style(text.GetTextProperty(), 24)
-    return text
+def text(line, x, y, size=24):
+    """An actor of a line of text, from this place in its viewport on."""
+    actor = vtkTextActor()
+    actor.SetInput(line)
+    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    actor.SetPosition(x, y)
+    _style(actor.GetTextProperty(), size)
+    return actor
 
 
 def _style(text, size):
@@ -303,7 +320,8 @@ def _style(text, size):
     text.SetFontFamilyToArial()
 
 
-def _light(renderer):
+def light(renderer):
+    """Lights from above, aside and behind."""
     kit = vtkLightKit()
     kit.SetKeyLightIntensity(0.95)
     kit.SetKeyLightWarmth(0.55)
@@ -313,12 +331,13 @@ def _light(renderer):
     kit.AddLightsToRenderer(renderer)
 
 
-def _aim(renderer, mesh, source, direction):
-    """Look from this direction, or from where much of the surface is seen and the source with it."""
+def aim(renderer, mesh, source, direction=None, aspect=SIZE[0] / SIZE[1], room=0.18):
+    """Look from this direction, or from where much of the surface is seen and the source with it;
+    a part of the width is kept free on the right."""
     centre = np.array(mesh.GetCenter())
     up = up_of(mesh)
     if direction is None:
-        direction = _best_direction(mesh, np.array(source), up)
+        direction = best_direction(mesh, np.array(source), up)
     away = 2.0 * size_of(mesh)
     right = np.cross(up, direction)
     right /= np.linalg.norm(right)
@@ -330,9 +349,8 @@ def _aim(renderer, mesh, source, direction):
     depth = away - points @ direction
     x, y = points @ right / depth, points @ top / depth
     # The picture leaves a margin, and room for the scalar bar on the right.
-    aspect = SIZE[0] / SIZE[1]
     # Points all in one place are looked at from far enough for the ball.
-    tangent = 0.5 * max(np.ptp(y) / 0.92, np.ptp(x) / (0.77 * aspect), 0.05)
+    tangent = 0.5 * max(np.ptp(y) / 0.92, np.ptp(x) / ((0.95 - room) * aspect), 0.05)
 
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(*centre)
@@ -340,7 +358,7 @@ def _aim(renderer, mesh, source, direction):
     camera.SetViewUp(*up)
     camera.SetViewAngle(2.0 * math.degrees(math.atan(tangent)))
     camera.SetWindowCenter(
-        0.5 * (x.min() + x.max()) / (tangent * aspect) + 0.18, 0.5 * (y.min() + y.max()) / tangent
+        0.5 * (x.min() + x.max()) / (tangent * aspect) + room, 0.5 * (y.min() + y.max()) / tangent
     )
     renderer.ResetCameraClippingRange()
 
@@ -357,7 +375,8 @@ def up_of(mesh):
     return np.array((0.0, 0.0, 1.0) if z < 0.4 * min(x, y) else (0.0, 1.0, 0.0))
 
 
-def _best_direction(mesh, source, up):
+def best_direction(mesh, source, up):
+    """Where to look from, to see much of the surface and the source."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     a, b, c = (points[triangles[:, i]] for i in range(3))

@@ -1,6 +1,21 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Words of tables."""
+"""Words of tables and of the explorer."""
+
+# Of the window of the explorer.
+HELP = """click: source of the distances, then the end of a path, then the corner of a loop
+drag: move what is there; beside the surface, or with Ctrl, turn the camera
+middle button, wheel: move the camera, zoom
+m: method (graph, exact, fast)
++ and -: accuracy of the graph
+e: errors against exact distances
+v: Voronoi cells, of one more source with each click
+g: Green's function
+c: clear
+r: all in view
+s: screenshot
+h: this help
+q: quit"""
 
 
 def counted(count, one, many=None):

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSiteEquations.h"
+
+#include "dggBlockLoop.h"
+#include "dggGreensColumn.h"
+#include "dggInvalidInput.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// Functions whose matrix is as near as that to a singular one are not told apart.
+constexpr double LeastCondition = 1e-14;
+/// What may be left of the differences of values, where more steps are taken, and how many.
+constexpr double LargestError = 1e-9;
+constexpr double GoodError = 1e-13;
+constexpr int MostSteps = 4;
+constexpr const char* TooLarge = "the values of the sites are too large: divide them by a number";
+}
+
+Status SiteEquations::Prepare(
+  const std::vector<SurfacePoint>& sites, const Eigen::MatrixXd& atSites)
+{
+  this->Sites = sites;
+  this->Scales = atSites.cwiseAbs().colwise().maxCoeff().transpose();
+  const bool isKnown = this->Scales.allFinite() && this->Scales.minCoeff() > 0.0;
+  if (isKnown)
+  {
+    this->Factor.compute(atSites * this->Scales.cwiseInverse().asDiagonal());
+  }
+  return isKnown && this->Factor.rcond() > LeastCondition
+    ? Status::Success()
+    : Status::Invalid("values at the sites depend on each other: leave out some that are close to "
+                      "each other, as more sites than corners of the triangles that hold them, or "
+                      "refine the mesh there");
+}
+
+Status SiteEquations::CheckValues(const std::vector<std::vector<double>>& siteValues) const
+{
+  for (const std::vector<double>& values : siteValues)
+  {
+    if (values.size() != this->Sites.size())
+    {
+      return InvalidInput("there are ", values.size(), " values for ", this->Sites.size(),
+        " sites: give one for each");
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (!std::isfinite(values[i]))
+      {
+        return InvalidInput("the value of site ", i, " is not finite");
+      }
+    }
+  }
+  return Status::Success();
+}
+
+/// Per component, the value of its first site where constants are free.
+std::vector<double> SiteEquations::FindConstants(const std::vector<double>& values) const
+{
+  std::vector<double> constants(this->System.GetNumberOfComponents(), 0.0);
+  for (std::size_t i = this->Sites.size(); i-- > 0;)
+  {
+    const Id component = this->System.GetComponent(this->Sites[i]);
+    constants[component] = this->System.IsFree(component) ? values[i] : 0.0;
+  }
+  return constants;
+}
+
+Status SiteEquations::Solve(const std::vector<std::vector<double>>& siteValues,
+  const Combine& combine, const ParallelFor& parallel, const ProgressCallback& progress,
+  std::vector<std::vector<double>>& functions) const
+{
+  functions.clear();
+  DGG_RETURN_IF_ERROR(this->CheckValues(siteValues));
+  std::vector<std::vector<double>> all(siteValues.size());
+  DGG_RETURN_IF_ERROR(ForBlocks(static_cast<Offset>(all.size()), SparseLanes::SizeAtCompileTime,
+    parallel, progress, [&](Offset, Offset begin, Offset end, const ProgressCallback& within) {
+      std::vector<std::vector<double>> found(static_cast<std::size_t>(end - begin));
+      DGG_RETURN_IF_ERROR(this->SolveBlock(begin, siteValues, combine, within, found));
+      std::move(found.begin(), found.end(), all.begin() + begin);
+      return Status::Success();
+    }));
+  functions.swap(all);
+  return Status::Success();
+}
+
+/// As many functions as are in `found`, from column `begin` on.
+Status SiteEquations::SolveBlock(Offset begin, const std::vector<std::vector<double>>& siteValues,
+  const Combine& combine, const ProgressCallback& progress,
+  std::vector<std::vector<double>>& found) const
+{
+  const auto count = static_cast<Eigen::Index>(this->Sites.size());
+  const auto width = static_cast<Eigen::Index>(found.size());
+  const auto n = static_cast<std::size_t>(this->System.GetNumberOfVertices());
+  std::vector<std::vector<double>> constants;
+  Eigen::MatrixXd wanted(count, width);
+  Eigen::RowVectorXd sizes = Eigen::RowVectorXd::Ones(width);
+  for (Eigen::Index c = 0; c < width; ++c)
+  {
+    const std::vector<double>& values = siteValues[begin + c];
+    constants.push_back(this->FindConstants(values));
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      wanted(i, c) = values[i] - constants[c][this->System.GetComponent(this->Sites[i])];
+    }
+    const double size = wanted.col(c).cwiseAbs().maxCoeff();
+    if (!std::isfinite(size))
+    {
+      return Status::Invalid(TooLarge);
+    }
+    sizes[c] = size > 0.0 ? size : 1.0;
+    wanted.col(c) /= sizes[c];
+  }
+  for (std::vector<double>& function : found)
+  {
+    function.assign(n, 0.0);
+  }
+  Eigen::MatrixXd missing = wanted;
+  double error = missing.size() > 0 ? missing.cwiseAbs().maxCoeff() : 0.0;
+  for (int step = 0; step < MostSteps && error > GoodError; ++step)
+  {
+    const Eigen::MatrixXd solution =
+      this->Scales.cwiseInverse().asDiagonal() * this->Factor.solve(missing);
+    std::vector<std::vector<double>> columns;
+    for (Eigen::Index c = 0; c < width; ++c)
+    {
+      columns.emplace_back(solution.col(c).data(), solution.col(c).data() + count);
+    }
+    DGG_RETURN_IF_ERROR(combine(columns));
+    for (Eigen::Index c = 0; c < width; ++c)
+    {
+      for (std::size_t v = 0; v < n; ++v)
+      {
+        found[c][v] += columns[c][v];
+      }
+      for (Eigen::Index i = 0; i < count; ++i)
+      {
+        missing(i, c) =
+          wanted(i, c) - InterpolateAt(this->System.GetMesh(), this->Sites[i], found[c]);
+      }
+    }
+    error = missing.allFinite() ? missing.cwiseAbs().maxCoeff() : Infinity;
+    DGG_RETURN_IF_ERROR(ReportTo(progress, (step + 1.0) / (MostSteps + 1.0)));
+  }
+  if (!(error <= LargestError))
+  {
+    return Status::Invalid("the values at the sites could not be met to 1e-9: leave out some that "
+                           "are close to each other, or refine the mesh there");
+  }
+  for (Eigen::Index c = 0; c < width; ++c)
+  {
+    for (std::size_t v = 0; v < n; ++v)
+    {
+      const Id component = this->System.GetComponent(static_cast<Id>(v));
+      found[c][v] = found[c][v] * sizes[c] + constants[c][component];
+      if (!std::isfinite(found[c][v])) // it may go beyond the values of sites
+      {
+        return Status::Invalid(TooLarge);
+      }
+    }
+  }
+  return Status::Success();
+}
+}

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Rules of the thesis that the module has repaired or replaced, as they were published, beside
+/// ours.
+///
+/// Usage: BenchmarkPublished [--benchmark_...] [--name=value...] [mesh...]
+///   --accuracies=0.01,0.001   of the graphs
+///   --sources=3               of the errors
+///   --rules=OneRelay          graphs that queues are measured on: OneRelay, Guaranteed, Indirect
+///   --parts=Queue,Pruning,Pseudo
+/// Meshes as for BenchmarkExact.
+///
+/// Names of the results are
+///   Published/MESH/Queue/RULE/QUEUE/FANS/ACCURACY/K
+///       QUEUE is FIFO, SLF, LLL or Both; FANS are All, Narrow (arcsin sqrt(accuracy), as
+///       published) or Wide (as wide as two edges in a row may deviate)
+///   Published/MESH/Pruning/RULE/ACCURACY/Build, .../Query/K
+///       RULE is None, Progress or Published
+///   Published/MESH/Pseudo/RULE/ACCURACY/Build, .../Query/K
+///       RULE is Plain, candidates of the mesh as it is, pruned as published; Pseudo, the same with
+///       pseudo-vertices; or Guaranteed
+/// Times are CPU seconds on one thread.
+
+#include "BenchmarkArguments.h"
+#include "BenchmarkTools.h"
+#include "CandidateGraph.h"
+#include "LabelQueue.h"
+#include "PseudoVertices.h"
+#include "dggGraphFans.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+namespace
+{
+using Construction = dgg::GraphConstruction;
+
+const std::map<std::string, Construction> Constructions = {
+  { "OneRelay", Construction::OneRelay },
+  { "Guaranteed", Construction::Guaranteed },
+  { "Indirect", Construction::Indirect },
+};
+const std::map<std::string, QueueRule> Queues = {
+  { "FIFO", QueueRule::FirstInFirstOut },
+  { "SLF", QueueRule::SmallLabelFirst },
+  { "LLL", QueueRule::LargeLabelLast },
+  { "Both", QueueRule::SmallAndLarge },
+};
+const std::map<std::string, PruningRule> Prunings = {
+  { "None", PruningRule::None },
+  { "Progress", PruningRule::Progress },
+  { "Published", PruningRule::Published },
+};
+
+double FanTolerance(const std::string& fans, const dgg::GraphView& graph)
+{
+  if (fans == "All")
+  {
+    return 0.0;
+  }
+  return fans == "Narrow" ? std::asin(std::sqrt(graph.Info.Accuracy))
+                          : 2.0 * dgg::LargestDeviation(graph);
+}
+
+void MeasureQueue(benchmark::State& state, const GraphRecipe& recipe, QueueRule rule,
+  const std::string& fans, int k, int numberOfSources)
+{
+  const OpenedGraph opened = OpenBuiltGraph(recipe);
+  const dgg::GraphView graph = opened.Graph->GetGraph().View();
+  const dgg::Id source = opened.Mesh->GetSource(k, numberOfSources);
+  LabelResult result;
+  Measure(
+    state, [] {},
+    [&] {
+      result =
+        SearchByLabels(graph, opened.Mesh->GetSurface(), source, rule, FanTolerance(fans, graph));
+    });
+  const double vertices = opened.Mesh->GetNumberOfVertices();
+  double degree = 0.0;
+  double deviation = 0.0;
+  opened.Graph->GetDegree(degree, deviation);
+  state.counters["degree_mean"] = degree;
+  state.counters["pops_per_vertex"] = static_cast<double>(result.Pops) / vertices;
+  state.counters["relaxations_per_vertex"] = static_cast<double>(result.Relaxations) / vertices;
+  state.counters["rotations_per_vertex"] = static_cast<double>(result.Rotations) / vertices;
+  ReportMesh(state, *opened.Mesh);
+  ReportErrors(state, *opened.Mesh, source, result.Distances);
+}
+
+/// A graph that is not one of the library: only the last one is kept.
+struct OwnGraph
+{
+  std::string Name;
+  dgg::GeodesicGraph Graph;
+  CandidateStatistics Statistics;
+  dgg::SurfaceMesh Surface; ///< with pseudo-vertices
+  dgg::Id Added = 0;
+};
+
+OwnGraph& Kept()
+{
+  static OwnGraph kept;
+  return kept;
+}
+
+void Build(benchmark::State& state, const MeshRecipe& recipe, const std::string& name,
+  const std::function<dgg::Status(const dgg::SurfaceMesh&, OwnGraph&)>& build)
+{
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  OwnGraph& own = Kept();
+  dgg::Status status;
+  Measure(
+    state, [&] { own = OwnGraph(); }, [&] { status = build(mesh.GetSurface(), own); });
+  Require(status);
+  own.Name = recipe.Name + "/" + name;
+  ReportMesh(state, mesh);
+  state.counters["degree_mean"] =
+    static_cast<double>(own.Graph.View().GetNumberOfEdges()) / own.Graph.GetNumberOfVertices();
+  state.counters["edges"] = static_cast<double>(own.Graph.View().GetNumberOfEdges());
+  state.counters["candidates_per_vertex"] = own.Statistics.CandidatesPerVertex;
+  state.counters["finding_seconds"] = own.Statistics.FindingSeconds;
+  state.counters["pruning_seconds"] = own.Statistics.PruningSeconds;
+  state.counters["added_per_vertex"] = own.Added / mesh.GetNumberOfVertices();
+}
+
+/// From a vertex to all of the mesh; it needs the graph that was built last.
+void Query(benchmark::State& state, const MeshRecipe& recipe, const std::string& name, int k,
+  int numberOfSources)
+{
+  BenchmarkMesh& mesh = OpenMesh(recipe);
+  const OwnGraph& own = Kept();
+  Require(own.Name == recipe.Name + "/" + name, "the graph was not built");
+  const dgg::Id source = mesh.GetSource(k, numberOfSources);
+  const dgg::GraphSearch search(own.Graph.View(), nullptr);
+  dgg::SearchOptions options;
+  options.Method = dgg::SearchMethod::Dijkstra;
+  dgg::GraphSeed seed;
+  seed.Vertex = source;
+  dgg::SearchResult result;
+  dgg::Status status;
+  Measure(
+    state, [] {}, [&] { status = search.Run({ seed }, options, result); });
+  Require(status);
+  // Without the pseudo-vertices, which come last.
+  result.Distances.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()));
+  ReportErrors(state, mesh, source, result.Distances);
+}
+
+/// Gaps are looked for among the candidates.
+dgg::Status BuildPseudo(const dgg::SurfaceMesh& surface, double accuracy, OwnGraph& own)
+{
+  dgg::GeodesicGraph candidates;
+  DGG_RETURN_IF_ERROR(
+    BuildFromCandidates(surface, accuracy, PruningRule::None, candidates, own.Statistics));
+  DGG_RETURN_IF_ERROR(
+    AddPseudoVertices(surface, candidates.View(), accuracy, own.Surface, own.Added));
+  return BuildFromCandidates(
+    own.Surface, accuracy, PruningRule::Published, own.Graph, own.Statistics);
+}
+
+void RegisterOwn(const MeshRecipe& mesh, const std::string& name, int sources,
+  const std::function<dgg::Status(const dgg::SurfaceMesh&, OwnGraph&)>& build)
+{
+  const CaseGroup cases("Published/" + mesh.Name + "/" + name + "/", Once);
+  cases.Add("Build", Build, mesh, name, build);
+  cases.AddSources("Query", sources, Query, mesh, name);
+}
+
+void RegisterMesh(const MeshRecipe& mesh, const std::string& part, const std::string& text,
+  const BenchmarkArguments& arguments)
+{
+  const double accuracy = std::atof(text.c_str());
+  const int sources = arguments.GetInteger("sources");
+  if (part == "Pruning")
+  {
+    for (const auto& pruning : Prunings)
+    {
+      const PruningRule rule = pruning.second;
+      RegisterOwn(mesh, "Pruning/" + pruning.first + "/" + text, sources,
+        [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
+          return BuildFromCandidates(surface, accuracy, rule, own.Graph, own.Statistics);
+        });
+    }
+    return;
+  }
+  if (part == "Pseudo")
+  {
+    RegisterOwn(
+      mesh, "Pseudo/Plain/" + text, sources, [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
+        return BuildFromCandidates(
+          surface, accuracy, PruningRule::Published, own.Graph, own.Statistics);
+      });
+    RegisterOwn(mesh, "Pseudo/Guaranteed/" + text, sources,
+      [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
+        dgg::GraphOptions options;
+        options.Accuracy = accuracy;
+        return dgg::GraphBuilder(surface).Build(options, own.Graph);
+      });
+    RegisterOwn(
+      mesh, "Pseudo/Pseudo/" + text, sources, [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
+        return BuildPseudo(surface, accuracy, own);
+      });
+    return;
+  }
+  Require(part == "Queue", "there is no part " + part);
+  for (const std::string& rule : arguments.GetList("rules"))
+  {
+    const auto construction = Constructions.find(rule);
+    Require(construction != Constructions.end(), "there is no rule " + rule);
+    GraphRecipe recipe;
+    recipe.Mesh = mesh;
+    recipe.Name = rule + "/" + text;
+    recipe.Options.Construction = construction->second;
+    recipe.Options.Accuracy = accuracy;
+    for (const auto& queue : Queues)
+    {
+      for (const std::string fans : { "All", "Narrow", "Wide" })
+      {
+        const CaseGroup cases(
+          "Published/" + mesh.Name + "/Queue/" + rule + "/" + queue.first + "/" + fans + "/", Once);
+        cases.AddSources(text, sources, MeasureQueue, recipe, queue.second, fans);
+      }
+    }
+  }
+}
+
+void RegisterAll(const BenchmarkArguments& arguments)
+{
+  Require(arguments.GetInteger("sources") >= 1, "sources must be at least 1");
+  for (const std::string& text : arguments.GetList("accuracies"))
+  {
+    dgg::GraphOptions options;
+    options.Accuracy = std::atof(text.c_str());
+    Require(dgg::GraphBuilder::Check(options));
+  }
+  for (const MeshRecipe& mesh : arguments.GetMeshes())
+  {
+    for (const std::string& part : arguments.GetList("parts"))
+    {
+      for (const std::string& text : arguments.GetList("accuracies"))
+      {
+        RegisterMesh(mesh, part, text, arguments);
+      }
+    }
+  }
+}
+}
+
+int main(int argc, char** argv)
+{
+  return RunBenchmarks(argc, argv,
+    { { "accuracies", "0.01,0.001" }, { "sources", "3" }, { "rules", "OneRelay" },
+      { "parts", "Queue,Pruning,Pseudo" } },
+    RegisterAll);
+}

@@ -1,0 +1,258 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page of exhibits of the thesis, and what it stands on; no exhibit is measured."""
+
+import json
+import os
+import shutil
+import unittest
+import unittest.mock
+
+import numpy as np
+import passrate
+import thesis
+import vtkdgg
+from exhibits import surfaces
+from exhibits.every import ALL
+from exhibits.exhibit import (
+    BETTER,
+    FAILED,
+    NOT_REGENERATED,
+    REPRODUCED,
+    WORSE,
+    Exhibit,
+    Missing,
+    Verdict,
+    judged,
+)
+from exhibits.fields import summary
+from exhibits.run import Kept, Run, TooLong, limited_time
+from Published import bidirectional
+from table_support import OUTPUT, cells_of
+
+NAMES = (
+    "T3.1 T3.2 T3.4 T5.1 T5.2 T5.3 T5.4 F1.1 F3.6 F3.7 F3.8 F3.9 F3.10 F3.11 F3.12 F3.13 F3.14 F3.15 "
+    "F3.16 F3.18 F4.4 F4.5 F4.6 F4.7 F5.1 F5.2 F5.3 F5.9 F5.10 F5.11 F5.14 F5.15 F5.16 F5.17 F5.18 D1.1 D1.2"
+)
+
+
+class Counted(Exhibit):
+    """Measures how often it has been measured."""
+
+    name = "F9.1"
+    title = "a count"
+    published = "3 %."
+
+    def __init__(self, problem=None):
+        self.count = 0
+        self.problem = problem
+
+    def measure(self, run):
+        if self.problem:
+            raise self.problem
+        self.count += 1
+        return {"count": self.count, 2: (1, 2)}
+
+    def table(self, figures):
+        return f"| count |\n|---|\n| {figures['count']} |\n"
+
+    def draw(self, figures, path):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("drawn")
+        return True
+
+    def verdict(self, figures):
+        return Verdict(judged(0.02, 0.03), "Less is better.")
+
+
+def folder(name):
+    path = os.path.join(OUTPUT, "thesis", name)
+    shutil.rmtree(path, ignore_errors=True)
+    return path
+
+
+class Page(unittest.TestCase):
+    def setUp(self):
+        self.run = Run(folder("page"), "nowhere", reuse=True)
+
+    def result(self, exhibit):
+        figures, verdict = thesis.measured(exhibit, Kept(self.run), lambda line: None)
+        picture = thesis.picture_of(exhibit, figures, self.run.folder) if figures else None
+        return exhibit, figures, verdict, picture
+
+    def test_page(self):
+        missing = Missing("T9.2", "what is not made", "Nobody knows how.")
+        results = [self.result(Counted()), self.result(missing)]
+        text = thesis.page(results, "A note.", "Images")
+        self.assertIn("2 exhibits: 1 better, 1 not regenerated.", text)
+        self.assertIn("## Figure 9.1: a count\n\nMeasures how often", text)
+        self.assertIn("*Published:* 3 %.", text)
+        self.assertIn("| 1 |", text)
+        self.assertIn("![a count](Images/thesis_f9_1.png)", text)
+        self.assertIn("**Better.** Less is better.", text)
+        self.assertIn("**Not regenerated.** Nobody knows how.", text)
+        row = cells_of(text.splitlines(), "[F9.1](#figure-91-a-count)", "exhibit")
+        self.assertEqual(row["verdict"], BETTER)
+
+    def test_not_wanted(self):
+        exhibit = Counted()
+        kept = Kept(self.run)
+
+        def word():
+            return thesis.measured(exhibit, kept, self.fail, False)[1].word
+
+        self.assertEqual((word(), exhibit.count), (NOT_REGENERATED, 0))
+        kept.figures(exhibit)
+        self.assertEqual((word(), exhibit.count), (BETTER, 1))
+
+    def test_failures(self):
+        for problem in (ValueError("too small"), TooLong("not done"), OSError("no such file")):
+            _, figures, verdict, picture = self.result(Counted(problem))
+            self.assertIsNone(figures)
+            self.assertIsNone(picture)
+            self.assertEqual(verdict.word, FAILED)
+            self.assertIn(str(problem), verdict.reason)
+
+    def test_every_exhibit(self):
+        self.assertEqual([exhibit.name for exhibit in ALL], NAMES.split())
+        for exhibit in ALL:
+            self.assertTrue(exhibit.title and exhibit.published, exhibit.name)
+
+    def test_chosen(self):
+        self.assertEqual([e.name for e in thesis.chosen(["F3.9", "T3.2"])], ["T3.2", "F3.9"])
+        with self.assertRaisesRegex(SystemExit, "no exhibit T1.9; there are D1.1, "):
+            thesis.chosen(["F3.9", "T1.9"])
+
+
+class Results(unittest.TestCase):
+    def test_kept(self):
+        exhibit = Counted()
+        path = folder("kept")
+        kept = Kept(Run(path, "nowhere", reuse=True))
+        self.assertEqual(kept.figures(exhibit), {"count": 1, "2": [1, 2]})
+        self.assertEqual(kept.figures(exhibit)["count"], 1)
+        with open(os.path.join(path, "F9.1.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["figures"]["count"], 1)
+        # Not when they were to be measured again, or differently.
+        self.assertEqual(Kept(Run(path, "nowhere")).figures(exhibit)["count"], 2)
+        self.assertEqual(
+            Kept(Run(path, "nowhere", full=True, reuse=True)).figures(exhibit)["count"], 3
+        )
+        self.assertEqual(
+            Kept(Run(path, "nowhere", "data", reuse=True)).figures(exhibit)["count"], 4
+        )
+
+    def test_shared(self):
+        path = folder("shared")
+        make = unittest.mock.Mock(side_effect=[{"a": 1}, {"a": 2}])
+        runs = [Run(path, "nowhere", reuse=reuse) for reuse in (True, True, False)]
+        self.assertEqual([run.shared("sum", make)["a"] for run in runs], [1, 1, 2])
+        self.assertEqual(runs[0].shared("sum", make)["a"], 1)
+
+    def test_limited_time(self):
+        with self.assertRaisesRegex(TooLong, "not done after 1 seconds"):
+            with limited_time(1):
+                while True:
+                    pass
+
+    def test_judged(self):
+        self.assertEqual(judged(0.5, 1.0), BETTER)
+        self.assertEqual(judged(0.9, 1.0), REPRODUCED)
+        self.assertEqual(judged(2.2, 1.0, 2.0), REPRODUCED)
+        self.assertEqual(judged(2.6, 1.0, 2.0), WORSE)
+
+    def test_summary(self):
+        exact = [np.array([0.0, 1.0, 2.0, np.inf]), np.array([1.0, 0.0, 2.0, 4.0])]
+        found = [np.array([0.0, 1.1, 2.0, np.inf]), np.array([1.0, 0.0, 2.4, np.inf])]
+        errors = summary(found, exact)
+        self.assertAlmostEqual(errors["mean"], (0.1 + 0.2) / 4.0)
+        self.assertAlmostEqual(errors["max"], 0.2)
+        self.assertEqual(errors["missed"], 1)
+
+
+class Surfaces(unittest.TestCase):
+    def test_known(self):
+        points, triangles = surfaces.icosphere(0)
+        self.assertEqual((len(points), len(triangles)), (12, 20))
+        self.assertAlmostEqual(surfaces.anisotropy(points, triangles), 1.0)
+        total, is_rim = surfaces.total_angles(points, triangles)
+        np.testing.assert_allclose(total, 5.0 * np.pi / 3.0)
+        self.assertFalse(is_rim.any())
+
+    def test_names(self):
+        self.assertIsNone(surfaces.make("bunny"))
+        plain, noisy, stretched = (
+            surfaces.arrays_of(surfaces.make(f"bumpy-2{more}"))[0]
+            for more in ("", "-noise-0.1", "-stretched-4")
+        )
+        self.assertEqual(plain.shape, (162, 3))
+        self.assertFalse(np.allclose(plain, noisy))
+        np.testing.assert_allclose(stretched, plain * [4.0, 1.0, 1.0], rtol=1e-6)
+        points, triangles = surfaces.arrays_of(surfaces.make("terrain-5"))
+        self.assertEqual(surfaces.total_angles(points, triangles)[1].sum(), 16)
+
+    def test_distances_are_those_of_a_sphere(self):
+        mesh = surfaces.make("sphere-3")
+        points, _ = surfaces.arrays_of(mesh)
+        arcs = np.arccos(np.clip(points @ points[0], -1.0, 1.0))
+        self.assertLess(np.abs(vtkdgg.distance(mesh, 0) - arcs).max(), 0.02)
+
+
+class BothEnds(unittest.TestCase):
+    def test_lengths(self):
+        mesh = surfaces.make("bumpy-2")
+        graph = vtkdgg.Graph(mesh, accuracy=0.05)
+        read = bidirectional.arrays(graph)
+        points, _ = surfaces.arrays_of(mesh)
+        straight = np.linalg.norm(points - points[150], axis=1) * (1.0 - 1e-6)
+        expected = graph.distance(3, correction=False)[150]
+        settled = {}
+        for name, (length, count) in {
+            "one": bidirectional.one_sided(read, 3, 150),
+            "star": bidirectional.one_sided(read, 3, 150, straight),
+            "two": bidirectional.two_sided(read, 3, 150, False),
+        }.items():
+            self.assertAlmostEqual(length, expected, delta=1e-6 * expected)
+            settled[name] = count
+        self.assertLess(settled["star"], settled["one"])
+        length, _ = bidirectional.two_sided(read, 3, 150, True)
+        self.assertGreaterEqual(length, expected * (1.0 - 1e-6))
+
+
+class PassRate(unittest.TestCase):
+    def test_folder(self):
+        path = folder("passrate")
+        run = Run(path, "nowhere")
+        run.file("bumpy-2")
+        with open(os.path.join(path, "broken.ply"), "w", encoding="utf-8") as file:
+            file.write("no mesh")
+        with open(os.path.join(path, "notes.txt"), "w", encoding="utf-8") as file:
+            file.write("no mesh either")
+        results = passrate.measure(path, (0.1, 0.01), say=lambda _: None)
+        self.assertEqual([row["accuracy"] for row in results["rows"]], [0.1, 0.01])
+        self.assertTrue(all(map(passrate.passes, results["rows"])))
+        self.assertEqual([entry["mesh"] for entry in results["refused"]], ["broken.ply"])
+        lines = passrate.tables(results).splitlines()
+        self.assertEqual(lines[0], "2 of 2 graphs keep their promise.")
+        row = cells_of(lines, "bumpy-2.ply", "mesh")
+        self.assertEqual((row["vertices"], row["kept"]), ("162", "yes"))
+        self.assertIn("cannot be read", cells_of(lines, "broken.ply", "refused")["why"])
+
+    def test_broken_promise(self):
+        row = {"mesh": "ball", "vertices": 9, "tau": 1.0, "degree": 4.0, "accuracy": 0.01}
+        results = {"rows": [{**row, "mean": 0.001, "max": 0.02}], "refused": []}
+        self.assertEqual(
+            cells_of(passrate.tables(results).splitlines(), "ball", "mesh")["kept"], "NO"
+        )
+
+    def test_nothing_there(self):
+        for arguments, message in (((OUTPUT, "nowhere"), "no such folder"),):
+            with self.assertRaisesRegex(SystemExit, message):
+                passrate.main(arguments)
+        with self.assertRaisesRegex(SystemExit, "holds no mesh"):
+            os.makedirs(folder("empty"))
+            passrate.main((OUTPUT, os.path.join(OUTPUT, "thesis", "empty")))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,552 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Functions with given values at sites: biharmonic splines, and harmonic ones.
+#include "GeodesicChecks.h"
+#include "GraphChecks.h"
+#include "SplineTestTools.h"
+#include "TestMeshes.h"
+
+#include "dggBiharmonicSplines.h"
+#include "dggGreensColumn.h"
+#include "dggPoissonSystem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using Columns = std::vector<std::vector<double>>;
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<dgg::SurfacePoint> AtVertices(const std::vector<Id>& vertices)
+{
+  std::vector<dgg::SurfacePoint> points;
+  for (const Id v : vertices)
+  {
+    points.push_back(dgg::SurfacePoint::AtVertex(v));
+  }
+  return points;
+}
+
+/// A solver and splines.
+class Biharmonic
+{
+public:
+  explicit Biharmonic(const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
+    : Solver(Ready(mesh, options))
+    , Splines(*Solver)
+  {
+  }
+  dgg::Status Prepare(const std::vector<dgg::SurfacePoint>& sites)
+  {
+    this->Sites = sites;
+    return this->Splines.Prepare(sites, nullptr, nullptr);
+  }
+  void PrepareSome(Id count)
+  {
+    std::vector<Id> sites;
+    ASSERT_TRUE(Ok(dgg::ChooseSplineSites(*this->Solver, count, nullptr, sites)));
+    ASSERT_TRUE(Ok(this->Prepare(AtVertices(sites))));
+  }
+  std::vector<double> Interpolate(const std::vector<double>& values) const
+  {
+    Columns functions;
+    EXPECT_TRUE(Ok(this->Splines.Interpolate({ values }, nullptr, nullptr, functions)));
+    return functions.empty() ? std::vector<double>() : functions[0];
+  }
+  std::vector<double> AtSites(const std::vector<double>& function) const
+  {
+    std::vector<double> values;
+    for (const dgg::SurfacePoint& site : this->Sites)
+    {
+      values.push_back(dgg::InterpolateAt(this->Solver->GetMesh(), site, function));
+    }
+    return values;
+  }
+  /// M^-1 L u; 0 where values are given.
+  std::vector<double> Laplacian(const std::vector<double>& function) const
+  {
+    const dgg::PoissonSystem& system = this->Solver->GetSystem();
+    std::vector<double> laplacian = system.Multiply(function);
+    for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
+    {
+      const double area = system.GetArea(v);
+      laplacian[v] = area > 0.0 && !system.IsFixed(v) ? laplacian[v] / area : 0.0;
+    }
+    return laplacian;
+  }
+  double Energy(const std::vector<double>& function) const
+  {
+    const std::vector<double> laplacian = this->Laplacian(function);
+    double sum = 0.0;
+    for (std::size_t v = 0; v < laplacian.size(); ++v)
+    {
+      sum += this->Solver->GetAreas()[v] * laplacian[v] * laplacian[v];
+    }
+    return sum;
+  }
+
+  std::unique_ptr<dgg::PoissonSolver> Solver;
+  dgg::BiharmonicSplines Splines;
+  std::vector<dgg::SurfacePoint> Sites;
+};
+
+void ExpectValues(const std::vector<double>& expected, const std::vector<double>& actual,
+  const std::string& name, double tolerance = 1e-11)
+{
+  ASSERT_EQ(expected.size(), actual.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_NEAR(actual[i], expected[i], tolerance) << name << " " << i;
+  }
+}
+}
+
+TEST(BiharmonicSplines, HaveTheValuesOfSites)
+{
+  for (const NamedMesh& named : SmallMeshes())
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const dgg::PoissonOptions& options : AllPoissonOptions())
+    {
+      Biharmonic spline(mesh, options);
+      spline.PrepareSome(12);
+      // Anywhere: the next ones are in faces and on edges.
+      std::vector<dgg::SurfacePoint> sites = spline.Sites;
+      for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 9, 5))
+      {
+        if (!spline.Solver->GetSystem().IsFixed(point))
+        {
+          sites.push_back(point);
+        }
+      }
+      ASSERT_TRUE(Ok(spline.Prepare(sites))) << named.Name;
+      const std::vector<double> values = RandomValues(sites.size(), 3);
+      std::vector<double> large = values;
+      for (double& value : large)
+      {
+        value *= 1e200;
+      }
+      Columns functions;
+      ASSERT_TRUE(Ok(spline.Splines.Interpolate({ values, large }, nullptr, nullptr, functions)));
+      ExpectValues(values, spline.AtSites(functions[0]), named.Name);
+      for (std::size_t v = 0; v < functions[0].size(); ++v)
+      {
+        ASSERT_NEAR(functions[1][v] / 1e200, functions[0][v], 1e-9);
+        ASSERT_TRUE(!spline.Solver->IsFixed(static_cast<Id>(v)) || functions[0][v] == 0.0);
+      }
+    }
+  }
+}
+
+TEST(BiharmonicSplines, HaveTheLeastEnergy)
+{
+  // Of those with the same values: another one has more, and nothing acts but at the sites.
+  for (const auto boundary : Boundaries)
+  {
+    const TestMesh plane = Scaled(Plane(20, 17, 0.25), 0.1);
+    const dgg::SurfaceMesh mesh = Build(plane);
+    Biharmonic spline(mesh, With(boundary));
+    spline.PrepareSome(30);
+    std::vector<double> smooth(mesh.GetNumberOfVertices(), 0.0);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double* p = plane.Point(v);
+      smooth[v] = spline.Solver->IsFixed(v) ? 0.0 : std::sin(3.0 * p[0]) * std::cos(2.0 * p[1]);
+    }
+    const std::vector<double> function = spline.Interpolate(spline.AtSites(smooth));
+    EXPECT_LT(spline.Energy(function), spline.Energy(smooth));
+    const std::vector<double> forces =
+      spline.Solver->GetSystem().Multiply(spline.Laplacian(function));
+    double total = 0.0;
+    double largest = 0.0;
+    double elsewhere = 0.0;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const bool isSite = std::any_of(spline.Sites.begin(), spline.Sites.end(),
+        [&](const dgg::SurfacePoint& site) { return site.Vertex == v; });
+      const double force = spline.Solver->IsFixed(v) ? 0.0 : std::abs(forces[v]);
+      (isSite ? largest : elsewhere) = std::max(isSite ? largest : elsewhere, force);
+      total += forces[v];
+    }
+    EXPECT_LT(elsewhere, 1e-8 * largest);
+    EXPECT_TRUE(boundary == dgg::PoissonBoundary::Dirichlet || std::abs(total) < 1e-8 * largest);
+  }
+}
+
+TEST(BiharmonicSplines, ConstantsAreReproduced)
+{
+  for (const NamedMesh& named : SmallMeshes())
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    Biharmonic spline(mesh);
+    spline.PrepareSome(9);
+    for (const double value : spline.Interpolate(std::vector<double>(spline.Sites.size(), 0.1)))
+    {
+      ASSERT_EQ(value, 0.1) << named.Name;
+    }
+  }
+}
+
+TEST(BiharmonicSplines, OneAndTwoSites)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.02, 3));
+  Biharmonic spline(mesh);
+  Random random(3);
+  const dgg::SurfacePoint place = InsideFace(mesh, random);
+  ASSERT_TRUE(Ok(spline.Prepare({ place })));
+  for (const double value : spline.Interpolate({ -4.5 }))
+  {
+    EXPECT_EQ(value, -4.5);
+  }
+  // With two at opposite ends, a function that is odd about the middle.
+  const TestMesh points = Icosphere(3);
+  const dgg::SurfaceMesh sphere = Build(points);
+  const auto opposite = [&](Id v) {
+    for (Id w = 0; w < sphere.GetNumberOfVertices(); ++w)
+    {
+      const double* a = points.Point(v);
+      const double* b = points.Point(w);
+      if (std::hypot(a[0] + b[0], a[1] + b[1], a[2] + b[2]) < 1e-9)
+      {
+        return w;
+      }
+    }
+    return dgg::NoId;
+  };
+  Biharmonic pair(sphere);
+  ASSERT_TRUE(Ok(pair.Prepare(AtVertices({ 9, opposite(9) }))));
+  const std::vector<double> function = pair.Interpolate({ 1.0, 3.0 });
+  ExpectValues({ 1.0, 3.0 }, pair.AtSites(function), "two");
+  for (Id v = 0; v < sphere.GetNumberOfVertices(); ++v)
+  {
+    ASSERT_NEAR(function[v] + function[opposite(v)], 4.0, 1e-11);
+    ASSERT_TRUE(function[v] > 1.0 - 1e-12 && function[v] < 3.0 + 1e-12);
+  }
+  // With Dirichlet conditions a single one is no constant.
+  const dgg::SurfaceMesh plane = Build(Plane(8, 8, 0.2));
+  Biharmonic held(plane, With(dgg::PoissonBoundary::Dirichlet));
+  ASSERT_TRUE(Ok(held.Prepare({ dgg::SurfacePoint::AtVertex(40) })));
+  const std::vector<double> hill = held.Interpolate({ 2.0 });
+  EXPECT_NEAR(hill[40], 2.0, 1e-12);
+  EXPECT_EQ(hill[0], 0.0);
+  EXPECT_LT(*std::max_element(hill.begin(), hill.end()), 2.1);
+}
+
+TEST(BiharmonicSplines, BasisSumsToOne)
+{
+  for (const auto boundary : Boundaries)
+  {
+    const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+    Biharmonic spline(mesh, With(boundary));
+    spline.PrepareSome(19);
+    Columns basis(spline.Sites.size());
+    ASSERT_TRUE(Ok(spline.Splines.FindBasis(nullptr, nullptr,
+      [&](Id site, const std::vector<double>& values) { basis[site] = values; })));
+    const std::vector<double> values = RandomValues(basis.size(), 8);
+    std::vector<double> sum(mesh.GetNumberOfVertices(), 0.0);
+    std::vector<double> combined = sum;
+    for (std::size_t j = 0; j < basis.size(); ++j)
+    {
+      std::vector<double> unit(basis.size(), 0.0);
+      unit[j] = 1.0;
+      ExpectValues(unit, spline.AtSites(basis[j]), "basis");
+      for (std::size_t v = 0; v < sum.size(); ++v)
+      {
+        sum[v] += basis[j][v];
+        combined[v] += values[j] * basis[j][v];
+      }
+    }
+    ExpectSameField(combined, spline.Interpolate(values), 1e-9, "combined");
+    const dgg::PoissonSystem& system = spline.Solver->GetSystem();
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      ASSERT_TRUE(!system.IsFree(system.GetComponent(v)) || std::abs(sum[v] - 1.0) < 1e-10);
+    }
+  }
+}
+
+TEST(BiharmonicSplines, SmoothFunctionsAreApproximated)
+{
+  // On the sphere, from ever more sites: errors fall like the fourth power of their distance, until
+  // those of the mesh show.
+  const TestMesh sphere = Icosphere(5);
+  const dgg::SurfaceMesh mesh = Build(sphere);
+  Biharmonic spline(mesh);
+  const auto truth = [&](Id v) {
+    const double* p = sphere.Point(v);
+    return std::exp(p[0]) * p[2] + p[1];
+  };
+  Convergence errors(3.0);
+  for (const Id count : { 25, 100, 400 })
+  {
+    spline.PrepareSome(count);
+    std::vector<double> values;
+    for (const dgg::SurfacePoint& site : spline.Sites)
+    {
+      values.push_back(truth(site.Vertex));
+    }
+    const std::vector<double> function = spline.Interpolate(values);
+    Comparison comparison;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      comparison.Add(spline.Solver->GetAreas()[v], function[v], truth(v));
+    }
+    RecordProperty("error" + std::to_string(count), std::to_string(comparison.Relative()));
+    errors.Add(comparison.Relative());
+  }
+  EXPECT_LT(errors.Last, 3e-4);
+}
+
+TEST(BiharmonicSplines, LinearFunctionsInThePlane)
+{
+  // Nothing flows through the boundary, where they flatten; inside they are found, the better the
+  // more sites there are.
+  const Id n = 40;
+  const TestMesh plane = Scaled(Plane(n, n, 0.2), 1.0 / n);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  Biharmonic spline(mesh);
+  const auto truth = [&](Id v) { return 1.0 + 2.0 * plane.Point(v)[0] - plane.Point(v)[1]; };
+  double previous = dgg::Infinity;
+  for (const Id count : { 30, 120, 480 })
+  {
+    spline.PrepareSome(count);
+    std::vector<double> values;
+    for (const dgg::SurfacePoint& site : spline.Sites)
+    {
+      values.push_back(truth(site.Vertex));
+    }
+    const std::vector<double> function = spline.Interpolate(values);
+    double inside = 0.0;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const double* p = plane.Point(v);
+      const double margin = std::min({ p[0], p[1], 1.0 - p[0], 1.0 - p[1] });
+      const double error = std::abs(function[v] - truth(v));
+      EXPECT_LT(error, 0.3); // of values from 0 to 3
+      inside = margin > 0.25 ? std::max(inside, error) : inside;
+    }
+    RecordProperty("inside" + std::to_string(count), std::to_string(inside));
+    EXPECT_LT(inside, 0.5 * previous);
+    previous = inside;
+  }
+  EXPECT_LT(previous, 2e-3);
+}
+
+TEST(BiharmonicSplines, ValuesBeyondTheLargestNumber)
+{
+  // Between two sites that are close the slope is steep: values rise beyond those of sites.
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
+  Biharmonic spline(mesh);
+  spline.PrepareSome(9);
+  std::vector<dgg::SurfacePoint> sites = spline.Sites;
+  Id edge = 0;
+  while (mesh.Origin(edge) != sites[0].Vertex)
+  {
+    ++edge;
+  }
+  sites.push_back(dgg::SurfacePoint::AtVertex(mesh.Destination(edge)));
+  ASSERT_TRUE(Ok(spline.Prepare(sites)));
+  std::vector<double> values(sites.size(), 1.0);
+  values[0] = 0.0;
+  const std::vector<double> function = spline.Interpolate(values);
+  EXPECT_GT(*std::max_element(function.begin(), function.end()), 1.1);
+  std::fill(values.begin() + 1, values.end(), 1.7e308);
+  Columns functions;
+  EXPECT_TRUE(
+    Says(spline.Splines.Interpolate({ values }, nullptr, nullptr, functions), "too large"));
+  EXPECT_TRUE(functions.empty());
+}
+
+TEST(BiharmonicSplines, ComponentsDoNotKnowOfEachOther)
+{
+  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+  Biharmonic spline(mesh);
+  spline.PrepareSome(14);
+  const dgg::PoissonSystem& system = spline.Solver->GetSystem();
+  std::vector<double> values = RandomValues(spline.Sites.size(), 4);
+  const std::vector<double> before = spline.Interpolate(values);
+  const Id moved = system.GetComponent(spline.Sites[0]);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] += system.GetComponent(spline.Sites[i]) == moved ? 7.0 : 0.0;
+  }
+  const std::vector<double> after = spline.Interpolate(values);
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    ASSERT_NEAR(after[v], before[v] + (system.GetComponent(v) == moved ? 7.0 : 0.0), 1e-11);
+  }
+}
+
+TEST(BiharmonicSplines, ThreadsDoNotMatter)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
+  Biharmonic alone(mesh);
+  alone.PrepareSome(30);
+  dgg::BiharmonicSplines together(*alone.Solver);
+  ASSERT_TRUE(Ok(together.Prepare(alone.Sites, WithThreads(3), nullptr)));
+  const Columns values(20, RandomValues(30, 2)); // several blocks
+  Columns functions;
+  Columns expected;
+  ASSERT_TRUE(Ok(together.Interpolate(values, WithThreads(3), nullptr, functions)));
+  ASSERT_TRUE(Ok(alone.Splines.Interpolate(values, nullptr, nullptr, expected)));
+  EXPECT_EQ(functions, expected);
+}
+
+TEST(BiharmonicSplines, RefusesWhatMakesNoSense)
+{
+  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+  dgg::PoissonSolver solver(mesh);
+  dgg::BiharmonicSplines splines(solver);
+  const auto prepare = [&](const std::vector<dgg::SurfacePoint>& sites) {
+    return splines.Prepare(sites, nullptr, nullptr);
+  };
+  const auto interpolate = [&](const Columns& values) {
+    Columns functions{ { 1.0 } };
+    const dgg::Status status = splines.Interpolate(values, nullptr, nullptr, functions);
+    EXPECT_EQ(functions.empty(), !status.IsOk());
+    return status;
+  };
+  EXPECT_TRUE(Says(prepare(AtVertices({ 0 })), "has not been prepared"));
+  ASSERT_TRUE(Ok(solver.Prepare({}, nullptr)));
+  EXPECT_TRUE(Says(interpolate({ { 1.0 } }), "no sites"));
+  EXPECT_TRUE(Says(prepare({}), "there is no site"));
+  EXPECT_TRUE(Says(prepare(AtVertices({ 0, -1 })), "site 1: vertex -1 does not exist"));
+  EXPECT_TRUE(Says(prepare(AtVertices({ 5, 7, 5 })), "site 2 (vertex 5) is the same as site 0"));
+  EXPECT_TRUE(Says(prepare(AtVertices({ 0 })), "has no site"));
+  std::vector<Id> vertices;
+  ASSERT_TRUE(Ok(dgg::ChooseSplineSites(solver, 6, nullptr, vertices)));
+  const std::vector<dgg::SurfacePoint> sites = AtVertices(vertices);
+  // The same place twice, and more sites than corners: of one face, of two, of an edge.
+  std::vector<dgg::SurfacePoint> more = sites;
+  more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.2, 0.5, 0.3 } }));
+  more.push_back(more.back());
+  EXPECT_TRUE(Says(prepare(more), "site 7 is in the same place as site 6"));
+  more.back() = dgg::SurfacePoint::InFace(mesh, 3, { { 0.3, 0.4, 0.3 } });
+  more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.3, 0.2, 0.5 } }));
+  EXPECT_TRUE(Ok(prepare(more)));
+  more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.1, 0.1, 0.8 } }));
+  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
+  Id edge = 0;
+  while (mesh.Origin(edge) != vertices[0] || mesh.Twin(edge) == dgg::NoId)
+  {
+    ++edge;
+  }
+  more = sites;
+  for (const Id face : { mesh.Face(edge), mesh.Face(mesh.Twin(edge)) })
+  {
+    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.6, 0.2, 0.2 } }));
+    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.2, 0.6, 0.2 } }));
+    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.2, 0.2, 0.6 } }));
+  }
+  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
+  more = AtVertices({ vertices.begin() + 1, vertices.end() });
+  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.25));
+  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.5));
+  EXPECT_TRUE(Ok(prepare(more)));
+  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.75));
+  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
+  EXPECT_TRUE(Says(interpolate({ { 1.0 } }), "no sites")); // not those of before
+
+  ASSERT_TRUE(Ok(prepare(sites)));
+  std::vector<double> values(6, 1.0);
+  EXPECT_TRUE(Says(interpolate({ values, { 1.0 } }), "1 values for 6 sites"));
+  for (const double wrong : { NaN, dgg::Infinity })
+  {
+    values[4] = wrong;
+    EXPECT_TRUE(Says(interpolate({ values }), "site 4 is not finite"));
+  }
+  values[4] = 1.7e308;
+  values[0] = values[1] = values[2] = values[3] = values[5] = -1.7e308;
+  EXPECT_TRUE(Says(interpolate({ values }), "too large"));
+  // Another system.
+  ASSERT_TRUE(Ok(solver.Prepare(With(dgg::PoissonBoundary::Dirichlet), nullptr)));
+  EXPECT_TRUE(Says(interpolate({ values }), "anew"));
+  EXPECT_TRUE(Says(splines.FindBasis(nullptr, nullptr, [](Id, const auto&) {}), "anew"));
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (mesh.Twin(h) == dgg::NoId)
+    {
+      EXPECT_TRUE(
+        Says(prepare({ dgg::SurfacePoint::OnEdge(mesh, h, 0.4) }), "lies on the boundary"));
+      break;
+    }
+  }
+}
+
+TEST(BiharmonicSplines, StopsWhenAsked)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
+  Biharmonic spline(mesh);
+  spline.PrepareSome(40);
+  using Progress = const dgg::ProgressCallback&;
+  const std::vector<std::function<dgg::Status(Progress)>> steps = {
+    [&](Progress progress) { return spline.Splines.Prepare(spline.Sites, nullptr, progress); },
+    [&](Progress progress) {
+      return spline.Splines.FindBasis(nullptr, progress, [](Id, const auto&) {});
+    },
+    [&](Progress progress) {
+      Columns functions{ { 1.0 } };
+      const Columns values(20, RandomValues(40, 2));
+      const dgg::Status status = spline.Splines.Interpolate(values, nullptr, progress, functions);
+      EXPECT_EQ(functions.size(), status.IsOk() ? 20u : 0u);
+      return status;
+    }
+  };
+  for (const auto& step : steps)
+  {
+    EXPECT_EQ(ExpectStops(
+                step, [] {}, 9)
+                .Done,
+      1.0);
+    EXPECT_TRUE(Ok(step(nullptr)));
+  }
+}
+
+TEST(HarmonicSplines, InterpolateValuesAtSites)
+{
+  for (const NamedMesh& named : SmallMeshes())
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const auto boundary : Boundaries)
+    {
+      Splines splines(mesh, With(boundary));
+      splines.PrepareSome(14);
+      std::vector<double> atSites;
+      for (const std::vector<double>& function : splines.Basis())
+      {
+        for (const Id site : splines.Sites)
+        {
+          atSites.push_back(function[site]);
+        }
+      }
+      const std::vector<double> values = RandomValues(splines.Sites.size(), 3);
+      Columns functions;
+      const auto interpolate = [&](const Columns& columns) {
+        return splines.Functions.Interpolate(atSites, columns, nullptr, nullptr, functions);
+      };
+      ASSERT_TRUE(Ok(interpolate({ values, std::vector<double>(values.size(), 0.1) })));
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        EXPECT_NEAR(functions[0][splines.Sites[i]], values[i], 1e-11) << named.Name;
+      }
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        const dgg::PoissonSystem& system = splines.Solver.GetSystem();
+        ASSERT_TRUE(!system.IsFree(system.GetComponent(v)) || functions[1][v] == 0.1);
+      }
+      EXPECT_TRUE(Says(interpolate({ { NaN } }), "1 values"));
+      std::fill(atSites.begin(), atSites.end(), 1.0);
+      EXPECT_TRUE(Says(interpolate({ values }), "depend on each other"));
+      atSites = { 1.0 };
+      EXPECT_TRUE(Says(interpolate({ values }), "1 values"));
+    }
+  }
+}
+}

@@ -1,0 +1,409 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// vtkHarmonicBSpline with values that are given at sites, and of order Biharmonic.
+#include "SpectralTestTools.h"
+
+#include "vtkHarmonicBSpline.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace dggtest;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* Result = "Interpolation";
+
+/// Smooth, with values from 0 to about 3.
+double Truth(const double p[3])
+{
+  return 1.5 + std::sin(2.0 * p[0]) + 0.5 * p[1] * p[2];
+}
+
+void AddValues(vtkPolyData* data, const std::string& name,
+  const std::function<std::vector<double>(vtkIdType)>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(static_cast<int>(values(0).size()));
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    array->InsertNextTuple(values(i).data());
+  }
+  data->GetPointData()->AddArray(array);
+}
+
+void AddTruth(vtkPolyData* data)
+{
+  AddValues(data, "v", [data](vtkIdType i) {
+    double p[3];
+    data->GetPoint(i, p);
+    return std::vector<double>{ Truth(p), 7.0 };
+  });
+}
+
+class BiharmonicBSpline : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    AddTruth(this->Surface);
+    this->Filter->SetInputData(this->Surface);
+    this->Filter->SetOrderToBiharmonic();
+    this->Filter->SetSiteValuesArrayName("v");
+  }
+  std::vector<double> Values(int component = 0, int port = 0)
+  {
+    return GetValues(this->Filter->GetOutput(port), Result, component);
+  }
+  std::vector<double> Basis(int site)
+  {
+    return GetValues(this->Filter->GetOutput(), "HarmonicBSpline", site);
+  }
+  double LargestError()
+  {
+    const std::vector<double> values = this->Values();
+    double largest = 0.0;
+    for (vtkIdType i = 0; i < this->Surface->GetNumberOfPoints(); ++i)
+    {
+      largest = std::max(largest, std::abs(values[i] - Truth(this->Surface->GetPoint(i))));
+    }
+    return largest;
+  }
+  /// A correct call works afterwards, as if nothing had happened.
+  void ExpectUnharmed()
+  {
+    this->Filter->RemoveAllSources();
+    this->Filter->SetSourceIds({ 45, 200, 321 });
+    this->Filter->SetSiteValuesArrayName("v");
+    this->Filter->SetBoundaryToNeumann();
+    ExpectSuccess(this->Filter);
+    const std::vector<double> values = this->Values();
+    this->Expected = this->Expected.empty() ? values : this->Expected;
+    EXPECT_EQ(values, this->Expected);
+  }
+
+  vtkSmartPointer<vtkPolyData> Surface = MakeSphere(3);
+  vtkNew<vtkHarmonicBSpline> Filter;
+  std::vector<double> Expected;
+};
+}
+
+TEST_F(BiharmonicBSpline, ChosenSitesTakeTheValuesOfTheSurface)
+{
+  double previous = 3.0;
+  for (const int count : { 10, 40, 160 })
+  {
+    this->Filter->SetNumberOfSites(count);
+    ExpectSuccess(this->Filter);
+    ASSERT_EQ(this->Filter->GetNumberOfUsedSites(), count);
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      const vtkIdType site = this->Filter->GetUsedSite(k);
+      EXPECT_NEAR(this->Values()[site], Truth(this->Surface->GetPoint(site)), 1e-9);
+      EXPECT_NEAR(this->Basis(static_cast<int>(k))[site], 1.0, 1e-9);
+    }
+    for (const double value : this->Values(1))
+    {
+      EXPECT_EQ(value, 7.0);
+    }
+    EXPECT_LT(this->LargestError(), 0.3 * previous);
+    previous = this->LargestError();
+  }
+  EXPECT_LT(previous, 0.01);
+  vtkPointData* data = this->Filter->GetOutput()->GetPointData();
+  EXPECT_EQ(data->GetScalars(), data->GetArray("HarmonicBSpline"));
+  EXPECT_FALSE(data->HasArray("Cell"));
+  // Of order 1: exact at sites as well, but with bumps.
+  this->Filter->SetOrderToHarmonic();
+  ExpectSuccess(this->Filter);
+  for (vtkIdType k = 0; k < 160; ++k)
+  {
+    const vtkIdType site = this->Filter->GetUsedSite(k);
+    EXPECT_NEAR(this->Values()[site], Truth(this->Surface->GetPoint(site)), 1e-9);
+  }
+  EXPECT_GT(this->LargestError(), previous);
+  EXPECT_LT(this->LargestError(), 0.2);
+  EXPECT_TRUE(this->Filter->GetOutput()->GetPointData()->HasArray("Cell"));
+}
+
+TEST_F(BiharmonicBSpline, SitesAnywhere)
+{
+  auto places = MakeSourcePoints({ PointInCell(this->Surface, 70, { { 0.1, 0.15, 0.75 } }),
+    PointInCell(this->Surface, 700, { { 0.3, 0.3, 0.4 } }),
+    PointInCell(this->Surface, 1100, { { 0.5, 0.5, 0.0 } }) });
+  AddValues(places, "v", [](vtkIdType i) { return std::vector<double>{ 2.0 * i, -1.0 }; });
+  this->Filter->SetSourceIds({ 300, 9 });
+  this->Filter->SetSourceData(places);
+  this->Filter->SetEvaluationData(places);
+  ExpectSuccess(this->Filter);
+  ASSERT_EQ(this->Filter->GetNumberOfUsedSites(), 5);
+  EXPECT_EQ(this->Filter->GetUsedSite(1), 9);
+  EXPECT_EQ(this->Filter->GetUsedSite(2), -1);
+  const std::vector<double> there = this->Values(0, 1);
+  ASSERT_EQ(there.size(), 3u);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(there[i], 2.0 * i, 1e-9);
+    EXPECT_NEAR(GetValues(this->Filter->GetEvaluation(), "HarmonicBSpline", 2 + i)[i], 1.0, 1e-9);
+  }
+  EXPECT_NEAR(this->Values()[300], Truth(this->Surface->GetPoint(300)), 1e-9);
+  EXPECT_NEAR(this->Values(1)[300], 7.0, 1e-9);
+  // With points alone the surface needs no such array.
+  this->Surface->GetPointData()->RemoveArray("v");
+  this->Filter->SetSourceIds({});
+  ExpectSuccess(this->Filter);
+  EXPECT_NEAR(this->Values(0, 1)[2], 4.0, 1e-9);
+}
+
+TEST_F(BiharmonicBSpline, FewSites)
+{
+  this->Filter->SetSourceIds({ 12 });
+  ExpectSuccess(this->Filter);
+  for (const double value : this->Values())
+  {
+    EXPECT_EQ(value, Truth(this->Surface->GetPoint(12)));
+  }
+  this->Filter->SetSourceIds({ 12, 500 });
+  ExpectSuccess(this->Filter);
+  for (const vtkIdType site : { 12, 500 })
+  {
+    EXPECT_NEAR(this->Values()[site], Truth(this->Surface->GetPoint(site)), 1e-9);
+  }
+}
+
+TEST_F(BiharmonicBSpline, WithoutTheBasis)
+{
+  this->Filter->SetNumberOfSites(30);
+  ExpectSuccess(this->Filter);
+  const std::vector<double> expected = this->Values();
+  this->Filter->GenerateBasisOff();
+  for (const bool isBiharmonic : { true, false })
+  {
+    this->Filter->SetOrder(
+      isBiharmonic ? vtkHarmonicBSpline::Biharmonic : vtkHarmonicBSpline::Harmonic);
+    ExpectSuccess(this->Filter);
+    vtkPointData* data = this->Filter->GetOutput()->GetPointData();
+    EXPECT_FALSE(data->HasArray("HarmonicBSpline"));
+    EXPECT_EQ(data->GetScalars(), data->GetArray(Result));
+    EXPECT_EQ(data->GetArray(Result)->GetNumberOfComponents(), 2);
+    EXPECT_EQ(this->Values() == expected, isBiharmonic);
+  }
+  this->Filter->SetInputData(vtkNew<vtkPolyData>());
+  ExpectWarning(this->Filter, { "empty" });
+  EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray("HarmonicBSpline"));
+  EXPECT_TRUE(this->Filter->GetOutput()->GetPointData()->HasArray(Result));
+}
+
+TEST_F(BiharmonicBSpline, BiLaplaceEquation)
+{
+  // x z is 6 times its negative Laplacian.
+  const auto harmonic = [this](vtkIdType i) {
+    const double* p = this->Surface->GetPoint(i);
+    return p[0] * p[2];
+  };
+  AddValues(
+    this->Surface, "f", [&](vtkIdType i) { return std::vector<double>{ 36.0 * harmonic(i) }; });
+  this->Filter->SetRightHandSideArrayName("f");
+  this->Filter->SetSiteValuesArrayName(nullptr);
+  ExpectSuccess(this->Filter);
+  EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray(Result));
+  const auto solution = GetValues(this->Filter->GetOutput(), "PoissonSolution");
+  for (vtkIdType i = 0; i < this->Surface->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(solution[i], harmonic(i), 0.01);
+  }
+  // Sites, two of which depend on each other as functions, play no part without these.
+  this->Filter->GenerateBasisOff();
+  this->Filter->SetSourceData(
+    MakeSourcePoints({ PointInCell(this->Surface, 70, { { 0.5, 0.5, 0.0 } }),
+      PointInCell(this->Surface, 70, { { 0.4, 0.6, 0.0 } }),
+      PointInCell(this->Surface, 70, { { 0.6, 0.4, 0.0 } }) }));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetValues(this->Filter->GetOutput(), "PoissonSolution"), solution);
+  this->Filter->SetSourceIds({ 9, 9 });
+  ExpectError(this->Filter, { "same as site 0" });
+}
+
+TEST_F(BiharmonicBSpline, MatricesOfSitesOnlyWhereTheyAreNeeded)
+{
+  // 600 sites: such a matrix takes 2.9 MB, what a thread holds 0.3 MB.
+  AddValues(this->Surface, "f",
+    [this](vtkIdType i) { return std::vector<double>{ this->Surface->GetPoint(i)[0] }; });
+  this->Filter->SetNumberOfSites(10);
+  this->Filter->GenerateBasisOff();
+  this->Filter->SetRightHandSideArrayName("f");
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMemoryLimit(
+    this->Filter->GetMemorySize() + 4000000 + 300000 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->Filter->SetNumberOfSites(600);
+  for (const int order : { vtkHarmonicBSpline::Biharmonic, vtkHarmonicBSpline::Harmonic })
+  {
+    this->Filter->SetOrder(order);
+    this->Filter->SetSiteValuesArrayName("v");
+    ExpectError(this->Filter, { "MemoryLimit" });
+    this->Filter->SetSiteValuesArrayName(nullptr);
+    ExpectSuccess(this->Filter);
+  }
+}
+
+TEST_F(BiharmonicBSpline, ZeroOnADirichletBoundary)
+{
+  auto terrain = MakeTerrain(20);
+  AddTruth(terrain);
+  this->Filter->SetInputData(terrain);
+  this->Filter->SetBoundaryToDirichlet();
+  this->Filter->SetSourceIds({ 45, 210 });
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Values()[7], 0.0);
+  EXPECT_NEAR(this->Values()[210], Truth(terrain->GetPoint(210)), 1e-9);
+  this->Filter->SetSourceIds({ 45, 3 });
+  ExpectError(this->Filter, { "site 1 (vertex 3)", "boundary", "Neumann" });
+}
+
+TEST_F(BiharmonicBSpline, ComponentsDoNotKnowOfEachOther)
+{
+  auto pair = MakePair(MakeSphere(2), MakeTerrain(12), 5.0);
+  AddValues(pair, "v", [](vtkIdType i) { return std::vector<double>{ i < 162 ? 1.0 : 2.0 }; });
+  this->Filter->SetInputData(pair);
+  this->Filter->SetSourceIds({ 0, 100, 170, 200 });
+  ExpectSuccess(this->Filter);
+  const std::vector<double> values = this->Values();
+  for (vtkIdType i = 0; i < pair->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(values[i], i < 162 ? 1.0 : 2.0);
+  }
+  this->Filter->SetSourceIds({ 0, 100 });
+  ExpectError(this->Filter, { "vertex 162", "no site" });
+}
+
+TEST_F(BiharmonicBSpline, WrongValues)
+{
+  this->ExpectUnharmed();
+  this->Filter->SetSiteValuesArrayName("missing");
+  ExpectError(
+    this->Filter, { "the surface has no point array 'missing'", "SetSiteValuesArrayName()" });
+  this->ExpectUnharmed();
+  // Only those of sites matter.
+  for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
+  {
+    AddValues(this->Surface, "w",
+      [&](vtkIdType i) { return std::vector<double>{ i == 200 ? wrong : 1.0 }; });
+    this->Filter->SetSiteValuesArrayName("w");
+    ExpectError(this->Filter, { "'w'", "point 200", "site", "finite" });
+    this->Filter->SetSourceIds({ 45, 201 });
+    ExpectSuccess(this->Filter);
+    this->ExpectUnharmed();
+  }
+  AddValues(this->Surface, "huge",
+    [](vtkIdType i) { return std::vector<double>{ i < 100 ? 1.7e308 : -1.7e308 }; });
+  this->Filter->SetSiteValuesArrayName("huge");
+  ExpectError(this->Filter, { "too large" });
+  this->ExpectUnharmed();
+  vtkNew<vtkStringArray> words;
+  words->SetName("words");
+  words->SetNumberOfValues(this->Surface->GetNumberOfPoints());
+  this->Surface->GetPointData()->AddArray(words);
+  vtkNew<vtkFloatArray> few;
+  few->SetName("few");
+  few->SetNumberOfTuples(3);
+  this->Surface->GetPointData()->AddArray(few);
+  for (const char* name : { "words", "few" })
+  {
+    this->Filter->SetSiteValuesArrayName(name);
+    ExpectError(this->Filter, { name, "numbers for each are needed" });
+    this->ExpectUnharmed();
+  }
+  auto places = MakeSourcePoints({ PointInCell(this->Surface, 70, { { 0.1, 0.15, 0.75 } }) });
+  this->Filter->SetSourceData(places);
+  ExpectError(this->Filter, { "input port 1 has no point array 'v'" });
+  AddValues(places, "v", [](vtkIdType) { return std::vector<double>{ 1.0 }; });
+  this->Filter->SetSourceData(places);
+  ExpectError(this->Filter, { "input port 1 has 1 components, that of the surface 2" });
+  this->ExpectUnharmed();
+}
+
+TEST_F(BiharmonicBSpline, WrongSites)
+{
+  this->ExpectUnharmed();
+  this->Filter->AddSourceId(642);
+  ExpectError(this->Filter, { "source id 642", "out of range" });
+  this->ExpectUnharmed();
+  this->Filter->AddSourceId(200);
+  ExpectError(this->Filter, { "site 3 (vertex 200)", "site 1" });
+  this->ExpectUnharmed();
+  const auto inCell = [this](double a, double b) {
+    return PointInCell(this->Surface, 70, { { a, b, 1.0 - a - b } });
+  };
+  const auto setPlaces = [this](const Points& points) {
+    auto places = MakeSourcePoints(points);
+    AddValues(places, "v", [](vtkIdType i) { return std::vector<double>{ 1.0 + i, 2.0 }; });
+    this->Filter->SetSourceData(places);
+  };
+  setPlaces({ inCell(0.2, 0.3), inCell(0.2, 0.3) });
+  ExpectError(this->Filter, { "site 4 is in the same place as site 3" });
+  setPlaces({ inCell(0.2, 0.3), inCell(0.3, 0.3), inCell(0.3, 0.5), inCell(0.1, 0.1) });
+  ExpectError(this->Filter, { "more sites than corners" });
+  this->ExpectUnharmed();
+}
+
+TEST_F(BiharmonicBSpline, NamesAndLimits)
+{
+  this->Filter->SetInterpolationArrayName("Cell");
+  ExpectError(this->Filter, { "InterpolationArrayName", "'Cell'", "different" });
+  this->Filter->SetInterpolationArrayName("");
+  ExpectError(this->Filter, { "InterpolationArrayName is empty" });
+  this->Filter->SetInterpolationArrayName("Temperature");
+  this->Filter->SetOrder(9);
+  EXPECT_STREQ(this->Filter->GetOrderAsString(), "Biharmonic");
+  ExpectSuccess(this->Filter);
+  EXPECT_TRUE(this->Filter->GetOutput()->GetPointData()->HasArray("Temperature"));
+  std::ostringstream os;
+  this->Filter->Print(os);
+  EXPECT_NE(os.str().find("Order: Biharmonic"), std::string::npos);
+  EXPECT_NE(os.str().find("SiteValuesArrayName: v"), std::string::npos);
+  this->Filter->SetMemoryLimit(this->Filter->GetMemorySize() + 1000000);
+  this->Filter->SetNumberOfSites(600);
+  ExpectError(this->Filter, { "MemoryLimit", "fewer sources" });
+}
+
+TEST_F(BiharmonicBSpline, ManyComponentsCountInMemory)
+{
+  // 2000 take 20 MB as functions and in the array.
+  this->Filter->SetNumberOfSites(10);
+  this->Filter->GenerateBasisOff();
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMemoryLimit(
+    this->Filter->GetMemorySize() + 15000000 + 300000 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  AddValues(this->Surface, "v",
+    [](vtkIdType i) { return std::vector<double>(2000, i % 3 == 0 ? 1.0 : 2.0); });
+  ExpectError(this->Filter, { "MemoryLimit" });
+}
+
+TEST_F(BiharmonicBSpline, ProgressGrowsAndStops)
+{
+  this->Filter->SetNumberOfSites(60);
+  for (const int order : { vtkHarmonicBSpline::Biharmonic, vtkHarmonicBSpline::Harmonic })
+  {
+    this->Filter->SetOrder(order);
+    ExpectProgressAndStops(
+      this->Filter, { 0.05, 0.4, 0.7, 0.88 }, [this] { return this->Values(); });
+  }
+}

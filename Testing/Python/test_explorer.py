@@ -1,0 +1,555 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The explorer, by synthetic events: what is shown is what the filters give."""
+
+import contextlib
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+import unittest
+import unittest.mock
+import warnings
+
+import numpy as np
+import support
+import vtkdgg
+from support import BUMPY
+from vtkdgg import explorer
+from vtkdgg.command_line import main
+from vtkdgg.commands import files
+from vtkdgg.errors import VTKError
+from vtkdgg.explorer import Explorer, Scene
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+FOLDER = support.output_folder("explorer")
+HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
+
+
+# Two windows, one after the other; each is left by its key after a moment.
+START = """
+import sys
+from vtkdgg import explorer
+from vtkdgg.commands import files
+
+mesh = files.read(sys.argv[1])
+for _ in range(2):
+    scene = explorer.Scene(mesh)
+    window = explorer.Explorer(scene, size=(300, 200), place=mesh.GetPoint(5))
+
+    def leave(interactor, event):
+        print(scene.used, len(scene.values))
+        interactor.SetKeyEventInformation(0, 0, "q", 0, "q")
+        interactor.InvokeEvent("CharEvent")
+
+    window.interactor.Initialize()
+    window.interactor.AddObserver("TimerEvent", leave)
+    window.interactor.CreateOneShotTimer(10)
+    window.start()
+    print("graph" if scene._graph else "no graph", "open" if window.window else "closed", sep=", ")
+"""
+
+
+class Hand:
+    """What a user does with a window."""
+
+    def __init__(self, test, surface, **options):
+        for name in os.listdir(FOLDER):
+            os.remove(os.path.join(FOLDER, name))
+        self.scene = Scene(surface, **options)
+        self.window = Explorer(self.scene, os.path.join(FOLDER, "shot.png"), (400, 300))
+        test.addCleanup(self.window.close)
+        self.window.window.Render()
+
+    @property
+    def interactor(self):
+        """Of the window."""
+        return self.window.interactor
+
+    def pixel(self, place):
+        """Where a place is seen."""
+        renderer = self.window.renderer
+        renderer.SetWorldPoint(*place, 1.0)
+        renderer.WorldToDisplay()
+        return np.array(renderer.GetDisplayPoint()[:2])
+
+    def middle(self, right=0, up=0):
+        """A pixel beside the middle of what is seen."""
+        x, y = self.pixel(self.scene.surface.GetCenter())
+        return int(x) + right, int(y) + up
+
+    def send(self, event, pixel, control=0):
+        """The mouse."""
+        self.interactor.SetEventInformation(*pixel, control, 0)
+        self.interactor.InvokeEvent(event)
+
+    def press(self, pixel, control=0):
+        """The left button."""
+        self.send("LeftButtonPressEvent", pixel, control)
+
+    def move(self, pixel):
+        """The mouse."""
+        self.send("MouseMoveEvent", pixel)
+
+    def release(self, pixel):
+        """The left button."""
+        self.send("LeftButtonReleaseEvent", pixel)
+
+    def click(self, *pixels):
+        """One click after the other."""
+        for pixel in pixels:
+            self.press(pixel)
+            self.release(pixel)
+
+    def key(self, key):
+        """Keys."""
+        self.interactor.SetKeyEventInformation(0, 0, key, 0, key)
+        self.interactor.InvokeEvent("KeyPressEvent")
+        self.interactor.InvokeEvent("CharEvent")
+
+    def place(self, i=0):
+        """The coordinates of a place, as functions take them."""
+        return np.array(self.scene.places[i])
+
+    def camera(self):
+        """Where the camera is."""
+        return np.array(self.window.renderer.GetActiveCamera().GetPosition())
+
+
+class Surface(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.mesh = files.read(BUMPY)
+        cls.graph = vtkdgg.Graph(cls.mesh)
+
+    def setUp(self):
+        self.hand = Hand(self, self.mesh)
+        self.scene = self.hand.scene
+
+    def assert_equal(self, found, expected):
+        np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
+
+    def test_source_and_drag(self):
+        hand, scene = self.hand, self.scene
+        self.assertIsNone(scene.values)
+        for i, pixel in enumerate((hand.middle(), hand.middle(30, 20))):
+            hand.press(pixel) if i == 0 else hand.move(pixel)
+            self.assertLess(np.abs(hand.pixel(hand.place()) - pixel).max(), 0.6)
+            # It is on the surface, where nothing has to be projected.
+            fast = vtkdgg.distance(self.mesh, hand.place(), method="fast", projection_tolerance=0)
+            self.assert_equal(scene.distances, fast)
+            self.assertEqual((scene.used, scene.shown, len(scene.places)), ("fast", "distance", 1))
+            values = np.unique(vtk_to_numpy(scene.lines.GetCellData().GetArray("IsoValue")))
+            count = np.ceil(fast.max() / scene.step)
+            self.assert_equal(values, scene.step * np.arange(1, count))
+            self.assertEqual(scene.lines, hand.window._lines.GetMapper().GetInput())
+            text = hand.window._status.GetInput()
+            self.assertRegex(text, r"by fast: nothing is promised\nfast [\d.]+ ms, isolines [\d.]+")
+        self.assertRegex(text, r"\n\d+ frames a second without rendering\Z")
+        self.assertGreater(hand.window.seconds, 0.0)
+        # At rest by the graph.
+        hand.release(pixel)
+        self.assert_equal(scene.distances, self.graph.distance(hand.place()))
+        self.assertRegex(
+            hand.window._status.GetInput(), r"by graph: accuracy 0.01\nbuild [\d.]+ ms"
+        )
+        self.assertGreater(scene.cells.GetNumberOfCells(), self.mesh.GetNumberOfCells())
+        # Hovering changes nothing.
+        before = hand.place()
+        hand.move(hand.middle())
+        self.assert_equal(hand.place(), before)
+
+    def test_lines_at_rest(self):
+        self.hand.key("m")
+        self.hand.click(self.hand.middle())
+        place = self.hand.place()
+        self.assert_equal(self.scene.distances, vtkdgg.distance(self.mesh, place))
+        lines = self.scene.lines
+        values = vtk_to_numpy(lines.GetCellData().GetArray("IsoValue"))
+        for i in range(0, lines.GetNumberOfCells(), 4):
+            for k in range(0, lines.GetCell(i).GetNumberOfPoints(), 7):
+                point = np.array(lines.GetCell(i).GetPoints().GetPoint(k))
+                length = vtkdgg.path(self.mesh, place, point).length
+                self.assertAlmostEqual(length, values[i], delta=1e-3)
+
+    def test_suggestion(self):
+        hand, scene = self.hand, self.scene
+        suggested = np.array(self.mesh.GetPoint(5))
+        for pixel in (hand.middle(), hand.pixel(suggested)):
+            scene.suggest(suggested)
+            scene.update()
+            self.assert_equal(scene.distances, self.graph.distance(suggested))
+            hand.click(tuple(int(x) for x in pixel))
+            # The first click has replaced it, or taken hold of it.
+            self.assertEqual(len(scene.places), 1)
+            hand.click(hand.middle(20, 20))
+            self.assertEqual(len(scene.places), 2)
+
+    def test_path_and_loop(self):
+        hand, scene = self.hand, self.scene
+        first, second, third = hand.middle(), hand.middle(40, 10), hand.middle(10, -40)
+        hand.click(first, second)
+        expected = self.graph.path(hand.place(0), hand.place(1))
+        self.assert_equal(scene.path.points, expected.points)
+        said = f"path: {expected.length:.6g} model units"
+        self.assertIn(said, hand.window._status.GetInput())
+        self.assertIsNone(scene.loop)
+        # The end can be moved, and the path follows.
+        distances = scene.distances
+        hand.press(second)
+        hand.move(hand.middle(50, 20))
+        self.assertEqual(len(scene.places), 2)
+        expected = self.graph.path(hand.place(0), hand.place(1))
+        self.assertNotIn(said, hand.window._status.GetInput())
+        self.assert_equal(scene.path.length, expected.length)
+        self.assertIs(scene.distances, distances)
+        hand.release(hand.middle(50, 20))
+        hand.click(third)
+        places = [hand.place(i) for i in range(3)]
+        lengths = [self.graph.path(places[i - 1], places[i]).length for i in range(3)]
+        self.assertAlmostEqual(scene.loop.length, sum(lengths), delta=1e-6)
+        self.assert_equal(scene.loop.points[0], scene.loop.points[-1])
+        self.assertIn(f"loop: {scene.loop.length:.6g} model", hand.window._status.GetInput())
+        # One more begins anew.
+        hand.click(hand.middle(-30, 30))
+        self.assertEqual(len(scene.places), 1)
+        self.assertIsNone(scene.path)
+        self.assertIsNone(scene.loop)
+
+    def test_beside(self):
+        hand = self.hand
+        for start, control in (((3, 3), 0), (hand.middle(), 1)):
+            before = hand.camera()
+            hand.press(start, control)
+            hand.move((start[0] + 40, start[1] + 10))
+            hand.release((start[0] + 40, start[1] + 10))
+            self.assertGreater(np.linalg.norm(hand.camera() - before), 0.1)
+            self.assertEqual(self.scene.places, [])
+        # A drag that leaves the surface keeps the last place on it.
+        hand.press(hand.middle())
+        place, camera = hand.place(), hand.camera()
+        hand.move((3, 3))
+        hand.release((3, 3))
+        self.assert_equal(hand.place(), place)
+        self.assert_equal(hand.camera(), camera)
+        self.assert_equal(self.scene.distances, self.graph.distance(place))
+
+    def test_method_and_accuracy(self):
+        hand, scene = self.hand, self.scene
+        hand.click(hand.middle())
+        for method in ("exact", "fast", "graph"):
+            hand.key("m")
+            self.assertEqual(scene.used, method)
+            choice = {"accuracy": 0.01} if method == "graph" else {"method": method}
+            self.assert_equal(scene.distances, vtkdgg.distance(self.mesh, hand.place(), **choice))
+        hand.key("+")
+        self.assertEqual(scene.graph.accuracy, 0.003)
+        expected = vtkdgg.distance(self.mesh, hand.place(), accuracy=0.003)
+        self.assert_equal(scene.distances, expected)
+        self.assertIn("accuracy 0.003", hand.window._status.GetInput())
+        for _ in range(3):
+            hand.key("-")
+        self.assertEqual(scene.graph.accuracy, 0.1)
+        hand.key("-")
+        self.assertEqual(scene.graph.accuracy, 0.1)
+        self.assertIn("accuracies are from 0.1 to 0.001", hand.window._status.GetInput())
+
+    def test_error(self):
+        hand, scene = self.hand, self.scene
+        hand.click(hand.middle())
+        hand.key("e")
+        exact = vtkdgg.distance(self.mesh, hand.place())
+        errors = np.abs(self.graph.distance(hand.place()) / exact - 1.0)
+        np.testing.assert_allclose(scene.values, 100.0 * errors, atol=1e-9)
+        said = re.search(
+            r"promised 1 %, measured (\S+) % on average, (\S+) % at most",
+            hand.window._status.GetInput(),
+        )
+        self.assertAlmostEqual(float(said[1]), 100.0 * errors.mean(), delta=0.06 * float(said[1]))
+        self.assertAlmostEqual(float(said[2]), 100.0 * errors.max(), delta=0.06 * float(said[2]))
+        self.assertEqual(scene.limits[1], 1.0)
+        # Distances while the source is moved, errors at rest.
+        hand.press(hand.middle())
+        hand.move(hand.middle(20, 10))
+        self.assertEqual(scene.shown, "distance")
+        hand.release(hand.middle(20, 10))
+        self.assertEqual(scene.shown, "error")
+        hand.key("m")
+        self.assertEqual(scene.errors.largest, 0.0)
+        hand.key("e")
+        self.assertEqual(scene.shown, "distance")
+
+    def test_voronoi(self):
+        hand, scene = self.hand, self.scene
+        hand.click(hand.middle(-30, 0))
+        hand.key("v")
+        hand.press(hand.middle(30, 0))
+        hand.move(hand.middle(30, 10))
+        self.assertIsNone(scene.cells)
+        both = [vtkdgg.distance(self.mesh, hand.place(i), method="fast") for i in range(2)]
+        clear = np.abs(both[0] - both[1]) > 0.05
+        np.testing.assert_array_equal(scene.values[clear], np.argmin(both, axis=0)[clear])
+        hand.release(hand.middle(30, 10))
+        hand.click(hand.middle(0, 40))
+        sites = np.array([hand.place(i) for i in range(3)])
+        _, nearest = self.graph.distance(sites, return_source=True)
+        np.testing.assert_array_equal(scene.values, nearest)
+        sizes = np.bincount(vtk_to_numpy(scene.cells.GetCellData().GetArray("SiteId")))
+        expected = self.graph.voronoi(sites, as_polydata=True).GetCellData().GetArray("SiteId")
+        np.testing.assert_array_equal(sizes, np.bincount(vtk_to_numpy(expected)))
+        hand.click(hand.middle(0, -40))
+        self.assertEqual(len(scene.places), 4)
+        # The first three become source, end and corner.
+        hand.key("v")
+        self.assertEqual(len(scene.places), 3)
+        self.assert_equal(scene.distances, self.graph.distance(sites[0]))
+        self.assertIsNotNone(scene.loop)
+
+    def test_greens(self):
+        hand, scene = self.hand, self.scene
+        hand.key("g")
+        self.assertIsNone(scene.values)
+        hand.click(hand.middle())
+        expected = vtkdgg.greens_function(self.mesh, hand.place())[:, 0]
+        self.assert_equal(scene.values, expected)
+        self.assertGreater(scene.lines.GetNumberOfLines(), 5)
+        self.assertIn("Green's function", hand.window._status.GetInput())
+        hand.key("g")
+        self.assert_equal(scene.values, self.graph.distance(hand.place()))
+
+    def test_other_keys(self):
+        hand, window = self.hand, self.hand.window
+        hand.click(hand.middle())
+        hand.key("h")
+        for key in "m+-evgcrshq":
+            self.assertRegex(window._help.GetInput(), rf"(?m)^(\+ and )?{re.escape(key)}[: ]")
+        hand.key("h")
+        self.assertEqual(window._help.GetInput(), "h: help")
+        hand.key("s")
+        hand.key("s")
+        for number in (1, 2):
+            path = os.path.join(FOLDER, f"shot-{number}.png")
+            self.assertEqual(window.written[number - 1], path)
+            self.assertGreater(support.number_of_colours(path), 500)
+        self.assertIn(f"written: {path}", window._status.GetInput())
+        window.renderer.GetActiveCamera().Zoom(7.0)
+        hand.key("r")
+        corners = np.array(self.mesh.GetBounds()).reshape(3, 2).T
+        for corner in corners:
+            self.assertTrue((0 < hand.pixel(corner)).all())
+        hand.key("c")
+        self.assertEqual(self.scene.places, [])
+        self.assertIsNone(self.scene.values)
+        self.assertFalse(window._lines.GetVisibility())
+        hand.key("x")  # means nothing
+
+    def test_start(self):
+        # In a process of its own: VTK keeps windows of before in mind when an event loop starts.
+        result = subprocess.run(
+            [sys.executable, "-c", START, BUMPY],
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+        self.assertEqual(result.stderr, "")
+        # The first picture has not waited for a graph.
+        self.assertEqual(result.stdout, 2 * "fast 642\nno graph, closed\n")
+
+    def test_two_parts(self):
+        points, triangles = support.grid(4, 4)
+        points = np.vstack([points, points + [6, 0, 0]])
+        hand = Hand(self, support.polydata(points, np.vstack([triangles, triangles + 25])))
+        pixels = [
+            tuple(hand.pixel(place).astype(int)) for place in ([2, 2, 0], [8, 2, 0], [7, 1, 0])
+        ]
+        hand.click(*pixels[:2])
+        self.assertEqual(np.isnan(hand.scene.values).sum(), 25)
+        self.assertIsNone(hand.scene.path)
+        self.assertRegex(hand.window._status.GetInput(), "not connected by the surface")
+        self.assertIsNone(hand.scene.cells)
+        self.assertIsNotNone(hand.scene.lines)
+        hand.click(pixels[2])
+        self.assertIsNone(hand.scene.loop)
+        hand.key("v")
+        self.assertEqual(set(hand.scene.values), {0.0, 1.0, 2.0})
+        hand.key("e")
+        hand.key("s")
+        self.assertEqual(len(hand.window.written), 1)
+
+    def test_mistakes(self):
+        with self.assertRaisesRegex(ValueError, "no points"):
+            Scene(vtkPolyData())
+        with self.assertRaisesRegex(ValueError, "accuracy"):
+            Scene(self.mesh, accuracy=0.7)
+        # One triangle without area.
+        hand = Hand(self, support.polydata([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]))
+        hand.scene.press(np.array([0.0, 0.0, 0.0]))
+        hand.window.draw()
+        np.testing.assert_allclose(hand.scene.values, [0, 1, 2], atol=1e-4)
+        # What a filter refuses is said.
+        hand.scene.move(np.array([0.0, 9.0, 0.0]))
+        hand.window.draw()
+        self.assertIsNone(hand.scene.values)
+        self.assertIn("ProjectionTolerance", hand.window._status.GetInput())
+        # Nothing is held.
+        hand.scene.places = [np.zeros(3)]
+        hand.scene.held = None
+        hand.scene.update(is_moving=True)
+        np.testing.assert_allclose(hand.scene.values, [0, 1, 2], atol=1e-4)
+
+    def test_surfaces(self):
+        points, triangles = support.grid(3, 3)
+        for kind, ids in (
+            ("Polys", [0, 3, 15, 12]),
+            ("Strips", [0, 1, 4, 5, 8, 9]),
+            ("Lines", [0, 1]),
+            ("Verts", [0]),
+        ):
+            mesh = support.polydata(points, np.empty((0, 3)))
+            cells = vtkCellArray()
+            cells.InsertNextCell(len(ids), ids)
+            getattr(mesh, f"Set{kind}")(cells)
+            if kind in ("Lines", "Verts"):
+                with self.assertRaisesRegex(ValueError, "surface: holds no surface"):
+                    Scene(mesh)
+                continue
+            hand = Hand(self, mesh)
+            hand.click(hand.pixel([0.6, 0.5, 0.0]).astype(int))
+            self.assertAlmostEqual(hand.scene.values[0], np.hypot(*hand.place()[:2]), delta=0.02)
+        for wrong in (np.nan, np.inf):
+            points[5, 1] = wrong
+            with self.assertRaisesRegex(ValueError, "points: row 5 is not finite"):
+                Scene(support.polydata(points, triangles))
+
+    def test_no_errors(self):
+        # Distances are there, what they are compared with is not.
+        hand, scene = self.hand, self.scene
+        hand.click(hand.middle())
+        search = scene._search
+
+        def refuse(method, is_moving=False):
+            if method == "exact":
+                raise VTKError(["no exact distances today"])
+            return search(method, is_moving)
+
+        with unittest.mock.patch.object(scene, "_search", refuse):
+            hand.key("e")
+        self.assertIn("no exact distances today", hand.window._status.GetInput())
+        for name in ("distances", "values", "lines", "cells", "errors"):
+            self.assertIsNone(getattr(scene, name), name)
+        hand.key("e")
+        hand.key("e")
+        self.assertIsNotNone(scene.errors)
+
+    def test_no_screenshot(self):
+        hand = self.hand
+        hand.window._picture = os.path.join(FOLDER, "missing", "shot.png")
+        # An exception in an observer is printed and lost.
+        with unittest.mock.patch("sys.excepthook") as lost:
+            hand.key("s")
+        lost.assert_not_called()
+        self.assertEqual(hand.window.written, [])
+        self.assertRegex(hand.window._status.GetInput(), "Unable to open file .*shot-1.png")
+
+    def test_no_display(self):
+        with unittest.mock.patch.dict(os.environ):
+            os.environ.pop("DISPLAY", None)
+            with self.assertRaisesRegex(OSError, "no display to open a window on"):
+                explorer.explore(self.scene)
+
+
+@unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+class Cloud(unittest.TestCase):
+    def test_cloud(self):
+        i = np.arange(1500)
+        z = 1.0 - (2.0 * i + 1.0) / len(i)
+        turn = np.pi * (3.0 - np.sqrt(5.0)) * i
+        ring = np.sqrt(1.0 - z * z)
+        points = np.column_stack([ring * np.cos(turn), ring * np.sin(turn), z])
+        hand = Hand(self, files.cloud_of(points), is_cloud=True)
+        scene = hand.scene
+        graph = vtkdgg.CloudGraph(points)
+        pixels = hand.middle(), hand.middle(40, 10)
+        hand.press(pixels[0])
+        self.assertIsInstance(scene.places[0], int)
+        self.assertLess(np.linalg.norm(hand.pixel(points[scene.places[0]]) - pixels[0]), 6.0)
+        np.testing.assert_allclose(scene.distances, graph.distance(scene.places[0]))
+        hand.move(hand.middle(0, 20))
+        hand.release(hand.middle(0, 20))
+        np.testing.assert_allclose(scene.distances, graph.distance(scene.places[0]))
+        self.assertIn("by graph: nothing is promised", hand.window._status.GetInput())
+        hand.click(pixels[1])
+        path = graph.path(*scene.places)
+        np.testing.assert_allclose(scene.path.points, path.points)
+        for key, message in (
+            ("e", "no exact distances"),
+            ("g", "no Laplacian"),
+            ("m", "by the graph only"),
+            ("+", "no accuracy is promised"),
+        ):
+            hand.key(key)
+            self.assertIn(message, hand.window._status.GetInput())
+        hand.key("v")
+        _, nearest = graph.distance(scene.places, return_source=True)
+        np.testing.assert_array_equal(scene.values, nearest)
+        hand.key("v")
+        hand.click(hand.middle(-40, -20))  # no loops on clouds
+        self.assertEqual(len(scene.places), 1)
+        hand.press((3, 3))
+        hand.release((3, 3))
+        self.assertEqual(len(scene.places), 1)
+
+
+class Command(unittest.TestCase):
+    def explore(self, *arguments):
+        """The command, whose window is closed at once; what it prints."""
+
+        def start(window):
+            window.scene.press(window._start)
+            window.scene.held = None
+            window.refresh()
+            window.close()
+
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            with unittest.mock.patch.object(explorer.Explorer, "start", start):
+                code = main(["explore", *map(str, arguments), "--json"])
+        self.assertEqual(code, 0)
+        return json.loads(said.getvalue())
+
+    def test_command(self):
+        found = self.explore(BUMPY)
+        self.assertRegex(found["shown"][0], "642 points, distances by fast")
+        self.assertEqual(found["written"], [])
+        self.explore(BUMPY, "--source", 5, "--accuracy", 0.1, "--merge")
+        if HAS_CLOUDS:
+            found = self.explore(BUMPY, "--cloud", "--source", "1,0,0")
+            self.assertRegex(found["shown"][0], "642 points, distances by graph: nothing")
+
+    def test_mistakes(self):
+        empty = os.path.join(support.output_folder("explorer"), "empty.vtp")
+        files.write(empty, files.cloud_of(np.empty((0, 3))))
+        for arguments, pattern in (
+            ((empty,), "holds no points"),
+            (("missing.ply",), "no such file"),
+            ((BUMPY, "--accuracy", "2"), r"accuracy: must be in \[1e-6, 0.5\]"),
+            ((BUMPY, "--source", "642"), "there are points 0 to 641"),
+        ):
+            with contextlib.redirect_stderr(io.StringIO()) as complained:
+                code = main(["explore", *arguments])
+            self.assertEqual(code, 2)
+            self.assertRegex(complained.getvalue(), pattern)
+        with unittest.mock.patch.dict(os.environ):
+            os.environ.pop("DISPLAY", None)
+            with contextlib.redirect_stderr(io.StringIO()) as complained:
+                code = main(["explore", BUMPY])
+        self.assertEqual(code, 2)
+        self.assertRegex(complained.getvalue(), "no display to open a window on")
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("ignore", RuntimeWarning)  # of a path that is not there
+    unittest.main()

@@ -1,0 +1,119 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Install the Debian packages into a clean Debian 12, use them as a stranger would (Python, shell,
+# C++, or ParaView), and remove them without a trace. To be run by root where there is debootstrap;
+# it downloads a gigabyte the first time.
+#
+# Usage: Testing/packages.sh [--paraview] PACKAGES FOLDER [MESH]
+#   --paraview  the package of the plugin, which is not for the system that has the others
+#   PACKAGES    folder of the .deb files, build/package/packages or build/paraview/packages
+#   FOLDER      where to make the systems; what was downloaded stays there
+#   MESH        a .ply file (default: a small one)
+
+set -euo pipefail
+
+if [ $# -eq 0 ] || [ "$1" = -h ] || [ "$1" = --help ]; then
+  sed -n '/^# Install the/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  exit 0
+fi
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+system=system
+# What a stranger has besides.
+present=(build-essential cmake bash-completion man-db xauth xvfb)
+if [ "$1" = --paraview ]; then
+  shift
+  system=paraview
+  present=(python3-paraview)
+fi
+packages="$(cd "${1:?PACKAGES is missing}" && pwd)"
+mkdir -p "${2:?FOLDER is missing}"
+folder="$(cd "$2" && pwd)"
+mesh="$(realpath "${3:-$here/Data/bumpy.ply}")"
+root="$folder/$system"
+
+inside() { chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+  DEBIAN_FRONTEND=noninteractive TERM=xterm MANPAGER=cat bash -c "cd /root && $1"; }
+# shown COMMAND: run it in the system, and say what it was and how long it took.
+shown() {
+  printf '\n%s\n' "$1" | sed '2,$s/^/$ /'
+  local start
+  start="$(date +%s%N)"
+  inside "$1"
+  echo "# $((($(date +%s%N) - start) / 1000000)) ms"
+}
+# Files and folders but for what package managers and the kernel write.
+list() {
+  inside "find / -xdev \\( -path /proc -o -path /var/cache -o -path /var/log -o -path /var/lib/apt \
+    -o -path /var/lib/dpkg -o -path /root -o -path /tmp \\) -prune -o -print" | sort
+}
+unmount() {
+  ! mountpoint -q "$root/var/cache/apt/archives" || umount "$root/var/cache/apt/archives"
+  ! mountpoint -q "$root/proc" || umount "$root/proc"
+}
+
+mkdir -p "$folder/archives/partial"
+[ -d "$folder/base" ] || {
+  debootstrap --variant=minbase bookworm "$folder/base.part"
+  mv "$folder/base.part" "$folder/base"
+}
+unmount 2>/dev/null
+rm -rf --one-file-system "$root"
+cp -a "$folder/base" "$root"
+trap unmount EXIT
+mount -t proc proc "$root/proc"
+mount --bind "$folder/archives" "$root/var/cache/apt/archives"
+rm -f "$root/etc/apt/apt.conf.d/docker-clean"
+echo 'Binary::apt::APT::Keep-Downloaded-Packages "true"; APT::Install-Recommends "false";
+Dpkg::Use-Pty "0";' \
+  >"$root/etc/apt/apt.conf.d/99keep"
+mkdir "$root/root/packages"
+cp "$packages"/*.deb "$root/root/packages"
+cp "$mesh" "$root/root/mesh.ply"
+
+echo "Installing what the packages need ..."
+names="$(for file in "$packages"/*.deb; do dpkg-deb -f "$file" Package; done | paste -sd '|')"
+needs="$(for file in "$packages"/*.deb; do dpkg-deb -f "$file" Depends; done | sed 's/, */\n/g' |
+  grep -Ev "^($names)( |$)" | sort -u | paste -sd ',')"
+{ inside "apt-get update && apt-get install -y ${present[*]} && apt-get satisfy -y '$needs'"; } \
+  >"$folder/$system.log" 2>&1 || { tail -n 20 "$folder/$system.log" >&2; exit 1; }
+list >"$folder/$system.before"
+
+shown 'apt-get install -y -qq ./packages/*.deb 2>&1 | grep -v "^(Reading"'
+if [ "$system" = paraview ]; then
+  cat >"$root/root/distance.py" <<'END'
+from glob import glob
+
+from paraview.simple import *
+
+LoadPlugin(glob("/usr/lib/*/paraview-*/plugins/Geodesics/Geodesics.so")[0], ns=globals())
+distance = GeodesicDistance(Input=OpenDataFile("mesh.ply"), Accuracy=0.01)
+distance.Source.Center = [1.0, 0.0, 0.0]
+distance.UpdatePipeline()
+print(distance.PointData["GeodesicDistance"].GetRange())
+END
+  shown 'pvpython --force-offscreen-rendering distance.py'
+else
+  shown 'python3 -c "
+import vtkdgg
+from vtkmodules.vtkIOPLY import vtkPLYReader
+reader = vtkPLYReader()
+reader.SetFileName(\"mesh.ply\")
+print(vtkdgg.distance(vtkdgg.check(reader), 0).max())"'
+  shown 'vtkdgg distance mesh.ply --source 0 --accuracy 0.01 --out bounded.vtp'
+  shown 'vtkdgg render mesh.ply --source 0 --out distance.png'
+  shown 'man vtkdgg | head -n 30'
+  shown 'source /usr/share/bash-completion/bash_completion && _completion_loader vtkdgg;
+COMP_WORDS=(vtkdgg dist) COMP_CWORD=1 && _vtkdgg && echo "${COMPREPLY[@]}"'
+  cp -r "$here/../Examples/Cxx" "$root/root/Examples"
+  shown 'cmake -S Examples -B build >/dev/null && cmake --build build --target TenLines &&
+build/TenLines && ls -l distance.vtp'
+fi
+shown "apt-get purge -y -qq ${names//|/ } | grep -v '^(Reading'"
+list >"$folder/$system.after"
+diff "$folder/$system.before" "$folder/$system.after" || {
+  echo "error: the packages leave something, or took something away" >&2
+  exit 1
+}
+echo "Nothing is left of the packages."

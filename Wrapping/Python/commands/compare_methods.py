@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The errors of all methods on one mesh: a map and a histogram of each, on one scale, in one
+picture."""
+
+import math
+
+import numpy as np
+import vtkdgg
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+
+from . import pictures
+from .measured import Errors
+from .methods import field, methods
+from .output import with_arrays
+from .sizes import floor_of
+
+COLUMNS = 4
+CELL = (460, 480)  # pixels of a method
+LEGEND = 240  # on the right
+# Of the height of a cell, from below: the histogram, the map, and what is left for the text.
+BARS, MAP = 0.18, 0.68
+DECADES = 4
+BINS = 40
+
+
+def measure(mesh, source, accuracy, merge=False, tolerance=0.01):
+    """The Errors of each method, by its title, and the exact distances."""
+    exact = field(vtkdgg.vtkExactGeodesicDistance, mesh, source, merge, tolerance)
+    floor = floor_of(mesh)
+    return exact, {
+        title: Errors(field(make, mesh, source, merge, tolerance), exact, floor)
+        for title, make in methods(mesh, accuracy, merge).items()
+    }
+
+
+def scale(measured):
+    """Errors in percent between which colours are spread: whole powers of ten."""
+    largest = max(errors.percentile for errors in measured.values())
+    high = math.ceil(math.log10(100.0 * largest)) if largest > 0.0 else 0
+    return 10.0 ** (high - DECADES), 10.0**high
+
+
+def histogram(errors, low, high):
+    """Share of the vertices by the decimal logarithm of errors in percent; those beyond the range
+    are counted at its ends."""
+    sizes = np.abs(errors.signed[np.isfinite(errors.signed)])
+    logarithms = np.log10(np.clip(100.0 * sizes, low, high))
+    counts, _ = np.histogram(logarithms, BINS, (math.log10(low), math.log10(high)))
+    return counts / max(1, len(sizes))
+
+
+def save(path, mesh, source, measured, part=1.0):
+    """Write the picture; `source` is a place, `part` makes it smaller."""
+    low, high = scale(measured)
+    table = pictures.lookup_table(pictures.ERROR_COLOURS, low, high, pictures.UNREACHED_ERROR)
+    table.SetScaleToLog10()
+    columns = min(COLUMNS, len(measured))
+    rows = math.ceil(len(measured) / columns)
+    size = [columns * CELL[0] + LEGEND, rows * CELL[1]]
+    width, height = CELL[0] / size[0], 1.0 / rows
+    bars = {title: histogram(errors, low, high) for title, errors in measured.items()}
+    tallest = max(shares.max() for shares in bars.values())
+    renderers = []
+    for i, (title, errors) in enumerate(measured.items()):
+        left, bottom = i % columns * width, 1.0 - (i // columns + 1) * height
+        levels = [bottom + height * share for share in (0.0, BARS, BARS + MAP, 1.0)]
+        below, middle, above = (
+            (left, low_end, left + width, high_end) for low_end, high_end in zip(levels, levels[1:])
+        )
+        renderers += [
+            _bars(below, bars[title] / tallest, table),
+            _map(middle, mesh, source, errors, table),
+            _title(above, title, errors, part),
+        ]
+    renderers.append(_legend((columns * width, 0.0, 1.0, 1.0), table, low, high, part))
+    pictures.write(path, renderers, [round(part * pixels) for pixels in size])
+
+
+def _viewport(place):
+    renderer = vtkRenderer()
+    renderer.SetViewport(*place)
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    return renderer
+
+
+def _title(place, title, errors, part):
+    """The method and the figures of its errors."""
+    renderer = _viewport(place)
+    renderer.AddActor(pictures.text(title, 0.04, 0.5, round(24 * part)))
+    figures = (errors.mean, errors.percentile, errors.largest)
+    line = " / ".join(f"{100.0 * error:.2g}" for error in figures)
+    renderer.AddActor(pictures.text(f"{line} %", 0.04, 0.08, round(20 * part)))
+    return renderer
+
+
+def _map(place, mesh, source, errors, table):
+    """The mesh in the colours of its errors."""
+    coloured = with_arrays(mesh, {"Error": 100.0 * np.abs(errors.signed)})
+    renderer = _viewport(place)
+    renderer.AddActor(pictures.surface(coloured, "Error", table, shine=0.0))
+    renderer.AddActor(pictures.marker(source, pictures.size_of(mesh)))
+    pictures.light(renderer)
+    pictures.aim(renderer, mesh, source, aspect=CELL[0] / (MAP * CELL[1]), room=0.0)
+    return renderer
+
+
+def _bars(place, heights, table):
+    """A histogram in the colours of the errors that are counted."""
+    low, high = map(math.log10, table.GetRange())
+    points, cells, errors = vtkPoints(), vtkCellArray(), []
+    for i, height in enumerate(heights):
+        for x, y in ((i, 0.0), (i + 1, 0.0), (i + 1, height), (i, height)):
+            points.InsertNextPoint(x / len(heights), y, 0.0)
+        cells.InsertNextCell(4, range(4 * i, 4 * i + 4))
+        errors.append(10.0 ** (low + (high - low) * (i + 0.5) / len(heights)))
+    quads = vtkPolyData()
+    quads.SetPoints(points)
+    quads.SetPolys(cells)
+    quads.GetCellData().SetScalars(numpy_to_vtk(np.array(errors), deep=True))
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(quads)
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().EdgeVisibilityOn()
+    actor.GetProperty().SetEdgeColor(*pictures.INK)
+    renderer = _viewport(place)
+    renderer.AddActor(actor)
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetPosition(0.5, 0.5, 1.0)
+    camera.SetFocalPoint(0.5, 0.5, 0.0)
+    camera.SetParallelScale(0.55)
+    # As wide as the viewport, whatever its shape.
+    aspect = CELL[0] / (BARS * CELL[1])
+    actor.SetScale(0.92 * 1.1 * aspect, 1.0, 1.0)
+    actor.SetPosition(0.5 - 0.5 * 0.92 * 1.1 * aspect, 0.0, 0.0)
+    return renderer
+
+
+def _legend(place, table, low, high, part):
+    """The scale of colours, and what the numbers are."""
+    renderer = _viewport(place)
+    powers = [low * 10.0**i for i in range(round(math.log10(high / low)) + 1)]
+    bar = pictures.scalar_bar(table, "Relative\nerror (%)", powers, "%-.4g", bottom=0.3)
+    bar.GetTitleTextProperty().SetFontSize(round(26 * part))
+    bar.GetLabelTextProperty().SetFontSize(round(22 * part))
+    bar.GetPositionCoordinate().SetValue(0.1, 0.3)
+    bar.SetWidth(0.8)
+    renderer.AddActor(bar)
+    for i, line in enumerate(("mean / 99.9 % /", "largest; below:", "share of points", "by error")):
+        renderer.AddActor(pictures.text(line, 0.08, 0.2 - 0.04 * i, round(20 * part)))
+    return renderer

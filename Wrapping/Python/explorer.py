@@ -1,0 +1,326 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A window to explore a surface or a cloud by clicks, drags and keys."""
+
+from __future__ import annotations
+
+import os
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
+
+from .commands import cloud_pictures, pictures, places
+from .commands.words import HELP
+from .errors import VTKError
+from .explorer_props import CloudSkin, Skin, bar_of, lines_actor, table_of
+from .explorer_scene import Scene
+
+__all__ = ["Explorer", "Scene", "explore"]
+
+# Colours of the places: source, end, corner.
+MARKERS = ((0.86, 0.12, 0.16), pictures.INK, (0.10, 0.35, 0.75))
+PATH_COLOUR = (0.86, 0.12, 0.16)
+LOOP_COLOUR = (0.10, 0.35, 0.75)
+# How near to a place a click takes hold of it, and how thick curves are, of the size of all.
+REACH = 0.02
+WIDTH = 0.0028
+
+
+class Explorer:
+    """A window on a `Scene`.
+
+    Parameters
+    ----------
+    scene : Scene
+    picture : str, optional
+        Name of screenshots, which are numbered: explore-1.png and so on.
+    size : tuple of int, optional
+        Of the window, in pixels.
+    place : int, or array_like of float, shape (3,), optional
+        Where to begin: an id on a cloud, else coordinates. Default: far out.
+
+    Attributes
+    ----------
+    window, renderer, interactor : of VTK
+        None once it is closed.
+    seconds : float
+        That the last step of dragging took, without rendering.
+    written : list of str
+        Screenshots.
+
+    Raises
+    ------
+    OSError
+        Where there is no display.
+    """
+
+    def __init__(self, scene, picture="explore.png", size=(1280, 960), place=None):
+        self.window = vtkRenderWindow()
+        if self.window.IsA("vtkXOpenGLRenderWindow") and not os.environ.get("DISPLAY"):
+            raise OSError("there is no display to open a window on")  # VTK would end the process
+        self.scene = scene
+        self._start = far_place(scene) if place is None else place
+        self.seconds = 0.0
+        self.written = []
+        self._picture = picture
+        self._skin = CloudSkin(scene.surface) if scene.is_cloud else Skin(scene.surface)
+        self._lines = lines_actor()
+        self._table = self._known = None
+        self._passing = []
+        self._status = pictures.text("", 0.01, 0.015, 20)
+        self._help = pictures.text("h: help", 0.01, 0.985, 20)
+        self._help.GetTextProperty().SetVerticalJustificationToTop()
+        for prop in (self._status, self._help):
+            look = prop.GetTextProperty()
+            look.SetLineSpacing(1.2)
+            look.SetBackgroundColor(1.0, 1.0, 1.0)
+            look.SetBackgroundOpacity(0.75)
+
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(1.0, 1.0, 1.0)
+        self.renderer.SetBackground2(0.86, 0.89, 0.93)
+        self.renderer.GradientBackgroundOn()
+        for prop in (self._skin.actor, self._lines, self._status, self._help):
+            self.renderer.AddViewProp(prop)
+        pictures.light(self.renderer)
+        self.window.SetWindowName("vtkdgg explore")
+        self.window.SetSize(*size)
+        self.window.SetMultiSamples(4)
+        self.window.AddRenderer(self.renderer)
+
+        self.interactor = vtkRenderWindowInteractor()
+        self.interactor.SetRenderWindow(self.window)
+        self._style = vtkInteractorStyleTrackballCamera()
+        self.interactor.SetInteractorStyle(self._style)
+        # Observers of the style are in place of what it does itself.
+        for event, action in (
+            ("LeftButtonPressEvent", self._on_press),
+            ("MouseMoveEvent", self._on_move),
+            ("LeftButtonReleaseEvent", self._on_release),
+            ("CharEvent", self._on_char),
+        ):
+            self._style.AddObserver(event, action)
+        self.look()
+        self.refresh()
+
+    def start(self):
+        """Open the window, with a source, until it is closed."""
+        self.window.Render()
+        self.scene.suggest(self._start)
+        if self.scene.is_cloud:  # needs its graph, and is seen meanwhile
+            self._settle()
+        else:
+            self.scene.held = 0
+            self.scene.update(is_moving=True)  # which does not wait for a graph
+            self.scene.held = None
+            self.draw()
+        self.interactor.Start()
+        self.close()
+
+    def close(self):
+        """Give the window back."""
+        if self.window is None:
+            return
+        self._style.RemoveAllObservers()
+        self.window.Finalize()
+        self.window = self.renderer = self.interactor = self._style = None
+        self._passing = []
+
+    def look(self):
+        """Look at all of it, from where the place to begin with is seen."""
+        surface = self.scene.surface
+        up = pictures.up_of(surface)
+        place = self._where(self._start)
+        if self.scene.is_cloud:
+            points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+            direction = cloud_pictures.best_direction(
+                points, place[np.newaxis], up, self._skin.spacing
+            )
+        else:
+            direction = pictures.best_direction(surface, place, up)
+        centre = np.array(surface.GetCenter())
+        camera = self.renderer.GetActiveCamera()
+        camera.SetFocalPoint(*centre)
+        camera.SetPosition(*(centre + direction * pictures.size_of(surface)))
+        camera.SetViewUp(*up)
+        camera.SetWindowCenter(0.12, -0.10)  # beside the legend, above the text
+        self.renderer.ResetCamera()
+        camera.Zoom(1.12)
+
+    def refresh(self):
+        """Bring actors and text up to date."""
+        scene = self.scene
+        known = None if scene.values is None else (scene.shown, scene.limits, scene.step)
+        if known != self._known:
+            self._table = None if scene.values is None else table_of(scene)
+            self._known = known
+        self._skin.show(scene.values, scene.cells, self._table, scene.shown != "voronoi")
+        self._lines.SetVisibility(scene.lines is not None)
+        if scene.lines is not None:
+            self._lines.GetMapper().SetInputData(scene.lines)
+        for prop in self._passing:
+            self.renderer.RemoveViewProp(prop)
+        self._passing = [*self._markers(), *self._curves()]
+        if scene.values is not None:
+            self._passing += bar_of(scene, self._table)
+        for prop in self._passing:
+            self.renderer.AddViewProp(prop)
+        self._say(scene.status())
+
+    def draw(self):
+        """Bring the picture up to date."""
+        self.refresh()
+        self.window.Render()
+
+    def save_picture(self, path=None):
+        """Write a screenshot, to a file that is not there yet unless one is given; its name."""
+        stem, extension = os.path.splitext(self._picture)
+        number = 1
+        while path is None:
+            name = f"{stem}-{number}{extension}"
+            path = None if os.path.exists(name) else name
+            number += 1
+        pictures.write_png(path, self.window)
+        self.written.append(path)
+        return path
+
+    def _where(self, place):
+        return np.array(self.scene.surface.GetPoint(place) if isinstance(place, int) else place)
+
+    def _markers(self):
+        size = pictures.size_of(self.scene.surface)
+        for i, place in enumerate(self.scene.places):
+            colour = MARKERS[0 if self.scene.view == "voronoi" else i]
+            yield pictures.marker(self._where(place), size, colour)
+
+    def _curves(self):
+        size = pictures.size_of(self.scene.surface)
+        curves = ((self.scene.loop, LOOP_COLOUR, 0.8), (self.scene.path, PATH_COLOUR, 1.0))
+        for curve, colour, width in curves:
+            if curve and len(curve.points) > 1:
+                yield cloud_pictures.tube(curve.points, width * WIDTH * size, colour)
+
+    def _say(self, lines):
+        if self.seconds and self.scene.held is not None:
+            lines = [*lines, f"{1.0 / self.seconds:.0f} frames a second without rendering"]
+        self._status.SetInput("\n".join(lines))
+
+    def _settle(self):
+        """Show the scene at rest."""
+        self._announce()
+        self.scene.update()
+        self.draw()
+
+    def _announce(self):
+        """Say what takes long, before it does."""
+        wait = self.scene.waits_for()
+        if wait:
+            self._say([*self.scene.status(), wait])
+            self.window.Render()
+
+    def _on_press(self, style, event):
+        x, y = self.interactor.GetEventPosition()
+        is_camera = self.interactor.GetControlKey() or self.interactor.GetShiftKey()
+        style.FindPokedRenderer(x, y)
+        place = None if is_camera else self._skin.pick(x, y, self.renderer)
+        if place is not None:
+            if self.scene.is_cloud:  # which has no answer without the graph
+                self._announce()
+            self._drag(lambda: self.scene.press(place, self._handle_at(place)))
+        elif self.interactor.GetControlKey():
+            style.StartRotate()
+        else:
+            style.OnLeftButtonDown()
+
+    def _on_move(self, style, event):
+        if self.scene.held is None:
+            style.OnMouseMove()
+            return
+        start = time.perf_counter()
+        place = self._skin.pick(*self.interactor.GetEventPosition(), self.renderer)
+        if place is not None:
+            self._drag(lambda: self.scene.move(place), start)
+
+    def _on_release(self, style, event):
+        if self.scene.held is None:
+            style.OnLeftButtonUp()
+            return
+        self.scene.held = None
+        self._settle()
+
+    def _drag(self, step, start=None):
+        start = start or time.perf_counter()
+        step()
+        self.refresh()
+        self.seconds = time.perf_counter() - start
+        self.window.Render()
+
+    def _handle_at(self, place):
+        """The index of what is there already."""
+        if not self.scene.places:
+            return None
+        places_there = np.array([self._where(other) for other in self.scene.places])
+        distances = np.linalg.norm(places_there - self._where(place), axis=1)
+        nearest = int(np.argmin(distances))
+        is_near = distances[nearest] <= REACH * pictures.size_of(self.scene.surface)
+        return nearest if is_near else None
+
+    def _on_char(self, style, event):
+        key = self.interactor.GetKeyCode()
+        scene = self.scene
+        views = {"e": "error", "v": "voronoi", "g": "greens"}
+        if key in views:
+            self._change(lambda: scene.toggle(views[key]))
+        elif key == "m":
+            self._change(scene.next_method)
+        elif key in ("+", "=", "-"):
+            self._change(lambda: scene.change_accuracy(-1 if key == "-" else 1))
+        elif key == "c":
+            self._change(scene.clear)
+        elif key == "s":
+            self._change(self._shoot, self.draw)
+        elif key in ("h", "?"):
+            self._change(self._turn_help, self.window.Render)
+        elif key == "r":
+            self._change(self.renderer.ResetCamera, self.window.Render)
+        elif key == "q":
+            self.interactor.TerminateApp()
+
+    def _change(self, change, show=None):
+        """Do what a key asks for, and show that; unless another way is given, the scene at rest."""
+        try:
+            change()
+        except (ValueError, VTKError) as refusal:
+            self.scene.message = " ".join(str(refusal).split())
+            self.draw()
+        else:
+            (show or self._settle)()
+
+    def _shoot(self):
+        self.scene.message = f"written: {self.save_picture()}"
+
+    def _turn_help(self):
+        self._help.SetInput("h: help" if self._help.GetInput() == HELP else HELP)
+
+
+def far_place(scene):
+    """A place to begin with: the point that is farthest from the centre."""
+    if not scene.is_cloud:
+        return np.array(scene.surface.GetPoint(places.far_point(scene.surface)))
+    points = vtk_to_numpy(scene.surface.GetPoints().GetData())
+    return int(np.nanargmax(np.linalg.norm(points - scene.surface.GetCenter(), axis=1)))
+
+
+def explore(scene, place=None, picture="explore.png"):
+    """Open a window on a scene until it is closed; without a place, with a source far out.
+
+    Examples
+    --------
+    >>> explore(Scene(mesh))  # doctest: +SKIP
+    """
+    window = Explorer(scene, picture, place=place)
+    window.start()
+    return window

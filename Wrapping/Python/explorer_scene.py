@@ -1,0 +1,397 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the explorer shows and how that is computed, without a window."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from . import arguments
+from .cloud_graph import CloudGraph
+from .commands import files
+from .commands.measured import Errors
+from .commands.pictures import nice_step
+from .commands.sizes import floor_of
+from .errors import VTKError, run
+from .graph import Graph
+from .results import array_of
+from .vtkDGGFiltersGeodesic import (
+    vtkApolloniusIsolines,
+    vtkDGGDistance,
+    vtkExactGeodesicDistance,
+    vtkVirtualSourceGeodesicDistance,
+)
+from .vtkDGGFiltersSpectral import vtkDiscreteGreensFunction
+
+ACCURACIES = (0.1, 0.03, 0.01, 0.003, 0.001)
+FILTERS = {
+    "graph": vtkDGGDistance,
+    "exact": vtkExactGeodesicDistance,
+    "fast": vtkVirtualSourceGeodesicDistance,
+}
+
+
+class Scene:
+    """Places on a surface or a cloud, and a view of what follows from them.
+
+    A vtkPolyData with `is_cloud` is a cloud, else a surface. Polygons and strips of a surface are
+    cut into triangles; a ValueError says that there is none, or that a point is not finite.
+
+    The first place is a source of distances, the second the end of a path, the third makes it a
+    loop; in the view "voronoi" all are sources. A place is three coordinates, on a cloud an id.
+
+    Attributes
+    ----------
+    places : list
+        As above. `held` is the index of the one that is being moved, or None.
+    view : {"distance", "error", "voronoi", "greens"}
+        What was asked for. `shown` is what the results are: distances while a source is moved.
+    method : {"graph", "exact", "fast"}
+        For distances at rest. `used` is the one of the results.
+    distances, values : numpy.ndarray of float64, shape (n,), or None
+        Distances of the points, and what is coloured: distances, sizes of errors in percent,
+        numbers of cells, or a Green's function.
+    limits, step : tuple of float, float
+        The range of the colours, and the width of bands.
+    lines, cells : vtkPolyData or None
+        Isolines; the surface in bands or cells, whose cell array "Shown" is in place of the values.
+    path, loop : Path or None, Loop or None
+    errors : Errors or None
+        Against exact distances, in the view "error".
+    times : dict of str to float
+        Seconds of the parts of the last update.
+    message : str
+        Why something is not there.
+    """
+
+    def __init__(self, surface, is_cloud=False, accuracy=0.01, merge=False):
+        if surface.GetNumberOfPoints() == 0:
+            raise ValueError("there are no points to explore")
+        if not 1e-6 <= accuracy <= 0.5:
+            raise ValueError(f"accuracy: must be in [1e-6, 0.5], is {accuracy:g}")
+        self.surface = surface if is_cloud else _triangles_of(surface)
+        self.is_cloud = is_cloud
+        self.accuracy = accuracy
+        self.view = "distance"
+        self.method = "graph"
+        self.message = ""
+        self._merge = merge
+        self._graph = None
+        self._filters = {}
+        self._fastest = {}
+        self._heard = set()
+        self._wanted = None
+        self._contour = vtkApolloniusIsolines()
+        self._contour.SetMergeCoincidentPoints(merge)
+        self._contour.SetChordTolerance(0.02)  # finer than can be seen
+        self.clear()
+        self.update()
+
+    @property
+    def graph(self):
+        """The graph, which is built when it is needed first."""
+        if self._graph is None:
+            start = time.perf_counter()
+            if self.is_cloud:
+                self._graph = CloudGraph(self.surface)
+            else:
+                self._graph = Graph(
+                    self.surface, accuracy=self.accuracy, merge_coincident_points=self._merge
+                )
+            self.times["build"] = time.perf_counter() - start
+        return self._graph
+
+    @property
+    def sources(self):
+        """The places that distances start from."""
+        return self.places if self.view == "voronoi" else self.places[:1]
+
+    # After the following five an update is due.
+
+    def suggest(self, place):
+        """Begin with a source that the first click replaces."""
+        self.clear()
+        self.places = [place]
+        self._is_suggested = True
+
+    def clear(self):
+        """Forget all places."""
+        self._is_suggested = False
+        self.places = []
+        self.held = None
+        self._reach = 0.0
+
+    def toggle(self, view):
+        """Show this view, or distances again."""
+        if self.is_cloud and view in ("error", "greens"):
+            raise ValueError("on clouds there are no exact distances, and no Laplacian")
+        self.view = "distance" if self.view == view else view
+        self.held = None
+        if self.view != "voronoi":
+            self.places = self.places[: 2 if self.is_cloud else 3]
+        self._reach = 0.0
+
+    def next_method(self):
+        """Compute distances by the next method."""
+        if self.is_cloud:
+            raise ValueError("on clouds there are distances by the graph only")
+        names = list(FILTERS)
+        self.method = names[(names.index(self.method) + 1) % len(names)]
+
+    def change_accuracy(self, step):
+        """Ask for a graph that is more accurate, or less."""
+        if self.is_cloud:
+            raise ValueError("on clouds no accuracy is promised")
+        known = ACCURACIES if step > 0 else ACCURACIES[::-1]
+        others = [a for a in known if (a < self.accuracy if step > 0 else a > self.accuracy)]
+        if not others:
+            raise ValueError(f"accuracies are from {ACCURACIES[0]:g} to {ACCURACIES[-1]:g} here")
+        self.accuracy = others[0]
+        self._graph = None
+        self._filters.pop("graph", None)
+        self._fastest.pop("graph", None)
+
+    def press(self, place, handle=None):
+        """Take hold of the place with this index, or of a new one; later ones than a loop has begin
+        anew."""
+        if handle is None:
+            is_full = len(self.places) >= (2 if self.is_cloud else 3)
+            if self._is_suggested or (self.view != "voronoi" and is_full):
+                self.places = []
+            handle = len(self.places)
+            self.places.append(place)
+        self._is_suggested = False
+        self.held = handle
+        self.move(place)
+
+    def move(self, place):
+        """Move what is held, if something is."""
+        if self.held is not None:
+            self.places[self.held] = place
+            self.update(is_moving=True)
+
+    def waits_for(self):
+        """What takes long in an update at rest, as text; empty when nothing does."""
+        if not (self.places or self.is_cloud):
+            return ""
+        is_searched = self.view == "voronoi" or (self.method == "graph" and self.view != "greens")
+        if self._graph is None and (is_searched or len(self.places) > 1):
+            return "building the graph ..."
+        if self.view == "greens":
+            return "solving for the Green's function ..."
+        return "searching exactly ..." if "exact" in (self.method, self.view) else ""
+
+    def update(self, is_moving=False):
+        """Compute what is shown; sooner and coarser while something is moved."""
+        self.message = ""
+        self.times = {}
+        places = [tuple(np.ravel(place)) for place in self.sources]
+        wanted = is_moving, self.view, self.method, self.accuracy, places
+        is_beside = is_moving and self.held is not None and self.held >= len(places)
+        is_changed = wanted != self._wanted and not is_beside
+        try:
+            if is_changed:
+                self._wanted = None  # until it is there
+                self._find_values(is_moving)
+                self._wanted = wanted
+            self._find_curves(is_moving)
+        except (ImportError, ValueError, VTKError) as problem:
+            self.message = " ".join(str(problem).split())
+            if self._wanted is None:  # parts would be taken for all
+                self._forget()
+
+    def status(self):
+        """Lines of text on what is shown."""
+        lines = [f"{self.surface.GetNumberOfPoints()} points"]
+        if self.values is not None and self.shown == "greens":
+            lines[0] += ", Green's function"
+        elif self.values is not None:
+            what = {"error": "errors of distances", "voronoi": "Voronoi cells"}
+            how = "without error" if self.used == "exact" else "nothing is promised"
+            if self.used == "graph" and not self.is_cloud:
+                how = f"accuracy {self.accuracy:g}"
+            lines[0] += f", {what.get(self.shown, 'distances')} by {self.used}: {how}"
+        if self.errors:
+            promised = f"promised {100 * self.accuracy:g} %, " if self.used == "graph" else ""
+            sizes = self.errors.mean, self.errors.largest
+            measured = "measured {:.2g} % on average, {:.2g} % at most".format(
+                *(100 * size for size in sizes)
+            )
+            lines.append(promised + measured)
+        for name, curve in (("path", self.path), ("loop", self.loop)):
+            if curve:
+                lines.append(f"{name}: {curve.length:.6g} model units")
+        if self.times:
+            parts = (f"{name} {1e3 * seconds:.1f} ms" for name, seconds in self.times.items())
+            lines.append(", ".join(parts))
+        return [*lines, self.message] if self.message else lines
+
+    def _forget(self):
+        self.distances = self.values = self.lines = self.cells = self.errors = None
+
+    def _find_values(self, is_moving):
+        self._forget()
+        self.shown = self.view
+        self.used = "graph" if self.view == "voronoi" else self.method
+        if is_moving and self.view != "voronoi":
+            self.shown = "distance"
+        if not self.places:
+            return
+        if self.shown == "greens":
+            self._solve()
+            return
+        if is_moving:
+            self.used = self._soonest()
+        search = self._search(self.used, is_moving)
+        points = search.GetOutput().GetPointData()
+        self.distances = array_of(points, search.GetDistanceArrayName())
+        self.values = self.distances
+        reached = self.distances[np.isfinite(self.distances)]
+        high = float(reached.max()) if reached.size else 0.0
+        # Colours keep their meaning while sources move, as far as possible.
+        self._reach = max(self._reach, high)
+        self.limits = 0.0, self._reach or 1.0
+        self.step = nice_step(self.limits[1])
+        self._find_lines(search, search.GetDistanceArrayName(), 0.0, high, is_moving)
+        if self.shown == "error":
+            self._measure()
+        elif self.shown == "voronoi":
+            nearest = array_of(points, search.GetSourceArrayName()).astype(float)
+            self.values = np.where(nearest < 0, np.nan, nearest)
+            self.limits = 0.0, float(max(1, len(self.sources) - 1))
+            self.cells = None
+            if not (is_moving or self.is_cloud):
+                self.cells = self.graph.voronoi(np.array(self.sources), as_polydata=True)
+                sites = vtk_to_numpy(self.cells.GetCellData().GetArray("SiteId"))
+                self._add_to_cells(sites.astype(float))
+
+    def _soonest(self):
+        """The graph where it is there and not slower, else what needs none."""
+        if self.is_cloud:
+            return "graph"
+        if self.used != "graph" or self._graph is None:
+            return "fast"
+        is_slower = self._fastest.get("graph", 0.0) > self._fastest.get("fast", np.inf)
+        return "fast" if is_slower else "graph"
+
+    def _search(self, method, is_moving=False):
+        """Distances from the sources, by a filter that keeps what it prepares."""
+        if method not in self._filters:
+            self._filters[method] = FILTERS[method]()
+            self._filters[method].SetInputData(
+                self.graph.polydata if method == "graph" else self.surface
+            )
+        search = self._filters[method]
+        # What only lines at rest need takes longer than the distances.
+        search.SetGenerateNearestSource(self.view == "voronoi")
+        if method == "exact":
+            search.GenerateWindowsOn()
+        else:
+            search.SetGenerateVirtualSource(not (is_moving or self.is_cloud))
+        seconds = self._run(search, method)
+        if is_moving:
+            self._fastest[method] = min(seconds, self._fastest.get(method, np.inf))
+        return search
+
+    def _run(self, algorithm, name):
+        """Update what starts from the sources; the seconds that this took."""
+        start = time.perf_counter()
+        algorithm.SetMergeCoincidentPoints(self._merge)
+        if self.is_cloud:
+            algorithm.SetSourceIds(self.sources)
+        else:
+            algorithm.SetSourceData(arguments.polydata(np.array(self.sources)))
+        run(algorithm, self._heard)
+        self.times[name] = time.perf_counter() - start
+        return self.times[name]
+
+    def _find_lines(self, algorithm, name, low, high, is_moving):
+        """Isolines at multiples of the step, and at rest the bands between them."""
+        first, last = int(np.floor(low / self.step)) + 1, int(np.ceil(high / self.step)) - 1
+        if self.is_cloud or last < first:
+            return
+        start = time.perf_counter()
+        contour = self._contour
+        contour.SetInputConnection(algorithm.GetOutputPort())
+        contour.SetDistanceArrayName(name)
+        is_linear = is_moving or self.shown == "greens"
+        contour.SetMethod(contour.Linear if is_linear else contour.LocalSources)
+        is_whole = bool(np.isfinite(self.values).all())
+        contour.SetGenerateBands(not is_linear and is_whole and self.shown == "distance")
+        contour.SetNumberOfContours(last - first + 1)
+        for i in range(first, last + 1):
+            contour.SetValue(i - first, i * self.step)
+        run(contour, self._heard)
+        self.lines = vtkPolyData()
+        self.lines.ShallowCopy(contour.GetOutput())
+        if contour.GetGenerateBands():
+            self.cells = vtkPolyData()
+            self.cells.ShallowCopy(contour.GetBands())
+            bands = vtk_to_numpy(self.cells.GetCellData().GetArray("Band"))
+            self._add_to_cells((bands + 0.5) * self.step)
+        self.times["isolines"] = time.perf_counter() - start
+
+    def _add_to_cells(self, values):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName("Shown")
+        self.cells.GetCellData().AddArray(array)
+        self.cells.GetCellData().SetActiveScalars("Shown")
+
+    def _measure(self):
+        """The errors of the distances."""
+        exact = self._search("exact")
+        truth = array_of(exact.GetOutput().GetPointData(), exact.GetDistanceArrayName())
+        self.errors = Errors(self.distances, truth, floor_of(self.surface))
+        self.values = 100.0 * np.abs(self.errors.signed)
+        most = self.accuracy if self.used == "graph" else self.errors.largest
+        most = most if 0.0 < most < np.inf else 1.0
+        self.limits = 0.1 * most, 100.0 * most
+
+    def _solve(self):
+        """The Green's function of the source."""
+        if "greens" not in self._filters:
+            self._filters["greens"] = vtkDiscreteGreensFunction()
+            self._filters["greens"].SetInputData(self.surface)
+        solve = self._filters["greens"]
+        self._run(solve, "Green's function")
+        name = solve.GetResultArrayName()
+        self.values = array_of(solve.GetOutput().GetPointData(), name)
+        # It has a pole at the source.
+        low, high = np.nanmin(self.values), np.nanquantile(self.values, 0.999)
+        high = float(high) if high > low else float(low) + 1.0
+        self.step = nice_step(high - low)
+        self.limits = self.step * float(np.floor(low / self.step)), high
+        self._find_lines(solve, name, *self.limits, False)
+
+    def _find_curves(self, is_moving):
+        """The path from the first place to the second, and the loop through three."""
+        self.path = self.loop = None
+        if self.view == "voronoi" or len(self.places) < 2:
+            return
+        if is_moving and self._graph is None:
+            return
+        graph = self.graph
+        start = time.perf_counter()
+        self.path = graph.path(*self.places[:2])
+        self.times["path"] = time.perf_counter() - start
+        if len(self.places) > 2:
+            start = time.perf_counter()
+            loops = graph.loop(np.array(self.places), rope=True)
+            self.times["loop"] = time.perf_counter() - start
+            if loops:
+                self.loop = loops[0]
+            else:
+                self.message = "no loop: it contracts to a point, or the surface has gaps"
+
+
+def _triangles_of(surface):
+    """The surface in triangles."""
+    arguments.coordinates(vtk_to_numpy(surface.GetPoints().GetData()), "points")
+    try:
+        return files.triangles_of(surface, "surface")
+    except files.MeshFileError as refusal:
+        raise ValueError(str(refusal)) from None
