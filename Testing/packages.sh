@@ -32,9 +32,10 @@ mkdir -p "${2:?FOLDER is missing}"
 folder="$(cd "$2" && pwd)"
 mesh="$(realpath "${3:-$here/Data/bumpy.ply}")"
 root="$folder/$system"
+home=/srv # in the system: where its user works
 
-inside() { chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
-  DEBIAN_FRONTEND=noninteractive TERM=xterm MANPAGER=cat bash -c "cd /root && $1"; }
+inside() { chroot "$root" env -i HOME=$home PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+  DEBIAN_FRONTEND=noninteractive TERM=xterm MANPAGER=cat bash -c "cd $home && $1"; }
 # shown COMMAND: run it in the system, and say what it was and how long it took.
 shown() {
   printf '\n%s\n' "$1" | sed '2,$s/^/$ /'
@@ -46,7 +47,7 @@ shown() {
 # Files and folders but for what package managers and the kernel write.
 list() {
   inside "find / -xdev \\( -path /proc -o -path /var/cache -o -path /var/log -o -path /var/lib/apt \
-    -o -path /var/lib/dpkg -o -path /root -o -path /tmp \\) -prune -o -print" | sort
+    -o -path /var/lib/dpkg -o -path $home -o -path /tmp \\) -prune -o -print" | sort
 }
 unmount() {
   ! mountpoint -q "$root/var/cache/apt/archives" || umount "$root/var/cache/apt/archives"
@@ -68,9 +69,9 @@ rm -f "$root/etc/apt/apt.conf.d/docker-clean"
 echo 'Binary::apt::APT::Keep-Downloaded-Packages "true"; APT::Install-Recommends "false";
 Dpkg::Use-Pty "0";' \
   >"$root/etc/apt/apt.conf.d/99keep"
-mkdir "$root/root/packages"
-cp "$packages"/*.deb "$root/root/packages"
-cp "$mesh" "$root/root/mesh.ply"
+mkdir "$root$home/packages"
+cp "$packages"/*.deb "$root$home/packages"
+cp "$mesh" "$root$home/mesh.ply"
 
 echo "Installing what the packages need ..."
 names="$(for file in "$packages"/*.deb; do dpkg-deb -f "$file" Package; done | paste -sd '|')"
@@ -82,7 +83,7 @@ list >"$folder/$system.before"
 
 shown 'apt-get install -y -qq ./packages/*.deb 2>&1 | grep -v "^(Reading"'
 if [ "$system" = paraview ]; then
-  cat >"$root/root/distance.py" <<'END'
+  cat >"$root$home/distance.py" <<'END'
 from glob import glob
 
 from paraview.simple import *
@@ -106,7 +107,7 @@ print(vtkdgg.distance(vtkdgg.check(reader), 0).max())"'
   shown 'man vtkdgg | head -n 30'
   shown 'source /usr/share/bash-completion/bash_completion && _completion_loader vtkdgg;
 COMP_WORDS=(vtkdgg dist) COMP_CWORD=1 && _vtkdgg && echo "${COMPREPLY[@]}"'
-  cp -r "$here/../Examples/Cxx" "$root/root/Examples"
+  cp -r "$here/../Examples/Cxx" "$root$home/Examples"
   shown 'cmake -S Examples -B build >/dev/null && cmake --build build --target TenLines &&
 build/TenLines && ls -l distance.vtp'
 fi

@@ -37,23 +37,33 @@ class Pipeline(unittest.TestCase):
                 self.assertNotIn("Traceback", result.stderr)
 
 
-class Gallery(unittest.TestCase):
-    def test_pictures(self):
-        folder = support.output_folder("gallery")
-        result = run("gallery.py", BUMPY, folder)
+class DrawsPictures:
+    """A script that draws pictures of a mesh into a folder; those of some names, if there are any."""
+
+    def draw(self, script, count):
+        result = run(script, BUMPY, support.output_folder(script[:-3]))
         self.assertEqual(result.returncode, 0, result.stderr)
         written = re.findall(r"Written: (.*)", result.stdout)
-        self.assertEqual(len(written), 7)
+        self.assertEqual(len(written), count)
         for path in written:
             with self.subTest(path):
                 self.assertGreater(number_of_colours(path), 500)
+        return result.stdout
 
-    def test_mistakes(self):
+    def refuse_mistakes(self, script):
         for arguments in ((), (BUMPY,), ("missing.ply", "."), (BUMPY, ".", "other")):
             with self.subTest(arguments=arguments):
-                result = run("gallery.py", *arguments)
+                result = run(script, *arguments)
                 self.assertEqual(result.returncode, 1)
                 self.assertNotIn("Traceback", result.stderr)
+
+
+class Gallery(DrawsPictures, unittest.TestCase):
+    def test_pictures(self):
+        self.draw("gallery.py", 7)
+
+    def test_mistakes(self):
+        self.refuse_mistakes("gallery.py")
 
 
 class Tutorial(unittest.TestCase):
@@ -77,25 +87,14 @@ class Tutorial(unittest.TestCase):
         self.assertEqual(run("tutorial.py").returncode, 1)
 
 
-class ExplorerPictures(unittest.TestCase):
+class ExplorerPictures(DrawsPictures, unittest.TestCase):
     def test_pictures(self):
-        folder = support.output_folder("explorer_pictures")
-        result = run("explorer_pictures.py", BUMPY, folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        written = re.findall(r"Written: (.*)", result.stdout)
-        self.assertEqual(len(written), 6)
-        for path in written:
-            with self.subTest(path):
-                self.assertGreater(number_of_colours(path), 500)
-        self.assertRegex(result.stdout, r"642 points, distances by fast: nothing is promised")
-        self.assertRegex(result.stdout, r"promised 1 %, measured \S+ % on average")
+        said = self.draw("explorer_pictures.py", 6)
+        self.assertRegex(said, r"642 points, distances by fast: nothing is promised")
+        self.assertRegex(said, r"promised 1 %, measured \S+ % on average")
 
     def test_mistakes(self):
-        for arguments in ((), (BUMPY,), ("missing.ply", "."), (BUMPY, ".", "other")):
-            with self.subTest(arguments=arguments):
-                result = run("explorer_pictures.py", *arguments)
-                self.assertEqual(result.returncode, 1)
-                self.assertNotIn("Traceback", result.stderr)
+        self.refuse_mistakes("explorer_pictures.py")
 
 
 class Patches(unittest.TestCase):

@@ -63,7 +63,7 @@ execute_process(
   COMMAND "${DGG_PROGRAM_gzip}" -9nf "${dgg_folder}/changelog" "${dgg_folder}/changelog.Debian"
   COMMAND_ERROR_IS_FATAL ANY)
 
-# Packages of before, such as of another version, would be taken for those of now.
+# Packages of before, such as of another version, would be treated as current ones.
 file(WRITE "${dgg_folder}/remove.cmake" "\
 string(FIND \"\${CPACK_PACKAGE_DIRECTORY}\" \"${CMAKE_BINARY_DIR}/\" at)
 if (at EQUAL 0) # else others may be there

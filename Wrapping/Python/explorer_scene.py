@@ -201,7 +201,7 @@ class Scene:
             self._find_curves(is_moving)
         except (ImportError, ValueError, VTKError) as problem:
             self.message = " ".join(str(problem).split())
-            if self._wanted is None:  # parts would be taken for all
+            if self._wanted is None:  # parts must not be shown as all
                 self._forget()
 
     def status(self):

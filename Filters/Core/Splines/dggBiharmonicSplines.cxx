@@ -36,13 +36,7 @@ public:
 
   Status Check() const
   {
-    if (this->Sites.empty())
-    {
-      return Status::Invalid("there are no sites: call Prepare() first");
-    }
-    return this->Revision == this->System.GetRevision()
-      ? Status::Success()
-      : Status::Invalid("the solver has been prepared anew: call Prepare() again");
+    return CheckPreparedSites(this->System, this->Sites.size(), this->Revision);
   }
 
   void AddLoad(const SurfacePoint& site, double weight, std::vector<double>& sources) const

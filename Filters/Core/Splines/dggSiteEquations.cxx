@@ -13,7 +13,7 @@ namespace dgg
 {
 namespace
 {
-/// Functions whose matrix is as near as that to a singular one are not told apart.
+/// Functions whose matrix is as near as that to a singular one are treated as dependent.
 constexpr double LeastCondition = 1e-14;
 /// What may be left of the differences of values, where more steps are taken, and how many.
 constexpr double LargestError = 1e-9;

@@ -230,4 +230,16 @@ Status CheckSplinePlaces(const PoissonSolver& solver, const std::vector<SurfaceP
   }
   return Status::Success();
 }
+
+Status CheckPreparedSites(
+  const PoissonSystem& system, std::size_t numberOfSites, std::uint64_t revision)
+{
+  if (numberOfSites == 0)
+  {
+    return Status::Invalid("there are no sites: call Prepare() first");
+  }
+  return revision == system.GetRevision()
+    ? Status::Success()
+    : Status::Invalid("the solver has been prepared anew: call Prepare() again");
+}
 }

@@ -9,7 +9,9 @@
 #include "dggPoissonSolver.h" // for PoissonSolver
 #include "dggSurfacePoint.h"  // for sites
 
-#include <vector> // for the sites
+#include <cstddef> // for std::size_t
+#include <cstdint> // for revisions
+#include <vector>  // for the sites
 
 namespace dgg
 {
@@ -33,6 +35,11 @@ DGG_CORE_EXPORT Status CheckSplinePlaces(
   const PoissonSolver& solver, const std::vector<SurfacePoint>& sites);
 DGG_CORE_EXPORT Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites);
 /// @}
+
+/// Fails when there are no sites, or the system is not that of this revision any more: what was
+/// prepared is not there, or out of date.
+Status CheckPreparedSites(
+  const PoissonSystem& system, std::size_t numberOfSites, std::uint64_t revision);
 }
 
 #endif
