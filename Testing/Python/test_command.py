@@ -22,6 +22,8 @@ import vtkdgg
 from support import BUMPY, TETRAHEDRON
 from vtkdgg.command_line import main, make_parser
 from vtkdgg.commands import files
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkStripper
 
 PACKAGES = os.path.dirname(os.path.dirname(vtkdgg.__file__))
 FOLDER = support.output_folder("command")
@@ -227,6 +229,24 @@ class Command(unittest.TestCase):
             self.assertEqual((result.returncode, result.stdout), (1, ""))
             self.assertRegex(result.stderr, rf"\Ano answer: .*{pattern}")
 
+    def test_written_as_text(self):
+        points, triangles = support.grid(2, 2)
+        points += 1.0 / 3.0
+        mesh = support.polydata(points, triangles)
+        stripper = vtkStripper()
+        stripper.SetInputData(mesh)
+        for name, data in (("grid.off", mesh), ("strips.off", vtkdgg.check(stripper))):
+            path = out(name)
+            files.write(path, data)
+            again = files.read(path)
+            np.testing.assert_array_equal(vtk_to_numpy(again.GetPoints().GetData()), points)
+            found = {frozenset(corners) for corners in support.triangles_of(again)}
+            self.assertEqual(found, {frozenset(corners) for corners in triangles})
+        path = out("points.xyz")
+        files.write(path, mesh)
+        again = vtk_to_numpy(files.read(path).GetPoints().GetData())
+        np.testing.assert_array_equal(again, points)
+
     def test_mistakes(self):
         for arguments, pattern in (
             ((), "command"),
@@ -241,6 +261,7 @@ class Command(unittest.TestCase):
             (("distance", BUMPY, "--source", "0", "--method", "best"), "invalid choice"),
             (("distance", BUMPY, "--source", "0", "--out", "a.abc"), "cannot write '.abc'"),
             (("distance", BUMPY, "--source", "0", "--out", "none/a.vtp"), "error"),
+            (("distance", BUMPY, "--source", "0", "--out", "none/a.off"), "none/a.off"),
             (("graph", BUMPY, "--accuracy", "2"), "0.5"),
             (("graph", BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
             (("isolines", BUMPY, "--source", "0", "--values", "a,b"), "--values"),

@@ -100,7 +100,7 @@ def make_parser():
     commands = parser.add_subparsers(dest="command", metavar="command", required=True)
     parser.commands = commands.choices
 
-    def add(run, *shared, out=".vtp .vtk .ply .stl .obj", needs_out=False, example=""):
+    def add(run, *shared, out=" ".join(files.WRITABLE), needs_out=False, example=""):
         name = run.__name__
         command = commands.add_parser(
             name,

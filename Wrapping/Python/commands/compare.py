@@ -14,7 +14,7 @@ import numpy as np
 import vtkdgg
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from . import bounds, compare_cloud, compare_methods, files, pictures, places
+from . import bounds, files, places
 from .files import triangles_of
 from .measured import Errors
 from .output import print_table, save, with_arrays
@@ -176,6 +176,8 @@ def graph_rows(graph, query, exact):
 
 def write(folder, mesh, source, query, exact, errors, accuracy):
     """The data file and both pictures; returns their paths and the step of the isolines."""
+    from . import pictures  # rendering takes long to import
+
     os.makedirs(folder, exist_ok=True)
     paths = [os.path.join(folder, name) for name in ("distance.vtp", "distance.png", "error.png")]
     result = with_arrays(
@@ -213,6 +215,8 @@ def run(options):
     ):
         if given:
             raise UsageError(f"{option}: not on a point cloud, only on a mesh (--help explains)")
+    from . import compare_cloud  # rendering takes long to import
+
     return compare_cloud.run(options, contents, read_time)
 
 
@@ -232,6 +236,8 @@ def on_mesh(options, contents, read_time):
         given = mesh, source, options.merge, options.tolerance
         measured = {}
         if options.methods:
+            from . import compare_methods
+
             _, measured = compare_methods.measure(mesh, source, accuracy, *given[2:])
         first = Direct(vtkdgg.vtkVirtualSourceGeodesicDistance, *given)
         graph = Graph(mesh, accuracy, options.merge)

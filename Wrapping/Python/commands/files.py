@@ -165,11 +165,36 @@ def read_xyz(path):
     return np.array(points, dtype=float).reshape(-1, 3)
 
 
+def write_xyz(path, data):
+    """The points as text, three numbers a line."""
+    np.savetxt(path, vtk_to_numpy(data.GetPoints().GetData()), fmt="%.17g")
+
+
+def write_off(path, data):
+    """The points and polygons as text. VTK has no writer for it."""
+    surface = triangles_of(data, path) if data.GetNumberOfStrips() > 0 else data
+    polygons = surface.GetPolys()
+    begins = vtk_to_numpy(polygons.GetOffsetsArray())[1:-1]
+    corners = np.split(vtk_to_numpy(polygons.GetConnectivityArray()), begins)
+    with open(path, "w", encoding="ascii") as file:
+        file.write(f"OFF\n{surface.GetNumberOfPoints()} {polygons.GetNumberOfCells()} 0\n")
+        np.savetxt(file, vtk_to_numpy(surface.GetPoints().GetData()), fmt="%.17g")
+        for ids in corners if polygons.GetNumberOfCells() > 0 else ():
+            file.write(f"{len(ids)} {' '.join(map(str, ids))}\n")
+
+
+TEXT_WRITERS = {".off": write_off, ".xyz": write_xyz}
+WRITABLE = sorted([*WRITERS, *TEXT_WRITERS])
+
+
 def write(path, data):
     """Write a file; its extension chooses the format."""
     extension = os.path.splitext(path)[1].lower()
+    if extension in TEXT_WRITERS:
+        TEXT_WRITERS[extension](path, data)
+        return
     if extension not in WRITERS:
-        known = " ".join(sorted(WRITERS))
+        known = " ".join(WRITABLE)
         raise MeshFileError(f"{path}: cannot write '{extension}'; known are {known}")
     writer = WRITERS[extension]()
     if hasattr(writer, "SetFileTypeToBinary"):
