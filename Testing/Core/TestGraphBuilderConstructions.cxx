@@ -344,6 +344,26 @@ TEST(GraphBuilderLimits, RefusesManyLongTriangles)
   }
 }
 
+// Windows around a tall tube without points inside meet themselves after a turn, and end there.
+TEST(GraphBuilderLimits, WindowsAroundATube)
+{
+  constexpr Id sides = 150;
+  TestMesh tube = PrismSide(sides, 1, 1);
+  for (std::size_t z = 2; z < tube.Points.size(); z += 3)
+  {
+    tube.Points[z] *= sides;
+  }
+  const SurfaceMesh mesh = Build(tube);
+  dgg::GraphOptions options;
+  options.Accuracy = 0.1;
+  dgg::GeodesicGraph graph;
+  dgg::GraphStatistics statistics;
+  ASSERT_TRUE(dgg::GraphBuilder(mesh).Build(options, graph, &statistics).IsOk());
+  const double size = static_cast<double>(mesh.GetNumberOfVertices()) * mesh.GetNumberOfFaces();
+  EXPECT_LT(static_cast<double>(statistics.Windows), 3.0 * size);
+  ExpectWithin(ExactTable(mesh), GraphTable(graph.View()), options.Accuracy, 0.0);
+}
+
 TEST(GraphBuilderLimits, WindowsOnManifoldMeshes)
 {
   // Nothing there is the fault of non-manifold edges.

@@ -40,9 +40,10 @@ struct WindowLimits
 ///
 /// Where an edge has more than two triangles, windows can multiply; among triangles that are all
 /// but lines it can run around for long. Most sources meet no such place, or not often, and windows
-/// are then simply followed first in, first out. A source that has too many windows is traced
-/// again, with care: windows in order of distance, and only where no other one was there before on
-/// a shorter way (GraphWindowMemory).
+/// are then simply followed first in, first out. Where there are many windows they pass bounds of
+/// distances on, which end those that go around a tube or a cone once more. A source that still has
+/// too many is traced again, with care: windows in order of distance, and only where no other one
+/// was there before on a shorter way (GraphWindowMemory).
 template <typename Rule>
 class GraphWindowTracer
 {
@@ -111,6 +112,8 @@ private:
   /// Narrower windows are dropped: what they reach is on the border of their neighbours, up to the
   /// square of this.
   static constexpr double NarrowestWindow = 1e-12;
+  /// How many more windows may then come, by those that came before.
+  static constexpr std::size_t PassingFactor = 3;
 
   template <typename Starter>
   const std::vector<FoundEdge>& TraceFrom(Starter start)
@@ -142,6 +145,7 @@ private:
     this->HasExceededLimit = false;
     this->IsCareful = isCareful;
     this->WindowsBefore = this->NumberOfWindows;
+    this->PassesLabels = false;
     this->WindowLimit = isCareful ? std::numeric_limits<std::size_t>::max()
                                   : this->NumberOfWindows + this->Limits.CarelessWindows;
     if (isCareful)
@@ -151,6 +155,20 @@ private:
   }
 
   bool HasTooManyWindows() const { return this->NumberOfWindows > this->WindowLimit; }
+
+  /// From now on windows pass labels on along the sides of faces, which ends those that go around
+  /// once more. Returns whether they did not do so before.
+  bool PassLabels()
+  {
+    if (this->PassesLabels || Rule::ByDistance)
+    {
+      return false;
+    }
+    this->PassesLabels = true;
+    this->HasOverlap = true;
+    this->WindowLimit += PassingFactor * this->Limits.CarelessWindows;
+    return true;
+  }
 
   /// The face of an outgoing half-edge of the source: its far edge is reached, the two ends of that
   /// edge are the first relays.
@@ -400,7 +418,7 @@ private:
     {
       const FaceCrossing& face = this->Table[window.Entry];
       ++this->NumberOfWindows;
-      if (this->HasTooManyWindows())
+      if (this->HasTooManyWindows() && !this->PassLabels())
       {
         return;
       }
@@ -456,6 +474,10 @@ private:
         this->Table.NewVertex(isOrigin ? this->Mesh.Origin(h) : this->Mesh.Destination(h));
       this->BehindAt = window.Ends[end];
     }
+    if (this->PassesLabels)
+    {
+      this->PassLabel(face);
+    }
     window.Ends[end] = apex;
     window.Axis = Turned(window.Axis, face.Direction[side]);
     if (this->HasOverlap)
@@ -464,6 +486,18 @@ private:
       window.Labels[end] =
         label * label < Dot(apex, apex) * (1.0 - LengthTolerance) ? label : Infinity;
     }
+  }
+
+  /// The apex of a face is no farther than its other corners and the sides to them.
+  void PassLabel(const FaceCrossing& face)
+  {
+    const Id h = face.GetHalfEdge();
+    const auto bound = [&](Id corner, Id side) {
+      return this->Vertices[this->Table.NewVertex(corner)].Label + this->Mesh.Length(side);
+    };
+    VertexStates::State& state = this->Vertices.Touch(face.ApexVertex);
+    state.Label = std::min({ state.Label, bound(this->Mesh.Origin(h), SurfaceMesh::Previous(h)),
+      bound(this->Mesh.Destination(h), SurfaceMesh::Next(h)) });
   }
 
   /// FILTER: the way through an end of the edge, and along the edge, is shorter at every point that
@@ -642,6 +676,8 @@ private:
   /// useless, and nobody looks at the labels.
   bool HasOverlap = false;
   bool HasExceededLimit = false;
+  /// Whether vertices get bounds from the others of their faces: when there are many windows.
+  bool PassesLabels = false;
   Id Source = NoId;
   GraphWindowMemory Memory;
   Id Behind = NoId; // the vertex that a window has just left behind, with care
