@@ -351,7 +351,7 @@ TEST(GraphBuilderLimits, WindowsAroundATube)
   TestMesh tube = PrismSide(sides, 1, 1);
   for (std::size_t z = 2; z < tube.Points.size(); z += 3)
   {
-    tube.Points[z] *= sides;
+    tube.Points[z] *= 6.0 * sides;
   }
   const SurfaceMesh mesh = Build(tube);
   dgg::GraphOptions options;
@@ -360,7 +360,7 @@ TEST(GraphBuilderLimits, WindowsAroundATube)
   dgg::GraphStatistics statistics;
   ASSERT_TRUE(dgg::GraphBuilder(mesh).Build(options, graph, &statistics).IsOk());
   const double size = static_cast<double>(mesh.GetNumberOfVertices()) * mesh.GetNumberOfFaces();
-  EXPECT_LT(static_cast<double>(statistics.Windows), 3.0 * size);
+  EXPECT_LT(static_cast<double>(statistics.Windows), 2.5 * size);
   ExpectWithin(ExactTable(mesh), GraphTable(graph.View()), options.Accuracy, 0.0);
 }
 
