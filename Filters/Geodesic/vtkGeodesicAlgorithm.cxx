@@ -14,6 +14,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTypes.h"
+#include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -86,6 +87,17 @@ int GetAsked(vtkInformation* request, vtkInformationVector* outputVector,
     }
   }
   return value;
+}
+
+/// Other data sets come as far as this for a message with a remedy.
+dgg::Status CheckType(vtkDataObject* input)
+{
+  if (!vtkDataSet::SafeDownCast(input) || vtkPolyData::SafeDownCast(input))
+  {
+    return dgg::Status::Success();
+  }
+  return dgg::InvalidInput("the input is a ", input->GetClassName(),
+    ", but a vtkPolyData is required: vtkDataSetSurfaceFilter makes one of it");
 }
 
 /// Whether the other pieces can be had: each process has one of them.
@@ -210,6 +222,10 @@ int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* inf
   // Port 0 is needed, but looked for by us: when the pipeline does it, an earlier output stays.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet"); // see CheckType()
+  }
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return port >= 0 && port < this->GetNumberOfInputPorts() ? 1 : 0;
 }
@@ -326,6 +342,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  DGG_RETURN_IF_ERROR(CheckType(vtkDataObject::GetData(inputVector[0])));
   const int pieces = GetAsked(request, outputVector, Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   const int piece = GetAsked(request, outputVector, Pipeline::UPDATE_PIECE_NUMBER(), 0);
   DGG_RETURN_IF_ERROR(CheckPieces(piece, pieces, this->Controller));

@@ -16,6 +16,8 @@
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkVariant.h"
 
 #include <limits>
 #include <utility>
@@ -59,6 +61,44 @@ struct PointArrayMaker
     }
   }
 };
+
+/// Arrays of the sources, each value at the points that its source is nearest to. `first` is the
+/// number of the first source that has one.
+void PassArrays(
+  vtkPointData* sources, dgg::Id first, const std::vector<dgg::Id>& nearest, vtkPointData* output)
+{
+  for (int k = 0; k < sources->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* values = sources->GetAbstractArray(k);
+    if (!values->GetName() || output->HasArray(values->GetName()))
+    {
+      continue;
+    }
+    const auto array = vtkSmartPointer<vtkAbstractArray>::Take(values->NewInstance());
+    const int components = values->GetNumberOfComponents();
+    array->SetName(values->GetName());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(nearest.size()));
+    const bool isReal = values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE;
+    const vtkVariant nothing = vtkStringArray::SafeDownCast(values)
+      ? vtkVariant("")
+      : vtkVariant(isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0);
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+    {
+      const auto point = static_cast<vtkIdType>(i);
+      if (nearest[i] >= first)
+      {
+        array->SetTuple(point, nearest[i] - first, values);
+        continue;
+      }
+      for (int c = 0; c < components; ++c)
+      {
+        array->SetVariantValue(point * components + c, nothing);
+      }
+    }
+    output->AddArray(array);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -67,6 +107,7 @@ vtkGeodesicDistanceAlgorithm::vtkGeodesicDistanceAlgorithm()
   , MaximumDistance(VTK_DOUBLE_MAX)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , GenerateNearestSource(false)
+  , PassSourceArrays(false)
   , GenerateVirtualSource(false)
   , DistanceArrayName("GeodesicDistance")
   , SourceArrayName("GeodesicSource")
@@ -97,6 +138,7 @@ void vtkGeodesicDistanceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "GenerateNearestSource: " << (this->GenerateNearestSource ? "On" : "Off") << "\n";
+  os << indent << "PassSourceArrays: " << (this->PassSourceArrays ? "On" : "Off") << "\n";
   os << indent << "GenerateVirtualSource: " << (this->GenerateVirtualSource ? "On" : "Off") << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
@@ -240,8 +282,9 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
-  DGGDistanceTask task{ context, sources, limit, this->GenerateNearestSource,
-    this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
+  DGGDistanceTask task{ context, sources, limit,
+    this->GenerateNearestSource || this->PassSourceArrays, this->GenerateVirtualSource, {}, {}, {},
+    {}, this->DeclareArrays() };
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
   const auto n =
     static_cast<std::size_t>(context.Surface.GetMeshWithoutAngles().GetNumberOfVertices());
@@ -263,6 +306,18 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   output->ShallowCopy(context.Input);
   const std::vector<bool> isReached = FindReached(task);
   this->AddResults(task, isReached, output);
+  vtkPolyData* points = vtkPolyData::GetData(inputVector[1]);
+  if (this->PassSourceArrays && points)
+  {
+    std::vector<dgg::Id> nearest(static_cast<std::size_t>(output->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+    {
+      const dgg::Id vertex = context.Surface.GetVertex(static_cast<vtkIdType>(i));
+      nearest[i] = isReached[vertex] ? task.NearestSource[vertex] : dgg::NoId;
+    }
+    PassArrays(points->GetPointData(), static_cast<dgg::Id>(this->SourceIds.size()), nearest,
+      output->GetPointData());
+  }
   this->WarnAboutGaps(context.Input, isReached);
   return dgg::Status::Success();
 }
@@ -321,7 +376,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(
       vtkDoubleArray::SafeDownCast(data->GetArray(this->DistanceArrayName.c_str())), maker.Surface,
       task.Windows);
   }
-  if (task.WantNearestSource)
+  if (this->GenerateNearestSource)
   {
     maker.Add<vtkIntArray, dgg::Id>(data, this->SourceArrayName, { &task.NearestSource }, -1);
   }

@@ -136,6 +136,17 @@ public:
 
   ///@{
   /**
+   * Whether each point gets the point arrays of port 1 from its nearest source, such as names and
+   * labels. Where that is one of SourceIds, or there is none: NaN, 0 or the empty string. Arrays of
+   * the surface and results of the filter stay, where names are the same. Default off.
+   */
+  vtkSetMacro(PassSourceArrays, bool);
+  vtkGetMacro(PassSourceArrays, bool);
+  vtkBooleanMacro(PassSourceArrays, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether to add the point array `GeodesicVirtualSource` (double, 3 components): where the
    * distance of a point seems to come from. These are the distance at that virtual source, the
    * straight distance from it, and its direction, the polar angle at the point in radians as in
@@ -217,6 +228,7 @@ private:
   double MaximumDistance;
   double UnreachedValue;
   bool GenerateNearestSource;
+  bool PassSourceArrays;
   bool GenerateVirtualSource;
   std::string DistanceArrayName;
   std::string SourceArrayName;

@@ -107,6 +107,8 @@ TEST(GeodesicDistanceContract, EveryPropertyCountsAsAChange)
   expectChange("MergeCoincidentPointsOn");
   filter->GenerateNearestSourceOn();
   expectChange("GenerateNearestSourceOn");
+  filter->PassSourceArraysOn();
+  expectChange("PassSourceArraysOn");
   filter->SetDistanceArrayName("d");
   expectChange("SetDistanceArrayName");
   filter->SetDistanceArrayName("d");
@@ -327,7 +329,7 @@ TEST(GeodesicDistanceContract, PrintSelf)
   filter->Print(os);
   for (const char* text : { "SourceIds: 3 2\n", "ProjectionTolerance: 0.01\n",
          "MergeCoincidentPoints: Off\n", "MaximumDistance: ", "UnreachedValue: nan\n",
-         "GenerateNearestSource: Off\n", "DistanceArrayName: GeodesicDistance\n",
+         "GenerateNearestSource: Off\n", "PassSourceArrays: Off\n", "DistanceArrayName: GeodesicDistance\n",
          "SourceArrayName: GeodesicSource\n", "InitialDistanceArrayName: InitialDistance\n",
          "MeshBuildTime: ", "MeshReport:\n", "    triangles: 2\n", "Engine: Triangle\n" })
   {

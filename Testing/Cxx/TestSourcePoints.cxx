@@ -7,15 +7,20 @@
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
+#include "vtkStringArray.h"
 #include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 using namespace dggtest;
 
@@ -118,6 +123,55 @@ TEST(SourcePoints, NumberingIsIdsFirst)
   EXPECT_EQ(sources[3], 2);
   EXPECT_EQ(sources[6], 3);
   EXPECT_NEAR(GetDistances(filter)[3], 0.1, 1e-12);
+}
+
+TEST(SourcePoints, ArraysOfTheNearest)
+{
+  auto sources = MakeSourcePoints({ { { 3.1, 0.0, 0.0 } }, { { 6.1, 0.0, 0.0 } } });
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  names->InsertNextValue("west");
+  names->InsertNextValue("east");
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Label");
+  labels->InsertNextValue(7);
+  labels->InsertNextValue(9);
+  vtkNew<vtkFloatArray> colors;
+  colors->SetName("Color");
+  colors->SetNumberOfComponents(2);
+  colors->InsertNextTuple2(1.0, 2.0);
+  colors->InsertNextTuple2(3.0, 4.0);
+  vtkNew<vtkFloatArray> taken;
+  taken->SetName("GeodesicDistance");
+  taken->SetNumberOfTuples(2);
+  for (vtkAbstractArray* array : std::vector<vtkAbstractArray*>{ names, labels, colors, taken })
+  {
+    sources->GetPointData()->AddArray(array);
+  }
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(9, 1));
+  filter->AddSourceId(9);
+  filter->SetSourceData(sources);
+  filter->SetMaximumDistance(1.5);
+  filter->PassSourceArraysOn();
+  ExpectSuccess(filter);
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  EXPECT_EQ(data->GetNumberOfArrays(), 4); // not the numbers of sources
+  EXPECT_NEAR(GetDistances(filter)[3], 0.1, 1e-12);
+  // Nearest to one, to the other, to an id, to none.
+  const vtkIdType points[4] = { 3, 6, 9, 0 };
+  const std::string expectedNames[4] = { "west", "east", "", "" };
+  const double expectedLabels[4] = { 7.0, 9.0, 0.0, 0.0 };
+  const double expectedColors[4] = { 2.0, 4.0, std::nan(""), std::nan("") };
+  auto found = vtkStringArray::SafeDownCast(data->GetAbstractArray("Name"));
+  ASSERT_NE(found, nullptr);
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(found->GetValue(points[i]), expectedNames[i]);
+    EXPECT_EQ(data->GetArray("Label")->GetTuple1(points[i]), expectedLabels[i]);
+    const double color = data->GetArray("Color")->GetComponent(points[i], 1);
+    EXPECT_TRUE(color == expectedColors[i] || (std::isnan(color) && i > 1)) << color;
+  }
 }
 
 TEST(SourcePoints, InitialDistances)
