@@ -34,7 +34,7 @@ mesh="$(realpath "${3:-$here/Data/bumpy.ply}")"
 root="$folder/$system"
 home=/srv # in the system: where its user works
 
-inside() { chroot "$root" env -i HOME=$home PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+inside() { chroot "$root" env -i HOME=$home XDG_CACHE_HOME=$home/.cache PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
   DEBIAN_FRONTEND=noninteractive TERM=xterm MANPAGER=cat bash -c "cd $home && $1"; }
 # shown COMMAND: run it in the system, and say what it was and how long it took.
 shown() {

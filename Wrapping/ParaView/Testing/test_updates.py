@@ -150,7 +150,7 @@ class Server(unittest.TestCase):
 import sys
 sys.path.insert(0, {folder!r})
 from paraview import simple
-simple.Connect("localhost", {port})
+simple.Connect("127.0.0.1", {port})
 simple.LoadPlugin({plugin!r}, remote=True, ns=vars(simple))
 simple.LoadPlugin({plugin!r}, remote=False, ns=vars(simple))
 mesh = simple.PLYReader(FileNames=[{mesh!r}])
@@ -164,7 +164,7 @@ print(graph.GetDataInformation().GetNumberOfPoints(), flush=True)
 
     def run_client(self, accuracy):
         with socket.socket() as probe:
-            probe.bind(("localhost", 0))
+            probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
         folder = pathlib.Path(shutil.which("pvserver") or "").parent
         server = subprocess.Popen(
