@@ -64,6 +64,9 @@ if (WITH_PYTHON)
     "${library} (= ${VERSION}-1)" libvtk9. "python3 (>= 3." "python3 (<< 3." python3-numpy
     python3-vtk9)
   check_package(vtkdgg-tools "python3-vtkdgg (= ${VERSION}-1)" "python3,")
+  if (NOT EXISTS "${PACKAGES}/unpacked/vtkdgg-tools/usr/share/doc/vtkdgg-tools/Examples/Solved.md")
+    message(SEND_ERROR "vtkdgg-tools has no pages")
+  endif ()
 endif ()
 
 file(REMOVE_RECURSE "${PACKAGES}/installed")
