@@ -113,7 +113,8 @@ class Maps(Exhibit):
     def table(self, figures):
         rows = [[title, errors_text(errors)] for title, errors in figures["methods"].items()]
         return (
-            f"{figures['model']}, {count_text(figures['vertices'])} vertices, ε = {self.accuracy}.\n\n"
+            f"{figures['model']}, {count_text(figures['vertices'])} vertices, ε = {self.accuracy}, {STEPS} "
+            "steps of the variational heat method.\n\n"
             + table(["method", "error: mean / 99.9 % / max"], rows)
         )
 
