@@ -248,9 +248,8 @@ void RegisterAll(const BenchmarkArguments& arguments)
   Require(arguments.GetInteger("sources") >= 1, "sources must be at least 1");
   for (const std::string& text : arguments.GetList("accuracies"))
   {
-    dgg::GraphOptions options;
-    options.Accuracy = std::atof(text.c_str());
-    Require(dgg::GraphBuilder::Check(options));
+    // The library has a lower limit, candidates have none.
+    Require(std::atof(text.c_str()) > 0.0, "accuracies must be positive");
   }
   for (const MeshRecipe& mesh : arguments.GetMeshes())
   {

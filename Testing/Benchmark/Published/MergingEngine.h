@@ -15,9 +15,10 @@
 /// become one, whose distances are the same at both ends, which sees all that both have seen, and
 /// which is off by little in between.
 ///
-/// The published test is on its own for each merger. Here errors add up along the way, in bounds
-/// for each half-edge and vertex, and a merger may not bring them above `tolerance` times the
-/// distance: so that is the largest relative error of the result, below and above.
+/// The published test is on its own for each merger; so it would let errors become four times the
+/// tolerance. Here they add up along the way, in bounds for each half-edge and vertex, and a merger
+/// may not bring them above `tolerance` times the distance: so that is the largest relative error
+/// of the result, below and above.
 class MergingEngine : public dgg::TriangleEngine
 {
 public:
