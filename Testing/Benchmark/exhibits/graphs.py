@@ -535,8 +535,8 @@ class DirectAgainstIndirect(Exhibit):
         return Verdict(
             word,
             f"The indirect construction takes {' and '.join(f'{ratio:.0f}' for ratio in found)} times as "
-            f"long as the published direct rule at ε = {' and '.join(fine)}; less at the last one, where the "
-            "direct rule has nearly all edges that so small a mesh allows.",
+            f"long as the published direct rule at ε = {' and '.join(fine)}; less at the last one, on a mesh "
+            "whose size limits both.",
         )
 
 

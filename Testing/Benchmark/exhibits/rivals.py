@@ -10,7 +10,7 @@ from .exhibit import BETTER, NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict
 from .fields import errors_text
 from .searches import errors_of, published
 
-ROUNDING = 1e-8
+ROUNDING = 1e-7  # errors below are drawn there
 
 
 class Unfolding(Exhibit):
@@ -88,7 +88,7 @@ class Unfolding(Exhibit):
         legend = [(titles[method], style) for method, style in styles.items()]
         return plot_curves(
             path,
-            "error in % (at least 1e-6)",
+            "error in % (at least 1e-5)",
             "bytes per vertex",
             curves,
             legend,
