@@ -176,9 +176,11 @@ void RegisterHeat(const MeshRecipe& mesh, const BenchmarkArguments& arguments)
     for (const int steps : arguments.GetIntegers("steps"))
     {
       const std::string name = triangles + "/steps=" + std::to_string(steps);
-      const std::string folder = arguments.Get("fields");
-      const std::string file =
-        folder.empty() ? folder : folder + "/" + triangles + "-" + std::to_string(steps) + ".raw";
+      std::string file = arguments.Get("fields");
+      if (!file.empty())
+      {
+        file.append("/" + triangles + "-" + std::to_string(steps)).append(".raw");
+      }
       CaseGroup("Published/" + mesh.Name + "/Heat/", Once)
         .AddSources(name, sources, MeasureHeat, mesh, triangles == "Delaunay", steps, vertex, file);
     }

@@ -35,6 +35,7 @@ dgg::Status TriangleUnfolding::TakeSamples(int count, std::vector<std::vector<do
   dgg::ExactGeodesics solver(this->Mesh);
   // Vertices without a face are never the farthest.
   std::vector<double> least;
+  least.reserve(static_cast<std::size_t>(this->Mesh.GetNumberOfVertices()));
   for (dgg::Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
   {
     least.push_back(this->Mesh.Kind(v) == dgg::VertexKind::Isolated ? 0.0 : dgg::Infinity);
@@ -75,6 +76,7 @@ void TriangleUnfolding::FindTriangles(const std::vector<std::vector<double>>& fi
   };
   const dgg::Id n = this->Mesh.GetNumberOfVertices();
   std::vector<dgg::Id> cells;
+  cells.reserve(static_cast<std::size_t>(n));
   for (dgg::Id v = 0; v < n; ++v)
   {
     cells.push_back(nearestOf(v, [](std::size_t) { return true; }));
