@@ -217,6 +217,7 @@ std::size_t TriangleEngine::PropagateList(Id h)
   const auto stale = std::remove_if(
     this->Passing.begin(), this->Passing.end(), [&](const Window& w) { return this->IsStale(w); });
   this->Passing.erase(stale, this->Passing.end());
+  this->Simplify(h, this->Passing);
   const std::size_t windows = this->Passing.size();
   this->Result->NumberOfWindows += windows;
   if (this->HasTargets(SurfaceMesh::Face(h)))

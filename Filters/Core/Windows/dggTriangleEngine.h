@@ -30,6 +30,9 @@ protected:
   void Reset() override;
   void ResetReached(const std::vector<Id>& vertices) override;
   void Release() override;
+  /// A list is about to enter the face of half-edge h: an engine that is content with less may
+  /// change it.
+  virtual void Simplify(Id, WindowList&) {}
 
 private:
   /// Windows that leave a face through one of its edges. On stretched triangles the children of

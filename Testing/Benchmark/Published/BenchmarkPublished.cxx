@@ -1,14 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Rules of the thesis that the module has repaired or replaced, as they were published, beside
-/// ours.
+/// Rules of the thesis that the module has repaired or replaced, as they were published, and the
+/// methods that it compares with, beside ours.
 ///
 /// Usage: BenchmarkPublished [--benchmark_...] [--name=value...] [mesh...]
 ///   --accuracies=0.01,0.001   of the graphs
 ///   --sources=3               of the errors
 ///   --rules=OneRelay          graphs that queues are measured on: OneRelay, Guaranteed, Indirect
-///   --parts=Queue,Pruning,Pseudo
+///   --parts=Queue,Pruning,Pseudo,Heat,Unfolding,Merging
+///   --steps=0,10              of the variational heat method; 0 is the heat method
+///   --vertex=-1               source of these; -1: as many as --sources
+///   --fields=                 a folder that their distances are written to, as raw doubles
+///   --samples=100,400         of triangle unfolding
+///   --pairs=2000              of vertices, asked of it and of the graph
+///   --tolerances=0,0.001,0.01 of merged windows; 0 is the exact engine
 /// Meshes as for BenchmarkExact.
 ///
 /// Names of the results are
@@ -20,6 +26,11 @@
 ///   Published/MESH/Pseudo/RULE/ACCURACY/Build, .../Query/K
 ///       RULE is Plain, candidates of the mesh as it is, pruned as published; Pseudo, the same with
 ///       pseudo-vertices; or Guaranteed
+///   Published/MESH/Heat/TRIANGLES/steps=N/K
+///       TRIANGLES are Direct or Delaunay
+///   Published/MESH/Unfolding/samples=N, .../Graph/ACCURACY, .../Paths/ACCURACY
+///       what is prepared; queries are in a counter
+///   Published/MESH/Merging/tolerance=X/K
 /// Times are CPU seconds on one thread.
 
 #include "BenchmarkArguments.h"
@@ -27,6 +38,7 @@
 #include "CandidateGraph.h"
 #include "LabelQueue.h"
 #include "PseudoVertices.h"
+#include "RivalCases.h"
 #include "dggGraphFans.h"
 
 #include <cmath>
@@ -52,6 +64,11 @@ const std::map<std::string, PruningRule> Prunings = {
   { "None", PruningRule::None },
   { "Progress", PruningRule::Progress },
   { "Published", PruningRule::Published },
+};
+const std::map<std::string, void (*)(const MeshRecipe&, const BenchmarkArguments&)> Rivals = {
+  { "Heat", RegisterHeat },
+  { "Unfolding", RegisterUnfolding },
+  { "Merging", RegisterMerging },
 };
 
 double FanTolerance(const std::string& fans, const dgg::GraphView& graph)
@@ -231,14 +248,19 @@ void RegisterAll(const BenchmarkArguments& arguments)
   Require(arguments.GetInteger("sources") >= 1, "sources must be at least 1");
   for (const std::string& text : arguments.GetList("accuracies"))
   {
-    dgg::GraphOptions options;
-    options.Accuracy = std::atof(text.c_str());
-    Require(dgg::GraphBuilder::Check(options));
+    // The library has a lower limit, candidates have none.
+    Require(std::atof(text.c_str()) > 0.0, "accuracies must be positive");
   }
   for (const MeshRecipe& mesh : arguments.GetMeshes())
   {
     for (const std::string& part : arguments.GetList("parts"))
     {
+      const auto rival = Rivals.find(part);
+      if (rival != Rivals.end())
+      {
+        rival->second(mesh, arguments);
+        continue;
+      }
       for (const std::string& text : arguments.GetList("accuracies"))
       {
         RegisterMesh(mesh, part, text, arguments);
@@ -252,6 +274,8 @@ int main(int argc, char** argv)
 {
   return RunBenchmarks(argc, argv,
     { { "accuracies", "0.01,0.001" }, { "sources", "3" }, { "rules", "OneRelay" },
-      { "parts", "Queue,Pruning,Pseudo" } },
+      { "parts", "Queue,Pruning,Pseudo,Heat,Unfolding,Merging" }, { "steps", "0,10" },
+      { "vertex", "-1" }, { "fields", "" }, { "samples", "100,400" }, { "pairs", "2000" },
+      { "tolerances", "0,0.001,0.01" } },
     RegisterAll);
 }

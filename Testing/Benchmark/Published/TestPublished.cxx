@@ -1,11 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CandidateGraph.h"
+#include "ErrorStatistics.h"
 #include "GeneratedMesh.h"
 #include "LabelQueue.h"
+#include "MergingEngine.h"
 #include "PseudoVertices.h"
+#include "RandomNumbers.h"
+#include "TriangleUnfolding.h"
+#include "VariationalHeat.h"
+#include "dggExactGeodesics.h"
 #include "dggGraphBuilder.h"
 #include "dggGraphSearch.h"
+#include "dggHeatMethod.h"
 
 #include <gtest/gtest.h>
 
@@ -49,11 +56,59 @@ protected:
     return result.Distances;
   }
 
+  dgg::ExactResult Exact(dgg::Id source)
+  {
+    dgg::ExactResult result;
+    EXPECT_TRUE(dgg::ExactGeodesics(this->Surface)
+                  .Run({ { dgg::SurfacePoint::AtVertex(source), 0.0 } }, {}, result)
+                  .IsOk());
+    return result;
+  }
+
   dgg::SurfaceMesh Surface;
 };
 
 constexpr QueueRule AllQueues[] = { QueueRule::FirstInFirstOut, QueueRule::SmallLabelFirst,
   QueueRule::LargeLabelLast, QueueRule::SmallAndLarge };
+
+/// A square with sides of length 1; vertices inside are shifted at random.
+MeshArrays FlatSquare(int side)
+{
+  RandomNumbers random(11u);
+  MeshArrays square;
+  const auto place = [&](int i) {
+    const double shift = i % (side - 1) == 0 ? 0.0 : 0.4 * (random() - 0.5);
+    return (i + shift) / (side - 1);
+  };
+  for (int i = 0; i < side * side; ++i)
+  {
+    const double x = place(i / side);
+    square.Points.insert(square.Points.end(), { x, place(i % side), 0.0 });
+  }
+  for (int i = 0; i + side < side * side; ++i)
+  {
+    if ((i + 1) % side != 0)
+    {
+      square.Triangles.insert(
+        square.Triangles.end(), { i, i + side, i + 1, i + 1, i + side, i + side + 1 });
+    }
+  }
+  return square;
+}
+
+MeshArrays Stretched(MeshArrays mesh, double factor)
+{
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    mesh.Points[i] *= factor;
+  }
+  return mesh;
+}
+
+double MeanError(const std::vector<double>& distances, const std::vector<double>& exact)
+{
+  return ErrorStatistics::Of(distances, exact).Mean;
+}
 }
 
 TEST_F(Published, AllQueuesFindTheShortestPaths)
@@ -129,12 +184,7 @@ TEST_F(Published, PrunedByTheConditionAsPrinted)
 
 TEST_F(Published, PseudoVerticesLeaveTheSurfaceAsItIs)
 {
-  MeshArrays stretched = BumpySphere(2);
-  for (std::size_t i = 0; i < stretched.Points.size(); i += 3)
-  {
-    stretched.Points[i] *= 8.0;
-  }
-  this->Use(stretched);
+  this->Use(Stretched(BumpySphere(2), 8.0));
   dgg::GeodesicGraph candidates;
   CandidateStatistics statistics;
   ASSERT_TRUE(
@@ -155,4 +205,141 @@ TEST_F(Published, PseudoVerticesLeaveTheSurfaceAsItIs)
   {
     EXPECT_NEAR(after[v], before[v], Accuracy * before[v] + 1e-12);
   }
+}
+
+TEST_F(Published, VariationalHeatIsCloserThanHeat)
+{
+  // By how much: on regular triangles, and on others, where it may be worse.
+  const std::pair<MeshArrays, double> cases[] = { { Icosphere(3), 0.5 }, { Icosphere(4), 0.3 },
+    { BumpySphere(3), 1.5 }, { Torus(40, 20), 1.5 } };
+  for (const auto& mesh : cases)
+  {
+    this->Use(mesh.first);
+    const std::vector<double> exact = this->Exact(0).Distances;
+    for (const bool isDelaunay : { false, true })
+    {
+      dgg::HeatOptions options;
+      options.IntrinsicDelaunay = isDelaunay;
+      dgg::HeatMethod heat(this->Surface);
+      ASSERT_TRUE(heat.Prepare(options, nullptr).IsOk());
+      dgg::HeatResult result;
+      ASSERT_TRUE(heat.Run({ { dgg::SurfacePoint::AtVertex(0), 0.0 } }, {}, result).IsOk());
+      VariationalHeat variational(this->Surface);
+      ASSERT_TRUE(variational.Prepare(isDelaunay).IsOk());
+      std::vector<double> distances = result.Distances;
+      variational.Improve(0, 0, distances);
+      EXPECT_EQ(distances, result.Distances);
+      variational.Improve(0, 10, distances);
+      EXPECT_LT(variational.Energy(distances), variational.Energy(result.Distances));
+      EXPECT_LT(MeanError(distances, exact), mesh.second * MeanError(result.Distances, exact));
+    }
+  }
+}
+
+TEST_F(Published, VariationalHeatKnowsComponents)
+{
+  MeshArrays two = Icosphere(1);
+  const auto n = static_cast<dgg::Id>(two.GetNumberOfVertices());
+  const MeshArrays one = two;
+  two.Points.insert(two.Points.end(), one.Points.begin(), one.Points.end());
+  for (const dgg::Id v : one.Triangles)
+  {
+    two.Triangles.push_back(v + n);
+  }
+  this->Use(two);
+  VariationalHeat variational(this->Surface);
+  ASSERT_TRUE(variational.Prepare(true).IsOk());
+  std::vector<double> distances = this->Exact(3).Distances;
+  variational.Improve(3, 5, distances);
+  EXPECT_DOUBLE_EQ(distances[3], 0.0);
+  EXPECT_GT(distances[0], 0.0);
+  EXPECT_EQ(distances[n], dgg::Infinity);
+}
+
+TEST_F(Published, UnfoldedTrianglesAreExactInThePlane)
+{
+  const MeshArrays square = FlatSquare(20);
+  this->Use(square);
+  TriangleUnfolding unfolding(this->Surface);
+  ASSERT_TRUE(unfolding.Prepare(30).IsOk());
+  EXPECT_GT(unfolding.GetNumberOfTriangles(), 30u);
+  const dgg::Id n = this->Surface.GetNumberOfVertices();
+  for (dgg::Id p = 0; p < n; p += 7)
+  {
+    for (dgg::Id q = 0; q < n; ++q)
+    {
+      const double x = square.Points[3 * p] - square.Points[3 * q];
+      const double y = square.Points[3 * p + 1] - square.Points[3 * q + 1];
+      EXPECT_NEAR(unfolding.GetDistance(p, q), dgg::Norm(x, y), 1e-6);
+    }
+  }
+}
+
+TEST_F(Published, UnfoldedTrianglesKeepTheTriangleInequality)
+{
+  double before = dgg::Infinity;
+  for (const int count : { 20, 80, 320 })
+  {
+    TriangleUnfolding unfolding(this->Surface);
+    ASSERT_TRUE(unfolding.Prepare(count).IsOk());
+    ASSERT_EQ(unfolding.GetSamples().size(), static_cast<std::size_t>(count));
+    double sum = 0.0;
+    for (const dgg::Id p : { 3, 100, 377 })
+    {
+      const std::vector<double> exact = this->Exact(p).Distances;
+      std::vector<double> found;
+      for (dgg::Id q = 0; q < this->Surface.GetNumberOfVertices(); ++q)
+      {
+        const TriangleUnfolding::Bounds bounds = unfolding.GetBounds(p, q);
+        found.push_back(unfolding.GetDistance(p, q));
+        EXPECT_LE(bounds.Lower, exact[q] + 1e-9);
+        EXPECT_GE(bounds.Upper, exact[q] - 1e-9);
+        EXPECT_LE(std::abs(found.back() - exact[q]), bounds.Upper - bounds.Lower + 1e-9);
+      }
+      sum += MeanError(found, exact);
+    }
+    EXPECT_LT(sum, 0.5 * before);
+    before = sum;
+    const dgg::Id sample = unfolding.GetSamples()[count / 2];
+    const std::vector<double> exact = this->Exact(sample).Distances;
+    for (const dgg::Id other : unfolding.GetSamples())
+    {
+      EXPECT_NEAR(unfolding.GetDistance(sample, other), exact[other], 1e-9);
+    }
+  }
+}
+
+TEST_F(Published, MergedWindowsStayWithinTheirTolerance)
+{
+  for (const MeshArrays& mesh : { BumpySphere(4), Stretched(BumpySphere(4), 8.0), Torus(60, 30),
+         HillWithHole(40), Cuboid(1.0, 0.7, 0.5, 12, 0.2), FlatSquare(30) })
+  {
+    this->Use(mesh);
+    for (const dgg::Id source : { 0, 400 })
+    {
+      const dgg::ExactResult exact = this->Exact(source);
+      for (const double tolerance : { 0.1, 0.01, 0.001 })
+      {
+        MergingEngine engine(this->Surface, tolerance);
+        dgg::ExactResult result;
+        const dgg::Status status =
+          engine.Run({ { dgg::SurfacePoint::AtVertex(source), 0.0 } }, {}, result, false);
+        ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+        const ErrorStatistics errors = ErrorStatistics::Of(result.Distances, exact.Distances);
+        EXPECT_EQ(errors.Unreached, 0u);
+        EXPECT_LE(errors.Maximum, tolerance);
+        EXPECT_LE(result.NumberOfWindows, exact.NumberOfWindows);
+      }
+    }
+  }
+}
+
+TEST_F(Published, MergingSavesWindows)
+{
+  this->Use(BumpySphere(4));
+  MergingEngine engine(this->Surface, 0.01);
+  dgg::ExactResult result;
+  ASSERT_TRUE(engine.Run({ { dgg::SurfacePoint::AtVertex(0), 0.0 } }, {}, result, false).IsOk());
+  EXPECT_GT(engine.GetNumberOfMerged(), 1000u);
+  EXPECT_LT(result.NumberOfWindows, this->Exact(0).NumberOfWindows / 2);
 }

@@ -26,7 +26,7 @@ ACCURACIES = ("0.01", "0.001")
 QUEUES = ("FIFO", "SLF", "LLL", "Both")
 
 
-def published(run, name, part, accuracies=ACCURACIES, sources=3):
+def published(run, name, part, accuracies=ACCURACIES, sources=3, options=()):
     """{case: {figure: [values]}} of one part; cases are what comes after its name."""
     path = run.program(
         "BenchmarkPublished",
@@ -34,6 +34,7 @@ def published(run, name, part, accuracies=ACCURACIES, sources=3):
         f"--accuracies={','.join(accuracies)}",
         f"--sources={sources}",
         "--rules=OneRelay,Guaranteed",
+        *options,
         run.file(name),
     )
     found = {}

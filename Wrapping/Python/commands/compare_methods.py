@@ -18,7 +18,7 @@ from .methods import field, methods
 from .output import with_arrays
 from .sizes import floor_of
 
-COLUMNS = 4
+COLUMNS = 5  # at most
 CELL = (460, 480)  # pixels of a method
 LEGEND = 240  # on the right
 # Of the height of a cell, from below: the histogram, the map, and what is left for the text.
@@ -58,13 +58,13 @@ def save(path, mesh, source, measured, part=1.0):
     low, high = scale(measured)
     table = pictures.lookup_table(pictures.ERROR_COLOURS, low, high, pictures.UNREACHED_ERROR)
     table.SetScaleToLog10()
-    columns = min(COLUMNS, len(measured))
-    rows = math.ceil(len(measured) / columns)
+    rows = math.ceil(len(measured) / COLUMNS)
+    columns = math.ceil(len(measured) / rows)
     size = [columns * CELL[0] + LEGEND, rows * CELL[1]]
     width, height = CELL[0] / size[0], 1.0 / rows
     bars = {title: histogram(errors, low, high) for title, errors in measured.items()}
     tallest = max(shares.max() for shares in bars.values())
-    renderers = []
+    renderers = [_viewport((0.0, 0.0, 1.0, 1.0))]  # where there is nothing
     for i, (title, errors) in enumerate(measured.items()):
         left, bottom = i % columns * width, 1.0 - (i // columns + 1) * height
         levels = [bottom + height * share for share in (0.0, BARS, BARS + MAP, 1.0)]
