@@ -2,19 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """All exhibits, in the order of the thesis."""
 
-from . import clouds, differences, fields, graphs, greens, isolines, searches, sweeps
+from . import clouds, differences, fields, graphs, greens, isolines, laws, searches, sweeps
 
 
 def _place(exhibit):
     """Tables, then figures, then what the thesis does not show; by their numbers."""
     chapter, number = exhibit.name[1:].split(".")
-    return ("TFD".index(exhibit.name[0]), int(chapter), int(number))
+    return ("TFDL".index(exhibit.name[0]), int(chapter), int(number))
 
 
 ALL = sorted(
     (
         exhibit
-        for module in (clouds, differences, fields, graphs, greens, isolines, searches, sweeps)
+        for module in (clouds, differences, fields, graphs, greens, isolines, laws, searches, sweeps)
         for exhibit in module.EXHIBITS
     ),
     key=_place,
