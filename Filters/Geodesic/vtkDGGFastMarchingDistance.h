@@ -20,10 +20,12 @@
  * (QualityWarning); the page of the module has figures. Points become final one by one, in the
  * order of their distances; next to nothing is prepared, and memory is small.
  *
- * On clouds the error is some percent, and falls with the root of the width of the band at best:
- * distances in a graph of vtkPointCloudDGG are 10 to 100 times as accurate. The band is made once,
- * and kept until points, BandRadius or Resolution change; each voxel of it takes some 18 bytes, and
- * those around it as many. Sheets closer than two radii, and two voxels, are connected.
+ * On clouds the mean error is usually 1 to 3 %, and that of single points up to 10 %, at any
+ * density: the band makes short cuts where the surface bends, and differences of first order add to
+ * lengths. Distances in a graph of vtkPointCloudDGG are 10 to 100 times as accurate. The band is
+ * made once, and kept until points, BandRadius or Resolution change; a march takes 17 bytes for
+ * each voxel of the blocks of 8 x 8 x 8 that the band touches. Sheets closer than two radii and two
+ * voxels are connected.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm, and on clouds
  *  - a BandRadius not in [0.5, 1000], unless 0; a Resolution not in [0, 524288];
