@@ -262,6 +262,9 @@ TEST_F(CloudMarching, Refusals)
   ExpectError(this->Filter, { "GenerateVirtualSource" });
   this->Filter->GenerateVirtualSourceOff();
   ExpectSuccess(this->Filter);
+  const Points part = MakeFlatPoints(20);
+  this->Use(Join(part, Move(part, { { 1e10, 0.0, 0.0 } })));
+  ExpectError(this->Filter, { "too far apart", "each part on its own" });
 }
 
 TEST_F(CloudMarching, FromCloudToMeshAndBack)
