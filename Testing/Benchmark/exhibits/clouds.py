@@ -121,7 +121,7 @@ class Errors(Exhibit):
     """Mean errors of graphs of clouds: schemes A and B with published parameters (chords, no edges left
     out, as many voxels as give the spacing of the published cloud at 512; the best of h = 2, 4 and
     alpha = 1, 2.5 for A and 4 for B), scheme C as it is by default, fast marching in a band of voxels,
-    and the heat method on the triangles that points and their neighbours make in the plane that fits
+    and the heat method on the triangles that points and their neighbours make in the planes that fit
     these.
     """
 

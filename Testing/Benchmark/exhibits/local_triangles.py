@@ -11,9 +11,10 @@ NEIGHBORS = 24
 
 def local_triangles(cloud, points):
     """The triangles at each point of the Delaunay triangulation of its neighbours in the plane that is
-    fitted to them (Sharp and Crane, "A Laplacian for nonmanifold triangle meshes", 2020, section 5.7).
-    Those that several points agree on are there once; where they do not agree, edges have more than
-    two triangles."""
+    fitted to them, as Sharp and Crane have them ("A Laplacian for nonmanifold triangle meshes", 2020,
+    section 5.7). Theirs counts each a third for each corner that has it. Here one that two corners agree
+    on is there, and others are not: where points of rough surfaces disagree, holes do less harm than
+    several layers. A few edges have more than two triangles."""
     near = nearest(cloud, len(points), NEIGHBORS + 1)[:, 1:]
     ways = points[near] - points[:, None]
     # The plane through the point with the least squares of distances of its neighbours.
@@ -28,7 +29,8 @@ def local_triangles(cloud, points):
         for point, (ids, image) in enumerate(zip(near.tolist(), images.tolist()))
         for pair in fan(ids, image)
     ]
-    return np.unique(np.sort(triangles, axis=1), axis=0)
+    found, counts = np.unique(np.sort(triangles, axis=1), axis=0, return_counts=True)
+    return found[counts > 1]
 
 
 def nearest(cloud, count, number):
