@@ -225,7 +225,7 @@ dgg::Status DGGPreparedMesh::CheckSurface(vtkPolyData* input)
   return dgg::InvalidInput("the input has ", n, n == 1 ? " point" : " points",
     " but no polygons or triangle strips: connect a surface mesh. Distances on a point cloud need "
     "the graph that vtkPointCloudDGG makes, and a filter that searches it, as vtkDGGDistance or "
-    "vtkDGGPath");
+    "vtkDGGPath; vtkDGGFastMarchingDistance gives rough ones without");
 }
 
 //------------------------------------------------------------------------------

@@ -94,11 +94,6 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
 {
   const DGGContext& context = task.Context;
   const bool isCloud = context.Surface.IsCloud();
-  if (isCloud && task.WantVirtualSource)
-  {
-    return dgg::Status::Invalid("a virtual source is a direction on a surface, which a point cloud "
-                                "has not: turn GenerateVirtualSource off");
-  }
   const bool correct = this->Correction && !isCloud;
   DGGGraphUser& graph = *this->GraphUser;
   DGG_RETURN_IF_ERROR(graph.Update(context, this));

@@ -34,8 +34,8 @@
  * vtkPointCloudDGG. Its cells are not used; a missing, damaged or outdated graph is an error,
  * Accuracy and AcceptCoarserGraph do nothing, and the mesh report is empty. Points asked for may
  * lie beside the cloud, within ProjectionTolerance or as far as the closest point is from its six
- * neighbours; they are connected to it and to those that it is connected to. All other filters need
- * a surface.
+ * neighbours; they are connected to it and to those that it is connected to.
+ * vtkDGGFastMarchingDistance takes any cloud, without a graph. All other filters need a surface.
  *
  * <b>Several processes, blocks, partitions</b>. Input in parts is joined to one surface, on which
  * the first process computes for all; all must update together.

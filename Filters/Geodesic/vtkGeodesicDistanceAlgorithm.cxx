@@ -275,6 +275,11 @@ DGGSourceSet vtkGeodesicDistanceAlgorithm::GetSources(vtkInformationVector** inp
 dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (context.Surface.IsCloud() && this->GenerateVirtualSource)
+  {
+    return dgg::Status::Invalid("a virtual source is a direction on a surface, which a point cloud "
+                                "has not: turn GenerateVirtualSource off");
+  }
   std::vector<dgg::GeodesicSource> sources;
   DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
     context, this->GetSources(inputVector), this->ProjectionTolerance, sources));

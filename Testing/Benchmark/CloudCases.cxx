@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudCases.h"
 
-#include "BandMarching.h"
 #include "BenchmarkTools.h"
+#include "dggBandMarching.h"
 
 #include <cmath>
 
@@ -136,14 +136,14 @@ void MeasureBandMarching(
     band.Build(places, graph.Radii, graph.VoxelSize, 0, ThreadedLoop(recipe.Threads));
   Require(status);
   const dgg::BandMarching marching(band);
-  std::vector<double> distances;
+  dgg::BandMarchingResult result;
   Measure(
     state, [] {},
     [&] {
-      status = marching.Run({ { places[source], 0.0 } }, places, {}, distances);
+      status = marching.Run({ { places[source], 0.0 } }, places, {}, result);
     });
   Require(status);
   state.counters["voxels"] = static_cast<double>(band.GetNumberOfVoxels());
   state.counters["resolution"] = band.GetResolution();
-  ReportCloudErrors(state, cloud, source, distances);
+  ReportCloudErrors(state, cloud, source, result.Distances);
 }

@@ -26,14 +26,17 @@ from exhibits.exhibit import (
     judged,
 )
 from exhibits.fields import summary
+from exhibits.laws import fit
+from exhibits.local_triangles import local_triangles
 from exhibits.run import Kept, Run, TooLong, limited_time
 from Published import bidirectional
 from table_support import OUTPUT, cells_of
+from vtkdgg.commands.files import cloud_of
 
 NAMES = (
     "T3.1 T3.2 T3.4 T5.1 T5.2 T5.3 T5.4 F1.1 F3.6 F3.7 F3.8 F3.9 F3.10 F3.11 F3.12 F3.13 F3.14 F3.15 "
     "F3.16 F3.18 F4.4 F4.5 F4.6 F4.7 F5.1 F5.2 F5.3 F5.9 F5.10 F5.11 F5.14 F5.15 F5.16 F5.17 F5.18 D1.1 D1.2 "
-    "R1.1 R1.2"
+    "R1.1 R1.2 L1.1"
 )
 
 
@@ -123,6 +126,40 @@ class Page(unittest.TestCase):
         self.assertEqual([e.name for e in thesis.chosen(["F3.9", "T3.2"])], ["T3.2", "F3.9"])
         with self.assertRaisesRegex(SystemExit, "no exhibit T1.9; there are D1.1, "):
             thesis.chosen(["F3.9", "T1.9"])
+
+
+class Clouds(unittest.TestCase):
+    def test_local_triangles(self):
+        grid = np.indices((18, 18)).reshape(2, -1).T
+        jitter = np.random.default_rng(3).uniform(-0.3, 0.3, grid.shape)
+        points = np.pad((grid + jitter) / 17.0, ((0, 0), (0, 1)))
+        tilted = points @ np.linalg.qr(np.random.default_rng(4).random((3, 3)))[0]
+        triangles = local_triangles(cloud_of(tilted), tilted)
+        self.assertTrue((np.diff(triangles, axis=1) > 0).all())
+        # In the middle they are those of Delaunay: no point is inside of a circle.
+        corners = points[triangles][:, :, :2]
+        inner = (np.abs(corners - 0.5).max(axis=(1, 2)) < 0.3).nonzero()[0]
+        self.assertGreater(len(inner), 100)
+        for a, b, c in corners[inner]:
+            middle = np.linalg.solve(2.0 * np.array([b - a, c - a]), [b @ b - a @ a, c @ c - a @ a])
+            radius = np.linalg.norm(a - middle)
+            self.assertGreater(
+                np.linalg.norm(points[:, :2] - middle, axis=1).min(), radius * (1.0 - 1e-9)
+            )
+        sides = np.sort(triangles[:, [[0, 1], [1, 2], [0, 2]]].reshape(-1, 2), axis=1)
+        edges, counts = np.unique(sides, axis=0, return_counts=True)
+        within = np.abs(points[edges][:, :, :2] - 0.5).max(axis=(1, 2)) < 0.3
+        self.assertTrue((counts[within] == 2).all())
+
+    def test_fit(self):
+        x = np.geomspace(0.01, 0.3, 20)
+        found = fit(list(zip(x, 30.0 * x**2.4 + 0.02)))
+        np.testing.assert_allclose([found.c, found.p, found.floor], [30.0, 2.4, 0.02], rtol=0.05)
+        self.assertLess(found.off, 1.01)
+        np.testing.assert_allclose(found.at(x), 30.0 * x**2.4 + 0.02, rtol=0.03)
+        plain = fit(list(zip(x, 5.0 * x)))
+        np.testing.assert_allclose([plain.c, plain.p], [5.0, 1.0], rtol=1e-9)
+        self.assertEqual(plain.floor, 0.0)
 
 
 class Results(unittest.TestCase):

@@ -46,7 +46,7 @@ def anchor(title):
 
 
 def heading(exhibit):
-    kind = {"T": "Table", "F": "Figure", "D": "Difference", "R": "Rival"}[exhibit.name[0]]
+    kind = {"T": "Table", "F": "Figure", "D": "Difference", "R": "Rival", "L": "Law"}[exhibit.name[0]]
     return f"{kind} {exhibit.name[1:]}: {exhibit.title}"
 
 

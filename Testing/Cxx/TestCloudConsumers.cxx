@@ -7,7 +7,6 @@
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
-#include "vtkDGGFastMarchingDistance.h"
 #include "vtkDGGLoop.h"
 #include "vtkDGGPath.h"
 #include "vtkDoubleArray.h"
@@ -69,10 +68,8 @@ TEST_F(CloudConsumers, OtherFiltersNeedASurface)
   distance->SetSourceIds({ 0 });
   vtkNew<vtkExactGeodesicDistance> exact;
   vtkNew<vtkHeatGeodesicDistance> heat;
-  vtkNew<vtkDGGFastMarchingDistance> marching;
   for (vtkGeodesicDistanceAlgorithm* filter : { static_cast<vtkGeodesicDistanceAlgorithm*>(exact),
-         static_cast<vtkGeodesicDistanceAlgorithm*>(heat),
-         static_cast<vtkGeodesicDistanceAlgorithm*>(marching) })
+         static_cast<vtkGeodesicDistanceAlgorithm*>(heat) })
   {
     filter->SetInputConnection(this->Graph->GetOutputPort());
     filter->SetSourceIds({ 0 });
@@ -98,13 +95,12 @@ TEST_F(CloudConsumers, ThatASurfaceIsNeededIsReportedFirst)
   const auto cloud = MakeCloud(MakeFlatPoints(5));
   vtkNew<vtkExactGeodesicDistance> exact;
   vtkNew<vtkHeatGeodesicDistance> heat;
-  vtkNew<vtkDGGFastMarchingDistance> marching;
   vtkNew<vtkDGGLoop> loop;
   vtkNew<vtkApolloniusIsolines> isolines;
   vtkNew<vtkGeodesicProbe> probe;
   vtkNew<vtkDGGDistance> distance;
   for (vtkGeodesicAlgorithm* filter :
-    std::vector<vtkGeodesicAlgorithm*>{ exact, heat, marching, loop, isolines, probe, distance })
+    std::vector<vtkGeodesicAlgorithm*>{ exact, heat, loop, isolines, probe, distance })
   {
     filter->SetInputData(cloud);
     ExpectError(filter, { "25 points but no polygons", "vtkPointCloudDGG" });

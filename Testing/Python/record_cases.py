@@ -540,6 +540,13 @@ if hasattr(vtkdgg, "vtkPointCloudDGG"):
         if name.split("-")[0] in ("distance", "matrix", "path", "voronoi", "sampler"):
             if not name.endswith(("-exact", "-alone", *CONSTRUCTIONS)):
                 CLOUD_CASES[name] = CASES[name]
+CLOUD_CASES["marching"] = CASES["marching"]
+CLOUD_CASES["marching-in-band"] = (
+    lambda s: make(
+        "vtkDGGFastMarchingDistance", s.data, SourceIds=s.inner[:1], BandRadius=2.5, Resolution=60
+    ),
+    10**9,
+)
 for mode in range(3):
     CLOUD_CASES[f"pcd-{mode}"] = (pcd(mode), LARGE)
     CLOUD_CASES[f"pcd-writer-{mode}"] = (pcd_writer(mode), LARGE)

@@ -66,6 +66,22 @@ class ApproximateDistances(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "method"):
                 vtkdgg.distance(self.points, self.triangles, 200, **wrong)
 
+    def test_marching_on_a_cloud(self):
+        points = np.random.default_rng(1).random((3000, 3)) * [1.0, 1.0, 0.0]
+        straight = np.linalg.norm(points - points[7], axis=1)
+        found = vtkdgg.distance(points, [], 7, method="marching")
+        self.assertEqual(found[7], 0.0)
+        np.testing.assert_allclose(found, straight, rtol=0.1, atol=0.01)
+        distance = vtkdgg.vtkDGGFastMarchingDistance()
+        distance.SetInputData(vtkdgg.distance(points, [], 7, method="marching", as_polydata=True))
+        distance.SetSourceIds([7])
+        distance.SetResolution(400)
+        distance.SetBandRadius(10.0)
+        np.testing.assert_allclose(distances(distance), straight, rtol=0.05, atol=0.01)
+        self.assertEqual(distance.GetUsedResolution(), 400)
+        with self.assertRaisesRegex(vtkdgg.VTKError, "no polygons"):
+            vtkdgg.distance(points, [], 7)
+
     def test_wrong_properties(self):
         distance = self.prepare(vtkdgg.vtkHeatGeodesicDistance())
         distance.SetTimeStepFactor(-1.0)

@@ -13,6 +13,7 @@ from .errors import run
 from .results import array_of
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
+    vtkDGGFastMarchingDistance,
     vtkExactGeodesicDistance,
     vtkVirtualSourceGeodesicDistance,
 )
@@ -57,9 +58,11 @@ def distance(
     accuracy : float, optional
         Largest relative error, in [1e-6, 0.5]. Default: None, the exact distance. With a number a
         graph is built for this one call. That pays off for many calls: see `Graph`.
-    method : {"exact", "graph", "fast"}, optional
+    method : {"exact", "graph", "fast", "marching"}, optional
         Default: "exact", or "graph" when there is an `accuracy`, whose default is 0.01 then. "fast"
-        takes milliseconds, and nothing bounds its errors; together with `accuracy` it is an error.
+        takes milliseconds, and nothing bounds its errors. Nor does anything those of "marching",
+        which takes point clouds as well: no triangles, or a mesh that has none. With these two an
+        `accuracy` is an error.
     merge_coincident_points : bool, optional
         Whether points with the very same coordinates are one, as along the seams of a textured
         mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
@@ -89,8 +92,9 @@ def distance(
     See Also
     --------
     Graph : for many calls on one mesh.
-    vtkExactGeodesicDistance, vtkDGGDistance, vtkVirtualSourceGeodesicDistance : the filters that
-        do the work, with further options.
+    CloudGraph : for point clouds, far more accurate than "marching".
+    vtkExactGeodesicDistance, vtkDGGDistance, vtkVirtualSourceGeodesicDistance,
+        vtkDGGFastMarchingDistance : the filters that do the work, with further options.
 
     Examples
     --------
@@ -107,6 +111,7 @@ def distance(
         "exact": vtkExactGeodesicDistance,
         "graph": vtkDGGDistance,
         "fast": vtkVirtualSourceGeodesicDistance,
+        "marching": vtkDGGFastMarchingDistance,
     }
     if method is None:
         method = "exact" if accuracy is None else "graph"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "dggBandSizes.h"
 #include "dggCloudSetup.h"
 #include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
@@ -19,25 +20,9 @@ constexpr Offset BricksPerTask = 16;
 constexpr double ShareOfMarks = 0.1;
 constexpr double ShareOfNearest = 0.2;
 
-/// Radius of a ball by spacing: of random points, all but 1 in 10000 of the surface lie in balls.
-constexpr double BallBySpacing = 1.5;
 /// Scheme A takes its reach from pairs in overlapping balls, so they must be larger.
 constexpr double BallBySpacingOfCurvatureScheme = 4.0;
-constexpr double VoxelsPerSpacing = 2.0;
-/// Spacings that voxels are chosen for: that of the densest points are too small.
-constexpr double SpacingQuantile = 0.2;
-/// Voxels in a ball on average, at most, unless voxels became larger for it than the balls of the
-/// densest points are.
-constexpr double VoxelsPerBall = 2000.0;
-/// Voxels along the longest side when they are chosen automatically, at most.
-constexpr double LargestAutomaticResolution = 1 << 23;
-/// Spacings along the longest side, at most. Coordinates are rounded by 2^-54 of it, so that edges
-/// as long as a spacing keep the digits of a float.
-constexpr double MostSpacings = 1 << 30;
 
-/// Voxels of a ball on average, at most: where density varies much, voxels for the balls of the
-/// densest points would be far too many in those of the sparsest.
-constexpr double MostVoxelsPerBall = 4000.0;
 constexpr double VoxelsPerBrick = 512.0;
 constexpr double BytesOfNearest = VoxelsPerBrick * sizeof(Id);
 /// Voxels that bricks have beyond a layer of voxels or a ball, on both sides together, on average.
@@ -46,24 +31,13 @@ constexpr double BeyondBall = 8.0;
 /// A band that does not fit needs more than it may take by that, whatever was predicted.
 constexpr double LeastExcess = 1.01;
 
-double GetMeanVolume(const std::vector<double>& radii)
-{
-  double sum = 0.0;
-  for (const double radius : radii)
-  {
-    sum += radius * radius * radius;
-  }
-  return 4.0 / 3.0 * Pi * sum / static_cast<double>(radii.size());
-}
-
 /// Steps of the band, one after the other.
 class BandBuilder
 {
 public:
-  BandBuilder(const CloudGraphOptions& options, double medianSpacing, SetupLoop& loop,
-    CloudSetup& setup, CloudGraphStatistics& statistics)
+  BandBuilder(const CloudGraphOptions& options, SetupLoop& loop, CloudSetup& setup,
+    CloudGraphStatistics& statistics)
     : Options(options)
-    , MedianSpacing(medianSpacing)
     , Loop(loop)
     , Setup(setup)
     , Pairs(setup.Pairs)
@@ -74,53 +48,24 @@ public:
   /// Radii of balls, and the size of voxels.
   Status ChooseSizes()
   {
-    const std::size_t n = this->Pairs.Points.size();
-    const double extent = this->Setup.Nodes.Extent;
-    const double h = this->Options.OffsetInVoxels;
-    const double factor = this->Options.Scheme == CloudScheme::Curvature
-      ? BallBySpacingOfCurvatureScheme
-      : BallBySpacing;
-    std::vector<double>& radii = this->Pairs.Radii;
-    radii.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
+    BandOptions options;
+    options.OffsetInVoxels = this->Options.OffsetInVoxels;
+    options.Resolution = this->Options.Resolution;
+    if (this->Options.Scheme == CloudScheme::Curvature)
     {
-      radii[i] = factor * this->Pairs.Spacings[i];
+      options.BallBySpacing = BallBySpacingOfCurvatureScheme;
     }
-    std::vector<float> spacings = this->Pairs.Spacings;
-    if (extent > MostSpacings * Quantile(spacings, SpacingQuantile))
-    {
-      return this->TooFarApart("the digits of coordinates");
-    }
-    double& size = this->VoxelSize;
-    if (this->Options.Resolution > 0)
-    {
-      size = extent / this->Options.Resolution;
-    }
-    else
-    {
-      size = h > 0.0 ? factor * this->MedianSpacing / h : this->ChooseVoxelSize(factor);
-      if (extent > LargestAutomaticResolution * size)
-      {
-        return this->TooFarApart("one band of voxels");
-      }
-      // Voxels may be too large for the balls of the densest points then: CloudPairs looks at
-      // these.
-      size = h > 0.0 ? size : std::max(size, std::cbrt(GetMeanVolume(radii) / MostVoxelsPerBall));
-    }
-    if (!(size > 0.0))
-    {
-      size = 1.0; // a single point
-    }
-    if (h > 0.0)
-    {
-      std::fill(radii.begin(), radii.end(), h * size);
-    }
-    std::vector<double> sorted = radii;
-    this->Statistics.OffsetInVoxels = Quantile(sorted, 0.5) / size;
+    BandSizes sizes;
+    DGG_RETURN_IF_ERROR(
+      ChooseBandSizes(this->Setup.Nodes, this->Pairs.Points, this->Pairs.Spacings, options, sizes));
+    this->Pairs.Radii = sizes.Radii;
+    const double size = sizes.VoxelSize;
+    this->VoxelSize = size;
+    this->Statistics.OffsetInVoxels = Quantile(sizes.Radii, 0.5) / size; // reorders them
     this->Statistics.VoxelSize = size / this->Setup.Nodes.Scale;
     // A hair less, so that rounding does not make one more of those that are asked for.
     this->Statistics.Resolution =
-      static_cast<Id>(std::min(1e9, std::ceil((1.0 - 1e-12) * extent / size)));
+      static_cast<Id>(std::min(1e9, std::ceil((1.0 - 1e-12) * this->Setup.Nodes.Extent / size)));
     return Status::Success();
   }
 
@@ -175,39 +120,6 @@ public:
   }
 
 private:
-  /// Small enough for the balls of the densest points, and no smaller than the others allow. Radii
-  /// are spacings times a factor.
-  double ChooseVoxelSize(double factor) const
-  {
-    std::vector<float> spacings = this->Pairs.Spacings;
-    const double dense = Quantile(spacings, SpacingQuantile);
-    return std::clamp(std::cbrt(GetMeanVolume(this->Pairs.Radii) / VoxelsPerBall),
-      dense / VoxelsPerSpacing, factor * dense);
-  }
-
-  /// Names the point that is farthest from the middle of the cloud.
-  Status TooFarApart(const char* limit) const
-  {
-    const std::vector<Point3>& points = this->Pairs.Points;
-    Point3 middle;
-    std::vector<double> values(points.size());
-    for (double Point3::*const axis : { &Point3::X, &Point3::Y, &Point3::Z })
-    {
-      std::transform(
-        points.begin(), points.end(), values.begin(), [&](const Point3& p) { return p.*axis; });
-      middle.*axis = Quantile(values, 0.5);
-    }
-    std::transform(points.begin(), points.end(), values.begin(),
-      [&](const Point3& p) { return Norm(p - middle); });
-    const auto farthest =
-      static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
-    const double toPoints = 1.0 / this->Setup.Nodes.Scale;
-    return InvalidInput("parts of the cloud are too far apart for ", limit, ": its points are ",
-      toPoints * this->MedianSpacing, " from each other, but point ",
-      this->Setup.Nodes.Originals[farthest], " is ", toPoints * values[farthest],
-      " from the middle. Leave out points that are wrong, or build one graph for each part");
-  }
-
   /// What helps when there are too many voxels.
   std::string RemedyOfBand() const
   {
@@ -248,7 +160,6 @@ private:
   }
 
   const CloudGraphOptions& Options;
-  double MedianSpacing;
   SetupLoop& Loop;
   CloudSetup& Setup;
   CloudPairs& Pairs;
@@ -257,10 +168,10 @@ private:
 };
 }
 
-Status BuildCloudBand(const CloudGraphOptions& options, double medianSpacing, SetupLoop& loop,
-  CloudSetup& setup, CloudGraphStatistics& statistics)
+Status BuildCloudBand(const CloudGraphOptions& options, SetupLoop& loop, CloudSetup& setup,
+  CloudGraphStatistics& statistics)
 {
-  BandBuilder builder(options, medianSpacing, loop, setup, statistics);
+  BandBuilder builder(options, loop, setup, statistics);
   DGG_RETURN_IF_ERROR(builder.ChooseSizes());
   DGG_RETURN_IF_ERROR(builder.MarkVoxels());
   builder.FindNearest();

@@ -56,12 +56,6 @@ constexpr double ShareOfMeasurement = 0.025;
 constexpr double ShareOfTree = 0.02;
 constexpr double ShareOfFit = 0.4;
 
-double SpacingFrom(const std::vector<CloudNeighbor>& neighbors)
-{
-  const std::size_t k = std::min(SpacingNeighbors, neighbors.size() - 1);
-  return k == 0 ? 0.0 : std::sqrt(Pi * neighbors[k].SquaredDistance / static_cast<double>(k));
-}
-
 void FindPlaces(const CloudSetup& setup, const Point3& point, std::size_t count,
   std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places)
 {
@@ -107,7 +101,8 @@ bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
     {
       const Point3& point = pairs.Points[node];
       FindPlaces(setup, point, std::max(count, SpacingNeighbors) + 1, neighbors, places);
-      pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors));
+      const std::size_t k = std::min(SpacingNeighbors, neighbors.size() - 1);
+      pairs.Spacings[node] = static_cast<float>(SpacingFrom(neighbors[k].SquaredDistance, k));
       LocalFit fit = FitSurface(point, places.data(), std::min(count + 1, places.size()));
       if (passes == FitPasses::Two)
       {

@@ -24,9 +24,6 @@ constexpr double ShareOfSmoothing = 0.2;
 constexpr std::size_t BytesPerNode = 191;
 constexpr std::size_t BytesPerPoint = 72;
 
-/// The spacing of a point is at most that of its neighbours by this: a point on its own, far off
-/// the surface, must not get a ball that reaches it, nor one at a border a larger one.
-constexpr double LargestSpacingRatio = 1.25;
 /// A group of fewer points than there are neighbours has a gap among the distances of them, the
 /// next one being that many times as far. Then only those beyond the gap give the spacing: the
 /// others would give how far off the group is, when they are the larger part.
@@ -87,8 +84,7 @@ public:
     {
       this->TakeNormals();
     }
-    DGG_RETURN_IF_ERROR(BuildCloudBand(
-      this->Options, this->MedianSpacing, this->Loop, this->Setup, this->Statistics));
+    DGG_RETURN_IF_ERROR(BuildCloudBand(this->Options, this->Loop, this->Setup, this->Statistics));
     this->Pairs.FindNearestPoint = [&neighbors = *this->Setup.Neighbors](const Point3& place) {
       thread_local std::vector<CloudNeighbor> found;
       neighbors.FindNearest(place, 1, found);
@@ -119,8 +115,7 @@ private:
         }
         around.erase(
           around.begin(), around.begin() + static_cast<std::ptrdiff_t>(CountBeforeGap(neighbors)));
-        spacings[node] = std::min(this->Pairs.Spacings[node],
-          static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
+        spacings[node] = SmoothSpacing(this->Pairs.Spacings[node], around);
         around.clear();
         for (const CloudNeighbor& neighbor : neighbors)
         {

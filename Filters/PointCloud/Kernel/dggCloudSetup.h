@@ -5,6 +5,7 @@
 #ifndef dggCloudSetup_h
 #define dggCloudSetup_h
 
+#include "dggBandSizes.h"         // for SpacingNeighbors
 #include "dggCloudGraphBuilder.h" // for options and statistics
 #include "dggCloudNeighbors.h"    // for CloudNeighbors
 #include "dggCloudNodes.h"        // for CloudNodes
@@ -16,11 +17,6 @@
 
 namespace dgg
 {
-/// The neighbour whose distance gives the local spacing.
-constexpr std::size_t SpacingNeighbors = 16;
-/// That can be asked for.
-constexpr Id LargestResolution = 1 << 19;
-
 /// Everything up to the rows.
 struct CloudSetup
 {
@@ -40,8 +36,8 @@ class SetupLoop;
 /// Choose the radii of balls and the size of voxels, mark the band, and find the nearest point of
 /// each of its voxels. Needs the spacings of the nodes and the tree of them. Fails when parts of
 /// the cloud are too far apart, when the band does not fit into the memory, and when stopped.
-Status BuildCloudBand(const CloudGraphOptions& options, double medianSpacing, SetupLoop& loop,
-  CloudSetup& setup, CloudGraphStatistics& statistics);
+Status BuildCloudBand(const CloudGraphOptions& options, SetupLoop& loop, CloudSetup& setup,
+  CloudGraphStatistics& statistics);
 
 /// Choose the reach of each node by the scheme. Needs all else of the pairs, and `curvatures` of
 /// the surface at the nodes.

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """All exhibits, in the order of the thesis."""
 
-from . import clouds, differences, fields, graphs, greens, isolines, rivals, searches, sweeps
+from . import clouds, differences, fields, graphs, greens, isolines, laws, rivals, searches, sweeps
 
 
 def _place(exhibit):
     """Tables, then figures, then what the thesis does not show; by their numbers."""
     chapter, number = exhibit.name[1:].split(".")
-    return ("TFDR".index(exhibit.name[0]), int(chapter), int(number))
+    return ("TFDRL".index(exhibit.name[0]), int(chapter), int(number))
 
 
 ALL = sorted(
@@ -21,6 +21,7 @@ ALL = sorted(
             graphs,
             greens,
             isolines,
+            laws,
             rivals,
             searches,
             sweeps,

@@ -209,7 +209,7 @@ print(graph.GetDataInformation().GetNumberOfPoints(), flush=True)
             if line.startswith("ready"):
                 break
         time.sleep(1.0)
-        self.assertIsNone(client.poll())
+        self.assertIsNone(client.poll(), "it is done already")
         client.send_signal(signal.SIGKILL)
         server.communicate(timeout=120)
         self.assertGreaterEqual(server.returncode, 0, "ended by a signal")

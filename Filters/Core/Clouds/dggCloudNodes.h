@@ -5,8 +5,9 @@
 #ifndef dggCloudNodes_h
 #define dggCloudNodes_h
 
-#include "dggPoint3.h" // for Point3
-#include "dggTypes.h"  // for Id, Status
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggPoint3.h"     // for Point3
+#include "dggTypes.h"      // for Id, Status
 
 #include <utility> // for std::pair
 #include <vector>  // for nodes
@@ -32,7 +33,7 @@ struct CloudNodes
 };
 
 /// Find the nodes of a cloud. Fails where coordinates are too large for double arithmetic.
-Status FindNodes(
+DGG_CORE_EXPORT Status FindNodes(
   const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places);
 }
 

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BandMarching.h"
+#include "dggBandMarching.h"
 
 #include "dggHeap.h"
+#include "dggInvalidInput.h"
+#include "dggProgressPart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 
 namespace dgg
 {
@@ -17,6 +18,9 @@ namespace
 /// Voxels around a source, along each axis, that are given their straight distances: differences
 /// would be wrong where distances bend that much.
 constexpr std::int32_t StartRadius = 2;
+/// Voxels beyond the limit of distances that the march goes on for: those around a place differ by
+/// one along each axis at most.
+constexpr double BeyondLimit = 3.0;
 constexpr std::size_t VoxelsPerReport = 4096;
 constexpr std::array<std::int32_t, 3> Strides{ { 1, 8, 64 } };
 
@@ -41,53 +45,65 @@ double SolveUpwind(std::array<double, 3> values)
   return (all + std::sqrt(std::max(0.0, all * all - 3.0 * (squares - 1.0)))) / 3.0;
 }
 
-}
-
-/// One march. Distances are in voxels.
-class BandMarching::March
+/// The result at one place.
+struct Arrival
 {
-public:
-  explicit March(const BandMarching& tables)
-    : Band(tables.Band)
-    , Neighbors(tables.Neighbors)
-    , Distances(512 * tables.Band.GetNumberOfBricks(), Infinity)
-    , IsFinal(Distances.size(), 0)
-  {
-  }
+  double Distance = Infinity;
+  Id Source = NoId;
+};
 
-  /// False when no voxel is near.
-  bool Start(const BandSource& source)
+/// Call `visit(voxel, centre)` for the voxels of a band around a place, in units of voxels.
+template <typename Visitor>
+void ForEachNear(const VoxelBand& band, const Point3& inGrid, Visitor&& visit)
+{
+  const Voxel own = VoxelBand::VoxelOf(inGrid);
+  for (std::int32_t z = own[2] - StartRadius; z <= own[2] + StartRadius; ++z)
   {
-    const double size = this->Band.GetVoxelSize();
-    const Point3 place = this->Band.ToGrid(source.Place);
-    const Voxel own = VoxelBand::VoxelOf(place);
-    bool isNear = false;
-    for (std::int32_t z = own[2] - StartRadius; z <= own[2] + StartRadius; ++z)
+    for (std::int32_t y = own[1] - StartRadius; y <= own[1] + StartRadius; ++y)
     {
-      for (std::int32_t y = own[1] - StartRadius; y <= own[1] + StartRadius; ++y)
+      for (std::int32_t x = own[0] - StartRadius; x <= own[0] + StartRadius; ++x)
       {
-        for (std::int32_t x = own[0] - StartRadius; x <= own[0] + StartRadius; ++x)
+        if (band.Contains({ x, y, z }))
         {
-          const Voxel voxel{ x, y, z };
-          const Point3 centre{ x + 0.5, y + 0.5, z + 0.5 };
-          if (this->Band.Contains(voxel))
-          {
-            isNear = true;
-            const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
-            this->Offer(VoxelBand::PlaceOf(brick, voxel),
-              source.InitialDistance / size + Norm(centre - place));
-          }
+          visit(Voxel{ x, y, z }, Point3{ x + 0.5, y + 0.5, z + 0.5 });
         }
       }
     }
-    return isNear;
+  }
+}
+}
+
+/// One march. Distances are in voxels, from the least initial one on.
+class BandMarching::March
+{
+public:
+  March(const BandMarching& tables, const std::vector<BandSource>& sources, double shift)
+    : Band(tables.Band)
+    , Neighbors(tables.Neighbors)
+    , Voxels(512 * tables.Band.GetNumberOfBricks())
+    , IsFinal(Voxels.size(), 0)
+  {
+    for (const BandSource& source : sources)
+    {
+      this->Places.push_back(this->Band.ToGrid(source.Place));
+      this->Offsets.push_back((source.InitialDistance - shift) / this->Band.GetVoxelSize());
+    }
+    for (std::size_t k = 0; k < sources.size(); ++k)
+    {
+      ForEachNear(this->Band, this->Places[k], [&](const Voxel& voxel, const Point3& centre) {
+        const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
+        this->Offer(VoxelBand::PlaceOf(brick, voxel),
+          { this->Offsets[k] + Norm(centre - this->Places[k]), static_cast<Id>(k) });
+      });
+    }
   }
 
   /// False when stopped.
-  bool Run(const ProgressCallback& progress, double numberOfVoxels)
+  bool Run(double limit, const ProgressCallback& progress)
   {
+    const auto numberOfVoxels = static_cast<double>(this->Band.GetNumberOfVoxels());
     std::size_t done = 0;
-    while (!this->Heap.IsEmpty())
+    while (!this->Heap.IsEmpty() && this->Heap.Top().Key <= limit + BeyondLimit)
     {
       const auto place = static_cast<std::size_t>(this->Heap.Pop().Index);
       if (this->IsFinal[place])
@@ -95,8 +111,8 @@ public:
         continue;
       }
       this->IsFinal[place] = 1;
-      if (progress && done++ % VoxelsPerReport == 0 &&
-        !progress(static_cast<double>(done) / numberOfVoxels))
+      if (done++ % VoxelsPerReport == 0 &&
+        !Goes(progress, static_cast<double>(done) / numberOfVoxels))
       {
         return false;
       }
@@ -113,13 +129,14 @@ public:
   }
 
   /// Trilinear between the centres of marked voxels, those that were reached; what others would
-  /// weigh is shared among them.
-  double Interpolate(const Point3& place) const
+  /// weigh is shared among them. Around the source of the nearest of them, straight.
+  Arrival Interpolate(const Point3& place) const
   {
-    const Point3 centred = this->Band.ToGrid(place) - Point3{ 0.5, 0.5, 0.5 };
+    const Point3 inGrid = this->Band.ToGrid(place);
+    const Point3 centred = inGrid - Point3{ 0.5, 0.5, 0.5 };
     if (!this->Band.IsInBox(centred))
     {
-      return Infinity;
+      return {};
     }
     const Voxel low = VoxelBand::VoxelOf(centred);
     const Point3 part = centred -
@@ -127,6 +144,7 @@ public:
         static_cast<double>(low[2]) };
     double sum = 0.0;
     double weights = 0.0;
+    Arrival nearest;
     for (int corner = 0; corner < 8; ++corner)
     {
       const Voxel voxel{ low[0] + (corner & 1), low[1] + (corner >> 1 & 1),
@@ -136,24 +154,37 @@ public:
       if (weight > 0.0 && this->Band.Contains(voxel))
       {
         const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
-        const double distance = this->Distances[VoxelBand::PlaceOf(brick, voxel)];
-        if (distance < Infinity)
+        const std::size_t index = VoxelBand::PlaceOf(brick, voxel);
+        if (this->IsFinal[index])
         {
-          sum += weight * distance;
+          const Arrival& arrival = this->Voxels[index];
+          sum += weight * arrival.Distance;
           weights += weight;
+          nearest = arrival.Distance < nearest.Distance ? arrival : nearest;
         }
       }
     }
-    return weights > 0.0 ? sum / weights * this->Band.GetVoxelSize() : Infinity;
+    if (weights == 0.0)
+    {
+      return {};
+    }
+    const auto source = static_cast<std::size_t>(nearest.Source);
+    const double straight = Norm(inGrid - this->Places[source]);
+    nearest.Distance = sum / weights;
+    if (straight <= StartRadius)
+    {
+      nearest.Distance = std::min(nearest.Distance, this->Offsets[source] + straight);
+    }
+    return nearest;
   }
 
 private:
-  void Offer(std::size_t place, double distance)
+  void Offer(std::size_t place, const Arrival& arrival)
   {
-    if (distance < this->Distances[place])
+    if (arrival.Distance < this->Voxels[place].Distance)
     {
-      this->Distances[place] = distance;
-      this->Heap.Push(distance, static_cast<Id>(place));
+      this->Voxels[place] = arrival;
+      this->Heap.Push(arrival.Distance, static_cast<Id>(place));
     }
   }
 
@@ -186,23 +217,27 @@ private:
   void Update(std::size_t place)
   {
     std::array<double, 3> values{ { Infinity, Infinity, Infinity } };
+    Arrival nearest;
     for (int side = 0; side < 6; ++side)
     {
       const std::int64_t next = this->Step(place, side);
       if (next >= 0 && this->IsFinal[static_cast<std::size_t>(next)])
       {
-        values[side / 2] =
-          std::min(values[side / 2], this->Distances[static_cast<std::size_t>(next)]);
+        const Arrival& arrival = this->Voxels[static_cast<std::size_t>(next)];
+        values[side / 2] = std::min(values[side / 2], arrival.Distance);
+        nearest = arrival.Distance < nearest.Distance ? arrival : nearest;
       }
     }
-    this->Offer(place, SolveUpwind(values));
+    this->Offer(place, { SolveUpwind(values), nearest.Source });
   }
 
   const VoxelBand& Band;
   const std::vector<std::array<std::int32_t, 6>>& Neighbors;
-  std::vector<double> Distances;
+  std::vector<Point3> Places; ///< of sources, in units of voxels
+  std::vector<double> Offsets;
+  std::vector<Arrival> Voxels;
   std::vector<std::uint8_t> IsFinal;
-  MinimumHeap Heap;
+  DistanceHeap Heap;
 };
 
 BandMarching::BandMarching(const VoxelBand& band)
@@ -223,10 +258,26 @@ BandMarching::BandMarching(const VoxelBand& band)
   }
 }
 
-Status BandMarching::Run(const std::vector<BandSource>& sources, const std::vector<Point3>& places,
-  const ProgressCallback& progress, std::vector<double>& distances) const
+double BandMarching::PredictMemory(double bricks)
 {
-  distances.clear();
+  return bricks * (512.0 * (sizeof(Arrival) + 1.0) + sizeof(Neighbors[0]));
+}
+
+bool BandMarching::IsNear(const Point3& place) const
+{
+  const Point3 inGrid = this->Band.ToGrid(place);
+  bool isNear = false;
+  if (IsFinite(inGrid) && this->Band.IsInBox(inGrid))
+  {
+    ForEachNear(this->Band, inGrid, [&](const Voxel&, const Point3&) { isNear = true; });
+  }
+  return isNear;
+}
+
+Status BandMarching::Run(const std::vector<BandSource>& sources, const std::vector<Point3>& places,
+  const BandMarchingOptions& options, BandMarchingResult& result) const
+{
+  result = BandMarchingResult();
   if (sources.empty())
   {
     return Status::Invalid("there are no sources: give at least one");
@@ -235,28 +286,32 @@ Status BandMarching::Run(const std::vector<BandSource>& sources, const std::vect
   {
     return Status::Invalid("the band has too many voxels to march in: use a smaller resolution");
   }
-  March march(*this);
+  double shift = Infinity;
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
-    const Point3& p = sources[k].Place;
-    if (!std::isfinite(Dot(p, p)) || !std::isfinite(sources[k].InitialDistance))
+    if (!IsFinite(sources[k].Place) || !std::isfinite(sources[k].InitialDistance))
     {
-      return Status::Invalid("source " + std::to_string(k) + " is not finite");
+      return InvalidInput("source ", k, " is not finite");
     }
-    if (!this->Band.IsInBox(this->Band.ToGrid(p)) || !march.Start(sources[k]))
+    if (!this->IsNear(sources[k].Place))
     {
-      return Status::Invalid(
-        "source " + std::to_string(k) + " is not in the band: move it closer to the points");
+      return InvalidInput("source ", k, " is not in the band: move it closer to the points");
     }
+    shift = std::min(shift, sources[k].InitialDistance);
   }
-  if (!march.Run(progress, static_cast<double>(this->Band.GetNumberOfVoxels())))
+  const double size = this->Band.GetVoxelSize();
+  March march(*this, sources, shift);
+  if (!march.Run((options.MaximumDistance - shift) / size, options.Progress))
   {
     return Status::Abort();
   }
-  distances.reserve(places.size());
+  result.Distances.reserve(places.size());
+  result.NearestSource.reserve(places.size());
   for (const Point3& place : places)
   {
-    distances.push_back(march.Interpolate(place));
+    const Arrival arrival = march.Interpolate(place);
+    result.Distances.push_back(shift + size * arrival.Distance);
+    result.NearestSource.push_back(arrival.Source);
   }
   return Status::Success();
 }

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggBandSizes.h"
+
+#include "dggInvalidInput.h"
+#include "dggQuantile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dgg
+{
+namespace
+{
+/// The spacing of a point is at most that of its neighbours by this.
+constexpr double LargestSpacingRatio = 1.25;
+constexpr double VoxelsPerSpacing = 2.0;
+/// Spacings that voxels are chosen for: that of the densest points are too small.
+constexpr double SpacingQuantile = 0.2;
+/// Voxels in a ball on average, at most, unless voxels became larger for it than the balls of the
+/// densest points are.
+constexpr double VoxelsPerBall = 2000.0;
+/// The same, whatever balls are: where density varies much, voxels for the balls of the densest
+/// points would be far too many in those of the sparsest.
+constexpr double MostVoxelsPerBall = 4000.0;
+/// Voxels along the longest side when they are chosen automatically, at most.
+constexpr double LargestAutomaticResolution = 1 << 23;
+/// Spacings along the longest side, at most. Coordinates are rounded by 2^-54 of it, so that edges
+/// as long as a spacing keep the digits of a float.
+constexpr double MostSpacings = 1 << 30;
+
+double GetMeanVolume(const std::vector<double>& radii)
+{
+  double sum = 0.0;
+  for (const double radius : radii)
+  {
+    sum += radius * radius * radius;
+  }
+  return 4.0 / 3.0 * Pi * sum / static_cast<double>(radii.size());
+}
+
+/// Names the point that is farthest from the middle of the cloud.
+Status TooFarApart(
+  const CloudNodes& nodes, const std::vector<Point3>& places, double spacing, const char* limit)
+{
+  Point3 middle;
+  std::vector<double> values(places.size());
+  for (double Point3::*const axis : { &Point3::X, &Point3::Y, &Point3::Z })
+  {
+    std::transform(
+      places.begin(), places.end(), values.begin(), [&](const Point3& p) { return p.*axis; });
+    middle.*axis = Quantile(values, 0.5);
+  }
+  std::transform(places.begin(), places.end(), values.begin(),
+    [&](const Point3& p) { return Norm(p - middle); });
+  const auto farthest =
+    static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+  const double toPoints = 1.0 / nodes.Scale;
+  return InvalidInput("parts of the cloud are too far apart for ", limit, ": its points are ",
+    toPoints * spacing, " from each other, but point ", nodes.Originals[farthest], " is ",
+    toPoints * values[farthest],
+    " from the middle. Leave out points that are wrong, or take each part on its own");
+}
+}
+
+double SpacingFrom(double squaredDistance, std::size_t k)
+{
+  return k == 0 ? 0.0 : std::sqrt(Pi * squaredDistance / static_cast<double>(k));
+}
+
+float SmoothSpacing(float spacing, std::vector<float>& around)
+{
+  return std::min(spacing, static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
+}
+
+Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& places,
+  const std::vector<float>& spacings, const BandOptions& options, BandSizes& sizes)
+{
+  sizes = BandSizes();
+  const double h = options.OffsetInVoxels;
+  const double factor = options.BallBySpacing;
+  std::vector<float> sorted = spacings;
+  const double median = Quantile(sorted, 0.5);
+  const double dense = Quantile(sorted, SpacingQuantile);
+  if (nodes.Extent > MostSpacings * dense)
+  {
+    return TooFarApart(nodes, places, median, "the digits of coordinates");
+  }
+  std::vector<double>& radii = sizes.Radii;
+  radii.resize(places.size());
+  std::transform(spacings.begin(), spacings.end(), radii.begin(),
+    [factor](float spacing) { return factor * spacing; });
+  double& size = sizes.VoxelSize;
+  if (options.Resolution > 0)
+  {
+    size = nodes.Extent / options.Resolution;
+  }
+  else
+  {
+    // Small enough for the balls of the densest points, and no smaller than the others allow.
+    const double volume = GetMeanVolume(radii);
+    size = h > 0.0
+      ? factor * median / h
+      : std::clamp(std::cbrt(volume / VoxelsPerBall), dense / VoxelsPerSpacing, factor * dense);
+    if (nodes.Extent > LargestAutomaticResolution * size)
+    {
+      return TooFarApart(nodes, places, median, "one band of voxels");
+    }
+    // Voxels may be too large for the balls of the densest points then.
+    size = h > 0.0 ? size : std::max(size, std::cbrt(volume / MostVoxelsPerBall));
+  }
+  if (!(size > 0.0))
+  {
+    size = 1.0; // a single point
+  }
+  if (h > 0.0)
+  {
+    std::fill(radii.begin(), radii.end(), h * size);
+  }
+  return Status::Success();
+}
+}

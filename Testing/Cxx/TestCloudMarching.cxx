@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkDGGFastMarchingDistance on point clouds.
+#include "CloudTestTools.h"
+#include "GraphTestTools.h"
+
+#include "vtkDGGFastMarchingDistance.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+class CloudMarching : public ::testing::Test
+{
+protected:
+  void Use(const Points& points)
+  {
+    this->Cloud = points;
+    this->Filter->SetInputData(MakeCloud(points));
+  }
+
+  std::vector<double> March()
+  {
+    ExpectSuccess(this->Filter);
+    return GetDistances(this->Filter);
+  }
+
+  /// Mean and largest relative error of points farther than that.
+  template <typename Truth>
+  std::array<double, 2> ErrorsBeyond(double least, Truth&& truth)
+  {
+    const std::vector<double> values = this->March();
+    std::array<double, 2> errors{ { 0.0, 0.0 } };
+    int count = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const double exact = truth(this->Cloud[i]);
+      if (exact > least)
+      {
+        const double error = std::abs(values[i] / exact - 1.0);
+        errors = { { errors[0] + error, std::max(errors[1], error) } };
+        ++count;
+      }
+    }
+    errors[0] /= count;
+    return errors;
+  }
+
+  vtkNew<vtkDGGFastMarchingDistance> Filter;
+  Points Cloud;
+};
+}
+
+TEST_F(CloudMarching, CloseToClosedForms)
+{
+  this->Use(MakeFlatPoints(60, 0.25));
+  const std::array<double, 3> corner = this->Cloud[0];
+  this->Filter->SetSourceIds({ 0 });
+  const auto flat = this->ErrorsBeyond(0.2, [&](const auto& p) { return Distance(p, corner); });
+  EXPECT_LT(flat[0], 0.03);
+  EXPECT_LT(flat[1], 0.06);
+  EXPECT_EQ(GetDistances(this->Filter)[0], 0.0);
+  EXPECT_NEAR(this->Filter->GetUsedBandRadius(), 3.0, 0.1);
+  EXPECT_GT(this->Filter->GetUsedResolution(), 100);
+  EXPECT_LT(this->Filter->GetUsedResolution(), 140);
+
+  this->Use(MakeSpherePoints(5000));
+  const std::array<double, 3> pole = this->Cloud[0];
+  const auto round =
+    this->ErrorsBeyond(0.2, [&](const auto& p) { return SphereDistance(p, pole); });
+  EXPECT_LT(round[0], 0.03);
+  EXPECT_LT(round[1], 0.06);
+}
+
+TEST_F(CloudMarching, FinerVoxelsAreMoreAccurateInTheSameBand)
+{
+  this->Use(MakeFlatPoints(25));
+  const std::array<double, 3> middle = this->Cloud[312];
+  this->Filter->SetSourceIds({ 312 });
+  double before = 1.0;
+  for (const int finer : { 1, 2, 4 })
+  {
+    this->Filter->SetResolution(48 * finer);
+    this->Filter->SetBandRadius(2.0 * finer);
+    const auto errors = this->ErrorsBeyond(0.1, [&](const auto& p) { return Distance(p, middle); });
+    EXPECT_EQ(this->Filter->GetUsedResolution(), 48 * finer);
+    EXPECT_EQ(this->Filter->GetUsedBandRadius(), 2.0 * finer);
+    EXPECT_LT(errors[0], 0.75 * before);
+    before = errors[0];
+  }
+  EXPECT_LT(before, 0.02);
+}
+
+TEST_F(CloudMarching, NearestSourceAndInitialDistances)
+{
+  this->Use(MakeSpherePoints(3000));
+  this->Filter->AddSourceId(17, -0.5);
+  this->Filter->AddSourceId(2900, 0.25);
+  this->Filter->GenerateNearestSourceOn();
+  const std::vector<double> values = this->March();
+  const std::vector<int> nearest = GetNearestSources(this->Filter);
+  EXPECT_EQ(values[17], -0.5);
+  EXPECT_EQ(values[2900], 0.25);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double first = SphereDistance(this->Cloud[i], this->Cloud[17]) - 0.5;
+    const double second = SphereDistance(this->Cloud[i], this->Cloud[2900]) + 0.25;
+    if (std::abs(first - second) > 0.2)
+    {
+      EXPECT_EQ(nearest[i], first < second ? 0 : 1) << i;
+    }
+    EXPECT_NEAR(values[i], std::min(first, second), 0.1) << i;
+  }
+}
+
+TEST_F(CloudMarching, SourcesBesideTheCloud)
+{
+  this->Use(MakeFlatPoints(40));
+  const std::array<double, 3> close{ { 0.505, 0.495, 0.01 } };
+  this->Filter->SetSourceData(MakeSourcePoints({ close }));
+  std::vector<double> values = this->March();
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const double straight = Distance(this->Cloud[i], close);
+    EXPECT_NEAR(values[i], straight, 0.01 + 0.06 * straight) << i;
+  }
+  // Off the band: from the closest point on.
+  const std::array<double, 3> high{ { 0.0, 0.0, 0.5 } };
+  this->Filter->SetSourceData(MakeSourcePoints({ high }));
+  ExpectError(this->Filter, { "source point 0", "away from the cloud", "ProjectionTolerance" });
+  this->Filter->SetProjectionTolerance(0.5);
+  values = this->March();
+  EXPECT_EQ(values[0], 0.5);
+  EXPECT_NEAR(values.back(), 0.5 + std::sqrt(2.0), 0.1);
+}
+
+TEST_F(CloudMarching, PartsCopiesAndPointsThatAreOff)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Points part = MakeFlatPoints(20, 0.2);
+  const Points other = Move(part, { { 3.0, 0.0, 0.0 } });
+  const Points odd = { part[5], { { nan, 0.0, 0.0 } }, { { 1e6, 0.0, 0.0 } },
+    { { 1e6, 0.0, 0.0 } } };
+  this->Use(Join(Join(part, other), odd));
+  this->Filter->SetSourceIds({ 0 });
+  this->Filter->GenerateNearestSourceOn();
+  std::vector<double> values = this->March();
+  const std::vector<int> nearest = GetNearestSources(this->Filter);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    EXPECT_EQ(std::isfinite(values[i]), i < 400 || i == 800) << i;
+    EXPECT_EQ(nearest[i], i < 400 || i == 800 ? 0 : -1) << i;
+  }
+  EXPECT_EQ(values[5], values[800]);
+  // Those that are off have no neighbours. They do not change what is found of others.
+  this->Filter->SetSourceIds({ 0, 802 });
+  const std::vector<double> both = this->March();
+  EXPECT_EQ(both[802], 0.0);
+  EXPECT_EQ(both[803], 0.0);
+  EXPECT_TRUE(std::equal(values.begin(), values.begin() + 400, both.begin()));
+  this->Filter->SetSourceIds({ 801 });
+  ExpectWarning(this->Filter, { "not finite" });
+  values = GetDistances(this->Filter);
+  EXPECT_EQ(values[801], 0.0);
+  EXPECT_TRUE(std::isnan(values[0]));
+}
+
+TEST_F(CloudMarching, MaximumDistance)
+{
+  this->Use(MakeFlatPoints(40, 0.2));
+  this->Filter->SetSourceIds({ 820 });
+  const std::vector<double> all = this->March();
+  this->Filter->SetMaximumDistance(0.3);
+  this->Filter->SetUnreachedValue(-1.0);
+  const std::vector<double> some = this->March();
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    EXPECT_EQ(some[i], all[i] <= 0.3 ? all[i] : -1.0) << i;
+  }
+}
+
+TEST_F(CloudMarching, ScaleAndThreadsDoNotMatter)
+{
+  const Points points = MakeSpherePoints(2000);
+  this->Use(points);
+  this->Filter->SetSourceIds({ 3 });
+  const std::vector<double> first = this->March();
+  ForEachThreading([&](const std::string& name) {
+    vtkNew<vtkDGGFastMarchingDistance> filter;
+    filter->SetInputData(MakeCloud(points));
+    filter->SetSourceIds({ 3 });
+    ExpectSuccess(filter);
+    EXPECT_EQ(GetDistances(filter), first) << name;
+  });
+  Points large = points;
+  for (auto& p : large)
+  {
+    p = { { 0x1p100 * p[0], 0x1p100 * p[1], 0x1p100 * p[2] } };
+  }
+  this->Use(large);
+  const std::vector<double> scaled = this->March();
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    EXPECT_EQ(scaled[i], 0x1p100 * first[i]) << i;
+  }
+}
+
+TEST_F(CloudMarching, FewPoints)
+{
+  this->Filter->SetSourceIds({ 0 });
+  this->Use({ { { 4.0, 5.0, 6.0 } } });
+  EXPECT_EQ(this->March(), std::vector<double>{ 0.0 });
+  this->Use({ { { 4.0, 5.0, 6.0 } }, { { 4.0, 5.0, 6.0 } } });
+  EXPECT_EQ(this->March(), (std::vector<double>{ 0.0, 0.0 }));
+  this->Use({ { { 4.0, 5.0, 6.0 } }, { { 4.0, 5.0, 7.0 } } });
+  const std::vector<double> two = this->March();
+  EXPECT_EQ(two[0], 0.0);
+  EXPECT_NEAR(two[1], 1.0, 0.1);
+  this->Filter->SetInputData(MakeCloud({}));
+  ExpectWarning(this->Filter, { "input is empty" });
+}
+
+TEST_F(CloudMarching, Refusals)
+{
+  this->Use(MakeSpherePoints(1000));
+  ExpectError(this->Filter, { "no source" });
+  this->Filter->SetSourceIds({ 1000 });
+  ExpectError(this->Filter, { "1000", "out of range" });
+  this->Filter->SetSourceIds({ 0 });
+  for (const double radius : { -1.0, 0.2, 1001.0, std::nan("") })
+  {
+    this->Filter->SetBandRadius(radius);
+    ExpectError(this->Filter, { "BandRadius" });
+  }
+  this->Filter->SetBandRadius(0.0);
+  for (const int resolution : { -1, 524289 })
+  {
+    this->Filter->SetResolution(resolution);
+    ExpectError(this->Filter, { "Resolution" });
+  }
+  this->Filter->SetResolution(524288);
+  this->Filter->SetBandRadius(1000.0);
+  this->Filter->SetMemoryLimit(1u << 24);
+  ExpectError(this->Filter, { "band", "16 MiB", "smaller Resolution", "MemoryLimit" });
+  this->Filter->SetMemoryLimit(1000);
+  ExpectError(this->Filter, { "1000 bytes", "fewer points" });
+  this->Filter->SetMemoryLimit(0);
+  this->Filter->SetResolution(0);
+  this->Filter->SetBandRadius(0.0);
+  this->Filter->GenerateVirtualSourceOn();
+  ExpectError(this->Filter, { "GenerateVirtualSource" });
+  this->Filter->GenerateVirtualSourceOff();
+  ExpectSuccess(this->Filter);
+  const Points part = MakeFlatPoints(20);
+  this->Use(Join(part, Move(part, { { 1e10, 0.0, 0.0 } })));
+  ExpectError(this->Filter, { "too far apart", "each part on its own" });
+}
+
+TEST_F(CloudMarching, FromCloudToMeshAndBack)
+{
+  this->Use(MakeFlatPoints(20, 0.2));
+  this->Filter->SetSourceIds({ 0 });
+  const std::vector<double> onCloud = this->March();
+  vtkNew<vtkDGGFastMarchingDistance> other;
+  const auto mesh = MakeTerrain(20);
+  other->SetInputData(mesh);
+  other->SetSourceIds({ 0 });
+  ExpectSuccess(other);
+  this->Filter->SetInputData(mesh);
+  EXPECT_EQ(this->March(), GetDistances(other));
+  EXPECT_EQ(this->Filter->GetUsedResolution(), 0);
+  this->Use(this->Cloud);
+  EXPECT_EQ(this->March(), onCloud);
+  // A graph does not matter.
+  this->Filter->SetInputData(MakeCloudWithGraph(this->Cloud));
+  EXPECT_EQ(this->March(), onCloud);
+}
+
+TEST_F(CloudMarching, ProgressAndAbort)
+{
+  for (const double stop : { 2.0, 0.12, 0.3, 0.7 })
+  {
+    vtkNew<vtkDGGFastMarchingDistance> filter; // outlived by its observer
+    filter->SetInputData(MakeCloud(MakeSpherePoints(20000)));
+    filter->SetSourceIds({ 0 });
+    ProgressWatch watch(filter);
+    watch.StopAt = stop;
+    filter->Update();
+    EXPECT_EQ(filter->GetErrorCode(), 0u);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), stop > 1.0 ? 20000 : 0) << stop;
+  }
+}
+}
