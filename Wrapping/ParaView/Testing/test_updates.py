@@ -157,7 +157,7 @@ simple.LoadPlugin({plugin!r}, remote=False, ns=vars(simple))
 mesh = simple.PLYReader(FileNames=[{mesh!r}])
 fine = simple.LoopSubdivision(Input=mesh, NumberofSubdivisions=3)
 fine.UpdatePipeline()
-os.write(1, b"ready\n")  # at once, which print() is not in pvpython
+os.write(1, b"ready\\n")  # at once, which print() is not in pvpython
 graph = simple.GeodesicGraph(Input=fine, Accuracy={accuracy})
 graph.UpdatePipeline()
 print(graph.GetDataInformation().GetNumberOfPoints(), flush=True)
