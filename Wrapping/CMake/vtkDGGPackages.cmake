@@ -150,11 +150,13 @@ python3 (<< 3.${dgg_next}), python3-numpy, python3-vtk9")
   set(CPACK_DEBIAN_TOOLS_PACKAGE_ARCHITECTURE all)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS python3)
   set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "xvfb, xauth") # to draw without a display
-  # The pages, with examples; no pictures, which are large.
+  # The pages and what they show.
   set(dgg_documentation "${CMAKE_INSTALL_DATADIR}/doc/vtkdgg-tools")
-  foreach (dgg_page IN ITEMS README.md CHANGELOG.md Filters/Geodesic/README.md
-      Filters/PointCloud/README.md Filters/Spectral/README.md Readers/README.md
-      Wrapping/ParaView/README.md Wrapping/Python/README.md Testing/Benchmark/README.md)
+  foreach (dgg_page IN ITEMS README.md CHANGELOG.md CITATION.cff LICENSE
+      Filters/Geodesic/README.md Filters/PointCloud/README.md Filters/Spectral/README.md
+      Readers/README.md Wrapping/README.md Wrapping/ParaView/README.md Wrapping/Python/README.md
+      Testing/README.md Testing/Benchmark/README.md Testing/Benchmark/Differences.md
+      Testing/Benchmark/Thesis.md)
     get_filename_component(dgg_page_folder "${dgg_page}" DIRECTORY)
     install(FILES "${PROJECT_SOURCE_DIR}/${dgg_page}"
       DESTINATION "${dgg_documentation}/${dgg_page_folder}"
@@ -165,8 +167,11 @@ python3 (<< 3.${dgg_next}), python3-numpy, python3-vtk9")
     DESTINATION "${dgg_documentation}"
     COMPONENT tools
     EXCLUDE_FROM_ALL
-    PATTERN Images EXCLUDE
     PATTERN __pycache__ EXCLUDE
     PATTERN demo.sh EXCLUDE) # builds from sources
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/Testing/Benchmark/Images"
+    DESTINATION "${dgg_documentation}/Testing/Benchmark"
+    COMPONENT tools
+    EXCLUDE_FROM_ALL)
 endif ()
 include(CPack)
