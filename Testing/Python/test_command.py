@@ -22,6 +22,7 @@ import vtkdgg
 from support import BUMPY, TETRAHEDRON
 from vtkdgg.command_line import main, make_parser
 from vtkdgg.commands import files
+from vtkdgg.commands.output import with_arrays
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkStripper
 
@@ -120,6 +121,20 @@ class Command(unittest.TestCase):
         self.assertEqual(found["kind"], "surface")
         self.assertEqual(self.answer("info", BUMPY, "--cloud")["kind"], "point cloud")
 
+    def test_curves(self):
+        path = out("curve.obj")
+        self.answer("path", BUMPY, 5, 100, "--out", path)
+        found = self.answer("info", path)
+        self.assertEqual((found["kind"], found["lines"]), ("curves", 1))
+        self.assertIn("--cloud looks at points only", found["warnings"][0])
+        self.assertEqual(self.answer("info", path, "--cloud")["kind"], "point cloud")
+        for name in (("distance", path, "--source", 0), ("loop", path), ("compare", path)):
+            result = command(*name)
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, "holds curves and no surface; --cloud looks at points")
+        found = self.answer("distance", path, "--source", 0, "--cloud", "--method", "marching")
+        self.assertGreater(found["largest"], 0.0)
+
     def test_graph(self):
         path = out("graph.vtp")
         found = self.answer("graph", BUMPY, "--accuracy", 0.05, "--out", path)
@@ -139,9 +154,21 @@ class Command(unittest.TestCase):
         self.assertAlmostEqual(both["largest"], expected, delta=1e-6)
         near = self.answer("distance", BUMPY, "--source", 5, "--maximum", 1.0, "--accuracy", 0.01)
         self.assertLess(near["reached"], 642)
-        for method in ("graph", "fast"):
+        for method in ("graph", "fast", "marching"):
             rough = self.answer("distance", BUMPY, "--source", 5, "--method", method)
             self.assertAlmostEqual(rough["largest"], self.exact.max(), delta=0.1)
+
+    def test_graph_is_left_out(self):
+        path, kept, again = out("without.vtp"), out("with.vtp"), out("again.vtp")
+        asked = "--source", 5, "--method", "graph", "--out"
+        self.answer("distance", BUMPY, *asked, path)
+        self.assertEqual(files.read(path).GetFieldData().GetNumberOfArrays(), 0)
+        self.answer("graph", BUMPY, "--out", kept)
+        self.answer("distance", kept, *asked, again)
+        self.assertTrue(files.read(again).GetFieldData().HasArray("DGG.Info"))
+        np.testing.assert_array_equal(
+            *(support.point_array(files.read(name), "GeodesicDistance") for name in (path, again))
+        )
 
     def test_path(self):
         path = out("path.vtk")
@@ -186,6 +213,48 @@ class Command(unittest.TestCase):
         expected = vtkdgg.greens_function(self.mesh, [5, 7], method="Vertex")
         np.testing.assert_allclose(found["largest"], expected.max(axis=0))
 
+    def test_formats(self):
+        points = ".obj .off .pcd .ply .vtk .vtp .xyz"
+        for arguments, known in (
+            (("path", BUMPY, 5, 100, "--out", out("p.stl")), ".obj .vtk .vtp"),
+            (("path", BUMPY, 5, 100, "--out", out("p.ply")), ".obj .vtk .vtp"),
+            (("isolines", BUMPY, "--source", 5, "--out", out("i.pcd")), ".obj .vtk .vtp"),
+            (("loop", BUMPY, "--through", 5, "--out", out("l.off")), ".obj .vtk .vtp"),
+            (("graph", BUMPY, "--out", out("g.ply")), ".vtk .vtp"),
+            (("sample", BUMPY, "--number", 3, "--out", out("s.stl")), points),
+            (("render", BUMPY, "--source", 5, "--out", out("r.jpg")), ".png"),
+        ):
+            result = command(*arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, ""))
+            self.assertRegex(result.stderr, rf"known are {re.escape(known)}\n\Z")
+            self.assertFalse(os.path.exists(arguments[-1]))
+        path = out("lines.obj")
+        lines = self.answer("isolines", BUMPY, "--source", 5, "--out", path)["lines"]
+        self.assertEqual(files.read(path).GetNumberOfLines(), lines)
+        with self.assertRaisesRegex(files.MeshFileError, "cannot write '.stl' .point cloud."):
+            files.write(out("c.stl"), files.cloud_of([[0, 0, 0]]))
+        for extension, lost in (
+            (".vtp", ()),
+            (".vtk", ()),
+            (".ply", ("GeodesicDistance",)),
+            (".stl", ("GeodesicDistance",)),
+            (".off", ("GeodesicDistance",)),
+            (".obj", ("GeodesicDistance",)),
+            (".xyz", ("polygons", "GeodesicDistance")),
+            (".pcd", ("polygons",)),
+        ):
+            path = out("distance" + extension)
+            arguments = "distance", BUMPY, "--source", 5, "--out", path
+            note = f"{extension} keeps no {', '.join(lost)}; .vtk and .vtp do"
+            self.assertEqual(self.answer(*arguments)["warnings"], [note] if lost else [])
+            self.assertEqual(f"note         {note}" in command(*arguments).stdout, bool(lost))
+            written = files.read(path)
+            has_array = written.GetPointData().HasArray("GeodesicDistance")
+            self.assertEqual(has_array, "GeodesicDistance" not in lost)
+            self.assertEqual(files.kind_of(written) == "surface", "polygons" not in lost)
+        said = " ".join(command("sample", "--help").stdout.split())
+        self.assertIn(".vtk and .vtp keep all arrays", said)
+
     def test_render(self):
         first, second = out("first.png"), out("second.png")
         kept = out("kept.vtp")
@@ -196,6 +265,23 @@ class Command(unittest.TestCase):
         self.assertGreater(support.number_of_colours(first), 1000)
         error = support.image_error(support.read_image(first), support.read_image(second))
         self.assertLess(error, 100.0)
+
+    def test_render_another_array(self):
+        kept, picture = out("error.vtp"), out("error.png")
+        wave = np.sin(10.0 * self.exact)
+        arrays = {"ErrorPercent": wave, "RelativeError": wave, "ExactDistance": self.exact}
+        files.write(kept, with_arrays(self.mesh, arrays))
+        images = []
+        for name in arrays:
+            result = support.command("render", kept, "--array", name, "--out", picture)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual("isolines every" in result.stdout, name == "ExactDistance")
+            images.append(support.pixels(support.read_image(picture)).astype(int))
+        left = np.arange(1600) < 1280  # of the scalar bar, whose title is the name
+        differs = (images[0] != images[1]).any(axis=(0, 2))
+        self.assertTrue(differs.any() and not differs[left].any())
+        ink = [np.count_nonzero(image[:, left].max(axis=2) < 60) for image in images]
+        self.assertLess(10 * ink[0], ink[2])
 
     @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
     def test_clouds(self):
@@ -215,6 +301,19 @@ class Command(unittest.TestCase):
             result = command(name, cloud, *rest)
             self.assertEqual(result.returncode, 2)
             self.assertIn(f"holds no surface, which {name} needs", result.stderr)
+        for method in ("exact", "fast"):
+            result = command("distance", cloud, "--source", 0, "--method", method)
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, f"--method {method}: .*there are graph and marching")
+        path = out("marching.vtp")
+        asked = "--source", 0, "--method"
+        rough = self.answer("distance", cloud, *asked, "marching")
+        self.assertAlmostEqual(rough["largest"], np.sqrt(5.0), delta=0.1)
+        self.assertNotEqual(rough["largest"], found["largest"])
+        self.answer("distance", cloud, *asked, "graph", "--out", path)
+        self.assertFalse(files.read(path).GetFieldData().HasArray("DGG.Info"))
+        self.answer("voronoi", cloud, "--site", 3, "--out", path)
+        self.assertFalse(files.read(path).GetFieldData().HasArray("DGG.Info"))
 
     def test_no_answer(self):
         points, triangles = support.grid(1, 1)
@@ -248,6 +347,8 @@ class Command(unittest.TestCase):
         np.testing.assert_array_equal(again, points)
 
     def test_mistakes(self):
+        coloured = out("coloured.vtp")
+        files.write(coloured, with_arrays(self.mesh, {"Error": self.exact, "Colour": self.exact}))
         for arguments, pattern in (
             ((), "command"),
             (("fly", BUMPY), "invalid choice"),
@@ -265,8 +366,19 @@ class Command(unittest.TestCase):
             (("graph", BUMPY, "--accuracy", "2"), "0.5"),
             (("graph", BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
             (("isolines", BUMPY, "--source", "0", "--values", "a,b"), "--values"),
-            (("sample", BUMPY, "--number", "0"), "NumberOfSamples"),
+            (("sample", BUMPY, "--number", "0"), "error: --number: must be positive, is 0"),
+            (("voronoi", BUMPY, "--number", "0"), "error: --number: must be positive, is 0"),
+            (("voronoi", BUMPY, "--number", "20", "--site", "3"), "--site: not .* with .*--number"),
+            (
+                ("isolines", BUMPY, "--source", "0", "--count", "10", "--values", "0.1"),
+                "--values: not .* with .*--count",
+            ),
+            (("path", BUMPY, "9,9,9", "3"), r"error: start, at \(9, 9, 9\), is 14"),
+            (("path", BUMPY, "3", "9,9,9"), r"error: end, at \(9, 9, 9\), is 14"),
+            (("loop", BUMPY, "--through", "9,9,9"), r"error: loop point 0, at \(9, 9, 9\), is 14"),
+            (("loop", BUMPY, "--rope"), "--through"),
             (("render", TETRAHEDRON, "--out", "a.png"), "no point array 'GeodesicDistance'"),
+            (("render", coloured, "--array", "Erorr", "--out", "a.png"), "are: Error, Colour"),
         ):
             with self.subTest(arguments=arguments):
                 # What draws starts again where there is no display.

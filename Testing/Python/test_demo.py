@@ -85,6 +85,7 @@ class Demo(unittest.TestCase):
         first = next(i for i, line in enumerate(lines) if line.startswith("graph  "))
         means = {line[:26].strip(): float(line[27:].split()[0]) for line in lines[first : first + 8]}
         self.assertEqual(len(means), 8)
+        self.assertTrue({"virtual sources (fast)", "fast marching (marching)"} < set(means))
         self.assertLess(means["graph, corrected"], 0.3 * means["graph"])
         self.assertLess(means["graph"], means["graph, published rule"])
         self.assertLess(means["graph, published rule"], means["heat"])

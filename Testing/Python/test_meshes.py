@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of other packages, and places on them."""
 
+import pathlib
 import types
 import unittest
 
@@ -108,11 +109,20 @@ class Meshes(unittest.TestCase):
             vtkdgg.Graph(solid)
         with self.assertRaisesRegex(ValueError, "triangles: they are missing"):
             vtkdgg.distance(POINTS, sources=0)
+        for given in ((POINTS, 0), (POINTS, [0, 1]), (POINTS,), (POINTS, None, 0)):
+            with self.assertRaisesRegex(ValueError, "triangles: .* see vtkdgg.CloudGraph"):
+                vtkdgg.distance(*given)
+        with self.assertRaisesRegex(ValueError, "sources: missing"):
+            vtkdgg.distance(POINTS, TRIANGLES)
+        for call in (lambda file: vtkdgg.distance(file, 0), vtkdgg.Graph):
+            for file in ("file.ply", pathlib.Path("file.ply")):
+                with self.assertRaisesRegex(ValueError, r"'file.ply'; .*vtkdgg.check\(reader\)"):
+                    call(file)
         with self.assertRaisesRegex(ValueError, "triangles: the mesh has cells"):
             vtkdgg.distance(MESHES["trimesh"], TRIANGLES, 0)
         with self.assertRaisesRegex(ValueError, "end: missing"):
             vtkdgg.path(MESHES["trimesh"], 0)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "vtkPointCloudDGG|triangle"):
+        with self.assertRaisesRegex(vtkdgg.VTKError, r"vtkPointCloudDGG makes \(vtkdgg.CloudGraph"):
             vtkdgg.distance(Mesh(points=POINTS), 0)
 
     def test_input_is_left_alone(self):

@@ -197,8 +197,10 @@ class Small(unittest.TestCase):
                     graph.path(start, end)
                 with self.assertRaisesRegex(ValueError, pattern):
                     vtkdgg.path(self.POINTS, [[0, 1, 2]], start, end)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "path end point 1 .*ProjectionTolerance"):
+        with self.assertRaisesRegex(vtkdgg.VTKError, "end, at .*ProjectionTolerance"):
             graph.path(0, [1.0, 1.0, 1.0])
+        with self.assertRaisesRegex(vtkdgg.VTKError, "start 1, at .*ProjectionTolerance"):
+            graph.paths([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]], 0)
         self.assertEqual(graph.path(0, [1.0, 1.0, 1.0], projection_tolerance=1).points[-1, 2], 0.0)
         with self.assertRaisesRegex(ValueError, "projection_tolerance"):
             graph.path(0, 1, projection_tolerance=-1)

@@ -7,6 +7,7 @@ was given; 130, interrupted.
 """
 
 import argparse
+import functools
 import json
 import os
 import re
@@ -32,6 +33,8 @@ EXAMPLES = """examples:
   vtkdgg render mesh.ply --source 0 --out picture.png
   vtkdgg explore mesh.ply
   vtkdgg compare mesh.ply --accuracy 0.01 --out folder"""
+# What there is to say of most formats.
+KEEPS = "; .vtk and .vtp keep all arrays"
 # Those that draw need a display, which may be a virtual one.
 DRAWING = ("compare", "render")
 
@@ -100,7 +103,7 @@ def make_parser():
     commands = parser.add_subparsers(dest="command", metavar="command", required=True)
     parser.commands = commands.choices
 
-    def add(run, *shared, out=" ".join(files.WRITABLE), needs_out=False, example=""):
+    def add(run, *shared, out="surface", keeps=KEEPS, needs_out=False, example=""):
         name = run.__name__
         command = commands.add_parser(
             name,
@@ -113,21 +116,28 @@ def make_parser():
         for option in (*shared, "cloud", "json"):
             command.add_argument(f"--{option}", **OPTIONS[option])
         if out:
-            command.add_argument("--out", metavar="FILE", required=needs_out, help=f"write {out}")
+            said = f"write {' '.join(files.FORMATS[out])}{keeps}"
+            check = functools.partial(files.writable, kind=out)
+            command.add_argument("--out", metavar="FILE", required=needs_out, type=check, help=said)
         command.set_defaults(run=run)
         return command
 
     built = ("accuracy", "merge")
     placed = (*built, "tolerance")
     add(answers.info, out="")
-    add(answers.graph, *built, out=".vtp .vtk", example="--accuracy 0.001 --out graph.vtp")
+    add(answers.graph, *built, out="graph", keeps="", example="--accuracy 0.001 --out graph.vtp")
     command = add(answers.distance, "source", *placed, example="--source 0 --out distance.vtp")
-    command.add_argument("--method", choices=("exact", "graph", "fast"), help="default: exact")
+    command.add_argument(
+        "--method",
+        choices=("exact", "graph", "fast", "marching"),
+        help="graph: within --accuracy; fast: virtual sources, no bound; marching: fast marching, "
+        "no bound, also on clouds (default: exact; graph with --accuracy, and on clouds)",
+    )
     command.add_argument("--maximum", type=float, metavar="D", help="stop at this distance")
-    command = add(answers.path, *placed, example="0 1000 --out path.vtp")
+    command = add(answers.path, *placed, out="curves", example="0 1000 --out path.vtp")
     for name in ("start", "end"):
         command.add_argument(name, metavar="ID|X,Y,Z", help=f"{name} of the path")
-    command = add(answers.loop, *placed, example="--through 0 --taut --out loop.vtp")
+    command = add(answers.loop, *placed, out="curves", example="--through 0 --taut --out loop.vtp")
     command.add_argument(
         "--through",
         action="append",
@@ -136,16 +146,18 @@ def make_parser():
     )
     command.add_argument("--rope", action="store_true", help="one loop through all points")
     command.add_argument("--taut", action="store_true", help="pull the loops tight")
-    command = add(answers.isolines, "source", *placed, example="--source 0 --count 20")
-    command.add_argument("--values", type=numbers, metavar="D,D,...", help="the distances")
-    command.add_argument("--count", type=int, default=10, help="or how many (default: %(default)s)")
+    lines = "--source 0 --count 20"
+    command = add(answers.isolines, "source", *placed, out="curves", example=lines)
+    which = command.add_mutually_exclusive_group()
+    which.add_argument("--values", type=numbers, metavar="D,D,...", help="the distances")
+    which.add_argument("--count", type=int, help="or how many (default: 10)")
     command = add(answers.voronoi, *placed, example="--number 50 --iterations 10 --out cells.vtp")
-    command.add_argument("--site", action="append", metavar="ID|X,Y,Z", help="a site")
-    command.add_argument(
-        "--number", type=int, default=20, help="or how many, spread evenly (default: %(default)s)"
-    )
+    which = command.add_mutually_exclusive_group()
+    which.add_argument("--site", action="append", metavar="ID|X,Y,Z", help="a site")
+    which.add_argument("--number", type=int, help="or how many, spread evenly (default: 20)")
     command.add_argument("--iterations", type=int, default=0, help="move sites to the middle")
-    command = add(answers.sample, *built, example="--number 500 --out samples.vtp")
+    points = "--number 500 --out samples.vtp"
+    command = add(answers.sample, *built, out="point cloud", example=points)
     command.add_argument("--number", type=int, required=True, help="how many")
     command.add_argument("--first", type=int, default=0, metavar="ID", help="the first one")
     command = add(answers.greens, "source", "merge", "tolerance", example="--source 0")
@@ -153,10 +165,15 @@ def make_parser():
     command.add_argument("--method", choices=methods, default=methods[0])
     command.add_argument("--boundary", choices=("Neumann", "Dirichlet"), default="Neumann")
     drawn = "--source 0 --out picture.png"
-    command = add(answers.render, *placed, out=".png", needs_out=True, example=drawn)
+    command = add(answers.render, *placed, out="picture", keeps="", needs_out=True, example=drawn)
     command.add_argument("--source", **{**OPTIONS["source"], "required": False})
-    command.add_argument("--array", default="GeodesicDistance", help="default: %(default)s")
-    command = add(answers.explore, "accuracy", "merge", out=".png, numbered", example="--source 0")
+    command.add_argument(
+        "--array",
+        default="GeodesicDistance",
+        help="a point array; one that ends in Distance has isolines (default: %(default)s)",
+    )
+    numbered = {"out": "picture", "keeps": ", numbered"}
+    command = add(answers.explore, *built, **numbered, example="--source 0")
     command.epilog += "\n\nin the window:\n" + textwrap.indent(HELP, "  ")
     command.add_argument("--source", metavar="ID|X,Y,Z", help="where to begin (default: far out)")
     command = commands.add_parser(

@@ -60,9 +60,9 @@ def distance(
         graph is built for this one call. That pays off for many calls: see `Graph`.
     method : {"exact", "graph", "fast", "marching"}, optional
         Default: "exact", or "graph" when there is an `accuracy`, whose default is 0.01 then. "fast"
-        takes milliseconds, and nothing bounds its errors. Nor does anything those of "marching",
-        which takes point clouds as well: no triangles, or a mesh that has none. With these two an
-        `accuracy` is an error.
+        (virtual sources) takes milliseconds, and nothing bounds its errors. Nor does anything those
+        of "marching" (fast marching), which takes point clouds as well: a mesh without polygons, or
+        [] for the triangles. With these two an `accuracy` is an error.
     merge_coincident_points : bool, optional
         Whether points with the very same coordinates are one, as along the seams of a textured
         mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)

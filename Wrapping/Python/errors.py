@@ -24,6 +24,8 @@ _PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 _ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
 # The name of the class that says something.
 _SPEAKER = re.compile(r"\A\w+: ")
+# The end of a path that a function was given: its filter has starts and ends on a port, by turns.
+_END = re.compile(r"path end point (\d+) of input port 1")
 # How an executive reports that an algorithm failed: it names the request, not the reason.
 _NO_REASON = re.compile(r"returned failure for request|No update piece number has been set")
 
@@ -78,16 +80,35 @@ def check(algorithm: vtkAlgorithm) -> Any:
     --------
     >>> mesh = vtkdgg.check(reader)
     """
-    return run(algorithm, bar=None)
+    return _checked(algorithm)
 
 
-def run(algorithm, heard=None, refused=None, bar=Bar):
-    """What check() does, for use inside the package; with a progress bar.
+def run(algorithm, heard=None, refused=None):
+    """What check() does, for functions of the package: with a progress bar, and errors that speak
+    of arguments.
 
     Warnings that are in the set `heard` are not repeated, whichever class gives them; the others
     are added to it. A warning counts as an error, and stops the update, when the function `refused`
     returns something true at that time.
     """
+    try:
+        return _checked(algorithm, heard, refused, Bar)
+    except VTKError as error:
+        raise VTKError([in_arguments(text) for text in error.messages], error.code) from None
+
+
+def in_arguments(text):
+    """What a filter says, for those who have called a function."""
+
+    def end_of(match):
+        pair, is_end = divmod(int(match[1]), 2)
+        return ("end" if is_end else "start") + (f" {pair}" if pair else "")
+
+    text = _END.sub(end_of, text).replace(" of input port 1, at", ", at")
+    return text.replace("vtkPointCloudDGG makes,", "vtkPointCloudDGG makes (vtkdgg.CloudGraph),")
+
+
+def _checked(algorithm, heard=None, refused=None, bar=None):
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)

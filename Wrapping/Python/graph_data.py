@@ -70,7 +70,7 @@ class GraphData:
 
     @property
     def accuracy(self) -> Optional[float]:
-        """What the graph was built for; None for a SaddleVertexGraph."""
+        """What the graph was built for; None for a SaddleVertexGraph. No bound on a cloud."""
         return self._info.accuracy
 
     @property
@@ -106,10 +106,14 @@ class GraphData:
         return result
 
     def __repr__(self) -> str:
-        quality = "" if self.accuracy is None else f", accuracy {self.accuracy:g}"
+        kind = self.construction
+        if self.is_cloud:  # for which nothing is promised
+            kind = f"scheme {kind}"
+        elif self.accuracy is not None:
+            kind += f", accuracy {self.accuracy:g}"
         return (
             f"<vtkdgg.{type(self).__name__}: {self.number_of_points} points, {len(self.targets)} "
-            f"edges, {self.construction}{quality}, {self.nbytes / 2**20:.1f} MiB>"
+            f"edges, {kind}, {self.nbytes / 2**20:.1f} MiB>"
         )
 
     def __getstate__(self):

@@ -6,6 +6,8 @@ Points and cells are copied, so that whoever changes them afterwards, in another
 not change what is computed.
 """
 
+import os
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
@@ -20,9 +22,18 @@ def take(mesh, cells=None, **named):
     for one that is missing."""
     others = list(named.values())
     if not is_mesh(mesh):
-        if cells is None:
-            raise ValueError("triangles: they are missing, and the points are no mesh with cells")
-        surface = from_arrays(mesh, cells)
+        try:
+            if cells is None:
+                raise ValueError("triangles: they are missing, and the points have no cells")
+            surface = from_arrays(mesh, cells)
+        except ValueError as error:
+            # Whoever gives points and sources alone may have a cloud.
+            is_short = cells is None or any(other is None for other in others)
+            if not (is_short and str(error).startswith("triangles: ")):
+                raise
+            raise ValueError(
+                f"{error}; points without triangles are a cloud: see vtkdgg.CloudGraph"
+            ) from None
     else:
         if cells is not None:
             missing = [i for i, other in enumerate(others) if other is None]
@@ -38,7 +49,12 @@ def take(mesh, cells=None, **named):
 
 
 def is_mesh(mesh):
-    """Whether it is more than coordinates."""
+    """Whether it is more than coordinates, and not the name of a file."""
+    if isinstance(mesh, (str, os.PathLike)):
+        raise ValueError(
+            f"points: coordinates or a mesh are wanted, not {os.fspath(mesh)!r}; readers of VTK "
+            "read files: mesh = vtkdgg.check(reader)"
+        )
     return isinstance(mesh, vtkDataObject) or any(
         hasattr(mesh, name) for name in ("points", "vertices")
     )

@@ -346,8 +346,11 @@ class Queries(GraphData):
             As for `distance`.
         """
         n = self.number_of_points
+        count = arguments.integer(number_of_samples, "number_of_samples")
+        if count < 1:
+            raise ValueError(f"number_of_samples: must be positive, is {count}")
         sampler = self._filter(vtkGeodesicSampler, projection_tolerance)
-        sampler.SetNumberOfSamples(arguments.integer(number_of_samples, "number_of_samples"))
+        sampler.SetNumberOfSamples(count)
         first = arguments.place(first, "first", n)
         if not isinstance(first, int):
             raise ValueError("first: a point id is wanted; coordinates go into start")

@@ -4,6 +4,7 @@
 for, and returns what it found as a dict."""
 
 import time
+import warnings
 
 import numpy as np
 import vtkdgg
@@ -38,6 +39,11 @@ def refuse_on_clouds(options):
     for name in ("accuracy", "merge"):
         if getattr(options, name, None):
             raise files.MeshFileError(f"--{name}: not on a point cloud, only on a mesh")
+    method = getattr(options, "method", None)
+    if method in ("exact", "fast"):
+        raise files.MeshFileError(
+            f"--method {method}: not on a point cloud, only on a mesh; there are graph and marching"
+        )
 
 
 def graph_of(options):
@@ -63,7 +69,21 @@ def written(options, data):
     if options.out is None:
         return {}
     files.write(options.out, data)
+    names = files.left_out(options.out, data)
+    if names:
+        extension = files.extension_of(options.out)
+        warnings.warn(f"{extension} keeps no {', '.join(names)}; .vtk and .vtp do", stacklevel=2)
     return {"written": options.out}
+
+
+def without_graph(data, contents):
+    """The data without its graph, which is far larger; unless the file had one."""
+    fields = data.GetFieldData()
+    if not contents.GetFieldData().HasArray("DGG.Info"):
+        for name in files.names_of(fields):
+            if name.startswith("DGG."):
+                fields.RemoveArray(name)
+    return data
 
 
 def spread(values):
@@ -75,17 +95,20 @@ def spread(values):
 
 def info(options):
     """What the file holds."""
-    contents, is_cloud = read(options)
+    contents = files.read(options.file)
+    kind = "point cloud" if options.cloud else files.kind_of(contents)
     found = {
-        "kind": "point cloud" if is_cloud else "surface",
+        "kind": kind,
         "points": contents.GetNumberOfPoints(),
         "polygons": contents.GetNumberOfPolys() + contents.GetNumberOfStrips(),
         "bounds": list(contents.GetBounds()),
         "diagonal": contents.GetLength(),
     }
-    data = contents.GetPointData()
-    found["point arrays"] = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
-    if not is_cloud:
+    found["point arrays"] = files.names_of(contents.GetPointData())
+    if kind == "curves":
+        found["lines"] = contents.GetNumberOfLines()
+        warnings.warn("there is no surface; --cloud looks at points only", stacklevel=2)
+    if kind == "surface":
         look = vtkdgg.vtkExactGeodesicDistance()
         look.SetInputData(contents)
         look.SetSourceIds([0])
@@ -106,7 +129,7 @@ def graph(options):
         "edges": len(made.targets),
         "degree": made.degree,
         "bytes": made.nbytes,
-        "accuracy": made.accuracy,
+        "pruned by" if made.is_cloud else "accuracy": made.accuracy,
         "seconds": time.perf_counter() - start,
         **written(options, made.polydata),
     }
@@ -117,11 +140,13 @@ def distance(options):
     contents, is_cloud = read(options)
     sources = several(options.source, contents, "--source")
     choices = {"maximum_distance": options.maximum, "projection_tolerance": options.tolerance}
-    if is_cloud or options.method == "graph":
+    if is_cloud:
+        refuse_on_clouds(options)
+    if is_cloud and options.method != "marching":
         output = graph_of(options).distance(sources, as_polydata=True, **choices)
     else:
         output = vtkdgg.distance(
-            contents,
+            files.points_of(contents) if is_cloud else contents,
             sources,
             method=options.method,
             accuracy=options.accuracy,
@@ -129,6 +154,7 @@ def distance(options):
             as_polydata=True,
             **choices,
         )
+    output = without_graph(output, contents)
     values = vtk_to_numpy(output.GetPointData().GetArray("GeodesicDistance"))
     output.GetPointData().SetActiveScalars("GeodesicDistance")
     return {"points": len(values), **spread(values), **written(options, output)}
@@ -180,7 +206,7 @@ def isolines(options):
     contents = surface_of(options)
     output = graph_of(options).isolines(
         several(options.source, contents, "--source"),
-        options.values if options.values else options.count,
+        options.values or (10 if options.count is None else options.count),
         projection_tolerance=options.tolerance,
         as_polydata=True,
     )
@@ -199,14 +225,15 @@ def voronoi(options):
     if options.site:
         sites = several(options.site, contents, "--site")
     else:
-        sites = made.sample(options.number).points
+        sites = made.sample(20 if options.number is None else options.number).points
     choices = {"iterations": options.iterations, "projection_tolerance": options.tolerance}
     cells = made.voronoi(sites, **choices)
     found = {"sites": len(cells.sites), "covering radius": spread(cells.distances)["largest"]}
     if cells.areas is not None:
         found["areas"] = cells.areas.tolist()
     if options.out:
-        found.update(written(options, made.voronoi(sites, as_polydata=True, **choices)))
+        output = made.voronoi(sites, as_polydata=True, **choices)
+        found.update(written(options, without_graph(output, contents)))
     return found
 
 
@@ -246,7 +273,7 @@ def greens(options):
 
 
 def render(options):
-    """A picture of a surface with its distances and isolines."""
+    """A picture of a surface with its distances and isolines, or with another array."""
     from . import pictures
 
     contents = surface_of(options)
@@ -263,17 +290,22 @@ def render(options):
         )
         source, _ = places.locate(contents, sources[0])
     array = contents.GetPointData().GetArray(options.array)
-    if array is None:
+    if array is None or array.GetNumberOfComponents() > 1:
+        known = ", ".join(files.names_of(contents.GetPointData())) or "none"
         raise files.MeshFileError(
-            f"{options.file}: has no point array {options.array!r}; give a --source, or the file "
-            "that the command distance has written"
+            f"{options.file}: has no point array {options.array!r} of single numbers (there are: "
+            f"{known}); give a --source, or the file that the command distance has written"
         )
     mesh = files.triangles_of(contents, options.file)
     values = vtk_to_numpy(mesh.GetPointData().GetArray(options.array))
+    found = {**spread(values), "written": options.out}
+    if not options.array.endswith("Distance"):
+        pictures.save_array(options.out, mesh, options.array, source)
+        return found
     if source is None:
         source = np.array(mesh.GetPoint(int(np.nanargmin(values))))
     step = pictures.save_distances(options.out, mesh, options.array, source)
-    return {**spread(values), "isolines every": step, "written": options.out}
+    return {**found, "isolines every": step}
 
 
 def explore(options):

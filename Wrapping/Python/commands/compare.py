@@ -25,6 +25,8 @@ from .words import counted
 DEFAULT_MESH = "/usr/share/glmark2/models/bunny.obj"
 DEFAULT_ACCURACY = 0.01
 ERROR_COLUMNS = "{:<10} {:<10} {}".format
+# What the option --method of the command distance calls them.
+METHODS = {"virtual sources": "fast", "fast marching": "marching"}
 
 
 class UsageError(Exception):
@@ -141,7 +143,10 @@ def sizes_of(errors):
 
 def method_rows(measured):
     """The errors of all methods, as lines of the table."""
-    lines = [f"{title:<26} {sizes_of(errors)}" for title, errors in measured.items()]
+    names = {title: f"{title} ({name})" for title, name in METHODS.items()}
+    lines = [
+        f"{names.get(title, title):<26} {sizes_of(errors)}" for title, errors in measured.items()
+    ]
     return tuple(("" if i else "methods", line) for i, line in enumerate(lines))
 
 

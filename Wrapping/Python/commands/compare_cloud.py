@@ -9,25 +9,16 @@ import warnings
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import cloud_pictures, places
 from .discs import spacings_of
-from .files import MeshFileError
+from .files import MeshFileError, points_of
 from .output import print_table, save, with_arrays
 from .solve import CloudGraph, Path, Query
 from .words import counted
 
 # Rounding of the lengths of edges, relative.
 ROUNDING = 1e-6
-
-
-def points_of(contents):
-    """The points alone, with their normals if there are any."""
-    cloud = vtkPolyData()
-    cloud.SetPoints(contents.GetPoints())
-    cloud.GetPointData().SetNormals(contents.GetPointData().GetNormals())
-    return cloud
 
 
 def far_point(points, component):

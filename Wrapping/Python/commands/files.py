@@ -39,9 +39,14 @@ class MeshFileError(Exception):
     """The file cannot be read as a surface; the text says why."""
 
 
+def extension_of(path):
+    """What names the format."""
+    return os.path.splitext(path)[1].lower()
+
+
 def make_reader(path):
     """Reader for the file, chosen by its extension."""
-    extension = os.path.splitext(path)[1].lower()
+    extension = extension_of(path)
     if extension not in READERS:
         known = " ".join(sorted(READERS))
         raise MeshFileError(f"{path}: unknown extension '{extension}'; known are {known}")
@@ -87,7 +92,7 @@ def read(path):
 
 
 def _read(path):
-    extension = os.path.splitext(path)[1].lower()
+    extension = extension_of(path)
     if extension not in EXTENSIONS:
         known = " ".join(EXTENSIONS)
         raise MeshFileError(f"{path}: unknown extension '{extension}'; known are {known}")
@@ -102,10 +107,27 @@ def _read(path):
     return read_all(path)
 
 
+def kind_of(contents):
+    """What these are: a surface, if there is any polygon."""
+    if contents.GetNumberOfPolys() + contents.GetNumberOfStrips() > 0:
+        return "surface"
+    return "curves" if contents.GetNumberOfLines() > 0 else "point cloud"
+
+
 def is_cloud(contents):
-    """Whether these are points, and no polygon uses them."""
-    polygons = contents.GetNumberOfPolys() + contents.GetNumberOfStrips()
-    return polygons == 0
+    """Whether these are points, and no cell but vertices uses them. Curves are an error."""
+    kind = kind_of(contents)
+    if kind == "curves":
+        raise MeshFileError("the file holds curves and no surface; --cloud looks at points only")
+    return kind == "point cloud"
+
+
+def points_of(contents):
+    """The points alone, with their normals if there are any."""
+    cloud = vtkPolyData()
+    cloud.SetPoints(contents.GetPoints())
+    cloud.GetPointData().SetNormals(contents.GetPointData().GetNormals())
+    return cloud
 
 
 def make_graph(contents):
@@ -185,17 +207,51 @@ def write_off(path, data):
 
 TEXT_WRITERS = {".off": write_off, ".xyz": write_xyz}
 WRITABLE = sorted([*WRITERS, *TEXT_WRITERS])
+# By what is written, the formats that hold it.
+FORMATS = {
+    "surface": WRITABLE,
+    "curves": [".obj", ".vtk", ".vtp"],
+    "point cloud": [extension for extension in WRITABLE if extension != ".stl"],
+    "graph": [".vtk", ".vtp"],
+    "picture": [".png"],
+}
+
+
+def writable(path, kind):
+    """The path, whose format holds this kind."""
+    extension = extension_of(path)
+    if extension not in FORMATS[kind]:
+        known = " ".join(FORMATS[kind])
+        raise MeshFileError(f"{path}: cannot write '{extension}' ({kind}); known are {known}")
+    return path
+
+
+def names_of(data):
+    """The names of the arrays that have one."""
+    return list(filter(None, map(data.GetArrayName, range(data.GetNumberOfArrays()))))
+
+
+def left_out(path, data):
+    """The names of what the format of the file does not hold of the data."""
+    extension = extension_of(path)
+    if extension in (".vtk", ".vtp"):
+        return []
+    points = data.GetPointData()
+    names = names_of(data.GetCellData())
+    if extension != ".pcd":
+        both = points.GetNormals(), points.GetTCoords()
+        kept = [array.GetName() for array in both if array and extension in (".obj", ".ply")]
+        names += [name for name in names_of(points) if name not in kept]
+    is_surface = kind_of(data) == "surface"
+    return ["polygons", *names] if is_surface and extension in (".pcd", ".xyz") else names
 
 
 def write(path, data):
     """Write a file; its extension chooses the format."""
-    extension = os.path.splitext(path)[1].lower()
+    extension = extension_of(writable(path, kind_of(data)))
     if extension in TEXT_WRITERS:
         TEXT_WRITERS[extension](path, data)
         return
-    if extension not in WRITERS:
-        known = " ".join(WRITABLE)
-        raise MeshFileError(f"{path}: cannot write '{extension}'; known are {known}")
     writer = WRITERS[extension]()
     if hasattr(writer, "SetFileTypeToBinary"):
         writer.SetFileTypeToBinary()  # exact, and VTK does not read every NaN in a text

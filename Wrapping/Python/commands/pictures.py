@@ -4,6 +4,7 @@
 the source, and a scalar bar."""
 
 import math
+import re
 
 import numpy as np
 import vtkdgg
@@ -78,7 +79,8 @@ def save_distances(path, mesh, array_name, source, unit="model units"):
     high = float(finite.max()) if finite.size and finite.max() > 0 else 1.0
     step = nice_step(high)
     table = lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED_DISTANCE)
-    bar = scalar_bar(table, f"Geodesic distance\n({unit})", labels(0.0, high), "%-.6g")
+    title = "Geodesic distance" if array_name == "GeodesicDistance" else array_name
+    bar = scalar_bar(table, f"{title}\n({unit})", labels(0.0, high), "%-.6g")
     props = [
         surface(mesh, array_name, table),
         _isolines(mesh, array_name, step, 0.0011),
@@ -87,6 +89,19 @@ def save_distances(path, mesh, array_name, source, unit="model units"):
     ]
     save(path, mesh, source, props)
     return step
+
+
+def save_array(path, mesh, array_name, source=None):
+    """Render the mesh in the colours of any array, and a source if there is one."""
+    values = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
+    finite = values[np.isfinite(values)]
+    low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+    high = high if high > low else low + 1.0
+    table = lookup_table(DISTANCE_COLOURS, low, high, UNREACHED_DISTANCE)
+    # A long name goes on in the next line.
+    name = re.sub(r"(?<=[a-z])(?=[A-Z])", "\n", array_name) if len(array_name) > 17 else array_name
+    bar = scalar_bar(table, name, labels(low, high), "%-.6g")
+    save(path, mesh, source, [surface(mesh, array_name, table), bar, *unreached(bar, values)])
 
 
 def save_errors(path, mesh, array_name, promised, isolines, source, lines):
@@ -118,14 +133,16 @@ def save_errors(path, mesh, array_name, promised, isolines, source, lines):
 
 
 def save(path, mesh, source, props, direction=None):
-    """Render these and the source and write the PNG; looks from the best or a given direction."""
+    """Render these and the source, if any, and write the PNG; looks from the best or a given
+    direction."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetBackground2(0.86, 0.89, 0.93)
     renderer.GradientBackgroundOn()
     for prop in props:
         renderer.AddViewProp(prop)
-    renderer.AddActor(marker(source, size_of(mesh)))
+    if source is not None:
+        renderer.AddActor(marker(source, size_of(mesh)))
     light(renderer)
     aim(renderer, mesh, source, direction)
     write(path, [renderer])
@@ -337,7 +354,7 @@ def aim(renderer, mesh, source, direction=None, aspect=SIZE[0] / SIZE[1], room=0
     centre = np.array(mesh.GetCenter())
     up = up_of(mesh)
     if direction is None:
-        direction = best_direction(mesh, np.array(source), up)
+        direction = best_direction(mesh, source, up)
     away = 2.0 * size_of(mesh)
     right = np.cross(up, direction)
     right /= np.linalg.norm(right)
@@ -345,7 +362,9 @@ def aim(renderer, mesh, source, direction=None, aspect=SIZE[0] / SIZE[1], room=0
 
     # Where the points are in the view, as tangents of angles; the source's ball comes along.
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    points = np.vstack([points, np.array(source) + 0.02 * size_of(mesh) * direction]) - centre
+    if source is not None:
+        points = np.vstack([points, np.array(source) + 0.02 * size_of(mesh) * direction])
+    points -= centre
     depth = away - points @ direction
     x, y = points @ right / depth, points @ top / depth
     # The picture leaves a margin, and room for the scalar bar on the right.
@@ -376,7 +395,7 @@ def up_of(mesh):
 
 
 def best_direction(mesh, source, up):
-    """Where to look from, to see much of the surface and the source."""
+    """Where to look from, to see much of the surface and the source, if there is one."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     a, b, c = (points[triangles[:, i]] for i in range(3))
@@ -388,8 +407,8 @@ def best_direction(mesh, source, up):
     size = mesh.GetLength()
 
     def score(direction):
-        seen = 1.0 if _is_seen(locator, source, direction, size) else 0.3
-        return np.abs(areas @ direction).sum() * seen
+        seen = source is None or _is_seen(locator, np.array(source), direction, size)
+        return np.abs(areas @ direction).sum() * (1.0 if seen else 0.3)
 
     return max(directions(up), key=score)
 
