@@ -13,6 +13,7 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -249,12 +250,14 @@ DGGChangedArrays FindChanges(
   }
   for (int i = 0; i < output->GetNumberOfArrays(); ++i)
   {
-    vtkDataArray* array = output->GetArray(i);
-    if (!array || !array->GetName() || whole->GetAbstractArray(array->GetName()) == array)
+    vtkAbstractArray* array = output->GetAbstractArray(i);
+    // No other arrays can be sent.
+    if (!(vtkDataArray::SafeDownCast(array) || vtkStringArray::SafeDownCast(array)) ||
+      !array->GetName() || whole->GetAbstractArray(array->GetName()) == array)
     {
       continue;
     }
-    auto some = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    auto some = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
     some->SetName(array->GetName());
     some->SetNumberOfComponents(array->GetNumberOfComponents());
     some->CopyComponentNames(array);
@@ -279,7 +282,7 @@ void ApplyChanges(const DGGChangedArrays& changes, vtkDataSetAttributes* data)
   {
     data->RemoveArray(name.c_str());
   }
-  for (vtkDataArray* array : changes.Added)
+  for (vtkAbstractArray* array : changes.Added)
   {
     data->AddArray(array);
   }

@@ -13,13 +13,13 @@
 #include <cstddef> // for std::size_t
 #include <string>  // for the names
 
-class vtkDataArray;
+class vtkAbstractArray;
 
 /// How the point data or the cell data of an output differ from those of the input.
 struct DGGChangedArrays
 {
   std::vector<std::string> Removed;
-  std::vector<vtkSmartPointer<vtkDataArray>> Added;
+  std::vector<vtkSmartPointer<vtkAbstractArray>> Added;
   /// Names of active arrays; empty where there is none.
   std::array<std::string, vtkDataSetAttributes::NUM_ATTRIBUTES> Active;
 };

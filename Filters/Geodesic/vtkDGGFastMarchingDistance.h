@@ -25,13 +25,13 @@
  * lengths. Distances in a graph of vtkPointCloudDGG are 10 to 100 times as accurate. The band is
  * made once, and kept until points, BandRadius or Resolution change; a march takes 17 bytes for
  * each voxel of the blocks of 8 x 8 x 8 that the band touches. Sheets closer than two radii and two
- * voxels are connected.
+ * voxels are connected, those of different blocks of the input too.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm, and on clouds
  *  - a BandRadius not in [0.5, 1000], unless 0; a Resolution not in [0, 524288];
  *  - GenerateVirtualSource: a virtual source is a direction on a surface;
  *  - parts farther apart than 2^23 automatic voxels, or 2^30 spacings, reach;
- *  - a band that takes more than MemoryLimit.
+ *  - a band that takes more than MemoryLimit, or has more than 2^31 voxels in its blocks.
  *
  * @code
  * vtkNew<vtkDGGFastMarchingDistance> distance;

@@ -421,6 +421,7 @@ bool vtkGeodesicAlgorithm::PassesSurface() const
 dgg::Status vtkGeodesicAlgorithm::GetWholeInput(vtkSmartPointer<vtkPolyData>& surface)
 {
   vtkDataObject* input = this->GetInputDataObject(0, 0);
+  DGG_RETURN_IF_ERROR(CheckType(input));
   surface = vtkPolyData::SafeDownCast(input);
   return input && !surface ? DGGPartedUpdate::Join(input, surface) : dgg::Status::Success();
 }

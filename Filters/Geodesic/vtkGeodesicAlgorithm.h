@@ -60,8 +60,8 @@
  * <b>Errors</b>. vtkErrorMacro names what is wrong and the remedy. The output is empty,
  * GetErrorCode() is not zero, the input is untouched, and a later correct call works; until
  * something changes, every update reports the error again. Errors of all filters:
- *  - no input; points but no polygon with three distinct points; a cell that names a missing point,
- *    or one that is not finite;
+ *  - no input; an image or a grid (vtkDataSetSurfaceFilter makes a surface of it); points but no
+ * polygon with three distinct points; a cell that names a missing point, or one that is not finite;
  *  - an extent outside [1e-70, 1e70]; more than 2^31 - 1 points or 3 * triangles; so many defects,
  *    or triangles so long, that the work would grow out of proportion;
  *  - one piece of several without a Controller that has as many processes; pieces with more points

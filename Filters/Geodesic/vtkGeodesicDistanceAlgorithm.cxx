@@ -65,19 +65,25 @@ struct PointArrayMaker
 /// Arrays of the sources, each value at the points that its source is nearest to. `first` is the
 /// number of the first source that has one.
 void PassArrays(
-  vtkPointData* sources, dgg::Id first, const std::vector<dgg::Id>& nearest, vtkPointData* output)
+  vtkPolyData* sources, dgg::Id first, const std::vector<dgg::Id>& nearest, vtkPointData* output)
 {
-  for (int k = 0; k < sources->GetNumberOfArrays(); ++k)
+  vtkPointData* data = sources->GetPointData();
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
-    vtkAbstractArray* values = sources->GetAbstractArray(k);
-    if (!values->GetName() || output->HasArray(values->GetName()))
+    vtkAbstractArray* values = data->GetAbstractArray(k);
+    const std::string name = values->GetName() ? values->GetName() : "";
+    // Ghosts among the sources are none on the surface.
+    if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
+      output->HasArray(name.c_str()) || values->GetNumberOfTuples() != sources->GetNumberOfPoints())
     {
       continue;
     }
-    const auto array = vtkSmartPointer<vtkAbstractArray>::Take(values->NewInstance());
+    const auto array =
+      vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(values->GetDataType()));
     const int components = values->GetNumberOfComponents();
-    array->SetName(values->GetName());
+    array->SetName(name.c_str());
     array->SetNumberOfComponents(components);
+    array->CopyComponentNames(values);
     array->SetNumberOfTuples(static_cast<vtkIdType>(nearest.size()));
     const bool isReal = values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE;
     const vtkVariant nothing = vtkStringArray::SafeDownCast(values)
@@ -310,9 +316,8 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
   const std::vector<bool> isReached = FindReached(task);
-  this->AddResults(task, isReached, output);
   vtkPolyData* points = vtkPolyData::GetData(inputVector[1]);
-  if (this->PassSourceArrays && points)
+  if (this->PassSourceArrays && points) // before the results, which replace what they are named
   {
     std::vector<dgg::Id> nearest(static_cast<std::size_t>(output->GetNumberOfPoints()));
     for (std::size_t i = 0; i < nearest.size(); ++i)
@@ -320,9 +325,10 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
       const dgg::Id vertex = context.Surface.GetVertex(static_cast<vtkIdType>(i));
       nearest[i] = isReached[vertex] ? task.NearestSource[vertex] : dgg::NoId;
     }
-    PassArrays(points->GetPointData(), static_cast<dgg::Id>(this->SourceIds.size()), nearest,
-      output->GetPointData());
+    PassArrays(
+      points, static_cast<dgg::Id>(this->SourceIds.size()), nearest, output->GetPointData());
   }
+  this->AddResults(task, isReached, output);
   this->WarnAboutGaps(context.Input, isReached);
   return dgg::Status::Success();
 }

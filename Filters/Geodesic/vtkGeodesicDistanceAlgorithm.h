@@ -138,7 +138,8 @@ public:
   /**
    * Whether each point gets the point arrays of port 1 from its nearest source, such as names and
    * labels. Where that is one of SourceIds, or there is none: NaN, 0 or the empty string. Arrays of
-   * the surface and results of the filter stay, where names are the same. Default off.
+   * the surface and results of the filter stay, where names are the same; arrays of another length
+   * than the points are left out. Default off.
    */
   vtkSetMacro(PassSourceArrays, bool);
   vtkGetMacro(PassSourceArrays, bool);

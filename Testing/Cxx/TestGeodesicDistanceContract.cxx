@@ -327,11 +327,12 @@ TEST(GeodesicDistanceContract, PrintSelf)
   ExpectSuccess(filter);
   std::ostringstream os;
   filter->Print(os);
-  for (const char* text : { "SourceIds: 3 2\n", "ProjectionTolerance: 0.01\n",
-         "MergeCoincidentPoints: Off\n", "MaximumDistance: ", "UnreachedValue: nan\n",
-         "GenerateNearestSource: Off\n", "PassSourceArrays: Off\n", "DistanceArrayName: GeodesicDistance\n",
-         "SourceArrayName: GeodesicSource\n", "InitialDistanceArrayName: InitialDistance\n",
-         "MeshBuildTime: ", "MeshReport:\n", "    triangles: 2\n", "Engine: Triangle\n" })
+  for (const char* text :
+    { "SourceIds: 3 2\n", "ProjectionTolerance: 0.01\n", "MergeCoincidentPoints: Off\n",
+      "MaximumDistance: ", "UnreachedValue: nan\n", "GenerateNearestSource: Off\n",
+      "PassSourceArrays: Off\n", "DistanceArrayName: GeodesicDistance\n",
+      "SourceArrayName: GeodesicSource\n", "InitialDistanceArrayName: InitialDistance\n",
+      "MeshBuildTime: ", "MeshReport:\n", "    triangles: 2\n", "Engine: Triangle\n" })
   {
     EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
   }

@@ -69,6 +69,33 @@ TYPED_TEST(SeveralProcessesDistance, IsThatOfTheWhole)
 }
 
 //------------------------------------------------------------------------------
+TEST_F(SeveralProcesses, ArraysOfSources)
+{
+  const auto sources = this->MakeSources();
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  names->InsertNextValue("middle");
+  names->InsertNextValue("rim");
+  sources->GetPointData()->AddArray(names);
+  const std::function<void(vtkExactGeodesicDistance*)> prepare =
+    [&sources](vtkExactGeodesicDistance* filter) {
+      filter->SetSourceData(sources);
+      filter->GenerateNearestSourceOn();
+      filter->PassSourceArraysOn();
+    };
+  const auto filter =
+    this->Together<vtkExactGeodesicDistance>(this->TakeStrip(this->Surface), prepare);
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  auto* found = vtkStringArray::SafeDownCast(data->GetAbstractArray("Name"));
+  ASSERT_NE(found, nullptr);
+  for (vtkIdType i = 0; i < found->GetNumberOfValues(); ++i)
+  {
+    const int source = static_cast<int>(data->GetArray("GeodesicSource")->GetComponent(i, 0));
+    ASSERT_EQ(found->GetValue(i), names->GetValue(source));
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST_F(SeveralProcesses, GlobalIdsNumberPoints)
 {
   for (const bool ghosts : { false, true })

@@ -14,6 +14,7 @@
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 #include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -172,6 +173,40 @@ TEST(SourcePoints, ArraysOfTheNearest)
     const double color = data->GetArray("Color")->GetComponent(points[i], 1);
     EXPECT_TRUE(color == expectedColors[i] || (std::isnan(color) && i > 1)) << color;
   }
+}
+
+// Sources that are an outcome of this filter, with arrays that are not for the surface.
+TEST(SourcePoints, ArraysThatAreNotPassed)
+{
+  vtkNew<vtkExactGeodesicDistance> before;
+  before->SetInputData(MakeGrid(1, 1));
+  before->AddSourceId(0);
+  before->SetMaximumDistance(0.5);
+  before->SetUnreachedValue(-1.0);
+  before->GenerateVirtualSourceOn();
+  before->GenerateNearestSourceOn();
+  ExpectSuccess(before);
+  vtkNew<vtkPolyData> sources;
+  sources->ShallowCopy(before->GetOutput());
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(4);
+  ghosts->Fill(1.0);
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("Height");
+  heights->SetNumberOfTuples(3); // of 4 points
+  heights->Fill(1.0);
+  sources->GetPointData()->AddArray(ghosts);
+  sources->GetPointData()->AddArray(heights);
+
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(MakeGrid(9, 1));
+  filter->SetSourceData(sources);
+  filter->PassSourceArraysOn();
+  ExpectSuccess(filter);
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  ASSERT_EQ(data->GetNumberOfArrays(), 1);
+  EXPECT_NEAR(GetDistances(filter)[9], 8.0, 1e-12);
 }
 
 TEST(SourcePoints, InitialDistances)

@@ -29,6 +29,25 @@ constexpr double LargestAutomaticResolution = 1 << 23;
 /// as long as a spacing keep the digits of a float.
 constexpr double MostSpacings = 1 << 30;
 
+/// A group of fewer points than there are neighbours has a gap among the distances of them, the
+/// next one being that many times as far. Then only those beyond the gap give the spacing: the
+/// others would give how far off the group is, when they are the larger part.
+constexpr double LeastGap = 4.0;
+constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
+
+/// How many of the nearest points are a group on their own, far off the next ones; 0 when none are.
+std::size_t CountBeforeGap(const std::vector<double>& squaredDistances)
+{
+  for (std::size_t i = squaredDistances.size(); i-- > LeastGroup;)
+  {
+    if (squaredDistances[i] > LeastGap * LeastGap * squaredDistances[i - 1])
+    {
+      return i;
+    }
+  }
+  return 0;
+}
+
 double GetMeanVolume(const std::vector<double>& radii)
 {
   double sum = 0.0;
@@ -68,8 +87,11 @@ double SpacingFrom(double squaredDistance, std::size_t k)
   return k == 0 ? 0.0 : std::sqrt(Pi * squaredDistance / static_cast<double>(k));
 }
 
-float SmoothSpacing(float spacing, std::vector<float>& around)
+float SmoothSpacing(
+  float spacing, const std::vector<double>& squaredDistances, std::vector<float>& around)
 {
+  around.erase(
+    around.begin(), around.begin() + static_cast<std::ptrdiff_t>(CountBeforeGap(squaredDistances)));
   return std::min(spacing, static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
 }
 

@@ -23,10 +23,11 @@ constexpr Id LargestResolution = 1 << 19;
 /// The root of the area that a point has, given its k-th neighbour.
 DGG_CORE_EXPORT double SpacingFrom(double squaredDistance, std::size_t k);
 
-/// The spacing of a point, given that around it too, its own included, which are reordered: a point
-/// on its own, far off the surface, must not get a ball that reaches it, nor one at a border a
-/// larger one.
-DGG_CORE_EXPORT float SmoothSpacing(float spacing, std::vector<float>& around);
+/// The spacing of a point, given that of its nearest ones too, its own included, which are
+/// reordered, and their squared distances in ascending order: a point on its own, far off the
+/// surface, must not get a ball that reaches it, nor one at a border a larger one.
+DGG_CORE_EXPORT float SmoothSpacing(
+  float spacing, const std::vector<double>& squaredDistances, std::vector<float>& around);
 
 struct BandOptions
 {

@@ -263,6 +263,11 @@ double BandMarching::PredictMemory(double bricks)
   return bricks * (512.0 * (sizeof(Arrival) + 1.0) + sizeof(Neighbors[0]));
 }
 
+bool BandMarching::CanMarchIn(const VoxelBand& band)
+{
+  return 512 * band.GetNumberOfBricks() <= static_cast<std::size_t>(std::numeric_limits<Id>::max());
+}
+
 bool BandMarching::IsNear(const Point3& place) const
 {
   const Point3 inGrid = this->Band.ToGrid(place);
@@ -282,7 +287,7 @@ Status BandMarching::Run(const std::vector<BandSource>& sources, const std::vect
   {
     return Status::Invalid("there are no sources: give at least one");
   }
-  if (512 * this->Neighbors.size() > static_cast<std::size_t>(std::numeric_limits<Id>::max()))
+  if (!CanMarchIn(this->Band))
   {
     return Status::Invalid("the band has too many voxels to march in: use a smaller resolution");
   }

@@ -49,6 +49,9 @@ public:
   /// Bytes of a march in a band of that many bricks, without what is on the way.
   static double PredictMemory(double bricks);
 
+  /// Whether its voxels can be numbered.
+  static bool CanMarchIn(const VoxelBand& band);
+
   /// Whether distances can start at a place: a voxel of the band is close.
   bool IsNear(const Point3& place) const;
 

@@ -112,7 +112,7 @@ private:
   /// Narrower windows are dropped: what they reach is on the border of their neighbours, up to the
   /// square of this.
   static constexpr double NarrowestWindow = 1e-12;
-  /// How many more windows may then come, by those that came before.
+  /// How many more windows may come once they pass labels on, by those that came before.
   static constexpr std::size_t PassingFactor = 3;
 
   template <typename Starter>
@@ -158,7 +158,7 @@ private:
 
   /// From now on windows pass labels on along the sides of faces, which ends those that go around
   /// once more. Returns whether they did not do so before.
-  bool PassLabels()
+  bool StartPassing()
   {
     if (this->PassesLabels || Rule::ByDistance)
     {
@@ -418,7 +418,7 @@ private:
     {
       const FaceCrossing& face = this->Table[window.Entry];
       ++this->NumberOfWindows;
-      if (this->HasTooManyWindows() && !this->PassLabels())
+      if (this->HasTooManyWindows() && !this->StartPassing())
       {
         return;
       }

@@ -5,6 +5,7 @@
 #include "DGGDistanceTask.h"
 #include "DGGFreeMemory.h"
 
+#include "dggBlockLoop.h"
 #include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
 #include "dggProgressPart.h"
@@ -12,9 +13,10 @@
 
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkOctreePointLocator.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStaticPointLocator.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,66 +52,65 @@ public:
     this->Locator->BuildLocator();
   }
 
-  std::vector<float> Find(const dgg::ParallelFor& parallel)
+  dgg::Status Find(const dgg::ParallelFor& parallel, const dgg::ProgressCallback& progress,
+    std::vector<float>& spacings) const
   {
-    const std::size_t n = this->Places.size();
-    const auto k = std::min(dgg::SpacingNeighbors, n - 1);
-    const auto size = static_cast<dgg::Offset>(n);
-    std::vector<float> raw(n);
-    dgg::ForRange(parallel, size, PointsPerTask, [&](dgg::Offset begin, dgg::Offset end) {
-      vtkNew<vtkIdList> close;
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        raw[i] = static_cast<float>(dgg::SpacingFrom(this->FindClosest(i, k, close), k));
-      }
-    });
-    std::vector<float> spacings(n);
-    dgg::ForRange(parallel, size, PointsPerTask, [&](dgg::Offset begin, dgg::Offset end) {
-      vtkNew<vtkIdList> close;
-      std::vector<float> around;
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        // Which of several points are the last ones does not matter: those before them count.
-        const double last = this->FindClosest(i, k, close);
-        around = { raw[i] };
-        for (vtkIdType j = 0; j < close->GetNumberOfIds(); ++j)
+    const auto n = static_cast<dgg::Offset>(this->Places.size());
+    std::vector<float> raw(this->Places.size());
+    DGG_RETURN_IF_ERROR(dgg::ForBlocks(
+      n, PointsPerTask, parallel, dgg::ProgressPart(progress, 0.0, 0.5), [] { return Close(); },
+      [&](Close& close, dgg::Offset, dgg::Offset begin, dgg::Offset end) {
+        for (dgg::Offset i = begin; i < end; ++i)
         {
-          const auto other = static_cast<std::size_t>(close->GetId(j));
-          if (other != i && this->SquaredDistance(i, other) < last)
-          {
-            around.push_back(raw[other]);
-          }
+          this->FindClosest(i, close);
+          raw[i] = static_cast<float>(
+            dgg::SpacingFrom(close.SquaredDistances.back(), close.SquaredDistances.size() - 1));
         }
-        spacings[i] = dgg::SmoothSpacing(raw[i], around);
-      }
-    });
-    return spacings;
+      }));
+    spacings.resize(raw.size());
+    return dgg::ForBlocks(
+      n, PointsPerTask, parallel, dgg::ProgressPart(progress, 0.5, 1.0), [] { return Close(); },
+      [&](Close& close, dgg::Offset, dgg::Offset begin, dgg::Offset end) {
+        std::vector<float> around;
+        for (dgg::Offset i = begin; i < end; ++i)
+        {
+          this->FindClosest(i, close);
+          around.clear();
+          for (vtkIdType j = 0; j < close.Ids->GetNumberOfIds(); ++j)
+          {
+            around.push_back(raw[close.Ids->GetId(j)]);
+          }
+          spacings[i] = dgg::SmoothSpacing(raw[i], close.SquaredDistances, around);
+        }
+      });
   }
 
 private:
-  double SquaredDistance(std::size_t i, std::size_t j) const
+  struct Close
   {
-    const Point3 way = this->Places[j] - this->Places[i];
-    return dgg::Dot(way, way);
-  }
+    vtkSmartPointer<vtkIdList> Ids = vtkSmartPointer<vtkIdList>::New();
+    std::vector<double> SquaredDistances; // ascending
+  };
 
-  /// The point and its k nearest; the squared distance of the last one.
-  double FindClosest(std::size_t i, std::size_t k, vtkIdList* close) const
+  /// The point and its nearest ones.
+  void FindClosest(dgg::Offset i, Close& close) const
   {
     const Point3& p = this->Places[i];
     const double place[3] = { p.X, p.Y, p.Z };
-    this->Locator->FindClosestNPoints(static_cast<int>(k) + 1, place, close);
-    double last = 0.0;
-    for (vtkIdType j = 0; j < close->GetNumberOfIds(); ++j)
+    const std::size_t count = std::min(dgg::SpacingNeighbors + 1, this->Places.size());
+    this->Locator->FindClosestNPoints(static_cast<int>(count), place, close.Ids);
+    close.SquaredDistances.clear();
+    for (vtkIdType j = 0; j < close.Ids->GetNumberOfIds(); ++j)
     {
-      last = std::max(last, this->SquaredDistance(i, static_cast<std::size_t>(close->GetId(j))));
+      const Point3 way = this->Places[close.Ids->GetId(j)] - p;
+      close.SquaredDistances.push_back(dgg::Dot(way, way));
     }
-    return last;
+    std::sort(close.SquaredDistances.begin(), close.SquaredDistances.end());
   }
 
   const std::vector<Point3>& Places;
   vtkNew<vtkPolyData> Cloud;
-  vtkNew<vtkStaticPointLocator> Locator;
+  vtkNew<vtkOctreePointLocator> Locator; // adapts to the density
 };
 
 Point3 OffsetOf(const dgg::SurfacePoint& point)
@@ -136,8 +137,10 @@ dgg::Status DGGCloudMarching::Prepare(
   {
     return dgg::Status::Success();
   }
-  const std::vector<float> spacings = SpacingFinder(this->Places).Find(context.Parallel);
-  DGG_RETURN_IF_ERROR(dgg::ReportTo(progress, EndOfSpacings));
+  std::vector<float> spacings;
+  DGG_RETURN_IF_ERROR(
+    SpacingFinder(this->Places)
+      .Find(context.Parallel, dgg::ProgressPart(progress, EndOfNodes, EndOfSpacings), spacings));
   dgg::BandSizes sizes;
   DGG_RETURN_IF_ERROR(dgg::ChooseBandSizes(this->Nodes, this->Places, spacings, options, sizes));
   // With room for the march.
@@ -154,6 +157,11 @@ dgg::Status DGGCloudMarching::Prepare(
       dgg::FormatBytes(limit), ": use a smaller Resolution, or set a higher MemoryLimit");
   }
   DGG_RETURN_IF_ERROR(status);
+  if (!dgg::BandMarching::CanMarchIn(this->Band))
+  {
+    return dgg::Status::Invalid(
+      "the band has more voxels than a march can number: use a smaller Resolution");
+  }
   this->Marching = std::make_unique<dgg::BandMarching>(this->Band);
   this->BandRadius = dgg::Quantile(sizes.Radii, 0.5) / sizes.VoxelSize;
   // A hair less, so that rounding does not make one more of those that are asked for.
@@ -184,6 +192,9 @@ void DGGCloudMarching::NumberPlaces(Id numberOfPoints)
 dgg::Status DGGCloudMarching::Run(
   DGGDistanceTask& task, const dgg::ProgressCallback& progress) const
 {
+  DGG_RETURN_IF_ERROR(DGGCheckMemory("the march",
+    dgg::BandMarching::PredictMemory(static_cast<double>(this->Band.GetNumberOfBricks())),
+    task.Context.MemoryLimit, "use a smaller Resolution"));
   const double scale = this->Nodes.Scale;
   std::vector<dgg::BandSource> sources;
   std::vector<Id> numbers; // of these

@@ -12,6 +12,7 @@
 #include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 
 #include <string>
 
@@ -33,7 +34,7 @@ void SendArrays(vtkMultiProcessController* controller, const DGGChangedArrays& a
   {
     stream << name;
   }
-  for (vtkDataArray* array : arrays.Added)
+  for (vtkAbstractArray* array : arrays.Added)
   {
     // What VTK's messages of arrays leave out.
     const char* arrayName = array->GetName();
@@ -44,11 +45,22 @@ void SendArrays(vtkMultiProcessController* controller, const DGGChangedArrays& a
       const char* name = array->GetComponentName(k);
       stream << std::string(name ? name : "");
     }
+    if (auto* words = vtkStringArray::SafeDownCast(array)) // of which there are no messages
+    {
+      stream << static_cast<vtkTypeInt64>(words->GetNumberOfValues());
+      for (vtkIdType i = 0; i < words->GetNumberOfValues(); ++i)
+      {
+        stream << std::string(words->GetValue(i));
+      }
+    }
   }
   controller->Send(stream, to, ArrayTag);
-  for (vtkDataArray* array : arrays.Added)
+  for (vtkAbstractArray* array : arrays.Added)
   {
-    controller->Send(array, to, ArrayTag);
+    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    {
+      controller->Send(numbers, to, ArrayTag);
+    }
   }
 }
 
@@ -75,8 +87,11 @@ DGGChangedArrays ReceiveArrays(vtkMultiProcessController* controller, int from)
     int components = 0;
     std::string name;
     stream >> type >> name >> components;
-    const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-    controller->Receive(array, from, ArrayTag);
+    const auto array = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
+    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    {
+      controller->Receive(numbers, from, ArrayTag);
+    }
     array->SetName(name.empty() ? nullptr : name.c_str());
     array->SetNumberOfComponents(components);
     for (int k = 0; k < components; ++k)
@@ -85,6 +100,16 @@ DGGChangedArrays ReceiveArrays(vtkMultiProcessController* controller, int from)
       if (!name.empty())
       {
         array->SetComponentName(k, name.c_str());
+      }
+    }
+    if (auto* words = vtkStringArray::SafeDownCast(array))
+    {
+      vtkTypeInt64 size = 0;
+      stream >> size;
+      for (vtkTypeInt64 j = 0; j < size; ++j)
+      {
+        stream >> name;
+        words->InsertNextValue(name);
       }
     }
     arrays.Added.push_back(array);

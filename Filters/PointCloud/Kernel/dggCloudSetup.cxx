@@ -24,25 +24,6 @@ constexpr double ShareOfSmoothing = 0.2;
 constexpr std::size_t BytesPerNode = 191;
 constexpr std::size_t BytesPerPoint = 72;
 
-/// A group of fewer points than there are neighbours has a gap among the distances of them, the
-/// next one being that many times as far. Then only those beyond the gap give the spacing: the
-/// others would give how far off the group is, when they are the larger part.
-constexpr double LeastGap = 4.0;
-constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
-
-/// How many of the nearest points are a group on their own, far off the next ones; 0 when none are.
-std::size_t CountBeforeGap(const std::vector<CloudNeighbor>& neighbors)
-{
-  for (std::size_t i = neighbors.size(); i-- > LeastGroup;)
-  {
-    if (neighbors[i].SquaredDistance > LeastGap * LeastGap * neighbors[i - 1].SquaredDistance)
-    {
-      return i;
-    }
-  }
-  return 0;
-}
-
 /// Steps of the setup, one after the other.
 class SetupBuilder
 {
@@ -104,18 +85,19 @@ private:
     this->Loop.ForNodes(spacings.size(), ShareOfSmoothing, [&](Id begin, Id end) {
       std::vector<CloudNeighbor> neighbors;
       std::vector<float> around;
+      std::vector<double> distances;
       for (Id node = begin; node < end; ++node)
       {
         this->Setup.Neighbors->FindNearest(
           this->Pairs.Points[node], SpacingNeighbors + 1, neighbors);
         around.clear();
+        distances.clear();
         for (const CloudNeighbor& neighbor : neighbors)
         {
           around.push_back(this->Pairs.Spacings[neighbor.Point]);
+          distances.push_back(neighbor.SquaredDistance);
         }
-        around.erase(
-          around.begin(), around.begin() + static_cast<std::ptrdiff_t>(CountBeforeGap(neighbors)));
-        spacings[node] = SmoothSpacing(this->Pairs.Spacings[node], around);
+        spacings[node] = SmoothSpacing(this->Pairs.Spacings[node], distances, around);
         around.clear();
         for (const CloudNeighbor& neighbor : neighbors)
         {
