@@ -180,6 +180,7 @@ def main(arguments=None):
     if not meshes_of(options.folder):
         sys.exit(f"error: {options.folder}: holds no mesh ({' '.join(sorted(files.READERS))})")
     accuracies = [float(word) for word in options.accuracies.split(",")]
+    os.makedirs(options.out, exist_ok=True)
     results = measure(options.folder, accuracies, options.sources, options.most_points)
     path = os.path.join(options.out, "passrate")
     with open(path + ".json", "w", encoding="utf-8") as file:

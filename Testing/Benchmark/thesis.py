@@ -16,11 +16,11 @@ import warnings
 
 from benchmark_results import table
 from exhibits.every import ALL
-from exhibits.exhibit import FAILED, NOT_REGENERATED, Missing, Verdict
+from exhibits.exhibit import FAILED, NOT_REGENERATED, SLACK, Missing, Verdict
 from exhibits.run import Kept, ProgramFailed, Run, TooLong
 from plot_tools import PlotError
 
-HEAD = """# The thesis, measured anew
+HEAD = f"""# The thesis, measured anew
 
 The tables and figures of Z. Fang, *Discrete geodesic graphs* (PhD thesis, Nanyang Technological
 University, 2019), each with what was published beside ours, and what follows from that. One command
@@ -36,6 +36,11 @@ within one run. Errors are relative to exact distances along the same mesh, from
 over the list of vertices: means over all vertices and sources, and the largest. ε is the accuracy that
 a graph is built for. "Guaranteed" is our rule; "OneRelay" and "Indirect" are the published
 constructions, see [what we changed and why](Differences.md).
+
+Of a figure of which less is better, and one that was printed, "reproduced" is within a factor of
+{SLACK:g} of it, "better" and "worse" lie beyond; of a range, beyond its ends. "Not comparable" are
+pictures, and what was measured for another model or machine only. Which figure is meant is said with
+each verdict.
 """
 
 

@@ -13,7 +13,7 @@ from vtkdgg.commands.methods import field
 from vtkdgg.commands.sizes import floor_of
 
 from . import surfaces
-from .exhibit import BETTER, WORSE, Exhibit, Verdict
+from .exhibit import BETTER, NOT_COMPARABLE, WORSE, Exhibit, Verdict
 from .fields import errors_text, summary
 
 ACCURACY = 0.01
@@ -143,8 +143,8 @@ class Links(Exhibit):
     def verdict(self, figures):
         kept = figures["error"]["max"] <= ACCURACY
         return Verdict(
-            BETTER if kept else WORSE,
-            f"A query from a point in a face takes {figures['query']:.2f} times one from a vertex, and "
+            NOT_COMPARABLE if kept else WORSE,
+            f"No figures were published. A query from a point in a face takes {figures['query']:.2f} times one from a vertex, and "
             f"the largest error, {percent(figures['error']['max'])} %, is below ε. Nothing is changed, so "
             "that several threads can ask at once.",
         )

@@ -138,7 +138,7 @@ class Overview(Maps):
         return Verdict(
             NOT_COMPARABLE,
             "Pictures without figures were published. Ours say the same: of the methods that answer "
-            f"in milliseconds the graph is the most accurate, {gain} more so than heat.",
+            f"in milliseconds the corrected graph is the most accurate, {gain} more so than heat.",
         )
 
 

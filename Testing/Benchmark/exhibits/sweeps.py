@@ -318,7 +318,8 @@ class Samples(Exhibit):
         return Verdict(
             NOT_COMPARABLE,
             "Pictures were published. Geodesic distance spreads samples "
-            f"{ratio_text(ratios['biharmonic'], ratios['geodesic'])} as evenly as biharmonic distance.",
+            f"{ratio_text(ratios['biharmonic'], ratios['geodesic'])} as evenly as biharmonic distance. Euclidean distance does as well, where "
+            "sheets are not close to each other.",
         )
 
 
