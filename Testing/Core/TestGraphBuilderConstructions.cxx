@@ -265,6 +265,17 @@ SurfaceMesh ManyPages()
   return Build(Book(6, 5, unused, 0.2, 1));
 }
 
+/// The sides of a prism without points inside, so many times as tall as PrismSide().
+TestMesh TallPrism(Id sides, double factor)
+{
+  TestMesh prism = PrismSide(sides, 1, 1);
+  for (std::size_t z = 2; z < prism.Points.size(); z += 3)
+  {
+    prism.Points[z] *= factor;
+  }
+  return prism;
+}
+
 dgg::GraphOptions OptionsOf(GraphConstruction construction)
 {
   dgg::GraphOptions options;
@@ -326,12 +337,7 @@ TEST(GraphBuilderLimits, RefusesManyLongTriangles)
   options.Accuracy = 0.01;
   for (const Id sides : { 800, 8000 })
   {
-    TestMesh wall = PrismSide(sides, 1, 1);
-    for (std::size_t z = 2; z < wall.Points.size(); z += 3)
-    {
-      wall.Points[z] *= sides;
-    }
-    const SurfaceMesh mesh = Build(wall);
+    const SurfaceMesh mesh = Build(TallPrism(sides, sides));
     dgg::GraphEstimate estimate;
     const dgg::Status status = dgg::GraphBuilder(mesh).Estimate(options, estimate);
     EXPECT_EQ(status.IsOk(), sides < 8000);
@@ -348,12 +354,7 @@ TEST(GraphBuilderLimits, RefusesManyLongTriangles)
 TEST(GraphBuilderLimits, WindowsAroundATube)
 {
   constexpr Id sides = 150;
-  TestMesh tube = PrismSide(sides, 1, 1);
-  for (std::size_t z = 2; z < tube.Points.size(); z += 3)
-  {
-    tube.Points[z] *= 6.0 * sides;
-  }
-  const SurfaceMesh mesh = Build(tube);
+  const SurfaceMesh mesh = Build(TallPrism(sides, 6.0 * sides));
   dgg::GraphOptions options;
   options.Accuracy = 0.1;
   dgg::GeodesicGraph graph;

@@ -139,6 +139,10 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
   {
     std::fill(radii.begin(), radii.end(), h * size);
   }
+  std::vector<double> reordered = radii;
+  sizes.MedianRadius = Quantile(reordered, 0.5) / size;
+  // A hair less, so that rounding does not make one more of those that are asked for.
+  sizes.Resolution = static_cast<Id>(std::min(1e9, std::ceil((1.0 - 1e-12) * nodes.Extent / size)));
   return Status::Success();
 }
 }

@@ -40,7 +40,9 @@ struct BandOptions
 struct BandSizes
 {
   std::vector<double> Radii; ///< per node
+  double MedianRadius = 0.0; ///< in voxels
   double VoxelSize = 0.0;
+  Id Resolution = 0; ///< voxels along the longest side
 };
 
 /// Choose sizes, in units of nodes, for their places and spacings. Fails where parts of the cloud

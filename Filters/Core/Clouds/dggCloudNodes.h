@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The points that the graph of a cloud is built of. Internal.
+/// The points of a cloud that count. Internal.
 #ifndef dggCloudNodes_h
 #define dggCloudNodes_h
 
@@ -14,9 +14,9 @@
 
 namespace dgg
 {
-/// The points that a graph is built of, the nodes: finite, no outliers, no two in the same place,
-/// those that are close to each other close in memory. Their coordinates are centred and scaled by
-/// a power of two to [-1, 1].
+/// The points that graphs are built of and marches start from, the nodes: finite, no outliers, no
+/// two in the same place, those that are close to each other close in memory. Their coordinates are
+/// centred and scaled by a power of two to [-1, 1].
 struct CloudNodes
 {
   /// Per node, the point with the smallest number that is there.

@@ -9,7 +9,6 @@
 #include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
 #include "dggProgressPart.h"
-#include "dggQuantile.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -163,10 +162,8 @@ dgg::Status DGGCloudMarching::Prepare(
       "the band has more voxels than a march can number: use a smaller Resolution");
   }
   this->Marching = std::make_unique<dgg::BandMarching>(this->Band);
-  this->BandRadius = dgg::Quantile(sizes.Radii, 0.5) / sizes.VoxelSize;
-  // A hair less, so that rounding does not make one more of those that are asked for.
-  this->Resolution =
-    static_cast<Id>(std::ceil((1.0 - 1e-12) * this->Nodes.Extent / sizes.VoxelSize));
+  this->BandRadius = sizes.MedianRadius;
+  this->Resolution = sizes.Resolution;
   return dgg::Status::Success();
 }
 

@@ -4,12 +4,12 @@
 #include "dggCloudSetup.h"
 #include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
-#include "dggQuantile.h"
 #include "dggSetupLoop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace dgg
 {
@@ -58,14 +58,11 @@ public:
     BandSizes sizes;
     DGG_RETURN_IF_ERROR(
       ChooseBandSizes(this->Setup.Nodes, this->Pairs.Points, this->Pairs.Spacings, options, sizes));
-    this->Pairs.Radii = sizes.Radii;
-    const double size = sizes.VoxelSize;
-    this->VoxelSize = size;
-    this->Statistics.OffsetInVoxels = Quantile(sizes.Radii, 0.5) / size; // reorders them
-    this->Statistics.VoxelSize = size / this->Setup.Nodes.Scale;
-    // A hair less, so that rounding does not make one more of those that are asked for.
-    this->Statistics.Resolution =
-      static_cast<Id>(std::min(1e9, std::ceil((1.0 - 1e-12) * this->Setup.Nodes.Extent / size)));
+    this->Pairs.Radii = std::move(sizes.Radii);
+    this->VoxelSize = sizes.VoxelSize;
+    this->Statistics.OffsetInVoxels = sizes.MedianRadius;
+    this->Statistics.VoxelSize = sizes.VoxelSize / this->Setup.Nodes.Scale;
+    this->Statistics.Resolution = sizes.Resolution;
     return Status::Success();
   }
 

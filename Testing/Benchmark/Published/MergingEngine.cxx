@@ -58,7 +58,9 @@ void MergingEngine::Receive(dgg::Id h, const dgg::Window& window)
     for (const dgg::Id* g = this->Mesh.FanBegin(window.Root); g != this->Mesh.FanEnd(window.Root);
          ++g)
     {
-      error = std::max(error, this->VertexErrors[this->Mesh.Destination(*g)]);
+      // Both, as the last one at a border has no half-edge that leaves the pseudo-source.
+      error = std::max({ error, this->VertexErrors[this->Mesh.Destination(*g)],
+        this->VertexErrors[this->Mesh.Origin(dgg::SurfaceMesh::Previous(*g))] });
     }
   }
   TriangleEngine::Receive(h, window);

@@ -207,9 +207,9 @@ TEST_F(Published, PseudoVerticesLeaveTheSurfaceAsItIs)
   }
 }
 
-TEST_F(Published, VariationalHeatIsCloserThanHeat)
+TEST_F(Published, VariationalHeatLowersTheEnergy)
 {
-  // By how much: on regular triangles, and on others, where it may be worse.
+  // What becomes of the error: it falls on regular triangles, on others it may grow.
   const std::pair<MeshArrays, double> cases[] = { { Icosphere(3), 0.5 }, { Icosphere(4), 0.3 },
     { BumpySphere(3), 1.5 }, { Torus(40, 20), 1.5 } };
   for (const auto& mesh : cases)
