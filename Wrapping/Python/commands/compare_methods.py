@@ -25,6 +25,7 @@ FOOT = 46  # pixels of the last line
 BARS, MAP = 0.31, 0.55
 # Of the height of the histogram, from below: numbers, the scale of colours, bars.
 NUMBERS, COLOURS = 0.2, 0.1
+SIDE = 0.07  # of its width, on either side of it
 DECADES = 4
 BINS = 40
 
@@ -65,7 +66,8 @@ def save(path, mesh, source, measured, part=1.0):
     size = [columns * CELL[0], rows * CELL[1] + FOOT]
     width, height = CELL[0] / size[0], CELL[1] / size[1]
     bars = {title: histogram(errors, low, high) for title, errors in measured.items()}
-    tallest = max(shares.max() for shares in bars.values())
+    # The ends count all that is beyond: they do not make the others small.
+    tallest = max(shares[1:-1].max() for shares in bars.values()) or 1.0
     renderers = [_viewport((0.0, 0.0, 1.0, 1.0))]  # where there is nothing
     for i, (title, errors) in enumerate(measured.items()):
         left, bottom = i % columns * width, 1.0 - (i // columns + 1) * height
@@ -74,14 +76,15 @@ def save(path, mesh, source, measured, part=1.0):
             (left, low_end, left + width, high_end) for low_end, high_end in zip(levels, levels[1:])
         )
         renderers += [
-            _bars(below, bars[title] / tallest, table, part),
+            _bars(below, np.minimum(bars[title] / tallest, 1.0), table, part),
             _map(middle, mesh, source, errors, table),
             _title(above, title, errors, part),
         ]
     legend = _viewport((0.0, 0.0, 1.0, FOOT / size[1]))
     line = (
-        "Above: mean / 99.9 % / largest relative error. Below: share of points by error in percent."
+        "Above: mean / 99.9 % / largest relative error. Below: share of points by error in percent;"
     )
+    line += " the ends count all beyond."
     legend.AddActor(pictures.text(line, 0.04 / columns, 0.3, round(24 * part)))
     pictures.write(path, [*renderers, legend], [round(part * pixels) for pixels in size])
 
@@ -124,7 +127,7 @@ def _bars(place, heights, table, part):
         for i, end in enumerate(tops):
             first = points.GetNumberOfPoints()
             for x, y in ((i, bottom), (i + 1, bottom), (i + 1, end), (i, end)):
-                points.InsertNextPoint(0.07 + 0.86 * x / count, y, 0.0)
+                points.InsertNextPoint(SIDE + (1.0 - 2.0 * SIDE) * x / count, y, 0.0)
             cells.InsertNextCell(4, range(first, first + 4))
             errors.append(10.0 ** (low + (high - low) * (i + 0.5) / count))
     quads = vtkPolyData()
@@ -151,6 +154,6 @@ def _bars(place, heights, table, part):
     for decade in range(DECADES + 1):
         number = pictures.text(f"{10.0 ** (low + decade):g}", 0.0, 0.0, round(22 * part))
         number.GetTextProperty().SetJustificationToCentered()
-        number.SetPosition(0.07 + 0.86 * decade / DECADES, 0.03)
+        number.SetPosition(SIDE + (1.0 - 2.0 * SIDE) * decade / DECADES, 0.03)
         renderer.AddActor(number)
     return renderer
