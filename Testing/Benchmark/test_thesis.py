@@ -29,12 +29,13 @@ from exhibits.laws import fit
 from exhibits.local_triangles import local_triangles
 from exhibits.run import Run, TooLong, limited_time
 from Published import bidirectional, green_sums
+from Published.delaunay_mesh import DelaunayMesh
 from table_support import OUTPUT, cells_of
 from vtkdgg.commands.files import cloud_of
 
 NAMES = (
     "T3.1 T3.2 T3.4 T5.1 T5.2 T5.3 T5.4 F1.1 F3.6 F3.7 F3.8 F3.9 F3.10 F3.11 F3.12 F3.13 F3.14 F3.15 "
-    "F3.16 F3.18 F4.4 F4.5 F4.6 F4.7 F5.1 F5.2 F5.3 F5.9 F5.10 F5.11 F5.14 F5.15 F5.16 F5.17 F5.18 D1.1 D1.2 D1.3 "
+    "F3.16 F3.18 F4.4 F4.5 F4.6 F4.7 F5.1 F5.2 F5.3 F5.9 F5.10 F5.11 F5.14 F5.15 F5.16 F5.17 F5.18 D1.1 D1.2 D1.3 D1.4 "
     "R1.1 R1.2 L1.1"
 )
 
@@ -273,6 +274,26 @@ class BothEnds(unittest.TestCase):
         self.assertLess(settled["star"], settled["one"])
         length, _ = bidirectional.two_sided(read, 3, 150, True)
         self.assertGreaterEqual(length, expected * (1.0 - 1e-6))
+
+
+class AddedVertices(unittest.TestCase):
+    def test_surface_and_angles(self):
+        for name in ("bumpy-2-stretched-4", "terrain-8-stretched-0.2"):
+            mesh = surfaces.make(name)
+            points, triangles = surfaces.arrays_of(mesh)
+            more, split = DelaunayMesh(points, triangles).arrays()
+            self.assertGreater(len(more), len(points))
+            np.testing.assert_array_equal(more[: len(points)], points)
+            opposite = {}
+            for corners, angles in zip(split, surfaces.corner_angles(more, split)):
+                for i in range(3):
+                    edge = tuple(sorted((corners[(i + 1) % 3], corners[(i + 2) % 3])))
+                    opposite.setdefault(edge, []).append(angles[i])
+            inner = [sum(angles) for angles in opposite.values() if len(angles) == 2]
+            self.assertLess(max(inner), np.pi + 1e-6)
+            # It is the same surface.
+            found = vtkdgg.distance(surfaces.from_arrays(more, split), 5)[: len(points)]
+            np.testing.assert_allclose(found, vtkdgg.distance(mesh, 5), rtol=1e-5)
 
 
 class GreenSums(unittest.TestCase):

@@ -9,6 +9,7 @@ PhD thesis, Nanyang Technological University, 2019.
 
 import argparse
 import functools
+import inspect
 import os
 import sys
 import time
@@ -32,13 +33,13 @@ makes this page, or a part of it:
 Testing/Benchmark/run.sh thesis --readme [--data FOLDER] [--full] [--exhibits T3.4,F3.9]
 ```
 
-Models of the thesis that are not public are replaced by public ones (names.ply of the folder) or by
-generated surfaces (`bumpy-5`: see [surfaces.py](exhibits/surfaces.py)). "Ours" says of each exhibit what
-makes it, and on which of these. As models differ, errors and degrees are compared, and times only as ratios
-within one run. Errors are relative to exact distances along the same mesh, from vertices evenly spread
-over the list of vertices: means over all vertices and sources, and the largest. ε is the accuracy that
-a graph is built for. "Guaranteed" is our rule; "OneRelay" and "Indirect" are the published
-constructions, see [what we changed and why](Differences.md).
+Models of the thesis that are not public are replaced by public ones (`bunny.ply` of the folder) or by
+generated surfaces (`bumpy-5`: see [surfaces.py](exhibits/surfaces.py)); "Ours" says what makes an exhibit
+alone, its code, and its models. So errors and degrees are compared, and times only as ratios within one
+run. Errors are relative to exact distances along the same mesh, from vertices evenly spread over the list
+of vertices: means over all vertices and sources, and the largest. ε is the accuracy that a graph is built
+for. "Guaranteed" is our rule; "OneRelay" and "Indirect" are the published constructions, see
+[what we changed and why](Differences.md).
 
 Of a figure of which less is better, and one that was printed, "reproduced" is within a factor of
 {SLACK:g} of it, "better" and "worse" lie beyond; of a range, beyond its ends. "Not comparable" are
@@ -98,8 +99,8 @@ def origin(exhibit, models):
 def section(exhibit, found, verdict, picture, images):
     """What the page says of one exhibit."""
     parts = [f"## {heading(exhibit)}\n"]
-    if exhibit.__doc__ and found is not None:
-        parts.append(" ".join(exhibit.__doc__.split()) + "\n")
+    if found is not None:
+        parts.append(" ".join(inspect.getdoc(exhibit).split()) + "\n")
     if exhibit.published:
         parts.append(f"*Published:* {exhibit.published}\n")
     if found is not None:

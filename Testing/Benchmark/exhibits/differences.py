@@ -9,6 +9,7 @@ import numpy as np
 import vtkdgg
 from benchmark_results import count_text, digits, number, percent, table
 from Published import bidirectional, green_sums
+from Published.delaunay_mesh import DelaunayMesh
 from vtkdgg.commands.methods import field
 from vtkdgg.commands.sizes import floor_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -17,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from . import surfaces
 from .exhibit import BETTER, NOT_COMPARABLE, WORSE, Exhibit, Verdict
-from .fields import summary
+from .fields import exact_fields, sources_of, summary
 from .tables import column, errors_text, listing, named, vertices_text
 
 ACCURACY = 0.01
@@ -254,4 +255,70 @@ class GreenSums(Exhibit):
         )
 
 
-EXHIBITS = (BothEnds(), Links(), GreenSums())
+class Flips(Exhibit):
+    """The heat method with intrinsic flips, and on a mesh with the vertices that make its triangles those
+    of Delaunay. Errors are those at the vertices of the mesh itself, beside exact distances; times, of
+    all that one source takes, are those with added vertices by those with flips."""
+
+    name = "D1.4"
+    title = "heat: intrinsic flips instead of added vertices"
+    published = "heat on Delaunay meshes, which have more vertices; their number is not at hand."
+
+    def measure(self, run):
+        names = ["bumpy-3", "bumpy-3-stretched-2", "bumpy-3-stretched-8"]
+        return [
+            self.measure_mesh(run, name)
+            for name in (*names, *filter(run.has, ("fertility", "blade_aniso")))
+        ]
+
+    def measure_mesh(self, run, name):
+        mesh = run.mesh(name)
+        points, triangles = surfaces.arrays_of(mesh)
+        split = surfaces.from_arrays(*DelaunayMesh(points, triangles).arrays())
+        row = {"model": name, "vertices": len(points)}
+        row["split"] = split.GetNumberOfPoints() / len(points)
+        exact = exact_fields(run, name)
+        for kind, surface, has_flips in (("flips", mesh, True), ("added", split, False)):
+            start = time.process_time()
+            found = [
+                field(heat(has_flips), surface, source)[: len(points)]
+                for source in sources_of(mesh)
+            ]
+            seconds = time.process_time() - start
+            row[kind] = {"seconds": seconds, "error": summary(found, exact, floor_of(mesh))}
+        return row
+
+    def table(self, figures):
+        columns = (
+            column("mesh", str, "model"),
+            column("vertices", count_text, "vertices"),
+            column("vertices of the Delaunay mesh, times as many", digits, "split"),
+            ("time", lambda row: digits(row["added"]["seconds"] / row["flips"]["seconds"])),
+            column("error with flips: mean / 99.9 % / max", errors_text, "flips", "error"),
+            column("with added vertices", errors_text, "added", "error"),
+        )
+        return listing(columns, figures)
+
+    def verdict(self, figures):
+        added = [row["split"] for row in figures]
+        ratios = [row["flips"]["error"]["mean"] / row["added"]["error"]["mean"] for row in figures]
+        return Verdict(
+            NOT_COMPARABLE,
+            f"A Delaunay mesh has {digits(min(added))} to {digits(max(added))} times as many vertices. Mean errors "
+            f"with flips are {digits(min(ratios))} to {digits(max(ratios))} times those with it, which samples "
+            "the surface more densely.",
+        )
+
+
+def heat(has_flips):
+    """Makes the filter."""
+
+    def make():
+        distance = vtkdgg.vtkHeatGeodesicDistance()
+        distance.SetIntrinsicDelaunay(has_flips)
+        return distance
+
+    return make
+
+
+EXHIBITS = (BothEnds(), Links(), GreenSums(), Flips())

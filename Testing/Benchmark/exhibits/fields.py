@@ -200,14 +200,12 @@ class Stretched(Maps):
         if len(figures["models"]) < 2:
             return ""
         found = self.found(figures, 1)
-        texts = [
-            f"{title} by {percent(found[title]['max'])} %"
-            for title in ("virtual sources", "fast marching", "heat", "variational heat")
-        ]
+        titles = ("graph", "virtual sources", "fast marching", "heat", "heat, intrinsic Delaunay")
+        texts = [f"{percent(found[t]['max'])} % ({t})" for t in (*titles, "variational heat")]
         return (
-            " On the blade, where few triangles are seen from its tip, no mean is above "
-            f"{percent(max(e['mean'] for e in found.values()))} %, but {', '.join(texts)} are off at "
-            "the worst point."
+            f" On {figures['models'][1]['model']}, a real part, the largest errors are "
+            f"{', '.join(texts)}; means hide them, which are at most "
+            f"{percent(max(errors['mean'] for errors in found.values()))} %."
         )
 
 

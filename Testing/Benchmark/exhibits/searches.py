@@ -272,10 +272,11 @@ class PseudoVertices(Exhibit):
             column("mesh", str, "model"),
             column("anisotropy", tenths, "tau"),
             column("pseudo-vertices per vertex", digits, "Pseudo", "added"),
-            *self.columns("edges per vertex of the mesh", number, "edges"),
-            *self.columns("error, mean / 99.9 % / max", errors_text, "error"),
+            *self.columns("edges", number, "edges"),
+            *self.columns("error", errors_text, "error"),
         )
-        return listing(columns, figures, f"ε = {self.accuracy}.")
+        note = f"ε = {self.accuracy}; edges per vertex of the mesh; errors: mean / 99.9 % / max."
+        return listing(columns, figures, note)
 
     def columns(self, title, form, key):
         """Those of a figure of each kind."""
