@@ -40,9 +40,11 @@ NAMES = (
 )
 
 
-class Counted(Exhibit):
+class Counting(Exhibit):
     """Measures how often it has been measured."""
 
+
+class Counted(Counting):
     name = "F9.1"
     title = "a count"
     published = "3 %."

@@ -100,7 +100,7 @@ def section(exhibit, found, verdict, picture, images):
     """What the page says of one exhibit."""
     parts = [f"## {heading(exhibit)}\n"]
     if found is not None:
-        parts.append(" ".join(inspect.getdoc(exhibit).split()) + "\n")
+        parts.append(" ".join(inspect.getdoc(type(exhibit)).split()) + "\n")
     if exhibit.published:
         parts.append(f"*Published:* {exhibit.published}\n")
     if found is not None:
