@@ -8,17 +8,19 @@ from summarize_spectral import WAYS, order
 from summarize_spectral import Run as SpectralRun
 
 from .exhibit import NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
-from .tables import column, listing, named, vertices_text
+from .run import shared
+from .tables import column, hundredths, listing, named, vertices_text
 
 LOCALIZED = 1e-4
 NEAR, FAR = "error_local", "error_global"
 
 
-def path_of(run):
-    """The JSON of errors on spheres."""
+@shared
+def spheres(run):
+    """{way: {error: [(vertices, mean edge, error)]}}, and the path of the JSON of it."""
     levels = run.pick("3,4,5", "3,4,5,6")
     run.uses(*(f"sphere-{level}" for level in levels.split(",")))
-    return run.program(
+    path = run.program(
         "BenchmarkSpectral",
         "--sizes=",
         f"--levels={levels}",
@@ -29,12 +31,9 @@ def path_of(run):
         "--benchmark_filter=^Convergence/",
         run.unused_file(),
     )
-
-
-def curves(run):
-    """{way: {error: [(vertices, mean edge, error)]}}."""
-    found = SpectralRun(path_of(run))
-    return {way: {key: found.curve(way, key) for key in (NEAR, FAR)} for way in WAYS}
+    found = SpectralRun(path)
+    curves = {way: {key: found.curve(way, key) for key in (NEAR, FAR)} for way in WAYS}
+    return {"curves": curves, "path": path}
 
 
 class Anywhere(Exhibit):
@@ -47,7 +46,7 @@ class Anywhere(Exhibit):
     )
 
     def measure(self, run):
-        return curves(run)
+        return spheres(run)["curves"]
 
     def last(self, figures, way, key=FAR):
         return figures[way][key][-1][2]
@@ -121,19 +120,17 @@ class Convergence(Anywhere):
     )
 
     def measure(self, run):
-        return {"curves": curves(run), "path": path_of(run)}
+        return spheres(run)
 
     def orders(self, figures):
         return {way: order(points[NEAR]) for way, points in figures["curves"].items()}
 
     def table(self, figures):
-        spheres = figures["curves"]
-        rows = [
-            [WAYS[way], *(percent(point[2]) for point in spheres[way][NEAR]), f"{slope:.2f}"]
-            for way, slope in self.orders(figures).items()
-        ]
-        sizes = [f"{count_text(point[0])} vertices, %" for point in spheres["Vertex"][NEAR]]
-        return table(["way", *sizes, "order"], rows)
+        columns = [column("way", WAYS.get, "name")]
+        for i, (vertices, *_) in enumerate(figures["curves"]["Vertex"][NEAR]):
+            columns.append(column(f"{count_text(vertices)} vertices, %", percent, NEAR, i, 2))
+        columns.append(("order", lambda row: hundredths(order(row[NEAR]))))
+        return listing(columns, named(figures["curves"]))
 
     def draw(self, figures, path):
         plot(figures["path"], path)

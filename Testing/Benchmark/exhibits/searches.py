@@ -23,6 +23,7 @@ from .run import shared
 from .tables import DEGREE, ERRORS, column, errors_text, hundredths, listing, tenths, vertices_text
 
 ACCURACIES = ("0.01", "0.001")
+FANS = {"All": "all", "Narrow": "fans as published", "Wide": "wide fans"}
 QUEUES = {"FIFO": "FIFO", "SLF": "SLF", "LLL": "LLL", "Both": "SLF and LLL"}
 
 
@@ -126,6 +127,33 @@ class Pruning(Exhibit):
         )
 
 
+@shared
+def queues(run):
+    """Searches by all queues, in graphs of two rules, along all edges or those of fans."""
+    name = run.pick("bumpy-5", "bumpy-6")
+    found = published(run, name, "Queue")
+    return [
+        {
+            "rule": rule,
+            "accuracy": accuracy,
+            "queue": queue,
+            "fans": fans,
+            "vertices": median(figures, "vertices"),
+            "degree": median(figures, "degree_mean"),
+            "pops": mean(figures, "pops_per_vertex"),
+            "relaxed": mean(figures, "relaxations_per_vertex"),
+            "rotations": mean(figures, "rotations_per_vertex"),
+            "seconds": median(figures, "seconds"),
+            "error": errors_of(figures),
+        }
+        for rule in ("OneRelay", "Guaranteed")
+        for accuracy in ACCURACIES
+        for fans in FANS
+        for queue in QUEUES
+        for figures in [found[f"{rule}/{queue}/{fans}/{accuracy}"]]
+    ]
+
+
 class Queues(Exhibit):
     """Vertices taken from the queue, per vertex of the mesh, until no label changes: first in, first
     out; small labels first (SLF); large labels last (LLL); both. Edges in all directions are relaxed,
@@ -134,37 +162,15 @@ class Queues(Exhibit):
     name = "T3.2"
     title = "queues of label correcting"
     published = "1.23 to 1.79 queue entries per vertex with SLF and LLL."
-    fans = {"All": "all", "Narrow": "fans as published", "Wide": "wide fans"}
     rule = "OneRelay"
 
     def measure(self, run):
-        name = run.pick("bumpy-5", "bumpy-6")
-        found = published(run, name, "Queue")
-        return [
-            {
-                "rule": rule,
-                "accuracy": accuracy,
-                "queue": queue,
-                "fans": fans,
-                "vertices": median(figures, "vertices"),
-                "degree": median(figures, "degree_mean"),
-                "pops": mean(figures, "pops_per_vertex"),
-                "relaxed": mean(figures, "relaxations_per_vertex"),
-                "rotations": mean(figures, "rotations_per_vertex"),
-                "seconds": median(figures, "seconds"),
-                "error": errors_of(figures),
-            }
-            for rule in ("OneRelay", "Guaranteed")
-            for accuracy in ACCURACIES
-            for fans in self.fans
-            for queue in QUEUES
-            for figures in [found[f"{rule}/{queue}/{fans}/{accuracy}"]]
-        ]
+        return queues(run)
 
     def table(self, figures):
         columns = (
             ("graph", "{0[rule]}, ε = {0[accuracy]}".format),
-            column("edges", self.fans.get, "fans"),
+            column("edges", FANS.get, "fans"),
             *(column(title, hundredths, "pops of", queue) for queue, title in QUEUES.items()),
             column("relaxed edges per vertex", number, "relaxed"),
             column("unreached", str, "error", "missed"),
