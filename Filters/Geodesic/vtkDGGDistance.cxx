@@ -116,7 +116,8 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
   }
   if (task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(context.Surface.GetMesh(), result, task.VirtualSource);
+    dgg::FindVirtualSources(
+      context.Surface.GetMesh(), result, task.VirtualSource, context.Parallel);
   }
   for (DGGPointArray& array : task.Arrays)
   {

@@ -54,8 +54,8 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   const dgg::Status status = solver.Run(task.Sources, options, result);
   if (status.IsOk() && task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(
-      task.Context.Surface.GetMesh(), task.Sources, result, task.VirtualSource);
+    dgg::FindVirtualSources(task.Context.Surface.GetMesh(), task.Sources, result,
+      task.VirtualSource, task.Context.Parallel);
   }
   task.Windows = std::move(result.Windows);
   task.Distances = std::move(result.Distances);

@@ -164,6 +164,17 @@ public:
 
   ///@{
   /**
+   * Whether the points of output 0, the cells of output 2 and the sites of output 3 also get the
+   * point arrays of port 1, such as names of the sites: see
+   * vtkGeodesicDistanceAlgorithm::SetPassSourceArrays(). Default off.
+   */
+  vtkSetMacro(PassSiteArrays, bool);
+  vtkGetMacro(PassSiteArrays, bool);
+  vtkBooleanMacro(PassSiteArrays, bool);
+  ///@}
+
+  ///@{
+  /**
    * Distance of points that no site reaches. Default NaN; other numbers are marked as by
    * vtkGeodesicDistanceAlgorithm.
    */
@@ -239,6 +250,8 @@ private:
   dgg::Status Compute(const DGGContext& context, DGGVoronoiResult& result);
   void FillOutputs(const DGGContext& context, const DGGVoronoiResult& result,
     const DGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
+  void PassArrays(const DGGContext& context, const DGGVoronoiResult& result,
+    const DGGSourceSet& set, vtkInformationVector* outputVector) const;
 
   std::vector<vtkIdType> SiteIds;
   bool Centroidal;
@@ -247,6 +260,7 @@ private:
   bool GenerateCells;
   bool Preview;
   bool RefineBoundaries;
+  bool PassSiteArrays;
   double UnreachedValue;
   std::string DistanceArrayName;
   std::string SourceArrayName;

@@ -131,7 +131,7 @@ dgg::Status vtkVirtualSourceGeodesicDistance::ClampToGraph(
   dgg::VirtualSources sources;
   if (task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(task.Context.Surface.GetMesh(), result, sources);
+    dgg::FindVirtualSources(task.Context.Surface.GetMesh(), result, sources, task.Context.Parallel);
   }
   for (std::size_t v = 0; v < estimates.size(); ++v)
   {

@@ -6,8 +6,11 @@ import signal
 import threading
 
 
-# Those that have a name; to ask for all takes long beside a query.
-_NUMBERS = tuple(int(number) for number in signal.Signals)
+# Those from which programs raise exceptions; to ask for all takes long beside a query.
+_NAMES = "INT TERM HUP QUIT BREAK ALRM VTALRM PROF USR1 USR2".split()
+_NUMBERS = [
+    int(getattr(signal, f"SIG{name}")) for name in _NAMES if hasattr(signal, f"SIG{name}")
+]
 
 
 class Interruption:
