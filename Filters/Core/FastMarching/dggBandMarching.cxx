@@ -90,11 +90,7 @@ public:
     }
     for (std::size_t k = 0; k < sources.size(); ++k)
     {
-      ForEachNear(this->Band, this->Places[k], [&](const Voxel& voxel, const Point3& centre) {
-        const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
-        this->Offer(VoxelBand::PlaceOf(brick, voxel),
-          { this->Offsets[k] + Norm(centre - this->Places[k]), static_cast<Id>(k) });
-      });
+      this->Start(k);
     }
   }
 
@@ -179,6 +175,39 @@ public:
   }
 
 private:
+  /// The voxel of the band that is closest to a source, and those that it is connected to around
+  /// the source: others are on another sheet.
+  void Start(std::size_t k)
+  {
+    const Point3& source = this->Places[k];
+    const Voxel own = VoxelBand::VoxelOf(source);
+    std::vector<Voxel> reached(1);
+    double closest = Infinity;
+    ForEachNear(this->Band, source, [&](const Voxel& voxel, const Point3& centre) {
+      const double distance = Norm(centre - source);
+      reached[0] = distance < closest ? voxel : reached[0];
+      closest = std::min(closest, distance);
+    });
+    for (std::size_t i = 0; i < reached.size(); ++i)
+    {
+      const Voxel voxel = reached[i];
+      const Point3 centre{ voxel[0] + 0.5, voxel[1] + 0.5, voxel[2] + 0.5 };
+      const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
+      this->Offer(VoxelBand::PlaceOf(brick, voxel),
+        { this->Offsets[k] + Norm(centre - source), static_cast<Id>(k) });
+      for (int side = 0; side < 6; ++side)
+      {
+        Voxel next = voxel;
+        next[side / 2] += side % 2 == 0 ? -1 : 1;
+        if (std::abs(next[side / 2] - own[side / 2]) <= StartRadius && this->Band.Contains(next) &&
+          std::find(reached.begin(), reached.end(), next) == reached.end())
+        {
+          reached.push_back(next);
+        }
+      }
+    }
+  }
+
   void Offer(std::size_t place, const Arrival& arrival)
   {
     if (arrival.Distance < this->Voxels[place].Distance)
