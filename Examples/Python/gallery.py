@@ -110,8 +110,12 @@ def coloured(mesh, values, low, high, colours=DISTANCE_COLOURS, is_log=False):
 
 def banded(mesh, values):
     """The surface in bands of equal width, with lines between them."""
+    return bands_between(mesh, values, float(np.nanmin(values)), float(np.nanmax(values)))
+
+
+def bands_between(mesh, values, low, high):
+    """The same, of values from low to high."""
     surface = with_values(mesh, values)
-    low, high = float(np.nanmin(values)), float(np.nanmax(values))
     bands = vtkBandedPolyDataContourFilter()
     bands.SetInputData(surface)
     bands.GenerateValues(BANDS + 1, low, high)
@@ -367,12 +371,41 @@ def b_spline(mesh, source):
     return panels
 
 
+def interpolation(mesh, source):
+    """vtkHarmonicBSpline through values of a function at some points, and that function."""
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    x, y, z = (points - mesh.GetCenter()).T * 6.0 / mesh.GetLength()
+    truth = np.sin(x + 0.6 * y) * np.cos(0.8 * y - z)
+    low, high = float(truth.min()), float(truth.max())
+    spline = vtkdgg.vtkHarmonicBSpline()
+    spline.SetInputData(with_values(mesh, truth))
+    spline.SetNumberOfSites(80)
+    spline.SetSiteValuesArrayName("Value")
+    spline.SetOrderToBiharmonic()
+    spline.GenerateBasisOff()
+    found = array_of(vtkdgg.check(spline), "Interpolation")
+    off = np.sqrt(np.mean((found - truth) ** 2)) / (high - low)
+    table = lookup_table(DISTANCE_COLOURS, low, high, PLAIN)
+    balls = []
+    for i in range(spline.GetNumberOfUsedSites()):
+        site, colour = spline.GetUsedSite(i), [0.0] * 3
+        table.GetColor(truth[site], colour)
+        balls.append(marker(mesh.GetPoint(site), 1.6 * mesh.GetLength(), colour))
+    title = f"through them, off by {100.0 * off:.2g} % of the range"
+    return [
+        (f"{len(balls)} values", [actor_of(mesh, PLAIN), *balls]),
+        (title, bands_between(mesh, np.clip(found, low, high), low, high)),
+        ("what they are values of", bands_between(mesh, truth, low, high)),
+    ]
+
+
 PICTURES = {
     "approximate": approximate,
     "b_spline": b_spline,
     "biharmonic": biharmonic,
     "earth_movers": earth_movers,
     "graph_edges": graph_edges,
+    "interpolation": interpolation,
     "matrix": matrix,
     "probe": probe,
 }

@@ -21,28 +21,30 @@ from exhibits.exhibit import (
     REPRODUCED,
     WORSE,
     Exhibit,
-    Missing,
     Verdict,
     judged,
 )
 from exhibits.fields import summary
 from exhibits.laws import fit
 from exhibits.local_triangles import local_triangles
-from exhibits.run import Kept, Run, TooLong, limited_time
-from Published import bidirectional
+from exhibits.run import Run, TooLong, limited_time
+from Published import bidirectional, green_sums
+from Published.delaunay_mesh import DelaunayMesh
 from table_support import OUTPUT, cells_of
 from vtkdgg.commands.files import cloud_of
 
 NAMES = (
     "T3.1 T3.2 T3.4 T5.1 T5.2 T5.3 T5.4 F1.1 F3.6 F3.7 F3.8 F3.9 F3.10 F3.11 F3.12 F3.13 F3.14 F3.15 "
-    "F3.16 F3.18 F4.4 F4.5 F4.6 F4.7 F5.1 F5.2 F5.3 F5.9 F5.10 F5.11 F5.14 F5.15 F5.16 F5.17 F5.18 D1.1 D1.2 "
+    "F3.16 F3.18 F4.4 F4.5 F4.6 F4.7 F5.1 F5.2 F5.3 F5.9 F5.10 F5.11 F5.14 F5.15 F5.16 F5.17 F5.18 D1.1 D1.2 D1.3 D1.4 "
     "R1.1 R1.2 L1.1"
 )
 
 
-class Counted(Exhibit):
+class Counting(Exhibit):
     """Measures how often it has been measured."""
 
+
+class Counted(Counting):
     name = "F9.1"
     title = "a count"
     published = "3 %."
@@ -55,6 +57,8 @@ class Counted(Exhibit):
         if self.problem:
             raise self.problem
         self.count += 1
+        run.mesh("sphere-0")
+        run.uses("a point")
         return {"count": self.count, 2: (1, 2)}
 
     def table(self, figures):
@@ -80,39 +84,42 @@ class Page(unittest.TestCase):
         self.run = Run(folder("page"), "nowhere", reuse=True)
 
     def result(self, exhibit):
-        figures, verdict = thesis.measured(exhibit, Kept(self.run), lambda line: None)
-        picture = thesis.picture_of(exhibit, figures, self.run.folder) if figures else None
-        return exhibit, figures, verdict, picture
+        found, verdict = thesis.measured(exhibit, self.run, lambda line: None)
+        picture = thesis.picture_of(exhibit, found.figures, self.run.folder) if found else None
+        return exhibit, found, verdict, picture
 
     def test_page(self):
-        missing = Missing("T9.2", "what is not made", "Nobody knows how.")
-        results = [self.result(Counted()), self.result(missing)]
+        broken = Counted(ValueError("too small"))
+        broken.name, broken.title = "T9.2", "what is not made"
+        results = [self.result(Counted()), self.result(broken)]
         text = thesis.page(results, "A note.", "Images")
-        self.assertIn("2 exhibits: 1 better, 1 not regenerated.", text)
+        self.assertIn("2 exhibits: 1 better, 1 failed.", text)
         self.assertIn("## Figure 9.1: a count\n\nMeasures how often", text)
         self.assertIn("*Published:* 3 %.", text)
+        self.assertRegex(
+            text, r"\*Ours:\* `--exhibits F9.1` \(\[.*\.py\)\), on sphere-0, a point\."
+        )
         self.assertIn("| 1 |", text)
         self.assertIn("![a count](Images/thesis_f9_1.png)", text)
         self.assertIn("**Better.** Less is better.", text)
-        self.assertIn("**Not regenerated.** Nobody knows how.", text)
+        self.assertIn("**Failed.** ValueError: too small", text)
         row = cells_of(text.splitlines(), "[F9.1](#figure-91-a-count)", "exhibit")
         self.assertEqual(row["verdict"], BETTER)
 
     def test_not_wanted(self):
         exhibit = Counted()
-        kept = Kept(self.run)
 
         def word():
-            return thesis.measured(exhibit, kept, self.fail, False)[1].word
+            return thesis.measured(exhibit, self.run, self.fail, False)[1].word
 
         self.assertEqual((word(), exhibit.count), (NOT_REGENERATED, 0))
-        kept.figures(exhibit)
+        self.result(exhibit)
         self.assertEqual((word(), exhibit.count), (BETTER, 1))
 
     def test_failures(self):
         for problem in (ValueError("too small"), TooLong("not done"), OSError("no such file")):
-            _, figures, verdict, picture = self.result(Counted(problem))
-            self.assertIsNone(figures)
+            _, found, verdict, picture = self.result(Counted(problem))
+            self.assertIsNone(found)
             self.assertIsNone(picture)
             self.assertEqual(verdict.word, FAILED)
             self.assertIn(str(problem), verdict.reason)
@@ -166,19 +173,22 @@ class Results(unittest.TestCase):
     def test_kept(self):
         exhibit = Counted()
         path = folder("kept")
-        kept = Kept(Run(path, "nowhere", reuse=True))
-        self.assertEqual(kept.figures(exhibit), {"count": 1, "2": [1, 2]})
-        self.assertEqual(kept.figures(exhibit)["count"], 1)
+
+        def measured(**options):
+            run = Run(path, "nowhere", **options)
+            return run.kept(exhibit.name, lambda: exhibit.measure(run))
+
+        found = measured(reuse=True)
+        self.assertEqual(found.figures, {"count": 1, "2": [1, 2]})
+        self.assertEqual(found.models, ["sphere-0", "a point"])
+        self.assertEqual(measured(reuse=True), found)
         with open(os.path.join(path, "F9.1.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file)["figures"]["count"], 1)
         # Not when they were to be measured again, or differently.
-        self.assertEqual(Kept(Run(path, "nowhere")).figures(exhibit)["count"], 2)
-        self.assertEqual(
-            Kept(Run(path, "nowhere", full=True, reuse=True)).figures(exhibit)["count"], 3
-        )
-        self.assertEqual(
-            Kept(Run(path, "nowhere", "data", reuse=True)).figures(exhibit)["count"], 4
-        )
+        for count, options in enumerate(
+            ({}, {"full": True, "reuse": True}, {"data": "data", "reuse": True}), 2
+        ):
+            self.assertEqual(measured(**options).figures["count"], count)
 
     def test_shared(self):
         path = folder("shared")
@@ -186,6 +196,17 @@ class Results(unittest.TestCase):
         runs = [Run(path, "nowhere", reuse=reuse) for reuse in (True, True, False)]
         self.assertEqual([run.shared("sum", make)["a"] for run in runs], [1, 1, 2])
         self.assertEqual(runs[0].shared("sum", make)["a"], 1)
+
+    def test_models_of_shared_figures(self):
+        path = folder("models")
+        for _ in range(2):
+            run = Run(path, "nowhere", reuse=True)
+            for _ in range(2):
+                found = run.measured(
+                    lambda run=run: run.shared("sum", lambda: run.mesh("sphere-0") and 1)
+                )
+                self.assertEqual((found.figures, found.models), (1, ["sphere-0"]))
+            self.assertEqual(run.measured(lambda: 2).models, [])
 
     def test_limited_time(self):
         with self.assertRaisesRegex(TooLong, "not done after 1 seconds"):
@@ -255,6 +276,46 @@ class BothEnds(unittest.TestCase):
         self.assertLess(settled["star"], settled["one"])
         length, _ = bidirectional.two_sided(read, 3, 150, True)
         self.assertGreaterEqual(length, expected * (1.0 - 1e-6))
+
+
+class AddedVertices(unittest.TestCase):
+    def test_surface_and_angles(self):
+        for name in ("bumpy-2-stretched-4", "terrain-8-stretched-0.2"):
+            mesh = surfaces.make(name)
+            points, triangles = surfaces.arrays_of(mesh)
+            more, split = DelaunayMesh(points, triangles).arrays()
+            self.assertGreater(len(more), len(points))
+            np.testing.assert_array_equal(more[: len(points)], points)
+            opposite = {}
+            for corners, angles in zip(split, surfaces.corner_angles(more, split)):
+                for i in range(3):
+                    edge = tuple(sorted((corners[(i + 1) % 3], corners[(i + 2) % 3])))
+                    opposite.setdefault(edge, []).append(angles[i])
+            inner = [sum(angles) for angles in opposite.values() if len(angles) == 2]
+            self.assertLess(max(inner), np.pi + 1e-6)
+            # It is the same surface.
+            found = vtkdgg.distance(surfaces.from_arrays(more, split), 5)[: len(points)]
+            np.testing.assert_allclose(found, vtkdgg.distance(mesh, 5), rtol=1e-5)
+
+
+class GreenSums(unittest.TestCase):
+    def test_colours(self):
+        mesh = surfaces.make("sphere-3")
+        points, triangles = surfaces.arrays_of(mesh)
+        is_north = points[:, 2] > 0.3
+        vertices = green_sums.beside(triangles, is_north)
+        edge = surfaces.mean_edge(points, triangles)
+        self.assertLess(np.abs(points[vertices, 2] - 0.3).max(), 1.3 * edge)
+        colours = np.where(is_north[vertices], 1.0, 0.0)
+        strengths, constant = green_sums.sources(mesh, vertices, colours)
+        self.assertAlmostEqual(strengths.sum(), 0.0, 9)
+
+        def found(places, method):
+            return green_sums.colours_of(mesh, vertices, strengths, constant, places, method)
+
+        np.testing.assert_allclose(found(points[vertices], "Interpolated"), colours, atol=1e-6)
+        poles = points[[np.argmax(points[:, 2]), np.argmin(points[:, 2])]] * 0.999
+        np.testing.assert_allclose(found(poles, "Localized"), [1.0, 0.0], atol=0.01)
 
 
 class PassRate(unittest.TestCase):

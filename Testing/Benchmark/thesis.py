@@ -9,6 +9,7 @@ PhD thesis, Nanyang Technological University, 2019.
 
 import argparse
 import functools
+import inspect
 import os
 import sys
 import time
@@ -16,9 +17,11 @@ import warnings
 
 from benchmark_results import table
 from exhibits.every import ALL
-from exhibits.exhibit import FAILED, NOT_REGENERATED, SLACK, Missing, Verdict
-from exhibits.run import Kept, ProgramFailed, Run, TooLong
+from exhibits.exhibit import FAILED, NOT_REGENERATED, SLACK, Verdict
+from exhibits.run import ProgramFailed, Run, TooLong, limited_time
 from plot_tools import PlotError
+
+MOST_SECONDS = 3600  # of an exhibit
 
 HEAD = f"""# The thesis, measured anew
 
@@ -30,12 +33,13 @@ makes this page, or a part of it:
 Testing/Benchmark/run.sh thesis --readme [--data FOLDER] [--full] [--exhibits T3.4,F3.9]
 ```
 
-Models of the thesis that are not public are replaced by public ones or by generated surfaces
-([surfaces.py](exhibits/surfaces.py)), so errors and degrees are compared, and times only as ratios
-within one run. Errors are relative to exact distances along the same mesh, from vertices evenly spread
-over the list of vertices: means over all vertices and sources, and the largest. ε is the accuracy that
-a graph is built for. "Guaranteed" is our rule; "OneRelay" and "Indirect" are the published
-constructions, see [what we changed and why](Differences.md).
+Models of the thesis that are not public are replaced by public ones (`bunny.ply` of the folder) or by
+generated surfaces (`bumpy-5`: see [surfaces.py](exhibits/surfaces.py)); "Ours" says what makes an exhibit
+alone, its code, and its models. So errors and degrees are compared, and times only as ratios within one
+run. Errors are relative to exact distances along the same mesh, from vertices evenly spread over the list
+of vertices: means over all vertices and sources, and the largest. ε is the accuracy that a graph is built
+for. "Guaranteed" is our rule; "OneRelay" and "Indirect" are the published constructions, see
+[what we changed and why](Differences.md).
 
 Of a figure of which less is better, and one that was printed, "reproduced" is within a factor of
 {SLACK:g} of it, "better" and "worse" lie beyond; of a range, beyond its ends. "Not comparable" are
@@ -55,23 +59,26 @@ def heading(exhibit):
     return f"{kind} {exhibit.name[1:]}: {exhibit.title}"
 
 
-def measured(exhibit, kept, say, is_wanted=True):
-    """Figures and verdict; figures are None where there are none. What is not wanted is taken from
-    an earlier run."""
-    if isinstance(exhibit, Missing):
-        return None, exhibit.verdict(None)
-    if not is_wanted and kept.find(exhibit) is None:
+def measured(exhibit, run, say, is_wanted=True):
+    """What was measured, None where nothing was, and the verdict. What is not wanted is taken from an
+    earlier run."""
+    if not is_wanted and run.find(exhibit.name) is None:
         return None, Verdict(NOT_REGENERATED, "Not asked for, in this run or before.")
     start = time.perf_counter()
     try:
-        figures = kept.figures(exhibit) if is_wanted else kept.find(exhibit)
-        exhibit.table(figures)  # kept ones may be of an earlier form
-        verdict = exhibit.verdict(figures)
+        with limited_time(MOST_SECONDS):
+            found = (
+                run.kept(exhibit.name, lambda: exhibit.measure(run))
+                if is_wanted
+                else run.find(exhibit.name)
+            )
+        exhibit.table(found.figures)  # kept ones may be of an earlier form
+        verdict = exhibit.verdict(found.figures)
     except (ProgramFailed, TooLong, OSError, ValueError, KeyError, RuntimeError) as problem:
-        figures, verdict = None, Verdict(FAILED, f"{type(problem).__name__}: {problem}")
+        found, verdict = None, Verdict(FAILED, f"{type(problem).__name__}: {problem}")
     if is_wanted:
         say(f"{exhibit.name}: {verdict.word} ({time.perf_counter() - start:.0f} s)")
-    return figures, verdict
+    return found, verdict
 
 
 def picture_of(exhibit, figures, folder):
@@ -83,15 +90,22 @@ def picture_of(exhibit, figures, folder):
         return None
 
 
-def section(exhibit, figures, verdict, picture, images):
+def origin(exhibit, models):
+    """The code of an exhibit, what makes it alone, and what it is measured on."""
+    code = type(exhibit).__module__.split(".")[-1] + ".py"
+    return f"*Ours:* `--exhibits {exhibit.name}` ([{code}](exhibits/{code})), on {', '.join(models)}.\n"
+
+
+def section(exhibit, found, verdict, picture, images):
     """What the page says of one exhibit."""
     parts = [f"## {heading(exhibit)}\n"]
-    if exhibit.__doc__ and figures is not None:
-        parts.append(" ".join(exhibit.__doc__.split()) + "\n")
+    if found is not None:
+        parts.append(" ".join(inspect.getdoc(type(exhibit)).split()) + "\n")
     if exhibit.published:
         parts.append(f"*Published:* {exhibit.published}\n")
-    if figures is not None:
-        parts.append(exhibit.table(figures))
+    if found is not None:
+        parts.append(origin(exhibit, found.models))
+        parts.append(exhibit.table(found.figures))
     if picture:
         parts.append(f"![{exhibit.title}]({images}/{picture})\n")
     parts.append(f"**{verdict.word.capitalize()}.** {verdict.reason}\n")
@@ -108,7 +122,7 @@ def overview(rows):
 
 
 def page(results, note, images):
-    """The whole page; results are of (exhibit, figures, verdict, picture)."""
+    """The whole page; results are of (exhibit, what was measured, verdict, picture)."""
     rows = [(exhibit, verdict) for exhibit, _, verdict, _ in results]
     counts = {}
     for _, verdict in rows:
@@ -162,7 +176,6 @@ def main(arguments=None):
     # What takes hours can be interrupted; what takes minutes is measured together.
     reuse = options.keep or options.full
     run = Run(options.out, options.programs, options.data, options.full, reuse)
-    kept = Kept(run)
     pictures = options.pictures or options.out
     os.makedirs(pictures, exist_ok=True)
     # Of stretched triangles, which are meant to be there.
@@ -170,9 +183,9 @@ def main(arguments=None):
     results = []
     for exhibit in ALL:
         say = functools.partial(print, flush=True)
-        figures, verdict = measured(exhibit, kept, say, exhibit in wanted)
-        picture = picture_of(exhibit, figures, pictures) if figures is not None else None
-        results.append((exhibit, figures, verdict, picture))
+        found, verdict = measured(exhibit, run, say, exhibit in wanted)
+        picture = picture_of(exhibit, found.figures, pictures) if found else None
+        results.append((exhibit, found, verdict, picture))
     path = options.page or os.path.join(options.out, "thesis.md")
     with open(path, "w", encoding="utf-8") as file:
         file.write(page(results, note_of(run), options.images))

@@ -90,7 +90,7 @@ class Demo(unittest.TestCase):
         self.assertLess(means["graph"], means["graph, published rule"])
         self.assertLess(means["graph, published rule"], means["heat"])
         picture = os.path.join(support.output_folder("demo"), "methods", "methods.png")
-        self.assertEqual(support.read_image(picture).GetDimensions(), (2080, 960, 1))
+        self.assertEqual(support.read_image(picture).GetDimensions(), (1840, 1286, 1))
         self.assertGreater(number_of_colours(picture), 1000)
 
     def test_source_by_coordinates(self):

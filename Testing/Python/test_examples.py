@@ -60,7 +60,7 @@ class DrawsPictures:
 
 class Gallery(DrawsPictures, unittest.TestCase):
     def test_pictures(self):
-        self.draw("gallery.py", 7)
+        self.draw("gallery.py", 8)
 
     def test_mistakes(self):
         self.refuse_mistakes("gallery.py")

@@ -270,6 +270,7 @@ class Gallery(unittest.TestCase):
         ("vtkBiharmonicDistance()", r"farthest point: (\S+) model units away"),
         ("vtkSurfaceEarthMoversDistance()", r"mass is moved by (\S+) model units on average"),
         ("vtkHarmonicBSpline()", r"40 functions, of which the sum is 1\.0"),
+        ("SetOrderToBiharmonic()", r"from 1\d\S* to 2\d\S* degrees"),
         ("vtkPoissonVectorGraphics()", r"colours of (\d+) points"),
         ("vtkPointCloudDGG()", r"farthest point: (\S+) model units away"),
     )
@@ -325,6 +326,11 @@ class Gallery(unittest.TestCase):
         self.assertAlmostEqual(
             self.number("vtkDiscreteGreensFunction()"), greens.GetComponent(0, 1), 2
         )
+
+    def test_interpolation(self):
+        found = self.names["smooth"].GetOutput().GetPointData().GetArray("Interpolation")
+        for point, value in self.names["known"].items():
+            self.assertAlmostEqual(found.GetValue(point), value, 6)
 
     def test_vector_graphics(self):
         painted = self.names["painted"]

@@ -17,8 +17,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import surfaces
 from .exhibit import NOT_COMPARABLE, REPRODUCED, Exhibit, Verdict, judged
-from .fields import errors_text, exact_fields, sources_of, summary
+from .fields import exact_fields, sources_of, summary
 from .local_triangles import local_triangles
+from .tables import DEGREE, ERRORS, column, errors_text, listing, named, short
 
 # As published: voxels along the largest extent, radius of balls and alpha in voxels.
 RESOLUTION = 512
@@ -26,8 +27,9 @@ BALLS = (2.0, 4.0)
 ALPHAS = {"A": (1.0, 2.5), "B": (4.0,)}
 
 
-def random_sphere(count, seed=surfaces.SEED):
+def random_sphere(run, count, seed=surfaces.SEED):
     """Random points of a sphere of radius 1."""
+    run.uses(f"{count_text(count)} random points of a sphere")
     points = np.random.default_rng(seed).standard_normal((count, 3))
     return points / np.linalg.norm(points, axis=1)[:, None]
 
@@ -140,7 +142,7 @@ class Errors(Exhibit):
     def clouds(self, run):
         """Name, kind, points as data, function of the errors of a graph."""
         count = run.pick(30000, 160000)
-        points = random_sphere(count)
+        points = random_sphere(run, count)
         yield (
             f"sphere, {count_text(count)}",
             "sphere",
@@ -180,25 +182,21 @@ class Errors(Exhibit):
     def table(self, figures):
         known = {kind: errors for kind, _, errors in PUBLISHED}
 
-        def cell(entry, scheme):
-            if scheme not in entry:
-                return "–"
-            found = entry[scheme]
-            how = f" (h = {found['balls']:g}, alpha = {found['alpha']:g})" if scheme != "C" else ""
-            return errors_text(found["error"]) + how
+        def cell(found):
+            return f"{errors_text(found['error'])} (h = {found['balls']:g}, alpha = {found['alpha']:g})"
 
-        rows = [
-            [
-                title,
-                "{} to {}".format(*(percent(e) for e in known[entry["kind"]])),
-                *(cell(entry, scheme) for scheme in "ABC"),
-                errors_text(entry["marching"]),
-                errors_text(entry["heat"]),
-            ]
-            for title, entry in figures.items()
-        ]
-        header = ["cloud", "published, %", "A as published", "B as published", "C, default"]
-        return table([*header, "fast marching", "heat"], rows)
+        columns = (
+            column("cloud", str, "name"),
+            column(
+                "published, %", lambda kind: "{} to {}".format(*map(percent, known[kind])), "kind"
+            ),
+            column("A as published", cell, "A"),
+            column("B as published", cell, "B"),
+            column("C, default", errors_text, "C", "error"),
+            column("fast marching", errors_text, "marching"),
+            column("heat", errors_text, "heat"),
+        )
+        return listing(columns, named(figures))
 
     def verdict(self, figures):
         known = {kind: errors for kind, _, errors in PUBLISHED}
@@ -223,8 +221,8 @@ class Errors(Exhibit):
 
 class BuildTimes(Exhibit):
     """Time to build graphs of a cloud: of all edges within reach, and with those left out that others
-    make superfluous; by an exact propagation on the mesh whose vertices the points are, both on all
-    threads there are."""
+    make superfluous; in units of an exact propagation on the mesh whose vertices the points are, both
+    on all threads there are. The last cloud is of the published size."""
 
     name = "T5.2"
     title = "time to build graphs of clouds"
@@ -236,7 +234,7 @@ class BuildTimes(Exhibit):
 
     def measure(self, run):
         found = []
-        for name in ("torus-80", "torus-160", *run.pick([], ["torus-640"])):
+        for name in ("torus-80", "torus-160", "torus-640"):
             mesh = run.mesh(name)
             cloud = cloud_of(surfaces.arrays_of(mesh)[0])
             start = time.perf_counter()
@@ -250,30 +248,20 @@ class BuildTimes(Exhibit):
         return found
 
     def table(self, figures):
-        kinds = ("dense", "sparse")
-        rows = [
-            [
-                count_text(row["points"]),
-                *(f"{row[key]['degree']:.0f}" for key in kinds),
-                *(f"{row[key]['time']:.0f}" for key in kinds),
-            ]
-            for row in figures
+        columns = [
+            column(f"{key}: {title}", digits, kind, key)
+            for key in ("degree", "time")
+            for kind, title in (("dense", "all edges"), ("sparse", "some left out"))
         ]
-        header = [
-            "points",
-            "degree: all edges",
-            "some left out",
-            "time: all edges",
-            "some left out",
-        ]
-        return table(header, rows)
+        return listing([column("points", count_text, "points"), *columns], figures)
 
     def verdict(self, figures):
         ours = figures[-1]["sparse"]["time"]
         return Verdict(
             judged(ours, self.ratio),
-            f"{ours:.0f} exact propagations, where some {self.ratio:.0f} were published. Straight lines "
-            "are walked through a sparse set of voxels, and candidates come from a tree.",
+            f"{ours:.0f} exact propagations at {count_text(figures[-1]['points'])} points, where some "
+            f"{self.ratio:.0f} were published at 206K. Straight lines are walked "
+            "through a sparse set of voxels, and candidates come from a tree.",
         )
 
 
@@ -289,7 +277,7 @@ class Sparsification(Exhibit):
     tolerances = (0.0, 1e-4, 1e-3, 1e-2, 0.1)
 
     def measure(self, run):
-        points = random_sphere(run.pick(20000, 100000))
+        points = random_sphere(run, run.pick(20000, 100000))
         cloud = cloud_of(points)
         rows = []
         for tolerance in self.tolerances:
@@ -311,24 +299,17 @@ class Sparsification(Exhibit):
         return rows
 
     def table(self, figures):
-        rows = [
-            [
-                f"{row['tolerance']:g}",
-                f"{row['degree']:.0f}",
-                bytes_text(row["bytes"]),
-                f"{row['seconds'] / figures[0]['seconds']:.2f}",
-                errors_text(row["error"]),
-            ]
-            for row in figures
-        ]
-        header = [
-            "tolerance",
-            "degree",
-            "graph",
-            "search, all edges are 1",
-            "error: mean / 99.9 % / max",
-        ]
-        return table(header, rows)
+        columns = (
+            column("tolerance", short, "tolerance"),
+            DEGREE,
+            column("graph", bytes_text, "bytes"),
+            (
+                "search, all edges are 1",
+                lambda row: f"{row['seconds'] / figures[0]['seconds']:.2f}",
+            ),
+            ERRORS,
+        )
+        return listing(columns, figures)
 
     def verdict(self, figures):
         size = figures[0]["bytes"] / figures[-1]["bytes"]
@@ -349,15 +330,19 @@ class Parameters(Exhibit):
     published = "the mean error has a minimum in the reach; it is advised to take alpha about h."
 
     def measure(self, run):
+        count = run.pick(2000, 5000)
+        run.uses(
+            *(f"{count_text(count)} random points of a {shape}" for shape in ("sphere", "torus"))
+        )
         path = run.program(
             "BenchmarkCloud",
             "--clouds=",
             "--torus=200",
-            f"--curves={run.pick(2000, 5000)}",
+            f"--curves={count}",
             "--guards=0",
             "--speed=0",
             "--benchmark_filter=^Curve/",
-            run.file("bumpy-3"),
+            run.unused_file(),
         )
         return {"path": path, "curves": self.curves(path)}
 
@@ -412,7 +397,7 @@ class Noisy(Exhibit):
     noises = (0.0, 0.005, 0.01)
 
     def measure(self, run):
-        points = random_sphere(run.pick(10000, 40000))
+        points = random_sphere(run, run.pick(10000, 40000))
         away = np.random.default_rng(surfaces.SEED + 1).standard_normal(len(points))
         rows = []
         for noise in self.noises:
@@ -430,17 +415,13 @@ class Noisy(Exhibit):
         return rows
 
     def table(self, figures):
-        rows = [
-            [
-                percent(row["noise"]) + " %",
-                row["scheme"],
-                f"{row['degree']:.0f}",
-                errors_text(row["error"]),
-            ]
-            for row in figures
-        ]
-        header = ["noise, of the box", "scheme", "degree", "error: mean / 99.9 % / max"]
-        return table(header, rows)
+        columns = (
+            column("noise, % of the box", percent, "noise"),
+            column("scheme", str, "scheme"),
+            DEGREE,
+            ERRORS,
+        )
+        return listing(columns, figures)
 
     def verdict(self, figures):
         worst = max(row["error"]["mean"] for row in figures)
@@ -483,12 +464,13 @@ class Cells(Exhibit):
         return found
 
     def table(self, figures):
-        rows = [
-            [title, count_text(row["points"]), percent(row["cloud"]), percent(row["space"])]
-            for title, row in figures.items()
-        ]
-        header = ["cloud", "points", "in another cell than along the mesh, %: graph of the cloud"]
-        return table([*header, "through space"], rows)
+        columns = (
+            column("cloud", str, "name"),
+            column("points", count_text, "points"),
+            column("in another cell than along the mesh, %: graph of the cloud", percent, "cloud"),
+            column("through space", percent, "space"),
+        )
+        return listing(columns, named(figures))
 
     def verdict(self, figures):
         return Verdict(

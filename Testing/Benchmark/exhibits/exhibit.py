@@ -56,13 +56,3 @@ class Exhibit:
     def verdict(self, figures):
         """Beside what was published."""
         raise NotImplementedError
-
-
-class Missing(Exhibit):
-    """What this command does not make, and why."""
-
-    def __init__(self, name, title, reason):
-        self.name, self.title, self.reason = name, title, reason
-
-    def verdict(self, figures):
-        return Verdict(NOT_REGENERATED, self.reason)

@@ -6,7 +6,7 @@ import os
 
 import numpy as np
 import vtkdgg
-from benchmark_results import count_text, digits, percent, ratio_text, table
+from benchmark_results import count_text, percent, ratio_text
 from vtkdgg.commands import compare_methods, places
 from vtkdgg.commands.measured import Errors
 from vtkdgg.commands.methods import field, methods
@@ -14,10 +14,11 @@ from vtkdgg.commands.sizes import floor_of
 
 from . import surfaces
 from .exhibit import NOT_COMPARABLE, Exhibit, Verdict, judged
+from .tables import column, errors_text, listing, named, short, tenths, vertices_text
 
 SOURCES = 5
 STEPS = 10  # of the variational heat method
-PART = 0.6  # of the size of a picture on the screen
+PART = 0.55  # of the size of a picture on the screen
 
 
 def sources_of(mesh, count=SOURCES):
@@ -55,12 +56,6 @@ def summary(approximate, exact, floor=0.0):
     }
 
 
-def errors_text(errors):
-    """As in the other tables."""
-    parts = " / ".join(digits(100.0 * errors[key]) for key in ("mean", "p999", "max"))
-    return parts + " %" + (f", {errors['missed']} missed" if errors.get("missed") else "")
-
-
 def variational_heat(run, name, source, exact):
     """Errors of the variational heat method, which BenchmarkPublished has, by what it is called."""
     folder = os.path.join(run.folder, f"heat-{name}")
@@ -79,44 +74,59 @@ def variational_heat(run, name, source, exact):
 
 
 class Maps(Exhibit):
-    """Errors of all methods from one source, at one accuracy: colours and histograms are on one
-    scale. `run.sh compare MESH` makes this picture of any mesh, without the variational heat method,
-    which is not part of the module: 10 steps of it."""
+    """Errors of all methods from one source, the point that is farthest from the middle of the surface,
+    at one accuracy. `run.sh compare MESH` makes this picture of any mesh, without the variational heat
+    method, which is not part of the module."""
 
     accuracy = 0.01
 
-    def model(self, run):
+    def models(self, run):
+        """Names of meshes; the picture is of the first one."""
         raise NotImplementedError
 
     def measure(self, run):
-        mesh = run.mesh(self.model(run))
+        picture = f"{run.folder}/{self.name}.png"  # until it is asked for
+        first, *others = self.models(run)
+        return {
+            "picture": picture,
+            "models": [self.errors(run, first, picture), *(self.errors(run, m) for m in others)],
+        }
+
+    def errors(self, run, name, picture=None):
+        """Of all methods on one mesh."""
+        mesh = run.mesh(name)
         source = places.far_point(mesh)
         exact, measured = compare_methods.measure(mesh, source, self.accuracy)
-        measured.update(variational_heat(run, self.model(run), source, exact))
-        compare_methods.save(self.draft(run), mesh, mesh.GetPoint(source), measured, PART)
-        distances = exact[np.isfinite(exact)]
+        measured.update(variational_heat(run, name, source, exact))
+        if picture:
+            compare_methods.save(picture, mesh, mesh.GetPoint(source), measured, PART)
         return {
-            "model": self.model(run),
+            "model": name,
             "vertices": mesh.GetNumberOfPoints(),
-            "farthest": float(distances.max()),
-            "picture": self.draft(run),
             "methods": {
                 title: {"mean": e.mean, "p999": e.percentile, "max": e.largest}
                 for title, e in measured.items()
             },
         }
 
-    def draft(self, run):
-        """Where the picture lies until it is asked for."""
-        return f"{run.folder}/{self.name}.png"
-
     def table(self, figures):
-        rows = [[title, errors_text(errors)] for title, errors in figures["methods"].items()]
-        return (
-            f"{figures['model']}, {count_text(figures['vertices'])} vertices, ε = {self.accuracy}, {STEPS} "
-            "steps of the variational heat method.\n\n"
-            + table(["method", "error: mean / 99.9 % / max"], rows)
-        )
+        models = figures["models"]
+        columns = [
+            column(
+                f"{found['model']}, {vertices_text(found['vertices'])}", errors_text, found["model"]
+            )
+            for found in models
+        ]
+        rows = {
+            title: {found["model"]: found["methods"][title] for found in models}
+            for title in models[0]["methods"]
+        }
+        note = f"ε = {self.accuracy}; {STEPS} steps of the variational heat method. Errors: mean / 99.9 % / max."
+        return listing([column("method", str, "name"), *columns], named(rows), note)
+
+    def found(self, figures, model=0):
+        """Errors on one mesh, by method."""
+        return figures["models"][model]["methods"]
 
     def draw(self, figures, path):
         with open(figures["picture"], "rb") as source, open(path, "wb") as target:
@@ -129,11 +139,11 @@ class Overview(Maps):
     title = "distances by several methods"
     published = "a picture of distances by several methods."
 
-    def model(self, run):
-        return (run.scans() or ["bumpy-5"])[-1] if run.full else "bumpy-5"
+    def models(self, run):
+        return [(run.scans() or ["bumpy-5"])[-1] if run.full else "bumpy-5"]
 
     def verdict(self, figures):
-        found = figures["methods"]
+        found = self.found(figures)
         gain = ratio_text(found["heat"]["mean"], found["graph, corrected"]["mean"])
         return Verdict(
             NOT_COMPARABLE,
@@ -147,11 +157,11 @@ class Histograms(Maps):
     title = "maps and histograms of errors"
     published = "maps and histograms of the errors of DGG and its rivals."
 
-    def model(self, run):
-        return "bunny" if "bunny" in run.scans() else "torus-100"
+    def models(self, run):
+        return ["bunny" if run.has("bunny") else "torus-100"]
 
     def verdict(self, figures):
-        found = figures["methods"]
+        found = self.found(figures)
         return Verdict(
             NOT_COMPARABLE,
             "Pictures of other models were published. The largest error of the graph is "
@@ -168,18 +178,34 @@ class Stretched(Maps):
         "maps of the errors of the direct construction, of heat and of its variational form."
     )
 
-    def model(self, run):
-        return "bumpy-5-stretched-8"  # blades are strips in a picture
+    blade = "blade_aniso"  # a strip in a picture
+
+    def models(self, run):
+        return ["bumpy-5-stretched-8", *([self.blade] if run.has(self.blade) else [])]
 
     def verdict(self, figures):
-        found = figures["methods"]
+        found = self.found(figures)
+        largest = max(f["methods"]["graph"]["max"] for f in figures["models"])
         return Verdict(
             NOT_COMPARABLE,
-            f"Pictures were published. The graph keeps its promise ({percent(found['graph']['max'])} % at "
-            f"most); heat is off by {percent(found['heat']['mean'])} % on average, on intrinsic Delaunay "
-            f"triangles by {percent(found['heat, intrinsic Delaunay']['mean'])} %. The variational form is off by "
-            f"{percent(found['variational heat']['mean'])} and "
-            f"{percent(found['variational heat, Delaunay']['mean'])} %.",
+            f"Pictures were published. The graph keeps its promise ({percent(largest)} % at most). On "
+            f"{figures['models'][0]['model']} heat is off by {percent(found['heat']['mean'])} % on average, on "
+            f"intrinsic Delaunay triangles by {percent(found['heat, intrinsic Delaunay']['mean'])} %, the "
+            f"variational form by {percent(found['variational heat']['mean'])} and "
+            f"{percent(found['variational heat, Delaunay']['mean'])} %." + self.of_blade(figures),
+        )
+
+    def of_blade(self, figures):
+        """What differs on a real part, where there is one."""
+        if len(figures["models"]) < 2:
+            return ""
+        found = self.found(figures, 1)
+        titles = ("graph", "virtual sources", "fast marching", "heat", "heat, intrinsic Delaunay")
+        texts = [f"{percent(found[t]['max'])} % ({t})" for t in (*titles, "variational heat")]
+        return (
+            f" On {figures['models'][1]['model']}, a real part, the largest errors are "
+            f"{', '.join(texts)}; means hide them, which are at most "
+            f"{percent(max(errors['mean'] for errors in found.values()))} %."
         )
 
 
@@ -207,12 +233,9 @@ class LevelsOfDetail(Exhibit):
         return levels
 
     def table(self, figures):
-        titles = list(next(iter(figures.values())))
-        rows = [
-            [count_text(int(size)), *(percent(found[title]["mean"]) for title in titles)]
-            for size, found in figures.items()
-        ]
-        return "Mean errors in percent, ε = 0.01.\n\n" + table(["vertices", *titles], rows)
+        columns = [column(title, percent, title, "mean") for title in next(iter(figures.values()))]
+        columns.insert(0, column("vertices", lambda size: count_text(int(size)), "name"))
+        return listing(columns, named(figures), "Mean errors in percent, ε = 0.01.")
 
     def verdict(self, figures):
         means = [found["graph, published rule"]["mean"] for found in figures.values()]
@@ -233,16 +256,20 @@ class Accuracy(Exhibit):
         "mean error 0.21 % at ε = 0.1 %; 2.03 % on a bad tessellation at ε = 1 %. Table 3.4 has 0.32 % "
         "at ε = 1 % on a bunny."
     )
-    cases = ((0.001, ""), (0.01, ""), (0.01, "-stretched-8"))
-    mean_published = (0.0021, 0.0032, 0.0203)
+    # Accuracy, shape of triangles, mean error that was printed.
+    cases = ((0.001, "", 0.0021), (0.01, "", 0.0032), (0.01, "-stretched-8", 0.0203))
 
     def measure(self, run):
         base = run.pick("bumpy-4", "bumpy-5")
         rows = []
-        for accuracy, stretch in self.cases:
+        for accuracy, stretch, published in self.cases:
             mesh = run.mesh(base + stretch)
             exact = exact_fields(run, base + stretch)
-            row = {"accuracy": accuracy, "tau": surfaces.anisotropy(*surfaces.arrays_of(mesh))}
+            row = {
+                "accuracy": accuracy,
+                "published": published,
+                "tau": surfaces.anisotropy(*surfaces.arrays_of(mesh)),
+            }
             for rule in ("Guaranteed", "OneRelay", "Indirect"):
                 graph = vtkdgg.Graph(mesh, accuracy=accuracy, construction=rule)
                 found = [graph.distance(s, correction=False) for s in sources_of(mesh)]
@@ -251,27 +278,22 @@ class Accuracy(Exhibit):
                     found = [graph.distance(s) for s in sources_of(mesh)]
                     row["corrected"] = summary(found, exact, floor_of(mesh))
             rows.append(row)
-        return {"model": base, "rows": rows}
+        return rows
 
     def table(self, figures):
-        kinds = ("OneRelay", "Indirect", "Guaranteed", "corrected")
-        rows = [
-            [
-                f"{row['accuracy']:g}",
-                f"{row['tau']:.1f}",
-                percent(published),
-                *(errors_text(row[kind]) for kind in kinds),
-            ]
-            for row, published in zip(figures["rows"], self.mean_published)
-        ]
-        header = ["ε", "anisotropy", "published mean, %", "OneRelay", "Indirect", "Guaranteed"]
-        return table([*header, "Guaranteed, corrected"], rows)
+        columns = (
+            column("ε", short, "accuracy"),
+            column("anisotropy", tenths, "tau"),
+            column("published mean, %", percent, "published"),
+            column("OneRelay", errors_text, "OneRelay"),
+            column("Indirect", errors_text, "Indirect"),
+            column("Guaranteed", errors_text, "Guaranteed"),
+            column("Guaranteed, corrected", errors_text, "corrected"),
+        )
+        return listing(columns, figures)
 
     def verdict(self, figures):
-        words = [
-            judged(row["Guaranteed"]["mean"], published)
-            for row, published in zip(figures["rows"], self.mean_published)
-        ]
+        words = [judged(row["Guaranteed"]["mean"], row["published"]) for row in figures]
         return Verdict(
             max(words, key=words.count),
             "With the rule that bounds the largest error the mean is a small part of ε, also on "

@@ -11,7 +11,9 @@ from benchmark_results import (
     count_text,
     digits,
     errors,
+    in_form,
     median,
+    number,
     percent,
     quotient_text,
     slope,
@@ -25,7 +27,9 @@ from vtkdgg.commands.sizes import floor_of
 from . import searches, surfaces
 from .drawing import plot_curves
 from .exhibit import BETTER, NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
-from .fields import errors_text, exact_fields, sources_of, summary
+from .fields import exact_fields, sources_of, summary
+from .run import shared
+from .tables import DEGREE, ERRORS, column, errors_text, listing, named, tenths, vertices_text
 
 RULES = ("Guaranteed", "OneRelay", "Indirect")
 # With the indirect construction pruned by the published condition.
@@ -69,13 +73,9 @@ def measured(run, name, rules, accuracies, sources=3):
     return found
 
 
+@shared
 def sweep(run):
     """The three rules over accuracies, as far as each is bearable."""
-    return run.shared("sweep", lambda: measured_sweep(run))
-
-
-def measured_sweep(run):
-    """That, measured now."""
     name = run.pick("bumpy-5", "bumpy-6")
     fine = ["0.001", "0.0003", "0.0001", *run.pick([], ["0.00001"])]
     found = measured(run, name, RULES, ["0.1", "0.03", "0.01", "0.003", *run.pick([], ["0.001"])])
@@ -88,7 +88,7 @@ def measured_sweep(run):
     return found
 
 
-def named(styles):
+def legend_of(styles):
     """Styles by what rules are called."""
     return [(COLUMNS[rule], style) for rule, style in styles.items()]
 
@@ -152,7 +152,7 @@ class Degree(Exhibit):
         rows.append(["exponent", "-0.5", *(f"{self.exponent(figures[r]):.2f}" for r in COLUMNS)])
         vertices = next(iter(figures["Guaranteed"].values()))["vertices"]
         return (
-            f"{count_text(vertices)} vertices, fewer for the published condition.\n\n"
+            f"{vertices_text(vertices)}, fewer for the published condition.\n\n"
             + table(["ε", "published", *COLUMNS.values()], rows)
             + "\n"
             + self.end(figures["end"])
@@ -160,24 +160,17 @@ class Degree(Exhibit):
 
     def end(self, rows):
         """The table of a small mesh."""
-        lines = [
-            [
-                row["accuracy"],
-                *(
-                    text
-                    for rule in ("Progress", "Published")
-                    for text in (
-                        f"{row[rule]['degree']:.0f}",
-                        digits(row[rule]["largest"] / float(row["accuracy"])),
-                    )
+        columns = [column("ε", str, "accuracy")]
+        for rule, title in (("Progress", "by progress"), ("Published", "as published")):
+            columns += [
+                column(f"degree, {title}", number, rule, "degree"),
+                (
+                    "largest error / ε",
+                    lambda row, rule=rule: digits(row[rule]["largest"] / float(row["accuracy"])),
                 ),
             ]
-            for row in rows
-        ]
-        header = ["ε", "degree, by progress", "largest error / ε", "degree, as published"]
-        return f"{count_text(rows[0]['vertices'])} vertices, candidates pruned:\n\n" + table(
-            [*header, "largest error / ε"], lines
-        )
+        note = f"{vertices_text(rows[0]['vertices'])}, candidates pruned:"
+        return listing(columns, rows, note)
 
     def draw(self, figures, path):
         styles = dict(zip(COLUMNS, STYLES))
@@ -190,7 +183,7 @@ class Degree(Exhibit):
 
         curves = [(curve(figures[rule], "degree"), style, "-") for rule, style in styles.items()]
         title = "edges per vertex (grey: published)"
-        return plot_curves(path, title, "ε", curves, named(styles), more=more)
+        return plot_curves(path, title, "ε", curves, legend_of(styles), more=more)
 
     def verdict(self, figures):
         exponent = self.exponent(figures["OneRelay"])
@@ -263,7 +256,7 @@ class ErrorAgainstDegree(Exhibit):
         ]
         lines = [(title, line) for line, title in kinds.values()]
         title = "mean error in % (star: published)"
-        return plot_curves(path, title, "edges per vertex", curves, named(styles), lines, more)
+        return plot_curves(path, title, "edges per vertex", curves, legend_of(styles), lines, more)
 
     def verdict(self, figures):
         published = self.at_degree(figures["Published"], "error", self.wanted[0])
@@ -292,11 +285,19 @@ class Comparison(Exhibit):
     accuracies = (0.01, 0.001)
     # Published times, by that of the published exact propagation.
     printed = [
-        ["*published*, ε = 0.01", "25", "–", "0.013", "0.32 / – / – %", "–"],
-        ["*published*, ε = 0.001", "–", "43", "0.017", "– / – / – %", "–"],
-        ["*published*, SVG, K = 32", "–", "6", "0.018", "– / – / – %", "–"],
-        ["*published*, SVG, K = 117", "–", "26", "0.054", "– / – / – %", "–"],
+        ["ε = 0.01", "25", "–", "0.013", "0.32 %"],
+        ["ε = 0.001", "–", "43", "0.017", "–"],
+        ["SVG, K = 32", "–", "6", "0.018", "–"],
+        ["SVG, K = 117", "–", "26", "0.054", "–"],
     ]
+    columns = (
+        column("graph", str, "name"),
+        DEGREE,
+        column("build", in_form("{:.3g}"), "build"),
+        column("query", in_form("{:.2g}"), "query"),
+        ERRORS,
+        column("corrected", errors_text, "corrected"),
+    )
 
     def models(self, run):
         scans = run.scans(run.pick(2, None))
@@ -328,34 +329,13 @@ class Comparison(Exhibit):
         }
 
     def table(self, figures):
-        parts = []
+        header = ["published, on the bunny", "degree", "build", "query", "mean error"]
+        parts = [table(header, self.printed)]
         for name, found in figures.items():
-            rows = [
-                [
-                    title,
-                    f"{g['degree']:.0f}",
-                    f"{g['build']:.3g}",
-                    f"{g['query']:.2g}",
-                    errors_text(g["error"]),
-                    errors_text(g["corrected"]),
-                ]
-                for title, g in found["graphs"].items()
-            ]
-            parts.append(
-                f"{name}, {count_text(found['vertices'])} vertices, anisotropy "
-                f"{found['anisotropy']:.2f}:\n\n"
-                + table(
-                    [
-                        "graph",
-                        "degree",
-                        "build",
-                        "query",
-                        "error: mean / 99.9 % / max",
-                        "corrected",
-                    ],
-                    rows + self.printed,
-                )
+            note = (
+                f"{name}, {vertices_text(found['vertices'])}, anisotropy {found['anisotropy']:.2f}:"
             )
+            parts.append(listing(self.columns, named(found["graphs"]), note))
         return "\n".join(parts)
 
     def verdict(self, figures):
@@ -424,6 +404,7 @@ class CostOfAccuracy(Exhibit):
     """Time to build a graph over its mean error, in units of the first one."""
 
     name = "F3.15"
+    accuracies = ("0.1", "0.01", "0.003", "0.001", "0.0001")
     title = "cost against error"
     published = "curves; their figures are not at hand."
 
@@ -432,28 +413,16 @@ class CostOfAccuracy(Exhibit):
 
     def table(self, figures):
         unit = figures["Guaranteed"]["0.01"]["build"]
-        rows = [
-            [
-                rule,
-                accuracy,
-                f"{f['degree']:.0f}",
-                f"{f['build'] / unit:.2g}",
-                percent(f["error"]["mean"]),
-                percent(f["corrected"]["mean"]),
-            ]
-            for rule in RULES
-            for accuracy, f in figures[rule].items()
-            if accuracy in ("0.1", "0.01", "0.003", "0.001", "0.0001")
-        ]
-        header = [
-            "rule",
-            "ε",
-            "degree",
-            "build, ours at ε = 0.01 is 1",
-            "mean error, %",
-            "corrected, %",
-        ]
-        return table(header, rows)
+        columns = (
+            column("rule", str, "rule"),
+            column("ε", str, "name"),
+            DEGREE,
+            ("build, ours at ε = 0.01 is 1", lambda row: f"{row['build'] / unit:.2g}"),
+            column("mean error, %", percent, "error", "mean"),
+            column("corrected, %", percent, "corrected", "mean"),
+        )
+        rows = [{"rule": rule, **row} for rule in RULES for row in named(figures[rule])]
+        return listing(columns, [row for row in rows if row["name"] in self.accuracies])
 
     def draw(self, figures, path):
         styles = dict(zip(RULES, STYLES))
@@ -469,7 +438,7 @@ class CostOfAccuracy(Exhibit):
             for rule, style in styles.items()
         ]
         title = "time to build (ours at ε = 0.01 is 1)"
-        return plot_curves(path, title, "mean error (%)", curves, named(styles))
+        return plot_curves(path, title, "mean error (%)", curves, legend_of(styles))
 
     def verdict(self, figures):
         return Verdict(
@@ -500,6 +469,8 @@ class DirectAgainstIndirect(Exhibit):
         "to 1e-4, and up to 100 times at 1e-5 (its caption has the ratios upside down)."
     )
     finest = "0.00001"
+    direct = ("OneRelay", "Guaranteed")
+    letters = {"windows": "W", "build": "T"}
 
     def measure(self, run):
         if run.full:
@@ -515,23 +486,32 @@ class DirectAgainstIndirect(Exhibit):
             found[rule].update(small[rule])
         return found
 
-    def ratio(self, figures, rule, accuracy, key):
-        return figures["Indirect"][accuracy][key] / figures[rule][accuracy][key]
+    def ratios(self, figures):
+        """{accuracy: {rule: {figure: that of the indirect construction over that of the rule}}}."""
+        return {
+            accuracy: {
+                "vertices": found["vertices"],
+                **{
+                    rule: {key: found[key] / figures[rule][accuracy][key] for key in self.letters}
+                    for rule in self.direct
+                },
+            }
+            for accuracy, found in figures["Indirect"].items()
+        }
 
     def table(self, figures):
-        rows = []
-        for accuracy in figures["Indirect"]:
-            row = [accuracy, count_text(figures["Indirect"][accuracy]["vertices"])]
-            for rule in ("OneRelay", "Guaranteed"):
-                for key in ("windows", "build"):
-                    row.append(f"{self.ratio(figures, rule, accuracy, key):.1f}")
-            rows.append(row)
-        header = ["ε", "vertices", "W / W of OneRelay", "T / T of OneRelay", "W / W of Guaranteed"]
-        return table([*header, "T / T of Guaranteed"], rows)
+        columns = [
+            column(f"{letter} / {letter} of {rule}", tenths, rule, key)
+            for rule in self.direct
+            for key, letter in self.letters.items()
+        ]
+        first = [column("ε", str, "name"), column("vertices", count_text, "vertices")]
+        return listing(first + columns, named(self.ratios(figures)))
 
     def verdict(self, figures):
-        fine = [e for e in figures["Indirect"] if float(e) <= 0.001]
-        found = [self.ratio(figures, "OneRelay", e, "build") for e in fine]
+        ratios = self.ratios(figures)
+        fine = [e for e in ratios if float(e) <= 0.001]
+        found = [ratios[e]["OneRelay"]["build"] for e in fine]
         low, high = min(found), max(found)
         word = REPRODUCED if low < 40.0 and high > 3.0 else (BETTER if low >= 40.0 else WORSE)
         return Verdict(
@@ -542,13 +522,9 @@ class DirectAgainstIndirect(Exhibit):
         )
 
 
+@shared
 def growth(run):
     """The three rules on finer and finer meshes."""
-    return run.shared("growth", lambda: measured_growth(run))
-
-
-def measured_growth(run):
-    """That, measured now."""
     found = {}
     for level in run.pick((3, 4, 5), (3, 4, 5, 6)):
         graphs = measured(run, f"bumpy-{level}", RULES, [Growth.accuracy], sources=1)

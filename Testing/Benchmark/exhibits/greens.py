@@ -8,6 +8,7 @@ from summarize_spectral import WAYS, order
 from summarize_spectral import Run as SpectralRun
 
 from .exhibit import NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
+from .tables import column, listing, named, vertices_text
 
 LOCALIZED = 1e-4
 NEAR, FAR = "error_local", "error_global"
@@ -16,6 +17,7 @@ NEAR, FAR = "error_local", "error_global"
 def path_of(run):
     """The JSON of errors on spheres."""
     levels = run.pick("3,4,5", "3,4,5,6")
+    run.uses(*(f"sphere-{level}" for level in levels.split(",")))
     return run.program(
         "BenchmarkSpectral",
         "--sizes=",
@@ -25,7 +27,7 @@ def path_of(run):
         "--movers=0",
         "--eigenpairs=0",
         "--benchmark_filter=^Convergence/",
-        run.file("bumpy-3"),
+        run.unused_file(),
     )
 
 
@@ -43,7 +45,6 @@ class Anywhere(Exhibit):
     published = (
         "22 to 25 % by interpolation, 0.01 % localized (Eq. 4.21), on a sphere of 48.6K vertices."
     )
-    ways = tuple(WAYS)
 
     def measure(self, run):
         return curves(run)
@@ -52,13 +53,13 @@ class Anywhere(Exhibit):
         return figures[way][key][-1][2]
 
     def table(self, figures):
-        rows = [
-            [WAYS[way], *(percent(self.last(figures, way, key)) for key in (NEAR, FAR))]
-            for way in self.ways
-        ]
-        vertices = count_text(figures[self.ways[0]][FAR][-1][0])
-        header = ["way", "within 0.2 of the pole, %", "on the whole sphere, %"]
-        return f"{vertices} vertices; relative L2 errors.\n\n" + table(header, rows)
+        columns = (
+            column("way", WAYS.get, "name"),
+            column("within 0.2 of the pole, %", percent, NEAR, -1, 2),
+            column("on the whole sphere, %", percent, FAR, -1, 2),
+        )
+        note = f"{vertices_text(figures['Vertex'][FAR][-1][0])}; relative L2 errors."
+        return listing(columns, named(figures), note)
 
     def verdict(self, figures):
         ours = self.last(figures, "SingularitySubtraction")

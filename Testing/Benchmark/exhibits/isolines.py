@@ -4,7 +4,16 @@
 
 import numpy as np
 import vtkdgg
-from benchmark_results import count_text, digits, median, percent, ratio_text, table
+from benchmark_results import (
+    count_text,
+    digits,
+    median,
+    nested,
+    percent,
+    ratio_text,
+    slope,
+    table,
+)
 from plot_tools import STYLES
 from summarize_isolines import METHODS, STEINER
 from summarize_isolines import Run as IsolineRun
@@ -13,10 +22,11 @@ from vtkdgg.commands.methods import graph as graph_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkContourFilter
 
-from . import surfaces
 from .drawing import plot_curves
 from .exhibit import NOT_COMPARABLE, Exhibit, Verdict, judged
 from .fields import sources_of
+from .run import shared
+from .tables import column, hundredths, listing, named
 
 # Published: model, vertices, mean error with two Steiner points, and linear, in percent.
 PUBLISHED = (
@@ -33,17 +43,15 @@ PUBLISHED = (
 SHOWN = ("Contour", "Apollonius0", "Apollonius2", "Sources", "Windows")
 
 
-def measured(run):
+@shared
+def isolines(run):
     """{mesh: {method: {figure: value}}} of isolines of exact distances, by BenchmarkIsolines."""
-    return run.shared("isolines", lambda: measured_now(run))
-
-
-def measured_now(run):
-    """That, measured now."""
+    rings = run.pick(100, 320)
+    run.uses(f"a torus of {rings} rings")
     path = run.program(
         "BenchmarkIsolines",
         f"--sizes={run.pick('600,1000,5000', '600,1000,5000,10000,50000')}",
-        f"--torus={run.pick(100, 320)}",
+        f"--torus={rings}",
         "--sources=0",
         "--subdivided=none",
         "--benchmark_filter=^Isolines/[^/]*/Exact/",
@@ -70,18 +78,15 @@ class Errors(Exhibit):
     )
 
     def measure(self, run):
-        return measured(run)
+        return isolines(run)
 
     def table(self, figures):
-        rows = [
-            [
-                mesh,
-                count_text(cases["Contour"]["vertices"]),
-                *(percent(cases.get(method, {}).get("error_mean")) for method in SHOWN),
-            ]
-            for mesh, cases in figures.items()
-        ]
-        return table(["mesh", "vertices", *(f"{METHODS[m]}, %" for m in SHOWN)], rows)
+        columns = (
+            column("mesh", str, "name"),
+            column("vertices", count_text, "Contour", "vertices"),
+            *(column(f"{METHODS[m]}, %", percent, m, "error_mean") for m in SHOWN),
+        )
+        return listing(columns, named(figures))
 
     def near(self, vertices):
         """The published means for meshes of about this size; k = 2, and linear."""
@@ -113,17 +118,12 @@ class ByModel(Errors):
     )
 
     def table(self, figures):
-        rows = [
-            [
-                mesh,
-                *(
-                    ratio_text(cases["Contour"]["error_mean"], cases[m]["error_mean"])
-                    for m in SHOWN[1:]
-                ),
-            ]
+        gains = {
+            mesh: {m: cases["Contour"]["error_mean"] / cases[m]["error_mean"] for m in SHOWN[1:]}
             for mesh, cases in figures.items()
-        ]
-        return table(["mesh", *(METHODS[m] for m in SHOWN[1:])], rows)
+        }
+        columns = [column(METHODS[m], times_text, m) for m in SHOWN[1:]]
+        return listing([column("mesh", str, "name"), *columns], named(gains))
 
     def verdict(self, figures):
         published = [linear / apollonius for _, _, apollonius, linear in PUBLISHED]
@@ -138,48 +138,53 @@ class ByModel(Errors):
         )
 
 
+def times_text(gain):
+    """As ratio_text() has it."""
+    return ratio_text(gain, 1.0)
+
+
 class Resolution(Errors):
-    """The same surface at several resolutions."""
+    """Powers of the number of vertices that the mean errors of Table 5.4 follow on each surface."""
 
     name = "F5.14"
     title = "isolines against resolution"
     published = "isolines of a model with 3K and 5K vertices, as pictures."
 
-    def groups(self, figures):
-        """{model: [(vertices, cases)]}."""
+    methods = ("Contour", "Apollonius2", "Sources")
+
+    def curves(self, figures):
+        """{surface: {method: [(vertices, error in percent)]}}."""
         found = {}
         for mesh, cases in figures.items():
-            model = mesh.rsplit("-", 1)[0]
-            found.setdefault(model, []).append((cases["Contour"]["vertices"], cases))
+            for method in self.methods:
+                point = cases[method]["vertices"], 100.0 * cases[method]["error_mean"]
+                nested(found, mesh.rsplit("-", 1)[0]).setdefault(method, []).append(point)
         return found
 
+    def table(self, figures):
+        columns = [
+            column(METHODS[m], lambda points: hundredths(slope(points)), m) for m in self.methods
+        ]
+        return listing([column("surface", str, "name"), *columns], named(self.curves(figures)))
+
     def draw(self, figures, path):
-        styles = dict(zip(("Contour", "Apollonius2", "Sources"), STYLES))
+        styles = dict(zip(self.methods, STYLES))
         curves = [
-            (sorted((n, 100.0 * cases[method]["error_mean"]) for n, cases in sizes), style, "-")
-            for sizes in self.groups(figures).values()
+            (sorted(methods[method]), style, "-")
+            for methods in self.curves(figures).values()
             for method, style in styles.items()
         ]
         legend = [(METHODS[method], style) for method, style in styles.items()]
         return plot_curves(path, "mean error of isolines (%)", "vertices", curves, legend)
 
     def verdict(self, figures):
-        falls = [
-            all(
-                a[1]["Apollonius2"]["error_mean"] > b[1]["Apollonius2"]["error_mean"]
-                for a, b in zip(sizes, sizes[1:])
-            )
-            for sizes in map(sorted_by_size, self.groups(figures).values())
-        ]
+        powers = [slope(methods["Apollonius2"]) for methods in self.curves(figures).values()]
         return Verdict(
             NOT_COMPARABLE,
-            "Pictures were published. The error falls with resolution on "
-            f"{sum(falls)} of {len(falls)} surfaces.",
+            "Pictures were published. The error of the Apollonius method falls with the power "
+            f"{max(powers):.2f} to {min(powers):.2f} of the number of vertices: with the square of the length "
+            "of edges, or nearly so.",
         )
-
-
-def sorted_by_size(sizes):
-    return sorted(sizes, key=lambda pair: pair[0])
 
 
 class SteinerPoints(Errors):
@@ -317,6 +322,15 @@ def errors_by_method(exact, distance, levels):
     }
 
 
+def by_method(title, figures, note, keys):
+    """The table of the errors of methods, in percent."""
+    columns = [
+        column(method, lambda errors: " / ".join(percent(errors[key]) for key in keys), method)
+        for method in next(iter(figures.values()))
+    ]
+    return listing([column(title, str, "name"), *columns], named(figures), note)
+
+
 class SeveralSources(Exhibit):
     """Isolines of the distance from the nearest of several vertices."""
 
@@ -334,12 +348,7 @@ class SeveralSources(Exhibit):
         return found
 
     def table(self, figures):
-        methods = list(next(iter(figures.values())))
-        rows = [
-            [count, *(f"{percent(found[m]['mean'])} / {percent(found[m]['max'])}" for m in methods)]
-            for count, found in figures.items()
-        ]
-        return "Mean and largest errors, %.\n\n" + table(["sources", *methods], rows)
+        return by_method("sources", figures, "Mean and largest errors, %.", ("mean", "max"))
 
     def verdict(self, figures):
         gains = [f["linear"]["mean"] / f["Apollonius, k = 2"]["mean"] for f in figures.values()]
@@ -380,12 +389,7 @@ class ApproximateInput(Exhibit):
         return found
 
     def table(self, figures):
-        methods = list(next(iter(figures.values())))
-        rows = [
-            [title, *(percent(found[m]["mean"]) for m in methods)]
-            for title, found in figures.items()
-        ]
-        return "Mean errors, %.\n\n" + table(["distances", *methods], rows)
+        return by_method("distances", figures, "Mean errors, %.", ("mean",))
 
     def verdict(self, figures):
         graph, heat = figures["DGG, ε = 0.01"], figures["heat"]

@@ -40,7 +40,7 @@ class CloudDensity(Exhibit):
         counts = run.pick((1000, 2000, 5000, 10000, 20000), (1000, 2000, 5000, 10000, 20000, 50000))
         found = {}
         for shape, radius, area, draw in (
-            ("sphere", 1.0, 4.0 * np.pi, self.on_sphere),
+            ("sphere", 1.0, 4.0 * np.pi, self.sphere(run)),
             ("torus", 0.4, 4.0 * np.pi**2 * 0.4, self.torus(run)),
         ):
             found[shape] = []
@@ -63,9 +63,14 @@ class CloudDensity(Exhibit):
         fields = [asked.distance(k, unreached=np.inf) for k in range(SOURCES)]
         return summary(fields, exact, 1e-6)
 
-    def on_sphere(self, count, seed):
-        points = random_sphere(count, seed)
-        return points, [arcs(points, k) for k in range(SOURCES)]
+    def sphere(self, run):
+        """A function that draws random points."""
+
+        def draw(count, seed):
+            points = random_sphere(run, count, seed)
+            return points, [arcs(points, k) for k in range(SOURCES)]
+
+        return draw
 
     def torus(self, run):
         """A function that draws vertices of a fine mesh, the sources first."""
@@ -110,7 +115,14 @@ class CloudDensity(Exhibit):
                 rows[-1].append(percent(max(row["graph"]["max"] for row in same)))
         header = ["cloud", "points", "s/r", *(f"{method}, %" for method in self.methods)]
         fits = [
-            [shape, method, digits(found.c), f"{found.p:.1f}", digits(found.floor), f"{found.off:.2f}"]
+            [
+                shape,
+                method,
+                digits(found.c),
+                f"{found.p:.1f}",
+                digits(found.floor),
+                f"{found.off:.2f}",
+            ]
             for shape, methods in self.fits(figures).items()
             for method, found in methods.items()
         ]

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Methods that the thesis names as rivals, beside ours; by BenchmarkPublished."""
 
-from benchmark_results import count_text, digits, mean, median, percent, table
+from benchmark_results import digits, mean, median, percent
 from plot_tools import STYLES
 
 from .drawing import plot_curves
 from .exhibit import NOT_COMPARABLE, WORSE, Exhibit, Verdict
-from .fields import errors_text
 from .searches import errors_of, published
+from .tables import ERRORS, column, hundredths, listing, vertices_text
 
 ROUNDING = 1e-7  # errors below are drawn there
 
@@ -53,20 +53,14 @@ class Unfolding(Exhibit):
             "Graph": "graph, ε = {}",
             "Paths": "graph, ε = {}, straightened",
         }
-        rows = [
-            [
-                titles[row["method"]].format(row["parameter"]),
-                digits(row["build"]),
-                digits(1e6 * row["query"]),
-                digits(row["bytes"] / row["vertices"]),
-                errors_text(row["error"]),
-            ]
-            for row in figures
-        ]
-        header = ["method", "prepared in", "query, millionths", "bytes per vertex"]
-        return f"{count_text(figures[0]['vertices'])} vertices, 2000 pairs.\n\n" + table(
-            [*header, "error: mean / 99.9 % / max"], rows
+        columns = (
+            ("method", lambda row: titles[row["method"]].format(row["parameter"])),
+            column("prepared in", digits, "build"),
+            ("query, millionths", lambda row: digits(1e6 * row["query"])),
+            ("bytes per vertex", lambda row: digits(row["bytes"] / row["vertices"])),
+            ERRORS,
         )
+        return listing(columns, figures, f"{vertices_text(figures[0]['vertices'])}, 2000 pairs.")
 
     def draw(self, figures, path):
         titles = {"samples": "GTU", "Graph": "graph", "Paths": "graph, straightened"}
@@ -145,21 +139,19 @@ class Merging(Exhibit):
         return rows
 
     def table(self, figures):
-        rows = [
-            [
-                row["model"],
-                row["tolerance"],
-                f"{row['windows']:.2f}",
-                f"{row['time']:.2f}",
-                errors_text(row["error"]),
-                digits(row["error"]["max"] / float(row["tolerance"])),
-            ]
-            for row in figures
-        ]
-        header = ["mesh", "tolerance", "windows", "time", "error: mean / 99.9 % / max"]
-        return f"{count_text(figures[0]['vertices'])} vertices, three sources.\n\n" + table(
-            [*header, "largest / tolerance"], rows
+        columns = (
+            column("mesh", str, "model"),
+            column("tolerance", str, "tolerance"),
+            column("windows", hundredths, "windows"),
+            column("time", hundredths, "time"),
+            ERRORS,
+            (
+                "largest / tolerance",
+                lambda row: digits(row["error"]["max"] / float(row["tolerance"])),
+            ),
         )
+        note = f"{vertices_text(figures[0]['vertices'])}, three sources."
+        return listing(columns, figures, note)
 
     def verdict(self, figures):
         worst = max(row["error"]["max"] / float(row["tolerance"]) for row in figures)

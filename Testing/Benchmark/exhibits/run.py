@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One run of exhibits: its meshes, the programs it calls, and results that are kept."""
 
+import functools
 import hashlib
 import json
 import os
 import signal
 import subprocess
+from dataclasses import dataclass
+from typing import Any
 
 import vtkdgg
 from vtkdgg.commands import files
@@ -16,7 +19,6 @@ from . import surfaces
 
 # Models that are measured where there is a folder of data; smallest first.
 SCANS = ("fertility", "kitten", "gargoyle", "bunny", "armadillo")
-MOST_SECONDS = 3600  # of an exhibit
 
 
 class ProgramFailed(Exception):
@@ -25,6 +27,14 @@ class ProgramFailed(Exception):
 
 class TooLong(Exception):
     """An exhibit took more time than it may."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Figures, and the names of what they were measured on."""
+
+    figures: Any
+    models: list
 
 
 class Run:
@@ -38,6 +48,7 @@ class Run:
         self.full = full
         self._meshes = {}
         self._made = {}
+        self._models = {}  # of what is being measured: a set that keeps the order
         os.makedirs(folder, exist_ok=True)
 
     def settings(self):
@@ -48,8 +59,21 @@ class Run:
         """The one or the other."""
         return full if self.full else default
 
+    def uses(self, *names):
+        """Note what is measured."""
+        self._models.update(dict.fromkeys(names))
+
+    def measured(self, make):
+        """What is made, and what was noted meanwhile."""
+        outer, self._models = self._models, {}
+        try:
+            return Measured(make(), list(self._models))
+        finally:
+            self._models = outer
+
     def mesh(self, name):
         """A generated surface, or a model of the folder of data."""
+        self.uses(name if surfaces.NAME.match(name) else f"{name}.ply")
         if name not in self._meshes:
             made = surfaces.make(name)
             if made is None:
@@ -60,21 +84,27 @@ class Run:
 
     def scans(self, most=None):
         """The models of the folder of data that are there: the first `most` of them."""
-        if self.data is None:
-            return []
-        paths = (os.path.join(self.data, f"{name}.ply") for name in SCANS)
-        return [name for name, path in zip(SCANS, paths) if os.path.isfile(path)][:most]
+        return [name for name in SCANS if self.has(name)][:most]
+
+    def has(self, name):
+        """Whether the folder of data holds this model."""
+        return self.data is not None and os.path.isfile(os.path.join(self.data, f"{name}.ply"))
 
     def file(self, name):
         """The path of a mesh, for programs."""
+        mesh = self.mesh(name)
         path = os.path.join(self.folder, f"{name}.ply")
         if not os.path.isfile(path):
             writer = vtkPLYWriter()
             writer.SetFileTypeToBinary()
             writer.SetFileName(path)
-            writer.SetInputData(self.mesh(name))
+            writer.SetInputData(mesh)
             vtkdgg.check(writer)
         return path
+
+    def unused_file(self):
+        """That of a mesh, for programs that want one and measure what they generate."""
+        return self.measured(lambda: self.file("sphere-0")).figures
 
     def once(self, key, make):
         """What several exhibits share: made once in a run."""
@@ -82,32 +112,37 @@ class Run:
             self._made[key] = make()
         return self._made[key]
 
-    def shared(self, name, make):
-        """The same for figures, which are kept for further runs as those of exhibits are."""
-        path = os.path.join(self.folder, f"shared_{name}.json")
+    def path(self, name):
+        """Of the file of what was measured under this name."""
+        return os.path.join(self.folder, f"{name}.json")
 
-        def find_or_make():
-            figures = self.read(path) if self.reuse else None
-            if figures is None:
-                figures = self.write(path, make())
-            return figures
-
-        return self.once(("shared", name), find_or_make)
-
-    def read(self, path):
-        """Figures from an earlier run with these settings; None without."""
-        if not os.path.isfile(path):
+    def find(self, name):
+        """What an earlier run with these settings measured; None without."""
+        if not os.path.isfile(self.path(name)):
             return None
-        with open(path, encoding="utf-8") as file:
+        with open(self.path(name), encoding="utf-8") as file:
             found = json.load(file)
-        return found["figures"] if found["settings"] == self.settings() else None
+        if found.pop("settings") != self.settings():
+            return None
+        return Measured(**found)
 
-    def write(self, path, figures):
-        """Keep figures; returns them as they will be read: keys are texts."""
-        with open(path + ".part", "w", encoding="utf-8") as file:
-            json.dump({"settings": self.settings(), "figures": figures}, file, indent=1)
-        os.replace(path + ".part", path)
-        return self.read(path)
+    def kept(self, name, measure):
+        """That, where it is not to be measured again; else what is measured now, and kept."""
+        found = self.find(name) if self.reuse else None
+        if found is None:
+            found = {"settings": self.settings(), **vars(self.measured(measure))}
+            with open(self.path(name) + ".part", "w", encoding="utf-8") as file:
+                json.dump(found, file, indent=1)
+            os.replace(self.path(name) + ".part", self.path(name))
+            found = self.find(name)  # as it will be read: keys are texts
+        return found
+
+    def shared(self, name, measure):
+        """Figures of several exhibits."""
+        name = f"shared_{name}"
+        found = self.once(name, lambda: self.kept(name, measure))
+        self.uses(*found.models)
+        return found.figures
 
     def program(self, name, *arguments):
         """Run a benchmark program; the path of its JSON."""
@@ -132,27 +167,9 @@ class Run:
         return self.once(key, make)
 
 
-class Kept:
-    """Results of exhibits in files, so that what is finished is not measured again."""
-
-    def __init__(self, run):
-        self.run = run
-
-    def path(self, exhibit):
-        return os.path.join(self.run.folder, f"{exhibit.name}.json")
-
-    def find(self, exhibit):
-        """Figures from an earlier run with these settings; None without."""
-        return self.run.read(self.path(exhibit))
-
-    def figures(self, exhibit, seconds=MOST_SECONDS):
-        """Those that are kept, else measured now and kept."""
-        figures = self.find(exhibit) if self.run.reuse else None
-        if figures is None:
-            with limited_time(seconds):
-                figures = exhibit.measure(self.run)
-            figures = self.run.write(self.path(exhibit), figures)
-        return figures
+def shared(measure):
+    """A function of the run whose figures several exhibits show."""
+    return functools.wraps(measure)(lambda run: run.shared(measure.__name__, lambda: measure(run)))
 
 
 class limited_time:

@@ -4,7 +4,6 @@
 
 from benchmark_results import (
     collect,
-    count_text,
     digits,
     errors,
     largest,
@@ -12,18 +11,19 @@ from benchmark_results import (
     mean,
     median,
     nested,
+    number,
     percent,
-    table,
 )
 from plot_tools import STYLES
 
 from . import surfaces
 from .drawing import plot_curves
 from .exhibit import BETTER, NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
-from .fields import errors_text
+from .run import shared
+from .tables import DEGREE, ERRORS, column, errors_text, hundredths, listing, tenths, vertices_text
 
 ACCURACIES = ("0.01", "0.001")
-QUEUES = ("FIFO", "SLF", "LLL", "Both")
+QUEUES = {"FIFO": "FIFO", "SLF": "SLF", "LLL": "LLL", "Both": "SLF and LLL"}
 
 
 def published(run, name, part, accuracies=ACCURACIES, sources=3, options=()):
@@ -53,13 +53,9 @@ def errors_of(figures):
     )
 
 
+@shared
 def pruned(run):
     """What candidates, and the two ways to prune them, make of one mesh."""
-    return run.shared("pruned", lambda: measured_pruning(run))
-
-
-def measured_pruning(run):
-    """That, measured now."""
     name = run.pick("bumpy-4", "bumpy-5")
     accuracies = run.pick(ACCURACIES, (*ACCURACIES, "0.0001"))
     found = published(run, name, "Pruning", accuracies)
@@ -99,21 +95,18 @@ class Pruning(Exhibit):
 
     def table(self, figures):
         titles = {"None": "before", "Progress": "by progress", "Published": "as published"}
-        rows = [
-            [
-                row["accuracy"],
-                titles[row["rule"]],
-                f"{row['degree']:.0f}",
-                errors_text(row["error"]),
-                digits(row["error"]["max"] / float(row["accuracy"])),
-                "–" if row["rule"] == "None" else f"{100.0 * row['share']:.0f} %",
-            ]
-            for row in figures
-        ]
-        header = ["ε", "pruning", "degree", "error: mean / 99.9 % / max", "largest / ε"]
-        return f"{count_text(figures[0]['vertices'])} vertices.\n\n" + table(
-            [*header, "share of the time"], rows
+        columns = (
+            column("ε", str, "accuracy"),
+            column("pruning", titles.get, "rule"),
+            DEGREE,
+            ERRORS,
+            ("largest / ε", lambda row: digits(row["error"]["max"] / float(row["accuracy"]))),
+            (
+                "share of the time",
+                lambda row: "–" if row["rule"] == "None" else f"{100.0 * row['share']:.0f} %",
+            ),
         )
+        return listing(columns, figures, f"{vertices_text(figures[0]['vertices'])}.")
 
     def verdict(self, figures):
         row = next(r for r in figures if (r["rule"], r["accuracy"]) == ("Published", "0.001"))
@@ -169,32 +162,26 @@ class Queues(Exhibit):
         ]
 
     def table(self, figures):
-        rows = [
-            [
-                f"{row['rule']}, ε = {row['accuracy']}",
-                self.fans[row["fans"]],
-                *(f"{r['pops']:.2f}" for r in self.group(figures, row)),
-                f"{row['relaxed']:.0f}",
-                str(row["error"]["missed"]),
-                percent(row["error"]["mean"]),
-                percent(row["error"]["max"]),
-            ]
-            for row in figures
-            if row["queue"] == "Both"
-        ]
-        header = ["graph", "edges", "FIFO", "SLF", "LLL", "SLF and LLL", "relaxed edges per vertex"]
-        return f"{count_text(figures[0]['vertices'])} vertices; three sources.\n\n" + table(
-            [*header, "unreached", "mean error, %", "largest, %"], rows
+        columns = (
+            ("graph", "{0[rule]}, ε = {0[accuracy]}".format),
+            column("edges", self.fans.get, "fans"),
+            *(column(title, hundredths, "pops of", queue) for queue, title in QUEUES.items()),
+            column("relaxed edges per vertex", number, "relaxed"),
+            column("unreached", str, "error", "missed"),
+            column("mean error, %", percent, "error", "mean"),
+            column("largest, %", percent, "error", "max"),
         )
+        note = f"{vertices_text(figures[0]['vertices'])}; three sources."
+        return listing(columns, self.by_queue(figures, "pops"), note)
 
-    def group(self, figures, row):
-        """The rows of all queues with the same graph and fans."""
-        same = ("rule", "accuracy", "fans")
+    def by_queue(self, figures, key):
+        """The rows of the last queue, each with a figure of all queues."""
+        groups = {}
+        for row in figures:
+            groups.setdefault((row["rule"], row["accuracy"], row["fans"]), {})[row["queue"]] = row
         return [
-            r
-            for q in QUEUES
-            for r in figures
-            if r["queue"] == q and all(r[k] == row[k] for k in same)
+            {**group["Both"], f"{key} of": {queue: row[key] for queue, row in group.items()}}
+            for group in groups.values()
         ]
 
     def both(self, figures):
@@ -230,21 +217,13 @@ class QueueTimes(Queues):
         return [r for r in figures if r["rule"] == self.rule and r["fans"] == "All"]
 
     def table(self, figures):
-        rows = self.rows(figures)
-        unit = next(r["seconds"] for r in rows if r["queue"] == "FIFO")
-        lines = [
-            [
-                a,
-                *(
-                    f"{r['seconds'] / unit:.2f}"
-                    for q in QUEUES
-                    for r in rows
-                    if (r["queue"], r["accuracy"]) == (q, a)
-                ),
-            ]
-            for a in ACCURACIES
+        rows = self.by_queue(self.rows(figures), "seconds")
+        unit = rows[0]["seconds of"]["FIFO"]
+        columns = [
+            column(title, lambda seconds: hundredths(seconds / unit), "seconds of", queue)
+            for queue, title in QUEUES.items()
         ]
-        return table(["ε", "FIFO", "SLF", "LLL", "SLF and LLL"], lines)
+        return listing([column("ε", str, "accuracy"), *columns], rows)
 
     def verdict(self, figures):
         rows = self.rows(figures)
@@ -267,6 +246,7 @@ class PseudoVertices(Exhibit):
     title = "pseudo-vertices on anisotropic meshes"
     published = "6 to 23 times as many pseudo-vertices as vertices on anisotropic models."
     accuracy = "0.01"
+    kinds = {"Plain": "plain", "Pseudo": "with pseudo-vertices", "Guaranteed": "Guaranteed"}
 
     def models(self, run):
         names = [f"bumpy-3-stretched-{factor}" for factor in (2, 8)]
@@ -277,7 +257,7 @@ class PseudoVertices(Exhibit):
         for name in self.models(run):
             found = published(run, name, "Pseudo", (self.accuracy,))
             row = {"model": name, "tau": surfaces.anisotropy(*surfaces.arrays_of(run.mesh(name)))}
-            for kind in ("Plain", "Pseudo", "Guaranteed"):
+            for kind in self.kinds:
                 build = found[f"{kind}/{self.accuracy}/Build"]
                 row[kind] = {
                     "edges": median(build, "edges") / median(build, "vertices"),
@@ -288,31 +268,28 @@ class PseudoVertices(Exhibit):
         return rows
 
     def table(self, figures):
-        rows = [
-            [
-                row["model"],
-                f"{row['tau']:.1f}",
-                digits(row["Pseudo"]["added"]),
-                *(f"{row[kind]['edges']:.0f}" for kind in ("Plain", "Pseudo", "Guaranteed")),
-                *(errors_text(row[kind]["error"]) for kind in ("Plain", "Pseudo", "Guaranteed")),
-            ]
-            for row in figures
-        ]
-        kinds = ("plain", "with pseudo-vertices", "Guaranteed")
-        header = ["mesh", "anisotropy", "pseudo-vertices per vertex"]
-        header += [f"edges per vertex of the mesh: {kinds[0]}", *kinds[1:]]
-        return f"ε = {self.accuracy}.\n\n" + table(
-            [*header, f"error, mean / 99.9 % / max: {kinds[0]}", *kinds[1:]], rows
+        columns = (
+            column("mesh", str, "model"),
+            column("anisotropy", tenths, "tau"),
+            column("pseudo-vertices per vertex", digits, "Pseudo", "added"),
+            *self.columns("edges", number, "edges"),
+            *self.columns("error", errors_text, "error"),
         )
+        note = f"ε = {self.accuracy}; edges per vertex of the mesh; errors: mean / 99.9 % / max."
+        return listing(columns, figures, note)
+
+    def columns(self, title, form, key):
+        """Those of a figure of each kind."""
+        for kind, name in self.kinds.items():
+            yield column(f"{title}: {name}", form, kind, key)
 
     def draw(self, figures, path):
-        titles = {"Plain": "plain", "Pseudo": "with pseudo-vertices", "Guaranteed": "Guaranteed"}
-        styles = dict(zip(titles, STYLES))
+        styles = dict(zip(self.kinds, STYLES))
         curves = [
             (sorted((row["tau"], row[kind]["edges"]) for row in figures), style, "-")
             for kind, style in styles.items()
         ]
-        legend = [(titles[kind], style) for kind, style in styles.items()]
+        legend = [(self.kinds[kind], style) for kind, style in styles.items()]
         return plot_curves(path, "edges per vertex of the mesh", "anisotropy", curves, legend)
 
     def verdict(self, figures):

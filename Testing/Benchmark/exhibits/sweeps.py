@@ -9,7 +9,7 @@ import time
 import numpy as np
 import passrate
 import vtkdgg
-from benchmark_results import count_text, digits, percent, ratio_text, table
+from benchmark_results import digits, percent, ratio_text
 from plot_tools import STYLES, add_legend, draw_curve, few_minor, load_matplotlib, style_axes
 from vtkdgg.commands.sizes import floor_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -17,7 +17,8 @@ from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 from . import surfaces
 from .exhibit import BETTER, NOT_COMPARABLE, WORSE, Exhibit, Verdict
-from .fields import errors_text, exact_fields, sources_of, summary
+from .fields import exact_fields, sources_of, summary
+from .tables import column, errors_text, hundredths, listing, named, tenths, vertices_text
 
 FLAT = 1e-9 * 2.0 * math.pi
 
@@ -54,19 +55,16 @@ class Noise(Exhibit):
         return found
 
     def table(self, figures):
-        rows = [
-            [
-                level,
-                f"{100.0 * row['saddles']:.0f} %",
-                *(f"{row[rule]['degree']:.1f}" for rule in ("OneRelay", "Guaranteed")),
-                *(errors_text(row[rule]["error"]) for rule in ("OneRelay", "Guaranteed")),
-                errors_text(row["Guaranteed"]["corrected"]),
-            ]
-            for level, row in figures.items()
-        ]
-        header = ["noise, mean edges", "saddles", "degree: OneRelay", "Guaranteed"]
-        header += ["error, mean / 99.9 % / max: OneRelay", "Guaranteed", "Guaranteed, corrected"]
-        return f"ε = {self.accuracy}.\n\n" + table(header, rows)
+        columns = (
+            column("noise, mean edges", str, "name"),
+            ("saddles", lambda row: f"{100.0 * row['saddles']:.0f} %"),
+            column("degree: OneRelay", tenths, "OneRelay", "degree"),
+            column("Guaranteed", tenths, "Guaranteed", "degree"),
+            column("error, mean / 99.9 % / max: OneRelay", errors_text, "OneRelay", "error"),
+            column("Guaranteed", errors_text, "Guaranteed", "error"),
+            column("Guaranteed, corrected", errors_text, "Guaranteed", "corrected"),
+        )
+        return listing(columns, named(figures), f"ε = {self.accuracy}.")
 
     def draw(self, figures, path):
         subplots, handle = load_matplotlib()
@@ -128,21 +126,18 @@ class DegreeHistogram(Exhibit):
         return found
 
     def table(self, figures):
-        rows = [
-            [
-                rule,
-                *(
-                    f"{figures[rule][key]['mean']:.1f} ± {figures[rule][key]['deviation']:.1f}"
-                    for key in ("saddle", "other")
-                ),
-            ]
-            for rule in ("OneRelay", "Guaranteed")
-        ]
-        return (
-            f"{figures['model']}, {count_text(figures['vertices'])} vertices, "
-            f"{100.0 * figures['saddles']:.0f} % of them saddles; ε = {self.accuracy}.\n\n"
-            + table(["rule", "degree of saddle vertices", "of others"], rows)
+        form = "{0[mean]:.1f} ± {0[deviation]:.1f}".format
+        columns = (
+            column("rule", str, "name"),
+            column("degree of saddle vertices", form, "saddle"),
+            column("of others", form, "other"),
         )
+        note = (
+            f"{figures['model']}, {vertices_text(figures['vertices'])}, "
+            f"{100.0 * figures['saddles']:.0f} % of them saddles; ε = {self.accuracy}."
+        )
+        rules = {rule: figures[rule] for rule in ("OneRelay", "Guaranteed")}
+        return listing(columns, named(rules), note)
 
     def draw(self, figures, path):
         subplots, handle = load_matplotlib()
@@ -226,14 +221,15 @@ class TerrainPath(Exhibit):
             "straightened": "the same, straightened (default)",
             "edges": "vtkDijkstraGraphGeodesicPath, along sides of triangles",
         }
-        rows = [
-            [title, percent(figures["longer"][key]["mean"]), percent(figures["longer"][key]["max"])]
-            for key, title in titles.items()
-        ]
-        return (
-            f"{count_text(figures['vertices'])} vertices, {self.pairs} random pairs, ε = {self.accuracy}."
-            "\n\n" + table(["path", "longer than exact, mean, %", "largest, %"], rows)
+        columns = (
+            column("path", titles.get, "name"),
+            column("longer than exact, mean, %", percent, "mean"),
+            column("largest, %", percent, "max"),
         )
+        note = (
+            f"{vertices_text(figures['vertices'])}, {self.pairs} random pairs, ε = {self.accuracy}."
+        )
+        return listing(columns, named(figures["longer"]), note)
 
     def verdict(self, figures):
         graph = figures["longer"]["graph"]
@@ -282,8 +278,8 @@ class Samples(Exhibit):
             "Euclidean": lambda s: np.linalg.norm(points - points[s], axis=1),
         }
         found = {}
-        for title, column in columns.items():
-            samples = farthest(column, n, self.count)
+        for title, make in columns.items():
+            samples = farthest(make, n, self.count)
             fields = np.array([graph.distance(s) for s in samples])
             apart = fields[:, samples] + np.where(np.eye(len(samples)) > 0, np.inf, 0.0)
             found[title] = {
@@ -299,19 +295,14 @@ class Samples(Exhibit):
         return run.once((name, kind), lambda: vtkdgg.biharmonic(mesh, ids, kind=kind).T)
 
     def table(self, figures):
-        rows = [
-            [
-                title,
-                digits(row["covering"]),
-                digits(row["separation"]),
-                f"{row['covering'] / row['separation']:.2f}",
-            ]
-            for title, row in figures["found"].items()
-        ]
-        header = ["distance", "covering radius", "least distance", "ratio"]
-        return f"{self.count} samples of {count_text(figures['vertices'])} vertices.\n\n" + table(
-            header, rows
+        columns = (
+            column("distance", str, "name"),
+            column("covering radius", digits, "covering"),
+            column("least distance", digits, "separation"),
+            ("ratio", lambda row: hundredths(row["covering"] / row["separation"])),
         )
+        note = f"{self.count} samples of {vertices_text(figures['vertices'])}."
+        return listing(columns, named(figures["found"]), note)
 
     def verdict(self, figures):
         ratios = {t: r["covering"] / r["separation"] for t, r in figures["found"].items()}
@@ -345,7 +336,9 @@ class PassRate(Exhibit):
 
     def measure(self, run):
         folder = run.data
-        if folder is None:
+        if folder is not None:
+            run.uses("all meshes of the folder")
+        else:
             folder = os.path.join(run.folder, "meshes")
             os.makedirs(folder, exist_ok=True)
             for name in (

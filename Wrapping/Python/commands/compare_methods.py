@@ -18,11 +18,14 @@ from .methods import field, methods
 from .output import with_arrays
 from .sizes import floor_of
 
-COLUMNS = 5  # at most
-CELL = (460, 480)  # pixels of a method
-LEGEND = 240  # on the right
+COLUMNS = 4  # at most
+CELL = (460, 620)  # pixels of a method
+FOOT = 46  # pixels of the last line
 # Of the height of a cell, from below: the histogram, the map, and what is left for the text.
-BARS, MAP = 0.18, 0.68
+BARS, MAP = 0.31, 0.55
+# Of the height of the histogram, from below: numbers, the scale of colours, bars.
+NUMBERS, COLOURS = 0.2, 0.1
+SIDE = 0.07  # of its width, on either side of it
 DECADES = 4
 BINS = 40
 
@@ -60,10 +63,11 @@ def save(path, mesh, source, measured, part=1.0):
     table.SetScaleToLog10()
     rows = math.ceil(len(measured) / COLUMNS)
     columns = math.ceil(len(measured) / rows)
-    size = [columns * CELL[0] + LEGEND, rows * CELL[1]]
-    width, height = CELL[0] / size[0], 1.0 / rows
+    size = [columns * CELL[0], rows * CELL[1] + FOOT]
+    width, height = CELL[0] / size[0], CELL[1] / size[1]
     bars = {title: histogram(errors, low, high) for title, errors in measured.items()}
-    tallest = max(shares.max() for shares in bars.values())
+    # The ends count all that is beyond: they do not make the others small.
+    tallest = max(shares[1:-1].max() for shares in bars.values()) or 1.0
     renderers = [_viewport((0.0, 0.0, 1.0, 1.0))]  # where there is nothing
     for i, (title, errors) in enumerate(measured.items()):
         left, bottom = i % columns * width, 1.0 - (i // columns + 1) * height
@@ -72,12 +76,17 @@ def save(path, mesh, source, measured, part=1.0):
             (left, low_end, left + width, high_end) for low_end, high_end in zip(levels, levels[1:])
         )
         renderers += [
-            _bars(below, bars[title] / tallest, table),
+            _bars(below, np.minimum(bars[title] / tallest, 1.0), table, part),
             _map(middle, mesh, source, errors, table),
             _title(above, title, errors, part),
         ]
-    renderers.append(_legend((columns * width, 0.0, 1.0, 1.0), table, low, high, part))
-    pictures.write(path, renderers, [round(part * pixels) for pixels in size])
+    legend = _viewport((0.0, 0.0, 1.0, FOOT / size[1]))
+    line = (
+        "Above: mean / 99.9 % / largest relative error. Below: share of points by error in percent;"
+    )
+    line += " the ends count all beyond."
+    legend.AddActor(pictures.text(line, 0.04 / columns, 0.3, round(24 * part)))
+    pictures.write(path, [*renderers, legend], [round(part * pixels) for pixels in size])
 
 
 def _viewport(place):
@@ -90,10 +99,10 @@ def _viewport(place):
 def _title(place, title, errors, part):
     """The method and the figures of its errors."""
     renderer = _viewport(place)
-    renderer.AddActor(pictures.text(title, 0.04, 0.5, round(24 * part)))
+    renderer.AddActor(pictures.text(title, 0.04, 0.48, round(28 * part)))
     figures = (errors.mean, errors.percentile, errors.largest)
     line = " / ".join(f"{100.0 * error:.2g}" for error in figures)
-    renderer.AddActor(pictures.text(f"{line} %", 0.04, 0.08, round(20 * part)))
+    renderer.AddActor(pictures.text(f"{line} %", 0.04, 0.08, round(24 * part)))
     return renderer
 
 
@@ -108,15 +117,19 @@ def _map(place, mesh, source, errors, table):
     return renderer
 
 
-def _bars(place, heights, table):
-    """A histogram in the colours of the errors that are counted."""
+def _bars(place, heights, table, part):
+    """A histogram in the colours of the errors that are counted, above these colours and numbers."""
     low, high = map(math.log10, table.GetRange())
+    count = len(heights)
+    top = NUMBERS + COLOURS
     points, cells, errors = vtkPoints(), vtkCellArray(), []
-    for i, height in enumerate(heights):
-        for x, y in ((i, 0.0), (i + 1, 0.0), (i + 1, height), (i, height)):
-            points.InsertNextPoint(x / len(heights), y, 0.0)
-        cells.InsertNextCell(4, range(4 * i, 4 * i + 4))
-        errors.append(10.0 ** (low + (high - low) * (i + 0.5) / len(heights)))
+    for bottom, tops in ((NUMBERS, np.full(count, top)), (top, top + (0.98 - top) * heights)):
+        for i, end in enumerate(tops):
+            first = points.GetNumberOfPoints()
+            for x, y in ((i, bottom), (i + 1, bottom), (i + 1, end), (i, end)):
+                points.InsertNextPoint(SIDE + (1.0 - 2.0 * SIDE) * x / count, y, 0.0)
+            cells.InsertNextCell(4, range(first, first + 4))
+            errors.append(10.0 ** (low + (high - low) * (i + 0.5) / count))
     quads = vtkPolyData()
     quads.SetPoints(points)
     quads.SetPolys(cells)
@@ -130,30 +143,17 @@ def _bars(place, heights, table):
     actor.GetProperty().LightingOff()
     actor.GetProperty().EdgeVisibilityOn()
     actor.GetProperty().SetEdgeColor(*pictures.INK)
+    actor.SetScale(CELL[0] / (BARS * CELL[1]), 1.0, 1.0)  # as wide as the viewport
     renderer = _viewport(place)
     renderer.AddActor(actor)
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
-    camera.SetPosition(0.5, 0.5, 1.0)
-    camera.SetFocalPoint(0.5, 0.5, 0.0)
-    camera.SetParallelScale(0.55)
-    # As wide as the viewport, whatever its shape.
-    aspect = CELL[0] / (BARS * CELL[1])
-    actor.SetScale(0.92 * 1.1 * aspect, 1.0, 1.0)
-    actor.SetPosition(0.5 - 0.5 * 0.92 * 1.1 * aspect, 0.0, 0.0)
-    return renderer
-
-
-def _legend(place, table, low, high, part):
-    """The scale of colours, and what the numbers are."""
-    renderer = _viewport(place)
-    powers = [low * 10.0**i for i in range(round(math.log10(high / low)) + 1)]
-    bar = pictures.scalar_bar(table, "Relative\nerror (%)", powers, "%-.4g", bottom=0.3)
-    bar.GetTitleTextProperty().SetFontSize(round(26 * part))
-    bar.GetLabelTextProperty().SetFontSize(round(22 * part))
-    bar.GetPositionCoordinate().SetValue(0.1, 0.3)
-    bar.SetWidth(0.8)
-    renderer.AddActor(bar)
-    for i, line in enumerate(("mean / 99.9 % /", "largest; below:", "share of points", "by error")):
-        renderer.AddActor(pictures.text(line, 0.08, 0.2 - 0.04 * i, round(20 * part)))
+    camera.SetPosition(0.5 * actor.GetScale()[0], 0.5, 1.0)
+    camera.SetFocalPoint(0.5 * actor.GetScale()[0], 0.5, 0.0)
+    camera.SetParallelScale(0.5)
+    for decade in range(DECADES + 1):
+        number = pictures.text(f"{10.0 ** (low + decade):g}", 0.0, 0.0, round(22 * part))
+        number.GetTextProperty().SetJustificationToCentered()
+        number.SetPosition(SIDE + (1.0 - 2.0 * SIDE) * decade / DECADES, 0.03)
+        renderer.AddActor(number)
     return renderer
