@@ -321,7 +321,10 @@ protected:
    */
   bool Advance(double fraction);
 
-  vtkTypeInt64 MemoryLimit; // signed, as ParaView can pass no other number of this size
+  /**
+   * See SetMemoryLimit(); signed, as ParaView passes no other integers of this size.
+   */
+  vtkTypeInt64 MemoryLimit;
 
 private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
