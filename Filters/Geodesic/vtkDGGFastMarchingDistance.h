@@ -31,7 +31,8 @@
  *  - a BandRadius not in [0.5, 1000], unless 0; a Resolution not in [0, 524288];
  *  - GenerateVirtualSource: a virtual source is a direction on a surface;
  *  - parts farther apart than 2^23 automatic voxels, or 2^30 spacings, reach;
- *  - a band that takes more than MemoryLimit, or has more than 2^31 voxels in its blocks.
+ *  - a band and a march on it that take more than MemoryLimit; more than 2^31 voxels in the blocks
+ *    of the band.
  *
  * @code
  * vtkNew<vtkDGGFastMarchingDistance> distance;
@@ -104,15 +105,6 @@ public:
    */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
-  ///@}
-
-  ///@{
-  /**
-   * Of clouds: most bytes that the band and a march may take; more is an error, before they are
-   * taken. Default 0: 70 % of the memory that is free at that time.
-   */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
   ///@}
 
   ///@{

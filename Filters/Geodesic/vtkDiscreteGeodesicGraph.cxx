@@ -72,7 +72,6 @@ void vtkDiscreteGeodesicGraph::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Accuracy: " << this->Accuracy << "\n";
   os << indent << "Construction: " << this->GetConstructionAsString() << "\n";
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "GenerateGraphLines: " << (this->GenerateGraphLines ? "On" : "Off") << "\n";
   os << indent << "EstimatedMemory: " << this->GetEstimatedMemory() << "\n";
   os << indent << "EstimatedPeakMemory: " << this->GetEstimatedPeakMemory() << "\n";

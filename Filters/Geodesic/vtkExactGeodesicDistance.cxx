@@ -30,7 +30,6 @@ void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Engine: " << (this->Engine == Reference ? "Reference" : "Triangle") << "\n";
   os << indent << "GenerateWindows: " << (this->GenerateWindows ? "On" : "Off") << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }
 
 //------------------------------------------------------------------------------

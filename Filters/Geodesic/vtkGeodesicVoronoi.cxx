@@ -284,7 +284,7 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
+  this->GraphUser->PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------

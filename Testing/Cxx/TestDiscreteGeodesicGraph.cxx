@@ -58,7 +58,7 @@ TEST_F(DiscreteGeodesicGraph, Defaults)
   EXPECT_EQ(filter->GetConstruction(), vtkDiscreteGeodesicGraph::Guaranteed);
   EXPECT_STREQ(filter->GetConstructionAsString(), "Guaranteed");
   EXPECT_EQ(filter->GetNumberOfNeighbors(), 30);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0);
   EXPECT_FALSE(filter->GetGenerateGraphLines());
   EXPECT_FALSE(filter->GetMergeCoincidentPoints());
   EXPECT_EQ(filter->GetNumberOfGraphEdges(), 0);
