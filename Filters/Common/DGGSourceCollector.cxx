@@ -247,9 +247,9 @@ void DGGSourceCollector::PassArrays(
   {
     vtkAbstractArray* values = data->GetAbstractArray(k);
     const std::string name = values->GetName() ? values->GetName() : "";
-    // Ghosts among the sources are none on the surface.
+    // Neither ghosts among the sources, nor what points of the surface they are, is so elsewhere.
     if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
-      output->HasArray(name.c_str()) ||
+      name == "vtkOriginalPointIds" || output->HasArray(name.c_str()) ||
       values->GetNumberOfTuples() != set.Points->GetNumberOfPoints())
     {
       continue;
@@ -270,7 +270,7 @@ void DGGSourceCollector::PassArrays(
       const auto place = static_cast<vtkIdType>(i);
       if (nearest[i] >= first)
       {
-        array->SetTuple(place, nearest[i] - first, values);
+        array->SetTuple(place, GetPointId(set, nearest[i] - first), values);
         continue;
       }
       for (int c = 0; c < components; ++c)

@@ -57,9 +57,9 @@ public:
   static dgg::Status Collect(const DGGContext& context, const DGGSourceSet& set, double tolerance,
     std::vector<dgg::GeodesicSource>& sources);
 
-  /// Give what the sources are nearest to their point arrays. Where the nearest one is an id, or
-  /// there is none: NaN, 0 or the empty string. Arrays of the output stay, where names are the
-  /// same.
+  /// Add the point arrays of Points to `output`; each tuple is that of the nearest source. Where
+  /// that is an id, or there is none: NaN, 0 or the empty string. Arrays of the output stay, where
+  /// names are the same.
   static void PassArrays(
     const DGGSourceSet& set, const std::vector<dgg::Id>& nearest, vtkDataSetAttributes* output);
 

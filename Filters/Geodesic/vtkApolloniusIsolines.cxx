@@ -290,18 +290,21 @@ void vtkApolloniusIsolines::WarnAboutNoLine(
   const std::vector<double>& distances, const dgg::Isolines& lines)
 {
   const bool isEmpty = lines.Lines.empty() && !this->GenerateRidges && !this->GenerateBands;
-  double smallest = dgg::Infinity;
-  double largest = -dgg::Infinity;
-  for (const double distance : distances)
+  if (isEmpty && !this->WasEmpty)
   {
-    smallest = std::min(smallest, distance);
-    largest = distance < dgg::Infinity ? std::max(largest, distance) : largest;
-  }
-  if (isEmpty && !this->WasEmpty && smallest <= largest)
-  {
-    vtkWarningMacro(<< "there are no isolines: no value lies among the distances of the points, "
-                       "which are from "
-                    << smallest << " to " << largest << ".");
+    double smallest = dgg::Infinity;
+    double largest = -dgg::Infinity;
+    for (const double distance : distances)
+    {
+      smallest = std::min(smallest, distance);
+      largest = distance < dgg::Infinity ? std::max(largest, distance) : largest;
+    }
+    if (smallest > largest)
+    {
+      return; // nothing is reached
+    }
+    vtkWarningMacro(<< "there are no isolines: the distances of the points are from " << smallest
+                    << " to " << largest << ", and none of the values has a line there.");
   }
   this->WasEmpty = isEmpty;
 }

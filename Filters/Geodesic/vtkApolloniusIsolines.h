@@ -272,7 +272,7 @@ private:
   bool UsedWindows;
   bool UsedVirtualSources;
   vtkIdType NumberOfFallbacks;
-  bool WasEmpty; ///< whether the last update was to give nothing
+  bool WasEmpty; ///< no line, and nothing else wanted, in the last update
 };
 
 #endif

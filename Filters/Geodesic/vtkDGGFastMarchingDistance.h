@@ -46,7 +46,8 @@
  * Acad. Sci. 95, 1998; spherical updates: M. Novotni, R. Klein, "Computing geodesic distances on
  * triangular meshes", WSCG 2002. On clouds: F. Memoli, G. Sapiro, "Fast computation of weighted
  * distance functions and geodesics on implicit hyper-surfaces", J. Comput. Phys. 173, 2001, by
- * first-order upwind differences, with straight distances within two voxels of a source.
+ * first-order upwind differences, with straight distances within two voxels of a source on its
+ * sheet.
  *
  * @sa vtkHeatGeodesicDistance vtkDGGDistance vtkExactGeodesicDistance
  */

@@ -111,7 +111,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Estimate()
   DGG_RETURN_IF_ERROR(this->GetWholeInput(surface));
   if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)
   {
-    vtkWarningMacro("The input is empty: it has neither points nor cells. So is its graph.");
+    this->WarnAboutEmptyInput("neither points nor cells");
     return dgg::Status::Success();
   }
   DGG_RETURN_IF_ERROR(this->PrepareMesh(surface));

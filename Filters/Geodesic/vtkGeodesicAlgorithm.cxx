@@ -288,13 +288,14 @@ bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
   this->Caller = std::this_thread::get_id();
   unsigned long errorCode = vtkErrorCode::UserError;
   const dgg::Status status = this->Try(step, errorCode);
-  if (status.IsOk() || status.IsAborted())
+  this->IsStopped = status.IsAborted();
+  if (status.IsOk() || status.IsAborted() || FollowsFailure(this))
   {
     this->Reported.clear();
     return status.IsOk();
   }
   this->ErrorCode = errorCode;
-  if (!FollowsFailure(this) && this->IsNews(status.GetMessage()))
+  if (this->IsNews(status.GetMessage()))
   {
     vtkErrorMacro(<< status.GetMessage());
   }
@@ -315,8 +316,8 @@ bool vtkGeodesicAlgorithm::IsNews(const std::string& error)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a filter of ours that the given one depends on has failed or was stopped: it has said
-/// why its output is empty, and what comes of that is not to be said again.
+/// Whether a filter of ours that the given one depends on has failed, which it has reported, or was
+/// aborted: then its output is empty, and errors that follow from that are not reported.
 bool vtkGeodesicAlgorithm::FollowsFailure(vtkAlgorithm* filter)
 {
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
@@ -428,14 +429,12 @@ dgg::Status vtkGeodesicAlgorithm::Compute(
       return status;
     }
   }
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->MergeTolerance } }));
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->MergeTolerance },
+    { "MemoryLimit", static_cast<double>(this->MemoryLimit) } }));
   DGG_RETURN_IF_ERROR(this->CheckProperties());
   if (input && input->GetNumberOfPoints() == 0 && input->GetNumberOfCells() == 0)
   {
-    if (!FollowsFailure(this))
-    {
-      vtkWarningMacro("The input is empty: it has neither points nor cells. So is the output.");
-    }
+    this->WarnAboutEmptyInput("neither points nor cells");
     this->Adapter->Clear();
     this->MakeEmptyOutput(this->MakeContext(input), outputVector);
     return dgg::Status::Success();
@@ -444,6 +443,15 @@ dgg::Status vtkGeodesicAlgorithm::Compute(
   DGG_RETURN_IF_ERROR(this->PrepareMesh(input));
   return this->Advance(0.0) ? this->Execute(this->MakeContext(input), inputVector, outputVector)
                             : dgg::Status::Abort();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicAlgorithm::WarnAboutEmptyInput(const char* lack)
+{
+  if (!FollowsFailure(this))
+  {
+    vtkWarningMacro("The input is empty: it has " << lack << ". So is the output.");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -60,7 +60,7 @@
  * <b>Errors</b>. vtkErrorMacro names what is wrong and the remedy. The output is empty,
  * GetErrorCode() is not zero, the input is untouched, and a later correct call works. Until
  * something changes, further updates fail as well, but do not report the same error again. Filters
- * downstream of one that has failed or was aborted say nothing of what follows from that. Errors of
+ * downstream of one that has failed or was aborted have empty outputs and report nothing. Errors of
  * all filters:
  *  - no input; an image or a grid (vtkDataSetSurfaceFilter makes a surface of it); points but no
  * polygon with three distinct points; a cell that names a missing point, or one that is not finite;
@@ -163,9 +163,9 @@ public:
   /**
    * Most bytes that an update may take: for graphs, factorizations and whatever else a filter says
    * is large, and for pieces that are gathered. More is an error, before they are taken. Default 0:
-   * 70 % of the memory that is free at that time, for what is not there yet.
+   * 70 % of the memory that is free at that time, for what is not there yet. Not negative.
    */
-  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkSetMacro(MemoryLimit, vtkTypeInt64);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   ///@}
 
@@ -322,9 +322,11 @@ protected:
   bool Advance(double fraction);
 
   /**
-   * See SetMemoryLimit(); signed, as ParaView passes no other integers of this size.
+   * Have the filter warn of an input without what it lacks, unless a filter before has failed.
    */
-  vtkTypeInt64 MemoryLimit;
+  void WarnAboutEmptyInput(const char* lack);
+
+  vtkTypeInt64 MemoryLimit; ///< signed, as ParaView passes no other integers of this size
 
 private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;

@@ -13,6 +13,7 @@
 #include "dggInvalidInput.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -53,6 +54,7 @@ void AddVertices(vtkPolyData* cloud)
     vertices->InsertCellPoint(i);
   }
   cloud->SetVerts(vertices);
+  cloud->GetCellData()->Initialize(); // arrays of no tuples
 }
 }
 
@@ -90,10 +92,14 @@ int vtkPointCloudDGG::RequestData(
 {
   this->Internals->Current = vtkInternals::Findings();
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  if (!this->GenerateVertices)
+  {
+    return result;
+  }
   vtkIdType others = 0;
   for (const DGGSurfacePart& part : DGGFindParts(vtkDataObject::GetData(outputVector), others))
   {
-    if (this->GenerateVertices && part.Data->GetNumberOfCells() == 0 && !DGGIsEmpty(part.Data))
+    if (part.Data->GetNumberOfCells() == 0 && part.Data->GetNumberOfPoints() > 0)
     {
       AddVertices(part.Data);
     }

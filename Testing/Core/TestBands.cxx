@@ -474,7 +474,7 @@ TEST(BandMarching, RefusesBadSources)
   EXPECT_EQ(result.NearestSource, (std::vector<Id>{ dgg::NoId, dgg::NoId }));
 }
 
-// A strip that turns back below itself, as close as two sheets can be.
+// A strip that turns back below itself, about as close as two sheets can be.
 TEST(BandMarching, SheetsSideBySideAreNotMixed)
 {
   constexpr double Size = 0.02;
@@ -503,7 +503,7 @@ TEST(BandMarching, SheetsSideBySideAreNotMixed)
         truths.push_back(along);
       }
     }
-    for (const double height : { 0.0, 0.3, 0.6 })
+    for (const double height : { 0.0, 0.3, 0.6, 0.9 })
     {
       const Point3 source = cloud.Points[0] + Point3{ 0.0, 0.0, height * Size };
       const std::vector<double> distances = MarchIn(cloud, Size, { { source, 0.0 } });

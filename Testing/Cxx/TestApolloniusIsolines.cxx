@@ -329,9 +329,15 @@ TEST_F(ApolloniusIsolines, LinesEndWhereNothingIsReached)
 
 TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
 {
-  const auto expectEmpty = [this](bool isTold) {
-    isTold ? ExpectWarning(this->Isolines, { "no isolines", "from 0 to 5.65685." })
-           : ExpectSuccess(this->Isolines);
+  const auto expectEmpty = [this](bool isWarned) {
+    if (isWarned)
+    {
+      ExpectWarning(this->Isolines, { "no isolines", "from 0 to 5.65685," });
+    }
+    else
+    {
+      ExpectSuccess(this->Isolines);
+    }
     EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfCells(), 0);
     EXPECT_NE(this->Isolines->GetOutput()->GetCellData()->GetArray("IsoValue"), nullptr);
   };
@@ -355,6 +361,9 @@ TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
   surface->GetPointData()->GetArray("GeodesicDistance")->Fill(std::nan(""));
   unreached->SetInputData(surface);
   ExpectSuccess(unreached);
+  surface->GetPointData()->GetArray("GeodesicDistance")->Fill(1.0);
+  surface->GetPointData()->GetArray("GeodesicDistance")->Modified();
+  ExpectWarning(unreached, { "no isolines", "from 1 to 1," });
 }
 
 TEST_F(ApolloniusIsolines, WrongInputIsAnError)

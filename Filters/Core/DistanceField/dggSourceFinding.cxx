@@ -30,11 +30,10 @@ bool IsConfirmed(const SurfaceMesh& mesh, Id v, const CornerModel& shorter,
     const double d = distances[neighbor];
     if (d < Infinity)
     {
-      CornerModel::Ray ray = shorter.Along(angle);
+      const CornerModel::Ray ray = shorter.Along(angle);
+      const CornerModel::Ray farther{ longer.Offset, longer.Length, ray.Bend };
       const double miss = ray.At(length) - d;
-      ray.Offset = longer.Offset;
-      ray.Length = longer.Length;
-      const double longerMiss = ray.At(length) - d;
+      const double longerMiss = farther.At(length) - d;
       gain += std::max(0.0, miss) - std::max(0.0, longerMiss);
       shortfall += std::max(0.0, -longerMiss) - std::max(0.0, -miss);
     }

@@ -15,12 +15,14 @@ namespace dgg
 {
 namespace
 {
-/// Voxels around a source, along each axis, that are given their straight distances: differences
-/// would be wrong where distances bend that much.
+/// Voxels around a source, along each axis and on its sheet, that are given their straight
+/// distances: differences would be wrong where distances bend that much.
 constexpr std::int32_t StartRadius = 2;
 /// Voxels beyond the limit of distances that the march goes on for: those around a place differ by
 /// one along each axis at most.
 constexpr double BeyondLimit = 3.0;
+/// Of a voxel. By no more are interpolated distances too long beside a source, on its sheet.
+constexpr double Diagonal = 1.7320508075688772;
 constexpr std::size_t VoxelsPerReport = 4096;
 constexpr std::array<std::int32_t, 3> Strides{ { 1, 8, 64 } };
 
@@ -165,11 +167,11 @@ public:
       return {};
     }
     const auto source = static_cast<std::size_t>(nearest.Source);
-    const double straight = Norm(inGrid - this->Places[source]);
+    const double straight = this->Offsets[source] + Norm(inGrid - this->Places[source]);
     nearest.Distance = sum / weights;
-    if (straight <= StartRadius)
+    if (straight - this->Offsets[source] <= StartRadius && nearest.Distance < straight + Diagonal)
     {
-      nearest.Distance = std::min(nearest.Distance, this->Offsets[source] + straight);
+      nearest.Distance = std::min(nearest.Distance, straight);
     }
     return nearest;
   }
