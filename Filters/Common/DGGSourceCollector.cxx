@@ -7,12 +7,18 @@
 
 #include "dggInvalidInput.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 namespace
@@ -225,6 +231,55 @@ dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSour
     sources.push_back(source);
   }
   return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void DGGSourceCollector::PassArrays(
+  const DGGSourceSet& set, const std::vector<dgg::Id>& nearest, vtkDataSetAttributes* output)
+{
+  if (!set.Points)
+  {
+    return;
+  }
+  const auto first = static_cast<dgg::Id>(set.Ids.size());
+  vtkPointData* data = set.Points->GetPointData();
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* values = data->GetAbstractArray(k);
+    const std::string name = values->GetName() ? values->GetName() : "";
+    // Neither ghosts among the sources, nor what points of the surface they are, is so elsewhere.
+    if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
+      name == "vtkOriginalPointIds" || output->HasArray(name.c_str()) ||
+      values->GetNumberOfTuples() != set.Points->GetNumberOfPoints())
+    {
+      continue;
+    }
+    const auto array =
+      vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(values->GetDataType()));
+    const int components = values->GetNumberOfComponents();
+    array->SetName(name.c_str());
+    array->SetNumberOfComponents(components);
+    array->CopyComponentNames(values);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(nearest.size()));
+    const bool isReal = values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE;
+    const vtkVariant nothing = vtkStringArray::SafeDownCast(values)
+      ? vtkVariant("")
+      : vtkVariant(isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0);
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+    {
+      const auto place = static_cast<vtkIdType>(i);
+      if (nearest[i] >= first)
+      {
+        array->SetTuple(place, GetPointId(set, nearest[i] - first), values);
+        continue;
+      }
+      for (int c = 0; c < components; ++c)
+      {
+        array->SetVariantValue(place * components + c, nothing);
+      }
+    }
+    output->AddArray(array);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include <string> // for the names
 #include <vector> // for the sources
 
+class vtkDataSetAttributes;
 class vtkObject;
 class vtkPolyData;
 struct DGGContext;
@@ -55,6 +56,12 @@ public:
   /// points are close enough.
   static dgg::Status Collect(const DGGContext& context, const DGGSourceSet& set, double tolerance,
     std::vector<dgg::GeodesicSource>& sources);
+
+  /// Add the point arrays of Points to `output`; each tuple is that of the nearest source. Where
+  /// that is an id, or there is none: NaN, 0 or the empty string. Arrays of the output stay, where
+  /// names are the same.
+  static void PassArrays(
+    const DGGSourceSet& set, const std::vector<dgg::Id>& nearest, vtkDataSetAttributes* output);
 
   /// Have a filter warn of ids of points that no polygon uses; in clouds, of those that are not
   /// finite. The set must have been checked.

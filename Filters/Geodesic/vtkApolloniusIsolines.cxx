@@ -60,6 +60,7 @@ vtkApolloniusIsolines::vtkApolloniusIsolines()
   , UsedWindows(false)
   , UsedVirtualSources(false)
   , NumberOfFallbacks(0)
+  , WasEmpty(false)
 {
   this->SetNumberOfOutputPorts(3);
 }
@@ -240,6 +241,7 @@ dgg::Status vtkApolloniusIsolines::Execute(const DGGContext& context,
   DGG_RETURN_IF_ERROR(this->ReadField(context, distances, input));
   this->WarnAbout(input);
   DGG_RETURN_IF_ERROR(this->FindCurves(context, input.GetField(), curves));
+  this->WarnAboutNoLine(input.GetDistances(), curves.Lines);
   this->UsedWindows = input.GetField().HasWindows();
   this->UsedVirtualSources = input.GetField().HasSources();
   this->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
@@ -279,6 +281,32 @@ void vtkApolloniusIsolines::WarnAbout(const DGGFieldInput& input)
                        "relied on: call GenerateWindowsOn() of vtkExactGeodesicDistance, or "
                        "GenerateVirtualSourceOn() of it or of vtkDGGDistance.");
   }
+}
+
+//------------------------------------------------------------------------------
+/// Where lines are all that is wanted, and once for updates in a row: each source that is moved
+/// gives another range.
+void vtkApolloniusIsolines::WarnAboutNoLine(
+  const std::vector<double>& distances, const dgg::Isolines& lines)
+{
+  const bool isEmpty = lines.Lines.empty() && !this->GenerateRidges && !this->GenerateBands;
+  if (isEmpty && !this->WasEmpty)
+  {
+    double smallest = dgg::Infinity;
+    double largest = -dgg::Infinity;
+    for (const double distance : distances)
+    {
+      smallest = std::min(smallest, distance);
+      largest = distance < dgg::Infinity ? std::max(largest, distance) : largest;
+    }
+    if (smallest > largest)
+    {
+      return; // nothing is reached
+    }
+    vtkWarningMacro(<< "there are no isolines: the distances of the points are from " << smallest
+                    << " to " << largest << ", and none of the values has a line there.");
+  }
+  this->WasEmpty = isEmpty;
 }
 
 //------------------------------------------------------------------------------

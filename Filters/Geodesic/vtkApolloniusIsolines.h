@@ -25,7 +25,8 @@
  *    values around it, outermost the smallest and largest distance; `FaceId`. Point data: the
  *    distances, `vtkOriginalPointIds`.
  *
- * A value out of the range of the distances has no line.
+ * A value out of the range of the distances has no line. When there are no lines, and neither
+ * ridges nor bands are wanted, a warning names the range, once until there are lines again.
  *
  * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) points of
  * lines are at their value up to rounding, and ridges exact. With virtual sources
@@ -76,6 +77,7 @@ class vtkDataArray;
 namespace dgg
 {
 struct DistanceField;
+struct Isolines;
 }
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkApolloniusIsolines : public vtkGeodesicAlgorithm
@@ -253,6 +255,7 @@ private:
   std::vector<double> CopyValues() const;
   dgg::Status ReadField(const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input);
   void WarnAbout(const DGGFieldInput& input);
+  void WarnAboutNoLine(const std::vector<double>& distances, const dgg::Isolines& lines);
   dgg::Status FindCurves(
     const DGGContext& context, const dgg::DistanceField& field, Curves& curves);
 
@@ -269,6 +272,7 @@ private:
   bool UsedWindows;
   bool UsedVirtualSources;
   vtkIdType NumberOfFallbacks;
+  bool WasEmpty; ///< no line, and nothing else wanted, in the last update
 };
 
 #endif

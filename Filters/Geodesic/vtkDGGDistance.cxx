@@ -45,7 +45,7 @@ vtkDGGDistance::~vtkDGGDistance() = default;
 void vtkDGGDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
+  this->GraphUser->PrintSelf(os, indent);
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
   os << indent << "Search: " << this->GetSearchAsString() << "\n";
   os << indent << "GenerateUpperBound: " << (this->GenerateUpperBound ? "On" : "Off") << "\n";
@@ -116,7 +116,8 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
   }
   if (task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(context.Surface.GetMesh(), result, task.VirtualSource);
+    dgg::FindVirtualSources(
+      context.Surface.GetMesh(), result, task.VirtualSource, context.Parallel);
   }
   for (DGGPointArray& array : task.Arrays)
   {

@@ -19,7 +19,8 @@
  * SaddleVertexGraph) promise nothing. Only the first update takes long, if it builds the graph.
  *
  * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: an Accuracy outside [1e-6, 0.5]; a
- * graph or links that take more than MemoryLimit; GenerateVirtualSource on a cloud.
+ * graph, or links of points that are no vertices (some 250 bytes per triangle), that take more than
+ * MemoryLimit; GenerateVirtualSource on a cloud.
  *
  * @code
  * vtkNew<vtkDGGDistance> distance;
@@ -113,8 +114,6 @@ public:
    *    [1e-6, 0.5]; another value is an error even if that on the input is used. Default 0.01.
    *  - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that
    *    was set is used without a warning. Default off.
-   *  - MemoryLimit: most bytes to build a graph, or to link points that are no vertices (some 250
-   *    bytes per triangle). Default 0: 70 % of the memory that is free at that time.
    *  - Of the graph of the last update, zero without: whether it is that on the input, its accuracy
    *    (0 for a SaddleVertexGraph), number of directed edges, bytes with what searches and links
    *    need; whether it keeps to its accuracy, and when this filter built one last.

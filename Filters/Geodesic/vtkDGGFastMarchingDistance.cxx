@@ -54,7 +54,6 @@ void vtkDGGFastMarchingDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FrontShape: " << this->GetFrontShapeAsString() << "\n";
   os << indent << "BandRadius: " << this->BandRadius << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "UsedBandRadius: " << this->GetUsedBandRadius() << "\n";
   os << indent << "UsedResolution: " << this->GetUsedResolution() << "\n";
   os << indent << "QualityWarning: " << (this->QualityWarning ? "true" : "false") << "\n";

@@ -31,7 +31,8 @@
  *  - a BandRadius not in [0.5, 1000], unless 0; a Resolution not in [0, 524288];
  *  - GenerateVirtualSource: a virtual source is a direction on a surface;
  *  - parts farther apart than 2^23 automatic voxels, or 2^30 spacings, reach;
- *  - a band that takes more than MemoryLimit, or has more than 2^31 voxels in its blocks.
+ *  - a band and a march on it that take more than MemoryLimit; more than 2^31 voxels in the blocks
+ *    of the band.
  *
  * @code
  * vtkNew<vtkDGGFastMarchingDistance> distance;
@@ -45,7 +46,8 @@
  * Acad. Sci. 95, 1998; spherical updates: M. Novotni, R. Klein, "Computing geodesic distances on
  * triangular meshes", WSCG 2002. On clouds: F. Memoli, G. Sapiro, "Fast computation of weighted
  * distance functions and geodesics on implicit hyper-surfaces", J. Comput. Phys. 173, 2001, by
- * first-order upwind differences, with straight distances within two voxels of a source.
+ * first-order upwind differences, with straight distances within two voxels of a source on its
+ * sheet.
  *
  * @sa vtkHeatGeodesicDistance vtkDGGDistance vtkExactGeodesicDistance
  */
@@ -104,15 +106,6 @@ public:
    */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
-  ///@}
-
-  ///@{
-  /**
-   * Of clouds: most bytes that the band and a march may take; more is an error, before they are
-   * taken. Default 0: 70 % of the memory that is free at that time.
-   */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
   ///@}
 
   ///@{

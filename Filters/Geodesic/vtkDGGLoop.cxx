@@ -241,7 +241,7 @@ void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Taut: " << (this->Taut ? "On" : "Off") << "\n";
   os << indent << "TapeWidth: " << this->TapeWidth << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
+  this->GraphUser->PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------

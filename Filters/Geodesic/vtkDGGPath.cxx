@@ -250,7 +250,7 @@ void vtkDGGPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Straighten: " << (this->Straighten ? "On" : "Off") << "\n";
   os << indent << "Detour: " << this->Detour << "\n";
   os << indent << "NumberOfFallbacks: " << this->NumberOfFallbacks << "\n";
-  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
+  this->GraphUser->PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------

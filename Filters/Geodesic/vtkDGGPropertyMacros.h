@@ -93,8 +93,8 @@
 
 class DGGGraphUser;
 
-/// Accuracy, AcceptCoarserGraph, MemoryLimit, and numbers of the graph of the last update; the
-/// filters document them. Their member `std::unique_ptr<DGGGraphUser> GraphUser` has them, and
+/// Accuracy, AcceptCoarserGraph, and numbers of the graph of the last update; the filters document
+/// them. Their member `std::unique_ptr<DGGGraphUser> GraphUser` has them, and
 /// vtkDGGGraphUserMacro() defines them.
 #define vtkDGGGraphPropertiesMacro()               \
   virtual void SetAccuracy(double accuracy);       \
@@ -102,11 +102,6 @@ class DGGGraphUser;
   virtual void SetAcceptCoarserGraph(bool accept); \
   bool GetAcceptCoarserGraph() const;              \
   vtkBooleanMacro(AcceptCoarserGraph, bool);       \
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);         \
-  vtkTypeUInt64 GetMemoryLimit() const             \
-  {                                                \
-    return this->MemoryLimit;                      \
-  }                                                \
   bool GetUsedInputGraph() const;                  \
   double GetGraphAccuracy() const;                 \
   vtkIdType GetNumberOfGraphEdges() const;         \

@@ -72,7 +72,6 @@ void vtkDiscreteGeodesicGraph::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Accuracy: " << this->Accuracy << "\n";
   os << indent << "Construction: " << this->GetConstructionAsString() << "\n";
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "GenerateGraphLines: " << (this->GenerateGraphLines ? "On" : "Off") << "\n";
   os << indent << "EstimatedMemory: " << this->GetEstimatedMemory() << "\n";
   os << indent << "EstimatedPeakMemory: " << this->GetEstimatedPeakMemory() << "\n";
@@ -112,7 +111,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Estimate()
   DGG_RETURN_IF_ERROR(this->GetWholeInput(surface));
   if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)
   {
-    vtkWarningMacro("The input is empty: it has neither points nor cells. So is its graph.");
+    this->WarnAboutEmptyInput("neither points nor cells");
     return dgg::Status::Success();
   }
   DGG_RETURN_IF_ERROR(this->PrepareMesh(surface));

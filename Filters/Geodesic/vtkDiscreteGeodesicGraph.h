@@ -130,15 +130,6 @@ public:
 
   ///@{
   /**
-   * Most bytes that building the graph may take; more is an error, before it is built. Default 0:
-   * 70 % of the memory that is free at that time.
-   */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
-  ///@}
-
-  ///@{
-  /**
    * Whether output 1 has the edges as straight lines, each once, with the cell array `Length`
    * (double). They take about 32 bytes each; more than MemoryLimit is an error. Default off.
    */

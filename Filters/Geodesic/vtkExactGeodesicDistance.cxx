@@ -30,7 +30,6 @@ void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Engine: " << (this->Engine == Reference ? "Reference" : "Triangle") << "\n";
   os << indent << "GenerateWindows: " << (this->GenerateWindows ? "On" : "Off") << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -54,8 +53,8 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   const dgg::Status status = solver.Run(task.Sources, options, result);
   if (status.IsOk() && task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(
-      task.Context.Surface.GetMesh(), task.Sources, result, task.VirtualSource);
+    dgg::FindVirtualSources(task.Context.Surface.GetMesh(), task.Sources, result,
+      task.VirtualSource, task.Context.Parallel);
   }
   task.Windows = std::move(result.Windows);
   task.Distances = std::move(result.Distances);

@@ -73,15 +73,6 @@ public:
   vtkBooleanMacro(GenerateWindows, bool);
   ///@}
 
-  ///@{
-  /**
-   * Most bytes that the propagation may take when windows are generated; more is an error. Default
-   * 0: 70 % of the memory that is free at that time.
-   */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
-  ///@}
-
 protected:
   vtkExactGeodesicDistance();
   ~vtkExactGeodesicDistance() override;

@@ -137,6 +137,7 @@ vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
   , GatherLimit(100000000)
   , Reached(0.0)
   , IsStopped(false)
+  , ReportTime(0)
   , GapsBuildTime(0)
   , Adapter(new DGGMeshAdapter)
   , Parts(new DGGPartedUpdate)
@@ -162,6 +163,7 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "GatherLimit: " << this->GatherLimit << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "MeshBuildTime: " << this->GetMeshBuildTime() << "\n";
   os << indent << "MeshReport:\n";
   std::istringstream report(this->GetMeshReport());
@@ -278,19 +280,61 @@ int vtkGeodesicAlgorithm::RequestData(
 //------------------------------------------------------------------------------
 bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
+  // Not by SetErrorCode(): a failure is no change of the filter.
+  this->ErrorCode = vtkErrorCode::NoError;
   this->SetAbortExecute(0); // VTK 9.1 does so at the start of an update, later ones do not
   this->Reached = 0.0;
   this->IsStopped = false;
   this->Caller = std::this_thread::get_id();
   unsigned long errorCode = vtkErrorCode::UserError;
   const dgg::Status status = this->Try(step, errorCode);
-  if (!status.IsOk() && !status.IsAborted())
+  this->IsStopped = status.IsAborted();
+  if (status.IsOk() || status.IsAborted() || FollowsFailure(this))
   {
-    this->SetErrorCode(errorCode);
+    this->Reported.clear();
+    return status.IsOk();
+  }
+  this->ErrorCode = errorCode;
+  if (this->IsNews(status.GetMessage()))
+  {
     vtkErrorMacro(<< status.GetMessage());
   }
-  return status.IsOk();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+/// Whether an error is another one than that of the update before, or something has changed since:
+/// there is an update for each output, and ParaView asks for all of them many times.
+bool vtkGeodesicAlgorithm::IsNews(const std::string& error)
+{
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
+  const vtkMTimeType time = pipeline->GetPipelineMTime();
+  const bool isNews = error != this->Reported || time != this->ReportTime;
+  this->Reported = error;
+  this->ReportTime = time;
+  return isNews;
+}
+
+//------------------------------------------------------------------------------
+/// Whether a filter of ours that the given one depends on has failed, which it has reported, or was
+/// aborted: then its output is empty, and errors that follow from that are not reported.
+bool vtkGeodesicAlgorithm::FollowsFailure(vtkAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithm* input = filter->GetInputAlgorithm(port, i);
+      auto* ours = vtkGeodesicAlgorithm::SafeDownCast(input);
+      const bool hasFailed =
+        ours && (ours->GetErrorCode() != vtkErrorCode::NoError || ours->IsStopped);
+      if (hasFailed || FollowsFailure(input))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -323,6 +367,7 @@ dgg::Status vtkGeodesicAlgorithm::Try(
 bool vtkGeodesicAlgorithm::AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step)
 {
   const unsigned long errorCode = this->GetErrorCode();
+  this->Reported.clear();
   const bool done = this->Attempt([this, &step] {
     if (this->GetNumberOfInputConnections(0) > 0)
     {
@@ -330,9 +375,10 @@ bool vtkGeodesicAlgorithm::AttemptOutsideOfUpdate(const std::function<dgg::Statu
     }
     return step();
   });
-  if (this->GetErrorCode() == vtkErrorCode::NoError)
+  this->Reported.clear();
+  if (this->ErrorCode == vtkErrorCode::NoError)
   {
-    this->SetErrorCode(errorCode); // that of the last update
+    this->ErrorCode = errorCode; // that of the last update
   }
   return done;
 }
@@ -383,11 +429,12 @@ dgg::Status vtkGeodesicAlgorithm::Compute(
       return status;
     }
   }
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->MergeTolerance } }));
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->MergeTolerance },
+    { "MemoryLimit", static_cast<double>(this->MemoryLimit) } }));
   DGG_RETURN_IF_ERROR(this->CheckProperties());
   if (input && input->GetNumberOfPoints() == 0 && input->GetNumberOfCells() == 0)
   {
-    vtkWarningMacro("The input is empty: it has neither points nor cells. So is the output.");
+    this->WarnAboutEmptyInput("neither points nor cells");
     this->Adapter->Clear();
     this->MakeEmptyOutput(this->MakeContext(input), outputVector);
     return dgg::Status::Success();
@@ -396,6 +443,15 @@ dgg::Status vtkGeodesicAlgorithm::Compute(
   DGG_RETURN_IF_ERROR(this->PrepareMesh(input));
   return this->Advance(0.0) ? this->Execute(this->MakeContext(input), inputVector, outputVector)
                             : dgg::Status::Abort();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicAlgorithm::WarnAboutEmptyInput(const char* lack)
+{
+  if (!FollowsFailure(this))
+  {
+    vtkWarningMacro("The input is empty: it has " << lack << ". So is the output.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -442,7 +498,7 @@ std::string vtkGeodesicAlgorithm::GetMemoryRemedy() const
 DGGContext vtkGeodesicAlgorithm::MakeContext(vtkPolyData* surface)
 {
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  return { surface, this->Adapter->Get(), this->MemoryLimit, progress,
+  return { surface, this->Adapter->Get(), static_cast<vtkTypeUInt64>(this->MemoryLimit), progress,
     DGGMakeParallelFor(progress) };
 }
 

@@ -58,8 +58,10 @@
  * of its arrays), or of the vtkPolyData. Inputs and properties must not change during an update.
  *
  * <b>Errors</b>. vtkErrorMacro names what is wrong and the remedy. The output is empty,
- * GetErrorCode() is not zero, the input is untouched, and a later correct call works; until
- * something changes, every update reports the error again. Errors of all filters:
+ * GetErrorCode() is not zero, the input is untouched, and a later correct call works. Until
+ * something changes, further updates fail as well, but do not report the same error again. Filters
+ * downstream of one that has failed or was aborted have empty outputs and report nothing. Errors of
+ * all filters:
  *  - no input; an image or a grid (vtkDataSetSurfaceFilter makes a surface of it); points but no
  * polygon with three distinct points; a cell that names a missing point, or one that is not finite;
  *  - an extent outside [1e-70, 1e70]; more than 2^31 - 1 points or 3 * triangles; so many defects,
@@ -155,6 +157,16 @@ public:
    */
   vtkSetMacro(GatherLimit, vtkIdType);
   vtkGetMacro(GatherLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Most bytes that an update may take: for graphs, factorizations and whatever else a filter says
+   * is large, and for pieces that are gathered. More is an error, before they are taken. Default 0:
+   * 70 % of the memory that is free at that time, for what is not there yet. Not negative.
+   */
+  vtkSetMacro(MemoryLimit, vtkTypeInt64);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
   ///@}
 
   /**
@@ -310,10 +322,11 @@ protected:
   bool Advance(double fraction);
 
   /**
-   * Most bytes that an update may take, 0 for a part of what is free; a property of those filters
-   * that take much.
+   * Have the filter warn of an input without what it lacks, unless a filter before has failed.
    */
-  vtkTypeUInt64 MemoryLimit;
+  void WarnAboutEmptyInput(const char* lack);
+
+  vtkTypeInt64 MemoryLimit; ///< signed, as ParaView passes no other integers of this size
 
 private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
@@ -324,6 +337,8 @@ private:
     vtkInformationVector* outputVector);
   dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void MakeSurfaceOutput(vtkDataObject* input, vtkInformation* outInfo) const;
+  static bool FollowsFailure(vtkAlgorithm* filter);
+  bool IsNews(const std::string& error);
 
   bool MergeCoincidentPoints;
   double MergeTolerance;
@@ -333,6 +348,8 @@ private:
   std::atomic<double> Reached; // progress of the update so far
   std::atomic<bool> IsStopped; // whether observers have asked for that
   std::thread::id Caller;      // of the update
+  std::string Reported;        // error of the last update, empty without
+  vtkMTimeType ReportTime;     // of the pipeline at that time
   vtkMTimeType GapsBuildTime;  // of the mesh whose gaps have been looked for
   std::unique_ptr<DGGMeshAdapter> Adapter;
   std::unique_ptr<DGGPartedUpdate> Parts;

@@ -10,14 +10,14 @@
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
+#include "dggProgressPart.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
-#include "vtkVariant.h"
 
 #include <limits>
 #include <utility>
@@ -61,50 +61,6 @@ struct PointArrayMaker
     }
   }
 };
-
-/// Arrays of the sources, each value at the points that its source is nearest to. `first` is the
-/// number of the first source that has one.
-void PassArrays(
-  vtkPolyData* sources, dgg::Id first, const std::vector<dgg::Id>& nearest, vtkPointData* output)
-{
-  vtkPointData* data = sources->GetPointData();
-  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-  {
-    vtkAbstractArray* values = data->GetAbstractArray(k);
-    const std::string name = values->GetName() ? values->GetName() : "";
-    // Ghosts among the sources are none on the surface.
-    if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
-      output->HasArray(name.c_str()) || values->GetNumberOfTuples() != sources->GetNumberOfPoints())
-    {
-      continue;
-    }
-    const auto array =
-      vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(values->GetDataType()));
-    const int components = values->GetNumberOfComponents();
-    array->SetName(name.c_str());
-    array->SetNumberOfComponents(components);
-    array->CopyComponentNames(values);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(nearest.size()));
-    const bool isReal = values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE;
-    const vtkVariant nothing = vtkStringArray::SafeDownCast(values)
-      ? vtkVariant("")
-      : vtkVariant(isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0);
-    for (std::size_t i = 0; i < nearest.size(); ++i)
-    {
-      const auto point = static_cast<vtkIdType>(i);
-      if (nearest[i] >= first)
-      {
-        array->SetTuple(point, nearest[i] - first, values);
-        continue;
-      }
-      for (int c = 0; c < components; ++c)
-      {
-        array->SetVariantValue(point * components + c, nothing);
-      }
-    }
-    output->AddArray(array);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -297,6 +253,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
     this->GenerateNearestSource || this->PassSourceArrays, this->GenerateVirtualSource, {}, {}, {},
     {}, this->DeclareArrays() };
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // aborts come late, too
   const auto n =
     static_cast<std::size_t>(context.Surface.GetMeshWithoutAngles().GetNumberOfVertices());
   bool complete = task.Distances.size() == n;
@@ -316,8 +273,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
   const std::vector<bool> isReached = FindReached(task);
-  vtkPolyData* points = vtkPolyData::GetData(inputVector[1]);
-  if (this->PassSourceArrays && points) // before the results, which replace what they are named
+  if (this->PassSourceArrays) // before the results, which replace what they are named
   {
     std::vector<dgg::Id> nearest(static_cast<std::size_t>(output->GetNumberOfPoints()));
     for (std::size_t i = 0; i < nearest.size(); ++i)
@@ -325,8 +281,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
       const dgg::Id vertex = context.Surface.GetVertex(static_cast<vtkIdType>(i));
       nearest[i] = isReached[vertex] ? task.NearestSource[vertex] : dgg::NoId;
     }
-    PassArrays(
-      points, static_cast<dgg::Id>(this->SourceIds.size()), nearest, output->GetPointData());
+    DGGSourceCollector::PassArrays(this->GetSources(inputVector), nearest, output->GetPointData());
   }
   this->AddResults(task, isReached, output);
   this->WarnAboutGaps(context.Input, isReached);

@@ -132,7 +132,7 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateTable: " << (this->GenerateTable ? "On" : "Off") << "\n";
   os << indent << "Matrix: " << this->Internals->Matrix->GetNumberOfTuples() << " x "
      << this->Internals->Matrix->GetNumberOfComponents() << "\n";
-  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
+  this->GraphUser->PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------

@@ -135,9 +135,8 @@ public:
   ///@{
   /**
    * Properties of the graph, see vtkDGGDistance: Accuracy of one that is built, in [1e-6, 0.5],
-   * default 0.01; whether a coarser one on the input is accepted without a warning, default off;
-   * most bytes to build it and to link points, and for matrix and table, default 0: 70 % of the
-   * free memory. And numbers of the graph of the last update.
+   * default 0.01; whether a coarser one on the input is accepted without a warning, default off.
+   * And numbers of the graph of the last update.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

@@ -72,7 +72,7 @@ void vtkGeodesicSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoveringRadius: " << this->CoveringRadius << "\n";
   os << indent << "InFaces: " << (this->InFaces ? "On" : "Off") << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
+  this->GraphUser->PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -252,6 +253,7 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , GenerateCells(true)
   , Preview(false)
   , RefineBoundaries(true)
+  , PassSiteArrays(false)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , DistanceArrayName("GeodesicDistance")
   , SourceArrayName("GeodesicSource")
@@ -277,11 +279,12 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateCells: " << (this->GenerateCells ? "On" : "Off") << "\n";
   os << indent << "Preview: " << (this->Preview ? "On" : "Off") << "\n";
   os << indent << "RefineBoundaries: " << (this->RefineBoundaries ? "On" : "Off") << "\n";
+  os << indent << "PassSiteArrays: " << (this->PassSiteArrays ? "On" : "Off") << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
+  this->GraphUser->PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -452,7 +455,29 @@ dgg::Status vtkGeodesicVoronoi::Execute(
     DGG_RETURN_IF_ERROR(this->Compute(context, result));
   }
   this->FillOutputs(context, result, geometry, outputVector);
+  if (this->PassSiteArrays)
+  {
+    this->PassArrays(context, result, set, outputVector);
+  }
   return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::PassArrays(const DGGContext& context, const DGGVoronoiResult& result,
+  const DGGSourceSet& set, vtkInformationVector* outputVector) const
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  std::vector<dgg::Id> nearest(static_cast<std::size_t>(output->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+  {
+    nearest[i] = result.Diagram.NearestSites[context.Surface.GetVertex(static_cast<vtkIdType>(i))];
+  }
+  DGGSourceCollector::PassArrays(set, nearest, output->GetPointData());
+  DGGSourceCollector::PassArrays(
+    set, result.Diagram.PolygonSites, vtkPolyData::GetData(outputVector, 2)->GetCellData());
+  std::vector<dgg::Id> all(result.Sites.size());
+  std::iota(all.begin(), all.end(), 0);
+  DGGSourceCollector::PassArrays(set, all, vtkPolyData::GetData(outputVector, 3)->GetPointData());
 }
 
 //------------------------------------------------------------------------------

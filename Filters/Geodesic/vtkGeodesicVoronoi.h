@@ -164,6 +164,17 @@ public:
 
   ///@{
   /**
+   * Whether the points of output 0, the cells of output 2 and the sites of output 3 also get the
+   * point arrays of port 1, such as names of the sites: see
+   * vtkGeodesicDistanceAlgorithm::SetPassSourceArrays(). Default off.
+   */
+  vtkSetMacro(PassSiteArrays, bool);
+  vtkGetMacro(PassSiteArrays, bool);
+  vtkBooleanMacro(PassSiteArrays, bool);
+  ///@}
+
+  ///@{
+  /**
    * Distance of points that no site reaches. Default NaN; other numbers are marked as by
    * vtkGeodesicDistanceAlgorithm.
    */
@@ -210,9 +221,8 @@ public:
   ///@{
   /**
    * Properties of the graph, see vtkDGGDistance: Accuracy of one that is built, in [1e-6, 0.5],
-   * default 0.01; whether a coarser one on the input is accepted without a warning, default off;
-   * most bytes to build it and to link points, default 0: 70 % of the free memory. And numbers of
-   * the graph of the last update.
+   * default 0.01; whether a coarser one on the input is accepted without a warning, default off.
+   * And numbers of the graph of the last update.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}
@@ -239,6 +249,8 @@ private:
   dgg::Status Compute(const DGGContext& context, DGGVoronoiResult& result);
   void FillOutputs(const DGGContext& context, const DGGVoronoiResult& result,
     const DGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
+  void PassArrays(const DGGContext& context, const DGGVoronoiResult& result,
+    const DGGSourceSet& set, vtkInformationVector* outputVector) const;
 
   std::vector<vtkIdType> SiteIds;
   bool Centroidal;
@@ -247,6 +259,7 @@ private:
   bool GenerateCells;
   bool Preview;
   bool RefineBoundaries;
+  bool PassSiteArrays;
   double UnreachedValue;
   std::string DistanceArrayName;
   std::string SourceArrayName;

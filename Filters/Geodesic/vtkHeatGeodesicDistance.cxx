@@ -49,7 +49,6 @@ void vtkHeatGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeStepFactor: " << this->TimeStepFactor << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
   os << indent << "Boundary: " << this->GetBoundaryAsString() << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "QualityWarning: " << (this->QualityWarning ? "true" : "false") << "\n";
   os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";

@@ -17,8 +17,8 @@
  * is two substitutions. A factorization cannot be interrupted.
  *
  * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: a TimeStepFactor outside [1e-6,
- * 1e6]; factorizations that take more than MemoryLimit; a source on the boundary when Boundary is
- * Dirichlet.
+ * 1e6]; factorizations that take more than MemoryLimit, of 1 to 2 KiB per point usually; a source
+ * on the boundary when Boundary is Dirichlet.
  *
  * @code
  * vtkNew<vtkHeatGeodesicDistance> distance;
@@ -90,15 +90,6 @@ public:
   void SetBoundaryToDirichlet() { this->SetBoundary(Dirichlet); }
   void SetBoundaryToAverage() { this->SetBoundary(Average); }
   const char* GetBoundaryAsString() const;
-  ///@}
-
-  ///@{
-  /**
-   * Most bytes that the factorizations may take; 1 to 2 KiB per point are usual. Default 0: 70 % of
-   * the memory that is free at that time, for what is not there yet.
-   */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
   ///@}
 
   /**

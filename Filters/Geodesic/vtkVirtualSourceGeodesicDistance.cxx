@@ -41,7 +41,7 @@ vtkVirtualSourceGeodesicDistance::~vtkVirtualSourceGeodesicDistance() = default;
 void vtkVirtualSourceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->GraphUser->PrintSelf(os, indent, this->MemoryLimit);
+  this->GraphUser->PrintSelf(os, indent);
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "Certify: " << (this->Certify ? "On" : "Off") << "\n";
   os << indent << "QualityWarning: " << (this->QualityWarning ? "true" : "false") << "\n";
@@ -131,7 +131,7 @@ dgg::Status vtkVirtualSourceGeodesicDistance::ClampToGraph(
   dgg::VirtualSources sources;
   if (task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(task.Context.Surface.GetMesh(), result, sources);
+    dgg::FindVirtualSources(task.Context.Surface.GetMesh(), result, sources, task.Context.Parallel);
   }
   for (std::size_t v = 0; v < estimates.size(); ++v)
   {

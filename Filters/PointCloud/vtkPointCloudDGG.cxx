@@ -7,15 +7,19 @@
 #include "DGGContext.h"
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
+#include "DGGSurfaceParts.h"
 
 #include "dggCloudGraphBuilder.h"
 #include "dggInvalidInput.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -37,6 +41,21 @@ dgg::Status CheckNumber(const char* name, double value)
   return dgg::InvalidInput(name, " is ", value, ": call Set", name,
     "() with a positive number, or with 0 for an automatic one");
 }
+
+/// One cell of all points.
+void AddVertices(vtkPolyData* cloud)
+{
+  const vtkIdType n = cloud->GetNumberOfPoints();
+  vtkNew<vtkCellArray> vertices;
+  vertices->AllocateExact(1, n);
+  vertices->InsertNextCell(static_cast<int>(n));
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    vertices->InsertCellPoint(i);
+  }
+  cloud->SetVerts(vertices);
+  cloud->GetCellData()->Initialize(); // arrays of no tuples
+}
 }
 
 //------------------------------------------------------------------------------
@@ -50,6 +69,7 @@ vtkPointCloudDGG::vtkPointCloudDGG()
   , UseInputNormals(true)
   , OrientedNormals(false)
   , EstimateNormals(false)
+  , GenerateVertices(false)
   , NumberOfNeighbors(16)
   , ComponentArrayName("Component")
   , Internals(new vtkInternals)
@@ -71,7 +91,20 @@ int vtkPointCloudDGG::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Internals->Current = vtkInternals::Findings();
-  return this->Superclass::RequestData(request, inputVector, outputVector);
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  if (!this->GenerateVertices)
+  {
+    return result;
+  }
+  vtkIdType others = 0;
+  for (const DGGSurfacePart& part : DGGFindParts(vtkDataObject::GetData(outputVector), others))
+  {
+    if (part.Data->GetNumberOfCells() == 0 && part.Data->GetNumberOfPoints() > 0)
+    {
+      AddVertices(part.Data);
+    }
+  }
+  return result;
 }
 
 //------------------------------------------------------------------------------

@@ -43,7 +43,8 @@
  *    name;
  *  - normals of another number of components or tuples;
  *  - parts farther apart than 2^23 automatic voxels, or 2^30 spacings, reach;
- *  - a graph or band that takes more than MemoryLimit.
+ *  - a graph and its band that take more than MemoryLimit on a single thread: fewer threads build
+ *    where all of them would. The process grows by somewhat more, as the allocator rounds up.
  *
  * @code
  * vtkNew<vtkPointCloudDGG> graph;
@@ -198,12 +199,13 @@ public:
 
   ///@{
   /**
-   * Most bytes that building the graph may take, with the band; more is an error, before it is
-   * built. Default 0: 70 % of the memory that is free at that time. Fewer threads build where all
-   * of them would take more. The process grows by somewhat more, as the allocator rounds up.
+   * Whether an output of points without cells gets one vertex cell of all of them, which makes them
+   * visible and takes 8 bytes per point, as that of vtkPointCloudFilter. Default off: the cells are
+   * those of the input.
    */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  vtkSetMacro(GenerateVertices, bool);
+  vtkGetMacro(GenerateVertices, bool);
+  vtkBooleanMacro(GenerateVertices, bool);
   ///@}
 
   ///@{
@@ -358,6 +360,7 @@ private:
   bool UseInputNormals;
   bool OrientedNormals;
   bool EstimateNormals;
+  bool GenerateVertices;
   int NumberOfNeighbors;
   std::string ComponentArrayName;
 

@@ -216,7 +216,6 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RefinementArrayName: " << this->RefinementArrayName << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "GenerateFragments: " << (this->GenerateFragments ? "On" : "Off") << "\n";
   os << indent << "FragmentDivision: " << this->FragmentDivision << "\n";
   os << indent << "ResultArrayName: " << this->ResultArrayName << "\n";

@@ -203,15 +203,6 @@ public:
 
   ///@{
   /**
-   * Most bytes for the refined mesh, the factorization and the colours. Default 0: 70 % of the
-   * memory that is free at that time, for what is not there yet.
-   */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
-  ///@}
-
-  ///@{
-  /**
    * Whether output 1 has fragments. Default off.
    */
   vtkSetMacro(GenerateFragments, bool);

@@ -81,7 +81,6 @@ void vtkSpectralAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   os << indent << "Boundary: " << this->GetBoundaryAsString() << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "ResultArrayName: " << this->ResultArrayName << "\n";
   os << indent << "NumberOfFactorizations: " << this->GetNumberOfFactorizations() << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";

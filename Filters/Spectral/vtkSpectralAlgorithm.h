@@ -25,7 +25,8 @@
  *  - triangles that are nearly everywhere too thin for double precision, about a million times as
  *    long as high; where only components of near-zero area are so, only sources, sites and masses
  *    there;
- *  - a factorization and results that take more than MemoryLimit.
+ *  - a factorization and results that take more than MemoryLimit: 1 to 2 KiB per point, and 8 bytes
+ *    per point and source, are usual.
  *
  * @sa vtkDiscreteGreensFunction vtkBiharmonicDistance vtkHarmonicBSpline
  */
@@ -135,16 +136,6 @@ public:
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
   vtkBooleanMacro(IntrinsicDelaunay, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Most bytes for the factorization and the results; 1 to 2 KiB per point, and 8 bytes per point
-   * and source, are usual. Default 0: 70 % of the memory that is free at that time, for what is not
-   * there yet.
-   */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
   ///@}
 
   ///@{

@@ -163,7 +163,6 @@ void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
   os << indent << "IntrinsicDelaunay: " << (this->IntrinsicDelaunay ? "On" : "Off") << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "LowerBound: " << this->LowerBound << "\n";
   os << indent << "Gap: " << this->Gap << "\n";

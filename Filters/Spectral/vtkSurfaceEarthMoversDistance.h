@@ -34,7 +34,7 @@
  *  - different masses of the whole without Normalize, or within a component; no mass to normalize;
  *  - a point of port 1 or 2 that is not finite, or farther from the surface than
  *    ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or NaN;
- *  - a factorization and results that take more than MemoryLimit.
+ *  - a factorization and results that take more than MemoryLimit; 2 KiB per point are usual.
  *
  * @code
  * vtkNew<vtkSurfaceEarthMoversDistance> movers;
@@ -165,15 +165,6 @@ public:
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
   vtkBooleanMacro(IntrinsicDelaunay, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Most bytes for the factorization and the results; 2 KiB per point are usual. Default 0: 70 % of
-   * the memory that is free at that time, for what is not there yet.
-   */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
   ///@}
 
   ///@{

@@ -473,3 +473,44 @@ TEST(BandMarching, RefusesBadSources)
   EXPECT_EQ(result.Distances, (std::vector<double>{ dgg::Infinity, dgg::Infinity }));
   EXPECT_EQ(result.NearestSource, (std::vector<Id>{ dgg::NoId, dgg::NoId }));
 }
+
+// A strip that turns back below itself, about as close as two sheets can be.
+TEST(BandMarching, SheetsSideBySideAreNotMixed)
+{
+  constexpr double Size = 0.02;
+  constexpr double Radius = 0.9 * Size;
+  for (const double gap : { 2.85 * Size, 2.95 * Size, 3.05 * Size })
+  {
+    Cloud cloud;
+    std::vector<double> truths;
+    const double turn = 1.0 + 0.5 * Pi * gap;
+    for (double along = 0.0; along < 1.0 + turn; along += 0.25 * Size)
+    {
+      for (double across = 0.0; across < 5.0 * Size; across += 0.25 * Size)
+      {
+        Point3 p{ along, across, 0.0 };
+        if (along >= turn)
+        {
+          p = { 1.0 - (along - turn), across, gap };
+        }
+        else if (along > 1.0)
+        {
+          const double angle = (along - 1.0) / (0.5 * gap);
+          p = { 1.0 + 0.5 * gap * std::sin(angle), across, 0.5 * gap * (1.0 - std::cos(angle)) };
+        }
+        cloud.Points.push_back(p);
+        cloud.Radii.push_back(Radius);
+        truths.push_back(along);
+      }
+    }
+    for (const double height : { 0.0, 0.3, 0.6, 0.9 })
+    {
+      const Point3 source = cloud.Points[0] + Point3{ 0.0, 0.0, height * Size };
+      const std::vector<double> distances = MarchIn(cloud, Size, { { source, 0.0 } });
+      for (std::size_t i = 0; i < distances.size(); ++i)
+      {
+        ASSERT_NEAR(distances[i], truths[i], 8.0 * Size) << gap / Size << " " << height << " " << i;
+      }
+    }
+  }
+}

@@ -181,7 +181,7 @@ const std::vector<SurfaceFilter>& GetSurfaceFilters()
         "ProjectionTolerance: 0.01", "Accuracy: 0.01" } },
     { "Voronoi", MakeVoronoi, { 1, 2, 3 }, {},
       { "SiteIds: (none)", "Centroidal: Off", "NumberOfIterations: 20", "Tolerance: 0.001",
-        "GenerateCells: On", "RefineBoundaries: On", "UnreachedValue: nan",
+        "GenerateCells: On", "RefineBoundaries: On", "PassSiteArrays: Off", "UnreachedValue: nan",
         "DistanceArrayName: GeodesicDistance", "SourceArrayName: GeodesicSource",
         "ProjectionTolerance: 0.01", "Accuracy: 0.01" } },
     { "Graphics", MakeGraphics, { 0 }, { "Colors", "RGB" }, {} },

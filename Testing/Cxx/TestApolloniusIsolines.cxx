@@ -327,15 +327,43 @@ TEST_F(ApolloniusIsolines, LinesEndWhereNothingIsReached)
   }
 }
 
-TEST_F(ApolloniusIsolines, ValuesOutOfRangeGiveNothing)
+TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
 {
+  const auto expectEmpty = [this](bool isWarned) {
+    if (isWarned)
+    {
+      ExpectWarning(this->Isolines, { "no isolines", "from 0 to 5.65685," });
+    }
+    else
+    {
+      ExpectSuccess(this->Isolines);
+    }
+    EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfCells(), 0);
+    EXPECT_NE(this->Isolines->GetOutput()->GetCellData()->GetArray("IsoValue"), nullptr);
+  };
   this->Isolines->GenerateValues(3, 100.0, 200.0);
-  ExpectSuccess(this->Isolines);
-  EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfCells(), 0);
-  EXPECT_NE(this->Isolines->GetOutput()->GetCellData()->GetArray("IsoValue"), nullptr);
+  expectEmpty(true);
   this->Isolines->SetNumberOfContours(0);
+  expectEmpty(false);
+  this->Isolines->SetValue(0, 1.0);
   ExpectSuccess(this->Isolines);
-  EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfCells(), 0);
+  this->Isolines->SetValue(0, 0.0); // the default: that of the source alone
+  expectEmpty(true);
+  // Where something else is wanted, nothing is missing.
+  this->Isolines->GenerateBandsOn();
+  expectEmpty(false);
+  this->Isolines->GenerateBandsOff();
+  expectEmpty(true);
+  // Nor where nothing is reached: there is no range then.
+  vtkNew<vtkApolloniusIsolines> unreached;
+  unreached->SetMethodToLinear();
+  auto surface = this->TakeSurface();
+  surface->GetPointData()->GetArray("GeodesicDistance")->Fill(std::nan(""));
+  unreached->SetInputData(surface);
+  ExpectSuccess(unreached);
+  surface->GetPointData()->GetArray("GeodesicDistance")->Fill(1.0);
+  surface->GetPointData()->GetArray("GeodesicDistance")->Modified();
+  ExpectWarning(unreached, { "no isolines", "from 1 to 1," });
 }
 
 TEST_F(ApolloniusIsolines, WrongInputIsAnError)

@@ -518,7 +518,7 @@ TEST(HeatGeodesicDistance, PropertiesAndFactorizations)
   EXPECT_EQ(filter->GetTimeStepFactor(), 1.0);
   EXPECT_TRUE(filter->GetIntrinsicDelaunay());
   EXPECT_EQ(filter->GetBoundary(), vtkHeatGeodesicDistance::Neumann);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0);
   EXPECT_EQ(filter->GetMemorySize(), 0u);
   auto terrain = MakeTerrain(30);
   filter->SetInputData(terrain);

@@ -346,6 +346,9 @@ TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
   ExpectError(filter, { "MergeTolerance" });
   filter->SetMergeTolerance(2.0);
   ExpectError(filter, { "MergeTolerance is 2", "has merged", "make it smaller" });
+  filter->SetMergeTolerance(1e-5);
+  filter->SetMemoryLimit(-1);
+  ExpectError(filter, { "MemoryLimit is -1" });
 }
 
 /// The closest point before it that stays, so that no point moves by more than the tolerance.

@@ -89,13 +89,25 @@ TEST_F(BadInput, SourceIdOutOfRange)
   this->ExpectRecovery();
 }
 
-TEST_F(BadInput, ErrorsAreReportedAgain)
+TEST_F(BadInput, ErrorsAreReportedAgainWhenSomethingHasChanged)
 {
   this->Filter->SetSourceIds(std::vector<vtkIdType>{ 99 });
   ExpectError(this->Filter, { "99" });
-  ExpectError(this->Filter, { "99" }); // nothing has changed
+  {
+    const Listener listener(this->Filter);
+    this->Filter->Update();
+    EXPECT_TRUE(listener.Errors.empty());
+    EXPECT_NE(this->Filter->GetErrorCode(), vtkErrorCode::NoError);
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+  this->Filter->Modified();
+  ExpectError(this->Filter, { "99" });
+  this->Grid->Modified();
+  ExpectError(this->Filter, { "99" });
   this->Filter->SetSourceIds(std::vector<vtkIdType>{ 0 });
   this->ExpectRecovery();
+  this->Filter->SetSourceIds(std::vector<vtkIdType>{ 99 });
+  ExpectError(this->Filter, { "99" });
 }
 
 TEST_F(BadInput, TheInputIsUntouched)
@@ -128,6 +140,41 @@ TEST_F(BadInput, FiltersDownstreamBecomeEmpty)
   EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 0);
   this->Filter->SetSourceIds(std::vector<vtkIdType>{ 0 });
   downstream->Update();
+  EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 16);
+}
+
+TEST_F(BadInput, WhatFollowsFromAFailureIsNotReported)
+{
+  ProgressWatch watch(this->Filter);
+  vtkNew<vtkElevationFilter> between;
+  between->SetInputConnection(this->Filter->GetOutputPort());
+  vtkNew<vtkExactGeodesicDistance> downstream;
+  downstream->SetInputConnection(between->GetOutputPort());
+  downstream->SetSourceConnection(between->GetOutputPort());
+  const auto expectEmpty = [&](std::size_t errors, bool isSecondInput) {
+    this->Filter->Modified();
+    // As the surface it is empty, which is a warning; as sources it has none, which is an error.
+    isSecondInput ? downstream->SetInputData(this->Grid)
+                  : downstream->SetInputConnection(between->GetOutputPort());
+    const Listener upstream(this->Filter);
+    const Listener listener(downstream);
+    downstream->Update();
+    EXPECT_EQ(upstream.Errors.size(), errors);
+    EXPECT_TRUE(listener.Errors.empty());
+    EXPECT_TRUE(listener.Warnings.empty());
+    EXPECT_EQ(downstream->GetErrorCode() != vtkErrorCode::NoError, isSecondInput);
+    EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  this->Filter->AddSourceId(99);
+  expectEmpty(1, false);
+  expectEmpty(1, true);
+  this->Filter->SetSourceIds({ 0 });
+  watch.StopAt = 0.0;
+  expectEmpty(0, false);
+  expectEmpty(0, true);
+  watch.StopAt = 2.0;
+  this->Filter->Modified();
+  ExpectSuccess(downstream);
   EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 16);
 }
 
@@ -294,6 +341,7 @@ TEST_F(BadInput, NamesOfArrays)
   for (const char* name : { "", static_cast<const char*>(nullptr) })
   {
     this->Filter->SetDistanceArrayName(name);
+    this->Filter->Modified();
     ExpectError(this->Filter, { "SetDistanceArrayName()" });
   }
   this->Filter->SetDistanceArrayName("GeodesicDistance");

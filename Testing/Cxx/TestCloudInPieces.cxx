@@ -7,6 +7,7 @@
 #include "vtkDGGDistance.h"
 #include "vtkPointCloudDGG.h"
 
+#include "vtkCell.h"
 #include "vtkDataArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
@@ -40,6 +41,7 @@ TEST(CloudInPieces, IsGathered)
   {
     vtkNew<vtkPointCloudDGG> graph;
     graph->SetInputData(MakeSourcePoints(isAlone ? all : some));
+    graph->GenerateVerticesOn();
     vtkNew<vtkDGGDistance> distance;
     distance->SetInputConnection(graph->GetOutputPort());
     distance->SetSourceIds({ 40, 900 });
@@ -53,6 +55,9 @@ TEST(CloudInPieces, IsGathered)
     EXPECT_TRUE(listener.Errors.empty());
     EXPECT_EQ(distance->GetUsedInputGraph(), isAlone || here == 0);
     found[isAlone ? 0 : 1] = GetDistances(distance);
+    EXPECT_EQ(distance->GetOutput()->GetNumberOfVerts(), 1);
+    EXPECT_EQ(distance->GetOutput()->GetCell(0)->GetNumberOfPoints(),
+      distance->GetOutput()->GetNumberOfPoints());
   }
   ASSERT_EQ(found[1].size(), ids.size());
   for (std::size_t k = 0; k < ids.size(); ++k)

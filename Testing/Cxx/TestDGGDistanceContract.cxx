@@ -21,7 +21,7 @@ TEST_F(DGGDistance, Defaults)
   EXPECT_EQ(filter->GetSearch(), vtkDGGDistance::Certified);
   EXPECT_STREQ(filter->GetSearchAsString(), "Certified");
   EXPECT_FALSE(filter->GetAcceptCoarserGraph());
-  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0);
   EXPECT_FALSE(filter->GetGenerateUpperBound());
   EXPECT_FALSE(filter->GetGenerateVirtualSource());
   EXPECT_STREQ(filter->GetUpperBoundArrayName(), "GeodesicUpperBound");

@@ -58,7 +58,7 @@ TEST_F(DiscreteGeodesicGraph, Defaults)
   EXPECT_EQ(filter->GetConstruction(), vtkDiscreteGeodesicGraph::Guaranteed);
   EXPECT_STREQ(filter->GetConstructionAsString(), "Guaranteed");
   EXPECT_EQ(filter->GetNumberOfNeighbors(), 30);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0);
   EXPECT_FALSE(filter->GetGenerateGraphLines());
   EXPECT_FALSE(filter->GetMergeCoincidentPoints());
   EXPECT_EQ(filter->GetNumberOfGraphEdges(), 0);
@@ -251,7 +251,7 @@ TEST_F(DiscreteGeodesicGraph, IsBuiltOnceForTheSameMeshAndParameters)
   };
   this->Filter->Modified();
   expectKept("Modified()");
-  this->Filter->SetMemoryLimit(vtkTypeUInt64(1) << 40);
+  this->Filter->SetMemoryLimit(vtkTypeInt64(1) << 40);
   expectKept("MemoryLimit");
   this->Filter->SetNumberOfNeighbors(12);
   expectKept("NumberOfNeighbors, which this construction does not use");
@@ -375,7 +375,7 @@ TEST_F(DiscreteGeodesicGraph, RefusesWhatTakesTooMuchMemory)
   EXPECT_EQ(this->Filter->GetGraphBuildTime(), 0u);
   this->Filter->SetConstructionToSaddleVertexGraph();
   ExpectError(this->Filter, { "smaller NumberOfNeighbors", "30" });
-  this->Filter->SetMemoryLimit(vtkTypeUInt64(1) << 40);
+  this->Filter->SetMemoryLimit(vtkTypeInt64(1) << 40);
   ExpectSuccess(this->Filter);
 }
 

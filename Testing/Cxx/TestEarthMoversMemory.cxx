@@ -39,7 +39,7 @@ double FindLeastLimit(vtkSurfaceEarthMoversDistance* filter)
   while (accepted > 1.01 * refused)
   {
     const double limit = 0.5 * (refused + accepted);
-    filter->SetMemoryLimit(static_cast<vtkTypeUInt64>(limit));
+    filter->SetMemoryLimit(static_cast<vtkTypeInt64>(limit));
     Listener listener(filter);
     filter->Update();
     (filter->GetErrorCode() == vtkErrorCode::NoError ? accepted : refused) = limit;

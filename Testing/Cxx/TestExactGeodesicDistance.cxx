@@ -60,7 +60,7 @@ TEST(ExactGeodesicDistance, EngineProperty)
 TEST(ExactGeodesicDistance, MemoryLimitOfWindows)
 {
   vtkNew<vtkExactGeodesicDistance> filter;
-  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0);
   filter->SetInputData(MakeGrid(30, 30));
   filter->AddSourceId(0);
   filter->SetMemoryLimit(20000);

@@ -93,7 +93,7 @@ TEST_F(GeodesicDistanceMatrix, Defaults)
   EXPECT_EQ(filter->GetAccuracy(), 0.01);
   EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
   EXPECT_EQ(filter->GetMaximumDistance(), VTK_DOUBLE_MAX);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0u);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0);
   EXPECT_TRUE(std::isnan(filter->GetUnreachedValue()));
   EXPECT_FALSE(filter->GetUsedInputGraph());
   ASSERT_NE(filter->GetMatrix(), nullptr);

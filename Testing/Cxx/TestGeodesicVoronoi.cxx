@@ -308,6 +308,37 @@ TEST_F(GeodesicVoronoi, IdsComeBeforePoints)
   EXPECT_EQ(GetSiteOfPoints(this->Filter)[62], 2.0);
 }
 
+TEST_F(GeodesicVoronoi, SiteArraysArePassed)
+{
+  this->Filter->SetInputData(MakeGrid(8, 6));
+  this->Filter->SetSiteIds({ 10 });
+  const auto places = MakeSourcePoints({ { { 6.3, 5.2, 0.0 } }, { { 0.2, 5.9, 0.0 } } });
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Label");
+  labels->InsertNextValue(7);
+  labels->InsertNextValue(9);
+  places->GetPointData()->AddArray(labels);
+  this->Filter->SetSiteData(places);
+  ExpectSuccess(this->Filter);
+  EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray("Label"));
+  this->Filter->PassSiteArraysOn();
+  ExpectSuccess(this->Filter);
+  const std::vector<double> expected = { 0.0, 7.0, 9.0 }; // of the id, and of the points
+  const auto expectLabels = [&](const std::vector<double>& sites, vtkDataSetAttributes* data) {
+    const auto found = ToVector(data->GetArray("Label"));
+    ASSERT_EQ(found.size(), sites.size());
+    ASSERT_FALSE(found.empty());
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      EXPECT_EQ(found[i], expected[static_cast<std::size_t>(sites[i])]);
+    }
+  };
+  expectLabels(GetSiteOfPoints(this->Filter), this->Filter->GetOutput()->GetPointData());
+  vtkCellData* cells = this->Filter->GetCells()->GetCellData();
+  expectLabels(ToVector(cells->GetArray("SiteId")), cells);
+  expectLabels({ 0.0, 1.0, 2.0 }, this->Filter->GetSites()->GetPointData());
+}
+
 TEST_F(GeodesicVoronoi, DataIsPassed)
 {
   vtkNew<vtkDoubleArray> mine;

@@ -6,6 +6,7 @@
 
 #include "vtkDGGDistance.h"
 
+#include "vtkCell.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -170,6 +171,32 @@ TEST_F(PointCloudDGG, UsesThePointsOfAMesh)
   this->Filter->SetInputData(points);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(GetCloudBytes(this->GetOutput()), bytes);
+}
+
+TEST_F(PointCloudDGG, MakesVerticesOnRequest)
+{
+  this->Use(MakeFlatPoints(15));
+  this->Filter->GenerateVerticesOn();
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputConnection(this->Filter->GetOutputPort());
+  distance->AddSourceId(0);
+  ExpectSuccess(distance);
+  EXPECT_TRUE(distance->GetUsedInputGraph());
+  vtkPolyData* output = distance->GetOutput();
+  ASSERT_EQ(output->GetNumberOfCells(), 1);
+  ASSERT_EQ(output->GetCell(0)->GetNumberOfPoints(), 225);
+  for (int i = 0; i < 225; ++i)
+  {
+    EXPECT_EQ(output->GetCell(0)->GetPointId(i), i);
+  }
+  EXPECT_EQ(vtkPolyData::SafeDownCast(this->Filter->GetInput())->GetNumberOfCells(), 0);
+  // Cells of the input stay as they are, and what is empty stays empty.
+  this->Filter->SetInputData(MakeGrid(10, 10));
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->GetOutput()->GetNumberOfVerts(), 0);
+  EXPECT_EQ(this->GetOutput()->GetNumberOfPolys(), 200);
+  this->Filter->SetNumberOfNeighbors(2);
+  ExpectError(this->Filter, { "NumberOfNeighbors" });
 }
 
 TEST_F(PointCloudDGG, TakesThePlaceOfAnotherGraph)

@@ -300,7 +300,7 @@ TEST(PoissonVectorGraphics, MemoryIsCheckedEarlyAndAlways)
   filter->SetRefinementLevel(3);
   for (const double part : { 0.2, 0.4, 0.6, 0.8, 1.0 })
   {
-    filter->SetMemoryLimit(static_cast<vtkTypeUInt64>(part * static_cast<double>(kept)));
+    filter->SetMemoryLimit(static_cast<vtkTypeInt64>(part * static_cast<double>(kept)));
     ExpectError(filter, { "MemoryLimit" });
     EXPECT_EQ(filter->GetMemorySize(), 0u) << part;
   }

@@ -16,6 +16,7 @@ import support
 import vtkdgg
 from support import BUMPY, run
 from vtkdgg.commands.words import HELP
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
@@ -98,7 +99,7 @@ class Pages(unittest.TestCase):
             ("README.md", "python"): 2,
             ("README.md", "cpp"): 1,
             ("Examples/README.md", "python"): len(Gallery.EXPECTED),
-            ("Examples/Solved.md", "python"): 28,
+            ("Examples/Solved.md", "python"): 29,
             ("Examples/Tutorial.md", "python"): 7,
             ("Filters/Geodesic/README.md", "py"): 1,
             ("Filters/PointCloud/README.md", "python"): 1,
@@ -203,6 +204,9 @@ class Solved(unittest.TestCase):
         names = self.names
         closest = np.linalg.norm(names["points"] - names["curve"].points[5], axis=1).argmin()
         self.assertLess(names["from_curve"][closest], 0.2)
+        hits = vtk_to_numpy(names["hits"].GetData())
+        self.assertLess(np.linalg.norm(hits - names["middle"], axis=1).min(), 1e-6)
+        self.assertEqual(hits[:, 2].argmax(), 0)
         matrix = names["matrix"]
         np.testing.assert_array_equal(matrix, matrix.T)
         np.testing.assert_allclose(matrix[[0, 50, 100]], names["fields"], rtol=0.02)

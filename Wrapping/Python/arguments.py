@@ -126,8 +126,8 @@ def number_of_bytes(value, name):
     """A positive integer; 0 for None, as the filters take it."""
     if value is None:
         return 0
-    if not 1.0 <= number(value, name) < 2.0**64:
-        raise ValueError(f"{name}: must be a number of bytes, at least 1, is {value}")
+    if not 1.0 <= number(value, name) < 2.0**63:
+        raise ValueError(f"{name}: must be a number of bytes, from 1 to 2^63 - 1, is {value}")
     return int(value)
 
 

@@ -204,6 +204,8 @@ def _update(algorithm, pipeline, refused, bar):
 
     watched = []
     for node in pipeline:
+        if node.IsA("vtkTrivialProducer"):
+            continue  # data that somebody has set
         watched += watch(node, node)
         watched.append((node, node.AddObserver("ProgressEvent", on_progress)))
         # Executives report what is wrong with the connections.

@@ -6,12 +6,13 @@ import signal
 import threading
 
 
-# Those that have a name; to ask for all takes long beside a query.
-_NUMBERS = tuple(int(number) for number in signal.Signals)
+# Those from which programs raise exceptions; to ask for all takes long beside a query.
+_NAMES = "INT TERM HUP QUIT BREAK ALRM VTALRM PROF XCPU PIPE USR1 USR2".split()
+_NUMBERS = [getattr(signal, f"SIG{name}") for name in _NAMES if hasattr(signal, f"SIG{name}")]
 
 
 class Interruption:
-    """Keeps what handlers of signals raise until the work is over.
+    """Keeps what handlers of the signals above raise until the work is over.
 
     Python runs these handlers in the main thread as soon as it executes any bytecode, and that is
     in an observer here. What an observer raises is lost, and a KeyboardInterrupt ends the program

@@ -88,13 +88,12 @@ class Queries(GraphData):
         search = self._search(
             sources, correction, maximum_distance, initial_distances, projection_tolerance
         )
-        search.SetUnreachedValue(unreached if as_polydata else np.inf)
+        search.SetUnreachedValue(unreached)
         output = run(search, self._heard)
         if as_polydata:
             return self._given_away(search)
         # Copies: the output is kept, and given out again when the same is asked for.
         distances = array_of(output.GetPointData(), search.GetDistanceArrayName())
-        distances[np.isinf(distances)] = unreached
         if not return_source:
             return distances
         nearest = output.GetPointData().GetArray(search.GetSourceArrayName())

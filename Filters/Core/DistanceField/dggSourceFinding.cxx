@@ -17,8 +17,10 @@ namespace
 /// Measured on scans and CAD models, with exact distances and those of graphs: with less, some of
 /// the errors along rims stay; with more, the mean error inside of faces grows on coarse models.
 constexpr double LargestShortfall = 0.2;
+constexpr Offset VerticesPerTask = 1024;
 
-/// Whether the longer of two models of a vertex is the better one, by its neighbours.
+/// Whether the longer of two models of a vertex, which see the source in one direction, is the
+/// better one, by its neighbours.
 bool IsConfirmed(const SurfaceMesh& mesh, Id v, const CornerModel& shorter,
   const CornerModel& longer, const std::vector<double>& distances)
 {
@@ -28,8 +30,10 @@ bool IsConfirmed(const SurfaceMesh& mesh, Id v, const CornerModel& shorter,
     const double d = distances[neighbor];
     if (d < Infinity)
     {
-      const double miss = shorter.At(length, angle) - d;
-      const double longerMiss = longer.At(length, angle) - d;
+      const CornerModel::Ray ray = shorter.Along(angle);
+      const CornerModel::Ray farther{ longer.Offset, longer.Length, ray.Bend };
+      const double miss = ray.At(length) - d;
+      const double longerMiss = farther.At(length) - d;
       gain += std::max(0.0, miss) - std::max(0.0, longerMiss);
       shortfall += std::max(0.0, -longerMiss) - std::max(0.0, -miss);
     }
@@ -99,54 +103,80 @@ LastPiece FindLastPiece(
   }
   return p.Root >= 0 ? AlongEdge(mesh, v, p.Root) : WithinFace(mesh, v, sources[~p.Root].Point);
 }
-}
 
-std::vector<Id> SortReached(const std::vector<double>& distances)
+/// The vertices of a forest, each behind its parent.
+std::vector<Id> SortForest(const std::vector<Id>& parents)
 {
   std::vector<Id> order;
-  order.reserve(static_cast<std::size_t>(
-    std::count_if(distances.begin(), distances.end(), [](double d) { return d < Infinity; })));
-  for (std::size_t v = 0; v < distances.size(); ++v)
+  order.reserve(parents.size());
+  std::vector<char> isSorted(parents.size(), 0);
+  for (std::size_t v = 0; v < parents.size(); ++v)
   {
-    if (distances[v] < Infinity)
+    const std::size_t first = order.size();
+    for (Id u = static_cast<Id>(v); u != NoId && isSorted[u] == 0; u = parents[u])
     {
-      order.push_back(static_cast<Id>(v));
+      isSorted[u] = 1;
+      order.push_back(u);
     }
+    std::reverse(order.begin() + static_cast<std::ptrdiff_t>(first), order.end());
   }
-  std::stable_sort(
-    order.begin(), order.end(), [&](Id a, Id b) { return distances[a] < distances[b]; });
   return order;
 }
 
+/// Lengthen virtual sources to those before them.
+///
+/// The last straight piece of a way to a vertex starts at its relay: a vertex at which the way
+/// bends, or which it only passes. Ways over the relay reach no more than a narrow wedge behind it;
+/// beside that, distances are those from the virtual source of the relay itself, which may explain
+/// more of what is around the vertex. Along the rim of a hole the wedges are as narrow as the
+/// pieces are short, and faces may be long.
+///
+/// Distances of neighbours decide. Where the model with the relay predicts too much, another wave
+/// may be the nearer one; where that with the source before predicts too little, this source is not
+/// visible. So it may miss little in exchange for what it explains.
+///
+/// `relays` has NoId where the virtual source is a source.
 void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
-  const std::vector<Id>& order, const std::vector<Id>& relays, VirtualSources& sources)
+  const std::vector<Id>& relays, const ParallelFor& parallel, VirtualSources& sources)
 {
-  for (const Id v : order)
-  {
-    const Id relay = relays[v];
-    if (relay == NoId || !(sources.Lengths[relay] > 0.0))
-    {
-      continue;
-    }
-    const double length = sources.Lengths[v];
-    const double longer = length + sources.Lengths[relay];
+  const std::vector<double> pieces = sources.Lengths;
+  const auto lengthen = [&](Id v) {
+    const double longer = pieces[v] + sources.Lengths[relays[v]];
     const double angle = sources.Angles[v];
-    const CornerModel here(mesh, v, distances[v] - length, length, angle);
+    const CornerModel here(mesh, v, distances[v] - pieces[v], pieces[v], angle);
     const CornerModel before(mesh, v, distances[v] - longer, longer, angle);
-    if (here.IsKnown && IsConfirmed(mesh, v, here, before, distances))
+    return here.IsKnown && IsConfirmed(mesh, v, here, before, distances) ? longer : pieces[v];
+  };
+  // First with every relay as it was found, then once more behind those that were merged.
+  std::vector<double> lengths = pieces;
+  ForRange(
+    parallel, static_cast<Offset>(relays.size()), VerticesPerTask, [&](Offset begin, Offset end) {
+      for (Id v = static_cast<Id>(begin); v < end; ++v)
+      {
+        if (relays[v] != NoId && pieces[relays[v]] > 0.0)
+        {
+          lengths[v] = lengthen(v);
+        }
+      }
+    });
+  for (const Id v : SortForest(relays))
+  {
+    const bool isRelayMerged = relays[v] != NoId && sources.Lengths[relays[v]] != pieces[relays[v]];
+    sources.Lengths[v] = isRelayMerged ? lengthen(v) : lengths[v];
+    if (sources.Lengths[v] != pieces[v])
     {
-      sources.Lengths[v] = longer;
-      sources.Offsets[v] += length - longer;
+      sources.Offsets[v] += pieces[v] - sources.Lengths[v];
     }
   }
 }
+}
 
-void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result, VirtualSources& found)
+void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result, VirtualSources& found,
+  const ParallelFor& parallel)
 {
   found = result.Virtual;
-  const std::vector<Id> order = SortReached(result.Distances);
   std::vector<Id> relays(result.Tails.size(), NoId);
-  for (const Id v : order)
+  for (const Id v : SortForest(result.Tails))
   {
     const Id tail = result.Tails[v];
     if (tail != NoId)
@@ -156,20 +186,24 @@ void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result, Vir
       relays[v] = isStraight ? relays[tail] : tail;
     }
   }
-  MergeRelays(mesh, result.Corrected, order, relays, found);
+  MergeRelays(mesh, result.Corrected, relays, parallel, found);
 }
 
 void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
-  const ExactResult& result, VirtualSources& found)
+  const ExactResult& result, VirtualSources& found, const ParallelFor& parallel)
 {
   const std::size_t n = result.Distances.size();
   found.Offsets.assign(n, Infinity);
   found.Lengths.assign(n, Infinity);
   found.Angles.assign(n, 0.0);
   std::vector<Id> relays(n, NoId);
-  const std::vector<Id> order = SortReached(result.Distances);
-  for (const Id v : order)
+  for (std::size_t i = 0; i < n; ++i)
   {
+    if (!(result.Distances[i] < Infinity))
+    {
+      continue;
+    }
+    const Id v = static_cast<Id>(i);
     const Predecessor& p = result.Predecessors[v];
     const LastPiece piece = FindLastPiece(mesh, sources, v, p);
     relays[v] = p.Root >= 0 && p.Root != v ? p.Root : NoId;
@@ -177,6 +211,6 @@ void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSourc
     found.Lengths[v] = piece.Length;
     found.Angles[v] = piece.Angle;
   }
-  MergeRelays(mesh, result.Distances, order, relays, found);
+  MergeRelays(mesh, result.Distances, relays, parallel, found);
 }
 }

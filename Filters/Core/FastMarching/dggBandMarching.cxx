@@ -15,12 +15,14 @@ namespace dgg
 {
 namespace
 {
-/// Voxels around a source, along each axis, that are given their straight distances: differences
-/// would be wrong where distances bend that much.
+/// Voxels around a source, along each axis and on its sheet, that are given their straight
+/// distances: differences would be wrong where distances bend that much.
 constexpr std::int32_t StartRadius = 2;
 /// Voxels beyond the limit of distances that the march goes on for: those around a place differ by
 /// one along each axis at most.
 constexpr double BeyondLimit = 3.0;
+/// Of a voxel. By no more are interpolated distances too long beside a source, on its sheet.
+constexpr double Diagonal = 1.7320508075688772;
 constexpr std::size_t VoxelsPerReport = 4096;
 constexpr std::array<std::int32_t, 3> Strides{ { 1, 8, 64 } };
 
@@ -90,11 +92,7 @@ public:
     }
     for (std::size_t k = 0; k < sources.size(); ++k)
     {
-      ForEachNear(this->Band, this->Places[k], [&](const Voxel& voxel, const Point3& centre) {
-        const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
-        this->Offer(VoxelBand::PlaceOf(brick, voxel),
-          { this->Offsets[k] + Norm(centre - this->Places[k]), static_cast<Id>(k) });
-      });
+      this->Start(k);
     }
   }
 
@@ -169,16 +167,49 @@ public:
       return {};
     }
     const auto source = static_cast<std::size_t>(nearest.Source);
-    const double straight = Norm(inGrid - this->Places[source]);
+    const double straight = this->Offsets[source] + Norm(inGrid - this->Places[source]);
     nearest.Distance = sum / weights;
-    if (straight <= StartRadius)
+    if (straight - this->Offsets[source] <= StartRadius && nearest.Distance < straight + Diagonal)
     {
-      nearest.Distance = std::min(nearest.Distance, this->Offsets[source] + straight);
+      nearest.Distance = std::min(nearest.Distance, straight);
     }
     return nearest;
   }
 
 private:
+  /// The voxel of the band that is closest to a source, and those that it is connected to around
+  /// the source: others are on another sheet.
+  void Start(std::size_t k)
+  {
+    const Point3& source = this->Places[k];
+    const Voxel own = VoxelBand::VoxelOf(source);
+    std::vector<Voxel> reached(1);
+    double closest = Infinity;
+    ForEachNear(this->Band, source, [&](const Voxel& voxel, const Point3& centre) {
+      const double distance = Norm(centre - source);
+      reached[0] = distance < closest ? voxel : reached[0];
+      closest = std::min(closest, distance);
+    });
+    for (std::size_t i = 0; i < reached.size(); ++i)
+    {
+      const Voxel voxel = reached[i];
+      const Point3 centre{ voxel[0] + 0.5, voxel[1] + 0.5, voxel[2] + 0.5 };
+      const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
+      this->Offer(VoxelBand::PlaceOf(brick, voxel),
+        { this->Offsets[k] + Norm(centre - source), static_cast<Id>(k) });
+      for (int side = 0; side < 6; ++side)
+      {
+        Voxel next = voxel;
+        next[side / 2] += side % 2 == 0 ? -1 : 1;
+        if (std::abs(next[side / 2] - own[side / 2]) <= StartRadius && this->Band.Contains(next) &&
+          std::find(reached.begin(), reached.end(), next) == reached.end())
+        {
+          reached.push_back(next);
+        }
+      }
+    }
+  }
+
   void Offer(std::size_t place, const Arrival& arrival)
   {
     if (arrival.Distance < this->Voxels[place].Distance)

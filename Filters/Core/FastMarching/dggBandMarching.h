@@ -56,8 +56,8 @@ public:
   bool IsNear(const Point3& place) const;
 
   /// Distances of places from the nearest of the sources. Places as close to a source as the voxels
-  /// that it starts with have their straight distance. Fails when there is no source, or one is not
-  /// finite or not near. May be called by several threads at once.
+  /// that it starts with, on its sheet, have their straight distance. Fails when there is no
+  /// source, or one is not finite or not near. May be called by several threads at once.
   Status Run(const std::vector<BandSource>& sources, const std::vector<Point3>& places,
     const BandMarchingOptions& options, BandMarchingResult& result) const;
 

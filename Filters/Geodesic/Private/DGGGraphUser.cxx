@@ -62,13 +62,12 @@ bool DGGGraphUser::SetAcceptCoarserGraph(bool accept)
 }
 
 //------------------------------------------------------------------------------
-void DGGGraphUser::PrintSelf(std::ostream& os, vtkIndent indent, vtkTypeUInt64 memoryLimit) const
+void DGGGraphUser::PrintSelf(std::ostream& os, vtkIndent indent) const
 {
   const DGGGraphSummary& summary = this->GetSummary();
   os << indent << "Accuracy: " << this->Accuracy << "\n";
   os << indent << "Accuracy has been set: " << (this->IsAccuracyExplicit ? "yes" : "no") << "\n";
   os << indent << "AcceptCoarserGraph: " << (this->AcceptCoarserGraph ? "On" : "Off") << "\n";
-  os << indent << "MemoryLimit: " << memoryLimit << "\n";
   os << indent << "UsedInputGraph: " << (this->IsFromInput() ? "yes" : "no") << "\n";
   os << indent << "GraphAccuracy: " << summary.Info.Accuracy << "\n";
   os << indent << "GraphIsGuaranteed: " << (this->IsGuaranteed() ? "yes" : "no") << "\n";

@@ -43,7 +43,7 @@ public:
   bool GetAcceptCoarserGraph() const { return this->AcceptCoarserGraph; }
   ///@}
 
-  void PrintSelf(std::ostream& os, vtkIndent indent, vtkTypeUInt64 memoryLimit) const;
+  void PrintSelf(std::ostream& os, vtkIndent indent) const;
   /// What is wrong with the properties.
   dgg::Status Check() const;
 

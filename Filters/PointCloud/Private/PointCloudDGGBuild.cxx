@@ -58,7 +58,7 @@ dgg::Status vtkPointCloudDGG::Estimate()
   DGG_RETURN_IF_ERROR(this->GetWholeInput(cloud));
   if (cloud && cloud->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro("The input is empty: it has no points. So is its graph.");
+    this->WarnAboutEmptyInput("no points");
     return dgg::Status::Success();
   }
   DGG_RETURN_IF_ERROR(cloud ? this->CheckInputs(cloud, nullptr) : dgg::Status::Success());

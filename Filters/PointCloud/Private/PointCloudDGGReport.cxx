@@ -44,8 +44,8 @@ void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseInputNormals: " << (this->UseInputNormals ? "On" : "Off") << "\n";
   os << indent << "OrientedNormals: " << (this->OrientedNormals ? "On" : "Off") << "\n";
   os << indent << "EstimateNormals: " << (this->EstimateNormals ? "On" : "Off") << "\n";
+  os << indent << "GenerateVertices: " << (this->GenerateVertices ? "On" : "Off") << "\n";
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "ComponentArrayName: " << this->ComponentArrayName << "\n";
   os << indent << "EstimatedMemory: " << this->GetEstimatedMemory() << "\n";
   os << indent << "EstimatedPeakMemory: " << this->GetEstimatedPeakMemory() << "\n";

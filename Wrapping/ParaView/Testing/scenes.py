@@ -5,7 +5,7 @@ function, and pictures of them."""
 
 from paraview import smtrace
 from paraview.modules.vtkRemotingServerManager import vtkSMTrace
-from support import bumpy, simple
+from support import bumpy, points, simple
 
 SOURCE = [0.9, -0.4, 0.3]
 STEPS = [0.25 * i for i in range(1, 10)]
@@ -32,7 +32,8 @@ def build():
     path = simple.GeodesicPath(registrationName="path", Input=graph)
     assign(path.Ends, StartPoint=SOURCE, EndPoint=[-0.9, 0.2, 0.5])
     samples = simple.GeodesicSampler(registrationName="samples", Input=graph, NumberOfSamples=12)
-    cells = simple.GeodesicVoronoiCells(registrationName="cells", Input=graph, Sites=samples)
+    cells = simple.GeodesicVoronoiCells(registrationName="cells", Input=graph)
+    assign(cells.Sites, Points=points(samples).ravel().tolist())  # a trace names no filter here
     green = simple.GreensFunction(registrationName="green", Input=mesh)
     assign(green.Source, Center=SOURCE)
     return {

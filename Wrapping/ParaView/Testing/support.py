@@ -53,6 +53,23 @@ def points(proxy, port=0):
     return vtk_to_numpy(fetch(proxy, port).GetPoints().GetData()).copy()
 
 
+class Listener:
+    """What the filters of proxies say, instead of printing it."""
+
+    def __init__(self, *proxies):
+        self.errors, self.warnings = [], []
+        for proxy in proxies:
+            self._watch(proxy, "ErrorEvent", self.errors)
+            self._watch(proxy, "WarningEvent", self.warnings)
+
+    def _watch(self, proxy, event, texts):
+        def hear(caller, event, text):
+            texts.append(text)
+
+        hear.CallDataType = "string0"
+        proxy.SMProxy.GetClientSideObject().AddObserver(event, hear)
+
+
 def read_image(path):
     reader = vtkPNGReader()
     reader.SetFileName(str(path))

@@ -26,8 +26,9 @@ class Page(unittest.TestCase):
     def test_names_every_filter(self):
         tasks = PAGE[PAGE.index("## Filters by task") :]
         for name in test_gui.filters():
-            label = sm.ProxyManager().GetPrototypeProxy("filters", name).GetXMLLabel()
-            self.assertIn(label, tasks)
+            proxy = sm.ProxyManager().GetPrototypeProxy("filters", name)
+            row = rf"{proxy.GetXMLLabel()}( \| | \()`{proxy.GetVTKClassName()}`"
+            self.assertRegex(tasks, row)
 
     def test_code(self):
         load, session, stop = re.findall(r"^```python\n(.*?)^```$", PAGE, re.M | re.S)

@@ -105,6 +105,73 @@ class Session(unittest.TestCase):
         sites = support.array(self.pipeline["cells"], "GeodesicDistance")
         np.testing.assert_allclose(found, sites, rtol=0.02)
 
+    def test_sites_and_places_have_handles(self):
+        """As sources have; they are as points of the pipeline."""
+        graph = self.pipeline["distance"].Input
+        points = [*scenes.SOURCE, -0.9, 0.2, 0.5, 0.1, 0.9, -0.4]
+        line = simple.PolyLineSource(Points=points)
+        cells = simple.GeodesicVoronoiCells(Input=graph)
+        self.assertEqual(support.fetch(cells, 3).GetNumberOfPoints(), 2)
+        cells.Sites.Points = points
+        same = simple.GeodesicVoronoiCells(Input=graph, Sites="Points of the pipeline")
+        same.Sites.Input = line
+        found = support.array(cells, "SiteId", 2, cells=True)
+        self.assertEqual(set(found), {0, 1, 2})
+        np.testing.assert_array_equal(found, support.array(same, "SiteId", 2, cells=True))
+        alone = simple.GeodesicVoronoiCells(Input=graph, Sites="Point")
+        alone.Sites.Center = scenes.SOURCE
+        self.assertEqual(set(support.array(alone, "SiteId", 2, cells=True)), {0})
+        probe = simple.GeodesicProbe(Input=self.pipeline["distance"])
+        probe.Places.Center = scenes.SOURCE
+        self.assertLess(support.array(probe, "GeodesicDistance")[0], 1e-6)
+
+    def test_isolines_of_what_is_chosen(self):
+        """By default one line half way; those out of range are told once."""
+        distance = simple.Calculator(
+            Input=self.pipeline["distance"], ResultArrayName="Twice", Function="2*GeodesicDistance")
+        distance.UpdatePipeline()
+        lines = simple.GeodesicIsolines(Input=distance)
+        self.assertEqual(list(lines.ContourBy), ["POINTS", "GeodesicDistance"])
+        low, high = np.nanmin(self.found["distance"]), np.nanmax(self.found["distance"])
+        np.testing.assert_allclose(lines.Distances, [(low + high) / 2])
+        self.assertGreater(support.fetch(lines).GetNumberOfLines(), 0)
+        listener = support.Listener(lines)
+        lines.Distances = [1.5 * high]
+        self.assertEqual(support.fetch(lines).GetNumberOfLines(), 0)
+        lines.Distances = []
+        self.assertEqual(support.fetch(lines).GetNumberOfLines(), 0)
+        self.assertEqual(len(listener.warnings), 1)
+        self.assertIn(f"to {high:.6g}", listener.warnings[0])
+        lines.Method = "Linear"  # of what is no distance
+        lines.ContourBy = ["POINTS", "Twice"]
+        lines.Distances = [1.5 * high]
+        self.assertGreater(support.fetch(lines).GetNumberOfLines(), 0)
+        self.assertEqual(len(listener.warnings), 1)
+
+    def test_an_error_is_told_once(self):
+        """Whatever asks for the outputs, and however many depend on them."""
+        graph = simple.GeodesicGraph(Input=support.bumpy(), Accuracy=0.9)
+        distance = simple.GeodesicDistance(Input=graph)
+        cells = simple.GeodesicVoronoiCells(Input=graph)
+        lines = simple.GeodesicIsolines(Input=distance)
+        later = (distance, cells, lines)
+        listener, others = support.Listener(graph), support.Listener(*later)
+        view = scenes.make_view()
+        for port in (*later, cells["Cells"], lines["Bands"]):
+            simple.Show(port, view)
+        simple.Render(view)
+        self.assertEqual(len(listener.errors), 1, listener.errors)
+        self.assertIn("accuracy is 0.9", listener.errors[0])
+        self.assertEqual(others.errors + others.warnings, [])
+        graph.Accuracy = 0.8
+        simple.Render(view)
+        self.assertEqual(len(listener.errors), 2, listener.errors)
+        graph.Accuracy = 0.1
+        simple.Render(view)
+        self.assertEqual(len(listener.errors), 2, listener.errors)
+        self.assertEqual(others.errors, [])
+        self.assertGreater(support.fetch(cells, 2).GetNumberOfCells(), 0)
+
     def test_blocks(self):
         """A source belongs to the nearest block; an empty one between them changes nothing."""
         first = support.bumpy()
