@@ -48,8 +48,13 @@ class Anywhere(Exhibit):
     def measure(self, run):
         return spheres(run)["curves"]
 
-    def last(self, figures, way, key=FAR):
-        return figures[way][key][-1][2]
+    def last(self, figures, way):
+        """The error on the finest sphere."""
+        return figures[way][FAR][-1][2]
+
+    def vertices(self, figures):
+        """Of that sphere."""
+        return figures["Vertex"][FAR][-1][0]
 
     def table(self, figures):
         columns = (
@@ -57,7 +62,7 @@ class Anywhere(Exhibit):
             column("within 0.2 of the pole, %", percent, NEAR, -1, 2),
             column("on the whole sphere, %", percent, FAR, -1, 2),
         )
-        note = f"{vertices_text(figures['Vertex'][FAR][-1][0])}; relative L2 errors."
+        note = f"{vertices_text(self.vertices(figures))}; relative L2 errors."
         return listing(columns, named(figures), note)
 
     def verdict(self, figures):
@@ -69,7 +74,7 @@ class Anywhere(Exhibit):
             f"{percent(self.last(figures, 'Interpolated'))} %: its constraint holds distances to "
             "barycentric averages, which says nothing of the strength of the pole. The published "
             "normalisation is not known; it seems to include the pole. Singularity subtraction, our "
-            f"default, has {percent(ours)} % with a fifth of the vertices.",
+            f"default, has {percent(ours)} % with {vertices_text(self.vertices(figures))}.",
         )
 
 
