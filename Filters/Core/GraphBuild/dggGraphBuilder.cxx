@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphBuilder.h"
 
+#include "dggBlockLoop.h"
 #include "dggDirectionUnion.h"
 #include "dggGraphAssembly.h"
 #include "dggGraphPruning.h"
@@ -441,18 +442,17 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
     const Id first = waves.GetFirst();
     const Id last = waves.GetLast();
     blocks.resize((static_cast<std::size_t>(last - first) + BlockSize - 1) / BlockSize);
-    ForRange(
-      options.Parallel, static_cast<Offset>(blocks.size()), 1, [&](Offset begin, Offset end) {
-        const auto tracer = tracers.Borrow(this->Table, rule, limits);
+    // Within the wave as well: a row may take as long as others do in a second.
+    DGG_RETURN_IF_ERROR(ForBlocks(
+      last - first, BlockSize, options.Parallel,
+      ProgressPart(options.Progress, static_cast<double>(first) / n, waves.GetShareDone()),
+      [&] { return tracers.Borrow(this->Table, rule, limits); },
+      [&](auto& tracer, Offset b, Offset begin, Offset end) {
         const std::size_t before = tracer->GetNumberOfWindows();
-        for (Offset b = begin; b < end; ++b)
-        {
-          const Id row = first + static_cast<Id>(b * BlockSize);
-          this->FillBlock(
-            *tracer, row, row + std::min(last - row, BlockSize), mostWork, work, blocks[b]);
-        }
+        this->FillBlock(*tracer, first + static_cast<Id>(begin), first + static_cast<Id>(end),
+          mostWork, work, blocks[b]);
         windows += tracer->GetNumberOfWindows() - before;
-      });
+      }));
     // It only grows: with any number of threads the limit is exceeded, or it is not.
     if (work > mostWork)
     {
@@ -470,10 +470,6 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
     if (unite)
     {
       directions.Unite(rows, first, options.Parallel);
-    }
-    if (options.Progress && !options.Progress(waves.GetShareDone()))
-    {
-      return Status::Abort();
     }
     const double degree = static_cast<double>(statistics.OutEdges) / last;
     waves.Advance(MostEdgesOfWave(degree * n) / std::max(degree, 1.0));
