@@ -178,7 +178,7 @@ TEST(GraphBuilderOptions, WideLengthsWhereFloatsEnd)
   }
 }
 
-TEST(GraphBuilderOptions, ProgressAscendsToOne)
+TEST(GraphBuilderOptions, ProgressAscendsFromZeroToOne)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(60, 60, 0.2));
   for (const auto construction : AllConstructions())
@@ -188,8 +188,8 @@ TEST(GraphBuilderOptions, ProgressAscendsToOne)
       options.Construction = construction;
       options.Progress = std::ref(listener);
     });
-    EXPECT_GE(listener.Calls, 3);
-    EXPECT_GT(listener.First, 0.0);
+    EXPECT_GE(listener.Calls, 100); // within waves as well
+    EXPECT_EQ(listener.First, 0.0);
     EXPECT_EQ(listener.Done, 1.0);
   }
 }
@@ -206,7 +206,7 @@ TEST(GraphBuilderOptions, AbortAtAnyReport)
     options.Construction = construction;
     const dgg::GeodesicGraph expected = BuildGraph(mesh, options.Accuracy, construction);
     int aborted = 0;
-    for (int last = 1; last < 1000; ++last)
+    for (int last = 1; last < 1000; last += 3)
     {
       ProgressListener listener(last);
       options.Progress = std::ref(listener);
@@ -223,7 +223,7 @@ TEST(GraphBuilderOptions, AbortAtAnyReport)
       ++aborted;
     }
     EXPECT_GE(aborted, 5); // two waves of rows at least, three steps of assembly
-    EXPECT_LT(aborted, 900);
+    EXPECT_LT(aborted, 300);
     // Also when all is done. How many reports there are before depends on the time.
     options.Progress = [](double done) { return done < 1.0; };
     dgg::GeodesicGraph graph;

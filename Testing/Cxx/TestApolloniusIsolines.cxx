@@ -327,6 +327,35 @@ TEST_F(ApolloniusIsolines, LinesEndWhereNothingIsReached)
   }
 }
 
+// No edge is crossed. In graphs angles are rounded, so that models of the corners miss a little.
+TEST_F(ApolloniusIsolines, CirclesInsideATriangle)
+{
+  vtkNew<vtkDGGDistance> ofGraph;
+  vtkGeodesicDistanceAlgorithm* filters[] = { this->Distance, ofGraph };
+  for (vtkGeodesicDistanceAlgorithm* filter : filters)
+  {
+    SCOPED_TRACE(filter->GetClassName());
+    filter->SetInputData(MakeGrid(8, 8));
+    filter->SetSourceIds(std::vector<vtkIdType>());
+    filter->SetSourceData(MakeSourcePoints({ { { 4.7, 4.3, 0.0 } } }));
+    filter->GenerateVirtualSourceOn();
+    this->Isolines->SetInputConnection(filter->GetOutputPort());
+    this->Isolines->SetNumberOfContours(1);
+    this->Isolines->SetValue(0, 0.2);
+    this->Isolines->GenerateBandsOn();
+    ExpectSuccess(this->Isolines);
+    vtkPolyData* circle = this->Isolines->GetOutput();
+    ASSERT_EQ(circle->GetNumberOfLines(), 1);
+    for (vtkIdType i = 0; i < circle->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      circle->GetPoint(i, p);
+      EXPECT_NEAR(std::hypot(p[0] - 4.7, p[1] - 4.3), 0.2, 1e-6);
+    }
+    EXPECT_GE(circle->GetNumberOfPoints(), 12);
+  }
+}
+
 TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
 {
   const auto expectEmpty = [this](bool isWarned) {

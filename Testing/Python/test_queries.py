@@ -138,12 +138,13 @@ class OfAMesh(unittest.TestCase):
         some = self.graph.isolines(5, 4)
         self.assertEqual(len({line.value for line in some}), 4)
         self.assertTrue(0.0 < some[0].value < some[-1].value < 1.02 * exact.max())
-        self.assertEqual(self.graph.isolines(5, 100.0 * exact.max()), [])
+        with self.assertWarnsRegex(RuntimeWarning, "no isolines"):
+            self.assertEqual(self.graph.isolines(5, 100.0 * exact.max()), [])
         drawn = self.graph.isolines(5, values, as_polydata=True)
         self.assertEqual(drawn.GetNumberOfLines(), len(lines))
         # A query afterwards is what it was before.
         self.assertLess(np.abs(self.graph.distance(5) - exact).max(), 0.02 * exact.max())
-        for wrong in ("x", [np.nan], None):
+        for wrong in ("x", [np.nan], None, -3):
             with self.assertRaisesRegex(ValueError, "values"):
                 self.graph.isolines(5, wrong)
 

@@ -55,7 +55,8 @@ def check(algorithm: vtkAlgorithm) -> Any:
     Python warnings.
 
     An update that an observer stops by AbortExecute is no error, here as in VTK: the output is
-    empty then, and ``algorithm.GetAbortExecute()`` says why. Ctrl-C stops it as well and is a
+    empty then, until the algorithm that was stopped runs again or is modified; its
+    ``GetAbortExecute()`` says why. Ctrl-C stops it as well and is a
     KeyboardInterrupt as ever, after which the algorithm can be used again. Other threads of Python
     go on meanwhile.
 

@@ -194,6 +194,8 @@ class Graph(Queries):
         """
         array = arguments.numbers(values, "values")
         is_number = array.ndim == 0 and array.dtype.kind in "iu"
+        if is_number and array < 0:
+            raise ValueError(f"values: a number of them must not be negative, is {array}")
         if not is_number:
             array = arguments.finite_numbers(values, "values", array.size)
         search = self._search(sources, True, None, initial_distances, projection_tolerance)

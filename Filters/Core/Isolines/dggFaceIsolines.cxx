@@ -138,7 +138,9 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   return fallbacks;
 }
 
-/// Places around which isolines may be closed within the face.
+/// Places around which isolines may be closed within the face. The source of a corner may be one
+/// even where its model misses a little, as with the rounded angles of graphs: the distance there
+/// decides.
 void FaceIsolines::FindSeeds()
 {
   for (const FieldSample& source : this->Profile.GetSources())
@@ -152,7 +154,7 @@ void FaceIsolines::FindSeeds()
     b.fill(0.5 * (1.0 - NearCorner));
     b[k] = NearCorner;
     corners[k] = this->Profile.SampleAt(this->Profile.PlaceOf(b));
-    if (corners[k].HasImage && this->Field.HasSources())
+    if (this->Field.HasSources())
     {
       this->AddSource(corners[k]);
     }

@@ -148,18 +148,19 @@ dgg::Status DGGCloudMarching::Prepare(
   const auto limit = static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit));
   const dgg::Status status = this->Band.Build(this->Places, sizes.Radii, sizes.VoxelSize,
     static_cast<std::size_t>(std::max(1.0, share * (limit - bytes))), context.Parallel,
-    dgg::ProgressPart(progress, EndOfSpacings, 1.0), "use a smaller Resolution");
+    dgg::ProgressPart(progress, EndOfSpacings, 1.0), "use a smaller Resolution or BandRadius");
   if (this->Band.IsTooLarge())
   {
     return dgg::InvalidInput("marching in a band of voxels, each of size ",
       sizes.VoxelSize / this->Nodes.Scale, ", would take more than the limit of ",
-      dgg::FormatBytes(limit), ": use a smaller Resolution, or set a higher MemoryLimit");
+      dgg::FormatBytes(limit),
+      ": use a smaller Resolution or BandRadius, or set a higher MemoryLimit");
   }
   DGG_RETURN_IF_ERROR(status);
   if (!dgg::BandMarching::CanMarchIn(this->Band))
   {
     return dgg::Status::Invalid(
-      "the band has more voxels than a march can number: use a smaller Resolution");
+      "the band has more voxels than a march can number: use a smaller Resolution or BandRadius");
   }
   this->Marching = std::make_unique<dgg::BandMarching>(this->Band);
   this->BandRadius = sizes.MedianRadius;
@@ -191,7 +192,7 @@ dgg::Status DGGCloudMarching::Run(
 {
   DGG_RETURN_IF_ERROR(DGGCheckMemory("the march",
     dgg::BandMarching::PredictMemory(static_cast<double>(this->Band.GetNumberOfBricks())),
-    task.Context.MemoryLimit, "use a smaller Resolution"));
+    task.Context.MemoryLimit, "use a smaller Resolution or BandRadius"));
   const double scale = this->Nodes.Scale;
   std::vector<dgg::BandSource> sources;
   std::vector<Id> numbers; // of these
