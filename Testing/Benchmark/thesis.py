@@ -34,11 +34,11 @@ Testing/Benchmark/run.sh thesis --readme [--data FOLDER] [--full] [--exhibits T3
 ```
 
 Models of the thesis that are not public are replaced by public ones (`bunny.ply` of the folder) or by
-generated surfaces (`bumpy-5`: see [surfaces.py](exhibits/surfaces.py)); "Ours" says what makes an exhibit
-alone, its code, and its models. So errors and degrees are compared, and times only as ratios within one
-run. Errors are relative to exact distances along the same mesh, from vertices evenly spread over the list
-of vertices: means over all vertices and sources, and the largest. ε is the accuracy that a graph is built
-for. "Guaranteed" is our rule; "OneRelay" and "Indirect" are the published constructions, see
+generated surfaces (`bumpy-5`: see [surfaces.py](exhibits/surfaces.py)). So errors and degrees are
+compared, and times only as ratios within one run. "Ours" names what makes an exhibit alone, its code, and
+its models. Errors are relative to exact distances along the same mesh, from vertices evenly spread over
+the list of vertices: means over all vertices and sources, and the largest. ε is the accuracy that a graph
+is built for. "Guaranteed" is our rule; "OneRelay" and "Indirect" are the published constructions, see
 [what we changed and why](Differences.md).
 
 Of a figure of which less is better, and one that was printed, "reproduced" is within a factor of
