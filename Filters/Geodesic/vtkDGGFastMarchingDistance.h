@@ -21,12 +21,13 @@
  * order of their distances; next to nothing is prepared, and memory is small.
  *
  * On clouds the mean error is usually 1 to 3 %, and that of single points up to 10 %, at any
- * density: the band makes short cuts where the surface bends, and differences of first order add to
- * lengths. On thin parts and in sharp folds distances may be far too small. Distances in a graph of
- * vtkPointCloudDGG are 10 to 100 times as accurate. The band is made once, and kept until points,
- * BandRadius or Resolution change; a march takes 17 bytes for each voxel of the blocks of 8 x 8 x 8
- * that the band touches. Sheets closer than two radii and two voxels, with defaults about six
- * spacings of points, are connected, without a warning; those of different blocks of the input too.
+ * density: the band makes short cuts where the surface bends, and differences of first order add
+ * to lengths. Beside holes, on thin parts and in sharp folds distances may be far too small.
+ * Distances in a graph of vtkPointCloudDGG are 10 to 100 times as accurate. The band is made once,
+ * and kept until points, BandRadius or Resolution change; a march takes 17 bytes for each voxel of
+ * the blocks of 8 x 8 x 8 that the band touches. Sheets closer than two radii and two voxels, with
+ * defaults about six spacings of points, are connected, without a warning; those of different
+ * blocks of the input too.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm, and on clouds
  *  - a BandRadius not in [0.5, 1000], unless 0; a Resolution not in [0, 524288];
