@@ -253,7 +253,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
     this->GenerateNearestSource || this->PassSourceArrays, this->GenerateVirtualSource, {}, {}, {},
     {}, this->DeclareArrays() };
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
-  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // aborts come late, too
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // an abort may come as late
   const auto n =
     static_cast<std::size_t>(context.Surface.GetMeshWithoutAngles().GetNumberOfVertices());
   bool complete = task.Distances.size() == n;

@@ -10,7 +10,7 @@ import vtkdgg
 from benchmark_results import count_text, digits, number, percent, table
 from Published import bidirectional, green_sums
 from Published.delaunay_mesh import DelaunayMesh
-from vtkdgg.commands.methods import field
+from vtkdgg.commands.methods import field, heat
 from vtkdgg.commands.sizes import floor_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -278,11 +278,11 @@ class Flips(Exhibit):
         row = {"model": name, "vertices": len(points)}
         row["split"] = split.GetNumberOfPoints() / len(points)
         exact = exact_fields(run, name)
-        for kind, surface, has_flips in (("flips", mesh, True), ("added", split, False)):
+        with_flips = vtkdgg.vtkHeatGeodesicDistance  # by default
+        for kind, surface, make in (("flips", mesh, with_flips), ("added", split, heat)):
             start = time.process_time()
             found = [
-                field(heat(has_flips), surface, source)[: len(points)]
-                for source in sources_of(mesh)
+                field(make, surface, source)[: len(points)] for source in sources_of(mesh)
             ]
             seconds = time.process_time() - start
             row[kind] = {"seconds": seconds, "error": summary(found, exact, floor_of(mesh))}
@@ -308,17 +308,6 @@ class Flips(Exhibit):
             f"with flips are {digits(min(ratios))} to {digits(max(ratios))} times those with it, which samples "
             "the surface more densely.",
         )
-
-
-def heat(has_flips):
-    """Makes the filter."""
-
-    def make():
-        distance = vtkdgg.vtkHeatGeodesicDistance()
-        distance.SetIntrinsicDelaunay(has_flips)
-        return distance
-
-    return make
 
 
 EXHIBITS = (BothEnds(), Links(), GreenSums(), Flips())

@@ -126,7 +126,7 @@ class Session(unittest.TestCase):
         self.assertLess(support.array(probe, "GeodesicDistance")[0], 1e-6)
 
     def test_isolines_of_what_is_chosen(self):
-        """By default one line half way; those out of range are told once."""
+        """By default one line half way; those out of range are reported once."""
         distance = simple.Calculator(
             Input=self.pipeline["distance"], ResultArrayName="Twice", Function="2*GeodesicDistance")
         distance.UpdatePipeline()

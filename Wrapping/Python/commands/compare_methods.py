@@ -82,9 +82,9 @@ def save(path, mesh, source, measured, part=1.0):
         ]
     legend = _viewport((0.0, 0.0, 1.0, FOOT / size[1]))
     line = (
-        "Above: mean / 99.9 % / largest relative error. Below: share of points by error in percent;"
+        "Above: mean / 99.9 % / largest relative error. Below: share of points by error in percent; "
+        "the ends count all beyond."
     )
-    line += " the ends count all beyond."
     legend.AddActor(pictures.text(line, 0.04 / columns, 0.3, round(24 * part)))
     pictures.write(path, [*renderers, legend], [round(part * pixels) for pixels in size])
 
