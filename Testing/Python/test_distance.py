@@ -49,6 +49,28 @@ class Distance(unittest.TestCase):
             distances = vtkdgg.distance(self.points, self.triangles, place)
             self.check_equal(distances, self.straight([2, 1, 0]))
 
+    def test_initial_distances_and_nearest_sources(self):
+        ids, offsets = [0, 34], np.array([1.5, 0.25])
+        each = [self.straight(self.points[i]) + offset for i, offset in zip(ids, offsets)]
+        for method in (None, "graph", "fast", "marching"):
+            options = {"initial_distances": offsets, "method": method}
+            for sources in (ids, self.points[ids]):
+                with self.subTest(method=method, sources=np.shape(sources)):
+                    distances, nearest = vtkdgg.distance(
+                        self.points, self.triangles, sources, return_source=True, **options
+                    )
+                    tolerance = 1e-9 if method is None else 0.05
+                    np.testing.assert_allclose(distances, np.min(each, axis=0), atol=tolerance)
+                    clear = np.abs(each[0] - each[1]) > 2 * tolerance
+                    np.testing.assert_array_equal(nearest[clear], np.argmin(each, axis=0)[clear])
+        found = vtkdgg.distance(
+            self.points, self.triangles, ids, return_source=True, as_polydata=True
+        )
+        self.assertTrue(found.GetPointData().HasArray("GeodesicSource"))
+        self.assertEqual(len(vtkdgg.distance([], [], 0, return_source=True)), 2)
+        with self.assertRaisesRegex(ValueError, "initial_distances: one number, or 2"):
+            vtkdgg.distance(self.points, self.triangles, ids, initial_distances=[1.0])
+
     def test_around_a_corner(self):
         # The unit cube: from a corner to the opposite one along two faces.
         corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)])

@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from . import arguments, meshes
 from .errors import run
@@ -30,6 +31,8 @@ def distance(
     sources: Optional[ArrayLike] = None,
     *,
     maximum_distance: Optional[float] = None,
+    initial_distances: Optional[ArrayLike] = None,
+    return_source: bool = False,
     unreached: float = np.nan,
     accuracy: Optional[float] = None,
     method: Optional[str] = None,
@@ -53,6 +56,10 @@ def distance(
         moved to the closest point of it.
     maximum_distance : float, optional
         Points farther than this are left unreached. Default: no limit.
+    initial_distances : float or sequence of float, optional
+        The distances that the sources start with. Default: 0.
+    return_source : bool, optional
+        Return the nearest source of each point as well.
     unreached : float, optional
         Distance given to points that no source reaches. Default: NaN.
     accuracy : float, optional
@@ -74,12 +81,16 @@ def distance(
         How far coordinates of sources may be from the surface, as a fraction of the diagonal of
         its bounding box. Default: 0.01. (ProjectionTolerance, in the messages of the filters.)
     as_polydata : bool, optional
-        Whether to return the surface with the point array "GeodesicDistance".
+        Return the surface with the point array "GeodesicDistance", and with `return_source` also
+        "GeodesicSource".
 
     Returns
     -------
-    numpy.ndarray of float64, shape (n,), or vtkPolyData
-        Distances in the unit of `points`; empty when there are no points.
+    distances : numpy.ndarray of float64, shape (n,), or vtkPolyData
+        In the unit of `points`; empty when there are no points.
+    nearest : numpy.ndarray of int, shape (n,)
+        Index into `sources` of the nearest one, -1 for unreached points. Only with `return_source`
+        and without `as_polydata`.
 
     Raises
     ------
@@ -104,7 +115,7 @@ def distance(
     """
     surface, (sources,) = meshes.take(points, triangles, sources=sources)
     limit = arguments.limit(maximum_distance, "maximum_distance")
-    ids, places = arguments.places(sources, "sources", surface.GetNumberOfPoints())
+    count = surface.GetNumberOfPoints()
     unreached = arguments.number(unreached, "unreached")
     tolerance = arguments.projection_tolerance(projection_tolerance)
     kinds = {
@@ -119,22 +130,50 @@ def distance(
         raise ValueError(f"method is {method!r}: it has to be one of {', '.join(map(repr, kinds))}")
     if accuracy is not None and method != "graph":
         raise ValueError(f'accuracy is for the method "graph", not for {method!r}')
-    if surface.GetNumberOfPoints() == 0:
-        return surface if as_polydata else np.empty(0)
-
     distance_filter = kinds[method]()
+    set_sources(distance_filter, sources, initial_distances, count)
+    if count == 0:
+        if as_polydata:
+            return surface
+        return (np.empty(0), np.empty(0, dtype=np.intp)) if return_source else np.empty(0)
+
     if accuracy is not None:
         distance_filter.SetAccuracy(arguments.number(accuracy, "accuracy"))
     distance_filter.SetInputData(surface)
-    if ids is not None:
-        distance_filter.SetSourceIds(ids)
-    else:
-        distance_filter.SetSourceData(arguments.polydata(places))
+    distance_filter.SetGenerateNearestSource(bool(return_source))
     distance_filter.SetMergeCoincidentPoints(bool(merge_coincident_points))
     distance_filter.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
     distance_filter.SetProjectionTolerance(tolerance)
     distance_filter.SetMaximumDistance(limit)
     distance_filter.SetUnreachedValue(unreached)
-    name = distance_filter.GetDistanceArrayName()
     output = run(distance_filter)
-    return output if as_polydata else array_of(output.GetPointData(), name)
+    if as_polydata:
+        return output
+    return field_of(distance_filter, return_source)
+
+
+def set_sources(solve, sources, initial_distances, number_of_points):
+    """Set the sources of a distance filter, with the distances that they start with."""
+    ids, places = arguments.places(sources, "sources", number_of_points)
+    offsets = None
+    if initial_distances is not None:
+        count = len(places) if ids is None else len(ids)
+        offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
+    ids = [] if ids is None else ids
+    solve.SetSourceIds(ids, np.zeros(len(ids)) if offsets is None else offsets[: len(ids)])
+    solve.SetSourceData(None if places is None else arguments.polydata(places))
+    if places is not None and offsets is not None:
+        array = numpy_to_vtk(offsets, deep=True)
+        array.SetName(solve.GetInitialDistanceArrayName())
+        solve.GetInputDataObject(1, 0).GetPointData().AddArray(array)
+
+
+def field_of(solve, return_source):
+    """The distances that a filter has found, and on request the nearest sources."""
+    # Copies: the filter keeps its output and returns it again for equal parameters.
+    data = solve.GetOutput().GetPointData()
+    distances = array_of(data, solve.GetDistanceArrayName())
+    if not return_source:
+        return distances
+    nearest = data.GetArray(solve.GetSourceArrayName())
+    return distances, vtk_to_numpy(nearest).astype(np.intp)

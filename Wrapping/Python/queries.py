@@ -7,9 +7,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import arguments
+from .distances import field_of, set_sources
 from .errors import run
 from .graph_data import GraphData
 from .paths import find
@@ -89,15 +90,8 @@ class Queries(GraphData):
             sources, correction, maximum_distance, initial_distances, projection_tolerance
         )
         search.SetUnreachedValue(unreached)
-        output = run(search, self._heard)
-        if as_polydata:
-            return self._given_away(search)
-        # Copies: the output is kept, and given out again when the same is asked for.
-        distances = array_of(output.GetPointData(), search.GetDistanceArrayName())
-        if not return_source:
-            return distances
-        nearest = output.GetPointData().GetArray(search.GetSourceArrayName())
-        return distances, vtk_to_numpy(nearest).astype(np.intp)
+        run(search, self._heard)
+        return self._given_away(search) if as_polydata else field_of(search, return_source)
 
     def matrix(
         self,
@@ -426,24 +420,13 @@ class Queries(GraphData):
 
     def _search(self, sources, correction, maximum_distance, initial_distances, tolerance):
         """The search from the sources, not run yet."""
-        ids, places = arguments.places(sources, "sources", self.number_of_points)
         limit = arguments.limit(maximum_distance, "maximum_distance")
-        offsets = None
-        if initial_distances is not None:
-            count = len(places) if ids is None else len(ids)
-            offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
         search = self._filter(vtkDGGDistance, tolerance)
+        set_sources(search, sources, initial_distances, self.number_of_points)
         search.SetCorrection(bool(correction))
         search.SetMaximumDistance(limit)
         search.GenerateNearestSourceOn()
         search.GenerateVirtualSourceOff()
-        ids = [] if ids is None else ids
-        search.SetSourceIds(ids, np.zeros(len(ids)) if offsets is None else offsets[: len(ids)])
-        search.SetSourceData(None if places is None else arguments.polydata(places))
-        if places is not None and offsets is not None:
-            array = numpy_to_vtk(offsets, deep=True)
-            array.SetName(search.GetInitialDistanceArrayName())
-            search.GetInputDataObject(1, 0).GetPointData().AddArray(array)
         return search
 
     def _set_rows(self, tabulate, rows):
