@@ -209,13 +209,9 @@ dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSour
     const vtkIdType original = FindOriginal(set.Points, id, coordinates);
     if (original >= 0)
     {
-      const dgg::Id vertex = mesh.GetVertex(original);
-      if (mesh.IsCloud() || !IsIsolated(mesh, vertex))
-      {
-        source.Point = dgg::SurfacePoint::AtVertex(vertex);
-        sources.push_back(source);
-        continue;
-      }
+      source.Point = dgg::SurfacePoint::AtVertex(mesh.GetVertex(original));
+      sources.push_back(source);
+      continue;
     }
     double distance = dgg::Infinity;
     const bool found = locator.FindClosestPoint(p, source.Point, distance);

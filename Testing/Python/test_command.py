@@ -357,7 +357,7 @@ class Command(unittest.TestCase):
             (("info", "mesh.abc"), "unknown extension"),
             (("distance", BUMPY), "--source"),
             (("distance", BUMPY, "--source", "642"), "--source 642: there are points 0 to 641"),
-            (("distance", BUMPY, "--source", "1,2"), "neither a point id nor X,Y,Z"),
+            (("distance", BUMPY, "--source", "1,2"), "expected a point id, X,Y,Z or face:"),
             (("distance", BUMPY, "--source", "9,9,9"), r"\(--tolerance\)"),
             (("distance", BUMPY, "--source", "0", "--method", "best"), "invalid choice"),
             (("distance", BUMPY, "--source", "0", "--out", "a.abc"), "cannot write '.abc'"),

@@ -213,9 +213,9 @@ class WrongInput(unittest.TestCase):
         self.refuses(r"sources: point id 9 \(entry 0\)", sources=9)
         self.refuses(r"sources: point id -1 \(entry 1\)", sources=[0, -1])
         self.refuses("sources: at least one", sources=[])
-        self.refuses("sources: point ids", sources=1.0)
-        self.refuses("sources: point ids", sources=[0.5, 0.5])
-        self.refuses("sources: point ids", sources=[[0, 1, 2]])  # ids or coordinates?
+        self.refuses("sources: expected point ids", sources=1.0)
+        self.refuses("sources: expected point ids", sources=[0.5, 0.5])
+        self.refuses("sources: expected point ids", sources=[[0, 1, 2]])  # ids or coordinates?
         self.refuses("sources: numbers are wanted, not bool", sources=[True, False])
         self.refuses("sources: numbers are wanted", sources="first")
         self.refuses("sources: missing", sources=None)

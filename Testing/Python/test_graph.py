@@ -303,7 +303,7 @@ class WrongInput(unittest.TestCase):
             (True, {}, "sources: numbers are wanted, not bool"),
             (np.array([True, False]), {}, "sources: numbers are wanted, not bool"),
             (np.ma.masked_equal([0, 1], 1), {}, "sources: has masked entries"),
-            (0.5, {}, "sources: point ids"),
+            (0.5, {}, "sources: expected point ids"),
             ([[0.0, 0.0, np.inf]], {}, "sources: row 0 is not finite"),
             (0, {"maximum_distance": -1.0}, "maximum_distance"),
             (0, {"maximum_distance": np.nan}, "maximum_distance"),

@@ -322,7 +322,7 @@ class Spectral(unittest.TestCase):
             vtkdgg.interpolate(self.mesh, 0)
         for sites, values, pattern in (
             ([3, 3], [1.0, 2.0], "same as site 0"),
-            ([3, 4], [1.0, np.nan], "point 4, which is a site"),
+            ([3, 4], [1.0, np.nan], "point 1, which is a site"),
         ):
             with self.assertRaisesRegex(vtkdgg.VTKError, pattern):
                 vtkdgg.interpolate(self.mesh, sites, values)

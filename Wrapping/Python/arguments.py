@@ -5,9 +5,12 @@
 import operator
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+# How far barycentric coordinates may be below 0, and their sum from 1, as the filters take them.
+_BARYCENTRIC_TOLERANCE = 1e-6
 
 
 def numbers(values, name, kind="number"):
@@ -42,34 +45,208 @@ def coordinates(values, name):
     return array
 
 
-def places(values, name, number_of_points):
-    """Places on the surface: a list of ids and None, or None and an array of coordinates. Integers
-    are ids, floats are coordinates, whatever their number."""
-    array = numbers(values, name)
-    if array.size == 0:
-        raise ValueError(f"{name}: at least one is wanted")
-    if array.dtype.kind == "f" and (array.shape == (3,) or array.ndim == 2):
-        return None, coordinates(np.atleast_2d(array), name)
-    if array.dtype.kind == "f" or array.ndim > 1:
-        raise ValueError(
-            f"{name}: point ids (an integer or a sequence of integers) or coordinates (floats of "
-            f"shape (3,) or (k, 3)) are wanted, not {array.dtype} of shape {array.shape}"
-        )
-    array = np.atleast_1d(array)
-    if number_of_points:
-        check_ids(array, number_of_points, name)
-    return [int(i) for i in array], None
+# The arrays of SurfacePoints.
+_GIVEN = ("point_ids", "coordinates", "faces", "barycentric")
 
 
-def place(value, name, number_of_points):
-    """A place on the surface: an id, or an array of three coordinates."""
+class SurfacePoints:
+    """Points of a surface in the order in which a function was given them.
+
+    Attributes
+    ----------
+    point_ids : numpy.ndarray of int64, shape (k,)
+        The point ids; -1 for points that were given in another way.
+    coordinates : numpy.ndarray of float64, shape (k, 3)
+        The coordinates; NaN for points that were given in another way.
+    faces, barycentric : numpy.ndarray of int64 and float64, shapes (k,) and (k, 3)
+        Cells of the surface, and barycentric coordinates with respect to their corners; -1 and 0
+        for points that were given in another way.
+    """
+
+    def __init__(self, surface, count):
+        self._surface = surface
+        self.point_ids = np.full(count, -1, dtype=np.int64)
+        self.coordinates = np.full((count, 3), np.nan)
+        self.faces = np.full(count, -1, dtype=np.int64)
+        self.barycentric = np.zeros((count, 3))
+
+    def __len__(self):
+        return len(self.point_ids)
+
+    def __getitem__(self, rows):
+        """The points of a slice or of an array of indices."""
+        result = SurfacePoints(self._surface, 0)
+        for name in _GIVEN:
+            setattr(result, name, getattr(self, name)[rows])
+        return result
+
+    def interleaved(self, others):
+        """The points, each followed by the one of `others` with the same index."""
+        result = SurfacePoints(self._surface, 0)
+        for name in _GIVEN:
+            pairs = np.stack([getattr(self, name), getattr(others, name)], axis=1)
+            setattr(result, name, pairs.reshape(-1, *pairs.shape[2:]))
+        return result
+
+    @property
+    def ids(self):
+        """The point ids as filters take them; empty unless all points were given by id."""
+        return self.point_ids.tolist() if (self.point_ids >= 0).all() else []
+
+    @property
+    def data(self):
+        """The points for a port of a filter; None if all points were given by id."""
+        return None if (self.point_ids >= 0).all() else self.polydata()
+
+    def positions(self):
+        """Coordinates of all points, shape (k, 3)."""
+        result = self.coordinates.copy()
+        points = self._surface.GetPoints()
+        points = vtk_to_numpy(points.GetData()) if points else np.empty((0, 3))
+        by_id, in_face = self.point_ids >= 0, self.faces >= 0
+        result[by_id] = points[self.point_ids[by_id]]
+        corners = points[self[in_face].corners()]
+        result[in_face] = (self.barycentric[in_face, :, np.newaxis] * corners).sum(axis=1)
+        return result
+
+    def corners(self):
+        """Point ids of the corners of the faces, shape (k, 3), if all points were given so."""
+        offsets = vtk_to_numpy(self._surface.GetPolys().GetOffsetsArray())
+        corners = vtk_to_numpy(self._surface.GetPolys().GetConnectivityArray())
+        polygons = self.faces - first_polygon(self._surface)
+        return corners[offsets[polygons][:, np.newaxis] + np.arange(3)]
+
+    def polydata(self):
+        """The points as a vtkPolyData, with the point arrays by which filters identify them."""
+        result = polydata(self.positions())
+        arrays = []
+        if (self.faces < 0).any():
+            arrays.append(("vtkOriginalPointIds", self.point_ids))
+        if (self.faces >= 0).any():
+            arrays += [("FaceId", self.faces), ("Barycentric", self.barycentric)]
+        for array_name, values in arrays:
+            array = numpy_to_vtk(values, deep=True)
+            array.SetName(array_name)
+            result.GetPointData().AddArray(array)
+        return result
+
+
+def surface_points(values, name, surface, is_cloud=False):
+    """Points of a surface as `SurfacePoints`: ids (integers), coordinates (floats), pairs (face,
+    barycentric coordinates), or a sequence that mixes them."""
+    if isinstance(values, tuple) and _is_in_face(values):
+        values = [values]
+    if is_mixed(values):
+        result = SurfacePoints(surface, len(values))
+        for i, value in enumerate(values):
+            _set(result, i, value, f"{name}[{i}]")
+    else:
+        array = numbers(values, name)
+        if array.size == 0:
+            raise ValueError(f"{name}: at least one is wanted")
+        is_float = array.dtype.kind == "f"
+        if array.shape != (3,) and array.ndim != 2 if is_float else array.ndim > 1:
+            raise ValueError(
+                f"{name}: expected point ids (an integer or a sequence of integers), coordinates "
+                "(floats of shape (3,) or (k, 3)) or pairs (face, barycentric coordinates), got "
+                f"{array.dtype} of shape {array.shape}"
+            )
+        array = coordinates(np.atleast_2d(array), name) if is_float else np.atleast_1d(array)
+        result = SurfacePoints(surface, len(array))
+        if is_float:
+            result.coordinates = array
+        else:
+            if surface.GetNumberOfPoints():  # distance() takes a mesh without points
+                check_ids(array, surface.GetNumberOfPoints(), name)
+            result.point_ids = array.astype(np.int64)
+    _check_faces(result, name, surface, is_cloud)
+    return result
+
+
+def surface_point(value, name, surface, is_cloud=False):
+    """One point of a surface, as `SurfacePoints` of length 1."""
+    if not _is_in_face(value):
+        array = numbers(value, name)
+        if array.shape != ((3,) if array.dtype.kind == "f" else ()):
+            raise ValueError(
+                f"{name}: expected a point id (an integer), coordinates (floats of shape (3,)) or a "
+                f"pair (face, barycentric coordinates), got {array.dtype} of shape {array.shape}"
+            )
+    return surface_points(tuple(value) if _is_in_face(value) else value, name, surface, is_cloud)
+
+
+def is_mixed(values):
+    """True for a sequence that contains pairs (face, barycentric coordinates), or both ids and
+    coordinates."""
+    return isinstance(values, (list, tuple)) and (
+        any(map(_is_in_face, values)) or len({hasattr(value, "__len__") for value in values}) > 1
+    )
+
+
+def _is_in_face(value):
+    """True for a pair of a number and a sequence."""
+    return (
+        isinstance(value, (list, tuple))
+        and len(value) == 2
+        and not hasattr(value[0], "__len__")
+        and isinstance(value[1], (list, tuple, np.ndarray))
+    )
+
+
+def _set(points, i, value, name):
+    """Sets point i of `points` to one of a mixed sequence."""
+    if _is_in_face(value):
+        weights = numbers(value[1], name)
+        if weights.shape != (3,):
+            raise ValueError(
+                f"{name}: expected three barycentric coordinates, got shape {weights.shape}"
+            )
+        points.faces[i] = integer(value[0], name)
+        points.barycentric[i] = weights
+        return
+    one = surface_point(value, name, points._surface)
+    points.point_ids[i], points.coordinates[i] = one.point_ids[0], one.coordinates[0]
+
+
+def _check_faces(points, name, surface, is_cloud):
+    in_face = ((points.point_ids < 0) & np.isnan(points.coordinates[:, 0])).nonzero()[0]
+    if len(in_face) == 0:
+        return
+    if is_cloud:
+        raise ValueError(f"{name}: a point cloud has no faces; give point ids or coordinates")
+    offsets = vtk_to_numpy(surface.GetPolys().GetOffsetsArray())
+    first = first_polygon(surface)
+    for i in in_face:
+        face, weights = points.faces[i], points.barycentric[i]
+        entry = f"{name}: face {face} (entry {i})"
+        if not 0 <= face < surface.GetNumberOfCells():
+            raise ValueError(f"{entry} does not exist; there are {surface.GetNumberOfCells()}")
+        polygon = face - first
+        if not 0 <= polygon < len(offsets) - 1 or offsets[polygon + 1] - offsets[polygon] != 3:
+            raise ValueError(
+                f"{entry} is no triangle; barycentric coordinates refer to the corners of one"
+            )
+        # False for NaN.
+        if not (weights.min() >= -_BARYCENTRIC_TOLERANCE) or not (
+            abs(weights.sum() - 1.0) <= _BARYCENTRIC_TOLERANCE
+        ):
+            raise ValueError(
+                f"{entry} has the barycentric coordinates {weights}; they must not be negative, "
+                "and their sum must be 1"
+            )
+
+
+def first_polygon(surface):
+    """The id of the first polygon: cells of a vtkPolyData are verts, lines, polygons, strips."""
+    return surface.GetNumberOfVerts() + surface.GetNumberOfLines()
+
+
+def point_id(value, name, number_of_points):
+    """One point id."""
     array = numbers(value, name)
-    if array.dtype.kind == "f" and array.shape == (3,):
-        return coordinates(array[np.newaxis], name)[0]
     if array.ndim > 0 or array.dtype.kind == "f":
         raise ValueError(
-            f"{name}: a point id (an integer) or coordinates (floats of shape (3,)) are wanted, "
-            f"not {array.dtype} of shape {array.shape}"
+            f"{name}: expected a point id (an integer), got {array.dtype} of shape {array.shape}"
         )
     check_ids(array[np.newaxis], number_of_points, name)
     return int(array)

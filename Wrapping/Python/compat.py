@@ -133,9 +133,10 @@ class PyGeodesicAlgorithmExact:
     ) -> Tuple[float, NDArray[np.float64]]:
         """The distance between two vertices, and the points of the path from the target back to the
         source, shape (k, 3)."""
-        count = self._finder.GetInput().GetNumberOfPoints()
+        surface = self._finder.GetInput()
+        count = surface.GetNumberOfPoints()
         ends = (
-            [_vertex(index, name, count)]
+            arguments.surface_points([arguments.point_id(index, name, count)], name, surface)
             for index, name in ((sourceIndex, "sourceIndex"), (targetIndex, "targetIndex"))
         )
         found = find(self._finder, *ends)[0]
@@ -218,18 +219,10 @@ def _refuse_limits(max_iterations, max_relative_length_decrease):
         raise NotImplementedError("a limit of iterations or of the decrease in length")
 
 
-def _vertex(index, name, count):
-    place = arguments.place(index, name, count)
-    if not isinstance(place, int):
-        raise ValueError(f"{name}: a vertex index is wanted")
-    return place
-
-
 def _distances(solve, sources, max_distance=np.inf):
     """Distances, infinite where unreached, and indices of the nearest source."""
-    points = solve.GetInput().GetNumberOfPoints()
-    ids, _ = arguments.places(np.asarray(sources), "sources", points)
-    if ids is None:
+    ids = arguments.surface_points(np.asarray(sources), "sources", solve.GetInput()).ids
+    if not ids:
         raise ValueError("sources: vertex indices are wanted")
     solve.SetSourceIds(ids)
     solve.SetMaximumDistance(arguments.limit(max_distance, "max_distance"))

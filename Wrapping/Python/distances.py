@@ -115,7 +115,7 @@ def distance(
     """
     surface, (sources,) = meshes.take(points, triangles, sources=sources)
     limit = arguments.limit(maximum_distance, "maximum_distance")
-    count = surface.GetNumberOfPoints()
+    sources = arguments.surface_points(sources, "sources", surface)
     unreached = arguments.number(unreached, "unreached")
     tolerance = arguments.projection_tolerance(projection_tolerance)
     kinds = {
@@ -131,8 +131,8 @@ def distance(
     if accuracy is not None and method != "graph":
         raise ValueError(f'accuracy is for the method "graph", not for {method!r}')
     distance_filter = kinds[method]()
-    set_sources(distance_filter, sources, initial_distances, count)
-    if count == 0:
+    set_sources(distance_filter, sources, initial_distances)
+    if surface.GetNumberOfPoints() == 0:
         if as_polydata:
             return surface
         return (np.empty(0), np.empty(0, dtype=np.intp)) if return_source else np.empty(0)
@@ -152,20 +152,18 @@ def distance(
     return field_of(distance_filter, return_source)
 
 
-def set_sources(solve, sources, initial_distances, number_of_points):
-    """Set the sources of a distance filter, with the distances that they start with."""
-    ids, places = arguments.places(sources, "sources", number_of_points)
-    offsets = None
+def set_sources(solve, sources, initial_distances):
+    """Sets the sources of a distance filter, `SurfacePoints`, and their initial distances."""
+    offsets = np.zeros(len(sources))
     if initial_distances is not None:
-        count = len(places) if ids is None else len(ids)
-        offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
-    ids = [] if ids is None else ids
-    solve.SetSourceIds(ids, np.zeros(len(ids)) if offsets is None else offsets[: len(ids)])
-    solve.SetSourceData(None if places is None else arguments.polydata(places))
-    if places is not None and offsets is not None:
+        offsets = arguments.finite_numbers(initial_distances, "initial_distances", len(sources))
+    ids, data = sources.ids, sources.data
+    solve.SetSourceIds(ids, offsets[: len(ids)])
+    if data is not None and initial_distances is not None:
         array = numpy_to_vtk(offsets, deep=True)
         array.SetName(solve.GetInitialDistanceArrayName())
-        solve.GetInputDataObject(1, 0).GetPointData().AddArray(array)
+        data.GetPointData().AddArray(array)
+    solve.SetSourceData(data)
 
 
 def field_of(solve, return_source):

@@ -254,17 +254,15 @@ class Graph(Queries):
             surface with edges of more than two triangles.
         """
         tie = self._filter(vtkDGGLoop, projection_tolerance)
-        ids, places = [], None
         if points is not None:
-            ids, places = arguments.places(points, "points", self.number_of_points)
+            through = self._points(points, "points")
+            tie.SetPointIds(through.ids)
+            tie.SetPointData(through.data)
+            tie.SetMode(tie.Rope if rope else tie.ThroughPoint)
         elif rope:
             raise ValueError("points: a rope needs some")
-        tie.SetPointIds(ids or [])
-        tie.SetPointData(None if places is None else arguments.polydata(places))
-        if points is None:
-            tie.SetModeToAroundHandles()
         else:
-            tie.SetMode(tie.Rope if rope else tie.ThroughPoint)
+            tie.SetModeToAroundHandles()
         tie.SetTaut(bool(taut))
         output = run(tie, self._heard)
         if as_polydata:

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional
 
-import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
@@ -85,8 +84,8 @@ def path(
            [1.5, 2. , 0. ]]))
     """
     surface, (start, end) = meshes.take(points, triangles, start=start, end=end)
-    count = surface.GetNumberOfPoints()
-    start, end = arguments.place(start, "start", count), arguments.place(end, "end", count)
+    start = arguments.surface_point(start, "start", surface)
+    end = arguments.surface_point(end, "end", surface)
     tolerance = arguments.projection_tolerance(projection_tolerance)
     finder = vtkDGGPath()
     if accuracy is None:
@@ -97,27 +96,15 @@ def path(
     finder.SetMergeCoincidentPoints(bool(merge_coincident_points))
     finder.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
     finder.SetProjectionTolerance(tolerance)
-    found = find(finder, [start], [end])
+    found = find(finder, start, end)
     return finder.GetOutput() if as_polydata else found[0]
 
 
 def find(finder, starts, ends, heard=None):
-    """The paths between places, as arguments.place() gives them, by a filter that is set up for its
-    surface; None where the surface does not connect two, unless they are the only ones: that is an
-    error. `heard` as for run()."""
-    finder.RemoveAllPairs()
-    points = vtk_to_numpy(finder.GetInput().GetPoints().GetData())
-    if all(isinstance(place, int) for place in starts + ends):
-        finder.SetPairData(None)
-        for pair in zip(starts, ends):
-            finder.AddPair(*pair)
-    else:
-        places = [
-            _coordinates(finder, place, name, points)
-            for pair in zip(starts, ends)
-            for place, name in zip(pair, ("start", "end"))
-        ]
-        finder.SetPairData(_lines(places))
+    """The paths between `SurfacePoints`, by a filter that is set up for its surface; None where the
+    surface does not connect two, unless they are the only ones: that is an error. `heard` as for
+    run()."""
+    set_pairs(finder, starts, ends)
     is_alone = len(starts) == 1
     try:
         output = run(finder, heard, (lambda: _is_unconnected(finder)) if is_alone else None)
@@ -132,55 +119,29 @@ def find(finder, starts, ends, heard=None):
     if output.GetNumberOfLines() > 0:
         pairs = vtk_to_numpy(output.GetCellData().GetArray("PairId"))
         lines = lines_of(output, Path, length="Length", graph_length="GraphLength")
-        tolerance = _merge_tolerance(finder, points)
         for pair, line in zip(pairs, lines):
             found[pair] = line
-            for i, place, name in ((0, starts[pair], "start"), (-1, ends[pair], "end")):
-                _check_end(line, i, place, name, points, tolerance)
     return found
+
+
+def set_pairs(finder, starts, ends):
+    """Sets the pairs of points between which a filter finds paths."""
+    finder.RemoveAllPairs()
+    finder.SetPairData(None)
+    if starts.ids and ends.ids:
+        for pair in zip(starts.ids, ends.ids):
+            finder.AddPair(*pair)
+        return
+    pairs = starts.interleaved(ends).polydata()
+    cells = vtkCellArray()
+    for i in range(0, 2 * len(starts), 2):
+        cells.InsertNextCell(2)
+        cells.InsertCellPoint(i)
+        cells.InsertCellPoint(i + 1)
+    pairs.SetLines(cells)
+    finder.SetPairData(pairs)
 
 
 def _is_unconnected(finder):
     status = finder.GetOutput().GetFieldData().GetArray("PathStatus")
     return status is not None and status.GetNumberOfTuples() > 0 and status.GetValue(0) == 1
-
-
-def _merge_tolerance(finder, points):
-    if not finder.GetMergeCoincidentPoints() or finder.GetMergeTolerance() == 0.0:
-        return 0.0
-    size = np.ptp(points[np.isfinite(points).all(axis=1)], axis=0)
-    return finder.GetMergeTolerance() * float(np.linalg.norm(size))
-
-
-def _check_end(line, i, place, name, points, tolerance):
-    if not isinstance(place, int):
-        return
-    is_off = np.linalg.norm(line.points[i] - points[place]) > tolerance
-    if is_off or (tolerance == 0.0 and line.point_ids[i] < 0):
-        raise ValueError(f"{name}: no triangle uses point {place}; it is connected with no other")
-
-
-def _lines(places):
-    """Pairs of places as lines."""
-    result = arguments.polydata(np.array(places, dtype=np.float64))
-    cells = vtkCellArray()
-    for i in range(0, len(places), 2):
-        cells.InsertNextCell(2)
-        cells.InsertCellPoint(i)
-        cells.InsertCellPoint(i + 1)
-    result.SetLines(cells)
-    return result
-
-
-def _coordinates(finder, place, name, points):
-    """Coordinates of a place. Those of a point given by id must identify it."""
-    if not isinstance(place, int):
-        return place
-    same = np.flatnonzero((points == points[place]).all(axis=1))
-    if len(same) > 1 and not finder.GetMergeCoincidentPoints():
-        other = same[0] if same[0] != place else same[1]
-        raise ValueError(
-            f"{name}: points {place} and {other} have the same coordinates; give start and end "
-            "both as ids, or merge_coincident_points"
-        )
-    return points[place]

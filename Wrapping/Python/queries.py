@@ -131,12 +131,12 @@ class Queries(GraphData):
         tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
         tabulate.SetMaximumDistance(np.inf)
         tabulate.SetUnreachedValue(arguments.number(unreached, "unreached"))
-        self._set_rows(tabulate, rows)
-        ids, places = [], None
-        if columns is not None:
-            ids, places = arguments.places(columns, "columns", self.number_of_points)
-        tabulate.SetColumnIds(ids or [])
-        tabulate.SetColumnData(None if places is None else arguments.polydata(places))
+        rows = self._points(rows, "rows")
+        tabulate.SetRowIds(rows.ids)
+        tabulate.SetRowData(rows.data)
+        columns = None if columns is None else self._points(columns, "columns")
+        tabulate.SetColumnIds([] if columns is None else columns.ids)
+        tabulate.SetColumnData(None if columns is None else columns.data)
         return self._tabulate(tabulate)
 
     def sparse_matrix(
@@ -175,8 +175,7 @@ class Queries(GraphData):
         csr_matrix = self._csr_matrix("Graph.sparse_matrix")
         n = self.number_of_points
         radius = arguments.limit(maximum_distance, "maximum_distance")
-        ids, places = arguments.places(np.arange(n) if rows is None else rows, "rows", n)
-        rows = np.asarray(ids) if places is None else places
+        rows = self._points(np.arange(n) if rows is None else rows, "rows")
         tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
         tabulate.SetMaximumDistance(radius)
         tabulate.SetUnreachedValue(np.inf)
@@ -186,10 +185,11 @@ class Queries(GraphData):
         values, targets, counts = [], [], []
         for first in range(0, len(rows), step):
             part = rows[first : first + step]
-            self._set_rows(tabulate, part)
+            tabulate.SetRowIds(part.ids)
+            tabulate.SetRowData(part.data)
             block = self._tabulate(tabulate)
-            if places is None:
-                block[np.arange(len(part)), part] = np.inf
+            by_id = np.flatnonzero(part.point_ids >= 0)
+            block[by_id, part.point_ids[by_id]] = np.inf
             found = np.flatnonzero(block < np.inf)
             starts = n * np.arange(len(part) + 1)
             counts.append(np.diff(np.searchsorted(found, starts)))
@@ -245,11 +245,11 @@ class Queries(GraphData):
             When the filter refuses the input, as for coordinates far off the surface.
         """
         ends = (
-            arguments.place(value, name, self.number_of_points)
+            arguments.surface_point(value, name, self._surface, self.is_cloud)
             for value, name in ((start, "start"), (end, "end"))
         )
         finder = self._path_finder(straighten, detour, projection_tolerance)
-        found = find(finder, *([place] for place in ends), self._heard)
+        found = find(finder, *ends, self._heard)
         return self._given_away(finder) if as_polydata else found[0]
 
     def paths(
@@ -284,18 +284,15 @@ class Queries(GraphData):
         ValueError, VTKError
             As for `path`.
         """
-        sets = []
-        for values, name in ((starts, "starts"), (ends, "ends")):
-            ids, places = arguments.places(values, name, self.number_of_points)
-            sets.append(list(places) if ids is None else ids)
+        sets = [self._points(starts, "starts"), self._points(ends, "ends")]
         count = max(map(len, sets))
-        if any(len(places) not in (1, count) for places in sets):
+        if any(len(points) not in (1, count) for points in sets):
             raise ValueError(
                 f"starts and ends: as many are wanted of both, or one, not {len(sets[0])} and "
                 f"{len(sets[1])}"
             )
         finder = self._path_finder(straighten, detour, projection_tolerance)
-        sets = [places * count if len(places) == 1 else places for places in sets]
+        sets = [points[np.arange(count) % len(points)] for points in sets]
         found = find(finder, *sets, self._heard)
         return self._given_away(finder) if as_polydata else found
 
@@ -338,21 +335,14 @@ class Queries(GraphData):
         ValueError, VTKError
             As for `distance`.
         """
-        n = self.number_of_points
         count = arguments.integer(number_of_samples, "number_of_samples")
         if count < 1:
             raise ValueError(f"number_of_samples: must be positive, is {count}")
         sampler = self._filter(vtkGeodesicSampler, projection_tolerance)
         sampler.SetNumberOfSamples(count)
-        first = arguments.place(first, "first", n)
-        if not isinstance(first, int):
-            raise ValueError("first: a point id is wanted; coordinates go into start")
-        sampler.SetFirstSample(first)
-        places = None
-        if start is not None:
-            ids, places = arguments.places(start, "start", n)
-            places = self.points[ids] if places is None else places
-        sampler.SetStartData(None if places is None else arguments.polydata(places))
+        sampler.SetFirstSample(arguments.point_id(first, "first", self.number_of_points))
+        start = None if start is None else self._points(start, "start").polydata()
+        sampler.SetStartData(start)
         sampler.SetCoveringRadius(arguments.limit(covering_radius, "covering_radius"))
         sampler.SetInFaces(bool(in_faces))
         output = run(sampler, self._heard)
@@ -397,13 +387,13 @@ class Queries(GraphData):
         ValueError, VTKError
             As for `distance`.
         """
-        ids, places = arguments.places(sites, "sites", self.number_of_points)
+        sites = self._points(sites, "sites")
         iterations = arguments.integer(iterations, "iterations")
         if iterations < 0:
             raise ValueError(f"iterations: must not be negative, is {iterations}")
         divide = self._filter(vtkGeodesicVoronoi, projection_tolerance)
-        divide.SetSiteIds(ids or [])
-        divide.SetSiteData(None if places is None else arguments.polydata(places))
+        divide.SetSiteIds(sites.ids)
+        divide.SetSiteData(sites.data)
         divide.SetCentroidal(iterations > 0)
         divide.SetNumberOfIterations(iterations)
         output = run(divide, self._heard)
@@ -422,17 +412,15 @@ class Queries(GraphData):
         """The search from the sources, not run yet."""
         limit = arguments.limit(maximum_distance, "maximum_distance")
         search = self._filter(vtkDGGDistance, tolerance)
-        set_sources(search, sources, initial_distances, self.number_of_points)
+        set_sources(search, self._points(sources, "sources"), initial_distances)
         search.SetCorrection(bool(correction))
         search.SetMaximumDistance(limit)
         search.GenerateNearestSourceOn()
         search.GenerateVirtualSourceOff()
         return search
 
-    def _set_rows(self, tabulate, rows):
-        ids, places = arguments.places(rows, "rows", self.number_of_points)
-        tabulate.SetRowIds(ids or [])
-        tabulate.SetRowData(None if places is None else arguments.polydata(places))
+    def _points(self, values, name):
+        return arguments.surface_points(values, name, self._surface, self.is_cloud)
 
     def _tabulate(self, tabulate):
         tabulate.GenerateTableOff()

@@ -312,23 +312,18 @@ def interpolate(
     spline.SetSiteValuesArrayName(_SITE_VALUES)
     spline.GenerateBasisOff()
     _set_up(spline, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
-    ids, places = arguments.places(sites, "sites", surface.GetNumberOfPoints())
-    count = len(ids) if places is None else len(places)
+    sites = arguments.surface_points(sites, "sites", surface)
     numbers = np.asarray(arguments.numbers(values, "values"), dtype=np.float64)
     numbers = numbers.reshape(1) if numbers.ndim == 0 else numbers
-    if numbers.ndim > 2 or len(numbers) != count or numbers.size == 0:
+    if numbers.ndim > 2 or len(numbers) != len(sites) or numbers.size == 0:
         raise ValueError(
-            f"values: one row for each of {count} sites is wanted, not shape {numbers.shape}"
+            f"values: one row for each of {len(sites)} sites is wanted, not shape {numbers.shape}"
         )
-    if places is None:
-        of_points = np.full((surface.GetNumberOfPoints(), *numbers.shape[1:]), np.nan)
-        of_points[ids] = numbers
-        _add_array(surface, of_points)
-        spline.SetSourceIds(ids)
-    else:
-        points = arguments.polydata(places)
-        _add_array(points, numbers)
-        spline.SetSourceData(points)
+    data = sites.polydata()
+    array = numpy_to_vtk(np.ascontiguousarray(numbers), deep=True)
+    array.SetName(_SITE_VALUES)
+    data.GetPointData().AddArray(array)
+    spline.SetSourceData(data)
     output = _evaluate(spline, at)
     output.GetPointData().RemoveArray(_SITE_VALUES)
     if as_polydata:
@@ -338,12 +333,6 @@ def interpolate(
 
 #: The array that takes values to vtkHarmonicBSpline.
 _SITE_VALUES = "vtkdgg site values"
-
-
-def _add_array(data, numbers):
-    array = numpy_to_vtk(np.ascontiguousarray(numbers), deep=True)
-    array.SetName(_SITE_VALUES)
-    data.GetPointData().AddArray(array)
 
 
 def _order(value):
@@ -375,9 +364,9 @@ def _set_up(algorithm, surface, is_merged, merge_tolerance, projection_tolerance
 
 
 def _solve(solve, surface, sources, at, as_polydata):
-    ids, places = arguments.places(sources, "sources", surface.GetNumberOfPoints())
-    solve.SetSourceIds(ids or [])
-    solve.SetSourceData(None if places is None else arguments.polydata(places))
+    sources = arguments.surface_points(sources, "sources", surface)
+    solve.SetSourceIds(sources.ids)
+    solve.SetSourceData(sources.data)
     output = _evaluate(solve, at)
     if as_polydata:
         return output
@@ -388,17 +377,17 @@ def _solve(solve, surface, sources, at, as_polydata):
 def _evaluate(solve, at):
     """The surface, or the points that are asked for, with the results."""
     if at is not None:
-        at = np.atleast_2d(arguments.numbers(at, "at"))
-        solve.SetEvaluationData(arguments.polydata(arguments.coordinates(at, "at")))
+        at = arguments.surface_points(at, "at", solve.GetInput())
+        solve.SetEvaluationData(at.polydata())
     run(solve)
     return solve.GetOutput() if at is None else solve.GetEvaluation()
 
 
 def _set_distribution(surface, values, name, set_array, set_points):
     """Numbers of all points become an array, places become points."""
-    array = arguments.numbers(values, name)
     count = surface.GetNumberOfPoints()
-    if array.dtype.kind == "f" and array.shape == (count,):
+    array = None if arguments.is_mixed(values) else arguments.numbers(values, name)
+    if array is not None and array.dtype.kind == "f" and array.shape == (count,):
         if count == 3:
             raise ValueError(f"{name}: three numbers may be masses of the points, or a place")
         if not np.isfinite(array).all():
@@ -408,7 +397,4 @@ def _set_distribution(surface, values, name, set_array, set_points):
         surface.GetPointData().AddArray(numbers)
         set_array(name)
         return
-    ids, places = arguments.places(values, name, count)
-    if places is None:
-        places = meshes.points_of(surface)[ids]
-    set_points(arguments.polydata(places))
+    set_points(arguments.surface_points(values, name, surface).polydata())

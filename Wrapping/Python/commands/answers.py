@@ -57,11 +57,8 @@ def graph_of(options):
 
 
 def several(texts, contents, name):
-    """Places as functions take them: ids, or coordinates as soon as one is that."""
-    found = [places.choose(text, contents, name) for text in texts]
-    if all(isinstance(place, int) for place in found):
-        return found
-    return np.array([contents.GetPoint(p) if isinstance(p, int) else p for p in found])
+    """Surface points as functions take them."""
+    return [places.choose(text, contents, name) for text in texts]
 
 
 def written(options, data):
@@ -225,7 +222,7 @@ def voronoi(options):
     if options.site:
         sites = several(options.site, contents, "--site")
     else:
-        sites = made.sample(20 if options.number is None else options.number).points
+        sites = made.sample(20 if options.number is None else options.number).point_ids
     choices = {"iterations": options.iterations, "projection_tolerance": options.tolerance}
     cells = made.voronoi(sites, **choices)
     found = {"sites": len(cells.sites), "covering radius": spread(cells.distances)["largest"]}

@@ -230,9 +230,11 @@ def on_mesh(options, contents, read_time):
     start = time.perf_counter()
     mesh = triangles_of(contents, options.mesh)
     read_time += time.perf_counter() - start
-    source = places.choose(options.source, mesh)
+    source = places.choose(options.source, contents)
     if source is None:
         source = places.far_point(mesh)
+    elif isinstance(source, tuple):
+        source = places.in_triangles(source, contents)
     accuracy = DEFAULT_ACCURACY if options.accuracy is None else options.accuracy
     location, corners = places.locate(mesh, source)
 

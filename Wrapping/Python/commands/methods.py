@@ -4,8 +4,8 @@
 
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from .places import add_source
 
 
 def graph(accuracy, correction=True):
@@ -79,20 +79,12 @@ def methods(mesh, accuracy, merge=False, neighbors=30):
 
 
 def field(make, mesh, source, merge=False, tolerance=0.01):
-    """Distances from a point id, or from coordinates."""
+    """Distances from a surface point."""
     distance = make()
     if distance.GetNumberOfInputConnections(0) == 0:
         distance.SetInputData(mesh)
     distance.SetMergeCoincidentPoints(merge)
     distance.SetProjectionTolerance(tolerance)
-    if isinstance(source, int):
-        distance.SetSourceIds([source])
-    else:
-        points = vtkPoints()
-        points.SetDataTypeToDouble()
-        points.InsertNextPoint(source)
-        place = vtkPolyData()
-        place.SetPoints(points)
-        distance.SetInputData(1, place)
+    add_source(distance, mesh, source)
     output = vtkdgg.check(distance)
     return vtk_to_numpy(output.GetPointData().GetArray(distance.GetDistanceArrayName())).copy()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Places of a command line, and one to start with where none is given."""
+"""Surface points of a command line, and one to start with where none is given."""
 
 import math
 
@@ -11,28 +11,52 @@ from vtkmodules.vtkCommonCore import reference, vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
+from .. import arguments
+
 
 class SourceError(Exception):
     """There is no such source; the text says why."""
 
 
 def choose(text, mesh, name="--source"):
-    """A point id (int) or coordinates (list of 3 floats); None for no text."""
+    """A point id (int), coordinates (list of 3 floats) or a pair (face, barycentric coordinates);
+    None for no text."""
     if text is None:
         return None
     try:
-        if "," not in text:
+        if text.startswith("face:"):
+            _, face, weights = text.split(":")
+            source = int(face), [float(word) for word in weights.split(",")]
+        elif "," not in text:
             source = int(text)
         else:
             source = [float(word) for word in text.split(",")]
             if len(source) != 3 or not all(math.isfinite(x) for x in source):
                 raise ValueError
     except ValueError:
-        raise SourceError(f"{name} {text}: neither a point id nor X,Y,Z") from None
+        raise SourceError(
+            f"{name} {text}: expected a point id, X,Y,Z or face:ID:B0,B1,B2"
+        ) from None
+    if isinstance(source, tuple):
+        arguments.surface_point(source, name, mesh)
     count = mesh.GetNumberOfPoints()
     if isinstance(source, int) and not 0 <= source < count:
         raise SourceError(f"{name} {source}: there are points 0 to {count - 1}")
     return source
+
+
+def in_triangles(source, contents):
+    """The pair (face, barycentric coordinates) with the face that triangles_of() makes of it."""
+    first = arguments.first_polygon(contents)
+    offsets = vtk_to_numpy(contents.GetPolys().GetOffsetsArray())
+    return int((np.diff(offsets[: source[0] - first + 1]) - 2).sum()), source[1]
+
+
+def add_source(algorithm, mesh, source):
+    """Sets the source of a filter to one that choose() has returned."""
+    points = arguments.surface_point(source, "--source", mesh)
+    algorithm.SetSourceIds(points.ids)
+    algorithm.SetSourceData(points.data)
 
 
 def far_point(mesh):
@@ -61,6 +85,9 @@ def locate(mesh, source):
     """Where the source is on the surface, and the corners of the triangle that holds it."""
     if isinstance(source, int):
         return np.array(mesh.GetPoint(source)), [source]
+    if isinstance(source, tuple):
+        points = arguments.surface_point(source, "--source", mesh)
+        return points.positions()[0], points.corners()[0].tolist()
     locator = vtkStaticCellLocator()
     locator.SetDataSet(mesh)
     locator.BuildLocator()

@@ -7,10 +7,11 @@ import time
 
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from .. import arguments
+from ..paths import set_pairs
 from .files import make_graph
+from .places import add_source
 
 NUMBER_OF_QUERIES = 9
 
@@ -48,7 +49,8 @@ class Query:
         self.filter = vtkdgg.vtkDGGDistance()
         self.filter.SetInputConnection(graph.filter.GetOutputPort())
         self.filter.SetMergeCoincidentPoints(merge)
-        _add_source(self.filter, source, tolerance)
+        self.filter.SetProjectionTolerance(tolerance)
+        add_source(self.filter, graph.filter.GetInput(), source)
         self.filter.GenerateUpperBoundOn()
         self.output, self.first_time = update(self.filter)
         times = []
@@ -70,7 +72,8 @@ class Direct:
         self.filter = kind()
         self.filter.SetInputData(mesh)
         self.filter.SetMergeCoincidentPoints(merge)
-        _add_source(self.filter, source, tolerance)
+        self.filter.SetProjectionTolerance(tolerance)
+        add_source(self.filter, mesh, source)
         output, self.time = update(self.filter)
         name = self.filter.GetDistanceArrayName()
         self.distances = vtk_to_numpy(output.GetPointData().GetArray(name))
@@ -83,31 +86,10 @@ class Path:
         self.filter = vtkdgg.vtkDGGPath()
         self.filter.SetInputConnection(graph.filter.GetOutputPort())
         self.filter.SetProjectionTolerance(tolerance)
-        if isinstance(source, int):
-            self.filter.AddPair(source, point)
-        else:
-            points = vtkPoints()
-            points.SetDataTypeToDouble()
-            points.InsertNextPoint(source)
-            points.InsertNextPoint(graph.output.GetPoint(point))
-            line = vtkCellArray()
-            line.InsertNextCell(2, (0, 1))
-            pair = vtkPolyData()
-            pair.SetPoints(points)
-            pair.SetLines(line)
-            self.filter.SetPairData(pair)
+        ends = (
+            arguments.surface_point(end, "--source", graph.output, is_cloud=True)
+            for end in (source, point)
+        )
+        set_pairs(self.filter, *ends)
         self.output, self.time = update(self.filter)
         self.length = self.output.GetCellData().GetArray("Length").GetValue(0)
-
-
-def _add_source(distance, source, tolerance):
-    distance.SetProjectionTolerance(tolerance)
-    if isinstance(source, int):
-        distance.AddSourceId(source)
-        return
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    points.InsertNextPoint(source)
-    place = vtkPolyData()
-    place.SetPoints(points)
-    distance.SetInputData(1, place)
