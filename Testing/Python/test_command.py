@@ -158,6 +158,34 @@ class Command(unittest.TestCase):
             rough = self.answer("distance", BUMPY, "--source", 5, "--method", method)
             self.assertAlmostEqual(rough["largest"], self.exact.max(), delta=0.1)
 
+    def test_graph_of_the_file(self):
+        path = out("fine.vtp")
+        self.answer("graph", BUMPY, "--accuracy", 0.003, "--out", path)
+        source = "--source", 5
+        for asked in (
+            ("distance", path, *source),
+            ("path", path, 5, 100),
+            ("isolines", path, *source, "--values", "1"),
+            ("loop", path, "--through", 5, "--through", 100, "--through", 300, "--rope"),
+            ("sample", path, "--number", 3),
+            ("voronoi", path, "--number", 3),
+            ("graph", path),
+        ):
+            with self.subTest(command=asked[0]):
+                found = self.answer(*asked)
+                used = [found[key] for key in ("method", "accuracy", "graph", "warnings")]
+                self.assertEqual(used, ["graph", 0.003, "of the file", []])
+                found = self.answer(*asked, "--accuracy", 0.002)
+                if asked[0] == "graph":
+                    self.assertEqual((found["accuracy"], found["graph"]), (0.002, "built"))
+                else:
+                    self.assertEqual((found["accuracy"], found["graph"]), (0.003, "of the file"))
+                    self.assertIn("--accuracy 0.002 is finer than the graph", found["warnings"][-1])
+        for asked in (("distance", path, *source), ("path", path, 5, 100)):
+            self.assertEqual(self.answer(*asked, "--method", "exact")["method"], "exact")
+        found = self.answer("distance", BUMPY, *source, "--accuracy", 0.05)
+        self.assertEqual((found["accuracy"], found["graph"]), (0.05, "built"))
+
     def test_graph_is_left_out(self):
         path, kept, again = out("without.vtp"), out("with.vtp"), out("again.vtp")
         asked = "--source", 5, "--method", "graph", "--out"
@@ -289,8 +317,12 @@ class Command(unittest.TestCase):
         x, y = np.meshgrid(np.linspace(0, 2, 41), np.linspace(0, 1, 21))
         files.write(cloud, files.cloud_of(np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])))
         self.assertEqual(self.answer("info", cloud)["kind"], "point cloud")
-        self.assertGreater(self.answer("graph", cloud)["edges"], 861)
+        kept = out("cloud.vtp")
+        self.assertGreater(self.answer("graph", cloud, "--out", kept)["edges"], 861)
         found = self.answer("distance", cloud, "--source", 0)
+        again = self.answer("distance", kept, "--source", 0)
+        self.assertEqual((found.pop("graph"), again.pop("graph")), ("built", "of the file"))
+        self.assertEqual(again, found)
         self.assertAlmostEqual(found["largest"], np.sqrt(5.0), delta=0.02)
         self.assertAlmostEqual(
             self.answer("path", cloud, 0, 860)["length"], np.sqrt(5.0), delta=0.03

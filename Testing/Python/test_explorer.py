@@ -257,6 +257,17 @@ class Surface(unittest.TestCase):
         self.assertEqual(scene.graph.accuracy, 0.1)
         self.assertIn("accuracies are from 0.1 to 0.001", hand.window._status.GetInput())
 
+    def test_graph_of_the_surface(self):
+        mesh = vtkdgg.Graph(files.read(BUMPY), accuracy=0.05).polydata
+        scene = Scene(mesh)
+        self.assertEqual((scene.accuracy, scene.graph.used_input_graph), (0.05, True))
+        scene.suggest(mesh.GetPoint(5))
+        scene.update()
+        self.assertIn("by graph: accuracy 0.05", scene.status()[0])
+        scene.change_accuracy(1)
+        self.assertEqual((scene.accuracy, scene.graph.used_input_graph), (0.03, False))
+        self.assertFalse(Scene(mesh, accuracy=0.05001).graph.used_input_graph)
+
     def test_error(self):
         hand, scene = self.hand, self.scene
         hand.click(hand.middle())

@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import support
 import vtkdgg
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 ROUNDING = 1e-6  # of lengths, relative
 
@@ -231,6 +232,96 @@ class Mesh(unittest.TestCase):
             self.assertAlmostEqual(two.distance(4)[2], 4.0, delta=1e-6)
 
 
+class GraphOnTheMesh(unittest.TestCase):
+    """A graph in the field data of a mesh or cloud is used by default, and named."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.points, cls.triangles = support.bumpy()
+        cls.graph = vtkdgg.Graph(cls.points, cls.triangles, accuracy=0.05)
+        cls.mesh = cls.graph.polydata
+        cls.exact = vtkdgg.distance(cls.points, cls.triangles, 5)
+
+    def setUp(self):
+        catcher = warnings.catch_warnings()
+        catcher.__enter__()
+        self.addCleanup(catcher.__exit__, None, None, None)
+        warnings.simplefilter("error")
+
+    def test_functions(self):
+        expected = self.graph.distance(5)
+        np.testing.assert_array_equal(vtkdgg.distance(self.mesh, 5), expected)
+        np.testing.assert_array_equal(vtkdgg.distance(self.mesh, 5, method="exact"), self.exact)
+        self.assertFalse(np.isnan(vtkdgg.path(self.mesh, 5, 100).graph_length))
+        exact = vtkdgg.path(self.mesh, 5, 100, method="exact")
+        self.assertTrue(np.isnan(exact.graph_length))
+        self.assertAlmostEqual(exact.length, self.exact[100])
+        for method, pattern in (("fast", "'exact', 'graph', got 'fast'"), ("exact", "'graph' only")):
+            with self.assertRaisesRegex(ValueError, pattern):
+                vtkdgg.path(self.mesh, 5, 100, method=method, accuracy=0.1)
+
+    def test_graphs(self):
+        for options, accuracy, is_found in (
+            ({}, 0.05, True),
+            ({"accuracy": 0.05}, 0.05, True),
+            ({"accuracy": 0.01}, 0.01, False),
+            ({"accuracy": 0.1}, 0.1, False),
+            ({"construction": "OneRelay"}, 0.01, False),
+        ):
+            with self.subTest(**options):
+                graph = vtkdgg.Graph(self.mesh, **options)
+                found = graph.accuracy, graph.used_input_graph
+                self.assertEqual(found, (accuracy, is_found))
+        self.assertFalse(self.graph.used_input_graph)
+
+    def test_finer_accuracy(self):
+        for ask in (
+            lambda **options: vtkdgg.distance(self.mesh, 5, **options),
+            lambda **options: vtkdgg.path(self.mesh, 5, 100, **options).points,
+        ):
+            expected = ask()
+            np.testing.assert_array_equal(ask(accuracy=0.1), expected)
+            with self.assertWarnsRegex(RuntimeWarning, r"0\.05 and .*vtkdgg\.Graph\(mesh, accuracy"):
+                np.testing.assert_array_equal(ask(accuracy=0.01), expected)
+
+    def test_merged_points(self):
+        points, triangles = support.grid(1, 1)
+        points = np.vstack([points, points + [1.0, 0.0, 0.0]])
+        graph = vtkdgg.Graph(
+            points, np.vstack([triangles, triangles + 4]), merge_coincident_points=True
+        )
+        np.testing.assert_array_equal(vtkdgg.distance(graph.polydata, 0), graph.distance(0))
+        self.assertAlmostEqual(vtkdgg.path(graph.polydata, 0, 7).length, np.sqrt(5.0), delta=1e-6)
+
+    def test_out_of_date(self):
+        mesh = vtkPolyData()
+        mesh.DeepCopy(self.mesh)
+        mesh.GetPoints().SetPoint(0, 0.0, 0.0, 1.5)
+        for ask in (vtkdgg.Graph, lambda mesh: vtkdgg.distance(mesh, 5)):
+            with self.assertWarnsRegex(RuntimeWarning, "out of date"):
+                ask(mesh)
+
+    @unittest.skipUnless(hasattr(vtkdgg, "vtkPointCloudDGG"), "built without PCL")
+    def test_clouds(self):
+        built = vtkdgg.CloudGraph(self.points, scheme="B", accuracy=0.1)
+        cloud = built.polydata
+        expected = built.distance(5)
+        graph = vtkdgg.CloudGraph(cloud)
+        self.assertEqual((graph.used_input_graph, built.used_input_graph), (True, False))
+        np.testing.assert_array_equal(graph.targets, built.targets)
+        np.testing.assert_array_equal(graph.distance(5), expected)
+        np.testing.assert_array_equal(vtkdgg.distance(cloud, 5), expected)
+        self.assertFalse(vtkdgg.CloudGraph(cloud, scheme="B").used_input_graph)
+        moved = vtkPolyData()
+        moved.DeepCopy(cloud)
+        moved.GetPoints().SetPoint(0, 0.0, 0.0, 1.5)
+        with self.assertWarnsRegex(RuntimeWarning, "belongs to other points") as caught:
+            graph = vtkdgg.CloudGraph.from_polydata(moved)
+        self.assertEqual(caught.filename, __file__)
+        found = graph.construction, graph.accuracy, graph.used_input_graph
+        self.assertEqual(found, ("B", 0.1, False))
+
+
 class WrongInput(unittest.TestCase):
     def setUp(self):
         self.points, self.triangles = support.folded()
@@ -256,13 +347,13 @@ class WrongInput(unittest.TestCase):
             with self.subTest(accuracy=accuracy):
                 with self.assertRaisesRegex(vtkdgg.VTKError, "accuracy.*1e-06, 0.5"):
                     vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
-        for accuracy in ("fine", None, [0.1, 0.2]):
+        for accuracy in ("fine", [0.1, 0.2]):
             with self.assertRaisesRegex(ValueError, "accuracy: a number is wanted"):
                 vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
 
     def test_construction(self):
-        for construction in ("guaranteed", 0, None):
-            with self.assertRaisesRegex(ValueError, "construction: one of Guaranteed, OneRelay"):
+        for construction in ("guaranteed", 0, "A"):
+            with self.assertRaisesRegex(ValueError, "construction: expected one of Guaranteed, One"):
                 vtkdgg.Graph(self.points, self.triangles, construction=construction)
         with self.assertRaisesRegex(vtkdgg.VTKError, "neighbours"):
             vtkdgg.Graph(
@@ -271,7 +362,7 @@ class WrongInput(unittest.TestCase):
                 construction="SaddleVertexGraph",
                 number_of_neighbors=0,
             )
-        for number in (30.5, 30.0, 2**40, None, "many"):
+        for number in (30.5, 30.0, 2**40, "many"):
             with self.assertRaisesRegex(ValueError, "number_of_neighbors"):
                 vtkdgg.Graph(self.points, self.triangles, number_of_neighbors=number)
 

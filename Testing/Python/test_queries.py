@@ -227,7 +227,7 @@ class OfACloud(unittest.TestCase):
         for call, pattern in (
             (lambda: vtkdgg.CloudGraph([]), "points: at least one"),
             (lambda: vtkdgg.CloudGraph([[0, 0]]), "points: the shape"),
-            (lambda: vtkdgg.CloudGraph(self.points, normals=[[0, 0, 1]]), "normals: 861"),
+            (lambda: vtkdgg.CloudGraph(self.points, normals=[[0, 0, 1]]), "normals: expected 861"),
             (lambda: vtkdgg.CloudGraph(self.points, scheme="D"), "scheme"),
             (lambda: vtkdgg.Graph.from_polydata(self.cloud.polydata), "CloudGraph"),
             (lambda: vtkdgg.CloudGraph.from_polydata(vtkPolyData()), "no graph"),
@@ -237,11 +237,6 @@ class OfACloud(unittest.TestCase):
         mesh = vtkdgg.Graph(*support.grid(2, 2)).polydata
         with self.assertRaisesRegex(ValueError, "see vtkdgg.Graph"):
             vtkdgg.CloudGraph.from_polydata(mesh)
-        stale = self.cloud.polydata
-        stale = vtkdgg.surface.copy_surface(stale)
-        stale.GetPoints().SetPoint(3, 0.3, 0.3, 0.3)
-        with self.assertRaises(vtkdgg.VTKError):
-            vtkdgg.CloudGraph.from_polydata(stale).distance(0)
 
 
 class Spectral(unittest.TestCase):

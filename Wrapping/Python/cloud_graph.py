@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-import threading
+import warnings
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
@@ -13,9 +13,11 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import arguments, meshes
 from .build_info import HAS_POINT_CLOUDS
-from .graph_info import GraphInfo
+from .errors import VTKError, depth_of_package, run
+from .graph_info import CONSTRUCTIONS, SCHEMES, GraphInfo
 from .queries import Queries
 from .surface import copy_surface
+from .vtkDGGFiltersGeodesic import vtkDGGDistance
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -32,15 +34,18 @@ class CloudGraph(Queries):
     Parameters
     ----------
     points : array_like, shape (n, 3), or a mesh, of which only the points are used
-        Coordinates; at least one point.
+        Coordinates; at least one point. The graph on a vtkPolyData is used, without a copy, unless
+        one of the next six arguments is given. If it belongs to other points or is damaged, a
+        warning says so and a graph with the same scheme and accuracy is built.
     normals : array_like, shape (n, 3), optional
         Normals. Default: those that a vtkPolyData has, else they are found from the points.
     scheme : {"C", "B", "A"}, optional
-        How far edges reach, see vtkPointCloudDGG.
+        How far edges reach, see vtkPointCloudDGG. Default: "C".
     offset_in_voxels, resolution, alpha : float, int, float, optional
         The band around the cloud, see vtkPointCloudDGG. Default: 0, automatic.
     accuracy : float, optional
-        How much longer a path may become by edges that are left out, as a fraction; 0 for none.
+        Largest relative increase in length of a path by edges that are omitted; 0 to keep all
+        edges. Default: 0.001.
     memory_limit : int, optional
         As for `Graph`.
 
@@ -67,11 +72,11 @@ class CloudGraph(Queries):
         points: Any,
         *,
         normals: Optional[ArrayLike] = None,
-        scheme: str = "C",
+        scheme: Optional[str] = None,
         offset_in_voxels: float = 0.0,
         resolution: int = 0,
         alpha: float = 0.0,
-        accuracy: float = 0.001,
+        accuracy: Optional[float] = None,
         memory_limit: Optional[int] = None,
     ) -> None:
         if not HAS_POINT_CLOUDS:
@@ -85,30 +90,40 @@ class CloudGraph(Queries):
         count = cloud.GetNumberOfPoints()
         if count == 0:
             raise ValueError("points: at least one is wanted")
+        limit = arguments.number_of_bytes(memory_limit, "memory_limit")
+        is_given = offset_in_voxels or resolution or alpha
+        if not is_given and normals is None and scheme is None and accuracy is None:
+            info = GraphInfo.find(cloud)
+        else:
+            info = None
+        if info is not None and info.is_cloud:
+            self._take(cloud, limit, True)
+            if self._is_current():
+                return
+            scheme, accuracy = CONSTRUCTIONS[info.construction], info.accuracy
         if normals is not None:
             normals = arguments.coordinates(normals, "normals")
             if len(normals) != count:
-                raise ValueError(f"normals: {count} are wanted, not {len(normals)}")
+                raise ValueError(f"normals: expected {count}, got {len(normals)}")
             cloud.GetPointData().SetNormals(numpy_to_vtk(normals, deep=True))
         builder = vtkPointCloudDGG()
-        if scheme not in ("A", "B", "C"):
-            raise ValueError(f"scheme: one of A, B, C is wanted, not {scheme!r}")
-        builder.SetScheme(getattr(builder, scheme))
+        if scheme not in (None, *SCHEMES):
+            raise ValueError(f"scheme: expected one of {', '.join(SCHEMES)}, got {scheme!r}")
+        builder.SetScheme(getattr(builder, scheme or "C"))
         builder.SetOffsetInVoxels(arguments.number(offset_in_voxels, "offset_in_voxels"))
         builder.SetResolution(arguments.integer(resolution, "resolution"))
         builder.SetAlpha(arguments.number(alpha, "alpha"))
-        builder.SetAccuracy(arguments.number(accuracy, "accuracy"))
-        builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
+        if accuracy is not None:
+            builder.SetAccuracy(arguments.number(accuracy, "accuracy"))
+        builder.SetMemoryLimit(limit)
         self._build(builder, cloud)
 
     @classmethod
     def from_polydata(
         cls, polydata: vtkPolyData, *, memory_limit: Optional[int] = None
     ) -> CloudGraph:
-        """The graph that vtkPointCloudDGG has put on a cloud.
-
-        It is used as it is, without a copy. When it is not that of the points any more, the first
-        query fails.
+        """Returns the graph that vtkPointCloudDGG has put on a cloud: ``CloudGraph(polydata)`` that
+        fails where there is none.
 
         Parameters
         ----------
@@ -123,17 +138,28 @@ class CloudGraph(Queries):
             When there are no points, no graph, or that of a mesh.
         """
         if not isinstance(polydata, vtkPolyData):
-            raise TypeError(f"polydata: a vtkPolyData is wanted, not {type(polydata).__name__}")
-        info = GraphInfo(polydata)
-        if not info.is_cloud:
+            raise TypeError(f"polydata: expected a vtkPolyData, got {type(polydata).__name__}")
+        if not GraphInfo(polydata).is_cloud:
             raise ValueError("polydata: its graph is that of a mesh: see vtkdgg.Graph")
-        graph = cls.__new__(cls)
-        graph._heard = set()
-        graph._memory_limit = arguments.number_of_bytes(memory_limit, "memory_limit")
-        graph._local = threading.local()
-        graph._surface = copy_surface(polydata)
-        graph._info = info
-        return graph
+        return cls(polydata, memory_limit=memory_limit)
+
+    def _is_current(self):
+        """Returns true if the graph belongs to the points, which the filter checks; else warns."""
+        search = self._filter(vtkDGGDistance, None)
+        finite = np.isfinite(self.points).all(axis=1)
+        search.SetSourceIds([int(np.argmax(finite))])
+        search.SetMaximumDistance(0.0)
+        try:
+            run(search, self._heard)
+        except VTKError:
+            warnings.warn(
+                "points: the graph on the cloud belongs to other points or is damaged; it is built "
+                "anew",
+                RuntimeWarning,
+                stacklevel=depth_of_package(),
+            )
+            return False
+        return True
 
     @property
     def components(self) -> NDArray[np.int32]:

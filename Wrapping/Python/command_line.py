@@ -73,8 +73,8 @@ OPTIONS = {
     "accuracy": {
         "type": float,
         "metavar": "E",
-        "help": "largest relative error, 1e-6 to 0.5 (default: exact, and 0.01 where a graph is "
-        "needed)",
+        "help": "largest relative error, 1e-6 to 0.5 (default: that of the graph of the file; else "
+        "exact, and 0.01 where a graph is needed)",
     },
     "merge": {
         "action": "store_true",
@@ -129,12 +129,18 @@ def make_parser():
     command = add(answers.distance, "source", *placed, example="--source 0 --out distance.vtp")
     command.add_argument(
         "--method",
-        choices=("exact", "graph", "fast", "marching"),
+        choices=answers.METHODS,
         help="graph: within --accuracy; fast: virtual sources, no bound; marching: fast marching, "
-        "no bound, also on clouds (default: exact; graph with --accuracy, and on clouds)",
+        "no bound, also on clouds (default: graph with --accuracy, on clouds and where the file "
+        "has one, else exact)",
     )
     command.add_argument("--maximum", type=float, metavar="D", help="stop at this distance")
     command = add(answers.path, *placed, out="curves", example="0 1000 --out path.vtp")
+    command.add_argument(
+        "--method",
+        choices=answers.METHODS[:2],
+        help="default: graph with --accuracy, on clouds and where the file has one, else exact",
+    )
     for name in ("start", "end"):
         command.add_argument(name, metavar="ID|X,Y,Z", help=f"{name} of the path")
     command = add(answers.loop, *placed, out="curves", example="--through 0 --taut --out loop.vtp")

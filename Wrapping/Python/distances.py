@@ -11,6 +11,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from . import arguments, meshes
 from .errors import run
+from .graph_info import choose_method, set_merging
 from .results import array_of
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
@@ -63,13 +64,15 @@ def distance(
     unreached : float, optional
         Distance given to points that no source reaches. Default: NaN.
     accuracy : float, optional
-        Largest relative error, in [1e-6, 0.5]. Default: None, the exact distance. With a number a
-        graph is built for this one call. That pays off for many calls: see `Graph`.
+        Largest relative error, in [1e-6, 0.5]. With a number a graph is built for this one call,
+        unless the mesh has one, which is used; a warning says if it is coarser. Default: that of
+        the graph on the mesh, otherwise the exact distance. For many calls see `Graph`.
     method : {"exact", "graph", "fast", "marching"}, optional
-        Default: "exact", or "graph" when there is an `accuracy`, whose default is 0.01 then. "fast"
-        (virtual sources) takes milliseconds, and nothing bounds its errors. Nor does anything those
-        of "marching" (fast marching), which takes point clouds as well: a mesh without polygons, or
-        [] for the triangles. With these two an `accuracy` is an error.
+        Default: "graph" with an `accuracy` and on a mesh or cloud that has a graph, otherwise
+        "exact". The accuracy of "graph" is 0.01 where nothing else determines it. "fast" (virtual
+        sources) takes milliseconds, and nothing bounds its errors. Nor does anything those of
+        "marching" (fast marching), which takes point clouds as well: a mesh without polygons, or []
+        for the triangles. With methods other than "graph" an `accuracy` is an error.
     merge_coincident_points : bool, optional
         Whether points with the very same coordinates are one, as along the seams of a textured
         mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
@@ -124,12 +127,7 @@ def distance(
         "fast": vtkVirtualSourceGeodesicDistance,
         "marching": vtkDGGFastMarchingDistance,
     }
-    if method is None:
-        method = "exact" if accuracy is None else "graph"
-    if not isinstance(method, str) or method not in kinds:
-        raise ValueError(f"method is {method!r}: it has to be one of {', '.join(map(repr, kinds))}")
-    if accuracy is not None and method != "graph":
-        raise ValueError(f'accuracy is for the method "graph", not for {method!r}')
+    method, info = choose_method(method, accuracy, surface, kinds)
     distance_filter = kinds[method]()
     set_sources(distance_filter, sources, initial_distances)
     if surface.GetNumberOfPoints() == 0:
@@ -141,8 +139,7 @@ def distance(
         distance_filter.SetAccuracy(arguments.number(accuracy, "accuracy"))
     distance_filter.SetInputData(surface)
     distance_filter.SetGenerateNearestSource(bool(return_source))
-    distance_filter.SetMergeCoincidentPoints(bool(merge_coincident_points))
-    distance_filter.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
+    set_merging(distance_filter, merge_coincident_points, merge_tolerance, info)
     distance_filter.SetProjectionTolerance(tolerance)
     distance_filter.SetMaximumDistance(limit)
     distance_filter.SetUnreachedValue(unreached)

@@ -24,6 +24,13 @@ _PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 _ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
 # The name of the class that says something.
 _SPEAKER = re.compile(r"\A\w+: ")
+# Words of filters, and what users of functions should read.
+_IN_ARGUMENTS = {
+    " of input port 1, at": ", at",
+    "vtkPointCloudDGG makes,": "vtkPointCloudDGG makes (vtkdgg.CloudGraph),",
+    "build it so by vtkDiscreteGeodesicGraph, remove it, or turn AcceptCoarserGraph on": "build it "
+    'so by vtkdgg.Graph(mesh, accuracy=...), or choose method="exact"',
+}
 # The end of a path that a function was given: its filter has starts and ends on a port, by turns.
 _END = re.compile(r"path end point (\d+) of input port 1")
 # How an executive reports that an algorithm failed: it names the request, not the reason.
@@ -92,10 +99,7 @@ def run(algorithm, heard=None, refused=None):
     are added to it. A warning counts as an error, and stops the update, when the function `refused`
     returns something true at that time.
     """
-    try:
-        return _checked(algorithm, heard, refused, Bar)
-    except VTKError as error:
-        raise VTKError([in_arguments(text) for text in error.messages], error.code) from None
+    return _checked(algorithm, heard, refused, Bar, in_arguments)
 
 
 def in_arguments(text):
@@ -105,11 +109,13 @@ def in_arguments(text):
         pair, is_end = divmod(int(match[1]), 2)
         return ("end" if is_end else "start") + (f" {pair}" if pair else "")
 
-    text = _END.sub(end_of, text).replace(" of input port 1, at", ", at")
-    return text.replace("vtkPointCloudDGG makes,", "vtkPointCloudDGG makes (vtkdgg.CloudGraph),")
+    text = _END.sub(end_of, text)
+    for words, ours in _IN_ARGUMENTS.items():
+        text = text.replace(words, ours)
+    return text
 
 
-def _checked(algorithm, heard=None, refused=None, bar=None):
+def _checked(algorithm, heard=None, refused=None, bar=None, words=str):
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
@@ -124,13 +130,14 @@ def _checked(algorithm, heard=None, refused=None, bar=None):
         # What failed must run again in the next update, even when nothing else changes.
         for node in reports.nodes + failed:
             node.Modified()
-        raise VTKError(_messages(reports, failed), failed[0].GetErrorCode() if failed else 0)
+        messages = [words(text) for text in _messages(reports, failed)]
+        raise VTKError(messages, failed[0].GetErrorCode() if failed else 0)
     for text in reports.warnings:
-        words = _SPEAKER.sub("", text)
-        if heard is None or words not in heard:
-            warnings.warn(text, RuntimeWarning, stacklevel=_depth_of_package())
+        said = _SPEAKER.sub("", text)
+        if heard is None or said not in heard:
+            warnings.warn(words(text), RuntimeWarning, stacklevel=depth_of_package())
         if heard is not None:
-            heard.add(words)
+            heard.add(said)
     if algorithm.GetNumberOfOutputPorts() == 0:
         return None
     return algorithm.GetOutputDataObject(0)
@@ -249,10 +256,10 @@ def _has_elements(output):
     return any(output.GetNumberOfElements(kind) > 0 for kind in kinds)
 
 
-def _depth_of_package():
+def depth_of_package():
     """The stack level, for a warning of the caller, of the first function outside the package."""
     frame, level = sys._getframe(1), 1
-    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+    while frame.f_back and f"{frame.f_globals.get('__package__')}.".startswith(f"{__package__}."):
         frame, level = frame.f_back, level + 1
     return level
 

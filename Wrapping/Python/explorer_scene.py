@@ -18,6 +18,7 @@ from .commands.pictures import nice_step
 from .commands.sizes import floor_of
 from .errors import VTKError, run
 from .graph import Graph
+from .graph_info import GraphInfo, set_merging
 from .results import array_of
 from .vtkDGGFiltersGeodesic import (
     vtkApolloniusIsolines,
@@ -39,7 +40,8 @@ class Scene:
     """Places on a surface or a cloud, and a view of what follows from them.
 
     A vtkPolyData with `is_cloud` is a cloud, else a surface. Polygons and strips of a surface are
-    cut into triangles; a ValueError says that there is none, or that a point is not finite.
+    cut into triangles; a ValueError says that there is none, or that a point is not finite. The
+    graph on the surface is used unless an accuracy is given; without either the accuracy is 0.01.
 
     The first place is a source of distances, the second the end of a path, the third makes it a
     loop; in the view "voronoi" all are sources. A place is three coordinates, on a cloud an id.
@@ -68,25 +70,30 @@ class Scene:
         Why something is not there.
     """
 
-    def __init__(self, surface, is_cloud=False, accuracy=0.01, merge=False):
+    def __init__(self, surface, is_cloud=False, accuracy=None, merge=False):
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("there are no points to explore")
-        if not 1e-6 <= accuracy <= 0.5:
+        if accuracy is not None and not 1e-6 <= accuracy <= 0.5:
             raise ValueError(f"accuracy: must be in [1e-6, 0.5], is {accuracy:g}")
         self.surface = surface if is_cloud else _triangles_of(surface)
         self.is_cloud = is_cloud
-        self.accuracy = accuracy
+        info = GraphInfo.find(self.surface) if accuracy is None and not is_cloud else None
+        self._uses_input_graph = info is not None
+        if info is not None:
+            self.accuracy = info.accuracy if info.is_guaranteed else None
+        else:
+            self.accuracy = 0.01 if accuracy is None else accuracy
         self.view = "distance"
         self.method = "graph"
         self.message = ""
-        self._merge = merge
+        self._merging = merge or bool(info and info.is_merged), info.merge_tolerance if info else 0.0
         self._graph = None
         self._filters = {}
         self._fastest = {}
         self._heard = set()
         self._wanted = None
         self._contour = vtkApolloniusIsolines()
-        self._contour.SetMergeCoincidentPoints(merge)
+        set_merging(self._contour, *self._merging)
         self._contour.SetChordTolerance(0.02)  # finer than can be seen
         self.clear()
         self.update()
@@ -100,7 +107,10 @@ class Scene:
                 self._graph = CloudGraph(self.surface)
             else:
                 self._graph = Graph(
-                    self.surface, accuracy=self.accuracy, merge_coincident_points=self._merge
+                    self.surface,
+                    accuracy=None if self._uses_input_graph else self.accuracy,
+                    merge_coincident_points=self._merging[0],
+                    merge_tolerance=self._merging[1],
                 )
             self.times["build"] = time.perf_counter() - start
         return self._graph
@@ -147,10 +157,12 @@ class Scene:
         if self.is_cloud:
             raise ValueError("on clouds no accuracy is promised")
         known = ACCURACIES if step > 0 else ACCURACIES[::-1]
-        others = [a for a in known if (a < self.accuracy if step > 0 else a > self.accuracy)]
+        now = self.accuracy
+        others = [a for a in known if now is None or (a < now if step > 0 else a > now)]
         if not others:
             raise ValueError(f"accuracies are from {ACCURACIES[0]:g} to {ACCURACIES[-1]:g} here")
         self.accuracy = others[0]
+        self._uses_input_graph = False
         self._graph = None
         self._filters.pop("graph", None)
         self._fastest.pop("graph", None)
@@ -212,11 +224,12 @@ class Scene:
         elif self.values is not None:
             what = {"error": "errors of distances", "voronoi": "Voronoi cells"}
             how = "without error" if self.used == "exact" else "nothing is promised"
-            if self.used == "graph" and not self.is_cloud:
+            if self._promise() is not None:
                 how = f"accuracy {self.accuracy:g}"
             lines[0] += f", {what.get(self.shown, 'distances')} by {self.used}: {how}"
         if self.errors:
-            promised = f"promised {100 * self.accuracy:g} %, " if self.used == "graph" else ""
+            promise = self._promise()
+            promised = "" if promise is None else f"promised {100 * promise:g} %, "
             sizes = self.errors.mean, self.errors.largest
             measured = "measured {:.2g} % on average, {:.2g} % at most".format(
                 *(100 * size for size in sizes)
@@ -229,6 +242,10 @@ class Scene:
             parts = (f"{name} {1e3 * seconds:.1f} ms" for name, seconds in self.times.items())
             lines.append(", ".join(parts))
         return [*lines, self.message] if self.message else lines
+
+    def _promise(self):
+        """Returns the largest relative error of the distances, None without a bound."""
+        return self.accuracy if self.used == "graph" and not self.is_cloud else None
 
     def _forget(self):
         self.distances = self.values = self.lines = self.cells = self.errors = None
@@ -300,7 +317,7 @@ class Scene:
     def _run(self, algorithm, name):
         """Update what starts from the sources; the seconds that this took."""
         start = time.perf_counter()
-        algorithm.SetMergeCoincidentPoints(self._merge)
+        set_merging(algorithm, *self._merging)
         if self.is_cloud:
             algorithm.SetSourceIds(self.sources)
         else:
@@ -347,7 +364,7 @@ class Scene:
         truth = array_of(exact.GetOutput().GetPointData(), exact.GetDistanceArrayName())
         self.errors = Errors(self.distances, truth, floor_of(self.surface))
         self.values = 100.0 * np.abs(self.errors.signed)
-        most = self.accuracy if self.used == "graph" else self.errors.largest
+        most = self._promise() or self.errors.largest
         most = most if 0.0 < most < np.inf else 1.0
         self.limits = 0.1 * most, 100.0 * most
 

@@ -11,10 +11,9 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import arguments, meshes
 from .errors import VTKError, run
-from .graph_info import CONSTRUCTIONS, GraphInfo, damaged
+from .graph_info import CONSTRUCTIONS, MESH_CONSTRUCTIONS, GraphInfo, damaged, set_merging
 from .queries import Queries
 from .results import Isoline, Loop, array_of, lines_of
-from .surface import copy_surface
 from .vtkDGGFiltersGeodesic import vtkApolloniusIsolines, vtkDGGLoop, vtkDiscreteGeodesicGraph
 
 if TYPE_CHECKING:
@@ -34,15 +33,18 @@ class Graph(Queries):
     Parameters
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
-        As for `distance`; at least one point.
+        As for `distance`; at least one point. A graph on the mesh is used, without a copy, unless
+        one of the next three arguments is given. If it belongs to other points or cells, a warning
+        says so and a graph with the same parameters is built.
     accuracy : float, optional
         Largest relative error of a distance, in [1e-6, 0.5]. The mean error is far smaller.
+        Default: that of the graph on the mesh, otherwise 0.01.
     construction : str, optional
-        The rule that chooses the edges: "Guaranteed", or for comparison "OneRelay", "Indirect",
-        "SaddleVertexGraph" (which has no use for `accuracy`).
+        The rule that chooses the edges: "Guaranteed" (default), or for comparison "OneRelay",
+        "Indirect", "SaddleVertexGraph" (which ignores `accuracy`).
     number_of_neighbors : int, optional
-        Of a SaddleVertexGraph: how many of the nearest points each point looks at. Where it is more
-        than there are points, all of them: minutes for some thousand points.
+        Of a SaddleVertexGraph: the number of nearest points that each point examines, all points
+        where it is larger than their number: minutes for some thousand points. Default: 30.
     memory_limit : int, optional
         Most bytes that building the graph, or the table of `matrix`, may take. Default: 70 % of the
         memory that is free at that time.
@@ -59,7 +61,7 @@ class Graph(Queries):
     ValueError
         When an array has the wrong shape or type, a number is not finite, or an id does not exist;
         when another argument is not of the type above (`number_of_neighbors` is an integer of 32
-        bits).
+        bits); when the graph on the mesh is damaged and none of its parameters is given.
     VTKError
         When the filter refuses the input: an accuracy out of range, a mesh without triangles, a
         graph that would take more memory than `memory_limit`.
@@ -86,9 +88,9 @@ class Graph(Queries):
         points: Any,
         triangles: Optional[ArrayLike] = None,
         *,
-        accuracy: float = 0.01,
-        construction: str = "Guaranteed",
-        number_of_neighbors: int = 30,
+        accuracy: Optional[float] = None,
+        construction: Optional[str] = None,
+        number_of_neighbors: Optional[int] = None,
         memory_limit: Optional[int] = None,
         merge_coincident_points: bool = False,
         merge_tolerance: float = 0.0,
@@ -96,26 +98,39 @@ class Graph(Queries):
         surface, _ = meshes.take(points, triangles)
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("points: at least one is wanted")
-        if construction not in CONSTRUCTIONS:
-            known = ", ".join(CONSTRUCTIONS)
-            raise ValueError(f"construction: one of {known} is wanted, not {construction!r}")
+        info = None
+        if accuracy is None and construction is None and number_of_neighbors is None:
+            info = GraphInfo.find(surface)
+            if info is not None and not info.is_cloud:
+                accuracy, construction = info.accuracy, CONSTRUCTIONS[info.construction]
+                number_of_neighbors = info.number_of_neighbors or None
+        if construction not in (None, *MESH_CONSTRUCTIONS):
+            known = ", ".join(MESH_CONSTRUCTIONS)
+            raise ValueError(f"construction: expected one of {known}, got {construction!r}")
         builder = vtkDiscreteGeodesicGraph()
-        builder.SetAccuracy(arguments.number(accuracy, "accuracy"))
-        builder.SetConstruction(CONSTRUCTIONS.index(construction))
-        builder.SetNumberOfNeighbors(arguments.integer(number_of_neighbors, "number_of_neighbors"))
+        if accuracy is not None:
+            builder.SetAccuracy(arguments.number(accuracy, "accuracy"))
+        if construction is not None:
+            builder.SetConstruction(CONSTRUCTIONS.index(construction))
+        if number_of_neighbors is not None:
+            count = arguments.integer(number_of_neighbors, "number_of_neighbors")
+            builder.SetNumberOfNeighbors(count)
         builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
-        builder.SetMergeCoincidentPoints(bool(merge_coincident_points))
-        builder.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
-        self._build(builder, surface)
+        set_merging(builder, merge_coincident_points, merge_tolerance, info)
+        try:
+            self._build(builder, surface, builder.GetInputGraphDamage if info else None)
+        except VTKError:
+            if not (info and builder.GetInputGraphDamage()):
+                raise
+            raise damaged(builder.GetInputGraphDamage()) from None
 
     @classmethod
     def from_polydata(cls, polydata: vtkPolyData, *, memory_limit: Optional[int] = None) -> Graph:
-        """The graph that vtkDiscreteGeodesicGraph has put on a surface.
+        """Returns the graph that vtkDiscreteGeodesicGraph has put on a surface: ``Graph(polydata)``
+        that fails where there is none.
 
-        It is used as it is, without a copy. Points and cells are copied; the arrays of point, cell
-        and field data are kept in `polydata` and shared. When it is not that of the points and
-        polygons any more, a warning says so and it is built anew with the same parameters. When it
-        is damaged, its parameters may be as well: that is an error.
+        Points and cells are copied; the arrays of point, cell and field data are kept in `polydata`
+        and shared.
 
         Parameters
         ----------
@@ -130,29 +145,10 @@ class Graph(Queries):
             When there are no points, no graph, or a damaged one.
         """
         if not isinstance(polydata, vtkPolyData):
-            raise TypeError(f"polydata: a vtkPolyData is wanted, not {type(polydata).__name__}")
-        if polydata.GetNumberOfPoints() == 0:
-            raise ValueError("polydata: at least one point is wanted")
-        info = GraphInfo(polydata)
-        if info.is_cloud:
+            raise TypeError(f"polydata: expected a vtkPolyData, got {type(polydata).__name__}")
+        if GraphInfo(polydata).is_cloud:
             raise ValueError("polydata: its graph is that of a point cloud: see vtkdgg.CloudGraph")
-        builder = vtkDiscreteGeodesicGraph()
-        builder.SetConstruction(info.construction)
-        if info.accuracy is not None:
-            builder.SetAccuracy(info.accuracy)
-        else:
-            builder.SetNumberOfNeighbors(info.number_of_neighbors)
-        builder.SetMergeCoincidentPoints(info.is_merged)
-        builder.SetMergeTolerance(info.merge_tolerance)
-        builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
-        graph = cls.__new__(cls)
-        try:
-            graph._build(builder, copy_surface(polydata), builder.GetInputGraphDamage)
-        except VTKError:
-            if not builder.GetInputGraphDamage():
-                raise
-            raise damaged(builder.GetInputGraphDamage()) from None
-        return graph
+        return cls(polydata, memory_limit=memory_limit)
 
     @classmethod
     def from_points(cls, points: Any, **options: Any) -> Any:

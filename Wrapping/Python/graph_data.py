@@ -79,6 +79,11 @@ class GraphData:
         return CONSTRUCTIONS[self._info.construction]
 
     @property
+    def used_input_graph(self) -> bool:
+        """True if the graph was found on the mesh or cloud, False if it was built."""
+        return self._used_input_graph
+
+    @property
     def is_cloud(self) -> bool:
         """Whether it is the graph of a point cloud."""
         return self._info.is_cloud
@@ -122,24 +127,28 @@ class GraphData:
             "surface": to_arrays(self._surface),
             "memory_limit": self._memory_limit,
             "heard": self._heard,
+            "used_input_graph": self._used_input_graph,
         }
 
     def __setstate__(self, state):
-        self._heard = set(state["heard"])
-        self._memory_limit = state["memory_limit"]
-        self._local = threading.local()
-        self._surface = from_arrays(state["surface"])
-        self._info = GraphInfo(self._surface)
+        self._take(**{**state, "surface": from_arrays(state["surface"])})
 
     def _build(self, builder, surface, refused=None):
-        """Take the graph of the surface, or have the builder make one; `refused` as for run()."""
-        self._heard = set()  # what is wrong with the mesh is said once, not by each filter
-        self._memory_limit = builder.GetMemoryLimit()
-        self._local = threading.local()
+        """Runs a builder, which may find the graph on the surface; `refused` as for run()."""
+        heard = set()  # each warning about the mesh is shown once, not by each filter
         builder.SetInputData(surface)
-        self._surface = vtkPolyData()  # without the builder, which keeps much more
-        self._surface.ShallowCopy(run(builder, self._heard, refused))
-        self._info = GraphInfo(self._surface)
+        output = vtkPolyData()  # without the builder, which keeps much more
+        output.ShallowCopy(run(builder, heard, refused))
+        self._take(output, builder.GetMemoryLimit(), builder.GetGraphBuildTime() == 0, heard)
+
+    def _take(self, surface, memory_limit, used_input_graph, heard=()):
+        """Uses the graph in the field data of a surface."""
+        self._heard = set(heard)
+        self._memory_limit = memory_limit
+        self._used_input_graph = used_input_graph
+        self._local = threading.local()
+        self._surface = surface
+        self._info = GraphInfo(surface)
 
     @property
     def _filters(self):

@@ -5,10 +5,14 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from . import arguments
+
 ARRAYS = ("Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Info")
 # By the numbers in DGG.Info: those of vtkDiscreteGeodesicGraph, then those of vtkPointCloudDGG.
-CONSTRUCTIONS = ("Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph", "A", "B", "C")
-_FIRST_SCHEME = 4  # of those that vtkPointCloudDGG has
+MESH_CONSTRUCTIONS = ("Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph")
+SCHEMES = ("A", "B", "C")
+CONSTRUCTIONS = (*MESH_CONSTRUCTIONS, *SCHEMES)
+_FIRST_SCHEME = len(MESH_CONSTRUCTIONS)
 _VERSION = 1
 _SIZE = 12
 
@@ -16,7 +20,7 @@ _SIZE = 12
 def damaged(what):
     """The error of a graph that has been altered."""
     return ValueError(
-        f"polydata: its graph is damaged: {what}; build it anew by vtkDiscreteGeodesicGraph"
+        f"polydata: its graph is damaged: {what}; build it anew by vtkdgg.Graph(mesh, accuracy=...)"
     )
 
 
@@ -55,7 +59,7 @@ class GraphInfo:
         if values[1] not in (0, 1):
             raise damaged(f"its kind is {values[1]}, neither that of a mesh nor of a cloud")
         self.is_cloud = bool(values[1])
-        known = range(_FIRST_SCHEME, 7) if self.is_cloud else range(_FIRST_SCHEME)
+        known = range(_FIRST_SCHEME, len(CONSTRUCTIONS)) if self.is_cloud else range(_FIRST_SCHEME)
         if values[2] not in known:
             raise damaged(f"its construction is {values[2]}")
         self.construction = int(values[2])
@@ -70,3 +74,44 @@ class GraphInfo:
         self.merge_tolerance = float(values[9:10].view(np.float64)[0])
         if not self.merge_tolerance >= 0.0:
             raise damaged(f"its merge tolerance is {self.merge_tolerance}")
+
+    @classmethod
+    def find(cls, polydata):
+        """Returns the parameters of the graph on a surface or cloud, None without a readable one."""
+        try:
+            return cls(polydata)
+        except ValueError:
+            return None
+
+    @property
+    def is_guaranteed(self):
+        """True if `accuracy` bounds all distances in the graph."""
+        return CONSTRUCTIONS[self.construction] == "Guaranteed"
+
+    def keeps(self, accuracy):
+        """Returns true if the graph promises this accuracy."""
+        return self.is_guaranteed and self.accuracy <= accuracy
+
+
+def choose_method(method, accuracy, surface, methods):
+    """Returns the method, and the parameters of the graph on the surface if the method uses it.
+
+    By default a graph is used if the surface has one or an accuracy is given.
+    """
+    info = GraphInfo.find(surface)
+    if method is None:
+        method = "exact" if accuracy is None and info is None else "graph"
+    if not isinstance(method, str) or method not in methods:
+        raise ValueError(f"method: expected one of {', '.join(map(repr, methods))}, got {method!r}")
+    if accuracy is not None and method != "graph":
+        raise ValueError(f"accuracy: applies to the method 'graph' only, not to {method!r}")
+    return method, info if method == "graph" else None
+
+
+def set_merging(algorithm, coincident_points, tolerance, info=None):
+    """Sets how a filter merges points; by default as the graph of its input, if there is one."""
+    tolerance = arguments.limit(tolerance, "merge_tolerance")
+    if info is not None and info.is_merged and not coincident_points:
+        coincident_points, tolerance = True, info.merge_tolerance
+    algorithm.SetMergeCoincidentPoints(bool(coincident_points))
+    algorithm.SetMergeTolerance(tolerance)

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from . import arguments, meshes
 from .errors import VTKError, run
+from .graph_info import choose_method, set_merging
 from .results import Path, lines_of
 from .vtkDGGFiltersGeodesic import vtkDGGPath
 
@@ -27,6 +28,7 @@ def path(
     end: Optional[ArrayLike] = None,
     *,
     accuracy: Optional[float] = None,
+    method: Optional[str] = None,
     merge_coincident_points: bool = False,
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
@@ -43,9 +45,13 @@ def path(
         A point id, or coordinates of a point anywhere on the surface; it is moved to the closest
         point of the surface.
     accuracy : float, optional
-        Default: None, the path is exactly shortest. With a number in [1e-6, 0.5] a graph is built
-        for this one call, and the path in it is shortened to a geodesic; its length is off by no
-        more than this fraction. That pays off for many calls: see `Graph.path`.
+        With a number in [1e-6, 0.5] a graph is built for this one call, unless the mesh has one,
+        which is used; a warning says if it is coarser. The path in the graph is shortened to a
+        geodesic; its length is off by no more than this fraction. Default: that of the graph on the
+        mesh, otherwise the path is exactly shortest. For many calls see `Graph.path`.
+    method : {"exact", "graph"}, optional
+        Default: "graph" with an `accuracy` and on a mesh or cloud that has a graph, otherwise
+        "exact".
     merge_coincident_points : bool, optional
         Whether points with the very same coordinates are one, as along the seams of a textured
         mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
@@ -88,13 +94,13 @@ def path(
     end = arguments.surface_point(end, "end", surface)
     tolerance = arguments.projection_tolerance(projection_tolerance)
     finder = vtkDGGPath()
-    if accuracy is None:
+    method, info = choose_method(method, accuracy, surface, ("exact", "graph"))
+    if method == "exact":
         finder.SetMethodToExact()
-    else:
+    elif accuracy is not None:
         finder.SetAccuracy(arguments.number(accuracy, "accuracy"))
     finder.SetInputData(surface)
-    finder.SetMergeCoincidentPoints(bool(merge_coincident_points))
-    finder.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
+    set_merging(finder, merge_coincident_points, merge_tolerance, info)
     finder.SetProjectionTolerance(tolerance)
     found = find(finder, start, end)
     return finder.GetOutput() if as_polydata else found[0]

@@ -8,7 +8,7 @@ module does it as well.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional
 
 import pyvista
 
@@ -22,8 +22,9 @@ from .vtkDGGReaders import vtkPCDReader
 class DGGAccessor:
     """Geodesics on a mesh of PyVista; whatever has points comes back as one as well.
 
-    Without `accuracy` answers are exact; with it, and in all methods below `graph`, a graph answers
-    that is built for the first call and kept until the mesh or the accuracy changes.
+    With `accuracy`, and in all methods below `graph`, answers come from a graph that is built for
+    the first call and kept until the mesh or the accuracy changes. Without `accuracy` the graph on
+    the mesh is used, if there is one; otherwise the accuracy is 0.01, and distances are exact.
     """
 
     def __init__(self, dataset: Any) -> None:
@@ -31,7 +32,7 @@ class DGGAccessor:
         self._graph = None
         self._key = None
 
-    def graph(self, accuracy: float = 0.01, **options: Any) -> Any:
+    def graph(self, accuracy: Optional[float] = None, **options: Any) -> Any:
         """The `vtkdgg.Graph` of the mesh, or the `vtkdgg.CloudGraph` of points without polygons."""
         key = (accuracy, tuple(sorted(options.items())), self._mesh.GetMTime())
         if key != self._key:
@@ -42,7 +43,7 @@ class DGGAccessor:
             self._key = key
         return self._graph
 
-    def distance(self, sources: Any, accuracy: Any = None, **options: Any) -> Any:
+    def distance(self, sources: Any, accuracy: Optional[float] = None, **options: Any) -> Any:
         """The mesh with the point array "GeodesicDistance"; see `vtkdgg.distance`."""
         if accuracy is not None:
             found = self.graph(accuracy).distance(sources, as_polydata=True, **options)
@@ -82,26 +83,30 @@ class DGGAccessor:
         """The exact distance, with the arguments of PyVista's `geodesic_distance`."""
         return self._path(start_vertex, end_vertex, use_scalar_weights, False).length
 
-    def paths(self, starts: Any, ends: Any, accuracy: float = 0.01, **options: Any) -> Any:
+    def paths(self, starts: Any, ends: Any, accuracy: Optional[float] = None, **options: Any) -> Any:
         """Paths between many pairs of points; see `vtkdgg.Graph.paths`."""
         graph = self.graph(accuracy)
         return pyvista.wrap(graph.paths(starts, ends, as_polydata=True, **options))
 
-    def isolines(self, sources: Any, values: Any, accuracy: float = 0.01, **options: Any) -> Any:
+    def isolines(
+        self, sources: Any, values: Any, accuracy: Optional[float] = None, **options: Any
+    ) -> Any:
         """Curves of equal distance; see `vtkdgg.Graph.isolines`."""
         graph = self.graph(accuracy)
         return pyvista.wrap(graph.isolines(sources, values, as_polydata=True, **options))
 
-    def loop(self, points: Any = None, accuracy: float = 0.01, **options: Any) -> Any:
+    def loop(self, points: Any = None, accuracy: Optional[float] = None, **options: Any) -> Any:
         """Closed geodesics; see `vtkdgg.Graph.loop`."""
         return pyvista.wrap(self.graph(accuracy).loop(points, as_polydata=True, **options))
 
-    def sample(self, number_of_samples: int, accuracy: float = 0.01, **options: Any) -> Any:
+    def sample(
+        self, number_of_samples: int, accuracy: Optional[float] = None, **options: Any
+    ) -> Any:
         """Points that are spread evenly; see `vtkdgg.Graph.sample`."""
         graph = self.graph(accuracy)
         return pyvista.wrap(graph.sample(number_of_samples, as_polydata=True, **options))
 
-    def voronoi(self, sites: Any, accuracy: float = 0.01, **options: Any) -> Any:
+    def voronoi(self, sites: Any, accuracy: Optional[float] = None, **options: Any) -> Any:
         """Cells of some sites; see `vtkdgg.Graph.voronoi`."""
         return pyvista.wrap(self.graph(accuracy).voronoi(sites, as_polydata=True, **options))
 

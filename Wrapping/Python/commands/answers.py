@@ -10,7 +10,12 @@ import numpy as np
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from ..graph_info import GraphInfo, choose_method
 from . import files, places
+
+
+# Of distances on a mesh.
+METHODS = ("exact", "graph", "fast", "marching")
 
 
 class Negative(Exception):
@@ -46,14 +51,43 @@ def refuse_on_clouds(options):
         )
 
 
-def graph_of(options):
-    """Its graph."""
-    contents, is_cloud = read(options)
+def graph_of(options, contents, is_cloud=False):
+    """Returns the graph of the file, or else builds one."""
     if is_cloud:
         refuse_on_clouds(options)
         return vtkdgg.CloudGraph(contents)
-    accuracy = 0.01 if options.accuracy is None else options.accuracy
-    return vtkdgg.Graph(contents, accuracy=accuracy, merge_coincident_points=options.merge)
+    accuracy, merging = options.accuracy, {"merge_coincident_points": options.merge}
+    if accuracy is None or options.command == "graph" or not GraphInfo.find(contents):
+        return vtkdgg.Graph(contents, accuracy=accuracy, **merging)
+    made = vtkdgg.Graph(contents, **merging)
+    if not made.used_input_graph:  # it is out of date
+        return vtkdgg.Graph(contents, accuracy=accuracy, **merging)
+    if not GraphInfo(made.polydata).keeps(accuracy):
+        warnings.warn(
+            f"--accuracy {accuracy:g} is finer than the graph of {options.file}, which is used; "
+            "'vtkdgg graph' builds a finer one",
+            stacklevel=2,
+        )
+    return made
+
+
+def method_of(options, contents, is_cloud):
+    """Returns the method of distances and paths: by default that of the graph of the file."""
+    method = getattr(options, "method", None)
+    if is_cloud:
+        refuse_on_clouds(options)
+        return method or "graph"
+    return choose_method(method, options.accuracy, contents, METHODS)[0]
+
+
+def named(graph):
+    """Returns the entries of an answer that name its graph."""
+    return {
+        "method": "graph",
+        "pruned by" if graph.is_cloud else "accuracy": graph.accuracy,
+        "construction": f"scheme {graph.construction}" if graph.is_cloud else graph.construction,
+        "graph": "of the file" if graph.used_input_graph else "built",
+    }
 
 
 def several(texts, contents, name):
@@ -120,41 +154,44 @@ def info(options):
 def graph(options):
     """Build a graph, and keep it in a file."""
     start = time.perf_counter()
-    made = graph_of(options)
+    made = graph_of(options, *read(options))
     return {
         "points": made.number_of_points,
         "edges": len(made.targets),
         "degree": made.degree,
         "bytes": made.nbytes,
-        "pruned by" if made.is_cloud else "accuracy": made.accuracy,
+        **named(made),
         "seconds": time.perf_counter() - start,
         **written(options, made.polydata),
     }
 
 
+def find_distances(options, contents, is_cloud=False, **choices):
+    """Returns the contents with distances from the sources, and the entries that name the method."""
+    sources = several(options.source, contents, "--source")
+    choices.update(projection_tolerance=options.tolerance, as_polydata=True)
+    method = method_of(options, contents, is_cloud)
+    if method == "graph":
+        made = graph_of(options, contents, is_cloud)
+        return made.distance(sources, **choices), named(made)
+    output = vtkdgg.distance(
+        files.points_of(contents) if is_cloud else contents,
+        sources,
+        method=method,
+        merge_coincident_points=options.merge,
+        **choices,
+    )
+    return output, {"method": method}
+
+
 def distance(options):
     """Distances of all points from the nearest source."""
     contents, is_cloud = read(options)
-    sources = several(options.source, contents, "--source")
-    choices = {"maximum_distance": options.maximum, "projection_tolerance": options.tolerance}
-    if is_cloud:
-        refuse_on_clouds(options)
-    if is_cloud and options.method != "marching":
-        output = graph_of(options).distance(sources, as_polydata=True, **choices)
-    else:
-        output = vtkdgg.distance(
-            files.points_of(contents) if is_cloud else contents,
-            sources,
-            method=options.method,
-            accuracy=options.accuracy,
-            merge_coincident_points=options.merge,
-            as_polydata=True,
-            **choices,
-        )
+    output, used = find_distances(options, contents, is_cloud, maximum_distance=options.maximum)
     output = without_graph(output, contents)
     values = vtk_to_numpy(output.GetPointData().GetArray("GeodesicDistance"))
     output.GetPointData().SetActiveScalars("GeodesicDistance")
-    return {"points": len(values), **spread(values), **written(options, output)}
+    return {**used, "points": len(values), **spread(values), **written(options, output)}
 
 
 def path(options):
@@ -162,13 +199,17 @@ def path(options):
     contents, is_cloud = read(options)
     ends = [places.choose(getattr(options, name), contents, name) for name in ("start", "end")]
     tolerance = options.tolerance
+    used = {"method": method_of(options, contents, is_cloud)}
     try:
-        if is_cloud or options.accuracy is not None:
-            output = graph_of(options).path(*ends, projection_tolerance=tolerance, as_polydata=True)
+        if used["method"] == "graph":
+            made = graph_of(options, contents, is_cloud)
+            used = named(made)
+            output = made.path(*ends, projection_tolerance=tolerance, as_polydata=True)
         else:
             output = vtkdgg.path(
                 contents,
                 *ends,
+                method="exact",
                 merge_coincident_points=options.merge,
                 projection_tolerance=tolerance,
                 as_polydata=True,
@@ -178,14 +219,16 @@ def path(options):
             raise
         raise Negative(str(error)) from None
     length = output.GetCellData().GetArray("Length").GetValue(0)
-    return {"length": length, "points": output.GetNumberOfPoints(), **written(options, output)}
+    count = output.GetNumberOfPoints()
+    return {**used, "length": length, "points": count, **written(options, output)}
 
 
 def loop(options):
     """Closed geodesics."""
     contents = surface_of(options)
     points = several(options.through, contents, "--through") if options.through else None
-    output = graph_of(options).loop(
+    made = graph_of(options, contents)
+    output = made.loop(
         points,
         rope=options.rope,
         taut=options.taut,
@@ -195,13 +238,19 @@ def loop(options):
     if output.GetNumberOfLines() == 0:
         raise Negative("there is no loop that does not contract to a point")
     lengths = vtk_to_numpy(output.GetCellData().GetArray("Length"))
-    return {"loops": len(lengths), "lengths": lengths.tolist(), **written(options, output)}
+    return {
+        **named(made),
+        "loops": len(lengths),
+        "lengths": lengths.tolist(),
+        **written(options, output),
+    }
 
 
 def isolines(options):
     """Curves of equal distance."""
     contents = surface_of(options)
-    output = graph_of(options).isolines(
+    made = graph_of(options, contents)
+    output = made.isolines(
         several(options.source, contents, "--source"),
         options.values or (10 if options.count is None else options.count),
         projection_tolerance=options.tolerance,
@@ -209,6 +258,7 @@ def isolines(options):
     )
     values = vtk_to_numpy(output.GetCellData().GetArray("IsoValue"))
     return {
+        **named(made),
         "lines": output.GetNumberOfLines(),
         "values": np.unique(values).tolist(),
         **written(options, output),
@@ -217,15 +267,16 @@ def isolines(options):
 
 def voronoi(options):
     """Cells of the nearest of some sites."""
-    contents, _ = read(options)
-    made = graph_of(options)
+    contents, is_cloud = read(options)
+    made = graph_of(options, contents, is_cloud)
     if options.site:
         sites = several(options.site, contents, "--site")
     else:
         sites = made.sample(20 if options.number is None else options.number).point_ids
     choices = {"iterations": options.iterations, "projection_tolerance": options.tolerance}
     cells = made.voronoi(sites, **choices)
-    found = {"sites": len(cells.sites), "covering radius": spread(cells.distances)["largest"]}
+    radius = spread(cells.distances)["largest"]
+    found = {**named(made), "sites": len(cells.sites), "covering radius": radius}
     if cells.areas is not None:
         found["areas"] = cells.areas.tolist()
     if options.out:
@@ -236,9 +287,11 @@ def voronoi(options):
 
 def sample(options):
     """Points that are spread evenly."""
-    output = graph_of(options).sample(options.number, first=options.first, as_polydata=True)
+    made = graph_of(options, *read(options))
+    output = made.sample(options.number, first=options.first, as_polydata=True)
     radii = vtk_to_numpy(output.GetPointData().GetArray("CoveringRadius"))
     return {
+        **named(made),
         "samples": output.GetNumberOfPoints(),
         "covering radius": float(radii[-1]),
         **written(options, output),
@@ -276,16 +329,9 @@ def render(options):
     contents = surface_of(options)
     source = None
     if options.source:
-        sources = several(options.source, contents, "--source")
-        contents = vtkdgg.distance(
-            contents,
-            sources,
-            projection_tolerance=options.tolerance,
-            merge_coincident_points=options.merge,
-            accuracy=options.accuracy,
-            as_polydata=True,
-        )
-        source, _ = places.locate(contents, sources[0])
+        contents, _ = find_distances(options, contents)
+        first = places.choose(options.source[0], contents)
+        source, _ = places.locate(contents, first)
     array = contents.GetPointData().GetArray(options.array)
     if array is None or array.GetNumberOfComponents() > 1:
         known = ", ".join(files.names_of(contents.GetPointData())) or "none"
@@ -319,7 +365,6 @@ def explore(options):
         place = contents.FindPoint(place)
     elif isinstance(place, int) and not is_cloud:
         place = contents.GetPoint(place)
-    accuracy = 0.01 if options.accuracy is None else options.accuracy
-    scene = explorer.Scene(contents, is_cloud, accuracy, options.merge)
+    scene = explorer.Scene(contents, is_cloud, options.accuracy, options.merge)
     window = explorer.explore(scene, place, options.out or "explore.png")
     return {"shown": scene.status(), "written": window.written}
