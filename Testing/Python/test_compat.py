@@ -4,15 +4,17 @@
 well, where they are installed."""
 
 import importlib
+import inspect
 import os
 import unittest
 
 import numpy as np
 import support
 import vtkdgg
-import vtkdgg.compat as gdist
-import vtkdgg.compat as geodesic
-import vtkdgg.compat as pp3d
+from vtkdgg import compat
+from vtkdgg.compat import gdist
+from vtkdgg.compat import potpourri3d as pp3d
+from vtkdgg.compat.pygeodesic import geodesic
 
 try:
     import scipy.sparse as sparse
@@ -26,6 +28,83 @@ def peer(name):
         return importlib.import_module(name)
     except ImportError:
         return None
+
+
+# The public names of each original, with those of its classes. What is marked is not available.
+NAMES = {
+    pp3d: """
+        EdgeFlipGeodesicSolver.find_geodesic_loop EdgeFlipGeodesicSolver.find_geodesic_path
+        EdgeFlipGeodesicSolver.find_geodesic_path_poly
+        MeshFastMarchingDistanceSolver.compute_distance
+        MeshHeatMethodDistanceSolver.compute_distance
+        MeshHeatMethodDistanceSolver.compute_distance_multisource
+        PointCloudHeatSolver.compute_distance PointCloudHeatSolver.compute_distance_multisource
+        PointCloudHeatSolver.compute_log_map! PointCloudHeatSolver.compute_signed_distance!
+        PointCloudHeatSolver.extend_scalar! PointCloudHeatSolver.get_tangent_frames!
+        PointCloudHeatSolver.transport_tangent_vector!
+        PointCloudHeatSolver.transport_tangent_vectors!
+        PolygonMeshHeatSolver.compute_distance PolygonMeshHeatSolver.compute_signed_distance!
+        PolygonMeshHeatSolver.extend_scalar! PolygonMeshHeatSolver.get_tangent_frames!
+        PolygonMeshHeatSolver.transport_tangent_vectors!
+        GeodesicTracer! MeshMarchingTrianglesSolver! MeshSignedHeatSolver! MeshVectorHeatSolver!
+        PointCloudLocalTriangulation! marching_triangles!
+        compute_distance compute_distance_multisource cotan_laplacian edges face_areas read_mesh
+        read_point_cloud read_polygon_mesh validate_mesh validate_points vertex_areas write_mesh
+        write_point_cloud""",
+    geodesic: """
+        PyGeodesicAlgorithmExact.geodesicDistance PyGeodesicAlgorithmExact.geodesicDistances
+        read_mesh_from_file""",
+    gdist: "compute_gdist distance_matrix_of_selected_points local_gdist_matrix",
+}
+
+
+def resolve(module, name):
+    """A function, class or method of a module."""
+    for part in name.split("."):
+        module = getattr(module, part)
+    return module
+
+
+class Names(unittest.TestCase):
+    def test_all_are_there(self):
+        for module, names in NAMES.items():
+            names = names.split()
+            known = {name.split(".")[0].strip("!") for name in names}
+            self.assertEqual(known, set(module.__all__))
+            for name in names:
+                ours = resolve(module, name.strip("!"))
+                with self.subTest(name=name):
+                    self.assertTrue(callable(ours) and ours.__doc__)
+                    if name.endswith("!"):
+                        with self.assertRaisesRegex(NotImplementedError, r"is not available\. \w+"):
+                            ours(1, two=3)
+
+    def test_those_of_the_originals(self):
+        for module in NAMES:
+            original = peer(module.__name__.replace("vtkdgg.compat.", ""))
+            if original is None:
+                continue
+            ours = {word.strip("!") for word in NAMES[module].split()}
+            for key, value in vars(original).items():
+                if key.startswith("_") or inspect.ismodule(value):
+                    continue
+                methods = [k for k in vars(value) if k[0] != "_"] if inspect.isclass(value) else []
+                is_missing = f"{key}!" in NAMES[module].split()
+                for part in [f"{key}.{m}" for m in methods if not is_missing] or [key]:
+                    with self.subTest(name=part):
+                        self.assertIn(part, ours)
+                        if f"{part}!" not in NAMES[module].split():
+                            theirs = inspect.signature(resolve(original, part)).parameters
+                            self.assertEqual(
+                                list(inspect.signature(resolve(module, part)).parameters),
+                                list(theirs),
+                            )
+
+    def test_names_of_the_first_version(self):
+        for module in (pp3d, geodesic, gdist):
+            for name in set(compat.__all__) & set(module.__all__):
+                self.assertIs(getattr(compat, name), getattr(module, name))
+        self.assertEqual(len(compat.__all__), 9)
 
 
 class Potpourri3d(unittest.TestCase):
@@ -71,6 +150,81 @@ class Potpourri3d(unittest.TestCase):
         self.assertAlmostEqual(np.linalg.norm(np.diff(loop, axis=0), axis=1).sum(), 9.0, 6)
         np.testing.assert_array_equal(loop[0], loop[-1])
 
+    def test_marching(self):
+        solver = pp3d.MeshFastMarchingDistanceSolver(self.V, self.F)
+        face = 100, [0.2, 0.3]
+        for curves, sources, initial in (
+            ([[(7, [])]], [7], []),
+            ([[face]], [(100, (0.2, 0.3, 0.5))], []),
+            ([[(7, [])], [(100, [0.2, 0.3, 0.5])]], [7, (100, (0.2, 0.3, 0.5))], [[0.5], [1.0]]),
+        ):
+            expected = vtkdgg.distance(
+                self.V,
+                self.F,
+                sources,
+                method="marching",
+                initial_distances=np.ravel(initial) if initial else None,
+            )
+            np.testing.assert_array_equal(solver.compute_distance(curves, initial), expected)
+        for curves, options in (
+            ([[(7, []), (8, [])]], {}),
+            ([[(7, [0.5])]], {}),
+            ([[(7, [])]], {"sign": True}),
+        ):
+            with self.assertRaisesRegex(NotImplementedError, "vtkdgg.distance"):
+                solver.compute_distance(curves, **options)
+
+    def test_polygons(self):
+        points, _ = support.grid(3, 3)
+        quads = [[i, i + 1, i + 5, i + 4] for i in (0, 1, 2, 4, 5, 6, 8, 9, 10)]
+        found = pp3d.PolygonMeshHeatSolver(points, quads).compute_distance([0])
+        np.testing.assert_allclose(found, np.linalg.norm(points, axis=1), atol=0.4)
+        self.assertEqual(pp3d.edges(points, quads)[:4].tolist(), [[0, 1], [1, 5], [5, 4], [4, 0]])
+        pp3d.validate_mesh(points, quads)
+        for points, faces in ((points, quads), (points[:, :2], self.F), (points, self.F)):
+            with self.assertRaises(ValueError):
+                pp3d.validate_mesh(points, faces, force_triangular=True, test_indices=True)
+
+    def test_files(self):
+        folder = support.output_folder("compat")
+        points, triangles = support.grid(2, 1)
+        path = os.path.join(folder, "grid.off")
+        pp3d.write_mesh(points + 1 / 3, triangles, path)
+        for found in (pp3d.read_mesh(path), pp3d.read_polygon_mesh(path)):
+            np.testing.assert_array_equal(found[0], points + 1 / 3)
+            np.testing.assert_array_equal(found[1], triangles)
+        pp3d.write_mesh(points, [[0, 1, 4, 3], [1, 2, 5]], path)
+        self.assertEqual(pp3d.read_polygon_mesh(path)[1], [[0, 1, 4, 3], [1, 2, 5]])
+        with self.assertRaisesRegex(ValueError, "See read_polygon_mesh"):
+            pp3d.read_mesh(path)
+        with self.assertRaises(NotImplementedError):
+            pp3d.write_mesh(points, triangles, path, points[:, :2], "per-vertex")
+        path = os.path.join(folder, "points.xyz")
+        pp3d.write_point_cloud(points + 1 / 3, path)
+        np.testing.assert_array_equal(pp3d.read_point_cloud(path), points + 1 / 3)
+
+    @unittest.skipUnless(hasattr(vtkdgg, "vtkPointCloudDGG"), "built without PCL")
+    def test_clouds(self):
+        points, _ = support.grid(20, 20)
+        solver = pp3d.PointCloudHeatSolver(points)
+        straight = np.linalg.norm(points - points[0], axis=1)
+        np.testing.assert_allclose(solver.compute_distance(0), straight, atol=0.3)
+        self.assertEqual(solver.compute_distance_multisource([0, 5])[5], 0.0)
+        with self.assertRaisesRegex(ValueError, "sources: point id 999"):
+            solver.compute_distance(999)
+
+    def test_areas(self):
+        points, triangles = support.folded()
+        np.testing.assert_array_equal(pp3d.face_areas(points, triangles), 0.5)
+        np.testing.assert_allclose(pp3d.vertex_areas(points, triangles).sum(), 2.0)
+
+    @unittest.skipUnless(sparse, "no SciPy")
+    def test_laplacian(self):
+        laplacian = pp3d.cotan_laplacian(self.V, self.F)
+        np.testing.assert_allclose(laplacian @ np.ones(642), 0.0, atol=1e-12)
+        x = self.V[:, 0]
+        self.assertGreater(x @ laplacian @ x, 0.0)
+
     @unittest.skipUnless(peer("potpourri3d"), "no potpourri3d")
     def test_beside_it(self):
         other = peer("potpourri3d")
@@ -79,6 +233,21 @@ class Potpourri3d(unittest.TestCase):
         self.assertLessEqual(
             np.abs(ours - self.exact).mean(), 1.05 * np.abs(theirs - self.exact).mean()
         )
+        for name in ("face_areas", "vertex_areas", "edges", "cotan_laplacian"):
+            ours, theirs = (getattr(module, name)(self.V, self.F) for module in (pp3d, other))
+            if name == "cotan_laplacian":
+                ours, theirs = ours.toarray(), theirs.toarray()
+            np.testing.assert_allclose(ours, theirs, rtol=1e-9, atol=1e-12)
+        curves = [[(7, [])], [(100, [0.2, 0.3, 0.5])]]
+        ours, theirs = (
+            module.MeshFastMarchingDistanceSolver(self.V, self.F).compute_distance(curves)
+            for module in (pp3d, other)
+        )
+        self.assertLess(np.abs(ours - theirs).max(), 0.2 * theirs.max())
+        ours, theirs = (
+            module.PointCloudHeatSolver(self.V).compute_distance(7) for module in (pp3d, other)
+        )
+        self.assertLess(np.abs(ours - self.exact).mean(), np.abs(theirs - self.exact).mean())
         for v in (0, 99, 500):
             lengths = [
                 np.linalg.norm(np.diff(p.find_geodesic_path(7, v), axis=0), axis=1).sum()
@@ -178,11 +347,18 @@ class Gdist(unittest.TestCase):
     def test_beside_it(self):
         triangles = self.triangles.astype(np.int32)
         for limit in (np.inf, 0.55):
-            np.testing.assert_allclose(
-                gdist.compute_gdist(self.vertices, triangles, max_distance=limit),
-                peer("gdist").compute_gdist(self.vertices, triangles, max_distance=limit),
-                atol=1e-12,
+            ours, theirs = (
+                module.compute_gdist(self.vertices, triangles, max_distance=limit)
+                for module in (gdist, peer("gdist"))
             )
+            near = ours < np.inf
+            np.testing.assert_allclose(ours[near], theirs[near], atol=1e-12)
+            self.assertTrue((theirs[~near] > limit).all())
+        ours, theirs = (
+            module.local_gdist_matrix(self.vertices, triangles, 0.25).toarray()
+            for module in (gdist, peer("gdist"))
+        )
+        np.testing.assert_allclose(ours, np.where(theirs > 0.25, 0.0, theirs), atol=1e-12)
 
 
 if __name__ == "__main__":

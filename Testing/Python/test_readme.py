@@ -106,7 +106,7 @@ class Pages(unittest.TestCase):
             ("Readers/README.md", "python"): 1,
             ("Readers/README.md", "cpp"): 1,
             ("Wrapping/ParaView/README.md", "python"): 3,  # tested in ParaView
-            ("Wrapping/Python/README.md", "python"): 2,
+            ("Wrapping/Python/README.md", "python"): 3,
         }
         for page in pages.PAGES:
             for language in ("python", "py", "cpp", "cmake"):
@@ -165,6 +165,15 @@ class PythonPage(unittest.TestCase):
         exact = vtkdgg.path(points, triangles, 0, 10)
         self.assertLessEqual(names["p"].length, exact.length * 1.01)
         self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
+
+    def test_other_packages(self):
+        names = {}
+        execute(self.blocks[2], names)
+        points, triangles = support.bumpy()
+        expected = vtkdgg.distance(points, triangles, 0)
+        np.testing.assert_array_equal(names["gdist"].compute_gdist(points, triangles), expected)
+        names["pp3d"].validate_mesh(points, triangles)
+        names["geodesic"].PyGeodesicAlgorithmExact(points, triangles)
 
     def test_from_the_shell(self):
         folder = support.output_folder("readme")

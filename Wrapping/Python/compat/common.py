@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Parts of all replacements."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, NoReturn
+
+import numpy as np
+
+from .. import arguments
+from ..distances import set_sources
+from ..errors import run
+from ..results import array_of
+
+
+def missing(name: str, remedy: str) -> Callable[..., NoReturn]:
+    """Returns a stand-in for a function, method or class that vtkDGG does not have."""
+
+    def refuse(*_: Any, **__: Any) -> NoReturn:
+        raise NotImplementedError(f"{name} is not available. {remedy}")
+
+    refuse.__name__ = refuse.__qualname__ = name
+    refuse.__doc__ = f"Not available. {remedy}"
+    return refuse
+
+
+def find_distances(solve, sources, max_distance=np.inf, initial_distances=None):
+    """Returns distances, infinite where unreached, and the index of the nearest source."""
+    sources = arguments.surface_points(sources, "sources", solve.GetInput())
+    set_sources(solve, sources, initial_distances)
+    solve.SetMaximumDistance(arguments.limit(max_distance, "max_distance"))
+    solve.SetUnreachedValue(np.inf)
+    solve.GenerateNearestSourceOn()
+    data = run(solve).GetPointData()
+    return array_of(data, solve.GetDistanceArrayName()), array_of(data, solve.GetSourceArrayName())
+
+
+def vertices(indices, name, count):
+    """Returns vertex indices as a list, after a check."""
+    indices = arguments.numbers(indices, name, "integer").ravel()
+    arguments.check_ids(indices, count, name)
+    return indices.tolist()
