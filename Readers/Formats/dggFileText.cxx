@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggFileText.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+#include <memory>
+#include <system_error>
+
+namespace
+{
+/// Bytes that a decompression step yields at most.
+constexpr std::size_t BlockBytes = std::size_t(1) << 20;
+
+/// zlib reads files that are not compressed as they are.
+std::vector<char> Decompress(const std::string& name, std::size_t limit)
+{
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(name.c_str(), "rb"), gzclose);
+  if (!file)
+  {
+    dgg::Fail(dgg::FileCode::CannotOpen, "the file cannot be opened");
+  }
+  std::vector<char> bytes;
+  int count = 1;
+  while (count > 0 && bytes.size() < limit)
+  {
+    const std::size_t begin = bytes.size();
+    bytes.resize(begin + std::min(BlockBytes, limit - begin));
+    count = gzread(file.get(), bytes.data() + begin, static_cast<unsigned>(bytes.size() - begin));
+    bytes.resize(begin + static_cast<std::size_t>(std::max(count, 0)));
+  }
+  int error = Z_OK;
+  const char* message = gzerror(file.get(), &error);
+  if (count < 0 || error != Z_OK)
+  {
+    const bool isCut = error == Z_BUF_ERROR;
+    dgg::Fail(isCut ? dgg::FileCode::Premature : dgg::FileCode::Malformed,
+      "the file cannot be decompressed: ", isCut ? "the compressed data end too early" : message);
+  }
+  return bytes;
+}
+}
+
+std::vector<char> dgg::LoadFile(const std::string& name, std::size_t limit)
+{
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::file_status status = fs::status(name, code);
+  if (!fs::exists(status))
+  {
+    Fail(FileCode::NotFound, "the file does not exist");
+  }
+  if (!fs::is_regular_file(status))
+  {
+    Fail(FileCode::CannotOpen,
+      fs::is_directory(status) ? "it is a folder" : "it is not an ordinary file");
+  }
+  std::ifstream file(name, std::ios::binary);
+  const std::uintmax_t size = fs::file_size(name, code);
+  if (!file || code)
+  {
+    Fail(FileCode::CannotOpen, "the file cannot be opened");
+  }
+  if (file.get() == 0x1f && file.get() == 0x8b)
+  {
+    return Decompress(name, limit);
+  }
+  file.clear();
+  file.seekg(0);
+  std::vector<char> bytes(static_cast<std::size_t>(std::min<std::uintmax_t>(size, limit)));
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+  {
+    Fail(FileCode::Premature, "the file cannot be read to its end");
+  }
+  return bytes;
+}
+
+std::string dgg::Quote(std::string_view text)
+{
+  constexpr std::size_t longest = 32;
+  std::string shown(text.substr(0, longest));
+  std::replace_if(
+    shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return "'" + shown + (text.size() > longest ? "...'" : "'");
+}
+
+bool dgg::IsTooSmall(std::string_view text)
+{
+  std::istringstream stream{ std::string(text) };
+  stream.imbue(std::locale::classic());
+  double number = 0.0; // the nearest one that there is
+  stream >> number;
+  return std::abs(number) < 1.0;
+}

@@ -1,0 +1,547 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkDGGOBJReader, vtkDGGPLYReader, vtkDGGSTLReader and vtkDGGXYZReader: dialects, digits, ids,
+// connectivity and bad files.
+#include "ReaderFixture.h"
+
+#include "vtkDGGOBJReader.h"
+#include "vtkDGGPLYReader.h"
+#include "vtkDGGSTLReader.h"
+#include "vtkDGGXYZReader.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+
+namespace
+{
+/// A file, and what it holds or the error that it causes.
+struct FileCase
+{
+  const char* Name;
+  std::string Content;
+  std::string Expected;
+};
+
+std::string Digits(double value)
+{
+  char buffer[32];
+  return std::string(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
+}
+
+void DescribeArrays(vtkDataSetAttributes* data, const char* kind, std::string& text)
+{
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    const bool isActive = array == data->GetNormals() || array == data->GetTCoords() ||
+      (array == data->GetScalars() && array->GetNumberOfComponents() > 1);
+    text += std::string("| ") + kind + (isActive ? "active " : "") + array->GetName() + " " +
+      array->GetDataTypeAsString();
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        text += (c == 0 && i > 0 ? ", " : " ") + Digits(array->GetComponent(i, c));
+      }
+    }
+    text += " ";
+  }
+}
+
+/// All points, cells and arrays as text.
+std::string Describe(vtkPolyData* data)
+{
+  std::string text = data->GetPoints()->GetDataType() == VTK_FLOAT ? "float " : "";
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    data->GetPoint(i, p);
+    text += (i > 0 ? ", " : "") + Digits(p[0]) + " " + Digits(p[1]) + " " + Digits(p[2]);
+  }
+  text += " ";
+  const char* const kinds[] = { "verts", "lines", "polys" };
+  vtkCellArray* const lists[] = { data->GetVerts(), data->GetLines(), data->GetPolys() };
+  for (int k = 0; k < 3; ++k)
+  {
+    for (vtkIdType i = 0; i < lists[k]->GetNumberOfCells(); ++i)
+    {
+      text += i == 0 ? std::string("| ") + kinds[k] : ",";
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      lists[k]->GetCellAtId(i, size, ids);
+      for (vtkIdType j = 0; j < size; ++j)
+      {
+        text += " " + std::to_string(ids[j]);
+      }
+    }
+    text += lists[k]->GetNumberOfCells() > 0 ? " " : "";
+  }
+  DescribeArrays(data->GetPointData(), "", text);
+  DescribeArrays(data->GetCellData(), "cells ", text);
+  text.pop_back();
+  return text;
+}
+
+/// Numbers as bytes.
+template <typename T>
+std::string Bytes(const std::vector<T>& values, bool isBigEndian = false)
+{
+  std::string bytes;
+  for (const T value : values)
+  {
+    char raw[sizeof(T)];
+    std::memcpy(raw, &value, sizeof(T));
+    if (isBigEndian)
+    {
+      std::reverse(raw, raw + sizeof(T));
+    }
+    bytes.append(raw, sizeof(T));
+  }
+  return bytes;
+}
+
+/// Points, cells, normals, arrays of points and cells, an element and lists to skip.
+std::string MakePLY(const std::string& format)
+{
+  const bool isBig = format == "binary_big_endian";
+  const bool isText = format == "ascii";
+  std::string file = "ply\nformat " + format +
+    " 1.0\ncomment a b\nelement other 1\nproperty list ushort float w\nproperty short s\n"
+    "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+    "property float nx\nproperty float ny\nproperty float nz\nproperty float32 quality\n"
+    "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty int u\n"
+    "element face 2\nproperty int label\nproperty list uint8 int32 vertex_indices\nend_header\n";
+  if (isText)
+  {
+    return file +
+      "2 0.5 0.5 7\n512345.678 5403210.987 0.1 0 0 1 0.25 1 2 3 -4\n1 0 0 0 0 1 0.5 4 5 6 5\n"
+      "0 1 0 0 0 1 1 255 0 9 6\n8 2 0 1\n9 3 0 1 2\n";
+  }
+  file += Bytes<std::uint16_t>({ 2 }, isBig) + Bytes<float>({ 0.5f, 0.5f }, isBig) +
+    Bytes<std::int16_t>({ 7 }, isBig);
+  const std::vector<double> points[] = { { 512345.678, 5403210.987, 0.1 }, { 1.0, 0.0, 0.0 },
+    { 0.0, 1.0, 0.0 } };
+  const float qualities[] = { 0.25f, 0.5f, 1.0f };
+  const std::string colors[] = { "\x01\x02\x03", "\x04\x05\x06", std::string("\xff\0\x09", 3) };
+  for (int i = 0; i < 3; ++i)
+  {
+    file += Bytes(points[i], isBig) + Bytes<float>({ 0.0f, 0.0f, 1.0f, qualities[i] }, isBig) +
+      colors[i] + Bytes<std::int32_t>({ i == 0 ? -4 : 4 + i }, isBig);
+  }
+  return file + Bytes<std::int32_t>({ 8 }, isBig) + "\2" + Bytes<std::int32_t>({ 0, 1 }, isBig) +
+    Bytes<std::int32_t>({ 9 }, isBig) + "\3" + Bytes<std::int32_t>({ 0, 1, 2 }, isBig);
+}
+const char* const PLYContents =
+  "512345.678 5403210.987 0.1, 1 0 0, 0 1 0 | lines 0 1 | polys 0 1 2 "
+  "| active Normals float 0 0 1, 0 0 1, 0 0 1 "
+  "| active RGB unsigned char 1 2 3, 4 5 6, 255 0 9 "
+  "| quality float 0.25, 0.5, 1 | u int -4, 5, 6 | cells label int 8, 9";
+
+/// A text file of points and other properties.
+std::string MakeTextPLY(const std::string& properties, const std::string& elements,
+  const std::string& data, const std::string& count = "3")
+{
+  return "ply\nformat ascii 1.0\nelement vertex " + count +
+    "\nproperty float x\nproperty float y\nproperty float z\n" + properties + elements +
+    "end_header\n" + data;
+}
+
+const char* const FacetText = "solid name of it\nfacet normal 0 0 1\n outer loop\n"
+                              "  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1.1 0\n"
+                              " endloop\nendfacet\n";
+const char* const SecondFacet = "FACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 1.1 0\nVERTEX 1 0 0\n"
+                                "VERTEX 1 -0 2\nENDLOOP\nENDFACET\nENDSOLID\n";
+
+std::string MakeSTL(std::uint32_t count, const std::string& header = "binary")
+{
+  std::string file =
+    header + std::string(80 - header.size(), ' ') + Bytes<std::uint32_t>({ count });
+  file += Bytes<float>({ 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.1f, 0 }) + std::string(2, '\0');
+  file += Bytes<float>({ 0, 0, 1, 0, 0.1f, 0, 1, 0, 0, 1, 1, 0 }) + std::string(2, '\0');
+  return file;
+}
+
+const FileCase OBJCases[] = {
+  { "points are the lines v whatever normals the faces name",
+    "v 0 0 0\nv 3 0 0\nv 3 4 0\nv 0 4 0\nvn 0 0 1\nvn 0 1 0\nf 1//1 2//1 3//1\n"
+    "f 1//2 3//2 4//2\n",
+    "0 0 0, 3 0 0, 3 4 0, 0 4 0 | polys 0 1 2, 0 2 3" },
+  { "normals and texture coordinates of one value per point",
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0.1\nvt 1 0\nvt 0 1 7\nvt 0 0.1\nvn 0 0 1\n"
+    "f 1/1/1 2/2/1 3/3/1\nf 1/4/1 3/3/-1 2/2/1\n",
+    "0 0 0, 1 0 0, 0 1 0 | polys 0 1 2, 0 2 1 | active Normals double 0 0 1, 0 0 1, 0 0 1 "
+    "| active TCoords double 0 0.1, 1 0, 0 1" },
+  { "texture coordinates that some corners lack",
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3\n", "0 0 0, 1 0 0, 0 1 0 | polys 0 1 2" },
+  { "double digits", "v 512345.678 5403210.987 0.1\nv 1e-400 +2 .5\n",
+    "512345.678 5403210.987 0.1, 0 2 0.5" },
+  { "negative ids count backwards",
+    "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -1 -4 -3\n",
+    "9 9 9, 0 0 0, 1 0 0, 0 1 0, 5 5 5 | polys 1 2 3, 4 1 2" },
+  { "polygons, polylines and points",
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nl 1/1 2 3\n"
+    "vt 0 0\np 1 4\n",
+    "0 0 0, 1 0 0, 1 1 0, 0 1 0 | verts 0, 3 | lines 0 1 2 | polys 0 1 2 3" },
+  { "faces before points", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n",
+    "0 0 0, 1 0 0, 0 1 0 | polys 0 1 2" },
+  { "comments, continuations, statements to skip, line ends of other systems",
+    "# v 1 1 1\r\nmtllib a b\\\r\ng group # g\r\nv 0 \\\r\n 0 0 # v\r\n\r\nv 1 0 0\r\nv 0 1 0\r\n"
+    "f 1 2 \\\r\n3\r\ncurv 0 1 \\\r\n1 2 3\r\n",
+    "0 0 0, 1 0 0, 0 1 0 | polys 0 1 2" },
+  { "lone carriage returns", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r",
+    "0 0 0, 1 0 0, 0 1 0 | polys 0 1 2" },
+  { "colors and weights", "v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1 1\n",
+    "0 0 0, 1 0 0 | active RGB unsigned char 255 128 0, 0 0 255" },
+  { "colors up to 255", "v 0 0 0 255 7 0\n", "0 0 0 | active RGB unsigned char 255 7 0" },
+  { "weights", "v 0 0 0 1\nv nan 0 0 2\n", "0 0 0, nan 0 0" },
+  { "id behind the last point", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 5\nv 2 2 2\n",
+    "line 4: the point 5 is out of range: the file has 4 points" },
+  { "id of a huge point with a normal", "v 0 0 0\nvn 0 0 1\nf 1 1 9000000000000//1\n",
+    "line 3: the point 9000000000000" },
+  { "id 0", "v 0 0 0\nf 1 1 0\n", "line 2: the point 0 is out of range" },
+  { "id before the first point", "v 0 0 0\nf 1 1 -2\nv 0 0 0\n",
+    "line 2: the point -2 is out of range: the file has 1 points before this line" },
+  { "normal out of range", "v 0 0 0\nf 1 1 1//1\n",
+    "line 2: the normal 1 is out of range: the file has 0 normals" },
+  { "texture coordinate out of range", "v 0 0 0\nvt 0 0\nf 1/1 1/2 1\n",
+    "line 3: the texture coordinate 2 is out of range" },
+  { "too few coordinates", "v 0 0 0\nv 1 0\n", "line 2: point 1 has 2 numbers" },
+  { "too many coordinates", "v 0 0 0 1 1 1 1 1\n", "line 1: '1' follows the last value" },
+  { "too few corners", "v 0 0 0\nf 1 1\n", "line 2: the face has 2 points" },
+  { "no number", "v 0 0 zero\n", "line 1: 'zero' is not a number" },
+  { "no corner", "v 0 0 0\nf 1 1/x 1\n", "line 2: '1/x' is not a corner" },
+  { "corner of four", "v 0 0 0\nf 1 1 1/1/1/1\n", "line 2: '1/1/1/1' is not a corner" },
+  { "no points", "# nothing\n", "the file has no points" },
+};
+
+const FileCase PLYCases[] = {
+  { "text", MakePLY("ascii"), PLYContents },
+  { "little endian", MakePLY("binary_little_endian"), PLYContents },
+  { "big endian", MakePLY("binary_big_endian"), PLYContents },
+  { "float points",
+    "ply\r\nformat binary_little_endian 1.0\r\nelement vertex 1\r\nproperty float z\r\n"
+    "property float x\r\nproperty float y\r\nend_header\r\n" +
+      Bytes<float>({ 3.0f, 1.0f, 2.0f }),
+    "float 1 2 3" },
+  { "double digits in a text whose header promises floats",
+    MakeTextPLY("", "", "512345.678 5403210.987 0.1\n", "1"), "512345.678 5403210.987 0.1" },
+  { "alpha and texture coordinates",
+    MakeTextPLY("property uchar alpha\nproperty uchar red\nproperty uchar green\nproperty uchar "
+                "blue\nproperty double s\nproperty double t\n",
+      "", "0 0 0 4 1 2 3 0.1 0.2\n", "1"),
+    "0 0 0 | active TCoords double 0.1 0.2 | active RGBA unsigned char 1 2 3 4" },
+  { "colors that are no bytes are numbers",
+    MakeTextPLY("property float red\nproperty float green\nproperty float blue\n", "",
+      "0 0 0 1 0.5 0\n", "1"),
+    "0 0 0 | red float 1 | green float 0.5 | blue float 0" },
+  { "faces before points, their colors and an index list of another name",
+    "ply\nformat ascii 1.0\nelement face 2\nproperty list int uint vertex_index\nproperty list "
+    "uchar float texcoord\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement "
+    "vertex 3\nproperty int x\nproperty int y\nproperty int z\nend_header\n"
+    "3 0 1 2 2 0.5 0.5 1 2 3\n1 2 0 4 5 6\n0 0 0 1 0 0 0 1 0",
+    "0 0 0, 1 0 0, 0 1 0 | verts 2 | polys 0 1 2 "
+    "| cells active RGB unsigned char 4 5 6, 1 2 3" },
+  { "strips",
+    MakeTextPLY("", "element tristrips 1\nproperty list int int vertex_indices\n",
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 0 1 2 3 -1 2 1 0 -1\n", "4"),
+    "0 0 0, 1 0 0, 0 1 0, 1 1 0 | polys 0 1 2, 2 1 3, 2 1 0" },
+  { "no points behind the header", MakeTextPLY("", "", "", "0"), "" },
+  { "more points than bytes", MakeTextPLY("", "", "0 0 0\n", "1000000000000"),
+    "line 3: the header promises 1000000000000 records of the element 'vertex' with at least 6 "
+    "bytes each, but only 7 bytes follow" },
+  { "list beyond the end",
+    MakeTextPLY("", "element face 1\nproperty list int int vertex_indices\n",
+      "0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n"),
+    "line 13: the file ends in record 0 of 1 of the element 'face'" },
+  { "id behind the last point",
+    MakeTextPLY("", "element face 1\nproperty list int int vertex_indices\n",
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
+    "line 13: record 0 of the element 'face': the point 3 is out of range: the file has 3 points" },
+  { "face without corners",
+    MakeTextPLY(
+      "", "element face 1\nproperty list int int vertex_indices\n", "0 0 0\n1 0 0\n0 1 0\n0\n"),
+    "the list 'vertex_indices' has 0 values" },
+  { "indices that are no integers",
+    MakeTextPLY("", "element face 1\nproperty list int float vertex_indices\n", ""),
+    "line 8: 'float' is not a type of integers" },
+  { "more than the last record", MakeTextPLY("", "", "0 0 0\n1 0 0\n", "1"),
+    "line 9: 6 bytes follow the last record" },
+  { "no number", MakeTextPLY("", "", "0 0 x\n", "1"),
+    "line 8: record 0 of the element 'vertex': 'x' is not a number" },
+  { "other file", "plyx\n", "line 1: a PLY file begins" },
+  { "unknown format", "ply\nformat binary 1.0\nend_header\n", "line 3: the format 'binary'" },
+  { "unknown type", "ply\nelement vertex 1\nproperty half x\n", "line 3: 'half' is not a type" },
+  { "unknown keyword", "ply\nelements 3\n", "line 2: 'elements' is not a keyword" },
+  { "negative count", "ply\nelement vertex -1\n", "line 2: '-1' is not a number of records" },
+  { "second element", "ply\nelement a 1\nelement a 1\n", "line 3: a second element 'a'" },
+  { "second property", "ply\nelement a 1\nproperty int x\nproperty int x\n",
+    "line 4: a second property 'x'" },
+  { "property of nothing", "ply\nproperty int x\n", "line 2: a property before" },
+  { "point without z",
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nend_header\n0 0\n",
+    "line 3: the element 'vertex' has no property z" },
+  { "no points", "ply\nformat ascii 1.0\nend_header\n", "the header has no element 'vertex'" },
+};
+
+const FileCase STLCases[] = {
+  { "text", std::string(FacetText) + SecondFacet,
+    "0 0 0, 1 0 0, 0 1.1 0, 1 0 2 | polys 0 1 2, 2 1 3" },
+  { "two solids", std::string(FacetText) + "endsolid a b\nsolid\nendsolid\n",
+    "0 0 0, 1 0 0, 0 1.1 0 | polys 0 1 2" },
+  { "binary", MakeSTL(2),
+    "float 0 0 0, 1 0 0, 0 " + Digits(0.1f) + " 0, 1 1 0 | polys 0 1 2, 2 1 3" },
+  { "binary that begins with solid", MakeSTL(2, "solid"),
+    "float 0 0 0, 1 0 0, 0 " + Digits(0.1f) + " 0, 1 1 0 | polys 0 1 2, 2 1 3" },
+  { "binary that is too short", MakeSTL(3, "solid"),
+    "byte 80: the header promises 3 triangles, which take 234 bytes, but the file has 184 bytes" },
+  { "binary that is too long", MakeSTL(1),
+    "byte 80: the header promises 1 triangles, which take 134 bytes, but the file has 184 bytes" },
+  { "short header", "nothing", "byte 7: the file ends inside the header of 84 bytes" },
+  { "text without endsolid", FacetText, "line 9: the file ends before endsolid" },
+  { "facet of four corners",
+    "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 "
+    "0\n"
+    "endloop\nendfacet\nendsolid\n",
+    "line 7: expected endloop, got 'vertex'" },
+  { "no number", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 a\n",
+    "line 4: 'a' is not a number" },
+  { "other word", "solid\nvertex 0 0 0\n", "line 2: expected facet or endsolid, got 'vertex'" },
+};
+
+const FileCase XYZCases[] = {
+  { "separators, comments, further words", "# c\n1 2 3 9 n\n\n4,5;\t6 // c\n512345.678\t0.1 nan\n",
+    "1 2 3, 4 5 6, 512345.678 0.1 nan | verts 0, 1" },
+  { "count", "2\n1 2 3\n4 5 6\n", "1 2 3, 4 5 6 | verts 0, 1" },
+  { "header", "//X,Y\nX,Y,Z,\"nx\"\n1,2,3,0\n", "1 2 3 | verts 0" },
+  { "too few numbers", "1 2 3\n4 5\n", "line 2: 2 numbers, expected the coordinates x, y and z" },
+  { "words behind the first line", "1 2 3\nx y z\n", "line 2: 'x' is not a number" },
+  { "header with a number", "x 2 z\n1 2 3\n", "line 1: 'x' is not a number" },
+  { "no points", "# c\n", "the file has no points" },
+};
+
+template <typename ReaderType>
+struct Good;
+template <>
+struct Good<vtkDGGOBJReader>
+{
+  static constexpr const char* Name = "mesh.obj";
+  static constexpr bool HasCounts = false;
+  static std::string Make(int points)
+  {
+    std::string file = "v 1.5 2.25 1000.5\nv 1 0 0\n";
+    for (int i = 2; i < points; ++i)
+    {
+      file += "v 0 1 " + std::to_string(i) + "\nf 1 2 3\n";
+    }
+    return file;
+  }
+};
+template <>
+struct Good<vtkDGGPLYReader>
+{
+  static constexpr const char* Name = "mesh.ply";
+  static constexpr bool HasCounts = true;
+  static std::string Make(int points)
+  {
+    std::string file = "1.5 2.25 1000.5\n1 0 0\n";
+    for (int i = 2; i < points; ++i)
+    {
+      file += "0 1 " + std::to_string(i) + "\n";
+    }
+    return MakeTextPLY("", "element face 1\nproperty list int int vertex_indices\n",
+      file + "3 0 1 2\n", std::to_string(points));
+  }
+};
+template <>
+struct Good<vtkDGGSTLReader>
+{
+  static constexpr const char* Name = "mesh.stl";
+  static constexpr bool HasCounts = true;
+  static std::string Make(int points)
+  {
+    std::string file = "solid\n";
+    for (int i = 2; i < points; ++i)
+    {
+      file += "facet normal 0 0 1\nouter loop\nvertex 1.5 2.25 1000.5\nvertex 1 0 0\nvertex 0 1 " +
+        std::to_string(i) + "\nendloop\nendfacet\n";
+    }
+    return file + "endsolid\n";
+  }
+};
+template <>
+struct Good<vtkDGGXYZReader>
+{
+  static constexpr const char* Name = "cloud.xyz";
+  static constexpr bool HasCounts = false;
+  static std::string Make(int points)
+  {
+    std::string file = "1.5 2.25 1000.5\n";
+    for (int i = 1; i < points; ++i)
+    {
+      file += "0 1 " + std::to_string(i) + "\n";
+    }
+    return file;
+  }
+};
+
+template <typename ReaderType>
+class MeshReaders : public dggtest::ReaderFixture<ReaderType>
+{
+protected:
+  MeshReaders()
+    : dggtest::ReaderFixture<ReaderType>(Good<ReaderType>::Name, GoodFile().c_str())
+  {
+  }
+  static const std::string& GoodFile()
+  {
+    static const std::string file = Good<ReaderType>::Make(3);
+    return file;
+  }
+
+  /// A defect is an error that names it; the next file is read well.
+  template <std::size_t Count>
+  void Check(const FileCase (&cases)[Count])
+  {
+    for (const FileCase& file : cases)
+    {
+      SCOPED_TRACE(file.Name);
+      const std::string path = this->Write(file.Content);
+      this->Use(path);
+      dggtest::Listener listener(this->Reader);
+      this->Reader->Update();
+      const bool isRead = this->Reader->GetErrorCode() == vtkErrorCode::NoError;
+      const std::string result = isRead ? Describe(this->Reader->GetOutput())
+        : listener.Errors.empty()       ? ""
+                                        : listener.Errors[0];
+      if (isRead)
+      {
+        EXPECT_EQ(result, file.Expected);
+        EXPECT_TRUE(listener.Errors.empty());
+        EXPECT_TRUE(listener.Warnings.empty());
+      }
+      else
+      {
+        EXPECT_NE(result.find("Cannot read " + path + ": "), std::string::npos) << result;
+        EXPECT_NE(result.find(file.Expected), std::string::npos) << result;
+        dggtest::ExpectEmptyOutput(this->Reader);
+      }
+    }
+  }
+
+  /// Every file that is cut causes an error, or a warning where the format has no counts.
+  void CheckTruncation(const std::string& content, bool hasCounts)
+  {
+    for (std::size_t i = 0; i < 20; ++i)
+    {
+      std::size_t length = (content.size() - 2) * i / 19;
+      while (!hasCounts && length > 0 && content[length - 1] == '\n')
+      {
+        ++length; // a whole line less cannot be noticed
+      }
+      SCOPED_TRACE(length);
+      this->Use(this->Write(content.substr(0, length)));
+      dggtest::Listener listener(this->Reader);
+      this->Reader->Update();
+      EXPECT_EQ(listener.Errors.size() + (hasCounts ? 0 : listener.Warnings.size()), 1u);
+      EXPECT_TRUE(listener.Errors.empty() || this->Reader->GetOutput()->GetNumberOfPoints() == 0);
+    }
+  }
+};
+
+using OBJReader = MeshReaders<vtkDGGOBJReader>;
+using PLYReader = MeshReaders<vtkDGGPLYReader>;
+using STLReader = MeshReaders<vtkDGGSTLReader>;
+using XYZReader = MeshReaders<vtkDGGXYZReader>;
+}
+
+TEST_F(OBJReader, ReadsOrRefuses)
+{
+  this->Check(OBJCases);
+}
+
+TEST_F(PLYReader, ReadsOrRefuses)
+{
+  this->Check(PLYCases);
+}
+
+TEST_F(PLYReader, RefusesTruncatedFiles)
+{
+  for (const char* format : { "ascii", "binary_little_endian", "binary_big_endian" })
+  {
+    this->CheckTruncation(MakePLY(format), true);
+  }
+}
+
+TEST_F(PLYReader, RefusesHeadersOfManyProperties)
+{
+  std::string file = "ply\nformat ascii 1.0\nelement vertex 1\n";
+  for (int i = 0; i < 10001; ++i)
+  {
+    file += "property int " + std::to_string(i) + "\n";
+  }
+  this->ExpectRefused(file, vtkErrorCode::FileFormatError, { "line 10003", "more than 10000" });
+}
+
+TEST_F(STLReader, ReadsOrRefuses)
+{
+  this->Check(STLCases);
+}
+
+TEST_F(STLReader, RefusesTruncatedBinaryFiles)
+{
+  this->CheckTruncation(MakeSTL(2), true);
+}
+
+TEST_F(XYZReader, ReadsOrRefuses)
+{
+  this->Check(XYZCases);
+}
+
+using ReaderTypes =
+  testing::Types<vtkDGGOBJReader, vtkDGGPLYReader, vtkDGGSTLReader, vtkDGGXYZReader>;
+TYPED_TEST_SUITE(MeshReaders, ReaderTypes);
+
+TYPED_TEST(MeshReaders, NoticesTruncatedFiles)
+{
+  this->CheckTruncation(Good<TypeParam>::Make(30), Good<TypeParam>::HasCounts);
+}
+
+TYPED_TEST(MeshReaders, ReadsCompressedFiles)
+{
+  const std::string& content = this->GoodFile();
+  const std::string expected = Describe(this->ReadWell(content));
+  const std::string path = this->GetPath("file.gz");
+  gzFile file = gzopen(path.c_str(), "wb");
+  gzwrite(file, content.data(), static_cast<unsigned>(content.size()));
+  gzclose(file);
+  EXPECT_EQ(Describe(this->ReadWellFile("file.gz")), expected);
+  EXPECT_EQ(TypeParam::CanReadFile(path.c_str()), 1);
+
+  const std::string compressed = this->Load("file.gz");
+  this->ExpectRefused(compressed.substr(0, compressed.size() / 2),
+    vtkErrorCode::PrematureEndOfFileError, { "the compressed data end too early" });
+}
+
+TYPED_TEST(MeshReaders, FilesThatCannotBeRead)
+{
+  this->CheckFilesThatCannotBeRead();
+}
+
+TYPED_TEST(MeshReaders, ProgressAndAbort)
+{
+  this->CheckProgress(Good<TypeParam>::Make(100000), 100000);
+}
+
+TYPED_TEST(MeshReaders, Locales)
+{
+  this->CheckLocales(this->GoodFile());
+}
