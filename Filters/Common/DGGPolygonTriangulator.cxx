@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGPolygonTriangulator.h"
 
+#include "DGGCompatibility.h"
+
 #include "vtkMath.h"
 #include "vtkPoints.h"
 
@@ -156,7 +158,7 @@ void DGGPolygonTriangulator::CutEars(const double* points, std::vector<dgg::Id>&
     this->Polygon->Points->SetPoint(i, local[i].data());
   }
   this->Ears->Reset();
-  const bool cut = this->Polygon->Triangulate(this->Ears) != 0;
+  const bool cut = vtkDGGTriangulateMacro(this->Polygon, this->Ears);
   if (cut && this->Ears->GetNumberOfIds() == 3 * (n - 2))
   {
     for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)

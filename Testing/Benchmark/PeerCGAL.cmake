@@ -10,7 +10,7 @@ if (CGAL_FOUND AND NOT TARGET dggPeerCGAL)
 endif ()
 
 if (CGAL_FOUND AND NOT TARGET dggPeerHeat)
-  find_package(Eigen3 3.3 QUIET NO_MODULE)
+  find_package(Eigen3 QUIET NO_MODULE)
   if (TARGET Eigen3::Eigen)
     dgg_add_peer(dggPeerHeat CGAL::CGAL PeerHeat.cxx PeerHeat.h PeerCGALSurface.h)
     target_compile_definitions(dggPeerHeat PRIVATE CGAL_EIGEN3_ENABLED)

@@ -108,7 +108,8 @@ TEST(ImageCurves, IsolinesByAllMethods)
     std::vector<vtkIdType> sources = { 1, 2, 4 };
     if (!isCube)
     {
-      sources = { surface->FindPoint(-1.6, 5.0, -3.0) }; // behind, so that ridges are in front
+      double behind[3] = { -1.6, 5.0, -3.0 }; // so that ridges are in front
+      sources = { surface->FindPoint(behind) };
     }
     for (int column = 0; column < 4; ++column)
     {

@@ -157,7 +157,8 @@ TEST(ImageSpectral, GreensFunctionAtABoundary)
 TEST(ImageSpectral, BiharmonicDistances)
 {
   auto pebble = MakePebble(3);
-  const vtkIdType source = pebble->FindPoint(-0.1, -0.9, 0.9);
+  double below[3] = { -0.1, -0.9, 0.9 };
+  const vtkIdType source = pebble->FindPoint(below);
   ImageScene scene(3, 1, 220, 170);
   for (const int kind : { vtkBiharmonicDistance::Biharmonic, vtkBiharmonicDistance::CommuteTime,
          vtkBiharmonicDistance::Diffusion })
@@ -205,7 +206,8 @@ TEST(ImageSpectral, BSplines)
   filter->SetNumberOfSites(count);
   filter->SetRightHandSideArrayName("Source");
   ExpectSuccess(filter);
-  const vtkIdType place = pebble->FindPoint(0.2, -0.9, 0.2);
+  double below[3] = { 0.2, -0.9, 0.2 };
+  const vtkIdType place = pebble->FindPoint(below);
   const auto cells = GetValues(filter->GetOutput(), "Cell");
   const int site = static_cast<int>(cells[place]);
   const auto basis = GetValues(filter->GetOutput(), "HarmonicBSpline", site);

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Differences between VTK 9.1 and later versions. Internal.
+#ifndef DGGCompatibility_h
+#define DGGCompatibility_h
+
+#include "vtkVersionMacros.h" // for VTK_VERSION_NUMBER
+
+/// vtkDGGIsAbortedMacro: true if the user wants the algorithm to stop. Since VTK 9.3 also true if a
+/// filter upstream was aborted, and until vtkDGGClearAbortMacro, which each update includes.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#define vtkDGGIsAbortedMacro(algorithm) ((algorithm)->CheckAbort())
+#define vtkDGGClearAbortMacro(algorithm) ((algorithm)->SetAbortOutput(false))
+#else
+#define vtkDGGIsAbortedMacro(algorithm) ((algorithm)->GetAbortExecute() != 0)
+#define vtkDGGClearAbortMacro(algorithm)
+#endif
+
+/// Cuts a vtkPolygon into triangles of local ids; true on success.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#define vtkDGGTriangulateMacro(polygon, ids) ((polygon)->TriangulateLocalIds(0, ids) != 0)
+#else
+#define vtkDGGTriangulateMacro(polygon, ids) ((polygon)->Triangulate(ids) != 0)
+#endif
+
+#endif
