@@ -368,6 +368,7 @@ bool vtkGeodesicAlgorithm::AttemptOutsideOfUpdate(const std::function<dgg::Statu
 {
   const unsigned long errorCode = this->GetErrorCode();
   this->Reported.clear();
+  vtkDGGClearAbortMacro(this);
   const bool done = this->Attempt([this, &step] {
     if (this->GetNumberOfInputConnections(0) > 0)
     {

@@ -234,7 +234,8 @@ def _update(algorithm, pipeline, refused, bar):
             bar.close()
     if interruption.raised:
         for node in stopped:
-            node.Modified()  # what it has left counts as done
+            # Modifies the node, so that it runs again. VTK 9.3 and later do not clear the flag.
+            node.SetAbortExecute(0)
         raise interruption.raised
     return reports
 
