@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 
 import numpy as np
@@ -58,9 +59,10 @@ class Explorer:
     """
 
     def __init__(self, scene, picture="explore.png", size=(1280, 960), place=None):
+        if sys.platform == "linux" and not os.environ.get("DISPLAY"):
+            # VTK would end the process or, since 9.4, draw where nobody sees it.
+            raise OSError("there is no display to open a window on")
         self.window = vtkRenderWindow()
-        if self.window.IsA("vtkXOpenGLRenderWindow") and not os.environ.get("DISPLAY"):
-            raise OSError("there is no display to open a window on")  # VTK would end the process
         self.scene = scene
         self._start = far_place(scene) if place is None else place
         self.seconds = 0.0
