@@ -29,9 +29,9 @@ vtkSmartPointer<vtkImageData> Shifted(vtkImageData* image, int x, int y);
 /// The picture mirrored, left to right or top to bottom.
 vtkSmartPointer<vtkImageData> Mirrored(vtkImageData* image, bool leftToRight);
 
-/// Compare the picture with Testing/Baseline/<name>.png, and prove that the comparison is worth
-/// something: the picture shifted by one pixel, and mirrored, must fail it. The picture is written
-/// to the output folder of the tests.
+/// Compares the picture with Testing/Baseline/<name>.png or, where versions of VTK differ, with an
+/// alternative <name>_1.png, <name>_2.png, ... Also expects that the picture shifted by one pixel,
+/// and mirrored, fails. The picture is written to the output folder of the tests.
 void ExpectBaseline(vtkRenderWindow* window, const std::string& name);
 }
 
