@@ -7,8 +7,14 @@
 #     -DWITH_PYTHON=... -P CheckPackages.cmake
 cmake_minimum_required(VERSION 3.20) # if (... IN_LIST ...)
 
+file(READ "${CMAKE_CURRENT_LIST_DIR}/../Wrapping/README.md" page)
+
 # check_package(<name> <depends>...): its files go to ${packed}.
 function (check_package name)
+  string(FIND "${page}" "| `${name}` |" row)
+  if (row EQUAL -1)
+    message(SEND_ERROR "Wrapping/README.md does not list ${name}")
+  endif ()
   file(GLOB archive "${PACKAGES}/${name}_${VERSION}-1_*.deb")
   if (NOT archive)
     message(FATAL_ERROR "there is no package ${name}")
