@@ -18,7 +18,8 @@ if [ $# -eq 0 ] || [ "$1" = -h ] || [ "$1" = --help ]; then
   sed -n '/^# Install the/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
   exit 0
 fi
-here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
 system=system
 # What a stranger has besides.
 present=(build-essential cmake bash-completion man-db xauth xvfb)
@@ -30,60 +31,39 @@ fi
 packages="$(cd "${1:?PACKAGES is missing}" && pwd)"
 mkdir -p "${2:?FOLDER is missing}"
 folder="$(cd "$2" && pwd)"
-mesh="$(realpath "${3:-$here/Data/bumpy.ply}")"
-root="$folder/$system"
-home=/srv # in the system: where its user works
+mesh="$(realpath "${3:-$DGG_ROOT/Testing/Data/bumpy.ply}")"
 
-inside() { chroot "$root" env -i HOME=$home XDG_CACHE_HOME=$home/.cache PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
-  DEBIAN_FRONTEND=noninteractive TERM=xterm MANPAGER=cat bash -c "cd $home && $1"; }
 # shown COMMAND: run it in the system, and say what it was and how long it took.
 shown() {
   printf '\n%s\n' "$1" | sed '2,$s/^/$ /'
   local start
   start="$(date +%s%N)"
-  inside "$1"
+  dgg_in_root "$1"
   echo "# $((($(date +%s%N) - start) / 1000000)) ms"
 }
 # Files and folders but for what package managers and the kernel write.
 list() {
-  inside "find / -xdev \\( -path /proc -o -path /var/cache -o -path /var/log -o -path /var/lib/apt \
-    -o -path /var/lib/dpkg -o -path $home -o -path /tmp \\) -prune -o -print" | sort
-}
-unmount() {
-  ! mountpoint -q "$root/var/cache/apt/archives" || umount "$root/var/cache/apt/archives"
-  ! mountpoint -q "$root/proc" || umount "$root/proc"
+  dgg_in_root "find / -xdev \\( -path /proc -o -path /var/cache -o -path /var/log -o -path /var/lib/apt \
+    -o -path /var/lib/dpkg -o -path /srv -o -path /tmp \\) -prune -o -print" | sort
 }
 
-mkdir -p "$folder/archives/partial"
-[ -d "$folder/base" ] || {
-  debootstrap --variant=minbase bookworm "$folder/base.part"
-  mv "$folder/base.part" "$folder/base"
-}
-unmount 2>/dev/null
-rm -rf --one-file-system "$root"
-cp -a "$folder/base" "$root"
-trap unmount EXIT
-mount -t proc proc "$root/proc"
-mount --bind "$folder/archives" "$root/var/cache/apt/archives"
-rm -f "$root/etc/apt/apt.conf.d/docker-clean"
-echo 'Binary::apt::APT::Keep-Downloaded-Packages "true"; APT::Install-Recommends "false";
-Dpkg::Use-Pty "0";' \
-  >"$root/etc/apt/apt.conf.d/99keep"
-mkdir "$root$home/packages"
-cp "$packages"/*.deb "$root$home/packages"
-cp "$mesh" "$root$home/mesh.ply"
+dgg_make_root 12 "$folder" "$system"
+home="$dgg_root/srv"
+mkdir "$home/packages"
+cp "$packages"/*.deb "$home/packages"
+cp "$mesh" "$home/mesh.ply"
 
 echo "Installing what the packages need ..."
 names="$(for file in "$packages"/*.deb; do dpkg-deb -f "$file" Package; done | paste -sd '|')"
 needs="$(for file in "$packages"/*.deb; do dpkg-deb -f "$file" Depends; done | sed 's/, */\n/g' |
   grep -Ev "^($names)( |$)" | sort -u | paste -sd ',')"
-{ inside "apt-get update && apt-get install -y ${present[*]} && apt-get satisfy -y '$needs'"; } \
+{ dgg_in_root "apt-get update && apt-get install -y ${present[*]} && apt-get satisfy -y '$needs'"; } \
   >"$folder/$system.log" 2>&1 || { tail -n 20 "$folder/$system.log" >&2; exit 1; }
 list >"$folder/$system.before"
 
 shown 'apt-get install -y -qq ./packages/*.deb 2>&1 | grep -v "^(Reading"'
 if [ "$system" = paraview ]; then
-  cat >"$root$home/distance.py" <<'END'
+  cat >"$home/distance.py" <<'END'
 from glob import glob
 
 from paraview.simple import *
@@ -107,7 +87,7 @@ print(vtkdgg.distance(vtkdgg.check(reader), 0).max())"'
   shown 'man vtkdgg | head -n 30'
   shown 'source /usr/share/bash-completion/bash_completion && _completion_loader vtkdgg;
 COMP_WORDS=(vtkdgg dist) COMP_CWORD=1 && _vtkdgg && echo "${COMPREPLY[@]}"'
-  cp -r "$here/../Examples/Cxx" "$root$home/Examples"
+  cp -r "$DGG_ROOT/Examples/Cxx" "$home/Examples"
   shown 'cmake -S Examples -B build >/dev/null && cmake --build build --target TenLines &&
 build/TenLines && ls -l distance.vtp'
 fi

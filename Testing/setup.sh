@@ -77,3 +77,50 @@ dgg_with_display() {
     xvfb-run -a -s "-screen 0 1920x1440x24 -noreset" "$@"
   fi
 }
+
+# dgg_make_root RELEASE FOLDER NAME: a fresh, minimal Debian 12, 13 or testing in FOLDER/NAME, mounted
+# until the script ends. FOLDER keeps what debootstrap and apt have downloaded.
+dgg_make_root() {
+  local folder="$2" suite
+  case "$1" in
+    12) suite=bookworm ;;
+    13) suite=trixie ;;
+    testing) suite=testing ;;
+    *) dgg_fail "The release $1 is unknown. Choose 12, 13 or testing." ;;
+  esac
+  dgg_root="$folder/$3"
+  [ "$(id -u)" -eq 0 ] || dgg_fail "Only root can make a system of its own."
+  command -v debootstrap >/dev/null || dgg_fail "debootstrap was not found. Install debootstrap."
+  mkdir -p "$folder/archives/partial"
+  if [ ! -d "$folder/$suite" ]; then
+    rm -rf --one-file-system "$folder/$suite.part"
+    debootstrap --variant=minbase "$suite" "$folder/$suite.part"
+    mv "$folder/$suite.part" "$folder/$suite"
+  fi
+  dgg_unmount_root
+  rm -rf --one-file-system "$dgg_root"
+  cp -a "$folder/$suite" "$dgg_root"
+  trap dgg_unmount_root EXIT
+  mount -t proc proc "$dgg_root/proc"
+  mount --rbind --make-rslave /sys "$dgg_root/sys"
+  mount --rbind --make-rslave /dev "$dgg_root/dev"
+  mount --bind "$folder/archives" "$dgg_root/var/cache/apt/archives"
+  # Proxies and mirrors of this system, but not the clean-up of containers.
+  cp /etc/apt/apt.conf.d/* "$dgg_root/etc/apt/apt.conf.d"
+  rm -f "$dgg_root/etc/apt/apt.conf.d/docker-clean"
+  echo 'Binary::apt::APT::Keep-Downloaded-Packages "true"; APT::Install-Recommends "false";
+Dpkg::Use-Pty "0";' >"$dgg_root/etc/apt/apt.conf.d/99keep"
+}
+
+dgg_unmount_root() {
+  local mounted
+  for mounted in var/cache/apt/archives dev sys proc; do
+    ! mountpoint -q "$dgg_root/$mounted" || umount -R "$dgg_root/$mounted"
+  done
+}
+
+# Run a shell command in that system as its user would, in /srv.
+dgg_in_root() {
+  chroot "$dgg_root" env -i HOME=/srv XDG_CACHE_HOME=/srv/.cache PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+    LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive TERM=xterm MANPAGER=cat bash -c "cd /srv && $1"
+}
