@@ -10,8 +10,8 @@
  * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm.
  *
  * <b>Guarantee and cost</b>. No distance is longer than the shortest way along mesh edges, up to
- * rounding, for any number of sources; Certify bounds the error. Otherwise, of 10 sources on each
- * of 27 real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 %
+ * rounding, for any number of sources. Nothing else bounds the error. Of 10 sources on each of 27
+ * real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 %
  * too short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken
  * models of CAD 0.6 to 2 % on the mean, and up to 20 % too short and 60 % too long, several times
  * too long where sides are rough as well; there vtkExactGeodesicDistance is fast enough. Of a
@@ -23,8 +23,7 @@
  * adds up to 1e-4 of it.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; triangles too irregular for distances to
- * settle; initial distances that differ by more than 1e30 mean edges; with Certify also those of
- * vtkDGGDistance, and a graph by a rule without a guarantee.
+ * settle; initial distances that differ by more than 1e30 mean edges.
  *
  * @code
  * vtkNew<vtkVirtualSourceGeodesicDistance> distance;
@@ -45,17 +44,11 @@
 #define vtkVirtualSourceGeodesicDistance_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicDistanceAlgorithm.h"
 
 #include <memory> // For the prepared triangles
-#include <vector> // For the ends of links
 
 class DGGPropagation;
-namespace dgg
-{
-struct GraphSeed;
-}
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkVirtualSourceGeodesicDistance
   : public vtkGeodesicDistanceAlgorithm
@@ -87,30 +80,10 @@ public:
   const char* GetQualityAsString() const;
   ///@}
 
-  ///@{
-  /**
-   * Whether to search a graph as well, and to move each distance into the interval that it
-   * certifies. Then |result - exact distance| <= accuracy * (exact distance - o) holds, with o the
-   * least initial distance, as for vtkDGGDistance. A distance that has been moved has its nearest
-   * source and virtual source from the graph as well. Default off.
-   */
-  vtkSetMacro(Certify, bool);
-  vtkGetMacro(Certify, bool);
-  vtkBooleanMacro(Certify, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Properties of the graph for Certify, and numbers of it: those of vtkDGGDistance. Without
-   * Certify no graph is looked for, and one that was used before is kept.
-   */
-  vtkDGGGraphPropertiesMacro();
-  ///@}
-
   /**
    * Whether the median anisotropy of the last update's mesh (GetMedianAnisotropy()) is above 3:
    * then distances may be far off, above all from many sources. A warning says so once for each
-   * mesh. Off with Certify.
+   * mesh.
    */
   vtkGetMacro(QualityWarning, bool);
 
@@ -118,7 +91,6 @@ protected:
   vtkVirtualSourceGeodesicDistance();
   ~vtkVirtualSourceGeodesicDistance() override;
 
-  dgg::Status CheckProperties() const override;
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
   std::string GetMemoryRemedy() const override;
 
@@ -126,14 +98,10 @@ private:
   vtkVirtualSourceGeodesicDistance(const vtkVirtualSourceGeodesicDistance&) = delete;
   void operator=(const vtkVirtualSourceGeodesicDistance&) = delete;
 
-  dgg::Status ClampToGraph(const std::vector<dgg::GraphSeed>& seeds, DGGDistanceTask& task);
-
   int Quality;
-  bool Certify;
   bool QualityWarning;
   vtkMTimeType MeshTime; // that the warning is about
   std::unique_ptr<DGGPropagation> Propagation;
-  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

@@ -375,28 +375,15 @@ TEST_P(ExtraData, CorrectionPays)
   }
 }
 
-/// Nothing bounds the errors of virtual source propagation but a graph; the better quality is no
-/// worse on the mean.
-TEST_P(ExtraData, PropagationIsCertifiedByGraphs)
+/// Propagation reaches what exact distances reach; the better quality is no worse on the mean.
+TEST_P(ExtraData, PropagationQualities)
 {
-  const double accuracy = 0.1;
-  const double slack = this->GetSlack();
-  dgg::GraphOptions graphOptions;
-  graphOptions.Accuracy = accuracy;
-  dgg::GeodesicGraph graph;
-  ASSERT_TRUE(dgg::GraphBuilder(this->Surface).Build(graphOptions, graph).IsOk());
-  const dgg::GraphSearch search(graph.View(), &this->Surface);
   const dgg::SourcePropagation propagation(this->Surface);
   dgg::PropagationOptions options;
   std::array<std::vector<double>, 2> errors;
-  std::size_t beyond = 0;
   for (const dgg::Id source : this->GetSpreadSources())
   {
     const std::vector<double> exact = this->Run(source, dgg::ExactEngine::Triangle);
-    dgg::GraphSeed seed;
-    seed.Vertex = source;
-    dgg::SearchResult labels;
-    ASSERT_TRUE(search.Run({ seed }, {}, labels).IsOk());
     for (const auto quality : { dgg::PropagationQuality::Fast, dgg::PropagationQuality::High })
     {
       options.Quality = quality;
@@ -404,23 +391,17 @@ TEST_P(ExtraData, PropagationIsCertifiedByGraphs)
       const dgg::Status status =
         propagation.Run({ { dgg::SurfacePoint::AtVertex(source), 0.0 } }, options, result);
       ASSERT_TRUE(status.IsOk()) << status.GetMessage();
-      std::vector<double> certified = result.Distances;
-      dgg::ClampToLabels(search.GetGraph(), { seed }, labels.Distances, certified);
       for (std::size_t v = 0; v < exact.size(); ++v)
       {
         const double d = exact[v];
         ASSERT_EQ(std::isfinite(d), std::isfinite(result.Distances[v])) << v;
-        ASSERT_EQ(std::isfinite(d), std::isfinite(certified[v])) << v;
         if (d > 0.0 && std::isfinite(d))
         {
-          const double error = std::abs(certified[v] - d);
-          beyond += error <= accuracy * (d + slack) * (1.0 + 1e-6) + slack ? 0 : 1;
           errors[quality == dgg::PropagationQuality::High].push_back(result.Distances[v] / d - 1.0);
         }
       }
     }
   }
-  EXPECT_EQ(beyond, 0u) << "certified distances beyond the promise";
   std::array<double, 2> means{};
   for (const std::size_t i : { 0, 1 })
   {

@@ -151,19 +151,13 @@ TEST(ImageDistances, ErrorsOfFastMarching)
 
 TEST(ImageDistances, ErrorsOfVirtualSources)
 {
-  ImageScene scene(3, 1, 240, 200);
+  ImageScene scene(2, 1, 240, 200);
   vtkNew<vtkVirtualSourceGeodesicDistance> filter;
   filter->SetQualityToFast();
   const double fast = MeanSize(AddErrors(scene, filter, 2.0));
   EXPECT_LT(fast, 0.5);
   filter->SetQualityToHigh();
   EXPECT_LE(MeanSize(AddErrors(scene, filter, 2.0)), fast);
-  filter->SetQualityToFast();
-  filter->CertifyOn();
-  filter->SetAccuracy(0.003);
-  const auto certified = AddErrors(scene, filter, 2.0);
-  EXPECT_GE(*std::min_element(certified.begin(), certified.end()), -0.3001);
-  EXPECT_LE(*std::max_element(certified.begin(), certified.end()), 0.3001);
   scene.ExpectBaseline("TestImageVirtualSources");
 }
 

@@ -174,19 +174,6 @@ Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices)
   return Status::Success();
 }
 
-void ClampToLabels(const GraphView& graph, const std::vector<GraphSeed>& seeds,
-  const std::vector<double>& labels, std::vector<double>& estimates)
-{
-  const double smallestOffset = LabelCorrection::FindSmallestOffset(seeds);
-  const double shrink = LabelShrink(graph.Info);
-  for (std::size_t v = 0; v < estimates.size(); ++v)
-  {
-    estimates[v] = labels[v] < Infinity
-      ? ClampToLabel(estimates[v], labels[v], smallestOffset, shrink)
-      : Infinity;
-  }
-}
-
 class GraphSearch::Implementation
 {
 public:

@@ -76,12 +76,6 @@ struct SearchResult
   std::size_t NumberOfRelaxations = 0; ///< edges looked at
 };
 
-/// Move estimates into the intervals that the labels of a search in a guaranteed graph certify: the
-/// exact distance from its seeds is not longer than a label, and shorter by no more than the
-/// accuracy. Where there is no label the estimate becomes Infinity.
-DGG_CORE_EXPORT void ClampToLabels(const GraphView& graph, const std::vector<GraphSeed>& seeds,
-  const std::vector<double>& labels, std::vector<double>& estimates);
-
 /// A shortest path in a graph, from start to end.
 struct GraphPath
 {

@@ -57,7 +57,6 @@ public:
 
   /// The distance that a seed's source starts with, and where the vertex of a seed sees it.
   static double OffsetOf(const GraphSeed& seed);
-  static double FindSmallestOffset(const std::vector<GraphSeed>& seeds);
   static VirtualSource SourceOf(const GraphSeed& seed);
 
 private:
@@ -68,6 +67,7 @@ private:
     float Defect = 0.0f; ///< how far the surface is from flat there
   };
 
+  static double FindSmallestOffset(const std::vector<GraphSeed>& seeds);
   template <typename Length>
   void Straighten(const Length* lengths, const std::vector<GraphSeed>& seeds,
     const std::vector<TreeStep>& steps, std::vector<VirtualSource>& sources,

@@ -27,7 +27,7 @@ public:
                                                               : dgg::PropagationQuality::Fast;
   }
 
-  /// With threads and, unless there is one, progress of the update.
+  /// With threads and progress of the update.
   dgg::Status Run(const DGGContext& context, const std::vector<dgg::GeodesicSource>& sources,
     dgg::PropagationOptions options, dgg::PropagationResult& result)
   {
@@ -41,7 +41,7 @@ public:
       this->MeshTime = surface.GetBuildTime();
     }
     options.Parallel = context.Parallel;
-    options.Progress = options.Progress ? options.Progress : context.Progress;
+    options.Progress = context.Progress;
     return this->Solver->Run(sources, options, result);
   }
 
