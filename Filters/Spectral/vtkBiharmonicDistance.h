@@ -16,7 +16,8 @@
  * <b>Guarantee and cost</b>. These are metrics, but not lengths of paths. Method Exact has all
  * eigenvalues, up to rounding, of the finite elements: by a solution for each point, once, on all
  * threads; then two substitutions for each source, for some ten thousand points. Spectrum takes the
- * smallest NumberOfEigenvalues, which are found once; what is left out makes distances too small.
+ * smallest NumberOfEigenvalues of each component, which are found once; those that are left out make
+ * distances too small. Either method gives a component the distances that it has alone.
  * Commute-time distances grow without bound as a mesh is refined.
  *
  * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Diffusion by the Exact method; a
@@ -96,8 +97,8 @@ public:
 
   ///@{
   /**
-   * Eigenvalues of Spectrum, of all components together. Default 150; at least 1; fewer where there
-   * are not as many.
+   * Number of eigenvalues of each component for Spectrum. Default 150; at least 1. Components with
+   * fewer eigenvalues use all of them.
    */
   vtkSetMacro(NumberOfEigenvalues, int);
   vtkGetMacro(NumberOfEigenvalues, int);
@@ -106,7 +107,7 @@ public:
   ///@{
   /**
    * The time t of Diffusion, a length squared. Default 0: a tenth of the inverse of the first
-   * eigenvalue.
+   * eigenvalue of the component.
    */
   vtkSetMacro(DiffusionTime, double);
   vtkGetMacro(DiffusionTime, double);

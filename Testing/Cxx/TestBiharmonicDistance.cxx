@@ -7,6 +7,10 @@
 #include "vtkBiharmonicDistance.h"
 
 #include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
@@ -146,6 +150,45 @@ TEST(BiharmonicDistance, OtherPartsAreNotReached)
     pair.Filter->SetUnreachedValue(-1.0);
     ExpectSuccess(pair.Filter);
     EXPECT_EQ(pair.Values()[n + 1], -1.0);
+  }
+}
+
+/// As many eigenvalues for each part: distances on a small sphere are those of the large one, in
+/// its size.
+TEST(BiharmonicDistance, SmallPartsHaveEigenvaluesOfTheirOwn)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(24);
+  sphere->SetRadius(1.0);
+  sphere->Update();
+  const vtkIdType n = sphere->GetOutput()->GetNumberOfPoints();
+  ASSERT_EQ(n, 530);
+  auto small = vtkSmartPointer<vtkPolyData>::New();
+  small->DeepCopy(sphere->GetOutput());
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    double p[3];
+    small->GetPoint(i, p);
+    small->GetPoints()->SetPoint(i, 0.1 * p[0], 0.1 * p[1], 0.1 * p[2]);
+  }
+  Fixture pair(MakePair(sphere->GetOutput(), small, 4.0), 7);
+  pair.Filter->SetSourceIds({ 7, n + 7 });
+  std::vector<double> exact;
+  for (const int method : { vtkBiharmonicDistance::Exact, vtkBiharmonicDistance::Spectrum })
+  {
+    pair.Filter->SetMethod(method);
+    ExpectSuccess(pair.Filter);
+    const std::vector<double> large = pair.Values(0);
+    const std::vector<double> found = pair.Values(1);
+    EXPECT_NEAR(*std::max_element(found.begin() + n, found.end()), 0.051, 1e-3);
+    exact = exact.empty() ? found : exact;
+    for (vtkIdType i = n; i < 2 * n; ++i)
+    {
+      EXPECT_NEAR(found[i], 0.1 * large[i - n], 1e-6) << i;
+      EXPECT_NEAR(found[i], exact[i], 0.0015) << i;
+    }
+    EXPECT_EQ(pair.Filter->GetNumberOfSpectra(), method == vtkBiharmonicDistance::Spectrum);
   }
 }
 

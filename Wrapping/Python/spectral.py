@@ -122,8 +122,11 @@ def biharmonic(
         Which distance.
     method : {"Spectrum", "Exact"}, optional
         The smallest eigenvalues of the Laplacian, or all.
-    number_of_eigenvalues, diffusion_time : int, float, optional
-        For the spectrum, and for diffusion. Default: as vtkBiharmonicDistance has them.
+    number_of_eigenvalues : int, optional
+        Number of eigenvalues of each component for "Spectrum". Default: 150.
+    diffusion_time : float, optional
+        Time of diffusion, a length squared. Default: a tenth of the inverse of the first eigenvalue
+        of the component.
     boundary : {"Neumann", "Dirichlet"}, optional
         As for `greens_function`.
     at : array_like of float, shape (3,) or (p, 3), optional

@@ -35,10 +35,6 @@ constexpr double Gap = 1e-4;
 constexpr int MostSearches = 5;
 /// Part of the progress that the first search takes.
 constexpr double SearchDone = 0.9;
-/// Values that are asked for at first of a component, besides those that its area lets expect, and
-/// the part of the progress that takes.
-constexpr double LeastWanted = 8.0;
-constexpr double FirstPassDone = 0.9;
 /// Eigenvalues of the inverse below this part of the largest are rounding.
 constexpr double Rounding = 1e-13;
 
@@ -281,8 +277,8 @@ Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressC
   return Status::Success();
 }
 
-/// As if the mesh was connected.
-Status FindAllAtOnce(
+/// On a system of one component.
+Status FindOnComponent(
   const PoissonSystem& system, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
 {
   Operator op(system);
@@ -345,65 +341,12 @@ PoissonOptions OptionsOf(const PoissonSystem& system, const MeshPart& part)
   }
   return options;
 }
-
-/// The largest of the values that would be taken of those found; Infinity where there are too few.
-double FindLimit(const std::vector<Eigenpairs>& found, Id count)
-{
-  std::vector<double> values;
-  for (const Eigenpairs& of : found)
-  {
-    values.insert(values.end(), of.Values.begin(), of.Values.end());
-  }
-  if (values.size() < static_cast<std::size_t>(count))
-  {
-    return Infinity;
-  }
-  std::nth_element(values.begin(), values.begin() + (count - 1), values.end());
-  return values[count - 1];
 }
 
-/// Of all parts, the smallest values.
-void Merge(const std::vector<MeshPart>& parts, const std::vector<Eigenpairs>& found, Id count,
-  std::size_t numberOfVertices, Eigenpairs& pairs)
+Status FindEigenpairs(const PoissonSolver& solver, Id count, const ProgressCallback& progress,
+  std::vector<Eigenpairs>& pairs)
 {
-  struct Place
-  {
-    double Value;
-    std::size_t Part;
-    std::size_t Index;
-  };
-  std::vector<Place> order;
-  pairs.IsComplete = true;
-  for (std::size_t p = 0; p < found.size(); ++p)
-  {
-    pairs.IsComplete = pairs.IsComplete && found[p].IsComplete;
-    for (std::size_t k = 0; k < found[p].Values.size(); ++k)
-    {
-      order.push_back({ found[p].Values[k], p, k });
-    }
-  }
-  std::stable_sort(
-    order.begin(), order.end(), [](const Place& a, const Place& b) { return a.Value < b.Value; });
-  order.resize(std::min(order.size(), static_cast<std::size_t>(count)));
-  pairs.Functions.assign(order.size() * numberOfVertices, 0.0);
-  for (std::size_t k = 0; k < order.size(); ++k)
-  {
-    const std::vector<Id>& vertices = parts[order[k].Part].Vertices;
-    const double* const values =
-      found[order[k].Part].Functions.data() + order[k].Index * vertices.size();
-    pairs.Values.push_back(order[k].Value);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      pairs.Functions[k * numberOfVertices + vertices[i]] = values[i];
-    }
-  }
-}
-}
-
-Status FindEigenpairs(
-  const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
-{
-  pairs = Eigenpairs();
+  pairs.clear();
   if (!solver.IsReady())
   {
     return Status::Invalid("the solver has not been prepared: call Prepare() first");
@@ -415,49 +358,32 @@ Status FindEigenpairs(
   const PoissonSystem& system = solver.GetSystem();
   const SurfaceMesh& mesh = system.GetMesh();
   std::vector<MeshPart> parts = FindComponentParts(mesh);
-  if (parts.size() < 2)
-  {
-    return FindAllAtOnce(system, count, progress, pairs);
-  }
-  std::vector<Eigenpairs> found(parts.size());
-  const auto findOf = [&](std::size_t p, Id wanted, const ProgressCallback& reported) {
-    DGG_RETURN_IF_ERROR(parts[p].Build(mesh));
-    PoissonSystem own(parts[p].Mesh);
-    DGG_RETURN_IF_ERROR(own.Analyze(OptionsOf(system, parts[p]), nullptr));
-    DGG_RETURN_IF_ERROR(own.Factorize());
-    return FindAllAtOnce(own, wanted, reported, found[p]);
-  };
-  // As many as the part should have by its area (Weyl's law), then more where the last one is not
-  // too large. Nothing is asked for where triangles are too thin.
-  const std::vector<double>& areas = system.GetAreas();
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
-  std::vector<Id> wanted(parts.size(), 0);
-  double limit = Infinity;
+  std::vector<Eigenpairs> found(static_cast<std::size_t>(system.GetNumberOfComponents()));
   double done = 0.0;
-  bool isMore = true;
-  for (bool isFirst = true; isMore; isFirst = false)
+  for (MeshPart& part : parts)
   {
-    isMore = false;
-    for (std::size_t p = 0; p < parts.size(); ++p)
+    const Id c = system.GetComponent(mesh.Origin(3 * part.Faces[0]));
+    const double size = static_cast<double>(part.Faces.size()) / mesh.GetNumberOfFaces();
+    const ProgressCallback reported = ProgressPart(progress, done, done + size);
+    done += size;
+    if (parts.size() == 1)
     {
-      const Id c = system.GetComponent(mesh.Origin(3 * parts[p].Faces[0]));
-      const bool hasAll = found[p].GetCount() < wanted[p] || wanted[p] >= count;
-      if (system.IsThin(c) || (!isFirst && (hasAll || found[p].Values.back() > limit)))
-      {
-        continue;
-      }
-      const double share = 2.0 * count * system.GetComponentArea(c) / area;
-      wanted[p] = isFirst ? static_cast<Id>(std::min<double>(count, LeastWanted + share))
-                          : std::min(count, 4 * wanted[p]);
-      const double size = static_cast<double>(parts[p].Faces.size()) / mesh.GetNumberOfFaces();
-      const double end = isFirst ? done + FirstPassDone * size : done;
-      DGG_RETURN_IF_ERROR(findOf(p, wanted[p], ProgressPart(progress, done, end)));
-      done = end;
-      isMore = true;
+      DGG_RETURN_IF_ERROR(FindOnComponent(system, count, reported, found[c]));
+      found[c].Vertices.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()));
+      std::iota(found[c].Vertices.begin(), found[c].Vertices.end(), 0);
     }
-    limit = FindLimit(found, count);
+    else if (!system.IsThin(c))
+    {
+      DGG_RETURN_IF_ERROR(part.Build(mesh));
+      PoissonSystem own(part.Mesh);
+      DGG_RETURN_IF_ERROR(own.Analyze(OptionsOf(system, part), nullptr));
+      DGG_RETURN_IF_ERROR(own.Factorize());
+      DGG_RETURN_IF_ERROR(FindOnComponent(own, count, reported, found[c]));
+      found[c].Vertices.swap(part.Vertices);
+      part = MeshPart(); // no two at the same time
+    }
   }
-  Merge(parts, found, count, static_cast<std::size_t>(mesh.GetNumberOfVertices()), pairs);
+  pairs.swap(found);
   return ReportTo(progress, 1.0);
 }
 }

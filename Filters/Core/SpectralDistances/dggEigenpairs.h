@@ -13,12 +13,13 @@
 
 namespace dgg
 {
-/// The smallest eigenvalues but 0 of L v = lambda M v, with the cotangent Laplacian L and lumped
-/// areas M, in increasing order, and their functions.
+/// The smallest eigenvalues but 0 of L v = lambda M v on one component, with the cotangent
+/// Laplacian L and lumped areas M, in increasing order, and their functions.
 struct Eigenpairs
 {
   std::vector<double> Values; ///< one over square of length
-  /// Function k at vertex v is Functions[k * number of vertices + v]. They are orthonormal: the sum
+  std::vector<Id> Vertices;   ///< of the component
+  /// Function k at Vertices[i] is Functions[k * Vertices.size() + i]. They are orthonormal: the sum
   /// of area times v_i v_j is 1 for i = j, else 0.
   std::vector<double> Functions;
   /// Whether it was checked (by the signs of the pivots of L - sigma M, Sylvester's law) that none
@@ -28,19 +29,20 @@ struct Eigenpairs
   Id GetCount() const { return static_cast<Id>(this->Values.size()); }
   std::size_t GetMemorySize() const
   {
-    return (this->Values.size() + this->Functions.size()) * sizeof(double);
+    return (this->Values.size() + this->Functions.size()) * sizeof(double) +
+      this->Vertices.size() * sizeof(Id);
   }
 };
 
-/// Find `count` pairs, fewer where there are not as many (eigenvalues beyond 1e13 times the first
-/// one do not count, as on meshes with needles), to a relative accuracy of 1e-8 of the values. By
-/// Lanczos' method with implicit restarts (Spectra), applied to the inverse, for each component of
-/// the mesh by itself: together they would have as many equal values as there are components. Where
-/// pairs of multiple eigenvalues are missing, they are looked for off those that were found. The
-/// solver must be ready, and its options decide about the boundary. The memory is about that of 3
-/// `count` functions. The same input gives the same result, signs included.
-DGG_CORE_EXPORT Status FindEigenpairs(
-  const PoissonSolver& solver, Id count, const ProgressCallback& progress, Eigenpairs& pairs);
+/// Finds `count` pairs of each component of the solver's system, fewer where a component has fewer
+/// (eigenvalues beyond 1e13 times the first one do not count, as on meshes with needles; components
+/// of thin triangles and vertices without a face have none), to a relative accuracy of 1e-8 of the
+/// values. By Lanczos' method with implicit restarts (Spectra), applied to the inverse. Where pairs
+/// of multiple eigenvalues are missing, they are looked for off those that were found. The solver
+/// must be ready, and its options decide about the boundary. The memory is about that of 3 `count`
+/// functions on the mesh. The same input gives the same result, signs included.
+DGG_CORE_EXPORT Status FindEigenpairs(const PoissonSolver& solver, Id count,
+  const ProgressCallback& progress, std::vector<Eigenpairs>& pairs);
 }
 
 #endif

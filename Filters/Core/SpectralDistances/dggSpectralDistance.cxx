@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -72,7 +73,7 @@ Status SpectralDistance::Prepare(
   Status status;
   if (!hasSpectrum)
   {
-    this->Pairs = Eigenpairs();
+    this->Pairs.clear();
   }
   if (!hasDiagonal)
   {
@@ -86,16 +87,23 @@ Status SpectralDistance::Prepare(
   {
     status = FindEigenpairs(this->Solver, options.NumberOfEigenvalues, progress, this->Pairs);
     this->NumberOfSpectra += status.IsOk() ? 1 : 0;
+    this->Places.assign(this->Solver.GetAreas().size(), NoId);
+    for (const Eigenpairs& pairs : this->Pairs)
+    {
+      for (std::size_t i = 0; i < pairs.Vertices.size(); ++i)
+      {
+        this->Places[pairs.Vertices[i]] = static_cast<Id>(i);
+      }
+    }
   }
-  this->Time = options.Time > 0.0 || this->Pairs.Values.empty() ? options.Time
-                                                                : 0.1 / this->Pairs.Values.front();
   this->IsPrepared = status.IsOk();
   this->Revision = revision;
   return status;
 }
 
-double SpectralDistance::Filter(double eigenvalue) const
+double SpectralDistance::Filter(const Eigenpairs& pairs, std::size_t k) const
 {
+  const double eigenvalue = pairs.Values[k];
   switch (this->Options.Kind)
   {
     case SpectralKind::Biharmonic:
@@ -105,7 +113,8 @@ double SpectralDistance::Filter(double eigenvalue) const
     case SpectralKind::Diffusion:
       break;
   }
-  return std::exp(-2.0 * this->Time * eigenvalue);
+  const double time = this->Options.Time > 0.0 ? this->Options.Time : 0.1 / pairs.Values.front();
+  return std::exp(-2.0 * time * eigenvalue);
 }
 
 Status SpectralDistance::CheckPrepared() const
@@ -172,14 +181,14 @@ double SpectralDistance::Product(
 /// The vector whose distances are the distances.
 std::vector<double> SpectralDistance::EmbeddingOf(const SurfacePoint& point) const
 {
-  const auto n = static_cast<std::size_t>(this->Solver.GetMesh().GetNumberOfVertices());
-  std::vector<double> embedding(this->Pairs.Values.size(), 0.0);
+  const Eigenpairs& pairs = this->Pairs[this->Solver.GetSystem().GetComponent(point)];
+  std::vector<double> embedding(pairs.Values.size(), 0.0);
   for (std::size_t k = 0; k < embedding.size(); ++k)
   {
-    const double* function = this->Pairs.Functions.data() + k * n;
+    const double* function = pairs.Functions.data() + k * pairs.Vertices.size();
     ForEachCornerAround(this->Solver.GetMesh(), point,
-      [&](Id v, double weight, double) { embedding[k] += weight * function[v]; });
-    embedding[k] *= std::sqrt(this->Filter(this->Pairs.Values[k]));
+      [&](Id v, double weight, double) { embedding[k] += weight * function[this->Places[v]]; });
+    embedding[k] *= std::sqrt(this->Filter(pairs, k));
   }
   return embedding;
 }
@@ -256,6 +265,7 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, std::vector<doubl
   DGG_RETURN_IF_ERROR(this->CheckSource(source));
   const PoissonSystem& system = this->Solver.GetSystem();
   const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
+  const Id component = system.GetComponent(source);
   std::vector<double> squares(n, 0.0);
   if (this->Options.Method == SpectralMethod::Exact)
   {
@@ -273,20 +283,20 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, std::vector<doubl
   }
   else
   {
+    const Eigenpairs& pairs = this->Pairs[component];
     const std::vector<double> embedding = this->EmbeddingOf(source);
     for (std::size_t k = 0; k < embedding.size(); ++k)
     {
-      const double factor = std::sqrt(this->Filter(this->Pairs.Values[k]));
-      const double* function = this->Pairs.Functions.data() + k * n;
-      for (std::size_t v = 0; v < n; ++v)
+      const double factor = std::sqrt(this->Filter(pairs, k));
+      const double* function = pairs.Functions.data() + k * pairs.Vertices.size();
+      for (std::size_t i = 0; i < pairs.Vertices.size(); ++i)
       {
-        const double difference = factor * function[v] - embedding[k];
-        squares[v] += difference * difference;
+        const double difference = factor * function[i] - embedding[k];
+        squares[pairs.Vertices[i]] += difference * difference;
       }
     }
   }
   distances.resize(n);
-  const Id component = system.GetComponent(source);
   for (std::size_t v = 0; v < n; ++v)
   {
     distances[v] =
@@ -317,7 +327,7 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
                              std::vector<std::vector<double>>& vectors) {
     vectors.resize(points.size());
     const double numbers =
-      isExact ? this->GetNumbersOfSolve() : static_cast<double>(this->Pairs.Values.size());
+      isExact ? this->GetNumbersOfSolve() : static_cast<double>(this->Options.NumberOfEigenvalues);
     return ForBlocks(static_cast<Offset>(points.size()), BlockOf(numbers), parallel,
       ProgressPart(progress, begin, end),
       [&](Offset, Offset first, Offset last, const ProgressCallback&) {
@@ -390,6 +400,8 @@ double SpectralDistance::GetNumbersOfSolve() const
 
 std::size_t SpectralDistance::GetMemorySize() const
 {
-  return this->Pairs.GetMemorySize() + this->Diagonal.size() * sizeof(double);
+  return std::accumulate(this->Pairs.begin(), this->Pairs.end(),
+    this->Diagonal.size() * sizeof(double) + this->Places.size() * sizeof(Id),
+    [](std::size_t sum, const Eigenpairs& pairs) { return sum + pairs.GetMemorySize(); });
 }
 }

@@ -36,15 +36,16 @@ enum class SpectralKind
 enum class SpectralMethod
 {
   Exact,   ///< all eigenvalues, by solving for Green's functions
-  Spectrum ///< the smallest eigenvalues but 0
+  Spectrum ///< the smallest eigenvalues but 0 of each component
 };
 
 struct SpectralOptions
 {
   SpectralKind Kind = SpectralKind::Biharmonic;
   SpectralMethod Method = SpectralMethod::Spectrum;
-  Id NumberOfEigenvalues = 150;
-  /// The time t of diffusion, a length squared. 0: a tenth of the first eigenvalue's inverse.
+  Id NumberOfEigenvalues = 150; ///< of each component
+  /// The time t of diffusion, a length squared. 0: a tenth of the inverse of the first eigenvalue
+  /// of the component.
   double Time = 0.0;
 };
 
@@ -69,7 +70,6 @@ public:
   Status CheckPlace(const SurfacePoint& point) const;
   Status CheckSource(const SurfacePoint& point) const;
   /// @}
-  double GetTime() const { return this->Time; }
 
   /// How often eigenvalues have been found.
   int GetNumberOfSpectra() const { return this->NumberOfSpectra; }
@@ -92,7 +92,7 @@ private:
   std::vector<double> ColumnOf(std::vector<double> potential) const;
   double Product(const std::vector<double>& load, const std::vector<double>& a,
     const std::vector<double>& b) const;
-  double Filter(double eigenvalue) const;
+  double Filter(const Eigenpairs& pairs, std::size_t k) const;
   std::vector<double> EmbeddingOf(const SurfacePoint& point) const;
   Status CheckPrepared() const;
   double GetNumbersOfSolve() const;
@@ -101,10 +101,10 @@ private:
   SpectralOptions Options;
   bool IsPrepared = false;
   int NumberOfSpectra = 0;
-  std::uint64_t Revision = 0; // of the system that all was made of
-  double Time = 0.0;
-  Eigenpairs Pairs;
-  std::vector<double> Diagonal; // per vertex, of the Green's function
+  std::uint64_t Revision = 0;    // of the system that all was made of
+  std::vector<Eigenpairs> Pairs; // per component
+  std::vector<Id> Places;        // per vertex, index in the pairs of its component
+  std::vector<double> Diagonal;  // per vertex, of the Green's function
 };
 }
 
