@@ -34,6 +34,9 @@ namespace
 /// bounding box are likely to be meant as one.
 constexpr double SuspectGap = 1e-6;
 
+/// Largest spacing of coordinates in single precision, in mean edge lengths, without a warning.
+constexpr double MostSpacing = 1e-4;
+
 /// Lexicographic order by coordinates; -0 equals +0 in comparisons.
 struct ByCoordinates
 {
@@ -172,15 +175,16 @@ DGGSharedTable<dgg::Signature, DGGPreparedMesh>& GetMeshesInUse()
 dgg::Signature DGGPreparedMesh::ComputeFingerprint(vtkPolyData* input, const DGGDomain& domain)
 {
   const bool isCloud = domain.Kind == DGGDomain::Cloud;
+  vtkPoints* points = input->GetPoints();
   const auto countCells = [isCloud](vtkIdType count) { return isCloud ? 0 : count; };
-  const std::array<vtkIdType, 6> sizes = { { input->GetNumberOfPoints(),
+  const std::array<vtkIdType, 7> sizes = { { input->GetNumberOfPoints(),
     countCells(input->GetNumberOfVerts()), countCells(input->GetNumberOfLines()),
     countCells(input->GetNumberOfPolys()), countCells(input->GetNumberOfStrips()),
-    static_cast<vtkIdType>(domain.Kind) } };
+    static_cast<vtkIdType>(domain.Kind), points ? points->GetDataType() : VTK_VOID } };
   dgg::BitHash hash;
   hash.Add(sizes.data(), sizes.size());
   hash.Add(&domain.MergeTolerance, 1);
-  const DGGPointCoordinates coordinates(input->GetPoints());
+  const DGGPointCoordinates coordinates(points);
   hash.Add(coordinates.GetData(), 3 * static_cast<std::size_t>(input->GetNumberOfPoints()));
   if (isCloud)
   {
@@ -269,6 +273,10 @@ dgg::Status DGGPreparedMesh::Build(vtkPolyData* input)
     this->CountCoincidentBoundaryPoints(coordinates.GetData());
   }
   this->CollectWarnings();
+  if (input->GetPoints()->GetDataType() == VTK_FLOAT)
+  {
+    this->CheckPrecision(coordinates.GetData());
+  }
   return dgg::Status::Success();
 }
 
@@ -415,6 +423,36 @@ void DGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
       this->NumberOfCoincidentBoundaryPoints += last - first;
     }
   });
+}
+
+//------------------------------------------------------------------------------
+/// Adds a warning when single precision rounds coordinates by too much of an edge.
+void DGGPreparedMesh::CheckPrecision(const double* points)
+{
+  float largest = 0.0F;
+  for (dgg::Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+  {
+    if (this->Mesh.FanBegin(v) != this->Mesh.FanEnd(v))
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        largest =
+          std::max(largest, static_cast<float>(std::abs(points[dgg::Offset{ 3 } * v + axis])));
+      }
+    }
+  }
+  const double spacing = std::nextafter(largest, std::numeric_limits<float>::max()) - largest;
+  const double edge = this->Mesh.GetMeanEdgeLength();
+  if (spacing > MostSpacing * edge)
+  {
+    this->Warnings.push_back(dgg::JoinText("coordinates are stored in single precision, where "
+                                           "numbers around ",
+      largest, " are ", spacing, " apart, more than ", MostSpacing,
+      " of the mean edge length, which is ", edge,
+      ". Translate the mesh to the origin before it is "
+      "written, or read it with a reader that keeps doubles, such as vtkDGGPLYReader or "
+      "vtkdgg.read"));
+  }
 }
 
 //------------------------------------------------------------------------------

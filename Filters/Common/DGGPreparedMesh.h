@@ -118,6 +118,7 @@ private:
   void MergeCoincidentPoints(const double* points, vtkIdType numberOfPoints);
   std::vector<dgg::Id> CollectBoundary() const;
   void CountCoincidentBoundaryPoints(const double* points);
+  void CheckPrecision(const double* points);
   bool IsPlain() const;
   void CollectWarnings();
 

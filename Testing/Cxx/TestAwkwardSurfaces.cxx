@@ -422,3 +422,42 @@ TEST(AwkwardSurfaces, IsolatedPoints)
   EXPECT_NEAR(GetDistances(filter)[0], std::sqrt(2.0), 1e-12);
   EXPECT_EQ(GetNearestSources(filter)[0], 1);
 }
+
+/// Half a meter between points, in UTM coordinates: floats are half a meter apart there.
+TEST(AwkwardSurfaces, SinglePrecisionFarFromTheOrigin)
+{
+  struct Case
+  {
+    int Type;
+    double X;
+    double Y;
+    bool IsCoarse;
+  };
+  for (const Case& tested : { Case{ VTK_FLOAT, 512345.678, 5403210.987, true },
+         Case{ VTK_DOUBLE, 512345.678, 5403210.987, false }, Case{ VTK_FLOAT, 0.0, 0.0, false },
+         Case{ VTK_FLOAT, 0.0, 300.0, false }, Case{ VTK_FLOAT, 0.0, 1000.0, true } })
+  {
+    SCOPED_TRACE(tested.Y);
+    auto grid = MakeGrid(60, 60, GridCells::Triangles, 0.5);
+    vtkNew<vtkPoints> points;
+    points->SetDataType(tested.Type);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      grid->GetPoint(i, p);
+      points->InsertNextPoint(p[0] + tested.X, p[1] + tested.Y, p[2]);
+    }
+    grid->SetPoints(points);
+    vtkNew<vtkExactGeodesicDistance> filter;
+    filter->SetInputData(grid);
+    filter->AddSourceId(0);
+    if (tested.IsCoarse)
+    {
+      ExpectWarning(filter,
+        { "single precision", tested.Y > 1e6 ? "are 0.5 apart" : "are 0.00012207 apart",
+          "mean edge length, which is 0.", "vtkDGGPLYReader", "vtkdgg.read" });
+      filter->AddSourceId(7); // once for each mesh
+    }
+    ExpectSuccess(filter);
+  }
+}
