@@ -151,8 +151,10 @@ void MeasureMany(
   Measure(
     state, [] {},
     [&] {
-      status = search.Many(sources, dgg::Infinity, parallel, nullptr,
-        [&](std::size_t source, const double* distances) { samples[source] = distances[0]; });
+      status = search.Many(sources, dgg::ManyOptions(), parallel, nullptr,
+        [&](std::size_t source, const double* distances, const std::vector<dgg::Id>&) {
+          samples[source] = distances[0];
+        });
     },
     threads > 1 ? WallSeconds : CPUSeconds);
   Require(status);

@@ -33,8 +33,10 @@ dgg::Status FindRows(const SearchCase& c, const std::vector<Id>& sources, double
   }
   const auto n = static_cast<std::size_t>(c.GetNumberOfVertices());
   rows.assign(n * sources.size(), -1.0);
-  return c.GetSearch().Many(
-    seeds, radius, parallel, nullptr, [&](std::size_t source, const double* distances) {
+  dgg::ManyOptions options;
+  options.MaximumDistance = radius;
+  return c.GetSearch().Many(seeds, options, parallel, nullptr,
+    [&](std::size_t source, const double* distances, const std::vector<Id>&) {
       std::copy(distances, distances + n, rows.begin() + static_cast<std::ptrdiff_t>(source * n));
     });
 }
@@ -121,8 +123,8 @@ TEST(GraphPairs, ManySetsOfSeeds)
   std::vector<int> visits(sources.size(), 0);
   ProgressListener listener;
   ASSERT_TRUE(c.GetSearch()
-                .Many(sources, dgg::Infinity, nullptr, std::ref(listener),
-                  [&](std::size_t source, const double* distances) {
+                .Many(sources, dgg::ManyOptions(), nullptr, std::ref(listener),
+                  [&](std::size_t source, const double* distances, const std::vector<Id>&) {
                     ++visits[source];
                     ExpectSameDistances(ReferenceDistances(c.GetGraph(), sources[source]),
                       { distances, distances + n }, "source " + std::to_string(source));
@@ -139,8 +141,9 @@ TEST(GraphPairs, ManyCanBeAborted)
   std::size_t visits = 0;
   int reports = 0;
   const dgg::Status status = c.GetSearch().Many(
-    sources, dgg::Infinity, [&](Offset size, Offset, const auto& body) { body(0, size); },
-    [&](double) { return ++reports < 40; }, [&](std::size_t, const double*) { ++visits; });
+    sources, dgg::ManyOptions(), [&](Offset size, Offset, const auto& body) { body(0, size); },
+    [&](double) { return ++reports < 40; },
+    [&](std::size_t, const double*, const std::vector<Id>&) { ++visits; });
   EXPECT_TRUE(status.IsAborted());
   EXPECT_GT(visits, 0u);
   EXPECT_LT(visits, sources.size());
@@ -195,7 +198,7 @@ TEST(GraphPairs, BadSourcesAreNamed)
   EXPECT_TRUE(
     Says(FindRows(c, { -1 }, 1.0, nullptr, rows), "set 0 of sources: source 0: vertex -1"));
   EXPECT_TRUE(Says(FindRows(c, { 0 }, std::nan(""), nullptr, rows), "not a number"));
-  EXPECT_FALSE(c.GetSearch().Many({ {} }, 1.0, nullptr, nullptr, nullptr).IsOk());
+  EXPECT_FALSE(c.GetSearch().Many({ {} }, dgg::ManyOptions(), nullptr, nullptr, nullptr).IsOk());
   EXPECT_TRUE(FindRows(c, { 0, 15 }, 1.0, nullptr, rows).IsOk());
   EXPECT_TRUE(FindRows(c, {}, 1.0, nullptr, rows).IsOk());
 }

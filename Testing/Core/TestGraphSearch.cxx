@@ -32,21 +32,19 @@ SearchResult RunMethod(const SearchCase& c, const std::vector<GraphSeed>& seeds,
 
 /// Over fans whatever the length of the rows, which is up to the method otherwise.
 std::vector<double> DistancesOverFans(const SearchCase& c, const std::vector<GraphSeed>& seeds,
-  double radius, dgg::SearchEffort& effort)
+  double radius, dgg::SearchEffort& effort, const std::vector<Id>* targets = nullptr)
 {
   const dgg::GraphView graph = c.GetGraph();
   const dgg::GraphFans fans(graph, c.GetMesh());
   std::vector<double> distances;
   std::vector<dgg::LabelOrigin> origins;
-  dgg::SearchLabels labels(distances, origins, radius);
+  std::vector<Id> touched;
+  dgg::SearchLabels labels(distances, origins, touched, radius);
+  labels.Targets = targets;
   labels.Start(graph.NumberOfVertices, seeds);
   dgg::BucketQueue queue;
   EXPECT_TRUE(dgg::RunBucketSearch(
     graph, &fans, seeds, dgg::ChooseBucketWidth(graph), nullptr, queue, labels, effort));
-  for (double& d : distances)
-  {
-    d = d < labels.Limit ? d : dgg::Infinity;
-  }
   return distances;
 }
 }
@@ -130,6 +128,114 @@ TEST(GraphSearch, RadiusCutsOff)
   }
 }
 
+TEST(GraphSearch, LocalSearchesGiveTheSameBits)
+{
+  for (const auto& c : SearchCases())
+  {
+    const std::vector<GraphSeed> seeds = { SeedAt(c->GetNumberOfVertices() / 3) };
+    const std::vector<double> all = RunMethod(*c, seeds, SearchMethod::Certified).Distances;
+    dgg::SearchEffort effort;
+    const std::vector<double> overFans = DistancesOverFans(*c, seeds, dgg::Infinity, effort);
+    std::vector<Id> near;
+    for (Id v = 0; v < c->GetNumberOfVertices(); v += 7)
+    {
+      if (overFans[v] < dgg::Infinity)
+      {
+        near.push_back(v);
+      }
+    }
+    const auto isNearer = [&](Id a, Id b) { return overFans[a] < overFans[b]; };
+    std::sort(near.begin(), near.end(), isNearer);
+    near.resize(near.size() / 4 + 1);
+    // Between two distances: at the radius itself, rounding decides.
+    const double radius = (1.0 + 1e-11) * overFans[near.back()];
+    const std::vector<double> bounded =
+      RunMethod(*c, seeds, SearchMethod::Certified, radius).Distances;
+    const std::vector<double> boundedOverFans = DistancesOverFans(*c, seeds, radius, effort);
+    const std::vector<double> forTargets =
+      DistancesOverFans(*c, seeds, dgg::Infinity, effort, &near);
+    for (std::size_t v = 0; v < all.size(); ++v)
+    {
+      EXPECT_EQ(bounded[v], all[v] <= radius ? all[v] : dgg::Infinity) << c->GetName();
+      if (overFans[v] <= radius)
+      {
+        EXPECT_EQ(boundedOverFans[v], overFans[v]) << c->GetName();
+        EXPECT_EQ(forTargets[v], overFans[v]) << c->GetName();
+      }
+    }
+  }
+}
+
+namespace
+{
+/// Expects that local searches on a plane of side * side points write labels in proportion to what
+/// they reach.
+void ExpectLocalWork(int side)
+{
+  const SearchCase c("plane", Plane(side, side, 0.2, 7), 0.5);
+  const Id n = c.GetNumberOfVertices();
+  SearchOptions options;
+  options.MaximumDistance = 3.0;
+  options.Correct = true;
+  SearchResult used;
+  std::size_t before = 0;
+  for (const Id source : { n / 2, n / 4, n - 1 })
+  {
+    const std::vector<GraphSeed> seeds = { SeedAt(source) };
+    ASSERT_TRUE(c.GetSearch().Run(seeds, options, used).IsOk());
+    const auto reached = static_cast<std::size_t>(std::count_if(used.Distances.begin(),
+      used.Distances.end(), [](double distance) { return distance < dgg::Infinity; }));
+    EXPECT_EQ(used.Reached.size(), reached);
+    EXPECT_LT(reached, 50u);
+    EXPECT_EQ(used.NumberOfLabels, before + reached + (source == n / 2 ? n : 0));
+    before = reached;
+    SearchResult fresh;
+    ASSERT_TRUE(c.GetSearch().Run(seeds, options, fresh).IsOk());
+    EXPECT_EQ(fresh.Distances, used.Distances);
+    EXPECT_EQ(fresh.Seeds, used.Seeds);
+    EXPECT_EQ(fresh.Corrected, used.Corrected);
+    EXPECT_EQ(fresh.Virtual.Angles, used.Virtual.Angles);
+  }
+  // A row of a matrix of all pairs within a radius for every tenth point.
+  std::vector<std::vector<GraphSeed>> sources;
+  for (Id v = 0; v < n; v += 10)
+  {
+    sources.push_back({ SeedAt(v) });
+  }
+  dgg::ManyOptions many;
+  many.MaximumDistance = 3.0;
+  std::size_t entries = 0;
+  std::size_t labels = 0;
+  const auto count = [&](std::size_t, const double*, const std::vector<Id>& reached) {
+    entries += reached.size();
+  };
+  ASSERT_TRUE(c.GetSearch().Many(sources, many, nullptr, nullptr, count, &labels).IsOk());
+  EXPECT_LE(labels, static_cast<std::size_t>(n) + 2 * entries);
+  // From ten points to a point beside them.
+  sources.resize(10);
+  many.MaximumDistance = dgg::Infinity;
+  many.Targets = { n / 2 };
+  for (Id i = 0; i < 10; ++i)
+  {
+    sources[i][0].Vertex = n / 2 + 1 + i % 3;
+  }
+  labels = 0;
+  ASSERT_TRUE(c.GetSearch().Many(sources, many, nullptr, nullptr, count, &labels).IsOk());
+  EXPECT_LE(labels, 2500u);
+}
+}
+
+TEST(GraphSearch, LocalWork)
+{
+  ExpectLocalWork(100);
+  ExpectLocalWork(316);
+}
+
+TEST(GraphSearch, LocalWorkOnAMillionPoints)
+{
+  ExpectLocalWork(1000);
+}
+
 TEST(GraphSearch, NearestSourceWins)
 {
   const SearchCase c("plane", Plane(12, 12, 0.2, 3), 0.05);
@@ -163,7 +269,7 @@ TEST(GraphSearch, GraphsWithoutEdges)
   const dgg::GraphSearch empty(graph, nullptr);
   EXPECT_FALSE(empty.Run({ SeedAt(0) }, SearchOptions(), result).IsOk());
   EXPECT_FALSE(empty.Run({}, SearchOptions(), result).IsOk());
-  EXPECT_TRUE(empty.Many({}, dgg::Infinity, nullptr, nullptr, nullptr).IsOk());
+  EXPECT_TRUE(empty.Many({}, dgg::ManyOptions(), nullptr, nullptr, nullptr).IsOk());
   const dgg::GraphSearch nothing(dgg::GraphView(), nullptr);
   EXPECT_FALSE(nothing.Run({ SeedAt(0) }, SearchOptions(), result).IsOk());
 }

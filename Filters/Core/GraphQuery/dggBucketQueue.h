@@ -40,6 +40,12 @@ public:
   /// Distances below the current bucket go into the current bucket.
   void Push(double distance, Id vertex) { this->Place({ this->Key(distance), vertex }); }
 
+  /// Returns true if entries with this distance belong before the current bucket.
+  bool IsPast(double distance) const
+  {
+    return this->Key(distance) - this->First < static_cast<double>(this->Cursor);
+  }
+
   /// Go to the first bucket that is not empty; false when there is none.
   bool Advance() { return Advance(this, 1); }
   /// The same with several queues of one origin and width, of which any has the first bucket. They

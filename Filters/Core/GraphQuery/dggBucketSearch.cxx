@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <type_traits>
 
 namespace dgg
@@ -32,6 +33,7 @@ public:
     , Queue(queue)
     , Labels(labels)
     , Effort(effort)
+    , Targets(labels.Targets)
   {
   }
 
@@ -46,6 +48,7 @@ public:
     {
       return false;
     }
+    this->Targets = nullptr; // by now the limit is as low as it can be
     this->Queue.Reset(NearestOf(seeds), width);
     this->Certify();
     return this->Propagate<false>();
@@ -119,7 +122,7 @@ private:
     const auto isOutdated = [this](const BucketQueue::Entry& entry) {
       return entry.Key > this->Queue.Key(this->Labels.Distances[entry.Vertex]);
     };
-    while (this->Queue.Advance())
+    while (this->Queue.Advance() && !this->AreTargetsPassed())
     {
       this->Queue.Sift(isOutdated);
       // Grows while it is worked on: vertices close by land in the same bucket.
@@ -145,6 +148,29 @@ private:
         return false;
       }
     }
+    return true;
+  }
+
+  /// Returns true if there are targets and no label in the queue can lower theirs. Then the largest
+  /// of their distances becomes the limit.
+  bool AreTargetsPassed()
+  {
+    if (!this->Targets)
+    {
+      return false;
+    }
+    const std::vector<Id>& targets = *this->Targets;
+    const std::vector<double>& distances = this->Labels.Distances;
+    while (this->Passed < targets.size() && this->Queue.IsPast(distances[targets[this->Passed]]))
+    {
+      this->Largest = std::max(this->Largest, distances[targets[this->Passed]]);
+      ++this->Passed;
+    }
+    if (this->Passed < targets.size())
+    {
+      return false;
+    }
+    this->Labels.Limit = std::min(this->Labels.Limit, std::nextafter(this->Largest, Infinity));
     return true;
   }
 
@@ -195,18 +221,19 @@ private:
   void RelaxFrom(Id v, double label)
   {
     // Local copies: the compiler cannot know that labels do not overlap with members.
-    double* const distances = this->Labels.Distances.data();
+    const double* const distances = this->Labels.Distances.data();
     LabelOrigin* const origins = this->Labels.Origins.data();
     const Id* const targets = this->Graph.Targets;
     const Length* const lengths = this->Lengths;
+    const double limit = this->Labels.Limit;
     std::size_t relaxations = 0;
-    const auto relax = [&, v, label, distances, origins, targets, lengths](Offset e) {
+    const auto relax = [&, v, label, distances, origins, targets, lengths, limit](Offset e) {
       ++relaxations;
       const Id t = targets[e];
       const double distance = label + lengths[e];
-      if (distance < distances[t])
+      if (distance < distances[t] && distance < limit)
       {
-        distances[t] = distance;
+        this->Labels.SetDistance(t, distance);
         origins[t] = { e, v, OverFans ? this->Graph.ArrivalAngles[e] : -1.0f };
         this->Queue.Push(distance, t);
       }
@@ -229,21 +256,49 @@ private:
   /// back, this costs less per edge than anything that jumps.
   void Certify()
   {
-    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    const Id n = this->Graph.NumberOfVertices;
+    std::vector<Id>& touched = this->Labels.Touched;
+    if (!AreFew(touched, static_cast<std::size_t>(n)))
     {
-      if (this->Labels.IsReached(v))
+      for (Id v = 0; v < n; ++v)
       {
         this->CertifyRow(v);
       }
+      return;
     }
-    this->Effort.Relaxations += static_cast<std::size_t>(this->Graph.GetNumberOfEdges());
+    // In the same order, which rounding depends on.
+    std::vector<Id> waiting = touched;
+    const auto isAfter = std::greater<Id>();
+    std::make_heap(waiting.begin(), waiting.end(), isAfter);
+    while (!waiting.empty())
+    {
+      std::pop_heap(waiting.begin(), waiting.end(), isAfter);
+      const Id v = waiting.back();
+      waiting.pop_back();
+      const std::size_t count = touched.size();
+      this->CertifyRow(v);
+      for (std::size_t i = count; i < touched.size(); ++i)
+      {
+        if (touched[i] > v)
+        {
+          waiting.push_back(touched[i]);
+          std::push_heap(waiting.begin(), waiting.end(), isAfter);
+        }
+      }
+    }
   }
 
   void CertifyRow(Id v)
   {
-    double* const distances = this->Labels.Distances.data();
+    if (!this->Labels.IsReached(v))
+    {
+      return;
+    }
+    const double* const distances = this->Labels.Distances.data();
     const Offset begin = this->Graph.Offsets[v];
     const Offset end = this->Graph.Offsets[v + 1];
+    this->Effort.Relaxations += static_cast<std::size_t>(end - begin);
+    const double limit = this->Labels.Limit;
     const double label = distances[v] + Slack * std::abs(distances[v]);
     if (this->LargestDifference(begin, end) <= label)
     {
@@ -252,9 +307,9 @@ private:
     for (Offset e = begin; e < end; ++e)
     {
       const Id t = this->Graph.Targets[e];
-      if (label + this->Lengths[e] < distances[t])
+      if (label + this->Lengths[e] < std::min(distances[t], limit))
       {
-        distances[t] = distances[v] + this->Lengths[e];
+        this->Labels.SetDistance(t, distances[v] + this->Lengths[e]);
         this->Labels.Origins[t] = { e, v, -1.0f };
         this->Queue.Push(distances[t], t);
       }
@@ -267,6 +322,7 @@ private:
   {
     const double* const distances = this->Labels.Distances.data();
     const Id* const targets = this->Graph.Targets;
+    const double limit = this->Labels.Limit;
     // Four chains, as a maximum takes some cycles.
     double largest[4] = { -Infinity, -Infinity, -Infinity, -Infinity };
     Offset e = begin;
@@ -274,13 +330,13 @@ private:
     {
       for (int k = 0; k < 4; ++k)
       {
-        const double difference = distances[targets[e + k]] - this->Lengths[e + k];
+        const double difference = std::min(distances[targets[e + k]], limit) - this->Lengths[e + k];
         largest[k] = difference > largest[k] ? difference : largest[k];
       }
     }
     for (; e < end; ++e)
     {
-      largest[0] = std::max(largest[0], distances[targets[e]] - this->Lengths[e]);
+      largest[0] = std::max(largest[0], std::min(distances[targets[e]], limit) - this->Lengths[e]);
     }
     return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
   }
@@ -307,6 +363,9 @@ private:
   SearchLabels& Labels;
   SearchEffort& Effort;
   std::vector<Id>* Order = nullptr; ///< receives the vertices taken from the queue
+  const std::vector<Id>* Targets;   ///< the search stops behind them; null: it does not
+  std::size_t Passed = 0;           ///< the number of targets that are behind the queue
+  double Largest = -Infinity;       ///< distance of one of these
   std::size_t PopsSinceReport = 0;
 };
 }

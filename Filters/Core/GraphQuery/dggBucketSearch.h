@@ -14,8 +14,9 @@ namespace dgg
 /// Make labels that have been started final. With fans (or null), a path first goes on only over
 /// the fan of the edge on which it came; that leaves a few labels too large, so then all edges are
 /// certified one after the other, and what is found wrong is mended over all edges. The result is
-/// that of Dijkstra's algorithm, up to rounding. `width` is that of the buckets of the queue. False
-/// when aborted.
+/// that of Dijkstra's algorithm, up to rounding. `width` is that of the buckets of the queue. With
+/// targets, the limit of the labels drops to the largest distance of a target. Costs no more than
+/// the vertices within the limit. False when aborted.
 bool RunBucketSearch(const GraphView& graph, const GraphFans* fans,
   const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
   BucketQueue& queue, SearchLabels& labels, SearchEffort& effort);

@@ -34,9 +34,9 @@ bool Run(const GraphView& graph, const Length* lengths, const ProgressCallback& 
     {
       const double distance = top.Key + lengths[e];
       const Id t = graph.Targets[e];
-      if (distance < distances[t])
+      if (distance < distances[t] && distance < labels.Limit)
       {
-        distances[t] = distance;
+        labels.SetDistance(t, distance);
         labels.Origins[t].Edge = e;
         labels.Origins[t].Tail = v;
         heap.Push(distance, t);
@@ -53,7 +53,7 @@ bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
   heap.Clear();
   for (const GraphSeed& seed : seeds)
   {
-    if (seed.Distance <= labels.Distances[seed.Vertex])
+    if (seed.Distance == labels.Distances[seed.Vertex])
     {
       heap.Push(seed.Distance, seed.Vertex);
     }

@@ -66,6 +66,8 @@ constexpr double NearFieldReach = 2.0;
 constexpr Offset FewestReports = 8;
 constexpr Offset VerticesPerReport = Offset(1) << 21;
 constexpr Offset FewestGroups = 4;
+/// A thread searches about this many vertices before it takes the next sources.
+constexpr Offset VerticesPerTask = Offset(1) << 12;
 /// Part of the preparation of landmarks that their choice takes.
 constexpr double ChoiceShare = 0.2;
 /// Sources with a larger part of the surface than this as near field are better searched one by
@@ -76,27 +78,43 @@ constexpr std::size_t BytesOfTables = 40;
 constexpr std::size_t BytesOfSearch = 72;
 constexpr std::size_t BytesOfLandmarks = Landmarks::Count * sizeof(std::int16_t) + sizeof(Id);
 
-/// Write what the labels say into a result whose distances they share: edges, tails and seeds;
-/// unreached vertices become Infinity. `steps` receives the reached vertices, every one after its
-/// tail.
+/// Removes labels beyond the limit, which a search for targets leaves behind.
+void CutAtLimit(SearchLabels& labels)
+{
+  const auto isReached = [&](Id v) { return labels.IsReached(v); };
+  const auto end = std::partition(labels.Touched.begin(), labels.Touched.end(), isReached);
+  std::for_each(end, labels.Touched.end(), [&](Id v) { labels.Distances[v] = Infinity; });
+  labels.Touched.erase(end, labels.Touched.end());
+}
+
+/// Gives all arrays but the distances their initial values; empties those that are not wanted.
+void ResetTree(std::size_t n, bool withTree, bool withEstimates, SearchResult& result)
+{
+  const auto reset = [&](bool isWanted, auto& values, const auto& initial) {
+    isWanted ? ResetTouched(values, n, result.Reached, initial) : values.clear();
+  };
+  reset(withTree, result.Seeds, NoId);
+  reset(withTree, result.Edges, Offset(-1));
+  reset(withTree, result.Tails, NoId);
+  reset(withEstimates, result.Corrected, Infinity);
+  reset(withEstimates, result.Virtual.Offsets, Infinity);
+  reset(withEstimates, result.Virtual.Lengths, Infinity);
+  reset(withEstimates, result.Virtual.Angles, 0.0);
+}
+
+/// Write what the labels say into a result whose distances they share: edges, tails and seeds.
+/// `steps` receives the reached vertices, every one after its tail.
 void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<TreeStep>& steps)
 {
-  const std::size_t n = labels.Distances.size();
-  result.Seeds.assign(n, NoId);
-  result.Edges.assign(n, -1);
-  result.Tails.assign(n, NoId);
   steps.clear();
-  steps.reserve(n);
+  steps.reserve(labels.Touched.size());
   std::vector<Id> climbed;
-  for (std::size_t first = 0; first < n; ++first)
-  {
-    if (!labels.IsReached(static_cast<Id>(first)))
+  ForEachTouched(labels.Touched, labels.Distances.size(), [&](Id v) {
+    if (!labels.IsReached(v))
     {
-      result.Distances[first] = Infinity;
-      continue;
+      return;
     }
     // Up the tree to a vertex whose seed is known, and down again.
-    auto v = static_cast<Id>(first);
     while (result.Seeds[v] == NoId && !labels.Origins[v].IsSeed())
     {
       climbed.push_back(v);
@@ -117,13 +135,13 @@ void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Tr
       result.Tails[v] = origin.Tail;
       steps.push_back({ origin.Edge, v, origin.Tail });
     }
-  }
+  });
 }
 
 /// What one search needs besides its result.
 struct SearchWorkspace
 {
-  std::vector<double> Distances; ///< when there is no result
+  SearchResult Result; ///< of a search from one of many sources
   std::vector<LabelOrigin> Origins;
   std::vector<TreeStep> Steps;
   std::vector<LabelCorrection::VirtualSource> VirtualSources;
@@ -142,6 +160,7 @@ struct ManyWorkspace
   ManySources Search;
   SweepOrder Order;
   std::vector<double> Field;
+  std::vector<Id> Reached;
 };
 
 const GraphSeed& NearestOf(const std::vector<GraphSeed>& seeds)
@@ -225,10 +244,41 @@ public:
       ShortestLongRow * static_cast<Offset>(this->Graph.NumberOfVertices);
   }
 
-  /// Places of sources in groups that are searched together.
-  std::vector<std::vector<std::size_t>> GroupByPlace(const std::vector<Id>& sources) const
+  /// Distances from the nearest seed; on request the tree, which estimates need, and these. False
+  /// when aborted.
+  bool RunSingle(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
+    const std::vector<Id>* targets, bool withTree, SearchWorkspace& workspace,
+    SearchResult& result) const
   {
-    if (this->Mesh)
+    const Id n = this->Graph.NumberOfVertices;
+    const bool withEstimates = options.Correct && this->Correction;
+    ResetTree(static_cast<std::size_t>(n), withTree, withEstimates, result);
+    SearchLabels labels(
+      result.Distances, workspace.Origins, result.Reached, options.MaximumDistance);
+    labels.Targets = targets;
+    SearchEffort effort;
+    effort.Labels = labels.Start(n, seeds);
+    const bool isDone = this->FindDistances(seeds, options, workspace, labels, effort);
+    result.NumberOfPops = effort.Pops;
+    result.NumberOfRelaxations = effort.Relaxations;
+    result.NumberOfLabels = effort.Labels + labels.Touched.size();
+    CutAtLimit(labels);
+    if (isDone && withTree)
+    {
+      FinishTree(labels, result, workspace.Steps);
+    }
+    if (isDone && withEstimates)
+    {
+      this->Correction->Run(seeds, workspace.Steps, workspace.VirtualSources, result);
+    }
+    return isDone;
+  }
+
+  /// Places of sources in groups that are searched together.
+  std::vector<std::vector<std::size_t>> GroupByPlace(
+    const std::vector<Id>& sources, bool areLocal) const
+  {
+    if (this->Mesh && !areLocal)
     {
       return GroupSources(*this->Mesh, sources, Lanes::Size);
     }
@@ -240,63 +290,83 @@ public:
     return groups;
   }
 
-  /// Distances from each source of a group, given by their places, as long as it `goes` on.
-  void ConsumeGroup(const std::vector<std::vector<GraphSeed>>& sources,
-    const std::vector<std::size_t>& group, double radius, const std::function<bool()>& goes,
-    const FieldConsumer& consume) const
+  /// Distances from each source of a group, given by their places, as long as it `goes` on. Returns
+  /// the number of labels that were written.
+  std::size_t ConsumeGroup(const std::vector<std::vector<GraphSeed>>& sources,
+    const std::vector<std::size_t>& group, const ManyOptions& options,
+    const std::function<bool()>& goes, const FieldConsumer& consume) const
   {
-    const auto workspace = this->ManyWorkspaces.Borrow(this->Graph, this->BucketWidth);
-    ManySources::Sources members;
-    for (std::size_t place : group)
+    if (group.size() >= SmallestGroup && this->Fans && !options.Correct)
     {
-      members.push_back(&sources[place]);
-    }
-    if (this->PlanSweep(members, radius, workspace->Order))
-    {
-      const bool isDone = workspace->Search.Run(members, radius, workspace->Order, goes);
-      for (std::size_t k = 0; k < group.size() && isDone; ++k)
+      const auto workspace = this->ManyWorkspaces.Borrow(this->Graph, this->BucketWidth);
+      ManySources::Sources members;
+      for (std::size_t place : group)
       {
-        workspace->Search.GetField(k, workspace->Field);
-        consume(group[k], workspace->Field.data());
+        members.push_back(&sources[place]);
       }
-      return;
-    }
-    for (std::size_t place : group)
-    {
-      if (!goes())
+      if (this->PlanSweep(members, options, workspace->Order))
       {
-        return;
+        const bool isDone =
+          workspace->Search.Run(members, options.MaximumDistance, workspace->Order, goes);
+        for (std::size_t k = 0; k < group.size() && isDone; ++k)
+        {
+          workspace->Search.GetField(k, workspace->Field, workspace->Reached);
+          consume(group[k], workspace->Field.data(), workspace->Reached);
+        }
+        return group.size() * static_cast<std::size_t>(this->Graph.NumberOfVertices);
       }
-      this->FindField(sources[place], radius, workspace->Field);
-      consume(place, workspace->Field.data());
     }
+    std::size_t labels = 0;
+    for (std::size_t i = 0; i < group.size() && goes(); ++i)
+    {
+      labels += this->ConsumeSingle(
+        sources[group[i]], options, [&](const double* distances, const std::vector<Id>& reached) {
+          consume(group[i], distances, reached);
+        });
+    }
+    return labels;
   }
 
-  void FindField(
-    const std::vector<GraphSeed>& seeds, double radius, std::vector<double>& field) const
+  template <typename Consume>
+  std::size_t ConsumeSingle(
+    const std::vector<GraphSeed>& seeds, const ManyOptions& options, const Consume& consume) const
   {
     const auto workspace = this->Workspaces.Borrow();
-    SearchLabels labels(field, workspace->Origins, radius);
-    labels.Start(this->Graph.NumberOfVertices, seeds);
-    SearchEffort effort;
-    this->FindDistances(seeds, SearchOptions(), *workspace, labels, effort);
-    for (double& distance : field)
-    {
-      distance = distance < labels.Limit ? distance : Infinity;
-    }
+    SearchOptions single;
+    single.MaximumDistance = options.MaximumDistance;
+    single.Correct = options.Correct;
+    SearchResult& result = workspace->Result;
+    this->RunSingle(seeds, single, options.Targets.empty() ? nullptr : &options.Targets,
+      options.Correct, *workspace, result);
+    consume(
+      result.Corrected.empty() ? result.Distances.data() : result.Corrected.data(), result.Reached);
+    return result.NumberOfLabels;
   }
 
-  /// False when a group is better searched one by one: few sources, or far apart, or few vertices
-  /// within the radius (all edges will be certified).
-  bool PlanSweep(const ManySources::Sources& group, double radius, SweepOrder& order) const
+  /// The number of vertices that a search from one of the sources reaches, judged by the first.
+  std::size_t FindReach(
+    const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options) const
   {
-    if (group.size() < SmallestGroup || !this->Fans)
+    const bool isBounded = options.MaximumDistance < Infinity || !options.Targets.empty();
+    std::size_t reach = static_cast<std::size_t>(this->Graph.NumberOfVertices);
+    if (isBounded && sources.size() >= SmallestGroup)
     {
-      return false;
+      this->ConsumeSingle(sources.front(), options,
+        [&](const double*, const std::vector<Id>& reached) { reach = reached.size(); });
     }
+    return reach;
+  }
+
+  /// False when a group is better searched one by one: its sources are far apart, or few vertices
+  /// are within the radius or in front of the targets (all edges will be certified).
+  bool PlanSweep(
+    const ManySources::Sources& group, const ManyOptions& options, SweepOrder& order) const
+  {
     const auto workspace = this->Workspaces.Borrow();
     const std::vector<GraphSeed>& middle = *group[group.size() / 2];
-    SearchLabels labels(workspace->Distances, workspace->Origins, radius);
+    SearchLabels labels(workspace->Result.Distances, workspace->Origins, workspace->Result.Reached,
+      options.MaximumDistance);
+    labels.Targets = options.Targets.empty() ? nullptr : &options.Targets;
     labels.Start(this->Graph.NumberOfVertices, middle);
     RunAlongFans(this->Graph, *this->Fans, middle, this->BucketWidth, workspace->Queue, labels,
       order.Vertices);
@@ -340,25 +410,10 @@ Status GraphSearch::Run(
     return status;
   }
   const auto workspace = internals.Workspaces.Borrow();
-  SearchLabels labels(result.Distances, workspace->Origins, options.MaximumDistance);
-  labels.Start(n, seeds);
-  SearchEffort effort;
-  if (!internals.FindDistances(seeds, options, *workspace, labels, effort))
+  if (!internals.RunSingle(seeds, options, nullptr, true, *workspace, result))
   {
     result = SearchResult();
     return Status::Abort();
-  }
-  result.NumberOfPops = effort.Pops;
-  result.NumberOfRelaxations = effort.Relaxations;
-  FinishTree(labels, result, workspace->Steps);
-  if (options.Correct && internals.Correction)
-  {
-    internals.Correction->Run(seeds, workspace->Steps, workspace->VirtualSources, result);
-  }
-  else
-  {
-    result.Corrected.clear();
-    result.Virtual = VirtualSources();
   }
   return Status::Success();
 }
@@ -400,8 +455,10 @@ Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const Progress
     sources.back()[0].Vertex = v;
   }
   DGG_RETURN_IF_ERROR(
-    this->Many(sources, Infinity, parallel, ProgressPart(progress, ChoiceShare, 1.0),
-      [&](std::size_t k, const double* distances) { marks->SetDistances(k, distances); }));
+    this->Many(sources, ManyOptions(), parallel, ProgressPart(progress, ChoiceShare, 1.0),
+      [&](std::size_t k, const double* distances, const std::vector<Id>&) {
+        marks->SetDistances(k, distances);
+      }));
   this->Marks = marks;
   const std::lock_guard<std::mutex> lock(internals.MarksMutex);
   internals.Marks = marks;
@@ -413,11 +470,13 @@ bool GraphSearch::HasLandmarks() const
   return this->Marks != nullptr;
 }
 
-Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, double maximumDistance,
-  const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume) const
+Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
+  const ManyOptions& options, const ParallelFor& parallel, const ProgressCallback& progress,
+  const FieldConsumer& consume, std::size_t* numberOfLabels) const
 {
   const Implementation& internals = *this->Internals;
-  DGG_RETURN_IF_ERROR(CheckRadius(maximumDistance));
+  const auto n = static_cast<std::size_t>(internals.Graph.NumberOfVertices);
+  DGG_RETURN_IF_ERROR(CheckRadius(options.MaximumDistance));
   std::vector<Id> vertices;
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
@@ -425,15 +484,20 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, dou
                           .Of("set " + std::to_string(i) + " of sources"));
     vertices.push_back(NearestOf(sources[i]).Vertex);
   }
-  const auto groups = internals.GroupByPlace(vertices);
+  const std::size_t reach = internals.FindReach(sources, options);
+  const bool areLocal = sources.size() < SmallestGroup || 2 * reach <= n;
+  const auto groups = internals.GroupByPlace(vertices, areLocal);
   const auto numberOfGroups = static_cast<Offset>(groups.size());
-  const Offset step = std::max(FewestGroups,
-    std::min(numberOfGroups / FewestReports,
-      VerticesPerReport / std::max<Id>(1, internals.Graph.NumberOfVertices)));
+  const auto verticesPerGroup = static_cast<Offset>(std::max<std::size_t>(1, reach));
+  const Offset step = std::max(
+    FewestGroups, std::min(numberOfGroups / FewestReports, VerticesPerReport / verticesPerGroup));
+  const Offset grain = std::max<Offset>(1, VerticesPerTask / verticesPerGroup);
   std::atomic<bool> isStopped{ false };
+  std::atomic<std::size_t> labels{ 0 };
   for (Offset first = 0; first < numberOfGroups; first += step)
   {
-    ForRange(parallel, std::min(step, numberOfGroups - first), 1, [&](Offset begin, Offset end) {
+    const Offset size = std::min(step, numberOfGroups - first);
+    ForRange(parallel, size, grain, [&](Offset begin, Offset end) {
       const double done = static_cast<double>(first) / static_cast<double>(numberOfGroups);
       const auto goes = [&] {
         isStopped = isStopped || !Goes(progress, done);
@@ -441,7 +505,7 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, dou
       };
       for (Offset i = begin; i < end && goes(); ++i)
       {
-        internals.ConsumeGroup(sources, groups[first + i], maximumDistance, goes, consume);
+        labels += internals.ConsumeGroup(sources, groups[first + i], options, goes, consume);
       }
     });
     if (isStopped)
@@ -450,6 +514,10 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources, dou
     }
     const auto done = static_cast<double>(std::min(first + step, numberOfGroups));
     DGG_RETURN_IF_ERROR(ReportTo(progress, done / static_cast<double>(numberOfGroups)));
+  }
+  if (numberOfLabels)
+  {
+    *numberOfLabels += labels;
   }
   return Status::Success();
 }

@@ -72,8 +72,12 @@ struct SearchResult
   /// The virtual source behind the estimate of each vertex. Empty unless asked for.
   VirtualSources Virtual;
 
+  /// The vertices that are reached, each once, in no particular order.
+  std::vector<Id> Reached;
+
   std::size_t NumberOfPops = 0;        ///< vertices taken from the queue
   std::size_t NumberOfRelaxations = 0; ///< edges looked at
+  std::size_t NumberOfLabels = 0;      ///< entries of Distances written, initial values included
 };
 
 /// A shortest path in a graph, from start to end.
@@ -87,9 +91,23 @@ struct GraphPath
   std::vector<Offset> Edges; ///< Edges[i] leads from Vertices[i] to Vertices[i + 1]
 };
 
-/// Receives the distances of all vertices from source number `source`, Infinity where there is no
-/// way. The array is good during the call only. Called in any order, by several threads at once.
-using FieldConsumer = std::function<void(std::size_t source, const double* distances)>;
+/// What a search from many sources computes.
+struct ManyOptions
+{
+  /// Vertices farther than this from a source are left unreached.
+  double MaximumDistance = Infinity;
+  /// Vertices whose distances are asked for; empty: all. Vertices that are farther from a source
+  /// than all of these may be left unreached.
+  std::vector<Id> Targets;
+  /// Whether the consumer receives the estimates of SearchResult::Corrected instead of labels.
+  bool Correct = false;
+};
+
+/// Receives the distances of all vertices from source number `source`, Infinity where unreached,
+/// and the vertices that are reached, each once, in no particular order. The arrays must not be
+/// used after the call. Called in any order, by several threads at once.
+using FieldConsumer =
+  std::function<void(std::size_t source, const double* distances, const std::vector<Id>& reached)>;
 
 /// Searches in one graph, whose arrays must outlive it, as must the mesh. Searches may run in
 /// several threads at once. Copies share what has been made for the graph; each uses landmarks only
@@ -104,8 +122,8 @@ public:
 
   /// Distances from the nearest of the seeds: the same, up to rounding, by every method. Fails when
   /// there is no seed, or one does not exist or starts with a distance that is not finite; then
-  /// `result` is empty. The result of an earlier call may be handed in again, which saves
-  /// allocations.
+  /// `result` is empty. With the result of an earlier call, from which arrays may have been moved,
+  /// a search costs no more than the vertices within the radii of both.
   Status Run(
     const std::vector<GraphSeed>& seeds, const SearchOptions& options, SearchResult& result) const;
 
@@ -122,11 +140,13 @@ public:
   bool HasLandmarks() const;
 
   /// Distances from each of many sources, a set of seeds, on its own; `consume` receives them.
-  /// Sources close together are searched together, which takes about half of the time of single
-  /// searches, or less, where there are hundreds of them on the surface.
-  Status Many(const std::vector<std::vector<GraphSeed>>& sources, double maximumDistance,
-    const ParallelFor& parallel, const ProgressCallback& progress,
-    const FieldConsumer& consume) const;
+  /// Where most of the surface is searched, sources close together are searched together, which
+  /// takes about half of the time of single searches, or less, where there are hundreds of them on
+  /// the surface. Other searches cost no more than the vertices within the radius or between source
+  /// and targets. Adds its work to `numberOfLabels` (see SearchResult) unless that is null.
+  Status Many(const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options,
+    const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume,
+    std::size_t* numberOfLabels = nullptr) const;
 
   /// Bytes held besides the graph, about.
   std::size_t GetMemorySize() const;

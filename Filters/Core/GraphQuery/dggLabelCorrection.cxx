@@ -93,20 +93,15 @@ void LabelCorrection::Run(const std::vector<GraphSeed>& seeds, const std::vector
   sources.resize(n);
   WithLengths(this->Graph,
     [&](const auto* lengths) { this->Straighten(lengths, seeds, steps, sources, result); });
-  for (std::vector<double>* values :
-    { &result.Corrected, &result.Virtual.Offsets, &result.Virtual.Lengths, &result.Virtual.Angles })
-  {
-    values->resize(n);
-  }
-  for (std::size_t v = 0; v < n; ++v)
-  {
-    const VirtualSource source =
-      result.Seeds[v] != NoId ? sources[v] : VirtualSource{ Infinity, Infinity, 0.0, Infinity };
-    result.Corrected[v] = source.Estimate;
-    result.Virtual.Offsets[v] = source.Offset;
-    result.Virtual.Lengths[v] = source.Length;
-    result.Virtual.Angles[v] = source.Angle;
-  }
+  ForEachTouched(result.Reached, n, [&](Id v) {
+    if (result.Seeds[v] != NoId)
+    {
+      result.Corrected[v] = sources[v].Estimate;
+      result.Virtual.Offsets[v] = sources[v].Offset;
+      result.Virtual.Lengths[v] = sources[v].Length;
+      result.Virtual.Angles[v] = sources[v].Angle;
+    }
+  });
 }
 
 template <typename Length>

@@ -46,7 +46,8 @@ public:
 
   LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh);
 
-  /// Fill the estimates of a finished search, from its tree. `sources` is working memory.
+  /// Fill the estimates of a finished search at the vertices that are reached, from its tree.
+  /// `sources` is working memory.
   void Run(const std::vector<GraphSeed>& seeds, const std::vector<TreeStep>& steps,
     std::vector<VirtualSource>& sources, SearchResult& result) const;
 

@@ -30,7 +30,7 @@ public:
     : Graph(graph)
     , Fans(fans)
     , BucketWidth(bucketWidth)
-    , Labels(this->Distances, this->Origins, std::numeric_limits<double>::max())
+    , Labels(this->Distances, this->Origins, this->Touched, std::numeric_limits<double>::max())
   {
   }
 
@@ -54,8 +54,7 @@ public:
   {
     std::vector<GraphSeed> seeds(1);
     seeds[0].Vertex = v;
-    this->Distances[v] = 0.0;
-    this->Origins[v] = LabelOrigin();
+    this->Labels.Lower(seeds[0], 0);
     if (this->Fans)
     {
       RunAlongFans(
@@ -86,6 +85,7 @@ private:
   double BucketWidth;
   std::vector<double> Distances;
   std::vector<LabelOrigin> Origins;
+  std::vector<Id> Touched;
   std::vector<Id> Order;
   SearchLabels Labels;
   BucketQueue Queue;

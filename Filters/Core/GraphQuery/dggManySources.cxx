@@ -59,13 +59,20 @@ bool ManySources::Run(
   return isDone;
 }
 
-void ManySources::GetField(std::size_t k, std::vector<double>& field) const
+void ManySources::GetField(
+  std::size_t k, std::vector<double>& field, std::vector<Id>& reached) const
 {
   field.resize(this->Labels.size());
+  reached.clear();
   for (std::size_t v = 0; v < field.size(); ++v)
   {
     const double label = this->Labels[v].Get(static_cast<int>(k));
-    field[v] = label <= this->Radius ? label : Infinity;
+    const bool isReached = label <= this->Radius && label < Infinity;
+    field[v] = isReached ? label : Infinity;
+    if (isReached)
+    {
+      reached.push_back(static_cast<Id>(v));
+    }
   }
 }
 

@@ -42,8 +42,9 @@ public:
   bool Run(const Sources& sources, double radius, const SweepOrder& order,
     const std::function<bool()>& goes);
 
-  /// The distances of all vertices from source `k`, Infinity beyond the radius.
-  void GetField(std::size_t k, std::vector<double>& field) const;
+  /// The distances of all vertices from source `k`, Infinity beyond the radius, and the vertices
+  /// within it.
+  void GetField(std::size_t k, std::vector<double>& field, std::vector<Id>& reached) const;
 
 private:
   double Start(const Sources& sources);

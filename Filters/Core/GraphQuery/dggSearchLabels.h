@@ -8,9 +8,10 @@
 #include "dggGeodesicGraph.h" // for GraphView
 #include "dggGraphSearch.h"   // for GraphSeed
 
-#include <cmath>   // for std::nextafter
-#include <cstddef> // for std::size_t
-#include <vector>  // for the labels
+#include <algorithm> // for std::for_each, std::min
+#include <cmath>     // for std::nextafter
+#include <cstddef>   // for std::size_t
+#include <vector>    // for the labels
 
 namespace dgg
 {
@@ -24,42 +25,106 @@ struct LabelOrigin
   bool IsSeed() const { return this->Edge < 0; }
 };
 
-/// Distance and origin of every vertex. Unreached vertices have Limit, the smallest number above
-/// the radius of the search: so "lower than the label" says "within the radius" too.
+/// Returns true if the vertices are few enough to be visited one by one, in any order, rather than
+/// with all `numberOfVertices` from front to back.
+inline bool AreFew(const std::vector<Id>& vertices, std::size_t numberOfVertices)
+{
+  return vertices.size() < numberOfVertices / 8;
+}
+
+/// Gives all entries of an array the initial value. `touched` lists the entries that differ from
+/// it, unless the array has another size.
+template <typename Value>
+void ResetTouched(std::vector<Value>& values, std::size_t numberOfVertices,
+  const std::vector<Id>& touched, const Value& initial)
+{
+  if (values.size() != numberOfVertices || !AreFew(touched, numberOfVertices))
+  {
+    values.assign(numberOfVertices, initial);
+    return;
+  }
+  for (const Id v : touched)
+  {
+    values[v] = initial;
+  }
+}
+
+/// Calls `use(v)` for vertices that include all touched ones: these alone where they are few, else
+/// all vertices from front to back.
+template <typename Use>
+void ForEachTouched(const std::vector<Id>& touched, std::size_t numberOfVertices, const Use& use)
+{
+  if (AreFew(touched, numberOfVertices))
+  {
+    std::for_each(touched.begin(), touched.end(), use);
+    return;
+  }
+  for (std::size_t v = 0; v < numberOfVertices; ++v)
+  {
+    use(static_cast<Id>(v));
+  }
+}
+
+/// Distance and origin of every vertex. Vertices without a label have the distance Infinity, and an
+/// origin without meaning.
 struct SearchLabels
 {
   std::vector<double>& Distances;
   std::vector<LabelOrigin>& Origins;
-  double Limit;
+  /// Vertices that have received a label since Start(), each once: the next Start() resets these
+  /// alone.
+  std::vector<Id>& Touched;
+  double Limit; ///< smallest number above the radius of the search
+  /// The search may stop when the labels of these vertices are final, and leave all vertices that
+  /// are farther unreached. Null: no label is skipped.
+  const std::vector<Id>* Targets = nullptr;
 
-  SearchLabels(std::vector<double>& distances, std::vector<LabelOrigin>& origins, double radius)
+  SearchLabels(std::vector<double>& distances, std::vector<LabelOrigin>& origins,
+    std::vector<Id>& touched, double radius)
     : Distances(distances)
     , Origins(origins)
+    , Touched(touched)
     , Limit(std::nextafter(radius, Infinity))
   {
   }
 
   bool IsReached(Id v) const { return this->Distances[v] < this->Limit; }
 
-  /// All vertices unreached but the seeds, of which each vertex keeps the nearest.
-  void Start(Id numberOfVertices, const std::vector<GraphSeed>& seeds)
+  /// Removes all labels and enters the seeds, of which each vertex keeps the nearest. Returns the
+  /// number of labels that were removed.
+  std::size_t Start(Id numberOfVertices, const std::vector<GraphSeed>& seeds)
   {
-    this->Distances.assign(numberOfVertices, this->Limit);
-    this->Origins.resize(numberOfVertices);
+    const auto n = static_cast<std::size_t>(numberOfVertices);
+    const bool isLocal = this->Distances.size() == n && AreFew(this->Touched, n);
+    const std::size_t removed = isLocal ? this->Touched.size() : n;
+    ResetTouched(this->Distances, n, this->Touched, Infinity);
+    this->Origins.resize(n);
+    this->Touched.clear();
     for (std::size_t i = 0; i < seeds.size(); ++i)
     {
       this->Lower(seeds[i], i);
     }
+    return removed;
+  }
+
+  /// Stores the distance of a vertex, which must be lower than the present one.
+  void SetDistance(Id v, double distance)
+  {
+    if (this->Distances[v] == Infinity)
+    {
+      this->Touched.push_back(v);
+    }
+    this->Distances[v] = distance;
   }
 
   /// Enter a seed, the i-th; false when the vertex is no farther without it.
   bool Lower(const GraphSeed& seed, std::size_t i)
   {
-    if (!(seed.Distance < this->Distances[seed.Vertex]))
+    if (!(seed.Distance < std::min(this->Distances[seed.Vertex], this->Limit)))
     {
       return false;
     }
-    this->Distances[seed.Vertex] = seed.Distance;
+    this->SetDistance(seed.Vertex, seed.Distance);
     this->Origins[seed.Vertex] = { -1, static_cast<Id>(i), static_cast<float>(seed.ArrivalAngle) };
     return true;
   }
@@ -73,11 +138,12 @@ struct TreeStep
   Id Tail; ///< NoId for a seed
 };
 
-/// What a search did.
+/// Work of a search.
 struct SearchEffort
 {
   std::size_t Pops = 0;
   std::size_t Relaxations = 0;
+  std::size_t Labels = 0; ///< initialized or given to a vertex for the first time
 };
 
 /// Call `use` with the lengths of the graph, float or double.

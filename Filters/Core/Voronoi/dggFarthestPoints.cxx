@@ -31,7 +31,8 @@ bool FarthestPoints::IsNearer(const Candidate& a, const Candidate& b)
 
 void FarthestPoints::Reset()
 {
-  SearchLabels(this->Distances, this->Origins, Infinity).Start(this->Graph.NumberOfVertices, {});
+  SearchLabels(this->Distances, this->Origins, this->Labeled, Infinity)
+    .Start(this->Graph.NumberOfVertices, {});
   this->NearestSamples.assign(this->Graph.NumberOfVertices, NoId);
   this->NumberOfSamples = 0;
   this->Candidates.clear();
@@ -47,7 +48,7 @@ void FarthestPoints::Reset()
 
 Status FarthestPoints::Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress)
 {
-  SearchLabels labels(this->Distances, this->Origins, Infinity);
+  SearchLabels labels(this->Distances, this->Origins, this->Labeled, Infinity);
   DGG_RETURN_IF_ERROR(CheckSeeds(sample, this->Graph.NumberOfVertices));
   if (!LowerLabels(this->Graph, this->Fans.get(), sample, this->BucketWidth, progress, *this->Queue,
         labels, this->Touched))

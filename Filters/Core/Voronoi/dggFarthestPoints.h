@@ -73,7 +73,8 @@ private:
   std::vector<LabelOrigin> Origins;
   std::unique_ptr<GraphFans> Fans; // null where there are no angles
   std::unique_ptr<BucketQueue> Queue;
-  std::vector<Id> Touched;
+  std::vector<Id> Touched;        // by the last sample, a few more than once
+  std::vector<Id> Labeled;        // by any sample, each once
   std::vector<Id> NearestSamples; // per vertex
   Id NumberOfSamples = 0;
   /// All vertices with edges, a heap. Distances in it are not lowered with the labels, but when

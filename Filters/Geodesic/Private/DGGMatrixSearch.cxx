@@ -144,9 +144,20 @@ dgg::Status DGGMatrixSearch::Search(double radius)
       seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
   }
-  return this->Graph.GetSearch().Many(seeds, radius, this->Context.Parallel,
+  dgg::ManyOptions options;
+  options.MaximumDistance = radius;
+  for (const std::vector<dgg::GraphLink>& links : this->TargetLinks)
+  {
+    for (const dgg::GraphLink& link : links)
+    {
+      options.Targets.push_back(link.Vertex);
+    }
+  }
+  return this->Graph.GetSearch().Many(seeds, options, this->Context.Parallel,
     dgg::ProgressPart(this->Progress, this->Done, 1.0),
-    [this](std::size_t source, const double* field) { this->LookAtTargets(source, field); });
+    [this](std::size_t source, const double* field, const std::vector<dgg::Id>&) {
+      this->LookAtTargets(source, field);
+    });
 }
 
 //------------------------------------------------------------------------------
