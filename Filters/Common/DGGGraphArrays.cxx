@@ -3,6 +3,7 @@
 #include "DGGGraphArrays.h"
 
 #include "DGGIsInteger.h"
+#include "DGGMakeArray.h"
 #include "DGGPreparedMesh.h"
 #include "DGGThreads.h"
 
@@ -50,23 +51,6 @@ To CopyBits(From from)
   To to;
   std::memcpy(&to, &from, sizeof(to));
   return to;
-}
-
-/// A VTK array that owns the memory of a buffer.
-template <typename ArrayType, typename ValueType>
-vtkSmartPointer<vtkAbstractArray> Own(dgg::Buffer<ValueType>& buffer, const char* name)
-{
-  static_assert(sizeof(typename ArrayType::ValueType) == sizeof(ValueType), "another size");
-  vtkNew<ArrayType> array;
-  array->SetName(name);
-  const auto size = static_cast<vtkIdType>(buffer.Size());
-  if (size > 0)
-  {
-    // 64-bit integers have two names, of which VTK uses either.
-    auto* values = reinterpret_cast<typename ArrayType::ValueType*>(buffer.Release());
-    array->SetArray(values, size, 0, ArrayType::VTK_DATA_ARRAY_FREE);
-  }
-  return array.Get();
 }
 
 /// Whether DGG.Info, which may be missing or anything, is that of a cloud.
@@ -171,14 +155,19 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
   slots[SecondSignature] = CopyBits<std::int64_t>(graph.Info.Surface[1]);
   slots[VoxelSize] = CopyBits<std::int64_t>(voxelSize);
 
+  vtkSmartPointer<vtkAbstractArray> lengths =
+    DGGAdoptArray<vtkFloatArray>(graph.Lengths, Names[Lengths]);
+  if (this->View.WideLengths)
+  {
+    lengths = DGGAdoptArray<vtkDoubleArray>(graph.WideLengths, Names[Lengths]);
+  }
   std::array<vtkSmartPointer<vtkAbstractArray>, NumberOfRoles> arrays = { {
-    Own<vtkTypeInt64Array>(graph.Offsets, Names[Offsets]),
-    Own<vtkTypeInt32Array>(graph.Targets, Names[Targets]),
-    this->View.WideLengths ? Own<vtkDoubleArray>(graph.WideLengths, Names[Lengths])
-                           : Own<vtkFloatArray>(graph.Lengths, Names[Lengths]),
-    Own<vtkFloatArray>(graph.Angles, Names[Angles]),
-    Own<vtkFloatArray>(graph.ArrivalAngles, Names[ArrivalAngles]),
-    Own<vtkDoubleArray>(ownRadii, Names[Radii]),
+    DGGAdoptArray<vtkTypeInt64Array>(graph.Offsets, Names[Offsets]),
+    DGGAdoptArray<vtkTypeInt32Array>(graph.Targets, Names[Targets]),
+    lengths,
+    DGGAdoptArray<vtkFloatArray>(graph.Angles, Names[Angles]),
+    DGGAdoptArray<vtkFloatArray>(graph.ArrivalAngles, Names[ArrivalAngles]),
+    DGGAdoptArray<vtkDoubleArray>(ownRadii, Names[Radii]),
     info.Get(),
   } };
   for (int i = 0; i < NumberOfRoles; ++i)

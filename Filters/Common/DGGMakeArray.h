@@ -5,6 +5,8 @@
 #ifndef DGGMakeArray_h
 #define DGGMakeArray_h
 
+#include "dggBuffer.h" // for what arrays take over
+
 #include "vtkFieldData.h"    // for where they go
 #include "vtkSmartPointer.h" // for the arrays
 #include "vtkType.h"         // for vtkIdType
@@ -24,7 +26,26 @@ vtkSmartPointer<ArrayType> DGGMakeArray(
   return array;
 }
 
-/// The same, added to some data.
+/// An array that takes over the memory of a buffer.
+template <typename ArrayType, typename ValueType>
+vtkSmartPointer<ArrayType> DGGAdoptArray(
+  dgg::Buffer<ValueType>& buffer, const char* name, int components = 1)
+{
+  static_assert(sizeof(typename ArrayType::ValueType) == sizeof(ValueType), "another size");
+  auto array = vtkSmartPointer<ArrayType>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  const auto size = static_cast<vtkIdType>(buffer.Size());
+  if (size > 0)
+  {
+    // 64-bit integers have two names, of which VTK uses either.
+    auto* values = reinterpret_cast<typename ArrayType::ValueType*>(buffer.Release());
+    array->SetArray(values, size, 0, ArrayType::VTK_DATA_ARRAY_FREE);
+  }
+  return array;
+}
+
+/// The same as DGGMakeArray(), added to some data.
 template <typename ArrayType>
 vtkSmartPointer<ArrayType> DGGAddArray(
   vtkFieldData* data, const std::string& name, std::size_t tuples, int components = 1)

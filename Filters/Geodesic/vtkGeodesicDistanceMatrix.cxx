@@ -4,22 +4,26 @@
 
 #include "DGGFreeMemory.h"
 #include "DGGGraphUser.h"
+#include "DGGMakeArray.h"
 #include "DGGMatrixSearch.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGThreads.h"
 
-#include "dggBuffer.h"
+#include "dggDistanceRows.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <limits>
@@ -41,25 +45,37 @@ bool IsEmpty(const DGGSourceSet& set)
 }
 
 /// An array of which every value is infinite. Written to, so that its memory is no longer free.
-vtkSmartPointer<vtkDoubleArray> MakeArray(std::size_t tuples, std::size_t components)
+vtkSmartPointer<vtkDoubleArray> MakeArray(
+  std::size_t tuples, std::size_t components, const char* name = nullptr)
 {
   dgg::Buffer<double> values(tuples * components); // VTK may abort where this throws
   std::fill(values.begin(), values.end(), dgg::Infinity);
-  vtkNew<vtkDoubleArray> array;
-  array->SetNumberOfComponents(static_cast<int>(components));
-  const auto size = static_cast<vtkIdType>(values.Size());
-  if (size > 0)
-  {
-    array->SetArray(values.Release(), size, 0, vtkDoubleArray::VTK_DATA_ARRAY_FREE);
-  }
-  return array.Get();
+  return DGGAdoptArray<vtkDoubleArray>(values, name, static_cast<int>(components));
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeMatrix(std::size_t rows, std::size_t columns)
 {
-  auto matrix = MakeArray(rows, columns);
-  matrix->SetName("GeodesicDistance");
-  return matrix;
+  return MakeArray(rows, columns, "GeodesicDistance");
+}
+
+/// See dgg::DistanceRowsOptions.
+std::vector<dgg::Id> FindNextPoints(const DGGPreparedMesh& surface, vtkIdType numberOfPoints)
+{
+  std::vector<dgg::Id> next;
+  if (surface.GetNumberOfMergedPoints() > 0)
+  {
+    next.assign(static_cast<std::size_t>(numberOfPoints), dgg::NoId);
+    for (vtkIdType p = numberOfPoints - 1; p >= 0; --p)
+    {
+      const dgg::Id vertex = surface.GetVertex(p);
+      if (vertex != p)
+      {
+        next[p] = next[vertex];
+        next[vertex] = static_cast<dgg::Id>(p);
+      }
+    }
+  }
+  return next;
 }
 
 using Columns = std::vector<vtkSmartPointer<vtkDoubleArray>>;
@@ -111,6 +127,8 @@ vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
   , MaximumDistance(VTK_DOUBLE_MAX)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , GenerateTable(true)
+  , CompressedRows(false)
+  , Correction(false)
   , GraphUser(new DGGGraphUser)
   , Internals(new vtkInternals)
 {
@@ -130,6 +148,8 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "UnreachedValue: " << this->UnreachedValue << "\n";
   os << indent << "GenerateTable: " << (this->GenerateTable ? "On" : "Off") << "\n";
+  os << indent << "CompressedRows: " << (this->CompressedRows ? "On" : "Off") << "\n";
+  os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
   os << indent << "Matrix: " << this->Internals->Matrix->GetNumberOfTuples() << " x "
      << this->Internals->Matrix->GetNumberOfComponents() << "\n";
   this->GraphUser->PrintSelf(os, indent);
@@ -206,6 +226,11 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckInputs(
   const vtkIdType n = surface->GetNumberOfPoints();
   DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(this->GetRows(inputVector), n));
   const DGGSourceSet columns = this->GetColumns(inputVector);
+  if (this->CompressedRows && !IsEmpty(columns))
+  {
+    return dgg::Status::Invalid("the columns of CompressedRows are all points of the input: remove "
+                                "the chosen columns, or turn CompressedRows off");
+  }
   return IsEmpty(columns) ? dgg::Status::Success() : DGGSourceCollector::Check(columns, n);
 }
 
@@ -269,6 +294,10 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   }
   DGGSourceCollector::WarnAboutIsolatedIds(context, this->GetRows(inputVector), this);
   DGGSourceCollector::WarnAboutIsolatedIds(context, columnSet, this);
+  if (this->CompressedRows)
+  {
+    return this->FillCompressedRows(context, sources, vtkTable::GetData(outputVector));
+  }
 
   const std::vector<dgg::SurfacePoint> rows = DGGGetPlaces(sources);
   const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : DGGGetPlaces(others);
@@ -294,6 +323,37 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   output->Initialize();
   FillTable(matrix, table, output);
   internals.Matrix = matrix;
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicDistanceMatrix::FillCompressedRows(
+  const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output)
+{
+  DGGGraphUser& graph = *this->GraphUser;
+  DGG_RETURN_IF_ERROR(graph.Update(context, this));
+  std::vector<dgg::GraphSeed> links;
+  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, rows, links));
+  std::vector<std::vector<dgg::GraphSeed>> seeds(rows.size());
+  for (const dgg::GraphSeed& link : links)
+  {
+    seeds[link.Source].push_back(link);
+  }
+  dgg::DistanceRowsOptions options;
+  options.Correct = this->Correction && !context.Surface.IsCloud();
+  options.MaximumDistance =
+    this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
+  options.SearchRadius =
+    options.Correct ? graph.WidenLimit(options.MaximumDistance, rows) : options.MaximumDistance;
+  options.MemoryLimit = static_cast<double>(DGGGetMemoryLimit(this->MemoryLimit));
+  options.NextPoints = FindNextPoints(context.Surface, context.Input->GetNumberOfPoints());
+  dgg::DistanceRows found;
+  DGG_RETURN_IF_ERROR(dgg::FindDistanceRows(graph.GetSearch(), seeds, options, context.Parallel,
+    graph.GetRemainingProgress(context), found));
+  output->Initialize();
+  output->AddColumn(DGGAdoptArray<vtkIntArray>(found.Columns, "Column"));
+  output->AddColumn(DGGAdoptArray<vtkDoubleArray>(found.Distances, "GeodesicDistance"));
+  output->GetFieldData()->AddArray(DGGAdoptArray<vtkTypeInt64Array>(found.Offsets, "RowOffsets"));
   return dgg::Status::Success();
 }
 

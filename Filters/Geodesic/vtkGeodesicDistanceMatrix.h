@@ -11,12 +11,14 @@
  * component for each column: the distance (double, in units of the coordinates), UnreachedValue
  * between components and beyond MaximumDistance. The output is the same as a vtkTable with columns
  * "0", "1" and so on (GenerateTable). An id of a point that no polygon uses is a warning; it is
- * connected to itself only.
+ * connected to itself only. With CompressedRows the output is a sparse matrix of the rows and all
+ * points of the input within MaximumDistance of them.
  *
  * <b>Guarantee and cost</b>. exact distance <= result <= (1 + accuracy) * exact distance, up to
  * rounding (1e-6), if the rule of the graph has a guarantee. Between points of the mesh distances
  * are a metric, which corrected ones are not. One search over the surface for each point of the
- * smaller set, on all threads of vtkSMPTools; about 120 bytes per point of the mesh and thread.
+ * smaller set, on all threads of vtkSMPTools; about 120 bytes per point of the mesh and thread. A
+ * search ends at MaximumDistance or at the farthest point of the other set.
  *
  * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no rows; an id out of range; a point that is not finite, or farther from the surface than
@@ -50,6 +52,11 @@
 class vtkDoubleArray;
 class vtkTable;
 struct DGGSourceSet;
+
+namespace dgg
+{
+struct GeodesicSource;
+}
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceMatrix : public vtkGeodesicAlgorithm
 {
@@ -115,6 +122,31 @@ public:
 
   ///@{
   /**
+   * If on, the output is a sparse matrix, and GetMatrix() is empty. Its columns are all points of
+   * the input; none may be chosen. The table has a row for each pair within MaximumDistance, a
+   * point and itself included: "Column" (int, the id of the point; ascending in each row of the
+   * matrix) and "GeodesicDistance". The field data array "RowOffsets" (64-bit integers) has one
+   * tuple more than the matrix has rows: row i is [RowOffsets[i], RowOffsets[i + 1]). Costs no more
+   * than these pairs. Default off.
+   */
+  vtkSetMacro(CompressedRows, bool);
+  vtkGetMacro(CompressedRows, bool);
+  vtkBooleanMacro(CompressedRows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * If on, CompressedRows contain the corrected estimates of vtkDGGDistance. These are closer to
+   * the exact distances, but neither symmetric nor a metric. Not used otherwise, nor for clouds.
+   * Default off.
+   */
+  vtkSetMacro(Correction, bool);
+  vtkGetMacro(Correction, bool);
+  vtkBooleanMacro(Correction, bool);
+  ///@}
+
+  ///@{
+  /**
    * The output. These hide functions of vtkPolyDataAlgorithm, which return null for this filter.
    */
   vtkTable* GetOutput();
@@ -164,6 +196,8 @@ private:
   DGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
   dgg::Status CheckMemory(std::size_t rows, std::size_t columns, bool withTable) const;
   bool WantsTable(std::size_t columns);
+  dgg::Status FillCompressedRows(
+    const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output);
 
   std::vector<vtkIdType> RowIds;
   std::vector<vtkIdType> ColumnIds;
@@ -171,6 +205,8 @@ private:
   double MaximumDistance;
   double UnreachedValue;
   bool GenerateTable;
+  bool CompressedRows;
+  bool Correction;
   std::unique_ptr<DGGGraphUser> GraphUser;
 
   struct vtkInternals;

@@ -20,6 +20,8 @@ namespace
 /// Bytes per vertex of tables and landmarks, at least.
 constexpr double BytesOfTables = 40.0;
 constexpr double BytesOfLandmarks = 68.0;
+/// Bytes per vertex of the tables that link points: 64 and more for each of six half-edges.
+constexpr double BytesOfBuilder = 384.0;
 
 class SharedGraph : public ::testing::Test
 {
@@ -106,6 +108,25 @@ TEST_F(SharedGraph, AChainHasOneGraph)
   {
     EXPECT_LT(shared.Growth, alone.Growth - BytesOfTables * this->Size);
   }
+}
+
+TEST_F(SharedGraph, PointsAreLinkedByOneBuilder)
+{
+  const auto first = this->MakeDistance(5);
+  const auto second = this->MakeDistance(5);
+  for (const auto& filter : { first, second })
+  {
+    ExpectSuccess(filter);
+    filter->SetProjectionTolerance(1.0);
+    filter->SetSourceData(MakeSourcePoints({ { { 0.51, 0.53, 0.1 } } }));
+  }
+  const Memory alone = Measure(first);
+  const Memory shared = Measure(second);
+  if (alone.Growth > 0.0)
+  {
+    EXPECT_LT(shared.Peak, alone.Peak - BytesOfBuilder * this->Size);
+  }
+  EXPECT_EQ(GetDistances(first), GetDistances(second));
 }
 
 TEST_F(SharedGraph, LandmarksAreFoundOnce)

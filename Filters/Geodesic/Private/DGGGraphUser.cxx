@@ -5,6 +5,7 @@
 #include "DGGCloudLinks.h"
 #include "DGGFreeMemory.h"
 #include "DGGGraphBuild.h"
+#include "DGGSharedTable.h"
 #include "DGGThreads.h"
 
 #include "dggInvalidInput.h"
@@ -38,6 +39,13 @@ constexpr std::size_t BytesOfPaths = 40;
 
 /// Links that a thread makes between two looks at the progress.
 constexpr std::size_t LinkBlock = 4;
+
+/// Builders that filters hold, by the build time of the mesh.
+DGGSharedTable<vtkMTimeType, dgg::GraphBuilder>& GetBuildersInUse()
+{
+  static DGGSharedTable<vtkMTimeType, dgg::GraphBuilder> builders;
+  return builders;
+}
 
 template <typename ValueType>
 bool Change(ValueType& property, ValueType value)
@@ -275,7 +283,10 @@ dgg::Status DGGGraphUser::PrepareBuilder(const DGGContext& context, bool isNeede
 {
   if (!isNeeded)
   {
-    this->ReleaseBuilder();
+    if (this->BuilderSize > DGGGetMemoryLimit(context.MemoryLimit))
+    {
+      this->ReleaseBuilder();
+    }
     return dgg::Status::Success();
   }
   if (this->Builder || context.Surface.IsCloud())
@@ -283,10 +294,17 @@ dgg::Status DGGGraphUser::PrepareBuilder(const DGGContext& context, bool isNeede
     return dgg::Status::Success();
   }
   const std::size_t size = DGGEstimateBuilder(context.Surface);
-  DGG_RETURN_IF_ERROR(DGGCheckMemory(
-    "linking points that are not vertices", size, context.MemoryLimit, "use vertices only"));
+  const vtkMTimeType key = context.Surface.GetBuildTime();
+  std::shared_ptr<const dgg::GraphBuilder> builder = GetBuildersInUse().Find(key);
+  if (!builder)
+  {
+    DGG_RETURN_IF_ERROR(DGGCheckMemory(
+      "linking points that are not vertices", size, context.MemoryLimit, "use vertices only"));
+    builder = GetBuildersInUse().Add(
+      key, std::make_shared<const dgg::GraphBuilder>(context.Surface.GetMesh()));
+  }
   this->Finder.reset(); // it has none
-  this->Builder = std::make_unique<dgg::GraphBuilder>(context.Surface.GetMesh());
+  this->Builder = builder;
   this->BuilderSize = size;
   return dgg::Status::Success();
 }
@@ -361,9 +379,7 @@ dgg::Status DGGGraphUser::LinkPlaces(const DGGContext& context, const Points& pl
   LinkStore& store = this->Store;
   if (places.empty())
   {
-    this->ReleaseBuilder();
-    store = LinkStore();
-    return dgg::Status::Success();
+    return this->PrepareBuilder(context, false);
   }
   const double accuracy = this->GetLinkAccuracy();
   // Those of a cloud depend on its graph, and are found at once.

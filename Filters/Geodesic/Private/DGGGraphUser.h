@@ -72,12 +72,11 @@ public:
   /// link of the others. Links are kept while mesh, accuracy and places are the same.
   dgg::Status MakeSeeds(const DGGContext& context, const std::vector<dgg::GeodesicSource>& sources,
     std::vector<dgg::GraphSeed>& seeds);
-  /// For links of points that are not vertices; kept until ReleaseBuilder() or another mesh. Fails
-  /// when it would take too much memory. Clouds need none, and have none. One that is not needed is
-  /// released.
+  /// Prepares the builder that links points that are not vertices. All filters with the mesh share
+  /// it. Fails if it would take too much memory; clouds have none. A builder that is not needed now
+  /// is kept for later updates unless it exceeds the memory limit.
   dgg::Status PrepareBuilder(const DGGContext& context, bool isNeeded = true);
   const dgg::GraphBuilder& GetBuilder() const { return *this->Builder; }
-  void ReleaseBuilder();
   /// Links of a place, and how far it is from each of `aims` besides the graph: those that a
   /// straight way leads to. Needs PrepareBuilder() for places that are not vertices.
   dgg::Status Link(const dgg::SurfacePoint& place, const std::vector<dgg::SurfacePoint>& aims,
@@ -115,6 +114,7 @@ private:
   };
 
   void FollowMesh(const DGGPreparedMesh& mesh);
+  void ReleaseBuilder();
   void UseInput(const DGGContext& context, vtkObject* filter);
   dgg::Status UseOwn(const DGGContext& context, dgg::GraphOptions options);
   void SearchIn(const DGGGraphArrays& arrays, const DGGPreparedMesh& mesh);
@@ -136,7 +136,7 @@ private:
   DGGPreparedGraph::Pointer Graph;
   std::optional<dgg::GraphSearch> Search; // that of Graph, with landmarks when there are enough
   std::size_t NumberOfPairs = 0;          // that it has been asked for
-  std::unique_ptr<dgg::GraphBuilder> Builder;
+  std::shared_ptr<const dgg::GraphBuilder> Builder;
   std::size_t BuilderSize = 0;                       // bytes, about
   std::unique_ptr<dgg::PathFinder> Finder;           // in Search, with Builder
   std::unique_ptr<dgg::BandPathShortener> Shortener; // on a cloud

@@ -83,7 +83,6 @@ dgg::Status DGGMatrixSearch::LinkPoints(
   }
   const std::vector<std::size_t> aims = FindPoints(others, false);
   const Points aimPoints = Select(others, aims);
-  DGG_RETURN_IF_ERROR(this->Graph.PrepareBuilder(this->Context));
   const double start = this->Done;
   this->Done = end;
   return DGGForEach(unlinked.size(), LinkBlock, dgg::ProgressPart(this->Progress, start, end),
@@ -106,10 +105,7 @@ dgg::Status DGGMatrixSearch::Run(bool symmetric, double radius)
   this->IsSymmetric = symmetric;
   const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), dgg::IsVertex) &&
     std::all_of(this->Targets.begin(), this->Targets.end(), dgg::IsVertex);
-  if (areVertices)
-  {
-    this->Graph.ReleaseBuilder();
-  }
+  DGG_RETURN_IF_ERROR(this->Graph.PrepareBuilder(this->Context, !areVertices));
   DGG_RETURN_IF_ERROR(
     this->LinkPoints(this->Sources, this->Targets, SourcesLinked, this->SourceLinks,
       [this](std::size_t i, std::size_t j) -> double& { return this->Distances(i, j); }));

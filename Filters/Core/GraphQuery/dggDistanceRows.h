@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Sparse matrices of distances.
+#ifndef dggDistanceRows_h
+#define dggDistanceRows_h
+
+#include "dggBuffer.h"      // for the arrays
+#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
+#include "dggGraphSearch.h" // for GraphSearch
+
+#include <vector> // for the sources
+
+namespace dgg
+{
+/// Distances from some sources to the points around each of them, as compressed rows.
+struct DistanceRows
+{
+  Buffer<Offset> Offsets; ///< row i is [Offsets[i], Offsets[i + 1])
+  Buffer<Id> Columns;     ///< points, ascending in each row
+  Buffer<double> Distances;
+};
+
+struct DistanceRowsOptions
+{
+  double MaximumDistance = Infinity; ///< largest distance that is stored
+  double SearchRadius = Infinity;    ///< not below MaximumDistance; farther points are not searched
+  bool Correct = false;              ///< see ManyOptions
+  double MemoryLimit = Infinity;     ///< bytes that the rows may take
+  /// Where several points share a vertex, per point the next point of its vertex, or NoId. The
+  /// first of them has the id of the vertex. Empty: every vertex is one point.
+  std::vector<Id> NextPoints;
+};
+
+/// Computes one row per source. Costs no more than the entries where most of the surface is outside
+/// of the radius. The rows do not depend on the number of threads.
+DGG_CORE_EXPORT Status FindDistanceRows(const GraphSearch& search,
+  const std::vector<std::vector<GraphSeed>>& sources, const DistanceRowsOptions& options,
+  const ParallelFor& parallel, const ProgressCallback& progress, DistanceRows& rows);
+}
+
+#endif
