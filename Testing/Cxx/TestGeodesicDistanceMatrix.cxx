@@ -8,15 +8,18 @@
 #include "vtkGeodesicDistanceMatrix.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 using namespace dggtest;
 
@@ -39,6 +42,25 @@ Rows GetRows(vtkGeodesicDistanceMatrix* filter)
       rows.back().push_back(value);
       const double inTable = table->GetValue(i, j).ToDouble();
       EXPECT_TRUE(inTable == value || (std::isnan(inTable) && std::isnan(value)));
+    }
+  }
+  return rows;
+}
+
+using SparseRows = std::vector<std::vector<std::pair<int, double>>>;
+
+SparseRows GetSparseRows(vtkGeodesicDistanceMatrix* filter)
+{
+  vtkTable* table = filter->GetOutput();
+  vtkDataArray* offsets = table->GetFieldData()->GetArray("RowOffsets");
+  SparseRows rows(offsets->GetNumberOfTuples() - 1);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const auto end = static_cast<vtkIdType>(offsets->GetComponent(i + 1, 0));
+    for (auto k = static_cast<vtkIdType>(offsets->GetComponent(i, 0)); k < end; ++k)
+    {
+      rows[i].emplace_back(table->GetValueByName(k, "Column").ToInt(),
+        table->GetValueByName(k, "GeodesicDistance").ToDouble());
     }
   }
   return rows;
@@ -400,6 +422,68 @@ TEST_F(GeodesicDistanceMatrix, TheTableIsOptional)
   ExpectSuccess(this->Filter);
   ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfColumns(), 10000);
   EXPECT_STREQ(this->Filter->GetOutput()->GetColumnName(9999), "9999");
+}
+
+TEST_F(GeodesicDistanceMatrix, CompressedRowsAreThePairsWithinTheDistance)
+{
+  double p[3];
+  this->Terrain->GetPoint(40, p);
+  // Point 400 has the place of point 40.
+  this->Terrain->GetPoints()->InsertNextPoint(p);
+  const vtkIdType n = this->Terrain->GetNumberOfPoints();
+  this->Filter->MergeCoincidentPointsOn();
+  const std::vector<vtkIdType> ids = { 40, 399, 17 };
+  this->Filter->SetRowIds(ids);
+  const auto point = MakeSourcePoints({ { { p[0] + 0.1, p[1] + 0.15, p[2] } } });
+  this->Filter->SetRowData(point);
+  std::vector<vtkIdType> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  this->Filter->SetColumnIds(all);
+  ExpectSuccess(this->Filter);
+  const Rows dense = GetRows(this->Filter);
+  const double radius = dense[0][45];
+
+  this->Filter->CompressedRowsOn();
+  this->Filter->SetMaximumDistance(radius);
+  ExpectError(this->Filter, { "columns of CompressedRows", "turn CompressedRows off" });
+  this->Filter->SetColumnIds(nullptr);
+  for (const bool correct : { false, true })
+  {
+    this->Filter->SetCorrection(correct);
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfTuples(), 0);
+    const SparseRows rows = GetSparseRows(this->Filter);
+    ASSERT_EQ(rows.size(), dense.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      std::vector<double> field = dense[i];
+      if (correct)
+      {
+        vtkNew<vtkDGGDistance> distance;
+        distance->SetInputData(this->Terrain);
+        distance->SetAccuracy(0.05);
+        distance->MergeCoincidentPointsOn();
+        i < 3 ? distance->AddSourceId(ids[i]) : distance->SetSourceData(point);
+        ExpectSuccess(distance);
+        field = GetDistances(distance);
+      }
+      EXPECT_TRUE(std::is_sorted(rows[i].begin(), rows[i].end()));
+      std::vector<double> found(n, std::nan(""));
+      for (const auto& entry : rows[i])
+      {
+        found[entry.first] = entry.second;
+      }
+      for (vtkIdType v = 0; v < n; ++v)
+      {
+        const bool isAtRim = std::abs(field[v] - radius) < 1e-9;
+        EXPECT_TRUE(isAtRim || std::isnan(found[v]) == (field[v] > radius)) << i << " " << v;
+        EXPECT_TRUE(std::isnan(found[v]) || std::abs(found[v] - field[v]) < 1e-9);
+      }
+    }
+  }
+  this->Filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+  this->Filter->SetMemoryLimit(20000);
+  ExpectError(this->Filter, { "the sparse matrix", "fewer rows", "MemoryLimit" });
 }
 
 TEST_F(GeodesicDistanceMatrix, ReportsTheGraph)

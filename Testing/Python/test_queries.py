@@ -4,8 +4,10 @@
 same of clouds; functions that stand on the Laplacian."""
 
 import pickle
+import tempfile
 import unittest
 import warnings
+from unittest import mock
 
 import numpy as np
 import support
@@ -80,16 +82,51 @@ class OfAMesh(unittest.TestCase):
         self.assertEqual((rows - found[[7, 3, 500]]).nnz, 0)
         place = self.graph.sparse_matrix(radius, self.points[[7]] + 1e-9)
         self.assertEqual(place.nnz, rows[0].nnz + 1)
-        # Blocks of rows make no difference, nor does a search without a limit after that.
-        vtkdgg.queries._BLOCK, before = 5000, vtkdgg.queries._BLOCK
-        try:
-            self.assertEqual((self.graph.sparse_matrix(radius) - found).nnz, 0)
-        finally:
-            vtkdgg.queries._BLOCK = before
+        # The filter is the same that fills dense matrices.
         self.assertEqual(np.isfinite(self.graph.matrix([0, 5])).all(), True)
         self.assertEqual(self.graph.sparse_matrix(0.0).nnz, 0)
         with self.assertRaisesRegex(ValueError, "maximum_distance"):
             self.graph.sparse_matrix(-1.0)
+
+    def test_matrix_in_blocks(self):
+        rows, columns = np.arange(0, 600, 15), [3, 500, 77]
+        places = self.points[rows[:20]] + 1e-3 * self.size
+        cases = [(rows, None), (rows, columns), (places, None), (rows, places)]
+        with tempfile.TemporaryDirectory() as folder, mock.patch("vtkdgg.matrices._BLOCK", 100):
+            for number, (first, second) in enumerate(cases):
+                expected = self.graph.matrix(first, second)
+                out = np.memmap(f"{folder}/{number}", np.float64, "w+", shape=expected.shape)
+                self.assertIs(self.graph.matrix(first, second, out=out), out)
+                np.testing.assert_allclose(out, expected, rtol=1e-12)
+                if second is None:
+                    np.testing.assert_array_equal(out, out.T)
+                single = self.graph.matrix(first, second, dtype=np.float32)
+                self.assertEqual(single.dtype, np.float32)
+                np.testing.assert_array_equal(single, out.astype(np.float32))
+                del out
+        with self.assertRaisesRegex(ValueError, r"out: expected the shape \(40, 3\), got \(3, 40\)"):
+            self.graph.matrix(rows, columns, out=np.empty((3, 40)))
+        with self.assertRaisesRegex(ValueError, "dtype: expected a floating-point type, got int32"):
+            self.graph.matrix(rows, dtype=np.int32)
+
+    def test_neighborhood(self):
+        radius = 0.2 * self.size
+        for source in (7, self.points[7] + 1e-3 * self.size, (40, (0.2, 0.3, 0.5))):
+            for correction in (True, False):
+                ids, distances = self.graph.neighborhood(source, radius, correction=correction)
+                field = self.graph.distance(
+                    [source], correction=correction, maximum_distance=radius
+                )
+                np.testing.assert_array_equal(np.sort(ids), np.flatnonzero(np.isfinite(field)))
+                np.testing.assert_array_equal(distances, field[ids])
+                self.assertTrue((np.diff(distances) >= 0.0).all())
+        ids, distances = self.graph.neighborhood(7, 0.0)
+        self.assertEqual((ids.tolist(), distances.tolist()), ([7], [0.0]))
+        self.assertEqual(len(self.graph.neighborhood(self.points[7] + 1e-3 * self.size, 0.0)[0]), 0)
+        with self.assertRaisesRegex(ValueError, "radius"):
+            self.graph.neighborhood(7, -1.0)
+        with self.assertRaisesRegex(ValueError, "source"):
+            self.graph.neighborhood([7, 8], 1.0)
 
     def test_sample(self):
         samples = self.graph.sample(30, first=5)

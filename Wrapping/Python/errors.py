@@ -91,15 +91,15 @@ def check(algorithm: vtkAlgorithm) -> Any:
     return _checked(algorithm)
 
 
-def run(algorithm, heard=None, refused=None):
+def run(algorithm, heard=None, refused=None, bar=Bar):
     """What check() does, for functions of the package: with a progress bar, and errors that speak
     of arguments.
 
     Warnings that are in the set `heard` are not repeated, whichever class gives them; the others
     are added to it. A warning counts as an error, and stops the update, when the function `refused`
-    returns something true at that time.
+    returns something true at that time. `bar` makes the progress bar.
     """
-    return _checked(algorithm, heard, refused, Bar, in_arguments)
+    return _checked(algorithm, heard, refused, bar, in_arguments)
 
 
 def in_arguments(text):

@@ -169,6 +169,10 @@ class GraphData:
         consumer.SetProjectionTolerance(arguments.projection_tolerance(tolerance))
         return consumer
 
+    def _points(self, values, name):
+        """The points as `SurfacePoints`."""
+        return arguments.surface_points(values, name, self._surface, self.is_cloud)
+
     @staticmethod
     def _given_away(algorithm, port=0):
         """What the filter has at the port, for the caller to keep. The next query makes another."""

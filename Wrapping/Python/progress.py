@@ -52,6 +52,20 @@ class Bar:
             self._line.close()
 
 
+class Part:
+    """A part of the progress of one call, for one of its filters."""
+
+    def __init__(self, bar, start, end):
+        self._bar, self._start, self._end = bar, start, end
+
+    def show(self, name, fraction):
+        """Show it in the bar of the call."""
+        self._bar.show(name, self._start + fraction * (self._end - self._start))
+
+    def close(self):
+        """Nothing: the call removes its bar."""
+
+
 def _line():
     is_terminal = sys.stderr is not None and sys.stderr.isatty()
     if not is_terminal and "ipykernel" not in sys.modules:

@@ -12,25 +12,21 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from . import arguments
 from .distances import field_of, set_sources
 from .errors import run
-from .graph_data import GraphData
+from .matrices import Matrices
 from .paths import find
 from .results import Samples, Voronoi, array_of
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
     vtkDGGPath,
-    vtkGeodesicDistanceMatrix,
     vtkGeodesicSampler,
     vtkGeodesicVoronoi,
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-# Numbers in a part of a matrix that becomes sparse.
-_BLOCK = 2**23
+    from numpy.typing import ArrayLike
 
 
-class Queries(GraphData):
+class Queries(Matrices):
     """Distances, paths and what follows from them."""
 
     def distance(
@@ -92,114 +88,6 @@ class Queries(GraphData):
         search.SetUnreachedValue(unreached)
         run(search, self._heard)
         return self._given_away(search) if as_polydata else field_of(search, return_source)
-
-    def matrix(
-        self,
-        rows: ArrayLike,
-        columns: Optional[ArrayLike] = None,
-        *,
-        unreached: float = np.nan,
-        projection_tolerance: Optional[float] = None,
-    ) -> NDArray[np.float64]:
-        """Distances between two sets of points, or between all pairs of one.
-
-        They are lengths of paths in the graph (there is no correction): at least the exact
-        distance, and at most (1 + accuracy) times that. Between points of the mesh they are a
-        metric.
-
-        Parameters
-        ----------
-        rows, columns : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
-            Point ids or coordinates, as for `distance`. Without columns they are the rows; then the
-            matrix is symmetric.
-        unreached : float, optional
-            Distance given to pairs that are not connected. Default: NaN.
-        projection_tolerance : float, optional
-            As for `distance`.
-
-        Returns
-        -------
-        numpy.ndarray of float64, shape (number of rows, number of columns)
-            In the unit of the points.
-
-        Raises
-        ------
-        ValueError, VTKError
-            As for `distance`; a VTKError also when the matrix would take more memory than
-            `memory_limit`.
-        """
-        tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
-        tabulate.SetMaximumDistance(np.inf)
-        tabulate.SetUnreachedValue(arguments.number(unreached, "unreached"))
-        rows = self._points(rows, "rows")
-        tabulate.SetRowIds(rows.ids)
-        tabulate.SetRowData(rows.data)
-        columns = None if columns is None else self._points(columns, "columns")
-        tabulate.SetColumnIds([] if columns is None else columns.ids)
-        tabulate.SetColumnData(None if columns is None else columns.data)
-        return self._tabulate(tabulate)
-
-    def sparse_matrix(
-        self,
-        maximum_distance: float,
-        rows: Optional[ArrayLike] = None,
-        *,
-        projection_tolerance: Optional[float] = None,
-    ) -> Any:
-        """Distances between all pairs of points that are close to each other.
-
-        Those of `matrix`, without the pairs that are farther apart and those of a point with
-        itself. A point that is in the very place of another one has an explicit 0.
-
-        Parameters
-        ----------
-        maximum_distance : float
-            How far apart two points may be, in the unit of the points.
-        rows : int, sequence of int, or array_like of float, shape (3,) or (k, 3), optional
-            Point ids or coordinates, as for `distance`. Default: all points of the mesh.
-        projection_tolerance : float, optional
-            As for `distance`.
-
-        Returns
-        -------
-        scipy.sparse.csr_matrix of float64, shape (number of rows, n)
-            In the unit of the points.
-
-        Raises
-        ------
-        ImportError
-            When SciPy is not installed.
-        ValueError, VTKError
-            As for `distance`.
-        """
-        csr_matrix = self._csr_matrix("Graph.sparse_matrix")
-        n = self.number_of_points
-        radius = arguments.limit(maximum_distance, "maximum_distance")
-        rows = self._points(np.arange(n) if rows is None else rows, "rows")
-        tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
-        tabulate.SetMaximumDistance(radius)
-        tabulate.SetUnreachedValue(np.inf)
-        tabulate.SetColumnIds(list(range(n)))
-        tabulate.SetColumnData(None)
-        step = max(1, _BLOCK // n)
-        values, targets, counts = [], [], []
-        for first in range(0, len(rows), step):
-            part = rows[first : first + step]
-            tabulate.SetRowIds(part.ids)
-            tabulate.SetRowData(part.data)
-            block = self._tabulate(tabulate)
-            by_id = np.flatnonzero(part.point_ids >= 0)
-            block[by_id, part.point_ids[by_id]] = np.inf
-            found = np.flatnonzero(block < np.inf)
-            starts = n * np.arange(len(part) + 1)
-            counts.append(np.diff(np.searchsorted(found, starts)))
-            values.append(block.ravel()[found])
-            found -= np.repeat(starts[:-1], counts[-1])
-            targets.append(found.astype(np.int32))
-        offsets = np.concatenate([[0], np.cumsum(np.concatenate(counts))])
-        return csr_matrix(
-            (np.concatenate(values), np.concatenate(targets), offsets), shape=(len(rows), n)
-        )
 
     def path(
         self,
@@ -418,17 +306,6 @@ class Queries(GraphData):
         search.GenerateNearestSourceOn()
         search.GenerateVirtualSourceOff()
         return search
-
-    def _points(self, values, name):
-        return arguments.surface_points(values, name, self._surface, self.is_cloud)
-
-    def _tabulate(self, tabulate):
-        tabulate.GenerateTableOff()
-        run(tabulate, self._heard)
-        matrix = tabulate.GetMatrix()
-        shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
-        tabulate.ReleaseMatrix()  # it is ours alone now, and is not given out twice
-        return vtk_to_numpy(matrix).reshape(shape)
 
     def _path_finder(self, straighten, detour, tolerance):
         detour = 1e-4 if detour is None else arguments.number(detour, "detour")

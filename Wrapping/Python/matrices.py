@@ -1,0 +1,228 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Distances between many points of a graph, dense and sparse."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, Tuple
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from . import arguments
+from .errors import run
+from .graph_data import GraphData
+from .progress import Bar, Part
+from .vtkDGGFiltersGeodesic import vtkGeodesicDistanceMatrix
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+# Numbers in a block of a matrix that is computed block by block.
+_BLOCK = 2**23
+
+
+class Matrices(GraphData):
+    """Matrices of distances."""
+
+    def matrix(
+        self,
+        rows: ArrayLike,
+        columns: Optional[ArrayLike] = None,
+        *,
+        out: Optional[Any] = None,
+        dtype: Optional[DTypeLike] = None,
+        unreached: float = np.nan,
+        projection_tolerance: Optional[float] = None,
+    ) -> NDArray[Any]:
+        """Distances between two sets of points, or between all pairs of one.
+
+        They are lengths of paths in the graph (there is no correction): at least the exact
+        distance, and at most (1 + accuracy) times that. Between points of the mesh they are a
+        metric.
+
+        Parameters
+        ----------
+        rows, columns : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+            Points as for `distance`. Without columns they are the rows; then the matrix is
+            symmetric.
+        out : array, numpy.memmap or the like, shape (number of rows, number of columns), optional
+            Receives the distances, block by block, and is returned: any object with a shape that
+            slices can be assigned to. The matrix need not fit into memory.
+        dtype : numpy.dtype of floating point, optional
+            The type of a new array, which is filled block by block unless it is float64. Default:
+            float64.
+        unreached : float, optional
+            Distance given to pairs that are not connected. Default: NaN.
+        projection_tolerance : float, optional
+            As for `distance`.
+
+        Returns
+        -------
+        numpy.ndarray of float64 or `dtype`, shape (number of rows, number of columns), or `out`
+            In the unit of the points.
+
+        Raises
+        ------
+        ValueError, VTKError
+            As for `distance`; a VTKError also when the matrix, or a block of it, would take more
+            memory than `memory_limit`.
+        """
+        unreached = arguments.number(unreached, "unreached")
+        rows = self._points(rows, "rows")
+        columns = None if columns is None else self._points(columns, "columns")
+        shape = len(rows), len(rows if columns is None else columns)
+        if out is not None and tuple(out.shape) != shape:
+            raise ValueError(f"out: expected the shape {shape}, got {tuple(out.shape)}")
+        dtype = np.dtype(np.float64 if dtype is None else dtype)
+        if dtype.kind != "f":
+            raise ValueError(f"dtype: expected a floating-point type, got {dtype}")
+        tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
+        tabulate.CompressedRowsOff()
+        tabulate.GenerateTableOff()
+        tabulate.SetMaximumDistance(np.inf)
+        tabulate.SetUnreachedValue(unreached)
+        if out is None and dtype == np.float64:
+            return self._block(tabulate, rows, columns)
+        out = np.empty(shape, dtype) if out is None else out
+        step = max(1, _BLOCK // shape[1])
+        bar = Bar()
+        try:
+            for first in range(0, len(rows), step):
+                last = min(first + step, len(rows))
+                part = Part(bar, first / len(rows), last / len(rows))
+                others = rows[first:] if columns is None else columns
+                block = self._block(tabulate, rows[first:last], others, part)
+                if columns is not None:
+                    out[first:last] = block
+                    continue
+                square = block[:, : last - first]
+                np.minimum(square, square.T.copy(), out=square)
+                np.fill_diagonal(square, 0.0)
+                out[first:last, first:] = block
+                out[last:, first:last] = block[:, last - first :].T
+        finally:
+            bar.close()
+        return out
+
+    def sparse_matrix(
+        self,
+        maximum_distance: float,
+        rows: Optional[ArrayLike] = None,
+        *,
+        projection_tolerance: Optional[float] = None,
+    ) -> Any:
+        """Distances between all pairs of points that are close to each other.
+
+        Those of `matrix`, without the pairs that are farther apart and those of a point with
+        itself. A point that is in the very place of another one has an explicit 0. The cost is
+        proportional to the number of entries.
+
+        Parameters
+        ----------
+        maximum_distance : float
+            How far apart two points may be, in the unit of the points.
+        rows : int, sequence of int, or array_like of float, shape (3,) or (k, 3), optional
+            Points as for `distance`. Default: all points of the mesh.
+        projection_tolerance : float, optional
+            As for `distance`.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix of float64, shape (number of rows, n)
+            In the unit of the points.
+
+        Raises
+        ------
+        ImportError
+            When SciPy is not installed.
+        ValueError, VTKError
+            As for `matrix`.
+
+        See Also
+        --------
+        Graph.neighborhood : the points around one point.
+        """
+        csr_matrix = self._csr_matrix("Graph.sparse_matrix")
+        n = self.number_of_points
+        radius = arguments.limit(maximum_distance, "maximum_distance")
+        rows = self._points(np.arange(n) if rows is None else rows, "rows")
+        offsets, columns, distances = self._rows(rows, radius, False, projection_tolerance)
+        keep = columns != np.repeat(rows.point_ids, np.diff(offsets))
+        offsets = np.concatenate([[0], np.cumsum(keep)])[offsets]
+        return csr_matrix((distances[keep], columns[keep], offsets), shape=(len(rows), n))
+
+    def neighborhood(
+        self,
+        source: ArrayLike,
+        radius: float,
+        *,
+        correction: bool = True,
+        projection_tolerance: Optional[float] = None,
+    ) -> Tuple[NDArray[np.intp], NDArray[np.float64]]:
+        """Points within a distance from one point, nearest first.
+
+        They have the distances that `distance` returns for `maximum_distance=radius`. The cost is
+        proportional to their number, whatever the size of the mesh.
+
+        Parameters
+        ----------
+        source : int, array_like of float, shape (3,), or pair (face, barycentric coordinates)
+            A point as for `path`.
+        radius : float
+            The largest distance, in the unit of the points.
+        correction, projection_tolerance
+            As for `distance`.
+
+        Returns
+        -------
+        ids : numpy.ndarray of int, shape (k,)
+            Point ids in the order of increasing distance, then of increasing id. A source that is a
+            point of the mesh is among them.
+        distances : numpy.ndarray of float64, shape (k,)
+            In the unit of the points.
+
+        Raises
+        ------
+        ValueError, VTKError
+            As for `distance`.
+        """
+        point = arguments.surface_point(source, "source", self._surface, self.is_cloud)
+        radius = arguments.limit(radius, "radius")
+        _, ids, distances = self._rows(point, radius, bool(correction), projection_tolerance)
+        order = np.argsort(distances, kind="stable")
+        return ids[order].astype(np.intp), distances[order]
+
+    def _block(self, tabulate, rows, columns, part=None):
+        """The distances between two sets of points, or between all pairs of one."""
+        tabulate.SetRowIds(rows.ids)
+        tabulate.SetRowData(rows.data)
+        tabulate.SetColumnIds([] if columns is None else columns.ids)
+        tabulate.SetColumnData(None if columns is None else columns.data)
+        run(tabulate, self._heard, bar=(lambda: part) if part else Bar)
+        matrix = tabulate.GetMatrix()
+        shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
+        tabulate.ReleaseMatrix()  # it is ours alone now, and is not given out twice
+        return vtk_to_numpy(matrix).reshape(shape)
+
+    def _rows(self, rows, radius, correction, tolerance):
+        """Offsets, columns and distances of the compressed rows."""
+        tabulate = self._filter(vtkGeodesicDistanceMatrix, tolerance)
+        tabulate.CompressedRowsOn()
+        tabulate.SetCorrection(correction)
+        tabulate.SetMaximumDistance(radius)
+        tabulate.SetRowIds(rows.ids)
+        tabulate.SetRowData(rows.data)
+        tabulate.SetColumnIds([])
+        tabulate.SetColumnData(None)
+        table = run(tabulate, self._heard)
+        arrays = [
+            vtk_to_numpy(array)
+            for array in (
+                table.GetFieldData().GetArray("RowOffsets"),
+                table.GetColumnByName("Column"),
+                table.GetColumnByName("GeodesicDistance"),
+            )
+        ]
+        tabulate.ReleaseMatrix()
+        return arrays
