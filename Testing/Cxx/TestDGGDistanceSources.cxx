@@ -203,7 +203,7 @@ TEST_F(DGGDistance, MemoryOfLinks)
   this->Filter->SetMemoryLimit(10000);
   ExpectSuccess(this->Filter);
   EXPECT_LT(this->Filter->GetMemorySize(), before + 64 * 3 * 1058); // the limit does not allow it
-  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.51, 0.53, 0.1 } } }));
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.61, 0.53, 0.1 } } }));
   ExpectError(this->Filter, { "linking points that are not vertices", "9.766 KiB", "MemoryLimit" });
   this->Filter->SetMemoryLimit(0);
   ExpectSuccess(this->Filter);
