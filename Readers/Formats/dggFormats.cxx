@@ -3,7 +3,9 @@
 #include "dggFormats.h"
 
 #include "dggParsers.h"
+#include "dggWriters.h"
 
+#include <filesystem>
 #include <new>
 
 namespace
@@ -17,11 +19,15 @@ struct Format
 {
   bool (*LooksLike)(std::string_view begin);
   void (*Parse)(std::string_view file, const dgg::ProgressReport& progress, dgg::MeshData& mesh);
+  void (*Write)(
+    const dgg::MeshData& mesh, const dgg::ProgressReport& progress, dgg::FileSink& sink);
 };
 /// In the order of dgg::FileFormat.
-constexpr Format Formats[] = { { dgg::LooksLikeOBJ, dgg::ParseOBJ },
-  { dgg::LooksLikePLY, dgg::ParsePLY }, { dgg::LooksLikeSTL, dgg::ParseSTL },
-  { dgg::LooksLikeXYZ, dgg::ParseXYZ } };
+constexpr Format Formats[] = { { dgg::LooksLikeOBJ, dgg::ParseOBJ, dgg::WriteOBJ },
+  { dgg::LooksLikeOFF, dgg::ParseOFF, dgg::WriteOFF },
+  { dgg::LooksLikePLY, dgg::ParsePLY, dgg::WritePLY },
+  { dgg::LooksLikeSTL, dgg::ParseSTL, dgg::WriteSTL },
+  { dgg::LooksLikeXYZ, dgg::ParseXYZ, dgg::WriteXYZ } };
 
 /// Turns what `work` throws into a status.
 template <typename Work>
@@ -51,7 +57,7 @@ dgg::FileStatus dgg::ReadMesh(
     const std::vector<char> bytes = LoadFile(fileName, SIZE_MAX);
     if (bytes.empty())
     {
-      Fail(FileCode::Premature, "the file is empty");
+      Fail(FileCode::Premature, "line 1: the file is empty");
     }
     Formats[static_cast<int>(format)].Parse(
       { bytes.data(), bytes.size() }, ProgressReport(progress), mesh);
@@ -61,6 +67,16 @@ dgg::FileStatus dgg::ReadMesh(
     mesh = MeshData();
   }
   return status;
+}
+
+dgg::FileStatus dgg::WriteMesh(FileFormat format, const std::string& fileName, const MeshData& mesh,
+  const FileProgress& progress)
+{
+  return Run([&] {
+    FileSink sink(fileName);
+    Formats[static_cast<int>(format)].Write(mesh, ProgressReport(progress), sink);
+    sink.Close();
+  });
 }
 
 bool dgg::LooksLike(FileFormat format, const std::string& fileName)
@@ -113,4 +129,45 @@ void dgg::FaceSorter::Sort(DataArray& values) const
       old = std::move(sorted);
     },
     values.Values);
+}
+
+dgg::FileSink::~FileSink()
+{
+  std::error_code ignored;
+  if (this->IsOpened && !this->IsClosed &&
+    std::filesystem::is_regular_file(this->FileName, ignored))
+  {
+    this->Stream.close();
+    std::filesystem::remove(this->FileName, ignored);
+  }
+}
+
+void dgg::FileSink::Flush()
+{
+  if (!this->IsOpened)
+  {
+    this->Stream.open(this->FileName, std::ios::binary);
+    this->IsOpened = this->Stream.is_open();
+    if (!this->IsOpened)
+    {
+      Fail(FileCode::CannotOpen, "the file cannot be opened for writing");
+    }
+  }
+  this->Stream.write(this->Buffer.data(), static_cast<std::streamsize>(this->Buffer.size()));
+  this->Buffer.clear();
+  if (!this->Stream)
+  {
+    Fail(FileCode::DiskFull, "the data cannot be written, is the disk full?");
+  }
+}
+
+void dgg::FileSink::Close()
+{
+  this->Flush();
+  this->Stream.close();
+  if (!this->Stream)
+  {
+    Fail(FileCode::DiskFull, "the data cannot be written, is the disk full?");
+  }
+  this->IsClosed = true;
 }

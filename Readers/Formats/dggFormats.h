@@ -15,6 +15,7 @@ namespace dgg
 enum class FileFormat
 {
   OBJ,
+  OFF,
   PLY,
   STL,
   XYZ
@@ -48,6 +49,11 @@ using FileProgress = std::function<bool(double)>;
 /// Reads a file, which may be compressed by gzip. On failure `mesh` is empty.
 FileStatus ReadMesh(
   FileFormat format, const std::string& fileName, const FileProgress& progress, MeshData& mesh);
+
+/// Writes a file. What the format cannot hold is skipped; see vtkDGGMeshWriter. After a failure no
+/// part of a file is left.
+FileStatus WriteMesh(FileFormat format, const std::string& fileName, const MeshData& mesh,
+  const FileProgress& progress);
 
 /// Returns true if the beginning of the file has the given format.
 bool LooksLike(FileFormat format, const std::string& fileName);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggParsers.h"
+#include "dggWriters.h"
 
 #include <algorithm>
 #include <array>
@@ -349,4 +350,61 @@ void dgg::ParseOBJ(std::string_view file, const ProgressReport& progress, MeshDa
     Fail(FileCode::Malformed, "the file has no points (lines that begin with v)");
   }
   WarnOfOpenLine(file, mesh);
+}
+
+void dgg::WriteOBJ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+{
+  const DataArray* const normals = FindArray(mesh.PointArrays, ArrayRole::Normals);
+  const DataArray* const tCoords = FindArray(mesh.PointArrays, ArrayRole::TCoords);
+  const DataArray* const colors = FindArray(mesh.PointArrays, ArrayRole::Colors);
+  for (std::size_t i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    sink.Put("v");
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sink.PutNumber(mesh.Points[3 * i + c]);
+    }
+    for (int c = 0; colors && c < 3; ++c)
+    {
+      const auto& values = std::get<std::vector<std::uint8_t>>(colors->Values);
+      sink.PutNumber(values[i * static_cast<std::size_t>(colors->Components) + c] / 255.0);
+    }
+    sink.Put("\n");
+    for (const DataArray* vectors : { tCoords, normals })
+    {
+      if (vectors)
+      {
+        sink.Put(vectors == tCoords ? "vt" : "vn");
+        sink.PutNumbers(*vectors, i);
+        sink.Put("\n");
+      }
+    }
+    if (i % ProgressInterval == 0)
+    {
+      progress(0.5 * static_cast<double>(i) / static_cast<double>(mesh.GetNumberOfPoints()));
+    }
+  }
+  const std::pair<const char*, const CellList*> lists[] = { { "p", &mesh.Verts },
+    { "l", &mesh.Lines }, { "f", &mesh.Polygons } };
+  for (const auto& [keyword, cells] : lists)
+  {
+    for (std::size_t i = 0; i < cells->GetCount(); ++i)
+    {
+      sink.Put(keyword);
+      for (std::int64_t k = cells->Offsets[i]; k < cells->Offsets[i + 1]; ++k)
+      {
+        const std::string id = std::to_string(cells->Connectivity[static_cast<std::size_t>(k)] + 1);
+        sink.Put(" " + id);
+        if (cells == &mesh.Polygons && (tCoords || normals))
+        {
+          sink.Put("/" + (tCoords ? id : "") + (normals ? "/" + id : ""));
+        }
+      }
+      sink.Put("\n");
+      if (i % ProgressInterval == 0)
+      {
+        progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(cells->GetCount()));
+      }
+    }
+  }
 }

@@ -17,6 +17,9 @@ namespace dgg
 bool LooksLikeOBJ(std::string_view begin);
 void ParseOBJ(std::string_view file, const ProgressReport& progress, MeshData& mesh);
 
+bool LooksLikeOFF(std::string_view begin);
+void ParseOFF(std::string_view file, const ProgressReport& progress, MeshData& mesh);
+
 bool LooksLikePLY(std::string_view begin);
 void ParsePLY(std::string_view file, const ProgressReport& progress, MeshData& mesh);
 

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggParsers.h"
+#include "dggWriters.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -270,4 +273,66 @@ void dgg::ParseSTL(std::string_view file, const ProgressReport& progress, MeshDa
   {
     ParseBinary(file, progress, mesh);
   }
+}
+
+void dgg::WriteSTL(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+{
+  const std::size_t count = mesh.Polygons.GetCount();
+  if (count == 0 || count > UINT32_MAX)
+  {
+    Fail(FileCode::Malformed, "there are ", count,
+      " triangles, and an STL file holds at least one and at most ", UINT32_MAX);
+  }
+  const auto isFloat = [](double value) {
+    return !(static_cast<double>(static_cast<float>(value)) != value); // or NaN
+  };
+  const bool isBinary = std::all_of(mesh.Points.begin(), mesh.Points.end(), isFloat);
+  if (isBinary)
+  {
+    const std::string title = "binary STL, written by vtkDGG";
+    sink.Put(title + std::string(HeaderBytes - 4 - title.size(), ' '));
+    sink.PutBytes(static_cast<std::uint32_t>(count));
+  }
+  else
+  {
+    sink.Put("solid vtkDGG\n");
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double* p[3];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      p[k] = mesh.Points.data() + 3 * mesh.Polygons.Connectivity[3 * i + k];
+    }
+    double normal[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      const int a = (c + 1) % 3;
+      const int b = (c + 2) % 3;
+      normal[c] =
+        (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) - (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
+    }
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    sink.Put(isBinary ? "" : "facet normal");
+    const auto put = [&](const double* vector, double divisor) {
+      for (int c = 0; c < 3; ++c)
+      {
+        isBinary ? sink.PutBytes(static_cast<float>(vector[c] / divisor))
+                 : sink.PutNumber(vector[c] / divisor);
+      }
+    };
+    put(normal, length > 0.0 ? length : 1.0);
+    sink.Put(isBinary ? "" : "\nouter loop");
+    for (const double* corner : p)
+    {
+      sink.Put(isBinary ? "" : "\nvertex");
+      put(corner, 1.0);
+    }
+    sink.Put(isBinary ? std::string_view("\0\0", 2) : "\nendloop\nendfacet\n");
+    if (i % ProgressInterval == 0)
+    {
+      progress(static_cast<double>(i) / static_cast<double>(count));
+    }
+  }
+  sink.Put(isBinary ? "" : "endsolid vtkDGG\n");
 }

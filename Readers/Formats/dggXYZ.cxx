@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggParsers.h"
+#include "dggWriters.h"
 
 #include <cmath>
 
@@ -90,4 +91,20 @@ void dgg::ParseXYZ(std::string_view file, const ProgressReport& progress, MeshDa
     }
   }
   WarnOfOpenLine(file, mesh);
+}
+
+void dgg::WriteXYZ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+{
+  for (std::size_t i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sink.PutNumber(mesh.Points[3 * i + c]);
+    }
+    sink.Put("\n");
+    if (i % ProgressInterval == 0)
+    {
+      progress(static_cast<double>(i) / static_cast<double>(mesh.GetNumberOfPoints()));
+    }
+  }
 }

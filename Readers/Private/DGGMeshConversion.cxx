@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGMeshConversion.h"
 
+#include "dggNumberTypes.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -13,10 +15,13 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTriangleStrip.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <cstring>
 #include <new>
+#include <set>
 
 namespace
 {
@@ -68,6 +73,126 @@ vtkSmartPointer<vtkCellArray> MakeCells(dgg::CellList& list)
   cells->SetData(offsets, corners);
   return cells;
 }
+/// Copies cells, whose ids must be below `count`.
+bool AddCells(vtkCellArray* cells, vtkIdType count, dgg::CellList& list)
+{
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCellAtId(i, size, ids);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      if (ids[k] < 0 || ids[k] >= count)
+      {
+        return false;
+      }
+      list.Connectivity.push_back(ids[k]);
+    }
+    list.EndCell();
+  }
+  return true;
+}
+
+/// Copies the values; bits become bytes.
+dgg::DataArray ReadArray(vtkDataArray* array)
+{
+  vtkSmartPointer<vtkDataArray> plain = array;
+  if (array->GetDataType() == VTK_BIT || !array->HasStandardMemoryLayout())
+  {
+    plain.TakeReference(vtkDataArray::CreateDataArray(
+      array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType()));
+    plain->DeepCopy(array);
+  }
+  dgg::NumberType type;
+  switch (plain->GetDataType())
+  {
+    vtkTemplateMacro(type = dgg::TypeOf<VTK_TT>());
+  }
+  dgg::DataArray result;
+  result.Name = array->GetName() ? array->GetName() : "";
+  result.Components = array->GetNumberOfComponents();
+  const auto count = static_cast<std::size_t>(plain->GetNumberOfValues());
+  result.Values = dgg::MakeValues(type, count);
+  std::visit(
+    [&](auto& values) {
+      if (count > 0)
+      {
+        std::memcpy(values.data(), plain->GetVoidPointer(0), count * sizeof(values[0]));
+      }
+    },
+    result.Values);
+  return result;
+}
+
+/// Returns the array with colors of that many components, or null.
+vtkDataArray* FindColors(vtkDataSetAttributes* data, int components)
+{
+  for (vtkDataArray* array :
+    { data->GetArray(components == 3 ? "RGB" : "RGBA"), data->GetScalars() })
+  {
+    if (array && array->GetDataType() == VTK_UNSIGNED_CHAR &&
+      array->GetNumberOfComponents() == components)
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+/// Copies all arrays of numbers, the active ones first.
+dgg::FileStatus ReadArrays(vtkDataSetAttributes* data, const char* kind, vtkIdType count,
+  std::vector<dgg::DataArray>& result)
+{
+  const auto isVector = [](vtkDataArray* array, int components) {
+    return array && array->GetNumberOfComponents() == components &&
+      (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+  };
+  std::vector<std::pair<vtkDataArray*, dgg::ArrayRole>> arrays;
+  if (isVector(data->GetNormals(), 3))
+  {
+    arrays.emplace_back(data->GetNormals(), dgg::ArrayRole::Normals);
+  }
+  if (isVector(data->GetTCoords(), 2))
+  {
+    arrays.emplace_back(data->GetTCoords(), dgg::ArrayRole::TCoords);
+  }
+  vtkDataArray* colors[] = { FindColors(data, 3), FindColors(data, 4) };
+  if (colors[1] == data->GetScalars())
+  {
+    std::swap(colors[0], colors[1]);
+  }
+  for (vtkDataArray* array : colors)
+  {
+    if (array)
+    {
+      arrays.emplace_back(array, dgg::ArrayRole::Colors);
+    }
+  }
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i); // null for strings
+    if (array && array->GetNumberOfComponents() > 0 &&
+      std::none_of(
+        arrays.begin(), arrays.end(), [array](const auto& other) { return other.first == array; }))
+    {
+      arrays.emplace_back(array, dgg::ArrayRole::None);
+    }
+  }
+  for (const auto& [array, role] : arrays)
+  {
+    if (array->GetNumberOfTuples() != count)
+    {
+      return { dgg::FileStatus::Code::Malformed,
+        std::string("the ") + kind + " array " + (array->GetName() ? array->GetName() : "") +
+          " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+          std::to_string(count) + " " + kind + "s" };
+    }
+    result.push_back(ReadArray(array));
+    result.back().Role = role;
+  }
+  return {};
+}
 }
 
 unsigned long vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const char* fileName,
@@ -102,6 +227,42 @@ unsigned long vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const
       algorithm, "Cannot " << verb << " " << fileName << ": " << status.Message);
   }
   return code;
+}
+
+dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
+{
+  const vtkIdType count = input->GetNumberOfPoints();
+  if (input->GetPoints())
+  {
+    vtkDataArray* points = input->GetPoints()->GetData();
+    mesh.HasFloatPoints = points->GetDataType() == VTK_FLOAT;
+    std::visit([&mesh](const auto& values) { mesh.Points.assign(values.begin(), values.end()); },
+      ReadArray(points).Values);
+  }
+  vtkNew<vtkCellArray> triangles;
+  vtkCellArray* strips = input->GetStrips();
+  for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    strips->GetCellAtId(i, size, ids);
+    vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), ids, triangles);
+  }
+  if (!AddCells(input->GetVerts(), count, mesh.Verts) ||
+    !AddCells(input->GetLines(), count, mesh.Lines) ||
+    !AddCells(input->GetPolys(), count, mesh.Polygons) ||
+    !AddCells(triangles, count, mesh.Polygons))
+  {
+    return { dgg::FileStatus::Code::Malformed,
+      "a cell has a point id that is out of range: there are " + std::to_string(count) +
+        " points" };
+  }
+  dgg::FileStatus status = ReadArrays(input->GetPointData(), "point", count, mesh.PointArrays);
+  if (status.IsOk() && strips->GetNumberOfCells() == 0)
+  {
+    status = ReadArrays(input->GetCellData(), "cell", input->GetNumberOfCells(), mesh.CellArrays);
+  }
+  return status;
 }
 
 void vtkDGG::ToPolyData(dgg::MeshData&& mesh, vtkPolyData* output)

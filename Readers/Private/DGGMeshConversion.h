@@ -18,6 +18,10 @@ namespace vtkDGG
 unsigned long RunOnFile(vtkAlgorithm* algorithm, const char* verb, const char* fileName,
   const std::function<dgg::FileStatus(const dgg::FileProgress&)>& work);
 
+/// Copies points, cells and arrays of numbers; triangle strips become triangles, and then there are
+/// no cell arrays. Fails if a cell or an array does not fit the points.
+dgg::FileStatus FromPolyData(vtkPolyData* input, dgg::MeshData& mesh);
+
 /// Moves the data of a file into an empty vtkPolyData.
 void ToPolyData(dgg::MeshData&& mesh, vtkPolyData* output);
 }

@@ -188,6 +188,24 @@ TEST_F(OFFReader, AcceptsCountsInAllPlaces)
   }
 }
 
+TEST_F(OFFReader, AcceptsDialects)
+{
+  for (const char* head : { "OFF3 1 0\n", "3 1 0\n", "# c\n3 1\n", "off\n3 1 0\n", "off3 1 0\n" })
+  {
+    SCOPED_TRACE(head);
+    vtkPolyData* output =
+      this->ReadWell(std::string(head) + "0 0 0\n1 0 0\n0 512345.678 0\n3 0 1 2\n");
+    ASSERT_EQ(output->GetNumberOfPoints(), 3);
+    ExpectPoint(output, 2, 0.0, 512345.678, 0.0);
+    ExpectCell(output, 0, { 0, 1, 2 });
+  }
+  ExpectTuple(
+    this->ReadWell("coff 1 0 0\n0 0 0 1 2 3\n")->GetPointData()->GetScalars(), 0, { 1, 2, 3 });
+  ExpectTuple(
+    this->ReadWell("OFF 2 0 0\n0 0 0 1 2 3 4\n1 0 0 5 6 7 8\n")->GetPointData()->GetArray("RGBA"),
+    1, { 5, 6, 7, 8 });
+}
+
 TEST_F(OFFReader, AcceptsRecordsSpreadOverLines)
 {
   vtkPolyData* output = this->ReadWell("OFF 3 1 0\n0\n0 0\n1 0\n0\n0 1 0\n3\n0 1\n2 255 0 0\n");
@@ -268,8 +286,7 @@ TEST_F(OFFReader, ReadsFaceColors)
 TEST_F(OFFReader, ReadsNormalsAndTextureCoordinates)
 {
   vtkPolyData* output = this->ReadWell("NOFF 1 0 0\n1 2 3 0 0.6 0.8\n");
-  ExpectTuple(output->GetPointData()->GetNormals(), 0,
-    { 0.0, static_cast<double>(0.6f), static_cast<double>(0.8f) });
+  ExpectTuple(output->GetPointData()->GetNormals(), 0, { 0.0, 0.6, 0.8 });
   EXPECT_STREQ(output->GetPointData()->GetNormals()->GetName(), "Normals");
 
   output = this->ReadWell("STOFF 1 0 0\n1 2 3 0.25 0.75\n");
@@ -331,12 +348,13 @@ TEST_F(OFFReader, RefusesBadKeyword)
   const auto code = vtkErrorCode::UnrecognizedFileTypeError;
   this->ExpectRefused("ply\nformat ascii 1.0\n", code, "line 1", "'ply'");
   this->ExpectRefused("\n# c\nOBJ 3 1 0\n", code, "line 3", "'OBJ'");
-  this->ExpectRefused("3 1 0\n0 0 0\n", code, "line 1", "'3'");
+  this->ExpectRefused("1.5 1 0\n0 0 0\n", code, "line 1", "'1.5'");
   this->ExpectRefused("XOFF 3 1 0\n", code, "line 1", "'XOFF'");
   this->ExpectRefused("CCOFF 3 1 0\n", code, "line 1", "'CCOFF'");
   this->ExpectRefused("SOFF 3 1 0\n", code, "line 1", "'SOFF'");
   this->ExpectRefused("OFFSET 3 1 0\n", code, "line 1", "'OFFSET'");
-  this->ExpectRefused("off 3 1 0\n", code, "line 1", "'off'");
+  this->ExpectRefused("Off 3 1 0\n", code, "line 1", "'Off'");
+  this->ExpectRefused("OFF3x 1 0\n", code, "line 1", "'OFF3x'");
   this->ExpectRefused(std::string("\x7f\x45\x4c\x46\x00\x01", 6), code, "line 1",
     "'?ELF?"
     "?'");

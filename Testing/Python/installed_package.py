@@ -25,6 +25,7 @@ for name in (
     "vtkApolloniusIsolines",
     "vtkBiharmonicDistance",
     "vtkDGGDistance",
+    "vtkDGGMeshWriter",
     "vtkDGGOBJReader",
     "vtkDGGOFFReader",
     "vtkDGGPLYReader",

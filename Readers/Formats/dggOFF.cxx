@@ -1,0 +1,594 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggParsers.h"
+#include "dggWriters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+using dgg::FileCode;
+
+constexpr dgg::TextRules Rules{ true, true, false, false, false };
+/// Colour of faces that have none in a file where others do: geomview's default.
+constexpr float DefaultGrey = 170.0f;
+
+constexpr auto Malformed = FileCode::Malformed;
+constexpr auto Premature = FileCode::Premature;
+
+/// Returns true if the word is one or more digits.
+bool IsCount(std::string_view word)
+{
+  return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+struct RestNumber
+{
+  double Value;
+  bool IsFraction;
+};
+
+/// A column of colours. Files give them as fractions of 1 or as integers up to 255, and only the
+/// whole file says which: any number with a decimal point or exponent, or no number above 1, means
+/// fractions.
+struct Colors
+{
+  std::vector<float> Values; ///< four per record; a negative red: no colour of its own
+  bool IsUsed = false;
+  bool HasAlpha = false;
+  bool SawFraction = false;
+  std::size_t PlaceAboveOne = 0; ///< of the first; 0 when there is none
+
+  /// The first `count` numbers are the colour of the next record.
+  void Add(const std::vector<RestNumber>& numbers, std::size_t count, std::size_t place)
+  {
+    float color[4] = { -1.0f, 0.0f, 0.0f, -1.0f };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      color[i] = static_cast<float>(numbers[i].Value);
+      this->SawFraction = this->SawFraction || numbers[i].IsFraction;
+      if (color[i] > 1.0f && this->PlaceAboveOne == 0)
+      {
+        this->PlaceAboveOne = place;
+      }
+    }
+    this->IsUsed = this->IsUsed || count > 0;
+    this->HasAlpha = this->HasAlpha || count == 4;
+    this->Values.insert(this->Values.end(), color, color + 4);
+  }
+
+  /// Returns the colors of the records, in [0, 255].
+  dgg::DataArray MakeArray() const
+  {
+    const int components = this->HasAlpha ? 4 : 3;
+    const float scale = this->PlaceAboveOne > 0 ? 1.0f : 255.0f;
+    std::vector<std::uint8_t> bytes;
+    for (auto value = this->Values.begin(); value != this->Values.end(); value += 4)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        const bool isOpaque = c == 3 && value[3] < 0.0f;
+        const float scaled = value[0] < 0.0f ? DefaultGrey : value[c] * scale;
+        bytes.push_back(isOpaque ? 255 : static_cast<std::uint8_t>(scaled + 0.5f));
+      }
+    }
+    return { components == 4 ? "RGBA" : "RGB", components, bytes, dgg::ArrayRole::Colors };
+  }
+};
+
+/// Understands text and binary files. Throws dgg::FileError.
+class OFFParser
+{
+public:
+  OFFParser(std::string_view file, dgg::MeshData& mesh)
+    : Text(file, Rules)
+    , Mesh(mesh)
+    , Faces(mesh)
+  {
+  }
+
+  /// Reads [ST][C][N][4][n]OFF, the prefixes in any order. 4 and n are points that are not in
+  /// space. Lower case, a missing keyword and a count that follows without a blank are tolerated.
+  /// Returns true if there is a keyword.
+  bool ReadKeyword()
+  {
+    this->Awaited = "the keyword OFF";
+    const dgg::TextCursor before = this->Text;
+    const std::string_view word = this->TakeWord();
+    if (IsCount(word))
+    {
+      this->Text = before;
+      return false;
+    }
+    std::string keyword(word.substr(0, word.find_last_not_of("0123456789") + 1));
+    if (std::all_of(keyword.begin(), keyword.end(), [](char c) { return c >= 'a' && c <= 'z'; }))
+    {
+      std::transform(keyword.begin(), keyword.end(), keyword.begin(),
+        [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+    }
+    const std::size_t length = keyword.size() < 3 ? 0 : keyword.size() - 3;
+    std::string prefix = keyword.substr(0, length);
+    const auto take = [&prefix](std::string_view letters) {
+      const std::size_t place = prefix.find(letters);
+      if (place != std::string::npos)
+      {
+        prefix.replace(place, letters.size(), " "); // "SCT" does not become "ST"
+      }
+      return place != std::string::npos;
+    };
+    this->HasTCoords = take("ST");
+    this->HasColors = take("C");
+    this->HasNormals = take("N");
+    const bool isHomogeneous = take("4");
+    const bool isOfAnyDimension = take("n");
+    if (keyword.substr(length) != "OFF" || prefix.find_first_not_of(' ') != std::string::npos)
+    {
+      this->Fail(FileCode::Unrecognized, dgg::Quote(word),
+        " is not the keyword of an OFF file: OFF, or OFF with the prefixes ST, C, N");
+    }
+    if (isHomogeneous || isOfAnyDimension)
+    {
+      this->Fail(FileCode::Unrecognized, dgg::Quote(word),
+        " has points of four or any number of coordinates: only points in space can be read, "
+        "convert the file to OFF");
+    }
+    if (keyword.size() < word.size())
+    {
+      this->Text = before;
+      this->Text.FindAnywhere();
+      this->Text.Skip(keyword.size());
+      return true;
+    }
+    const dgg::TextCursor after = this->Text;
+    this->IsBinary = this->Text.FindOnLine() && this->Text.TakeWord() == "BINARY";
+    if (this->IsBinary)
+    {
+      this->Text.SkipLine();
+    }
+    else
+    {
+      this->Text = after;
+    }
+    return true;
+  }
+
+  /// Reads all that follows the keyword.
+  void ReadData(const dgg::ProgressReport& progress)
+  {
+    this->ReadCounts();
+    this->Mesh.HasFloatPoints = this->IsBinary;
+    for (std::size_t i = 0; i < this->NumberOfVertices + this->NumberOfFaces; ++i)
+    {
+      if (i % dgg::ProgressInterval == 0)
+      {
+        progress(this->Text.GetFraction());
+      }
+      if (i < this->NumberOfVertices)
+      {
+        this->ReadVertex(i);
+      }
+      else
+      {
+        this->ReadFace(i - this->NumberOfVertices);
+      }
+    }
+    this->ReadEnd();
+    this->MakeOutput();
+  }
+
+private:
+  void ReadCounts()
+  {
+    this->Awaited = "the number of vertices";
+    const long long vertices = this->ReadInteger();
+    this->Awaited = "the number of faces";
+    const long long faces = this->ReadInteger();
+    this->Awaited = "the number of edges";
+    // The number of edges says nothing, and some text files leave it out. It is there when it
+    // follows on the same line, or stands alone on the next one.
+    if (this->IsBinary || this->Text.FindOnLine())
+    {
+      this->ReadInteger();
+      if (!this->IsBinary && this->Text.FindOnLine())
+      {
+        this->Fail(Malformed, "more than the three counts of vertices, faces and edges");
+      }
+    }
+    else
+    {
+      const dgg::TextCursor after = this->Text;
+      long long edges = 0;
+      if (!this->Text.FindAnywhere() || dgg::ParseNumber(this->Text.TakeWord(), edges) ||
+        this->Text.FindOnLine())
+      {
+        this->Text = after;
+      }
+    }
+    if (vertices < 0 || faces < 0)
+    {
+      this->Fail(Malformed, "the counts must not be negative, but are ", vertices, " vertices and ",
+        faces, " faces");
+    }
+    // Nothing is allocated before the counts are compared with the fewest bytes: in text a digit
+    // and a blank or line end for each number, and the last line may lack its end.
+    const auto colors = static_cast<std::size_t>(this->HasColors ? (this->IsBinary ? 4 : 3) : 0);
+    const std::size_t perVertex = this->GetLeastBytes() *
+      (3 + (this->HasNormals ? 3 : 0) + colors + (this->HasTCoords ? 2 : 0));
+    const std::size_t perFace = this->IsBinary ? 12 : 4;
+    const std::size_t room = this->Text.GetBytesLeft() + 1;
+    const auto v = static_cast<std::size_t>(vertices);
+    const auto f = static_cast<std::size_t>(faces);
+    if (v > room / perVertex || f > room / perFace || v * perVertex + f * perFace > room)
+    {
+      this->Fail(Premature, "the file promises ", v, " vertices and ", f, " faces, but only ",
+        room - 1, " bytes follow");
+    }
+    this->NumberOfVertices = v;
+    this->NumberOfFaces = f;
+  }
+
+  void ReadVertex(std::size_t vertex)
+  {
+    this->Awaited = "the end of vertex ";
+    this->Record = vertex;
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Mesh.Points.push_back(this->ReadNumber());
+    }
+    for (int i = 0; this->HasNormals && i < 3; ++i)
+    {
+      this->Normals.push_back(this->ReadNumber());
+    }
+    const std::size_t tCoords = this->HasTCoords ? 2 : 0;
+    this->ReadRest((this->HasColors ? 4 : 0) + tCoords);
+    const std::size_t rest = this->Rest.size();
+    // Some programs write colors without the prefix C.
+    this->HasColors =
+      this->HasColors || (vertex == 0 && (rest == tCoords + 3 || rest == tCoords + 4));
+    if (this->HasColors ? rest != tCoords + 3 && rest != tCoords + 4 : rest != tCoords)
+    {
+      this->Fail(rest == 0 && this->Text.GetBytesLeft() == 0 ? Premature : Malformed, "vertex ",
+        vertex, " has ", rest, " numbers after its coordinates",
+        this->HasNormals ? " and normal" : "", ", expected ",
+        this->HasColors ? "3 or 4 of a colour" : "none of a colour",
+        this->HasTCoords ? " and 2 texture coordinates" : "");
+    }
+    if (this->HasColors)
+    {
+      this->AddColor(this->PointColors, rest - tCoords);
+    }
+    for (std::size_t i = 0; i < tCoords; ++i)
+    {
+      this->TCoords.push_back(this->Rest[rest - tCoords + i].Value);
+    }
+  }
+
+  void ReadFace(std::size_t face)
+  {
+    this->Awaited = "the end of face ";
+    this->Record = face;
+    const long long corners = this->ReadInteger();
+    if (corners < 1)
+    {
+      this->Fail(Malformed, "face ", face, " has ", corners, " vertices: at least 1 is needed");
+    }
+    if (static_cast<std::size_t>(corners) > (this->Text.GetBytesLeft() + 1) / this->GetLeastBytes())
+    {
+      this->Fail(Premature, "face ", face, " promises ", corners, " vertices, but only ",
+        this->Text.GetBytesLeft(), " bytes follow");
+    }
+    this->Corners.clear();
+    for (long long k = 0; k < corners; ++k)
+    {
+      const long long vertex = this->ReadInteger();
+      if (vertex < 0 || vertex >= static_cast<long long>(this->NumberOfVertices))
+      {
+        this->Fail(Malformed, "face ", face, " names vertex ", vertex, ", but the file has ",
+          this->NumberOfVertices, " vertices, numbered from 0");
+      }
+      this->Corners.push_back(vertex);
+    }
+    this->Faces.Add(this->Corners);
+
+    if (!this->IsBinary)
+    {
+      this->ReadRest(0);
+    }
+    const long long count =
+      this->IsBinary ? this->ReadInteger() : static_cast<long long>(this->Rest.size());
+    if (count < 0 || count == 2 || count > 4)
+    {
+      this->Fail(Malformed, "face ", face, " has ", count,
+        " numbers after its vertices, expected none, 1 (an index of a colour) or 3 or 4 (a "
+        "colour)");
+    }
+    if (this->IsBinary && count == 1)
+    {
+      this->ReadInteger();
+    }
+    else if (this->IsBinary)
+    {
+      this->ReadRest(static_cast<std::size_t>(count));
+    }
+    // A single number is an index into a table of colours that is not in the file.
+    this->AddColor(this->FaceColors, count == 1 ? 0 : static_cast<std::size_t>(count));
+  }
+
+  void ReadEnd()
+  {
+    if (!this->IsBinary && this->Text.FindAnywhere())
+    {
+      this->Fail(Malformed, dgg::Quote(this->Text.TakeWord()),
+        " follows the last face: are the counts too small?");
+    }
+    const std::size_t rest = this->Text.GetRest().find_first_not_of(" \t\n\v\f\r");
+    if (rest != std::string_view::npos)
+    {
+      this->Text.Skip(rest);
+      this->Fail(Malformed, this->Text.GetBytesLeft(),
+        " bytes follow the last face: are the counts too small?");
+    }
+    for (const Colors* colors : { &this->PointColors, &this->FaceColors })
+    {
+      if (colors->SawFraction && colors->PlaceAboveOne > 0)
+      {
+        this->FailAt(colors->PlaceAboveOne, Malformed,
+          "a colour component is above 1, but others of the file are fractions of 1");
+      }
+    }
+  }
+
+  void MakeOutput()
+  {
+    std::vector<dgg::DataArray>& arrays = this->Mesh.PointArrays;
+    if (this->HasNormals)
+    {
+      arrays.push_back({ "Normals", 3, std::move(this->Normals), dgg::ArrayRole::Normals });
+    }
+    if (this->HasTCoords)
+    {
+      arrays.push_back({ "TCoords", 2, std::move(this->TCoords), dgg::ArrayRole::TCoords });
+    }
+    if (this->HasColors)
+    {
+      arrays.push_back(this->PointColors.MakeArray());
+    }
+    if (this->FaceColors.IsUsed)
+    {
+      this->Mesh.CellArrays.push_back(this->FaceColors.MakeArray());
+      this->Faces.Sort(this->Mesh.CellArrays.back());
+    }
+  }
+
+  void AddColor(Colors& colors, std::size_t count) const
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double value = this->Rest[i].Value;
+      if (!(value >= 0.0 && value <= (this->Rest[i].IsFraction ? 1.0 : 255.0)))
+      {
+        this->Fail(Malformed, "the colour component ", value,
+          " is out of range: fractions must be in [0, 1], integers in [0, 255]");
+      }
+    }
+    colors.Add(this->Rest, count, this->GetPlace());
+  }
+
+  double ReadNumber()
+  {
+    if (!this->IsBinary)
+    {
+      return this->ToNumber(this->TakeWord());
+    }
+    const std::uint32_t bits = this->ReadBits();
+    float value = 0.0f;
+    std::memcpy(&value, &bits, sizeof(value));
+    if (!std::isfinite(value))
+    {
+      this->FailAt(this->GetPlace() - 4, Malformed, "a number before ", this->Awaited, this->Record,
+        " is not finite");
+    }
+    return static_cast<double>(value);
+  }
+
+  long long ReadInteger()
+  {
+    if (this->IsBinary)
+    {
+      return static_cast<std::int32_t>(this->ReadBits());
+    }
+    const std::string_view word = this->TakeWord();
+    long long value = 0;
+    if (const char* trouble = dgg::ParseNumber(word, value))
+    {
+      this->Fail(Malformed, dgg::Quote(word), " ", trouble);
+    }
+    return value;
+  }
+
+  /// The numbers left on this line; as many as given in binary files.
+  void ReadRest(std::size_t countIfBinary)
+  {
+    this->Rest.clear();
+    while (this->IsBinary && this->Rest.size() < countIfBinary)
+    {
+      this->Rest.push_back({ this->ReadNumber(), true });
+    }
+    while (!this->IsBinary && this->Text.FindOnLine())
+    {
+      const std::string_view word = this->Text.TakeWord();
+      const bool isFraction = word.find_first_of(".eE") != std::string_view::npos;
+      this->Rest.push_back({ this->ToNumber(word), isFraction });
+    }
+  }
+
+  /// Four bytes, the most significant one first.
+  std::uint32_t ReadBits()
+  {
+    if (this->Text.GetBytesLeft() < 4)
+    {
+      this->FailEnd();
+    }
+    std::uint32_t bits = 0;
+    for (const char byte : this->Text.GetRest().substr(0, 4))
+    {
+      bits = bits << 8 | static_cast<unsigned char>(byte);
+    }
+    this->Text.Skip(4);
+    return bits;
+  }
+
+  std::string_view TakeWord()
+  {
+    if (!this->Text.FindAnywhere())
+    {
+      this->FailEnd();
+    }
+    return this->Text.TakeWord();
+  }
+
+  double ToNumber(std::string_view word) const
+  {
+    double value = 0.0;
+    const char* trouble = dgg::ParseNumber(word, value);
+    if (trouble || !std::isfinite(value))
+    {
+      this->Fail(Malformed, dgg::Quote(word), " ", trouble ? trouble : "is not finite");
+    }
+    return value;
+  }
+
+  /// Of a number: of the shortest text, a digit and a blank, or in binary files.
+  std::size_t GetLeastBytes() const { return this->IsBinary ? 4 : 2; }
+  std::size_t GetPlace() const
+  {
+    return this->IsBinary ? this->Text.GetByte() : this->Text.GetLine();
+  }
+  template <typename... Parts>
+  [[noreturn]] void Fail(FileCode code, const Parts&... parts) const
+  {
+    this->FailAt(this->GetPlace(), code, parts...);
+  }
+  template <typename... Parts>
+  [[noreturn]] void FailAt(std::size_t place, FileCode code, const Parts&... parts) const
+  {
+    dgg::Fail(code, this->IsBinary ? "byte " : "line ", place, ": ", parts...);
+  }
+  [[noreturn]] void FailEnd() const
+  {
+    this->Fail(Premature, "the file ends before ", this->Awaited,
+      this->Record == NoRecord ? "" : std::to_string(this->Record));
+  }
+
+  static constexpr std::size_t NoRecord = SIZE_MAX;
+
+  dgg::TextCursor Text;
+  dgg::MeshData& Mesh;
+  const char* Awaited = "";      ///< value that is being read, for messages
+  std::size_t Record = NoRecord; ///< its vertex or face
+  bool IsBinary = false;
+  bool HasTCoords = false;
+  bool HasColors = false;
+  bool HasNormals = false;
+  std::size_t NumberOfVertices = 0;
+  std::size_t NumberOfFaces = 0;
+  std::vector<double> Normals;
+  std::vector<double> TCoords;
+  Colors PointColors;
+  Colors FaceColors;
+  dgg::FaceSorter Faces;
+  std::vector<std::int64_t> Corners; ///< of the current face
+  std::vector<RestNumber> Rest;      ///< of the current record
+};
+
+/// Puts colors as fractions of 1, as geomview defines them.
+void PutColor(dgg::FileSink& sink, const dgg::DataArray& colors, std::size_t i)
+{
+  const auto components = static_cast<std::size_t>(colors.Components);
+  const auto& values = std::get<std::vector<std::uint8_t>>(colors.Values);
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    sink.PutNumber(values[i * components + c] / 255.0f);
+  }
+}
+}
+
+bool dgg::LooksLikeOFF(std::string_view begin)
+{
+  MeshData mesh;
+  try
+  {
+    return OFFParser(begin, mesh).ReadKeyword();
+  }
+  catch (const FileError&)
+  {
+    return false;
+  }
+}
+
+void dgg::ParseOFF(std::string_view file, const ProgressReport& progress, MeshData& mesh)
+{
+  OFFParser parser(file, mesh);
+  parser.ReadKeyword();
+  parser.ReadData(progress);
+}
+
+void dgg::WriteOFF(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+{
+  const DataArray* const normals = FindArray(mesh.PointArrays, ArrayRole::Normals);
+  const DataArray* const tCoords = FindArray(mesh.PointArrays, ArrayRole::TCoords);
+  const DataArray* const colors = FindArray(mesh.PointArrays, ArrayRole::Colors);
+  const DataArray* const cellColors = FindArray(mesh.CellArrays, ArrayRole::Colors);
+  const std::size_t points = mesh.GetNumberOfPoints();
+  const std::size_t cells =
+    mesh.Verts.GetCount() + mesh.Lines.GetCount() + mesh.Polygons.GetCount();
+  sink.Put(std::string(tCoords ? "ST" : "") + (colors ? "C" : "") + (normals ? "N" : "") + "OFF\n");
+  sink.Put(std::to_string(points) + " " + std::to_string(cells) + " 0\n");
+  const auto report = [&](std::size_t done) {
+    if (done % ProgressInterval == 0)
+    {
+      progress(static_cast<double>(done) / static_cast<double>(points + cells));
+    }
+  };
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sink.PutNumber(mesh.Points[3 * i + c]);
+    }
+    if (normals)
+    {
+      sink.PutNumbers(*normals, i);
+    }
+    if (colors)
+    {
+      PutColor(sink, *colors, i);
+    }
+    if (tCoords)
+    {
+      sink.PutNumbers(*tCoords, i);
+    }
+    sink.Put("\n");
+    report(i);
+  }
+  std::size_t cell = 0;
+  for (const CellList* list : { &mesh.Verts, &mesh.Lines, &mesh.Polygons })
+  {
+    for (std::size_t i = 0; i < list->GetCount(); ++i, ++cell)
+    {
+      sink.PutNumber(list->Offsets[i + 1] - list->Offsets[i]);
+      for (std::int64_t k = list->Offsets[i]; k < list->Offsets[i + 1]; ++k)
+      {
+        sink.PutNumber(list->Connectivity[static_cast<std::size_t>(k)]);
+      }
+      if (cellColors)
+      {
+        PutColor(sink, *cellColors, cell);
+      }
+      sink.Put("\n");
+      report(points + cell);
+    }
+  }
+}

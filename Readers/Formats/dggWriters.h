@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// One writer per format. Writers throw dgg::FileError.
+#ifndef dggWriters_h
+#define dggWriters_h
+
+#include "dggFileText.h"    // for errors and progress
+#include "dggNumberTypes.h" // for values
+
+#include <cstring>     // for std::memcpy
+#include <fstream>     // for the file
+#include <string>      // for the buffer
+#include <string_view> // for text
+
+namespace dgg
+{
+/// Collects text and bytes, and writes them in large blocks. The file is created by the first
+/// block, so that a writer that refuses its input leaves an older file alone.
+class FileSink
+{
+public:
+  explicit FileSink(const std::string& fileName)
+    : FileName(fileName)
+  {
+  }
+  /// Removes an unfinished file.
+  ~FileSink();
+  FileSink(const FileSink&) = delete;
+  FileSink& operator=(const FileSink&) = delete;
+
+  void Put(std::string_view text)
+  {
+    this->Buffer += text;
+    if (this->Buffer.size() > BlockBytes)
+    {
+      this->Flush();
+    }
+  }
+  /// Puts the shortest text that gives the number again, behind a blank.
+  template <typename Number>
+  void PutNumber(Number number)
+  {
+    char buffer[64] = " nan"; // some programs do not read -nan
+    char* end = buffer + 4;
+    if (number == number)
+    {
+      end = std::to_chars(buffer + 1, buffer + sizeof(buffer), number).ptr;
+    }
+    this->Put({ buffer, static_cast<std::size_t>(end - buffer) });
+  }
+  /// Puts the numbers of an array for one point or cell.
+  void PutNumbers(const DataArray& array, std::size_t i)
+  {
+    const auto components = static_cast<std::size_t>(array.Components);
+    std::visit(
+      [&](const auto& values) {
+        for (std::size_t c = 0; c < components; ++c)
+        {
+          this->PutNumber(values[i * components + c]);
+        }
+      },
+      array.Values);
+  }
+  /// Puts the bytes of a number, least significant first.
+  template <typename Number>
+  void PutBytes(Number number)
+  {
+    char bytes[sizeof(Number)];
+    std::memcpy(bytes, &number, sizeof(Number));
+    this->Put({ bytes, sizeof(Number) });
+  }
+  /// Finishes the file.
+  void Close();
+
+private:
+  static constexpr std::size_t BlockBytes = std::size_t(1) << 22;
+
+  void Flush();
+
+  const std::string FileName;
+  std::string Buffer;
+  std::ofstream Stream;
+  bool IsOpened = false;
+  bool IsClosed = false;
+};
+
+void WriteOBJ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WriteOFF(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WritePLY(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WriteSTL(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WriteXYZ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+}
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkDGGMeshWriter.h"
+
+#include "DGGMeshConversion.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+
+#include "vtksys/SystemTools.hxx"
+
+#include <iterator>
+
+vtkStandardNewMacro(vtkDGGMeshWriter);
+
+vtkDGGMeshWriter::~vtkDGGMeshWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkDGGMeshWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+vtkPolyData* vtkDGGMeshWriter::GetInput()
+{
+  return this->GetInput(0);
+}
+
+vtkPolyData* vtkDGGMeshWriter::GetInput(int port)
+{
+  return vtkPolyData::SafeDownCast(this->Superclass::GetInput(port));
+}
+
+int vtkDGGMeshWriter::Write()
+{
+  this->IsWritten = false;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->Superclass::Write();
+  if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError &&
+    this->GetAbortExecute() == 0)
+  {
+    // The superclass says nothing of a reader or filter before this one that has failed.
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+  }
+  return this->IsWritten ? 1 : 0;
+}
+
+void vtkDGGMeshWriter::WriteData()
+{
+  using Code = dgg::FileStatus::Code;
+  const auto work = [this](const dgg::FileProgress& progress) -> dgg::FileStatus {
+    const char* const extensions[] = { ".obj", ".off", ".ply", ".stl", ".xyz" };
+    const std::string extension =
+      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
+    const auto* found = std::find(std::begin(extensions), std::end(extensions), extension);
+    if (found == std::end(extensions))
+    {
+      return { Code::Unrecognized,
+        "the extension '" + extension + "' is unknown, expected .obj, .off, .ply, .stl or .xyz" };
+    }
+    const auto format = static_cast<dgg::FileFormat>(found - std::begin(extensions));
+    vtkPolyData* input = this->GetInput();
+    vtkNew<vtkTriangleFilter> triangulate;
+    if (format == dgg::FileFormat::STL)
+    {
+      triangulate->PassVertsOff();
+      triangulate->PassLinesOff();
+      triangulate->SetInputData(input);
+      triangulate->Update();
+      input = triangulate->GetOutput();
+    }
+    dgg::MeshData mesh;
+    dgg::FileStatus status = vtkDGG::FromPolyData(input, mesh);
+    if (status.IsOk())
+    {
+      status = dgg::WriteMesh(format, this->FileName, mesh, progress);
+    }
+    this->IsWritten = status.IsOk();
+    return status;
+  };
+  this->SetErrorCode(vtkDGG::RunOnFile(this, "write", this->FileName, work));
+}
+
+void vtkDGGMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkDGGMeshWriter: what each format keeps, and what it refuses.
+#include "FilterTestTools.h"
+#include "MeshDescription.h"
+
+#include "vtkAbstractPolyDataReader.h"
+#include "vtkDGGMeshWriter.h"
+#include "vtkDGGOBJReader.h"
+#include "vtkDGGOFFReader.h"
+#include "vtkDGGPLYReader.h"
+#include "vtkDGGSTLReader.h"
+#include "vtkDGGXYZReader.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace
+{
+template <typename ArrayType, typename T>
+vtkSmartPointer<ArrayType> MakeArray(const char* name, int components, const std::vector<T>& values)
+{
+  auto array = vtkSmartPointer<ArrayType>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+/// A quadrangle and a triangle at large coordinates.
+vtkSmartPointer<vtkPolyData> MakeMesh(int pointType = VTK_DOUBLE)
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(pointType);
+  points->InsertNextPoint(512345.678, 5403210.987, 0.1);
+  points->InsertNextPoint(512346.678, 5403210.987, 0.0);
+  points->InsertNextPoint(512346.678, 5403211.987, 1e-30);
+  points->InsertNextPoint(512345.678, 5403211.987, -7.0);
+  mesh->SetPoints(points);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 2, 3 });
+  polygons->InsertNextCell({ 2, 1, 0 });
+  mesh->SetPolys(polygons);
+  return mesh;
+}
+
+/// All kinds of arrays.
+vtkSmartPointer<vtkPolyData> MakeRichMesh()
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
+  vtkPointData* points = mesh->GetPointData();
+  points->AddArray(MakeArray<vtkDoubleArray, double>("Distance", 1, { 0.1, 2.0, 1e300, 4.0 }));
+  points->AddArray(MakeArray<vtkIdTypeArray, vtkIdType>("near id", 1, { 0, -1, 2, 3 }));
+  points->AddArray(MakeArray<vtkIdTypeArray, vtkIdType>("far id", 1, { 0, 1, 2, 1LL << 40 }));
+  points->AddArray(MakeArray<vtkIntArray, int>("x", 2, { 1, 2, 3, 4, 5, 6, 7, 8 }));
+  points->SetNormals(
+    MakeArray<vtkDoubleArray, double>("N", 3, { 0, 0, 1, 0, 0, 1, 0, 0.6, 0.8, 0, 0, -0.1 }));
+  points->SetTCoords(MakeArray<vtkDoubleArray, double>("T", 2, { 0, 0, 1, 0, 1, 1, 0, 0.1 }));
+  points->SetScalars(
+    MakeArray<vtkUnsignedCharArray, int>("Paint", 3, { 1, 2, 3, 0, 255, 128, 7, 8, 9, 5, 0, 0 }));
+  mesh->GetCellData()->AddArray(MakeArray<vtkIntArray, int>("Label", 1, { 8, 9 }));
+  mesh->GetCellData()->SetScalars(
+    MakeArray<vtkUnsignedCharArray, int>("RGBA", 4, { 1, 2, 3, 4, 5, 6, 7, 8 }));
+  return mesh;
+}
+
+class MeshWriter : public testing::Test
+{
+protected:
+  MeshWriter()
+    : Folder(std::filesystem::path(DGG_TEST_OUTPUT) / "MeshWriter" /
+        testing::UnitTest::GetInstance()->current_test_info()->name())
+  {
+    std::filesystem::create_directories(this->Folder);
+  }
+  ~MeshWriter() override { std::filesystem::remove_all(this->Folder); }
+
+  /// Writes the mesh and returns a description of what is read back.
+  template <typename ReaderType>
+  std::string RoundTrip(vtkPolyData* mesh, const std::string& name)
+  {
+    const std::string path = (this->Folder / name).string();
+    this->Writer->SetInputData(mesh);
+    this->Writer->SetFileName(path.c_str());
+    EXPECT_EQ(this->Writer->Write(), 1);
+    EXPECT_EQ(this->Writer->GetErrorCode(), vtkErrorCode::NoError);
+    vtkNew<ReaderType> reader;
+    reader->SetFileName(path.c_str());
+    dggtest::ExpectSuccess(reader);
+    return dggtest::Describe(reader->GetOutput());
+  }
+
+  void ExpectRefused(vtkPolyData* mesh, const std::string& name, const std::string& part)
+  {
+    const std::string path = (this->Folder / name).string();
+    this->Writer->SetInputData(mesh);
+    this->Writer->SetFileName(path.c_str());
+    dggtest::Listener listener(this->Writer);
+    EXPECT_EQ(this->Writer->Write(), 0);
+    EXPECT_NE(this->Writer->GetErrorCode(), vtkErrorCode::NoError);
+    ASSERT_EQ(listener.Errors.size(), 1u);
+    EXPECT_NE(listener.Errors[0].find("Cannot write " + path), std::string::npos);
+    EXPECT_NE(listener.Errors[0].find(part), std::string::npos) << listener.Errors[0];
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
+
+  std::filesystem::path Folder;
+  vtkNew<vtkDGGMeshWriter> Writer;
+};
+
+const char* const Points = "512345.678 5403210.987 0.1, 512346.678 5403210.987 0, 512346.678 "
+                           "5403211.987 1e-30, 512345.678 5403211.987 -7 ";
+const char* const Cells = "| polys 0 1 2 3, 2 1 0";
+const char* const Vectors = " | active Normals double 0 0 1, 0 0 1, 0 0.6 0.8, 0 0 -0.1 "
+                            "| active TCoords double 0 0, 1 0, 1 1, 0 0.1 "
+                            "| active RGB unsigned char 1 2 3, 0 255 128, 7 8 9, 5 0 0";
+}
+
+TEST_F(MeshWriter, KeepsDigitsCellsAndArrays)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeRichMesh();
+  EXPECT_EQ(this->RoundTrip<vtkDGGOBJReader>(mesh, "a.OBJ"), std::string(Points) + Cells + Vectors);
+  EXPECT_EQ(this->RoundTrip<vtkDGGOFFReader>(mesh, "a.off"),
+    std::string(Points) + Cells + Vectors + " | cells active RGBA unsigned char 1 2 3 4, 5 6 7 8");
+  EXPECT_EQ(this->RoundTrip<vtkDGGPLYReader>(mesh, "a.ply"),
+    std::string(Points) + Cells + Vectors +
+      " | Distance double 0.1, 2, 1e+300, 4 | near_id int 0, -1, 2, 3 "
+      "| far_id double 0, 1, 2, 1099511627776 | x_0 int 1, 3, 5, 7 | x_1 int 2, 4, 6, 8 "
+      "| cells active RGBA unsigned char 1 2 3 4, 5 6 7 8 | cells Label int 8, 9");
+  EXPECT_EQ(
+    this->RoundTrip<vtkDGGXYZReader>(mesh, "a.xyz"), std::string(Points) + "| verts 0, 1, 2, 3");
+}
+
+TEST_F(MeshWriter, WritesFloatPointsAsTheyAre)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeMesh(VTK_FLOAT);
+  const std::string expected = dggtest::Describe(mesh);
+  EXPECT_EQ(expected.substr(0, 6), "float ");
+  EXPECT_EQ(this->RoundTrip<vtkDGGPLYReader>(mesh, "a.ply"), expected);
+}
+
+TEST_F(MeshWriter, WritesTriangles)
+{
+  const std::string polygons =
+    this->RoundTrip<vtkDGGSTLReader>(MakeMesh(), "a.stl").substr(std::string(Points).size());
+  EXPECT_EQ(std::count(polygons.begin(), polygons.end(), ','), 2) << polygons; // of a quadrangle
+  for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+  {
+    vtkSmartPointer<vtkPolyData> mesh = MakeMesh(type);
+    vtkNew<vtkCellArray> triangles;
+    triangles->InsertNextCell({ 0, 1, 2 });
+    triangles->InsertNextCell({ 2, 3, 0 });
+    mesh->SetPolys(triangles);
+    EXPECT_EQ(this->RoundTrip<vtkDGGSTLReader>(mesh, "a.stl"), dggtest::Describe(mesh));
+  }
+}
+
+TEST_F(MeshWriter, WritesLinesVertsAndStrips)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeMesh(VTK_FLOAT);
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    const double p[] = { 1.0 * (i % 2), 1.0 * (i / 2), 0.0 };
+    mesh->GetPoints()->SetPoint(i, p);
+  }
+  const std::string points = "0 0 0, 1 0 0, 0 1 0, 1 1 0 ";
+  mesh->SetPolys(vtkNew<vtkCellArray>());
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1, 2, 3 });
+  mesh->SetStrips(strips);
+  EXPECT_EQ(
+    this->RoundTrip<vtkDGGPLYReader>(mesh, "a.ply"), "float " + points + "| polys 0 1 2, 2 1 3");
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 3 });
+  mesh->SetVerts(verts);
+  EXPECT_EQ(
+    this->RoundTrip<vtkDGGPLYReader>(mesh, "a.ply"), "float " + points + "| polys 0 1 2, 2 1 3");
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 2 });
+  mesh->SetLines(lines);
+  const std::string all = points + "| verts 3 | lines 0 2 | polys 0 1 2, 2 1 3";
+  EXPECT_EQ(this->RoundTrip<vtkDGGOBJReader>(mesh, "a.obj"), all);
+  EXPECT_EQ(this->RoundTrip<vtkDGGOFFReader>(mesh, "a.off"), all);
+  this->ExpectRefused(mesh, "lines.ply", "a PLY file holds no lines");
+}
+
+TEST_F(MeshWriter, RefusesWhatCannotBeWritten)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
+  this->ExpectRefused(mesh, "a.txt", "the extension '.txt' is unknown");
+  this->ExpectRefused(mesh, "none/a.ply", "cannot be opened for writing");
+  mesh->GetPointData()->AddArray(MakeArray<vtkIntArray, int>("Short", 1, { 1 }));
+  this->ExpectRefused(mesh, "a.ply", "the point array Short has 1 values for 4 points");
+  mesh = MakeMesh();
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 4 });
+  this->ExpectRefused(mesh, "a.obj", "a cell has a point id that is out of range");
+  mesh->SetPolys(vtkNew<vtkCellArray>());
+  this->ExpectRefused(mesh, "a.stl", "there are 0 triangles");
+  this->Writer->SetFileName(nullptr);
+  dggtest::Listener listener(this->Writer);
+  EXPECT_EQ(this->Writer->Write(), 0);
+  EXPECT_EQ(this->Writer->GetErrorCode(), vtkErrorCode::NoFileNameError);
+}
+
+TEST_F(MeshWriter, LeavesNoPartOfAFile)
+{
+  this->Writer->SetInputData(MakeMesh());
+  this->Writer->SetFileName((this->Folder / "a.ply").c_str());
+  dggtest::ProgressWatch watch(this->Writer);
+  watch.StopAt = 0.0;
+  EXPECT_EQ(this->Writer->Write(), 0);
+  EXPECT_EQ(this->Writer->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_TRUE(std::filesystem::is_empty(this->Folder));
+}
