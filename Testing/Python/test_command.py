@@ -52,6 +52,10 @@ def command(*arguments):
     )
 
 
+# Names of classes and properties, which users of the shell have never seen.
+CPLUSPLUS = r"\bvtk(?!dgg)\w+|\bSet[A-Z]|\b(?!GeodesicDistance)[A-Z][a-z]+[A-Z]\w*"
+
+
 class Command(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -118,7 +122,17 @@ class Command(unittest.TestCase):
     def test_info(self):
         found = self.answer("info", BUMPY)
         self.assertEqual((found["points"], found["polygons"], found["genus"]), (642, 1280, "0"))
-        self.assertEqual(found["kind"], "surface")
+        self.assertEqual((found["kind"], found["components"]), ("surface", "1"))
+        corners = np.array(support.bumpy()[0])[support.triangles_of(self.mesh)].swapaxes(0, 1)
+        products = np.cross(corners[1] - corners[0], corners[2] - corners[0])
+        self.assertAlmostEqual(found["area"], np.linalg.norm(products, axis=1).sum() / 2)
+        x, y = np.meshgrid(np.arange(40.0), np.arange(10.0))
+        for gap, components in ((0.0, 1), (20.0, 2)):
+            path = out("gap.xyz")
+            points = np.column_stack([(x + gap * (x > 19)).ravel(), y.ravel(), 0 * x.ravel()])
+            files.write(path, files.cloud_of(points))
+            found = self.answer("info", path)
+            self.assertEqual((found["spacing"], found["components"]), (1.0, components))
         self.assertEqual(self.answer("info", BUMPY, "--cloud")["kind"], "point cloud")
 
     def test_curves(self):
@@ -236,10 +250,77 @@ class Command(unittest.TestCase):
         even = self.answer("voronoi", BUMPY, "--number", 6, "--iterations", 5)
         self.assertEqual(even["sites"], 6)
 
+    def test_ways_to_give_sources(self):
+        listed = out("sources.txt")
+        with open(listed, "w", encoding="utf-8") as file:
+            file.write("# id, coordinates, face\n5\n\n  {} {} {}\nface:3:0.2,0.3,0.5\n".format(
+                *self.mesh.GetPoint(100)
+            ))  # fmt: skip
+        for given, sources in (
+            (("--sources", "5,100,300"), [5, 100, 300]),
+            (("--source", 300, "--sources", "5,100"), [5, 100, 300]),
+            (("--source-file", listed), [5, 100, (3, (0.2, 0.3, 0.5))]),
+            (("--source-file", listed, "--source", 300), [5, 100, (3, (0.2, 0.3, 0.5)), 300]),
+        ):
+            with self.subTest(given=given):
+                found = self.answer("distance", BUMPY, *given)
+                expected = vtkdgg.distance(self.mesh, sources).max()
+                self.assertAlmostEqual(found["largest"], expected, delta=1e-6)
+        at_one_point = "--source={},{},{}".format(*self.mesh.GetPoint(5))
+        found = self.answer("distance", BUMPY, at_one_point)
+        self.assertAlmostEqual(found["largest"], self.exact.max(), delta=1e-6)
+
+    def test_every(self):
+        found = self.answer("isolines", BUMPY, "--source", 5, "--every", 0.5)
+        count = int(self.exact.max() / 0.5)
+        np.testing.assert_allclose(found["values"], 0.5 * np.arange(1, count + 1))
+        result = command("isolines", BUMPY, "--source", 5, "--every", 50)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, "--every 50 is above the largest distance, 2")
+
+    def test_valid_json(self):
+        def refuse(name):
+            self.fail(f"{name} is not JSON")
+
+        two = out("parts.off")
+        points, triangles = support.grid(2, 2)
+        points = np.vstack([points, points + [9, 0, 0]])
+        files.write(two, support.polydata(points, np.vstack([triangles, triangles + 9])))
+        for asked in (("sample", two, "--number", 1), ("voronoi", two, "--site", 0)):
+            result = command(*asked, "--json")
+            found = json.loads(result.stdout, parse_constant=refuse)
+            if asked[0] == "sample":
+                self.assertIsNone(found["covering radius"])
+                self.assertIn("Raise --number", found["warnings"][-1])
+
+    def test_without_arguments(self):
+        result = command()
+        self.assertEqual((result.returncode, result.stderr), (2, ""))
+        self.assertRegex(result.stdout, r"(?m)^    distance +Distances")
+
     def test_greens(self):
         found = self.answer("greens", BUMPY, "--source", 5, "--source", 7, "--method", "Vertex")
         expected = vtkdgg.greens_function(self.mesh, [5, 7], method="Vertex")
         np.testing.assert_allclose(found["largest"], expected.max(axis=0))
+
+    def test_notes_name_options(self):
+        points, triangles = support.grid(3, 3)
+        for name, mesh, asked, pattern in (
+            ("seam", [points, points + [3, 0, 0]], "distance --source 0", "slit, add --merge"),
+            ("parts", [points, points + [9, 0, 0]], "sample --number 1", "infinite. Raise --number"),
+            ("one", [points], "sample --number 99", "subdivide the surface."),
+            ("one", [points], "greens --source 5", "refine it there"),
+        ):
+            path = out(f"{name}.off")
+            cells = np.vstack([triangles + 16 * i for i in range(len(mesh))])
+            files.write(path, support.polydata(np.vstack(mesh), cells))
+            word, *rest = asked.split()
+            with self.subTest(asked=asked):
+                result = command(word, path, *rest)
+                self.assertRegex(result.stdout, f"note .*{pattern}")
+                self.assertNotRegex(result.stdout.split("note", 1)[1], CPLUSPLUS)
+        result = command("path", path.replace("one", "parts"), 0, 20)
+        self.assertRegex(result.stderr, "--merge may join them")
 
     def test_formats(self):
         points = ".obj .off .pcd .ply .vtk .vtp .xyz"
@@ -291,8 +372,25 @@ class Command(unittest.TestCase):
             result = support.command("render", *arguments)
             self.assertEqual(result.returncode, 0, result.stderr)
         self.assertGreater(support.number_of_colours(first), 1000)
-        error = support.image_error(support.read_image(first), support.read_image(second))
-        self.assertLess(error, 100.0)
+        first, second = support.read_image(first), support.read_image(second)
+        self.assertLess(support.image_error(first, second), 100.0)
+
+    def test_views(self):
+        # A flat L seen from the top: x to the right, y up; from below it is mirrored.
+        points = np.array([[0, 0, 0], [3, 0, 0], [3, 1, 0], [1, 1, 0], [1, 3, 0], [0, 3, 0]], float)
+        path, picture = out("letter.off"), out("letter.png")
+        cells = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]]
+        files.write(path, support.polydata(points, cells))
+        for view, empty in (("top", (1, 1)), ("0,0,2", (1, 1)), ("bottom", (0, 1))):
+            asked = "render", path, "--source", 0, f"--view={view}", "--out", picture
+            result = support.command(*asked)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            image = support.pixels(support.read_image(picture)).astype(int)[:, :1280]
+            rows, columns = np.nonzero(np.ptp(image, axis=2) > 60)  # coloured ones
+            rows = 2 * (rows - rows.min()) // (np.ptp(rows) + 1)
+            columns = 2 * (columns - columns.min()) // (np.ptp(columns) + 1)
+            counts = np.bincount(2 * rows + columns, minlength=4).reshape(2, 2)
+            self.assertEqual(np.unravel_index(counts.argmin(), (2, 2)), empty)
 
     def test_render_another_array(self):
         kept, picture = out("error.vtp"), out("error.png")
@@ -381,21 +479,33 @@ class Command(unittest.TestCase):
     def test_mistakes(self):
         coloured = out("coloured.vtp")
         files.write(coloured, with_arrays(self.mesh, {"Error": self.exact, "Colour": self.exact}))
+        wrong = out("wrong.txt")
+        with open(wrong, "w", encoding="utf-8") as file:
+            file.write("5\n1 2\n")
         for arguments, pattern in (
-            ((), "command"),
-            (("fly", BUMPY), "invalid choice"),
+            (("fly", BUMPY), r"unknown command fly \(--help"),
+            (("distence", BUMPY), "unknown command distence; did you mean distance\\?"),
+            (("distance", BUMPY, "--sorce", "0"), "option --sorce; did you mean --source\\?"),
+            (("sample", BUMPY, "--numer=3"), "option --numer; did you mean --number\\?"),
             (("info",), "file"),
             (("info", "missing.ply"), "no such file"),
             (("info", "mesh.abc"), "unknown extension"),
             (("distance", BUMPY), "--source"),
             (("distance", BUMPY, "--source", "642"), "--source 642: there are points 0 to 641"),
             (("distance", BUMPY, "--source", "1,2"), "expected a point id, X,Y,Z or face:"),
-            (("distance", BUMPY, "--source", "9,9,9"), r"\(--tolerance\)"),
+            (("distance", BUMPY, "--source", "9,9,9"), "or raise --tolerance"),
             (("distance", BUMPY, "--source", "0", "--method", "best"), "invalid choice"),
             (("distance", BUMPY, "--source", "0", "--out", "a.abc"), "cannot write '.abc'"),
             (("distance", BUMPY, "--source", "0", "--out", "none/a.vtp"), "error"),
             (("distance", BUMPY, "--source", "0", "--out", "none/a.off"), "none/a.off"),
-            (("graph", BUMPY, "--accuracy", "2"), "0.5"),
+            (("graph", BUMPY, "--accuracy", "2"), "--accuracy 2 is out of range: expected 1e-06 to"),
+            (("path", BUMPY, "0", "3", "--accuracy", "2"), "--accuracy 2 is out of range"),
+            (("isolines", BUMPY, "--source", "0", "--every", "0"), "--every: must be positive, is 0"),
+            (("distance", BUMPY, "--sources", "0,642"), "--sources 642: there are points 0 to 641"),
+            (("distance", BUMPY, "--sources", "0.5,1,2"), "--sources 0.5: expected a point id"),
+            (("distance", BUMPY, "--source-file", "none.txt"), "none.txt"),
+            (("distance", BUMPY, "--source-file", wrong), r"wrong.txt, line 2: 1,2: expected a point"),
+            (("render", BUMPY, "--source", "0", "--out", "a.png", "--view", "up"), "--view: expected"),
             (("graph", BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
             (("isolines", BUMPY, "--source", "0", "--values", "a,b"), "--values"),
             (("sample", BUMPY, "--number", "0"), "error: --number: must be positive, is 0"),
@@ -418,6 +528,7 @@ class Command(unittest.TestCase):
                 result = start(*arguments)
                 self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
                 self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
+                self.assertNotRegex(result.stderr, CPLUSPLUS)
                 self.assertRegex(result.stderr, pattern)
 
     def test_interrupted(self):

@@ -7,8 +7,10 @@ was given; 130, interrupted.
 """
 
 import argparse
+import difflib
 import functools
 import json
+import math
 import os
 import re
 import shutil
@@ -21,7 +23,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
 from . import build_info
 from .commands import answers, compare, files, places
 from .commands.output import print_table
-from .commands.words import HELP, in_options
+from .commands.words import HELP, in_options, notes_of
 from .errors import VTKError
 
 EXAMPLES = """examples:
@@ -65,10 +67,14 @@ def numbers(text):
 OPTIONS = {
     "source": {
         "action": "append",
-        "required": True,
         "metavar": "ID|X,Y,Z",
-        "help": "where distances start: a point id, or coordinates on the surface; several times "
-        "for several",
+        "help": "where distances start: a point id, coordinates on the surface, or "
+        "face:ID:B0,B1,B2 with barycentric coordinates; several times for several",
+    },
+    "sources": {"metavar": "ID,ID,...", "help": "point ids of several sources"},
+    "source-file": {
+        "metavar": "FILE",
+        "help": "sources from a text file, one a line, with commas or blanks between coordinates",
     },
     "accuracy": {
         "type": float,
@@ -87,7 +93,10 @@ OPTIONS = {
         "0.01)",
     },
     "cloud": {"action": "store_true", "help": "look at points only, also of a mesh"},
-    "json": {"action": "store_true", "help": "print the answer as JSON"},
+    "json": {
+        "action": "store_true",
+        "help": "print the answer as JSON, in which null is an infinite or missing number",
+    },
 }
 
 
@@ -113,6 +122,8 @@ def make_parser():
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         command.add_argument("file", help=" ".join(files.EXTENSIONS))
+        if "source" in shared:
+            shared = ("source", "sources", "source-file", *shared[1:])
         for option in (*shared, "cloud", "json"):
             command.add_argument(f"--{option}", **OPTIONS[option])
         if out:
@@ -156,7 +167,8 @@ def make_parser():
     command = add(answers.isolines, "source", *placed, out="curves", example=lines)
     which = command.add_mutually_exclusive_group()
     which.add_argument("--values", type=numbers, metavar="D,D,...", help="the distances")
-    which.add_argument("--count", type=int, help="or how many (default: 10)")
+    which.add_argument("--every", type=float, metavar="D", help="or the multiples of one distance")
+    which.add_argument("--count", type=int, help="or their number (default: 10)")
     command = add(answers.voronoi, *placed, example="--number 50 --iterations 10 --out cells.vtp")
     which = command.add_mutually_exclusive_group()
     which.add_argument("--site", action="append", metavar="ID|X,Y,Z", help="a site")
@@ -171,8 +183,15 @@ def make_parser():
     command.add_argument("--method", choices=methods, default=methods[0])
     command.add_argument("--boundary", choices=("Neumann", "Dirichlet"), default="Neumann")
     drawn = "--source 0 --out picture.png"
-    command = add(answers.render, *placed, out="picture", keeps="", needs_out=True, example=drawn)
-    command.add_argument("--source", **{**OPTIONS["source"], "required": False})
+    command = add(
+        answers.render, "source", *placed, out="picture", keeps="", needs_out=True, example=drawn
+    )
+    command.add_argument(
+        "--view",
+        metavar="NAME|X,Y,Z",
+        help="front, back, left, right, top, bottom or a direction to look from (default: the one "
+        "that shows most of the surface, and the source)",
+    )
     command.add_argument(
         "--array",
         default="GeodesicDistance",
@@ -198,9 +217,38 @@ def said_with(found):
     def text(value):
         if isinstance(value, float):
             return f"{value:.8g}"
+        if value is None:
+            return "none"
         return ", ".join(map(text, value)) if isinstance(value, list) else str(value)
 
     return [(key, text(value)) for key, value in found.items()]
+
+
+def check_names(parser, arguments):
+    """Raises an error for a command or an option that does not exist, with the most similar one."""
+
+    def closest(name, known):
+        found = difflib.get_close_matches(name, known, 1)
+        return f"; did you mean {found[0]}?" if found else " (--help explains)"
+
+    name, *rest = arguments
+    if name.startswith("-"):
+        return
+    if name not in parser.commands:
+        raise compare.UsageError(f"unknown command {name}{closest(name, parser.commands)}")
+    known = parser.commands[name]._option_string_actions
+    for option in (word.partition("=")[0] for word in rest):
+        if option.startswith("--") and not any(other.startswith(option) for other in known):
+            raise compare.UsageError(f"unknown option {option}{closest(option, known)}")
+
+
+def finite(value):
+    """Returns an answer with None for every number that JSON does not have."""
+    if isinstance(value, dict):
+        return {key: finite(part) for key, part in value.items()}
+    if isinstance(value, list):
+        return [finite(part) for part in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def answer(options):
@@ -209,8 +257,8 @@ def answer(options):
         warnings.simplefilter("always")
         found = options.run(options)
     if options.json:
-        notes = [str(warning.message) for warning in caught]
-        print(json.dumps({**found, "warnings": notes}, indent=2))
+        found = finite({**found, "warnings": notes_of(caught)})
+        print(json.dumps(found, indent=2, allow_nan=False))
     else:
         print_table(said_with(found), [], caught)
     return 0
@@ -234,8 +282,13 @@ def main(arguments=None):
     """Run the command; its exit code."""
     arguments = sys.argv[1:] if arguments is None else list(map(str, arguments))
     try:
+        parser = make_parser()
+        if not arguments:
+            parser.print_help()
+            return 2
+        check_names(parser, arguments)
         # A blank keeps argparse from taking coordinates with a minus sign for an option.
-        options = make_parser().parse_args([re.sub(r"^-(?=[\d.])", " -", a) for a in arguments])
+        options = parser.parse_args([re.sub(r"^-(?=[\d.])", " -", a) for a in arguments])
         if options.command in DRAWING:
             if sys.platform == "linux" and not os.environ.get("DISPLAY"):
                 with_display(arguments)
@@ -246,7 +299,7 @@ def main(arguments=None):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except answers.Negative as reason:
-        print(f"no answer: {reason}", file=sys.stderr)
+        print(f"no answer: {in_options(str(reason))}", file=sys.stderr)
         return 1
     except (
         compare.UsageError,

@@ -8,8 +8,8 @@ from colorsys import hsv_to_rgb
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList, vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator, vtkStaticPointLocator
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -32,6 +32,7 @@ from .commands.pictures import (
     shaded,
     unreached,
 )
+from .commands.sizes import spacing_of
 
 # How light each cell of several sources is, in turns.
 LIGHTNESS = (0.95, 0.80)
@@ -137,23 +138,6 @@ class CloudSkin:
         """The id of the nearest point at a pixel, None where there is none."""
         found = self._picker.Pick(x, y, 0.0, renderer) and self._picker.GetPointId() >= 0
         return self._picker.GetPointId() if found else None
-
-
-def spacing_of(cloud):
-    """How far points are from their fourth neighbours, at the median of some."""
-    locator = vtkStaticPointLocator()
-    locator.SetDataSet(cloud)
-    locator.BuildLocator()
-    count = cloud.GetNumberOfPoints()
-    points = vtk_to_numpy(cloud.GetPoints().GetData())
-    lengths = []
-    for i in range(0, count, max(1, count // 500)):
-        if np.isfinite(points[i]).all():
-            near = vtkIdList()
-            locator.FindClosestNPoints(5, points[i].astype(float), near)
-            other = points[near.GetId(near.GetNumberOfIds() - 1)]
-            lengths.append(np.linalg.norm(other - points[i]))
-    return float(np.median(lengths)) if lengths else 0.0
 
 
 def lines_actor():

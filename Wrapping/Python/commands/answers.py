@@ -11,7 +11,7 @@ import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..graph_info import GraphInfo, choose_method
-from . import files, places
+from . import files, places, sizes
 
 
 # Of distances on a mesh.
@@ -95,6 +95,22 @@ def several(texts, contents, name):
     return [places.choose(text, contents, name) for text in texts]
 
 
+def sources_of(options, contents):
+    """Returns the sources of all options that name them."""
+    texts = [("--source", text) for text in options.source or []]
+    if options.sources is not None:
+        texts += [("--sources", text) for text in options.sources.split(",")]
+    if options.source_file is not None:
+        with open(options.source_file, encoding="utf-8") as file:
+            for number, line in enumerate(file, 1):
+                words = line.partition("#")[0].replace(",", " ").split()
+                if words:
+                    texts.append((f"{options.source_file}, line {number}:", ",".join(words)))
+    if not texts:
+        raise places.SourceError("there are no sources; give --source, --sources or --source-file")
+    return [places.choose(text, contents, name) for name, text in texts]
+
+
 def written(options, data):
     """Write the file, if one is asked for; what there is to say of it."""
     if options.out is None:
@@ -145,9 +161,14 @@ def info(options):
         look.SetSourceIds([0])
         look.SetMaximumDistance(0.0)
         vtkdgg.check(look)
+        found["area"] = sizes.area(files.triangles_of(contents, options.file))
         for line in look.GetMeshReport().splitlines():
             key, _, value = line.partition(": ")
             found.setdefault(key, value)
+    if kind == "point cloud":
+        cloud = files.finite_points(files.points_of(contents), options.file)
+        spacing = sizes.spacing_of(cloud)
+        found.update({"spacing": spacing, "components": sizes.components_of(cloud, spacing)})
     return found
 
 
@@ -168,7 +189,7 @@ def graph(options):
 
 def find_distances(options, contents, is_cloud=False, **choices):
     """Returns the contents with distances from the sources, and the entries that name the method."""
-    sources = several(options.source, contents, "--source")
+    sources = sources_of(options, contents)
     choices.update(projection_tolerance=options.tolerance, as_polydata=True)
     method = method_of(options, contents, is_cloud)
     if method == "graph":
@@ -250,12 +271,17 @@ def isolines(options):
     """Curves of equal distance."""
     contents = surface_of(options)
     made = graph_of(options, contents)
-    output = made.isolines(
-        several(options.source, contents, "--source"),
-        options.values or (10 if options.count is None else options.count),
-        projection_tolerance=options.tolerance,
-        as_polydata=True,
-    )
+    sources = sources_of(options, contents)
+    choices = {"projection_tolerance": options.tolerance}
+    values = options.values or (10 if options.count is None else options.count)
+    if options.every is not None:
+        if not options.every > 0.0:
+            raise ValueError(f"--every: must be positive, is {options.every:g}")
+        largest = np.nanmax(made.distance(sources, **choices))
+        values = options.every * np.arange(1, int(largest / options.every) + 1)
+        if len(values) == 0:
+            raise Negative(f"--every {options.every:g} is above the largest distance, {largest:g}")
+    output = made.isolines(sources, values, as_polydata=True, **choices)
     values = vtk_to_numpy(output.GetCellData().GetArray("IsoValue"))
     return {
         **named(made),
@@ -303,7 +329,7 @@ def greens(options):
     contents = surface_of(options)
     output = vtkdgg.greens_function(
         contents,
-        several(options.source, contents, "--source"),
+        sources_of(options, contents),
         method=options.method,
         boundary=options.boundary,
         merge_coincident_points=options.merge,
@@ -328,10 +354,9 @@ def render(options):
 
     contents = surface_of(options)
     source = None
-    if options.source:
+    if options.source or options.sources or options.source_file:
         contents, _ = find_distances(options, contents)
-        first = places.choose(options.source[0], contents)
-        source, _ = places.locate(contents, first)
+        source, _ = places.locate(contents, sources_of(options, contents)[0])
     array = contents.GetPointData().GetArray(options.array)
     if array is None or array.GetNumberOfComponents() > 1:
         known = ", ".join(files.names_of(contents.GetPointData())) or "none"
@@ -342,12 +367,13 @@ def render(options):
     mesh = files.triangles_of(contents, options.file)
     values = vtk_to_numpy(mesh.GetPointData().GetArray(options.array))
     found = {**spread(values), "written": options.out}
+    view = pictures.view_of(mesh, options.view) if options.view else None
     if not options.array.endswith("Distance"):
-        pictures.save_array(options.out, mesh, options.array, source)
+        pictures.save_array(options.out, mesh, options.array, source, view)
         return found
     if source is None:
         source = np.array(mesh.GetPoint(int(np.nanargmin(values))))
-    step = pictures.save_distances(options.out, mesh, options.array, source)
+    step = pictures.save_distances(options.out, mesh, options.array, source, view=view)
     return {**found, "isolines every": step}
 
 

@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from .words import in_options
+from .words import notes_of
 
 
 def with_arrays(data, arrays):
@@ -34,7 +34,5 @@ def print_table(rows, notes, warnings):
     """Print the rows; then the notes and the warnings of filters, each once."""
     for key, value in rows:
         print(f"{key:<12} {value}")
-    # Each filter reads the input, and says the same of it.
-    warned = [str(warning.message).split(": ", 1)[-1] for warning in warnings]
-    for note in dict.fromkeys([*notes, *warned]):
-        print(f"{'note':<12} {in_options(note)}")
+    for note in [*notes, *notes_of(warnings)]:
+        print(f"{'note':<12} {note}")

@@ -72,7 +72,7 @@ def nice_step(span, wanted=20):
     return min(steps, key=lambda step: abs(math.log(span / step / wanted)))
 
 
-def save_distances(path, mesh, array_name, source, unit="model units"):
+def save_distances(path, mesh, array_name, source, unit="model units", view=None):
     """Render the mesh with its distances and write the PNG; returns the step of the isolines."""
     distances = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
     finite = distances[np.isfinite(distances)]
@@ -87,11 +87,11 @@ def save_distances(path, mesh, array_name, source, unit="model units"):
         bar,
         *unreached(bar, distances),
     ]
-    save(path, mesh, source, props)
+    save(path, mesh, source, props, view)
     return step
 
 
-def save_array(path, mesh, array_name, source=None):
+def save_array(path, mesh, array_name, source=None, view=None):
     """Render the mesh in the colours of any array, and a source if there is one."""
     values = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
     finite = values[np.isfinite(values)]
@@ -101,7 +101,8 @@ def save_array(path, mesh, array_name, source=None):
     # A long name goes on in the next line.
     name = re.sub(r"(?<=[a-z])(?=[A-Z])", "\n", array_name) if len(array_name) > 17 else array_name
     bar = scalar_bar(table, name, labels(low, high), "%-.6g")
-    save(path, mesh, source, [surface(mesh, array_name, table), bar, *unreached(bar, values)])
+    props = [surface(mesh, array_name, table), bar, *unreached(bar, values)]
+    save(path, mesh, source, props, view)
 
 
 def save_errors(path, mesh, array_name, promised, isolines, source, lines):
@@ -356,6 +357,8 @@ def aim(renderer, mesh, source, direction=None, aspect=SIZE[0] / SIZE[1], room=0
     if direction is None:
         direction = best_direction(mesh, source, up)
     away = 2.0 * size_of(mesh)
+    if abs(up @ direction) > 0.999:  # from the top or the bottom: the front is below or above
+        up = -(up @ direction) * front_of(up)
     right = np.cross(up, direction)
     right /= np.linalg.norm(right)
     top = np.cross(direction, right)
@@ -392,6 +395,28 @@ def up_of(mesh):
     bounds = np.array(mesh.GetBounds()).reshape(3, 2)
     x, y, z = bounds[:, 1] - bounds[:, 0]
     return np.array((0.0, 0.0, 1.0) if z < 0.4 * min(x, y) else (0.0, 1.0, 0.0))
+
+
+def front_of(up):
+    """Returns the direction from which the x axis points to the right."""
+    return np.cross((1.0, 0.0, 0.0), up)
+
+
+def view_of(mesh, text):
+    """Returns the direction to look from that a name or coordinates stand for."""
+    up = up_of(mesh)
+    front, right = front_of(up), np.array((1.0, 0.0, 0.0))
+    names = {"front": front, "right": right, "top": up, "back": -front, "left": -right, "bottom": -up}
+    if text in names:
+        return names[text]
+    try:
+        direction = np.array([float(word) for word in text.split(",")])
+        if len(direction) != 3 or not 0.0 < np.linalg.norm(direction) < np.inf:
+            raise ValueError
+    except ValueError:
+        known = ", ".join(names)
+        raise ValueError(f"--view: expected {known} or X,Y,Z, got {text}") from None
+    return direction / np.linalg.norm(direction)
 
 
 def best_direction(mesh, source, up):

@@ -1,13 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How large the triangles of a mesh are, and what that means for its results."""
+"""Sizes of the triangles of a mesh, which say how exact results and pictures are, and the spacing
+of a point cloud."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
+from vtkmodules.vtkFiltersPoints import vtkConnectedPointsFilter
 
 # Of the mean edge. Distances below consist of rounding and of the length added to triangles
 # without area.
 FLOOR = 1e-6
+# In spacings of a cloud. Parts with a wider gap between them are components.
+GAP = 5.0
 # Of the diagonal. Isolines are drawn as if distances were linear in a triangle.
 LARGE = 0.05
 
@@ -18,6 +24,13 @@ def edge_lengths(mesh):
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     ends = points[np.roll(triangles, -1, axis=1)]
     return np.linalg.norm(ends - points[triangles], axis=2).ravel()
+
+
+def area(mesh):
+    """Returns the area of all triangles."""
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    a, b, c = points[vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)].swapaxes(0, 1)
+    return 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
 
 
 def floor_of(mesh):
@@ -34,3 +47,30 @@ def notes(mesh):
         f"triangles are large (half of the edges are longer than {100 * share:.0f} % of the "
         "diagonal): isolines and colours are right at points, and only roughly between them"
     ]
+
+
+def spacing_of(cloud):
+    """Returns the distance of points from their fourth neighbors, the median of some points."""
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(cloud)
+    locator.BuildLocator()
+    count = cloud.GetNumberOfPoints()
+    points = vtk_to_numpy(cloud.GetPoints().GetData())
+    lengths = []
+    for i in range(0, count, max(1, count // 500)):
+        if np.isfinite(points[i]).all():
+            near = vtkIdList()
+            locator.FindClosestNPoints(5, points[i].astype(float), near)
+            other = points[near.GetId(near.GetNumberOfIds() - 1)]
+            lengths.append(np.linalg.norm(other - points[i]))
+    return float(np.median(lengths)) if lengths else 0.0
+
+
+def components_of(cloud, spacing):
+    """Returns the number of parts of a cloud that wide gaps separate."""
+    connect = vtkConnectedPointsFilter()
+    connect.SetInputData(cloud)
+    connect.SetRadius(GAP * spacing)
+    connect.SetExtractionModeToAllRegions()
+    connect.Update()
+    return connect.GetNumberOfExtractedRegions()

@@ -27,26 +27,50 @@ def counted(count, one, many=None):
     return f"{count} {one if count == 1 else many or one + 's'}"
 
 
-# What functions call the options of the command.
-ARGUMENTS = {
-    "first": "--first",
-    "iterations": "--iterations",
+# Words of filters and functions, as patterns, and what users of the shell read in their place.
+IN_OPTIONS = {
+    r"\bvtk(?!dgg)\w+: ": "",
+    r"\Apoints: a rope needs some": "--through: a rope needs some points",
+    r": it has to be in \[(.*), (.*)\]": r" is out of range: expected \1 to \2",
+    r"(?:turn|call Set)?\s*MergeCoincidentPoints(?:On\(\))? on": "add --merge",
+    r"\bmerge_coincident_points may join them": "--merge may join them",
+    r"\bthe accuracy is\b|\b[Aa]ccuracy(?=:)": "--accuracy",
+    r", or turn InFaces on": "",
+    r", or Radius too small": "",
+    r", or set Radius": "",
+    r"\buse Neumann conditions": "use --boundary Neumann",
+    r"\bthe method 'graph'": "--method graph",
+    r", or set a higher MemoryLimit": "",
+    r"\bcall Set(\w+)\(\) with": r"set \1 to",
+}
+# Properties of filters and arguments of functions, and the options that set them.
+OPTIONS = {
+    "Accuracy": "--accuracy",
+    "FirstSample": "--first",
+    "MaximumDistance": "--maximum",
+    "MergeCoincidentPoints": "--merge",
+    "NumberOfIterations": "--iterations",
+    "NumberOfSamples": "--number",
+    "ProjectionTolerance": "--tolerance",
     "maximum_distance": "--maximum",
     "number_of_samples": "--number",
     "projection_tolerance": "--tolerance",
-    "values": "--values",
 }
+# Arguments whose names are words as well, at the beginning of a message only.
+FIRST_WORDS = {"first": "--first", "iterations": "--iterations", "values": "--values"}
 
 
 def in_options(text):
-    """What a filter or a function says, in the options of the command."""
-    text = in_arguments(re.sub(r"\Avtk\w+: ", "", text))
-    name, colon, said = text.partition(": ")
-    text = ARGUMENTS.get(name, name) + colon + said
-    for words, option in (
-        ("raise ProjectionTolerance", "--tolerance"),
-        ("turn MergeCoincidentPoints on", "--merge"),
-        ("points: a rope needs some", "--through"),
-    ):
-        text = text.replace(words, f"{words} ({option})")
-    return text
+    """Returns a message of a filter or a function in terms of the options of the shell."""
+    text = in_arguments(text)
+    for pattern, words in IN_OPTIONS.items():
+        text = re.sub(pattern, words, text)
+    text = re.sub(rf"\b({'|'.join(OPTIONS)})\b", lambda match: OPTIONS[match[1]], text)
+    first, colon, rest = text.partition(": ")
+    return FIRST_WORDS.get(first, first) + colon + rest
+
+
+def notes_of(caught):
+    """Returns the texts of warnings, each once: every filter reports defects of the input."""
+    texts = (re.sub(r"\Avtk\w+: ", "", str(warning.message)) for warning in caught)
+    return list(dict.fromkeys(map(in_options, texts)))
