@@ -39,6 +39,12 @@ struct DGGDistanceTask
   /// As vtkGeodesicDistanceAlgorithm::DeclareArrays() wants them; their components are to be
   /// filled.
   std::vector<DGGPointArray> Arrays;
+
+  /// Whether results may be sparse. Set where points and vertices are the same.
+  bool MayBeSparse = false;
+  /// Of sparse results: the arrays above have one value for each of Vertices, not per vertex.
+  bool IsSparse = false;
+  std::vector<dgg::Id> Vertices; ///< vertices that may be reached, each once; all others are not
 };
 
 #endif

@@ -18,15 +18,31 @@ vtkDGGGraphUserMacro(vtkDGGDistance);
 
 namespace
 {
-std::vector<dgg::Id> FindSources(
-  const std::vector<dgg::GraphSeed>& seeds, const std::vector<dgg::Id>& seedOfVertex)
+/// Results are sparse if less than this part of all vertices is reached, as a divisor.
+constexpr std::size_t SparsePart = 8;
+
+void ReplaceBySources(const std::vector<dgg::GraphSeed>& seeds, std::vector<dgg::Id>& indices)
 {
-  std::vector<dgg::Id> sources(seedOfVertex.size());
-  std::transform(seedOfVertex.begin(), seedOfVertex.end(), sources.begin(),
+  std::transform(indices.begin(), indices.end(), indices.begin(),
     [&](dgg::Id seed) { return seed == dgg::NoId ? dgg::NoId : seeds[seed].Source; });
-  return sources;
+}
+
+/// The values of the vertices.
+template <typename Value>
+std::vector<Value> Select(const std::vector<Value>& values, const std::vector<dgg::Id>& vertices)
+{
+  std::vector<Value> selected(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), selected.begin(),
+    [&](dgg::Id vertex) { return values[vertex]; });
+  return selected;
 }
 }
+
+struct vtkDGGDistance::vtkInternals
+{
+  /// Kept after searches that reach few vertices: the next search resets these alone.
+  dgg::SearchResult Result;
+};
 
 //------------------------------------------------------------------------------
 vtkDGGDistance::vtkDGGDistance()
@@ -35,6 +51,7 @@ vtkDGGDistance::vtkDGGDistance()
   , GenerateUpperBound(false)
   , UpperBoundArrayName("GeodesicUpperBound")
   , GraphUser(new DGGGraphUser)
+  , Internals(new vtkInternals)
 {
 }
 
@@ -108,21 +125,36 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
   options.MaximumDistance =
     correct ? graph.WidenLimit(task.MaximumDistance, task.Sources) : task.MaximumDistance;
   options.Progress = graph.GetRemainingProgress(context);
-  dgg::SearchResult result;
+  dgg::SearchResult& result = this->Internals->Result;
   DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));
-  if (task.WantNearestSource)
-  {
-    task.NearestSource = FindSources(seeds, result.Seeds);
-  }
   if (task.WantVirtualSource)
   {
     dgg::FindVirtualSources(
       context.Surface.GetMesh(), result, task.VirtualSource, context.Parallel);
   }
+  task.IsSparse = task.MayBeSparse && !task.WantVirtualSource &&
+    result.Reached.size() < result.Distances.size() / SparsePart;
+  if (task.IsSparse)
+  {
+    task.Vertices = result.Reached;
+  }
+  const auto take = [&](auto& values) {
+    return task.IsSparse ? Select(values, task.Vertices) : std::move(values);
+  };
+  if (task.WantNearestSource)
+  {
+    task.NearestSource = take(result.Seeds);
+    ReplaceBySources(seeds, task.NearestSource);
+  }
   for (DGGPointArray& array : task.Arrays)
   {
-    array.Components = { result.Distances };
+    array.Components = { task.IsSparse ? Select(result.Distances, task.Vertices)
+                                       : result.Distances };
   }
-  task.Distances = std::move(correct ? result.Corrected : result.Distances);
+  task.Distances = take(correct ? result.Corrected : result.Distances);
+  if (!task.IsSparse)
+  {
+    result = dgg::SearchResult();
+  }
   return dgg::Status::Success();
 }

@@ -140,6 +140,9 @@ private:
   bool GenerateUpperBound;
   std::string UpperBoundArrayName;
   std::unique_ptr<DGGGraphUser> GraphUser;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

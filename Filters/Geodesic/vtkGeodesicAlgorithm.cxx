@@ -517,9 +517,9 @@ DGGDomain vtkGeodesicAlgorithm::GetDomain(vtkPolyData* surface) const
 //------------------------------------------------------------------------------
 void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached)
 {
-  const auto reached =
-    static_cast<std::size_t>(std::count(isReached.begin(), isReached.end(), true));
-  if (this->GapsBuildTime == this->GetMeshBuildTime() || 2 * reached > isReached.size())
+  if (this->GapsBuildTime == this->GetMeshBuildTime() ||
+    2 * std::count(isReached.begin(), isReached.end(), true) >
+      static_cast<std::ptrdiff_t>(isReached.size()))
   {
     return;
   }

@@ -19,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -26,12 +27,20 @@ vtkDGGDefineInputMacro(vtkGeodesicDistanceAlgorithm, Source, 1);
 
 namespace
 {
+std::size_t GetNumberOfVertices(const DGGDistanceTask& task)
+{
+  return static_cast<std::size_t>(
+    task.Context.Surface.GetMeshWithoutAngles().GetNumberOfVertices());
+}
+
 std::vector<bool> FindReached(const DGGDistanceTask& task)
 {
-  std::vector<bool> isReached(task.Distances.size());
-  for (std::size_t v = 0; v < isReached.size(); ++v)
+  std::vector<bool> isReached(task.IsSparse ? GetNumberOfVertices(task) : task.Distances.size());
+  for (std::size_t i = 0; i < task.Distances.size(); ++i)
   {
-    isReached[v] = task.Distances[v] <= task.MaximumDistance && task.Distances[v] < dgg::Infinity;
+    const double distance = task.Distances[i];
+    isReached[task.IsSparse ? task.Vertices[i] : i] =
+      distance <= task.MaximumDistance && distance < dgg::Infinity;
   }
   return isReached;
 }
@@ -40,6 +49,7 @@ std::vector<bool> FindReached(const DGGDistanceTask& task)
 /// `unreached` where there is none.
 struct PointArrayMaker
 {
+  const DGGDistanceTask& Task;
   const DGGPreparedMesh& Surface;
   const std::vector<bool>& IsReached; // per vertex
   vtkIdType NumberOfPoints;
@@ -50,6 +60,19 @@ struct PointArrayMaker
   {
     const int count = static_cast<int>(components.size());
     const auto array = DGGAddArray<ArrayType>(data, name, this->NumberOfPoints, count);
+    if (this->Task.IsSparse)
+    {
+      std::fill_n(array->GetPointer(0), array->GetNumberOfValues(), unreached);
+      for (std::size_t i = 0; i < this->Task.Vertices.size(); ++i)
+      {
+        const dgg::Id vertex = this->Task.Vertices[i];
+        for (int k = 0; k < count && this->IsReached[vertex]; ++k)
+        {
+          array->SetTypedComponent(vertex, k, (*components[k])[i]);
+        }
+      }
+      return;
+    }
     for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
     {
       const dgg::Id vertex = this->Surface.GetVertex(i);
@@ -252,10 +275,10 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   DGGDistanceTask task{ context, sources, limit,
     this->GenerateNearestSource || this->PassSourceArrays, this->GenerateVirtualSource, {}, {}, {},
     {}, this->DeclareArrays() };
+  task.MayBeSparse = context.Surface.GetNumberOfMergedPoints() == 0 && !this->PassSourceArrays;
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
   DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // an abort may come as late
-  const auto n =
-    static_cast<std::size_t>(context.Surface.GetMeshWithoutAngles().GetNumberOfVertices());
+  const std::size_t n = task.IsSparse ? task.Vertices.size() : GetNumberOfVertices(task);
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
   complete &= !task.WantVirtualSource || task.VirtualSource.Offsets.size() == n;
@@ -325,13 +348,15 @@ void vtkGeodesicDistanceAlgorithm::AddResults(
     data->RemoveArray(this->SourceArrayName.c_str());
     data->RemoveArray(this->VirtualSourceArrayName.c_str());
   }
-  const PointArrayMaker maker{ task.Context.Surface, isReached, output->GetNumberOfPoints() };
+  const PointArrayMaker maker{ task, task.Context.Surface, isReached, output->GetNumberOfPoints() };
   maker.Add<vtkDoubleArray, double>(
     data, this->DistanceArrayName, { &task.Distances }, this->UnreachedValue);
   // Not SetScalars(), which would remove the scalars of the input.
   data->SetActiveScalars(this->DistanceArrayName.c_str());
-  std::vector<bool> isPointReached(static_cast<std::size_t>(maker.NumberOfPoints));
-  for (std::size_t i = 0; i < isPointReached.size(); ++i)
+  std::vector<bool> isPointReached = isReached;
+  isPointReached.resize(static_cast<std::size_t>(maker.NumberOfPoints));
+  const bool areMerged = maker.Surface.GetNumberOfMergedPoints() > 0;
+  for (std::size_t i = 0; areMerged && i < isPointReached.size(); ++i)
   {
     isPointReached[i] = isReached[maker.Surface.GetVertex(static_cast<vtkIdType>(i))];
   }

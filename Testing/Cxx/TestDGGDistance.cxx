@@ -95,12 +95,16 @@ TEST_F(DGGDistance, CornersOfTheFaceOfASourceAreExact)
 TEST_F(DGGDistance, MaximumDistance)
 {
   this->Filter->SetAccuracy(0.1);
+  this->Filter->AddSourceId(300);
+  this->Filter->GenerateNearestSourceOn();
+  this->Filter->GenerateUpperBoundOn();
   ExpectSuccess(this->Filter);
   const auto all = GetDistances(this->Filter);
+  vtkNew<vtkPointData> whole;
+  whole->DeepCopy(this->Filter->GetOutput()->GetPointData());
   this->Filter->CorrectionOff();
   ExpectSuccess(this->Filter);
   const auto raw = GetDistances(this->Filter);
-  const auto exact = GetExactDistances(this->Terrain, { 40 });
   for (const double limit : { 0.0, 0.2, 0.55, 5.0 })
   {
     this->Filter->SetMaximumDistance(limit);
@@ -114,6 +118,16 @@ TEST_F(DGGDistance, MaximumDistance)
       {
         EXPECT_EQ(near[i], all[i]) << i;
       }
+      vtkPointData* data = this->Filter->GetOutput()->GetPointData();
+      const auto point = static_cast<vtkIdType>(i);
+      const auto get = [&](vtkPointData* from, const char* name) {
+        return from->GetArray(name)->GetComponent(point, 0);
+      };
+      EXPECT_EQ(
+        get(data, "GeodesicSource"), std::isnan(near[i]) ? -1.0 : get(whole, "GeodesicSource"));
+      const double bound = get(data, "GeodesicUpperBound");
+      EXPECT_TRUE(
+        std::isnan(near[i]) ? std::isnan(bound) : bound == get(whole, "GeodesicUpperBound"));
     }
     this->Filter->CorrectionOff();
     ExpectSuccess(this->Filter);
