@@ -8,6 +8,7 @@
 # Usage: Testing/Benchmark/run.sh [exact] [--out DIR] [MESH...] [OPTIONS OF BenchmarkExact]
 #        Testing/Benchmark/run.sh first [--out DIR] [--data DIR] [--readme] MESH...
 #        Testing/Benchmark/run.sh graph [--out DIR] [--readme] [MESH...] [OPTIONS OF BenchmarkGraph]
+#        Testing/Benchmark/run.sh local [--out DIR] [--readme] [NUMBER-OF-POINTS...]
 #        Testing/Benchmark/run.sh path [--out DIR] [--data DIR] [MESH...] [OPTIONS OF BenchmarkPath]
 #        Testing/Benchmark/run.sh isolines [--out DIR] [--data DIR] [MESH...]
 #                                 [OPTIONS OF BenchmarkIsolines]
@@ -24,6 +25,8 @@
 #             first.md
 #   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
 #             and error_against_degree.png (needs matplotlib)
+#   local     questions about a few points on meshes of growing size, beside SciPy and gdist: writes
+#             local.json and local.md
 #   path      what a graph gives: paths, samples, Voronoi cells, a matrix, loops: writes path.json
 #             and path.md
 #   isolines  isolines and approximate distances: writes isolines.json and isolines.md
@@ -52,7 +55,7 @@
 #   --exhibits  of the thesis: only these, T3.4,F3.9,...
 #   --libigl  folder with the headers of libigl, as a further peer of spectral
 #   --readme  put the tables into Testing/Benchmark/README.md and the plot into Examples/Images as
-#             well: first (no plot), graph, cloud, spectral; for spectral, draw
+#             well: first and local (no plot), graph, cloud, spectral; for spectral, draw
 #             Examples/Images/greens_function.png too; for thesis, write Testing/Benchmark/Thesis.md
 #             and its pictures to Testing/Benchmark/Images
 # For example:
@@ -78,7 +81,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  cloud | compare | exact | first | graph | isolines | passrate | path | spectral | thesis)
+  cloud | compare | exact | first | graph | isolines | local | passrate | path | spectral | thesis)
     mode="$1"
     shift
     ;;
@@ -133,8 +136,8 @@ while [ $# -gt 0 ]; do
       ;;
     --readme)
       case "$mode" in
-        cloud | first | graph | spectral | thesis) readme=yes ;;
-        *) dgg_fail "--readme is for the modes cloud, first, graph, spectral and thesis" ;;
+        cloud | first | graph | local | spectral | thesis) readme=yes ;;
+        *) dgg_fail "--readme is for the modes cloud, first, graph, local, spectral and thesis" ;;
       esac
       shift
       ;;
@@ -158,14 +161,23 @@ measure_exact() {
   echo "Written: $out/exact.json and $out/exact.md"
 }
 
-measure_first() {
-  "$build/bin/vtkdgg-python" "$here/first_answer.py" "$out/first.json" "$out/first.md" \
+# measure_in_python SCRIPT: the mode by a script with the remaining arguments.
+measure_in_python() {
+  "$build/bin/vtkdgg-python" "$here/$1" "$out/$mode.json" "$out/$mode.md" \
     ${arguments[@]+"${arguments[@]}"}
-  echo "Written: $out/first.json and $out/first.md"
+  echo "Written: $out/$mode.json and $out/$mode.md"
   if [ -n "$readme" ]; then
-    "$python" "$here/insert_table.py" "$here/README.md" first "$out/first.md"
+    "$python" "$here/insert_table.py" "$here/README.md" "$mode" "$out/$mode.md"
     echo "Written: Testing/Benchmark/README.md"
   fi
+}
+
+measure_first() {
+  measure_in_python first_answer.py
+}
+
+measure_local() {
+  measure_in_python local_queries.py
 }
 
 measure_graph() {
@@ -255,12 +267,13 @@ measure_compare() {
 packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
 case "$mode" in
   cloud | graph | passrate | thesis) packages+=(python3-matplotlib) ;;
+  local) packages+=(python3-scipy) ;;
   spectral) packages+=(python3-matplotlib libsuitesparse-dev) ;;
 esac
 with_python=OFF
 [ "$mode" = spectral ] && [ -n "$readme" ] && with_python=ON
 case "$mode" in
-  compare | first | passrate | thesis) with_python=ON ;;
+  compare | first | local | passrate | thesis) with_python=ON ;;
 esac
 dgg_install "${packages[@]}"
 

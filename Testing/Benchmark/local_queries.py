@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The cost of questions about a few points, on meshes of growing size, beside SciPy and gdist.
+
+Usage: local_queries.py OUT.json OUT.md [NUMBER-OF-POINTS ...]
+
+Meshes are rippled squares of 10,000, 100,000 and 1,000,000 points by default, the radius is three
+mean edge lengths. CPU time on one thread. SciPy's dijkstra(limit=...) searches the same graph, from
+a sample of the points; gdist (`pip install tvb-gdist`) is measured if it is installed, on meshes of
+up to 10,000 points.
+"""
+
+import json
+import sys
+import time
+
+import numpy as np
+import vtkdgg
+from scipy.sparse.csgraph import dijkstra
+from vtkmodules.vtkCommonCore import vtkSMPTools
+
+try:
+    import gdist
+except ImportError:
+    gdist = None
+
+SIZES = (10_000, 100_000, 1_000_000)
+REPETITIONS = 20
+LARGEST_OF_GDIST = 10_000
+DENSE_ENTRIES = 2e7  # of dense rows of SciPy
+
+
+def rippled_square(number_of_points):
+    """Points and triangles of a jittered, rippled grid with unit spacing."""
+    side = round(number_of_points**0.5)
+    x, y = (a.ravel() for a in np.meshgrid(np.arange(side), np.arange(side), indexing="ij"))
+    jitter = np.random.default_rng(7).uniform(-0.25, 0.25, (2, x.size))
+    height = np.sin(0.2 * x) * np.sin(0.15 * y)
+    corner = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
+    lower = np.stack([corner, corner + side, corner + side + 1], axis=1)
+    upper = np.stack([corner, corner + side + 1, corner + 1], axis=1)
+    points = np.stack([x + jitter[0], y + jitter[1], height], axis=1)
+    return points, np.concatenate([lower, upper])
+
+
+def seconds(function):
+    """CPU time of one call, and its result."""
+    start = time.process_time()
+    result = function()
+    return time.process_time() - start, result
+
+
+def median(function, sources):
+    """Median CPU time of one call per source, after one more."""
+    function(sources[-1])
+    return float(np.median([seconds(lambda s=s: function(s))[0] for s in sources]))
+
+
+def measure(number_of_points):
+    """All figures of one mesh."""
+    points, triangles = rippled_square(number_of_points)
+    edges = points[triangles[:, 0]] - points[triangles[:, 1]]
+    radius = 3.0 * float(np.linalg.norm(edges, axis=1).mean())
+    graph = vtkdgg.Graph(points, triangles)
+    n = graph.number_of_points
+    sources = np.linspace(0.1 * n, 0.9 * n, REPETITIONS).astype(int).tolist()
+    took, matrix = seconds(lambda: graph.sparse_matrix(radius))
+    found = {
+        "points": n,
+        "entries per row": matrix.nnz / n,
+        "sparse_matrix": took / matrix.nnz,
+        "neighborhood": median(lambda s: graph.neighborhood(s, radius), sources),
+        "bounded distance": median(lambda s: graph.distance(s, maximum_distance=radius), sources),
+        "matrix of two": median(lambda s: graph.matrix([s], [s + 3]), sources),
+    }
+    rows = np.linspace(0, n - 1, max(1, int(DENSE_ENTRIES / n))).astype(int)[:1000]
+    csr = graph.csr
+    took, dense = seconds(lambda: dijkstra(csr, indices=rows, limit=radius))
+    found["dijkstra"] = took / (np.count_nonzero(np.isfinite(dense)) - len(rows))
+    if gdist and n <= LARGEST_OF_GDIST:
+        local = triangles.astype(np.int32)
+        took, matrix = seconds(lambda: gdist.local_gdist_matrix(points, local, radius))
+        found["gdist"] = took / matrix.nnz
+    return found
+
+
+def table(results):
+    """A Markdown table with a line per mesh."""
+    lines = [
+        "| points | entries per row | sparse_matrix, per entry | dijkstra(limit), per entry | "
+        "gdist, per entry | neighborhood | distance(maximum_distance) | matrix of two points |",
+        "|---|---|---|---|---|---|---|---|",
+    ]
+    for found in results:
+        cells = [f"{found['points']:,}", f"{found['entries per row']:.1f}"]
+        for name in ("sparse_matrix", "dijkstra", "gdist"):
+            cells.append(f"{1e6 * found[name]:.2f} µs" if name in found else "")
+        for name in ("neighborhood", "bounded distance", "matrix of two"):
+            cells.append(f"{1e3 * found[name]:.2f} ms")
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main(json_path, table_path, sizes):
+    """Measure all meshes."""
+    vtkSMPTools.Initialize(1)
+    results = [measure(size) for size in sizes]
+    with open(json_path, "w", encoding="utf-8") as out:
+        json.dump(results, out, indent=1)
+    with open(table_path, "w", encoding="utf-8") as out:
+        out.write(table(results))
+    print(table(results))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2], list(map(int, sys.argv[3:])) or SIZES)
