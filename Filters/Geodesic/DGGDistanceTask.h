@@ -44,7 +44,7 @@ struct DGGDistanceTask
   bool MayBeSparse = false;
   /// Of sparse results: the arrays above have one value for each of Vertices, not per vertex.
   bool IsSparse = false;
-  std::vector<dgg::Id> Vertices; ///< vertices that may be reached, each once; all others are not
+  std::vector<dgg::Id> Vertices{}; ///< vertices that may be reached, each once; all others are not
 };
 
 #endif

@@ -79,7 +79,8 @@ class Command(unittest.TestCase):
         names = list(make_parser().commands)
         self.assertEqual(
             names,
-            "info graph distance path loop isolines voronoi sample greens render explore compare".split(),
+            "info graph distance matrix path loop isolines voronoi sample greens render explore "
+            "compare".split(),
         )
         result = command("--help")
         for name in names:
@@ -155,6 +156,33 @@ class Command(unittest.TestCase):
         graph = vtkdgg.Graph.from_polydata(files.read(path))
         self.assertEqual((found["edges"], found["accuracy"]), (len(graph.targets), 0.05))
         self.assertTrue((np.abs(graph.distance(5) - self.exact) <= 0.0501 * self.exact).all())
+
+    def test_matrix(self):
+        expected = vtkdgg.Graph(self.mesh, accuracy=0.05).matrix([0, 5, 9], [7, 500])
+        file, graph = [BUMPY, "--accuracy", 0.05], out("matrix_graph.vtp")
+        command("graph", *file, "--out", graph)
+        for where, origin in ((file, "built"), ([graph], "of the file")):
+            for name in ("matrix.csv", "matrix.npy"):
+                path = out(name)
+                found = self.answer(
+                    "matrix", *where, "--sources", "0,5,9", "--targets", "7,500", "--out", path
+                )
+                self.assertEqual((found["rows"], found["columns"]), (3, 2))
+                self.assertEqual(found["graph"], origin)
+                self.assertEqual(found["largest"], expected.max())
+                load = np.load if name.endswith("npy") else lambda p: np.loadtxt(p, delimiter=",")
+                np.testing.assert_array_equal(load(path), expected)
+        x, y, z = self.mesh.GetPoint(7)
+        cloud = ["--cloud"] if HAS_CLOUDS else []
+        found = self.answer(
+            "matrix", BUMPY, *cloud, "--source", f"{x},{y},{z}", "--source", "9", "--out", path
+        )
+        matrix = np.load(path)
+        np.testing.assert_array_equal(matrix, matrix.T)
+        self.assertEqual(matrix.shape, (2, 2))
+        result = command("matrix", BUMPY, "--sources", "0", "--targets", "642", "--out", path)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--targets 642", result.stderr)
 
     def test_distance(self):
         path = out("distance.vtp")
@@ -328,6 +356,7 @@ class Command(unittest.TestCase):
             (("path", BUMPY, 5, 100, "--out", out("p.stl")), ".obj .vtk .vtp"),
             (("path", BUMPY, 5, 100, "--out", out("p.ply")), ".obj .vtk .vtp"),
             (("isolines", BUMPY, "--source", 5, "--out", out("i.pcd")), ".obj .vtk .vtp"),
+            (("matrix", BUMPY, "--source", 5, "--out", out("m.vtp")), ".csv .npy"),
             (("loop", BUMPY, "--through", 5, "--out", out("l.off")), ".obj .vtk .vtp"),
             (("graph", BUMPY, "--out", out("g.ply")), ".vtk .vtp"),
             (("sample", BUMPY, "--number", 3, "--out", out("s.stl")), points),

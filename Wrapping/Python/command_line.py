@@ -29,6 +29,7 @@ from .errors import VTKError
 EXAMPLES = """examples:
   vtkdgg info mesh.ply
   vtkdgg distance mesh.ply --source 0 --source 1.5,2,0 --out distance.vtp
+  vtkdgg matrix mesh.ply --sources 0,5,9 --out matrix.csv
   vtkdgg path mesh.ply 0 1000 --out path.vtp
   vtkdgg isolines mesh.ply --source 0 --count 20 --accuracy 0.001 --out isolines.vtp
   vtkdgg voronoi mesh.ply --number 50 --iterations 10 --out cells.vtp
@@ -146,6 +147,14 @@ def make_parser():
         "has one, else exact)",
     )
     command.add_argument("--maximum", type=float, metavar="D", help="stop at this distance")
+    tabled = {"out": "matrix", "keeps": "", "needs_out": True}
+    listed = "--sources 0,5,9 --out matrix.csv"
+    command = add(answers.matrix, "source", *placed, **tabled, example=listed)
+    command.add_argument(
+        "--targets",
+        metavar="ID,ID,...",
+        help="point ids of the columns (default: the sources; the matrix is symmetric)",
+    )
     command = add(answers.path, *placed, out="curves", example="0 1000 --out path.vtp")
     command.add_argument(
         "--method",

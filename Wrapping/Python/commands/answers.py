@@ -215,6 +215,31 @@ def distance(options):
     return {**used, "points": len(values), **spread(values), **written(options, output)}
 
 
+def matrix(options):
+    """Distances between all pairs of two sets of points, or of one."""
+    contents, is_cloud = read(options)
+    rows = sources_of(options, contents)
+    columns = None
+    if options.targets is not None:
+        columns = several(options.targets.split(","), contents, "--targets")
+    made = graph_of(options, contents, is_cloud)
+    values = None
+    if options.out.endswith(".npy"):  # block by block: the matrix need not fit into memory
+        shape = len(rows), len(rows if columns is None else columns)
+        values = np.lib.format.open_memmap(options.out, "w+", np.float64, shape=shape)
+    values = made.matrix(rows, columns, out=values, projection_tolerance=options.tolerance)
+    if not options.out.endswith(".npy"):
+        np.savetxt(options.out, values, fmt="%.17g", delimiter=",")
+    largest = float(np.fmax.reduce(values, axis=None))
+    return {
+        "rows": values.shape[0],
+        "columns": values.shape[1],
+        "largest": largest,
+        **named(made),
+        "written": options.out,
+    }
+
+
 def path(options):
     """A shortest path."""
     contents, is_cloud = read(options)

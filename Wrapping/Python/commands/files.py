@@ -213,6 +213,7 @@ FORMATS = {
     "curves": [".obj", ".vtk", ".vtp"],
     "point cloud": [extension for extension in WRITABLE if extension != ".stl"],
     "graph": [".vtk", ".vtp"],
+    "matrix": [".csv", ".npy"],
     "picture": [".png"],
 }
 
