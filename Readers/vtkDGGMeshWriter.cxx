@@ -8,11 +8,13 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTriangleFilter.h"
 
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <iterator>
 
 vtkStandardNewMacro(vtkDGGMeshWriter);
@@ -52,21 +54,36 @@ int vtkDGGMeshWriter::Write()
   return this->IsWritten ? 1 : 0;
 }
 
+int vtkDGGMeshWriter::FindFormat() const
+{
+  // In the order of dgg::FileFormat.
+  const char* const extensions[] = { ".obj", ".off", ".pcd", ".ply", ".stl", ".xyz" };
+  const std::string extension =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
+  const auto* found = std::find(std::begin(extensions), std::end(extensions), extension);
+  return found == std::end(extensions) ? -1 : static_cast<int>(found - std::begin(extensions));
+}
+
 void vtkDGGMeshWriter::WriteData()
 {
-  using Code = dgg::FileStatus::Code;
   const auto work = [this](const dgg::FileProgress& progress) -> dgg::FileStatus {
-    const char* const extensions[] = { ".obj", ".off", ".ply", ".stl", ".xyz" };
-    const std::string extension =
-      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
-    const auto* found = std::find(std::begin(extensions), std::end(extensions), extension);
-    if (found == std::end(extensions))
+    const int found = this->FindFormat();
+    if (found < 0)
     {
-      return { Code::Unrecognized,
-        "the extension '" + extension + "' is unknown, expected .obj, .off, .ply, .stl or .xyz" };
+      return { dgg::FileStatus::Code::Unrecognized,
+        "the extension is unknown, expected .obj, .off, .pcd, .ply, .stl or .xyz" };
     }
-    const auto format = static_cast<dgg::FileFormat>(found - std::begin(extensions));
+    const auto format = static_cast<dgg::FileFormat>(found);
     vtkPolyData* input = this->GetInput();
+    vtkPointData* data = input->GetPointData();
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      if (!data->GetArray(i))
+      {
+        vtkWarningMacro(
+          "The array " << data->GetArrayName(i) << " is left out: it does not hold numbers.");
+      }
+    }
     vtkNew<vtkTriangleFilter> triangulate;
     if (format == dgg::FileFormat::STL)
     {

@@ -16,9 +16,11 @@
  *  - `.stl`: triangles, at least one; polygons are triangulated. Binary if float32 holds all
  *    coordinates, otherwise text.
  *  - `.xyz`: points.
+ *  - `.pcd`: points and point arrays, binary; see vtkPCDWriter for other modes.
  *
- * Triangle strips become triangles without cell arrays. Everything else is skipped. Colors are an
- * array `RGB` or `RGBA`, or the active scalars, of three or four unsigned chars.
+ * Triangle strips become triangles without cell arrays. Everything else is skipped; arrays of
+ * strings cause a warning. Colors are an array `RGB` or `RGBA`, or the active scalars, of three or
+ * four unsigned chars.
  *
  * <b>Errors</b>. A missing input or file name, another extension, a file that cannot be written or
  * a full disk cause an error with the name of the file. Write() then returns 0, GetErrorCode() is
@@ -73,6 +75,11 @@ protected:
   vtkDGGMeshWriter() = default;
   ~vtkDGGMeshWriter() override;
 
+  /**
+   * Returns the format, a value of dgg::FileFormat, by the extension of the file name; -1 if it is
+   * unknown.
+   */
+  virtual int FindFormat() const;
   void WriteData() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
 

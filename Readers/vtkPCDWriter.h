@@ -4,20 +4,20 @@
  * @class   vtkPCDWriter
  * @brief   write point clouds in PCL's format (PCD)
  *
- * <b>Input and output</b>. Writes the points of a vtkPolyData and its point arrays of numbers as a
- * file of version 0.7; cells are not written. The fields are `x`, `y`, `z` (float or double),
- * `normal_x`, `normal_y`, `normal_z` for active normals, `rgb` (with a fourth byte of 255) or
- * `rgba` if the active scalars, or an array `RGB` or `RGBA`, are three or four unsigned chars, and
- * each other array under its name. In names, blanks and control characters become `_`; one that is
- * taken, `_` or empty gets one more `_`. Arrays of strings are left out, with a warning. Width,
- * height and viewpoint are those of the field data, see vtkPCDReader, if they fit.
+ * <b>Input and output</b>. Writes the points and the point arrays of numbers as a file of version
+ * 0.7, whatever the extension of the file name; cells are skipped.
+ *  - `x`, `y`, `z` are float if the points are, otherwise double.
+ *  - Active normals become `normal_x`, `normal_y`, `normal_z`.
+ *  - Arrays `RGB` and `RGBA`, or active scalars, of three or four unsigned chars become `rgb` (with
+ *    a fourth byte of 255) and `rgba`.
+ *  - Each other array becomes a field of its name. Blanks and control characters in names become
+ *    `_`; a name that is taken, `_` or empty gets one more `_`.
+ *  - Width, height and viewpoint are those of the field data, see vtkPCDReader, if they fit.
  *
- * <b>Guarantee and cost</b>. vtkPCDReader reads the same numbers back, from text too; NaN and
- * infinity are `nan` and `inf`.
+ * vtkPCDReader reads the same numbers back, from text too; NaN and infinity are `nan` and `inf`.
  *
- * <b>Errors</b>. No input or file name, a file that cannot be written, a full disk, more than 10000
- * fields, or more than 4 GB of compressed data are reported with the name of the file; Write()
- * returns 0, GetErrorCode() is not zero, and a part of a file is removed.
+ * <b>Errors</b>. Those of vtkDGGMeshWriter, more than 10000 fields, and more than 4 GB of
+ * compressed data.
  *
  * @code
  * vtkNew<vtkPCDWriter> writer;
@@ -34,16 +34,14 @@
 #ifndef vtkPCDWriter_h
 #define vtkPCDWriter_h
 
+#include "vtkDGGMeshWriter.h"
 #include "vtkDGGReadersModule.h" // for the export macro
-#include "vtkWriter.h"
 
-class vtkPolyData;
-
-class VTKDGGREADERS_EXPORT vtkPCDWriter : public vtkWriter
+class VTKDGGREADERS_EXPORT vtkPCDWriter : public vtkDGGMeshWriter
 {
 public:
   static vtkPCDWriter* New();
-  vtkTypeMacro(vtkPCDWriter, vtkWriter);
+  vtkTypeMacro(vtkPCDWriter, vtkDGGMeshWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -58,14 +56,6 @@ public:
 
   ///@{
   /**
-   * Name of the file to write. There is no default.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
-
-  ///@{
-  /**
    * How the points are written. The default is BINARY.
    */
   vtkSetClampMacro(DataMode, int, ASCII, BINARY_COMPRESSED);
@@ -75,35 +65,17 @@ public:
   void SetDataModeToBinaryCompressed() { this->SetDataMode(BINARY_COMPRESSED); }
   ///@}
 
-  /**
-   * Write the file: 1 on success, 0 on failure, also when the input could not be made.
-   */
-  int Write() override;
-
-  ///@{
-  /**
-   * The points to write.
-   */
-  vtkPolyData* GetInput();
-  vtkPolyData* GetInput(int port);
-  ///@}
-
 protected:
   vtkPCDWriter() = default;
-  ~vtkPCDWriter() override;
+  ~vtkPCDWriter() override = default;
 
-  void WriteData() override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FindFormat() const override;
 
 private:
   vtkPCDWriter(const vtkPCDWriter&) = delete;
   void operator=(const vtkPCDWriter&) = delete;
 
-  void CheckArrays(); // throws
-
-  char* FileName = nullptr;
   int DataMode = BINARY;
-  bool IsWritten = false;
 };
 
 #endif

@@ -25,9 +25,12 @@ struct Format
 /// In the order of dgg::FileFormat.
 constexpr Format Formats[] = { { dgg::LooksLikeOBJ, dgg::ParseOBJ, dgg::WriteOBJ },
   { dgg::LooksLikeOFF, dgg::ParseOFF, dgg::WriteOFF },
+  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCD },
   { dgg::LooksLikePLY, dgg::ParsePLY, dgg::WritePLY },
   { dgg::LooksLikeSTL, dgg::ParseSTL, dgg::WriteSTL },
-  { dgg::LooksLikeXYZ, dgg::ParseXYZ, dgg::WriteXYZ } };
+  { dgg::LooksLikeXYZ, dgg::ParseXYZ, dgg::WriteXYZ },
+  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCDText },
+  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCDCompressed } };
 
 /// Turns what `work` throws into a status.
 template <typename Work>

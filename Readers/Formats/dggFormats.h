@@ -16,9 +16,12 @@ enum class FileFormat
 {
   OBJ,
   OFF,
+  PCD, ///< binary when written
   PLY,
   STL,
-  XYZ
+  XYZ,
+  PCDText,      ///< PCD, as text when written
+  PCDCompressed ///< PCD, compressed by LZF when written
 };
 
 /// Outcome of reading or writing a file.

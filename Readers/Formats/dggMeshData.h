@@ -5,12 +5,15 @@
 #ifndef dggMeshData_h
 #define dggMeshData_h
 
-#include <cstddef> // for std::size_t
-#include <cstdint> // for types of numbers
-#include <string>  // for names
-#include <utility> // for std::move
-#include <variant> // for values of any type
-#include <vector>  // for arrays
+#include "dggPointFields.h" // for the layout of clouds
+
+#include <cstddef>  // for std::size_t
+#include <cstdint>  // for types of numbers
+#include <optional> // for the layout
+#include <string>   // for names
+#include <utility>  // for std::move
+#include <variant>  // for values of any type
+#include <vector>   // for arrays
 
 namespace dgg
 {
@@ -57,6 +60,7 @@ struct MeshData
   CellList Polygons;           ///< three corners or more
   std::vector<DataArray> PointArrays;
   std::vector<DataArray> CellArrays; ///< verts first, then lines, then polygons
+  std::optional<CloudLayout> Layout; ///< of a point cloud in a PCD file
   std::vector<std::string> Warnings; ///< possible defects that are no errors
 
   std::size_t GetNumberOfPoints() const { return this->Points.size() / 3; }

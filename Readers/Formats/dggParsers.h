@@ -20,6 +20,9 @@ void ParseOBJ(std::string_view file, const ProgressReport& progress, MeshData& m
 bool LooksLikeOFF(std::string_view begin);
 void ParseOFF(std::string_view file, const ProgressReport& progress, MeshData& mesh);
 
+bool LooksLikePCD(std::string_view begin);
+void ParsePCD(std::string_view file, const ProgressReport& progress, MeshData& mesh);
+
 bool LooksLikePLY(std::string_view begin);
 void ParsePLY(std::string_view file, const ProgressReport& progress, MeshData& mesh);
 

@@ -37,17 +37,16 @@ public:
       this->Flush();
     }
   }
-  /// Puts the shortest text that gives the number again, behind a blank.
+  /// Puts the shortest text that gives the number again, behind `separator`.
   template <typename Number>
-  void PutNumber(Number number)
+  void PutNumber(Number number, std::string_view separator = " ")
   {
-    char buffer[64] = " nan"; // some programs do not read -nan
-    char* end = buffer + 4;
-    if (number == number)
-    {
-      end = std::to_chars(buffer + 1, buffer + sizeof(buffer), number).ptr;
-    }
-    this->Put({ buffer, static_cast<std::size_t>(end - buffer) });
+    this->Put(separator);
+    char buffer[64];
+    const bool isNaN = number != number; // some programs do not read -nan
+    const char* const end =
+      isNaN ? buffer : std::to_chars(buffer, buffer + sizeof(buffer), number).ptr;
+    this->Put(isNaN ? "nan" : std::string_view(buffer, static_cast<std::size_t>(end - buffer)));
   }
   /// Puts the numbers of an array for one point or cell.
   void PutNumbers(const DataArray& array, std::size_t i)
@@ -87,6 +86,9 @@ private:
 
 void WriteOBJ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
 void WriteOFF(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WritePCD(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WritePCDText(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WritePCDCompressed(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
 void WritePLY(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
 void WriteSTL(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
 void WriteXYZ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);

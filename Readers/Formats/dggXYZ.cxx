@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggParsers.h"
+#include "dggPointCloud.h"
 #include "dggWriters.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace
 {
@@ -81,15 +82,7 @@ void dgg::ParseXYZ(std::string_view file, const ProgressReport& progress, MeshDa
   {
     Fail(FileCode::Malformed, "the file has no points");
   }
-  for (std::size_t i = 0; i < mesh.GetNumberOfPoints(); ++i)
-  {
-    const double* p = mesh.Points.data() + 3 * i;
-    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]))
-    {
-      mesh.Verts.Connectivity.push_back(static_cast<std::int64_t>(i));
-      mesh.Verts.EndCell();
-    }
-  }
+  AddVertsOfFinitePoints(mesh);
   WarnOfOpenLine(file, mesh);
 }
 

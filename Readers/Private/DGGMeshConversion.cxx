@@ -3,6 +3,7 @@
 #include "DGGMeshConversion.h"
 
 #include "dggNumberTypes.h"
+#include "vtkDGGPointFields.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
@@ -10,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -21,19 +23,25 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
-#include <set>
 
 namespace
 {
 /// Copies values, and releases the originals.
 template <typename T>
-vtkSmartPointer<vtkDataArray> MakeArray(std::vector<T>& values, int components)
+vtkSmartPointer<vtkDataArray> MakeArray(
+  std::vector<T>& values, int components, const char* name = nullptr)
 {
+  constexpr bool isLong = std::is_integral<T>::value && sizeof(T) == 8;
+  constexpr int longType = std::is_signed<T>::value ? VTK_TYPE_INT64 : VTK_TYPE_UINT64;
   auto array = vtkSmartPointer<vtkDataArray>::Take(
-    vtkDataArray::CreateDataArray(vtkTypeTraits<T>::VTK_TYPE_ID));
+    vtkDataArray::CreateDataArray(isLong ? longType : vtkTypeTraits<T>::VTK_TYPE_ID));
+  array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), static_cast<T*>(array->GetVoidPointer(0)));
+  if (!values.empty())
+  {
+    std::memcpy(array->GetVoidPointer(0), values.data(), values.size() * sizeof(T));
+  }
   std::vector<T>().swap(values);
   return array;
 }
@@ -42,9 +50,8 @@ void AddArrays(std::vector<dgg::DataArray>& arrays, vtkDataSetAttributes* data)
 {
   for (dgg::DataArray& in : arrays)
   {
-    vtkSmartPointer<vtkDataArray> array =
-      std::visit([&in](auto& values) { return MakeArray(values, in.Components); }, in.Values);
-    array->SetName(in.Name.c_str());
+    vtkSmartPointer<vtkDataArray> array = std::visit(
+      [&in](auto& values) { return MakeArray(values, in.Components, in.Name.c_str()); }, in.Values);
     data->AddArray(array);
     switch (in.Role)
     {
@@ -140,7 +147,8 @@ vtkDataArray* FindColors(vtkDataSetAttributes* data, int components)
   return nullptr;
 }
 
-/// Copies all arrays of numbers, the active ones first.
+/// Copies all arrays of numbers, the active ones first. An array that does not fit the points or
+/// cells is an error, which names their kind, or skipped if `kind` is null.
 dgg::FileStatus ReadArrays(vtkDataSetAttributes* data, const char* kind, vtkIdType count,
   std::vector<dgg::DataArray>& result)
 {
@@ -183,6 +191,10 @@ dgg::FileStatus ReadArrays(vtkDataSetAttributes* data, const char* kind, vtkIdTy
   {
     if (array->GetNumberOfTuples() != count)
     {
+      if (!kind)
+      {
+        continue;
+      }
       return { dgg::FileStatus::Code::Malformed,
         std::string("the ") + kind + " array " + (array->GetName() ? array->GetName() : "") +
           " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
@@ -192,6 +204,21 @@ dgg::FileStatus ReadArrays(vtkDataSetAttributes* data, const char* kind, vtkIdTy
     result.back().Role = role;
   }
   return {};
+}
+/// Copies the coordinates and the layout of a cloud.
+void ReadPoints(vtkPolyData* input, dgg::MeshData& mesh)
+{
+  mesh.HasFloatPoints = true;
+  if (input->GetPoints())
+  {
+    vtkDataArray* points = input->GetPoints()->GetData();
+    mesh.HasFloatPoints = points->GetDataType() == VTK_FLOAT;
+    std::visit([&mesh](const auto& values) { mesh.Points.assign(values.begin(), values.end()); },
+      ReadArray(points).Values);
+  }
+  dgg::PointCloudView layout;
+  vtkDGG::GetPointCloudLayout(input, layout);
+  mesh.Layout = layout;
 }
 }
 
@@ -232,13 +259,7 @@ unsigned long vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const
 dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
 {
   const vtkIdType count = input->GetNumberOfPoints();
-  if (input->GetPoints())
-  {
-    vtkDataArray* points = input->GetPoints()->GetData();
-    mesh.HasFloatPoints = points->GetDataType() == VTK_FLOAT;
-    std::visit([&mesh](const auto& values) { mesh.Points.assign(values.begin(), values.end()); },
-      ReadArray(points).Values);
-  }
+  ReadPoints(input, mesh);
   vtkNew<vtkCellArray> triangles;
   vtkCellArray* strips = input->GetStrips();
   for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
@@ -265,6 +286,14 @@ dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
   return status;
 }
 
+dgg::MeshData vtkDGG::FromPointsOf(vtkPolyData* input)
+{
+  dgg::MeshData mesh;
+  ReadPoints(input, mesh);
+  ReadArrays(input->GetPointData(), nullptr, input->GetNumberOfPoints(), mesh.PointArrays);
+  return mesh;
+}
+
 void vtkDGG::ToPolyData(dgg::MeshData&& mesh, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -289,4 +318,12 @@ void vtkDGG::ToPolyData(dgg::MeshData&& mesh, vtkPolyData* output)
   output->SetPolys(MakeCells(mesh.Polygons));
   AddArrays(mesh.PointArrays, output->GetPointData());
   AddArrays(mesh.CellArrays, output->GetCellData());
+  if (mesh.Layout)
+  {
+    vtkFieldData* data = output->GetFieldData();
+    std::vector<std::int64_t> size = { mesh.Layout->Width, mesh.Layout->Height };
+    data->AddArray(MakeArray(size, 1, DimensionsName));
+    std::vector<double> sensor(mesh.Layout->Sensor.begin(), mesh.Layout->Sensor.end());
+    data->AddArray(MakeArray(sensor, 1, ViewpointName));
+  }
 }

@@ -12,6 +12,10 @@ class vtkPolyData;
 
 namespace vtkDGG
 {
+/// Names in the field data of point clouds.
+constexpr const char* DimensionsName = "PCD.Dimensions";
+constexpr const char* ViewpointName = "PCD.Viewpoint";
+
 /// Reads or writes a file by `work`, which receives a callback that reports progress and returns
 /// false once the user has aborted. Reports an error as "Cannot <verb> <fileName>: ..." and returns
 /// its vtkErrorCode; NoError after an abort as well.
@@ -21,6 +25,9 @@ unsigned long RunOnFile(vtkAlgorithm* algorithm, const char* verb, const char* f
 /// Copies points, cells and arrays of numbers; triangle strips become triangles, and then there are
 /// no cell arrays. Fails if a cell or an array does not fit the points.
 dgg::FileStatus FromPolyData(vtkPolyData* input, dgg::MeshData& mesh);
+
+/// Copies points and those point arrays of numbers that have a value for each point.
+dgg::MeshData FromPointsOf(vtkPolyData* input);
 
 /// Moves the data of a file into an empty vtkPolyData.
 void ToPolyData(dgg::MeshData&& mesh, vtkPolyData* output);

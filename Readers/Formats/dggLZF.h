@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The compression of PCD files, LZF. Internal to the reader and the writer.
+/// The compression of PCD files, LZF. Internal to the parser and the writer.
 ///
 /// A stream of LZF is a sequence of items that begin with a control byte c:
 /// - c < 32: c + 1 bytes follow and are taken as they are;
@@ -11,20 +11,22 @@
 ///   less one, whose low bits are the last byte of the item.
 ///
 /// PCL has the same in its library of files, which brings a whole VTK and Qt with it.
-#ifndef DGGLZF_h
-#define DGGLZF_h
+#ifndef dggLZF_h
+#define dggLZF_h
 
 #include <cstddef> // for std::size_t
 #include <vector>  // for the output
 
-/// More than that many bytes per compressed byte cannot come out: three bytes give 264.
-constexpr std::size_t DGGLZFMaximumRatio = 88;
+namespace dgg
+{
+/// Largest number of bytes per compressed byte: three bytes give 264.
+constexpr std::size_t LZFMaximumRatio = 88;
 
-/// True when the input is well-formed and gives just as many bytes as there is room for.
-bool DGGDecompressLZF(
-  const char* input, std::size_t inputSize, char* output, std::size_t outputSize);
+/// Returns true if the input is well-formed and gives exactly `outputSize` bytes.
+bool DecompressLZF(const char* input, std::size_t inputSize, char* output, std::size_t outputSize);
 
-/// Append the compressed input to the output.
-void DGGCompressLZF(const char* input, std::size_t inputSize, std::vector<char>& output);
+/// Appends the compressed input to the output.
+void CompressLZF(const char* input, std::size_t inputSize, std::vector<char>& output);
+}
 
 #endif

@@ -1,21 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DGGPCDHeader.h"
+#include "dggPCDHeader.h"
 
-#include "vtkErrorCode.h"
-#include "vtkType.h"
+#include "dggParsers.h"
+#include "dggPointCloud.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-using vtkDGG::PointField;
-using vtkDGG::Quote;
+using dgg::FileCode;
+using dgg::PointField;
+using dgg::Quote;
 
 namespace
 {
-constexpr auto Malformed = vtkErrorCode::FileFormatError;
+constexpr auto Malformed = FileCode::Malformed;
 
 constexpr const char* Keywords[] = { "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT",
   "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA" };
@@ -29,7 +30,7 @@ bool IsKeyword(std::string_view text)
 /// The words of the next line that is neither blank nor a comment; none at the end of the text. As
 /// a word takes many times the memory of its text, one more than there may be is kept, so that too
 /// many are noticed.
-std::vector<std::string_view> TakeLine(vtkDGG::TextCursor& text)
+std::vector<std::string_view> TakeLine(dgg::TextCursor& text)
 {
   std::vector<std::string_view> words;
   while (words.empty() && text.FindAnywhere())
@@ -38,7 +39,7 @@ std::vector<std::string_view> TakeLine(vtkDGG::TextCursor& text)
     while (text.FindOnLine())
     {
       const std::string_view word = text.TakeWord();
-      if (!isComment && words.size() < DGGPCDHeader::MostFields + 2)
+      if (!isComment && words.size() < dgg::PCDHeader::MaximumFields + 2)
       {
         words.push_back(word);
       }
@@ -57,7 +58,7 @@ struct Entry
   template <typename... Parts>
   [[noreturn]] void Fail(const Parts&... parts) const
   {
-    vtkDGG::Fail(Malformed, "line ", this->Line, ": ", parts...);
+    dgg::Fail(Malformed, "line ", this->Line, ": ", parts...);
   }
   /// Refuse a value.
   template <typename... Parts>
@@ -72,7 +73,7 @@ class Entries
 {
 public:
   /// Moves behind the line with DATA.
-  explicit Entries(vtkDGG::TextCursor& text)
+  explicit Entries(dgg::TextCursor& text)
   {
     const bool isEmpty = text.GetBytesLeft() == 0;
     while (this->Lines.count("DATA") == 0)
@@ -80,15 +81,15 @@ public:
       std::vector<std::string_view> words = TakeLine(text);
       if (words.empty())
       {
-        vtkDGG::Fail(vtkErrorCode::PrematureEndOfFileError, "line ", text.GetLine(), ": ",
+        dgg::Fail(FileCode::Premature, "line ", text.GetLine(), ": ",
           isEmpty ? "the file is empty" : "the file ends before the line DATA of the header");
       }
       const bool isFirst = this->Lines.empty();
       Entry entry{ std::string(words[0]), text.GetLine(), {} };
       if (!IsKeyword(entry.Keyword))
       {
-        vtkDGG::Fail(isFirst ? vtkErrorCode::UnrecognizedFileTypeError : Malformed, "line ",
-          entry.Line, ": ", Quote(entry.Keyword),
+        dgg::Fail(isFirst ? FileCode::Unrecognized : Malformed, "line ", entry.Line, ": ",
+          Quote(entry.Keyword),
           isFirst ? " is not the first keyword of a PCD file, such as VERSION"
                   : " is not a keyword of the header of a PCD file");
       }
@@ -120,13 +121,13 @@ public:
     return entry;
   }
   /// A number of points; -1 when there is no such line.
-  vtkIdType GetCount(const char* keyword, std::size_t& line) const
+  std::int64_t GetCount(const char* keyword, std::size_t& line) const
   {
-    vtkIdType count = -1;
+    std::int64_t count = -1;
     if (const Entry* entry = this->Find(keyword, 1))
     {
       line = entry->Line;
-      if (vtkDGG::ParseNumber(entry->Values[0], count) || count < 0)
+      if (dgg::ParseNumber(entry->Values[0], count) || count < 0)
       {
         entry->FailAt(0, " is not a number of points");
       }
@@ -139,7 +140,7 @@ private:
 };
 
 /// Files of old have neither SIZE nor TYPE: all numbers are floats then.
-void ReadFields(const Entries& entries, DGGPCDHeader& header)
+void ReadFields(const Entries& entries, dgg::PCDHeader& header)
 {
   const Entry* columns = entries.Find("COLUMNS");
   const Entry* names = entries.Find("FIELDS");
@@ -153,9 +154,9 @@ void ReadFields(const Entries& entries, DGGPCDHeader& header)
     (names ? *names : entries.Get("DATA")).Fail("no FIELDS before the data");
   }
   const std::size_t count = names->Values.size();
-  if (count > DGGPCDHeader::MostFields)
+  if (count > dgg::PCDHeader::MaximumFields)
   {
-    names->Fail("more than ", DGGPCDHeader::MostFields, " fields");
+    names->Fail("more than ", dgg::PCDHeader::MaximumFields, " fields");
   }
   const Entry* sizes = entries.Find("SIZE", count);
   const Entry* types = entries.Find("TYPE", count);
@@ -173,14 +174,14 @@ void ReadFields(const Entries& entries, DGGPCDHeader& header)
     {
       const std::string_view type = types->Values[i];
       field.Kind = type.size() == 1 ? type[0] : ' ';
-      if (vtkDGG::ParseNumber(sizes->Values[i], field.Size) ||
-        !vtkDGG::IsPointFieldType(field.Kind, field.Size))
+      if (dgg::ParseNumber(sizes->Values[i], field.Size) ||
+        !dgg::IsFieldType(field.Kind, field.Size))
       {
         sizes->FailAt(i, " of the field ", Quote(field.Name), " is not one of TYPE ", Quote(type),
           ": F has 4 or 8, I and U have 1, 2, 4 or 8");
       }
     }
-    if (counts && (vtkDGG::ParseNumber(counts->Values[i], field.Count) || field.Count < 1))
+    if (counts && (dgg::ParseNumber(counts->Values[i], field.Count) || field.Count < 1))
     {
       counts->FailAt(i, " of the field ", Quote(field.Name), " is not a positive number");
     }
@@ -193,39 +194,39 @@ void ReadFields(const Entries& entries, DGGPCDHeader& header)
   }
 }
 
-void ReadCounts(const Entries& entries, DGGPCDHeader& header)
+void ReadCounts(const Entries& entries, dgg::PCDHeader& header)
 {
-  header.Width = entries.GetCount("WIDTH", header.CountLine);
-  header.Height = entries.GetCount("HEIGHT", header.CountLine);
-  const vtkIdType points = entries.GetCount("POINTS", header.CountLine);
-  if (header.Width < 0 && points < 0)
+  header.Layout.Width = entries.GetCount("WIDTH", header.CountLine);
+  header.Layout.Height = entries.GetCount("HEIGHT", header.CountLine);
+  const std::int64_t points = entries.GetCount("POINTS", header.CountLine);
+  if (header.Layout.Width < 0 && points < 0)
   {
     entries.Get("DATA").Fail("neither WIDTH nor POINTS before the data");
   }
-  if (header.Width < 0 && header.Height > 1)
+  if (header.Layout.Width < 0 && header.Layout.Height > 1)
   {
     entries.Get("HEIGHT").Fail("HEIGHT without WIDTH");
   }
   // Old files have POINTS only, or say WIDTH 0 and HEIGHT 0 beside it.
-  if (header.Width < 0 || (header.Width == 0 && header.Height == 0))
+  if (header.Layout.Width < 0 || (header.Layout.Width == 0 && header.Layout.Height == 0))
   {
-    header.Width = std::max<vtkIdType>(points, 0);
-    header.Height = 1;
+    header.Layout.Width = std::max<std::int64_t>(points, 0);
+    header.Layout.Height = 1;
   }
-  header.Height = header.Height < 0 ? 1 : header.Height;
-  if (header.Height > 0 && header.Width > VTK_ID_MAX / header.Height)
+  header.Layout.Height = header.Layout.Height < 0 ? 1 : header.Layout.Height;
+  if (header.Layout.Height > 0 && header.Layout.Width > INT64_MAX / header.Layout.Height)
   {
     entries.Get("WIDTH").Fail("WIDTH times HEIGHT is too large");
   }
   if (points >= 0 && header.GetNumberOfPoints() != points)
   {
-    entries.Get("POINTS").Fail(
-      "POINTS ", points, " is not WIDTH ", header.Width, " times HEIGHT ", header.Height);
+    entries.Get("POINTS").Fail("POINTS ", points, " is not WIDTH ", header.Layout.Width,
+      " times HEIGHT ", header.Layout.Height);
   }
 }
 }
 
-std::size_t DGGPCDHeader::GetPointBytes() const
+std::size_t dgg::PCDHeader::GetPointBytes() const
 {
   std::size_t bytes = 0;
   for (const PointField& field : this->Fields)
@@ -235,17 +236,17 @@ std::size_t DGGPCDHeader::GetPointBytes() const
   return bytes;
 }
 
-void DGGPCDHeader::Parse(vtkDGG::TextCursor& text)
+void dgg::PCDHeader::Parse(dgg::TextCursor& text)
 {
   const Entries entries(text);
   ReadFields(entries, *this);
   ReadCounts(entries, *this);
-  if (const Entry* viewpoint = entries.Find("VIEWPOINT", this->Sensor.size()))
+  if (const Entry* viewpoint = entries.Find("VIEWPOINT", this->Layout.Sensor.size()))
   {
-    for (std::size_t i = 0; i < this->Sensor.size(); ++i)
+    for (std::size_t i = 0; i < this->Layout.Sensor.size(); ++i)
     {
-      if (vtkDGG::ParseNumber(viewpoint->Values[i], this->Sensor[i]) ||
-        !std::isfinite(this->Sensor[i]))
+      if (dgg::ParseNumber(viewpoint->Values[i], this->Layout.Sensor[i]) ||
+        !std::isfinite(this->Layout.Sensor[i]))
       {
         viewpoint->FailAt(i, " is not a finite number");
       }
@@ -258,10 +259,10 @@ void DGGPCDHeader::Parse(vtkDGG::TextCursor& text)
   {
     data.Fail("DATA must be one of ascii, binary and binary_compressed");
   }
-  this->Data = static_cast<DGGPCDData>(name - std::begin(DataNames));
+  this->Data = static_cast<PCDData>(name - std::begin(DataNames));
 }
 
-std::string DGGPCDHeader::Format() const
+std::string dgg::PCDHeader::Format() const
 {
   std::string names;
   std::string sizes;
@@ -275,22 +276,22 @@ std::string DGGPCDHeader::Format() const
     counts += " " + std::to_string(field.Count);
   }
   std::string sensor;
-  for (const double value : this->Sensor)
+  for (const double value : this->Layout.Sensor)
   {
     char buffer[64];
     const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value);
     sensor += " " + std::string(buffer, end.ptr);
   }
   return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS" + names + "\nSIZE" +
-    sizes + "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " + std::to_string(this->Width) +
-    "\nHEIGHT " + std::to_string(this->Height) + "\nVIEWPOINT" + sensor + "\nPOINTS " +
-    std::to_string(this->GetNumberOfPoints()) + "\nDATA " +
+    sizes + "\nTYPE" + types + "\nCOUNT" + counts + "\nWIDTH " +
+    std::to_string(this->Layout.Width) + "\nHEIGHT " + std::to_string(this->Layout.Height) +
+    "\nVIEWPOINT" + sensor + "\nPOINTS " + std::to_string(this->GetNumberOfPoints()) + "\nDATA " +
     DataNames[static_cast<int>(this->Data)] + "\n";
 }
 
-bool DGGLooksLikePCD(std::string_view begin)
+bool dgg::LooksLikePCD(std::string_view begin)
 {
-  vtkDGG::TextCursor text(begin, false);
+  dgg::TextCursor text(begin, {});
   bool hasFields = false;
   std::string_view keyword;
   while (keyword != "DATA")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DGGLZF.h"
+#include "dggLZF.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -44,7 +44,7 @@ void AppendCopy(std::size_t distance, std::size_t length, std::vector<char>& out
 }
 }
 
-bool DGGDecompressLZF(
+bool dgg::DecompressLZF(
   const char* input, std::size_t inputSize, char* output, std::size_t outputSize)
 {
   const auto* in = reinterpret_cast<const unsigned char*>(input);
@@ -91,7 +91,7 @@ bool DGGDecompressLZF(
   return out == outEnd;
 }
 
-void DGGCompressLZF(const char* input, std::size_t inputSize, std::vector<char>& output)
+void dgg::CompressLZF(const char* input, std::size_t inputSize, std::vector<char>& output)
 {
   const auto* bytes = reinterpret_cast<const unsigned char*>(input);
   // Where three bytes with that hash were last, plus one; 0 when nowhere.
