@@ -158,6 +158,44 @@ def matrix(trial):
         expect_promise(trial, found, trial.results["exact"][:, sources])
 
 
+def local(trial):
+    """Sparse rows are the near part of dense ones, bounded distances that of unbounded ones."""
+    sources, count = trial.surface.sources, len(trial.surface.points)
+    algorithm = vtkdgg.vtkGeodesicDistanceMatrix()
+    algorithm.SetInputData(trial.graph())
+    algorithm.SetRowIds(sources.tolist())
+    algorithm.SetColumnIds(list(range(count)))
+    trial.update(algorithm)
+    dense = np.array(vtk_to_numpy(algorithm.GetMatrix())).reshape(len(sources), count)
+    # Between two distances, as rounding decides at the radius itself.
+    radius = np.nanquantile(dense, 0.1) * (1.0 + 1e-9)
+    algorithm.SetColumnIds([])
+    algorithm.CompressedRowsOn()
+    algorithm.SetMaximumDistance(radius)
+    table = trial.update(algorithm)
+    starts = vtk_to_numpy(table.GetFieldData().GetArray("RowOffsets"))
+    columns = vtk_to_numpy(table.GetColumnByName("Column"))
+    found = np.full(dense.shape, np.inf)
+    rows = np.repeat(np.arange(len(sources)), np.diff(starts))
+    found[rows, columns] = vtk_to_numpy(table.GetColumnByName("GeodesicDistance"))
+    near = dense <= radius
+    trial.expect(np.isfinite(found) == near, "sparse row is not the near part of the dense one")
+    difference = np.abs(found[near] - dense[near])
+    trial.expect_most(difference, trial.slack(dense[near]), "sparse distance is not the dense one")
+    search = vtkdgg.vtkDGGDistance()
+    search.SetInputData(trial.graph())
+    search.SetSourceIds([int(sources[0])])
+    fields = []
+    for limit in (np.inf, radius):
+        search.SetMaximumDistance(limit)
+        fields.append(support.point_array(trial.update(search), "GeodesicDistance"))
+    expected = np.where(fields[0] <= radius, fields[0], np.nan)
+    trial.expect(
+        (fields[1] == expected) | (np.isnan(fields[1]) & np.isnan(expected)),
+        "bounded distance is not the near part of the unbounded one",
+    )
+
+
 def approximate(make):
     def check(trial):
         algorithm = make()
@@ -576,6 +614,7 @@ CHECKS = {
     "voronoi": voronoi,
     "sampler": sampler,
     "matrix": matrix,
+    "local": local,
     "loop": loops,
     "patches": patches,
     "heat": approximate(vtkdgg.vtkHeatGeodesicDistance),
@@ -599,5 +638,6 @@ NEEDS = {
     "voronoi": ["exact", "graph"],
     "sampler": ["graph"],
     "matrix": ["exact", "graph"],
+    "local": ["graph"],
     "loop": ["graph"],
 }
