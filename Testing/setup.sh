@@ -53,7 +53,17 @@ dgg_install() {
   rm -f "$log"
 }
 
-# dgg_build FOLDER [CMAKE ARGUMENTS]: configure and build, showing output only when it fails.
+# Shows the progress of ninja, whose output is read, in steps of 10 %.
+dgg_show_progress() {
+  awk -F '[][/]' '/^\[[0-9]+\/[0-9]+\]/ {
+      percent = 10 * int(10 * $2 / $3)
+      if (percent > shown) { printf " %d %%", percent; fflush(); shown = percent }
+    }
+    END { if (shown) print "" }'
+}
+
+# dgg_build FOLDER [CMAKE ARGUMENTS]: configure and build, showing progress, and the end of the
+# output when it fails.
 dgg_build() {
   local folder="$1"
   shift
@@ -61,7 +71,7 @@ dgg_build() {
   local log="$folder/build.log"
   echo "Building in $folder ..."
   if ! { cmake -G Ninja -S "$DGG_ROOT" -B "$folder" "$@" &&
-    cmake --build "$folder"; } >"$log" 2>&1; then
+    cmake --build "$folder"; } 2>&1 | tee "$log" | dgg_show_progress; then
     tail -n 60 "$log" >&2
     dgg_fail "the build failed; all of its output is in $log"
   fi
