@@ -25,6 +25,7 @@ PAGES = (
     "Testing/README.md",
     "Wrapping/ParaView/README.md",
     "Wrapping/Python/README.md",
+    "Wrapping/Python/Shell.md",
     "Wrapping/README.md",
 )
 

@@ -147,6 +147,10 @@ class Surface(unittest.TestCase):
             self.assert_equal(values, scene.step * np.arange(1, count))
             self.assertEqual(scene.lines, hand.window._lines.GetMapper().GetInput())
             text = hand.window._status.GetInput()
+            at = "({:.6g}, {:.6g}, {:.6g})".format(*hand.place())
+            nearest = np.linalg.norm(support.bumpy()[0] - hand.place(), axis=1).argmin()
+            said = f"h: help\nsource: {at}, nearest point {nearest}"
+            self.assertEqual(hand.window._help.GetInput(), said)
             self.assertRegex(text, r"by fast: nothing is promised\nfast [\d.]+ ms, isolines [\d.]+")
         self.assertRegex(text, r"\n\d+ frames a second without rendering\Z")
         self.assertGreater(hand.window.seconds, 0.0)
@@ -335,10 +339,10 @@ class Surface(unittest.TestCase):
         hand, window = self.hand, self.hand.window
         hand.click(hand.middle())
         hand.key("h")
-        for key in "m+-evgcrshq":
+        for key in "m+-evgcrsxhq":
             self.assertRegex(window._help.GetInput(), rf"(?m)^(\+ and )?{re.escape(key)}[: ]")
         hand.key("h")
-        self.assertEqual(window._help.GetInput(), "h: help")
+        self.assertRegex(window._help.GetInput(), "\\Ah: help\nsource: ")
         hand.key("s")
         hand.key("s")
         for number in (1, 2):
@@ -355,7 +359,28 @@ class Surface(unittest.TestCase):
         self.assertEqual(self.scene.places, [])
         self.assertIsNone(self.scene.values)
         self.assertFalse(window._lines.GetVisibility())
-        hand.key("x")  # means nothing
+        hand.key("x")
+        self.assertIn("written: nothing", window._status.GetInput())
+        hand.key("z")  # has no meaning
+
+    def test_export(self):
+        hand, scene = self.hand, self.scene
+        hand.click(hand.middle(), hand.middle(40, 10))
+        for view, name in (("", "GeodesicDistance"), ("e", "ErrorPercent")):
+            if view:
+                hand.key(view)
+            values, path = scene.values, scene.path.points
+            hand.key("x")
+            *_, surface, table, line, points = hand.window.written
+            found = support.point_array(files.read(surface), name)
+            np.testing.assert_array_equal(found, values)
+            with open(table, encoding="utf-8") as file:
+                self.assertEqual(file.readline().strip(), f"x,y,z,{name}")
+                np.testing.assert_array_equal(np.loadtxt(file, delimiter=",")[:, 3], values)
+            self.assertEqual(files.read(line).GetNumberOfLines(), 1)
+            found = np.loadtxt(points, delimiter=",", skiprows=1)
+            np.testing.assert_array_equal(found, path)
+        self.assertTrue(surface.endswith("shot-points-2.vtp") and points.endswith("path-2.csv"))
 
     def test_start(self):
         # In a process of its own: VTK keeps windows of before in mind when an event loop starts.

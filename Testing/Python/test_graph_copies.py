@@ -153,13 +153,13 @@ class FromPolydata(unittest.TestCase):
     def refuses(self, mesh, pattern):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            with self.assertRaisesRegex(ValueError, f"polydata: its graph is damaged: .*{pattern}"):
+            with self.assertRaisesRegex(ValueError, f"graph on the mesh is damaged: .*{pattern}"):
                 vtkdgg.Graph.from_polydata(mesh)
 
     def test_damaged(self):
         mesh = self.editable()
         vtk_to_numpy(mesh.GetFieldData().GetArray("DGG.Lengths"))[100] *= 0.5
-        self.refuses(mesh, "checksum is wrong.*a text file that rounds.*build it anew")
+        self.refuses(mesh, "checksum is wrong.*a text file that rounds.*give an accuracy")
         mesh = self.editable()
         mesh.GetFieldData().GetArray("DGG.Targets").SetNumberOfTuples(100)
         self.refuses(mesh, "DGG.Targets has 100")

@@ -177,8 +177,8 @@ class PythonPage(unittest.TestCase):
 
     def test_from_the_shell(self):
         folder = support.output_folder("readme")
-        lines = pages.blocks("Wrapping/Python/README.md", "sh")[0].splitlines()
-        self.assertEqual(len(lines), 6)
+        lines = pages.blocks("Wrapping/Python/Shell.md", "sh")[0].splitlines()
+        self.assertEqual(len(lines), 7)
         shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
         for line in lines:
             words = line.replace(" 1.5,2,0", " 300").replace(" 1000", " 600").split()
@@ -189,9 +189,9 @@ class PythonPage(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_keys_of_the_explorer(self):
-        page = pages.text_of("Wrapping/Python/README.md")
+        page = pages.text_of("Wrapping/Python/Shell.md")
         keys = re.findall(r"(?m)^(\S)(?: and (\S))?: ", HELP)
-        self.assertEqual(len(keys), 10)
+        self.assertEqual(len(keys), 11)
         for key in filter(None, (key for pair in keys for key in pair)):
             self.assertIn(f"`{key}`", page)
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import sys
 import time
@@ -14,6 +15,7 @@ from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
 
 from .commands import cloud_pictures, pictures, places
+from .commands.output import save
 from .commands.words import HELP
 from .errors import VTKError
 from .explorer_props import CloudSkin, Skin, bar_of, lines_actor, table_of
@@ -50,7 +52,7 @@ class Explorer:
     seconds : float
         That the last step of dragging took, without rendering.
     written : list of str
-        Screenshots.
+        Screenshots and exported files.
 
     Raises
     ------
@@ -68,12 +70,16 @@ class Explorer:
         self.seconds = 0.0
         self.written = []
         self._picture = picture
-        self._skin = CloudSkin(scene.surface) if scene.is_cloud else Skin(scene.surface)
+        if scene.is_cloud:
+            self._skin = CloudSkin(scene.surface)
+        else:
+            self._skin = Skin(scene.surface, scene.locator)
         self._lines = lines_actor()
         self._table = self._known = None
         self._passing = []
         self._status = pictures.text("", 0.01, 0.015, 20)
-        self._help = pictures.text("h: help", 0.01, 0.985, 20)
+        self._help = pictures.text("", 0.01, 0.985, 20)
+        self._shows_help = False
         self._help.GetTextProperty().SetVerticalJustificationToTop()
         for prop in (self._status, self._help):
             look = prop.GetTextProperty()
@@ -171,6 +177,8 @@ class Explorer:
         for prop in self._passing:
             self.renderer.AddViewProp(prop)
         self._say(scene.status())
+        if not self._shows_help:
+            self._help.SetInput("\n".join(filter(None, ["h: help", scene.last_place()])))
 
     def draw(self):
         """Bring the picture up to date."""
@@ -178,16 +186,31 @@ class Explorer:
         self.window.Render()
 
     def save_picture(self, path=None):
-        """Write a screenshot, to a file that is not there yet unless one is given; its name."""
-        stem, extension = os.path.splitext(self._picture)
-        number = 1
-        while path is None:
-            name = f"{stem}-{number}{extension}"
-            path = None if os.path.exists(name) else name
-            number += 1
+        """Writes a screenshot, to a new file unless one is given, and returns its name."""
+        path = path or self._new_name("", os.path.splitext(self._picture)[1])
         pictures.write_png(path, self.window)
         self.written.append(path)
         return path
+
+    def export(self):
+        """Writes what is shown to new .vtp and .csv files, and returns their names."""
+        names = []
+        for part, data in self.scene.answer().items():
+            names += [self._new_name(f"-{part}", extension) for extension in (".vtp", ".csv")]
+            save(names[-2], data)
+            arrays = data.GetPointData()
+            columns = [data.GetPoints().GetData(), *filter(None, [arrays.GetScalars()])]
+            header = ",".join(["x,y,z", *(array.GetName() for array in columns[1:])])
+            table = np.column_stack([vtk_to_numpy(array) for array in columns])
+            np.savetxt(names[-1], table, "%.17g", ",", header=header, comments="")
+        self.written += names
+        return names
+
+    def _new_name(self, part, extension):
+        """Returns the numbered name of a file that does not exist."""
+        stem = os.path.splitext(self._picture)[0] + part
+        names = (f"{stem}-{number}{extension}" for number in itertools.count(1))
+        return next(name for name in names if not os.path.exists(name))
 
     def _where(self, place):
         return np.array(self.scene.surface.GetPoint(place) if isinstance(place, int) else place)
@@ -283,9 +306,11 @@ class Explorer:
         elif key == "c":
             self._change(scene.clear)
         elif key == "s":
-            self._change(self._shoot, self.draw)
+            self._change(lambda: self._report([self.save_picture()]), self.draw)
+        elif key == "x":
+            self._change(lambda: self._report(self.export()), self.draw)
         elif key in ("h", "?"):
-            self._change(self._turn_help, self.window.Render)
+            self._change(self._turn_help, self.draw)
         elif key == "r":
             self._change(self.renderer.ResetCamera, self.window.Render)
         elif key == "q":
@@ -295,17 +320,18 @@ class Explorer:
         """Do what a key asks for, and show that; unless another way is given, the scene at rest."""
         try:
             change()
-        except (ValueError, VTKError) as refusal:
+        except (OSError, ValueError, VTKError) as refusal:
             self.scene.message = " ".join(str(refusal).split())
             self.draw()
         else:
             (show or self._settle)()
 
-    def _shoot(self):
-        self.scene.message = f"written: {self.save_picture()}"
+    def _report(self, names):
+        self.scene.message = f"written: {', '.join(names) or 'nothing, as nothing is shown'}"
 
     def _turn_help(self):
-        self._help.SetInput("h: help" if self._help.GetInput() == HELP else HELP)
+        self._shows_help = not self._shows_help
+        self._help.SetInput(HELP)
 
 
 def far_place(scene):

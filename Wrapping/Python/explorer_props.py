@@ -9,7 +9,7 @@ from colorsys import hsv_to_rgb
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -41,7 +41,7 @@ LIGHTNESS = (0.95, 0.80)
 class Skin:
     """A surface: its points with values, or cells of it in place of them."""
 
-    def __init__(self, surface):
+    def __init__(self, surface, locator):
         numbered = vtkPolyData()
         numbered.CopyStructure(surface)
         ids = numpy_to_vtkIdTypeArray(np.arange(surface.GetNumberOfPoints()), deep=True)
@@ -69,9 +69,6 @@ class Skin:
         self._body = vtkActor()  # what is picked, whatever is drawn
         self._body.SetMapper(vtkPolyDataMapper())
         self._body.GetMapper().SetInputData(surface)
-        locator = vtkStaticCellLocator()
-        locator.SetDataSet(surface)
-        locator.BuildLocator()
         self._picker = vtkCellPicker()
         self._picker.PickFromListOn()
         self._picker.AddPickList(self._body)

@@ -8,12 +8,14 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import reference
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 
 from . import arguments
 from .cloud_graph import CloudGraph
 from .commands import files
 from .commands.measured import Errors
+from .commands.output import with_arrays
 from .commands.pictures import nice_step
 from .commands.sizes import floor_of
 from .errors import VTKError, run
@@ -28,6 +30,14 @@ from .vtkDGGFiltersGeodesic import (
 )
 from .vtkDGGFiltersSpectral import vtkDiscreteGreensFunction
 
+# Roles of the places, and names of the array of each view in files.
+ROLES = ("source", "end", "corner")
+ARRAYS = {
+    "distance": "GeodesicDistance",
+    "error": "ErrorPercent",
+    "voronoi": "GeodesicSource",
+    "greens": "GreensFunction",
+}
 ACCURACIES = (0.1, 0.03, 0.01, 0.003, 0.001)
 FILTERS = {
     "graph": vtkDGGDistance,
@@ -86,7 +96,8 @@ class Scene:
         self.view = "distance"
         self.method = "graph"
         self.message = ""
-        self._merging = merge or bool(info and info.is_merged), info.merge_tolerance if info else 0.0
+        tolerance = info.merge_tolerance if info is not None else 0.0
+        self._merging = merge or bool(info and info.is_merged), tolerance
         self._graph = None
         self._filters = {}
         self._fastest = {}
@@ -95,6 +106,10 @@ class Scene:
         self._contour = vtkApolloniusIsolines()
         set_merging(self._contour, *self._merging)
         self._contour.SetChordTolerance(0.02)  # finer than can be seen
+        if not is_cloud:
+            self.locator = vtkStaticCellLocator()
+            self.locator.SetDataSet(self.surface)
+            self.locator.BuildLocator()
         self.clear()
         self.update()
 
@@ -133,6 +148,7 @@ class Scene:
         self._is_suggested = False
         self.places = []
         self.held = None
+        self._last = 0
         self._reach = 0.0
 
     def toggle(self, view):
@@ -177,7 +193,7 @@ class Scene:
             handle = len(self.places)
             self.places.append(place)
         self._is_suggested = False
-        self.held = handle
+        self.held = self._last = handle
         self.move(place)
 
     def move(self, place):
@@ -242,6 +258,36 @@ class Scene:
             parts = (f"{name} {1e3 * seconds:.1f} ms" for name, seconds in self.times.items())
             lines.append(", ".join(parts))
         return [*lines, self.message] if self.message else lines
+
+    def last_place(self):
+        """Returns a text of the place that was clicked or moved last: its coordinates, and the id
+        of the point there or of the nearest corner of its triangle. Empty without places."""
+        if self._last >= len(self.places):
+            return ""
+        place = self.places[self._last]
+        role = "source" if self.view == "voronoi" else ROLES[self._last]
+        if self.is_cloud:
+            x, y, z = self.surface.GetPoint(place)
+            return f"{role}: point {place} at ({x:.6g}, {y:.6g}, {z:.6g})"
+        closest, cell, sub, squared = [0.0] * 3, reference(0), reference(0), reference(0.0)
+        self.locator.FindClosestPoint(place, closest, cell, sub, squared)
+        ids = self.surface.GetCell(cell.get()).GetPointIds()
+        corners = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+        offsets = np.array([self.surface.GetPoint(i) for i in corners]) - place
+        nearest = corners[int(np.argmin((offsets**2).sum(axis=1)))]
+        x, y, z = place
+        return f"{role}: ({x:.6g}, {y:.6g}, {z:.6g}), nearest point {nearest}"
+
+    def answer(self):
+        """Returns what is shown, by name: the surface or cloud with the values as a point array,
+        the path and the loop."""
+        found = {}
+        if self.values is not None:
+            found["points"] = with_arrays(self.surface, {ARRAYS[self.shown]: self.values})
+        for name, curve in (("path", self.path), ("loop", self.loop)):
+            if curve:
+                found[name] = _polyline(curve.points)
+        return found
 
     def _promise(self):
         """Returns the largest relative error of the distances, None without a bound."""
@@ -403,6 +449,15 @@ class Scene:
                 self.loop = loops[0]
             else:
                 self.message = "no loop: it contracts to a point, or the surface has gaps"
+
+
+def _polyline(points):
+    """One line through the points."""
+    curve = arguments.polydata(points)
+    line = vtkCellArray()
+    line.InsertNextCell(len(points), range(len(points)))
+    curve.SetLines(line)
+    return curve
 
 
 def _triangles_of(surface):

@@ -20,7 +20,7 @@ _SIZE = 12
 def damaged(what):
     """The error of a graph that has been altered."""
     return ValueError(
-        f"polydata: its graph is damaged: {what}; build it anew by vtkdgg.Graph(mesh, accuracy=...)"
+        f"the graph on the mesh is damaged: {what}; give an accuracy to build another one"
     )
 
 
@@ -77,7 +77,7 @@ class GraphInfo:
 
     @classmethod
     def find(cls, polydata):
-        """Returns the parameters of the graph on a surface or cloud, None without a readable one."""
+        """Returns the parameters of the graph on a surface, None without a readable one."""
         try:
             return cls(polydata)
         except ValueError:

@@ -60,8 +60,9 @@ class DGGAccessor:
         use_scalar_weights: bool = False,
         progress_bar: bool = False,
     ) -> Any:
-        """An exact shortest path, with the arguments of PyVista's `geodesic`, which follows edges.
+        """A shortest path, with the arguments of PyVista's `geodesic`, which follows edges.
 
+        The path is exact, or that of the graph on the mesh if there is one.
         Ends may be coordinates as well. Where the path crosses edges and faces, its array
         "vtkOriginalPointIds" has -1. There are no scalar weights; progress is shown in any case.
         """
@@ -80,7 +81,7 @@ class DGGAccessor:
         use_scalar_weights: bool = False,
         progress_bar: bool = False,
     ) -> float:
-        """The exact distance, with the arguments of PyVista's `geodesic_distance`."""
+        """The length of `geodesic`, with the arguments of PyVista's `geodesic_distance`."""
         return self._path(start_vertex, end_vertex, use_scalar_weights, False).length
 
     def paths(self, starts: Any, ends: Any, accuracy: Optional[float] = None, **options: Any) -> Any:

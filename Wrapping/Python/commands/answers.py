@@ -59,8 +59,11 @@ def graph_of(options, contents, is_cloud=False):
     accuracy, merging = options.accuracy, {"merge_coincident_points": options.merge}
     if accuracy is None or options.command == "graph" or not GraphInfo.find(contents):
         return vtkdgg.Graph(contents, accuracy=accuracy, **merging)
-    made = vtkdgg.Graph(contents, **merging)
-    if not made.used_input_graph:  # it is out of date
+    try:
+        made = vtkdgg.Graph(contents, **merging)
+    except ValueError:  # it is damaged
+        made = None
+    if made is None or not made.used_input_graph:
         return vtkdgg.Graph(contents, accuracy=accuracy, **merging)
     if not GraphInfo(made.polydata).keeps(accuracy):
         warnings.warn(
@@ -188,7 +191,7 @@ def graph(options):
 
 
 def find_distances(options, contents, is_cloud=False, **choices):
-    """Returns the contents with distances from the sources, and the entries that name the method."""
+    """Returns the contents with distances from the sources, and entries that name the method."""
     sources = sources_of(options, contents)
     choices.update(projection_tolerance=options.tolerance, as_polydata=True)
     method = method_of(options, contents, is_cloud)

@@ -406,7 +406,8 @@ def view_of(mesh, text):
     """Returns the direction to look from that a name or coordinates stand for."""
     up = up_of(mesh)
     front, right = front_of(up), np.array((1.0, 0.0, 0.0))
-    names = {"front": front, "right": right, "top": up, "back": -front, "left": -right, "bottom": -up}
+    names = {"front": front, "right": right, "top": up}
+    names.update({"back": -front, "left": -right, "bottom": -up})
     if text in names:
         return names[text]
     try:

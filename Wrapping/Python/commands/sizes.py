@@ -29,7 +29,8 @@ def edge_lengths(mesh):
 def area(mesh):
     """Returns the area of all triangles."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    a, b, c = points[vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)].swapaxes(0, 1)
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
     return 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
 
 

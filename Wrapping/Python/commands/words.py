@@ -18,6 +18,7 @@ g: Green's function
 c: clear
 r: all in view
 s: screenshot
+x: export what is shown (.vtp, .csv)
 h: this help
 q: quit"""
 
@@ -34,6 +35,7 @@ IN_OPTIONS = {
     r": it has to be in \[(.*), (.*)\]": r" is out of range: expected \1 to \2",
     r"(?:turn|call Set)?\s*MergeCoincidentPoints(?:On\(\))? on": "add --merge",
     r"\bmerge_coincident_points may join them": "--merge may join them",
+    r"\bgive an accuracy\b": "give an --accuracy",
     r"\bthe accuracy is\b|\b[Aa]ccuracy(?=:)": "--accuracy",
     r", or turn InFaces on": "",
     r", or Radius too small": "",

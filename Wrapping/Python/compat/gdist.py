@@ -54,12 +54,12 @@ def distance_matrix_of_selected_points(
     max_distance: float = np.inf,
     is_one_indexed: bool = False,
 ) -> Any:
-    """Returns distances between some vertices, a scipy.sparse.csc_matrix of the size of the mesh."""
+    """Returns distances between some vertices, a scipy.sparse.csc_matrix of shape (n, n)."""
     return _matrix(vertices, triangles, points, max_distance, is_one_indexed)
 
 
 def _matrix(vertices, triangles, points, max_distance, is_one_indexed):
-    """Positive distances between points (None: all vertices), of which one row is dense at a time."""
+    """Positive distances between points (None: all vertices); one row at a time is dense."""
     csr_matrix = GraphData._csr_matrix("a distance matrix")
     solve = PyGeodesicAlgorithmExact(vertices, np.asarray(triangles) - int(is_one_indexed))
     count = len(np.asarray(vertices))

@@ -56,7 +56,7 @@ _EXTEND = (
     "vtkdgg.distance(..., return_source=True) names the nearest source of each point."
 )
 _UNSIGNED = "Distances are unsigned: vtkdgg.distance takes points as sources."
-_ISOLINES = "vtkdgg.Graph.isolines draws isolines of distances, vtkContourFilter those of any array."
+_ISOLINES = "vtkdgg.Graph.isolines finds isolines of distances, vtkContourFilter those of arrays."
 
 GeodesicTracer = missing("GeodesicTracer", "vtkdgg.path finds a geodesic between two points.")
 MeshMarchingTrianglesSolver = missing("MeshMarchingTrianglesSolver", _ISOLINES)
@@ -323,6 +323,6 @@ def _corners(V, F):
 def _refuse_limits(max_iterations, max_relative_length_decrease):
     if max_iterations is not None or max_relative_length_decrease is not None:
         raise NotImplementedError(
-            "max_iterations and max_relative_length_decrease are not available. Paths and loops are "
-            "shortened until they are geodesics."
+            "max_iterations and max_relative_length_decrease are not available. Paths and loops "
+            "are shortened until they are geodesics."
         )
