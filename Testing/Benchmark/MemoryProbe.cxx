@@ -70,6 +70,8 @@ void Gives(void* block)
 }
 }
 
+// Libraries only call what is visible; libstdc++ 14 allocates aligned blocks by posix_memalign().
+#pragma GCC visibility push(default)
 extern "C" {
 void* malloc(std::size_t size) noexcept
 {
@@ -112,6 +114,7 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexce
   return *block ? 0 : ENOMEM;
 }
 }
+#pragma GCC visibility pop
 #endif
 
 MemoryProbe::MemoryProbe()
