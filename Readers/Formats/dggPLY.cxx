@@ -239,6 +239,7 @@ private:
       {
         this->NumberOfPoints = static_cast<std::int64_t>(element.Count);
       }
+      this->NumberOfFaces = element.Name == "face" ? element.Count : this->NumberOfFaces;
     }
   }
 
@@ -450,9 +451,10 @@ private:
     this->Mesh.Points = std::move(std::get<std::vector<double>>(this->Points.Values));
     std::move(this->PointArrays.begin(), this->PointArrays.end(),
       std::back_inserter(this->Mesh.PointArrays));
-    // Triangles of strips have no record of their own.
-    if (this->Faces.GetCount() ==
-      this->Mesh.Verts.GetCount() + this->Mesh.Lines.GetCount() + this->Mesh.Polygons.GetCount())
+    // Faces may lack corners, and triangles of strips have no record of their own.
+    const std::size_t cells =
+      this->Mesh.Verts.GetCount() + this->Mesh.Lines.GetCount() + this->Mesh.Polygons.GetCount();
+    if (cells == this->NumberOfFaces && cells == this->Faces.GetCount())
     {
       for (DataArray& array : this->CellArrays)
       {
@@ -508,6 +510,7 @@ private:
   const Element* Current = nullptr; ///< that is being read; null in the header
   std::size_t Record = 0;           ///< of this element
   std::int64_t NumberOfPoints = 0;
+  std::size_t NumberOfFaces = 0; ///< records
   DataArray Points;
   std::deque<DataArray> PointArrays;
   std::deque<DataArray> CellArrays;

@@ -192,6 +192,8 @@ const FileCase PLYCases[] = {
     MakeTextPLY("", "element tristrips 1\nproperty list int int vertex_indices\n",
       "0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 0 1 2 3 -1 2 1 0 -1\n", "4"),
     "0 0 0, 1 0 0, 0 1 0, 1 1 0 | polys 0 1 2, 2 1 3, 2 1 0" },
+  { "faces without corners",
+    MakeTextPLY("", "element face 1\nproperty int label\n", "0 0 0\n7\n", "1"), "0 0 0" },
   { "no points behind the header", MakeTextPLY("", "", "", "0"), "" },
   { "more points than bytes", MakeTextPLY("", "", "0 0 0\n", "1000000000000"),
     "line 3: the header promises 1000000000000 records of the element 'vertex' with at least 6 "

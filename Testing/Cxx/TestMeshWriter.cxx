@@ -11,6 +11,7 @@
 #include "vtkDGGPLYReader.h"
 #include "vtkDGGSTLReader.h"
 #include "vtkDGGXYZReader.h"
+#include "vtkPCDReader.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
@@ -141,6 +142,9 @@ TEST_F(MeshWriter, KeepsDigitsCellsAndArrays)
       "| cells active RGBA unsigned char 1 2 3 4, 5 6 7 8 | cells Label int 8, 9");
   EXPECT_EQ(
     this->RoundTrip<vtkDGGXYZReader>(mesh, "a.xyz"), std::string(Points) + "| verts 0, 1, 2, 3");
+  const std::string cloud = this->RoundTrip<vtkPCDReader>(mesh, "a.pcd");
+  EXPECT_EQ(cloud.find(std::string(Points) + "| verts 0, 1, 2, 3 | active Normals double"), 0u);
+  EXPECT_NE(cloud.find("far_id long long 0, 1, 2, 1099511627776"), std::string::npos) << cloud;
 }
 
 TEST_F(MeshWriter, WritesFloatPointsAsTheyAre)

@@ -103,7 +103,7 @@ class Pages(unittest.TestCase):
             ("Examples/Tutorial.md", "python"): 7,
             ("Filters/Geodesic/README.md", "py"): 1,
             ("Filters/PointCloud/README.md", "python"): 1,
-            ("Readers/README.md", "python"): 1,
+            ("Readers/README.md", "python"): 2,
             ("Readers/README.md", "cpp"): 1,
             ("Wrapping/ParaView/README.md", "python"): 3,  # tested in ParaView
             ("Wrapping/Python/README.md", "python"): 3,
@@ -375,8 +375,20 @@ class OtherPages(unittest.TestCase):
         block = pages.blocks("Filters/Geodesic/README.md", "py")[0]
         self.assertIn(block.strip(), code("Python", "graph_csr.py"))
 
-    def test_pcd_files(self):
+    def test_meshes_in_files(self):
         block = pages.blocks("Readers/README.md", "python")[0]
+        folder = support.output_folder("readers")
+        with open(os.path.join(folder, "mesh.obj"), "w", encoding="ascii") as file:
+            file.write("v 0.1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        for name in ("mesh.obj", "copy.ply"):
+            block = block.replace(f'"{name}"', repr(os.path.join(folder, name)))
+        execute(block, {})
+        reader = vtkdgg.vtkDGGPLYReader()
+        reader.SetFileName(os.path.join(folder, "copy.ply"))
+        self.assertEqual(vtkdgg.check(reader).GetPoint(0), (0.1, 0.0, 0.0))
+
+    def test_pcd_files(self):
+        block = pages.blocks("Readers/README.md", "python")[1]
         folder = os.path.dirname(write_cloud("cloud.pcd"))
         for name in ("cloud.pcd", "copy.pcd"):
             block = block.replace(name, os.path.join(folder, name))
