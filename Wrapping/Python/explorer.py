@@ -23,11 +23,11 @@ from .explorer_scene import Scene
 
 __all__ = ["Explorer", "Scene", "explore"]
 
-# Colours of the places: source, end, corner.
+# Colors of source, end and corner.
 MARKERS = ((0.86, 0.12, 0.16), pictures.INK, (0.10, 0.35, 0.75))
 PATH_COLOUR = (0.86, 0.12, 0.16)
 LOOP_COLOUR = (0.10, 0.35, 0.75)
-# How near to a place a click takes hold of it, and how thick curves are, of the size of all.
+# Distance at which a click grabs a marker, and thickness of curves, as fractions of the diagonal.
 REACH = 0.02
 WIDTH = 0.0028
 
@@ -41,28 +41,29 @@ class Explorer:
     picture : str, optional
         Name of screenshots, which are numbered: explore-1.png and so on.
     size : tuple of int, optional
-        Of the window, in pixels.
+        Size of the window, pixels.
     place : int, or array_like of float, shape (3,), optional
-        Where to begin: an id on a cloud, else coordinates. Default: far out.
+        First source: an id on a cloud, otherwise coordinates. Default: the point farthest from the
+        center.
 
     Attributes
     ----------
-    window, renderer, interactor : of VTK
-        None once it is closed.
+    window, renderer, interactor : objects of VTK
+        None after the window is closed.
     seconds : float
-        That the last step of dragging took, without rendering.
+        Duration of the last step of dragging, without rendering.
     written : list of str
         Screenshots and exported files.
 
     Raises
     ------
     OSError
-        Where there is no display.
+        When there is no display.
     """
 
     def __init__(self, scene, picture="explore.png", size=(1280, 960), place=None):
         if sys.platform == "linux" and not os.environ.get("DISPLAY"):
-            # VTK would end the process or, since 9.4, draw where nobody sees it.
+            # VTK would end the process or, since 9.4, render off screen.
             raise OSError("there is no display to open a window on")
         self.window = vtkRenderWindow()
         self.scene = scene
@@ -103,7 +104,7 @@ class Explorer:
         self.interactor.SetRenderWindow(self.window)
         self._style = vtkInteractorStyleTrackballCamera()
         self.interactor.SetInteractorStyle(self._style)
-        # Observers of the style are in place of what it does itself.
+        # Observers of the style replace its own actions.
         for event, action in (
             ("LeftButtonPressEvent", self._on_press),
             ("MouseMoveEvent", self._on_move),
@@ -115,7 +116,7 @@ class Explorer:
         self.refresh()
 
     def start(self):
-        """Open the window, with a source, until it is closed."""
+        """Opens the window with a first source, and returns when it is closed."""
         self.window.Render()
         self.scene.suggest(self._start)
         if self.scene.is_cloud:  # needs its graph, and is seen meanwhile
@@ -129,7 +130,7 @@ class Explorer:
         self.close()
 
     def close(self):
-        """Give the window back."""
+        """Releases the window."""
         if self.window is None:
             return
         self._style.RemoveAllObservers()
@@ -138,7 +139,7 @@ class Explorer:
         self._passing = []
 
     def look(self):
-        """Look at all of it, from where the place to begin with is seen."""
+        """Aims the camera at the whole surface, so that the first source is visible."""
         surface = self.scene.surface
         up = pictures.up_of(surface)
         place = self._where(self._start)
@@ -159,7 +160,7 @@ class Explorer:
         camera.Zoom(1.12)
 
     def refresh(self):
-        """Bring actors and text up to date."""
+        """Updates actors and text."""
         scene = self.scene
         known = None if scene.values is None else (scene.shown, scene.limits, scene.step)
         if known != self._known:
@@ -181,7 +182,7 @@ class Explorer:
             self._help.SetInput("\n".join(filter(None, ["h: help", scene.last_place()])))
 
     def draw(self):
-        """Bring the picture up to date."""
+        """Updates actors and text, and renders."""
         self.refresh()
         self.window.Render()
 
@@ -234,13 +235,13 @@ class Explorer:
         self._status.SetInput("\n".join(lines))
 
     def _settle(self):
-        """Show the scene at rest."""
+        """Computes and shows the scene at rest."""
         self._announce()
         self.scene.update()
         self.draw()
 
     def _announce(self):
-        """Say what takes long, before it does."""
+        """Announces a long computation before it starts."""
         wait = self.scene.waits_for()
         if wait:
             self._say([*self.scene.status(), wait])
@@ -284,7 +285,7 @@ class Explorer:
         self.window.Render()
 
     def _handle_at(self, place):
-        """The index of what is there already."""
+        """Returns the index of the source, end or corner near a location, None without one."""
         if not self.scene.places:
             return None
         places_there = np.array([self._where(other) for other in self.scene.places])
@@ -317,7 +318,7 @@ class Explorer:
             self.interactor.TerminateApp()
 
     def _change(self, change, show=None):
-        """Do what a key asks for, and show that; unless another way is given, the scene at rest."""
+        """Applies a change, and shows its result or its error; by default the scene at rest."""
         try:
             change()
         except (OSError, ValueError, VTKError) as refusal:
@@ -335,7 +336,7 @@ class Explorer:
 
 
 def far_place(scene):
-    """A place to begin with: the point that is farthest from the centre."""
+    """Returns the location of the first source: the point farthest from the center."""
     if not scene.is_cloud:
         return np.array(scene.surface.GetPoint(places.far_point(scene.surface)))
     points = vtk_to_numpy(scene.surface.GetPoints().GetData())
@@ -343,7 +344,8 @@ def far_place(scene):
 
 
 def explore(scene, place=None, picture="explore.png"):
-    """Open a window on a scene until it is closed; without a place, with a source far out.
+    """Opens a window on a scene, and returns it when it is closed. The default of `place` is the
+    point farthest from the center.
 
     Examples
     --------

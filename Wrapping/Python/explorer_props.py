@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the window of the explorer consists of: the surface or cloud, lines, colours, text."""
+"""The parts of the explorer's window: the surface or cloud, lines, colors, text."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ from .commands.pictures import (
 )
 from .commands.sizes import spacing_of
 
-# How light each cell of several sources is, in turns.
+# Lightness of the cells of sources, in turns.
 LIGHTNESS = (0.95, 0.80)
 
 
 class Skin:
-    """A surface: its points with values, or cells of it in place of them."""
+    """A surface, colored by values of its points or of cells that replace it."""
 
     def __init__(self, surface, locator):
         numbered = vtkPolyData()
@@ -52,7 +52,7 @@ class Skin:
         self._mapper = vtkPolyDataMapper()
         self._mapper.SetInputData(self._points)
         self._mapper.ScalarVisibilityOff()
-        # Lines lie in front of it.
+        # Lines are drawn in front of the surface.
         self._mapper.SetResolveCoincidentTopologyToPolygonOffset()
         self._mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 60.0)
         self._cells = None
@@ -75,7 +75,7 @@ class Skin:
         self._picker.AddLocator(locator)
 
     def show(self, values, cells, table, is_smooth):
-        """Colour it: by values, of which there may be none, or in these cells."""
+        """Colors the surface by values (None: in gray) or shows cells in its place."""
         mapper = self._mapper
         mapper.SetScalarVisibility(values is not None)
         if cells is None:
@@ -94,14 +94,14 @@ class Skin:
         mapper.SetInterpolateScalarsBeforeMapping(is_smooth and cells is None)
 
     def pick(self, x, y, renderer):
-        """The place on the surface at a pixel, None beside it."""
+        """Returns the coordinates on the surface at a pixel, None beside the surface."""
         if not self._picker.Pick(x, y, 0.0, renderer):
             return None
         return np.array(self._picker.GetPickPosition())
 
 
 class CloudSkin:
-    """A cloud as discs."""
+    """A cloud, drawn as discs."""
 
     def __init__(self, cloud):
         self._count = cloud.GetNumberOfPoints()
@@ -121,7 +121,7 @@ class CloudSkin:
         self._picker.AddPickList(self._body)
 
     def show(self, values, cells, table, is_smooth):
-        """Colour it by values, of which there may be none."""
+        """Colors the cloud by values; None: in gray."""
         mapper = self.actor.GetMapper()
         array = mapper.GetInput().GetPointData().GetArray("Value")
         vtk_to_numpy(array)[:] = 0.0 if values is None else values
@@ -132,13 +132,13 @@ class CloudSkin:
         mapper.GetInput().Modified()
 
     def pick(self, x, y, renderer):
-        """The id of the nearest point at a pixel, None where there is none."""
+        """Returns the id of the nearest point at a pixel, None without one."""
         found = self._picker.Pick(x, y, 0.0, renderer) and self._picker.GetPointId() >= 0
         return self._picker.GetPointId() if found else None
 
 
 def lines_actor():
-    """An actor of lines that lie on a surface, in front of it."""
+    """Returns an actor of lines on a surface, drawn in front of it."""
     mapper = vtkPolyDataMapper()
     mapper.ScalarVisibilityOff()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -152,7 +152,7 @@ def lines_actor():
 
 
 def table_of(scene):
-    """The colours of what is shown."""
+    """Returns the colors of a scene."""
     low, high = scene.limits
     if scene.shown == "voronoi":
         table = vtkLookupTable()
@@ -174,7 +174,7 @@ def table_of(scene):
 
 
 def bar_of(scene, table):
-    """The legend of the colours, with what belongs to it; nothing for cells."""
+    """Returns the actors of the legend; none for cells."""
     low, high = scene.limits
     if scene.shown == "voronoi":
         return []

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the explorer shows and how that is computed, without a window."""
+"""The contents of the explorer and their computation, without a window."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ FILTERS = {
 
 
 class Scene:
-    """Places on a surface or a cloud, and a view of what follows from them.
+    """Source, end and corner on a surface or a cloud, and the answers that they determine.
 
     A vtkPolyData with `is_cloud` is a cloud, else a surface. Polygons and strips of a surface are
     cut into triangles; a ValueError says that there is none, or that a point is not finite. The
@@ -115,7 +115,7 @@ class Scene:
 
     @property
     def graph(self):
-        """The graph, which is built when it is needed first."""
+        """The graph, built on first use."""
         if self._graph is None:
             start = time.perf_counter()
             if self.is_cloud:
@@ -132,19 +132,19 @@ class Scene:
 
     @property
     def sources(self):
-        """The places that distances start from."""
+        """The places where distances start."""
         return self.places if self.view == "voronoi" else self.places[:1]
 
-    # After the following five an update is due.
+    # The following five methods require an update afterwards.
 
     def suggest(self, place):
-        """Begin with a source that the first click replaces."""
+        """Sets a source that the first click replaces."""
         self.clear()
         self.places = [place]
         self._is_suggested = True
 
     def clear(self):
-        """Forget all places."""
+        """Removes all places."""
         self._is_suggested = False
         self.places = []
         self.held = None
@@ -152,7 +152,7 @@ class Scene:
         self._reach = 0.0
 
     def toggle(self, view):
-        """Show this view, or distances again."""
+        """Switches to a view, or from it back to distances."""
         if self.is_cloud and view in ("error", "greens"):
             raise ValueError("on clouds there are no exact distances, and no Laplacian")
         self.view = "distance" if self.view == view else view
@@ -162,14 +162,14 @@ class Scene:
         self._reach = 0.0
 
     def next_method(self):
-        """Compute distances by the next method."""
+        """Switches to the next method."""
         if self.is_cloud:
             raise ValueError("on clouds there are distances by the graph only")
         names = list(FILTERS)
         self.method = names[(names.index(self.method) + 1) % len(names)]
 
     def change_accuracy(self, step):
-        """Ask for a graph that is more accurate, or less."""
+        """Switches to the next finer (step > 0) or coarser accuracy."""
         if self.is_cloud:
             raise ValueError("on clouds no accuracy is promised")
         known = ACCURACIES if step > 0 else ACCURACIES[::-1]
@@ -184,8 +184,8 @@ class Scene:
         self._fastest.pop("graph", None)
 
     def press(self, place, handle=None):
-        """Take hold of the place with this index, or of a new one; later ones than a loop has begin
-        anew."""
+        """Holds the place with this index, or a new one. A place after the last that a view uses
+        replaces all others."""
         if handle is None:
             is_full = len(self.places) >= (2 if self.is_cloud else 3)
             if self._is_suggested or (self.view != "voronoi" and is_full):
@@ -197,13 +197,13 @@ class Scene:
         self.move(place)
 
     def move(self, place):
-        """Move what is held, if something is."""
+        """Moves the place that is held, if any."""
         if self.held is not None:
             self.places[self.held] = place
             self.update(is_moving=True)
 
     def waits_for(self):
-        """What takes long in an update at rest, as text; empty when nothing does."""
+        """Returns a text that names the long part of an update at rest; empty without one."""
         if not (self.places or self.is_cloud):
             return ""
         is_searched = self.view == "voronoi" or (self.method == "graph" and self.view != "greens")
@@ -214,7 +214,7 @@ class Scene:
         return "searching exactly ..." if "exact" in (self.method, self.view) else ""
 
     def update(self, is_moving=False):
-        """Compute what is shown; sooner and coarser while something is moved."""
+        """Computes the view; faster and coarser while a place is moved."""
         self.message = ""
         self.times = {}
         places = [tuple(np.ravel(place)) for place in self.sources]
@@ -233,7 +233,7 @@ class Scene:
                 self._forget()
 
     def status(self):
-        """Lines of text on what is shown."""
+        """Returns lines of text that describe the view."""
         lines = [f"{self.surface.GetNumberOfPoints()} points"]
         if self.values is not None and self.shown == "greens":
             lines[0] += ", Green's function"
@@ -315,7 +315,7 @@ class Scene:
         self.values = self.distances
         reached = self.distances[np.isfinite(self.distances)]
         high = float(reached.max()) if reached.size else 0.0
-        # Colours keep their meaning while sources move, as far as possible.
+        # The range of colors does not shrink while sources move.
         self._reach = max(self._reach, high)
         self.limits = 0.0, self._reach or 1.0
         self.step = nice_step(self.limits[1])
@@ -333,7 +333,7 @@ class Scene:
                 self._add_to_cells(sites.astype(float))
 
     def _soonest(self):
-        """The graph where it is there and not slower, else what needs none."""
+        """Returns the fastest method: the graph once it is built, unless it is slower."""
         if self.is_cloud:
             return "graph"
         if self.used != "graph" or self._graph is None:
@@ -342,14 +342,14 @@ class Scene:
         return "fast" if is_slower else "graph"
 
     def _search(self, method, is_moving=False):
-        """Distances from the sources, by a filter that keeps what it prepares."""
+        """Runs the filter of a method, which keeps its preparation, and returns it."""
         if method not in self._filters:
             self._filters[method] = FILTERS[method]()
             self._filters[method].SetInputData(
                 self.graph.polydata if method == "graph" else self.surface
             )
         search = self._filters[method]
-        # What only lines at rest need takes longer than the distances.
+        # Arrays that only isolines at rest need take longer than the distances.
         search.SetGenerateNearestSource(self.view == "voronoi")
         if method == "exact":
             search.GenerateWindowsOn()
@@ -361,7 +361,7 @@ class Scene:
         return search
 
     def _run(self, algorithm, name):
-        """Update what starts from the sources; the seconds that this took."""
+        """Runs a filter from the sources, and returns its duration in seconds."""
         start = time.perf_counter()
         set_merging(algorithm, *self._merging)
         if self.is_cloud:
@@ -373,7 +373,7 @@ class Scene:
         return self.times[name]
 
     def _find_lines(self, algorithm, name, low, high, is_moving):
-        """Isolines at multiples of the step, and at rest the bands between them."""
+        """Finds isolines at multiples of the step, and at rest the bands between them."""
         first, last = int(np.floor(low / self.step)) + 1, int(np.ceil(high / self.step)) - 1
         if self.is_cloud or last < first:
             return
@@ -405,7 +405,7 @@ class Scene:
         self.cells.GetCellData().SetActiveScalars("Shown")
 
     def _measure(self):
-        """The errors of the distances."""
+        """Measures the errors of the distances."""
         exact = self._search("exact")
         truth = array_of(exact.GetOutput().GetPointData(), exact.GetDistanceArrayName())
         self.errors = Errors(self.distances, truth, floor_of(self.surface))
@@ -415,7 +415,7 @@ class Scene:
         self.limits = 0.1 * most, 100.0 * most
 
     def _solve(self):
-        """The Green's function of the source."""
+        """Computes the Green's function of the source."""
         if "greens" not in self._filters:
             self._filters["greens"] = vtkDiscreteGreensFunction()
             self._filters["greens"].SetInputData(self.surface)
@@ -431,7 +431,7 @@ class Scene:
         self._find_lines(solve, name, *self.limits, False)
 
     def _find_curves(self, is_moving):
-        """The path from the first place to the second, and the loop through three."""
+        """Finds the path from the first place to the second, and the loop through three."""
         self.path = self.loop = None
         if self.view == "voronoi" or len(self.places) < 2:
             return
@@ -461,7 +461,7 @@ def _polyline(points):
 
 
 def _triangles_of(surface):
-    """The surface in triangles."""
+    """Returns the triangles of a surface."""
     arguments.coordinates(vtk_to_numpy(surface.GetPoints().GetData()), "points")
     try:
         return files.triangles_of(surface, "surface")

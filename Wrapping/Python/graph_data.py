@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class GraphData:
-    """What a graph consists of. It can be copied and pickled; it is not built again."""
+    """The arrays of a graph. Copies and pickled graphs are not built again."""
 
     @property
     def csr(self) -> Any:
@@ -70,12 +70,12 @@ class GraphData:
 
     @property
     def accuracy(self) -> Optional[float]:
-        """What the graph was built for; None for a SaddleVertexGraph. No bound on a cloud."""
+        """The accuracy of the graph; None for a SaddleVertexGraph. Not a bound on a cloud."""
         return self._info.accuracy
 
     @property
     def construction(self) -> str:
-        """The rule that chose the edges. Only "Guaranteed" is sure to keep to `accuracy`."""
+        """The rule that chose the edges. Only "Guaranteed" promises `accuracy`."""
         return CONSTRUCTIONS[self._info.construction]
 
     @property
@@ -85,7 +85,7 @@ class GraphData:
 
     @property
     def is_cloud(self) -> bool:
-        """Whether it is the graph of a point cloud."""
+        """True for the graph of a point cloud."""
         return self._info.is_cloud
 
     @property
@@ -152,11 +152,11 @@ class GraphData:
 
     @property
     def _filters(self):
-        """Those of this thread: another one would change sources before results are read."""
+        """The filters of this thread; those of other threads have other sources."""
         return self._local.__dict__
 
     def _filter(self, kind, tolerance):
-        """The filter of the class, which keeps what it has prepared for the next query."""
+        """Returns the filter of a class, which keeps its preparation for the next query."""
         filters = self._filters
         if kind not in filters:
             consumer = kind()
@@ -175,7 +175,7 @@ class GraphData:
 
     @staticmethod
     def _given_away(algorithm, port=0):
-        """What the filter has at the port, for the caller to keep. The next query makes another."""
+        """Returns the output for the caller to keep; the next query makes another one."""
         result = vtkPolyData()
         result.ShallowCopy(algorithm.GetOutputDataObject(port))
         algorithm.Modified()

@@ -18,7 +18,7 @@ _SIZE = 12
 
 
 def damaged(what):
-    """The error of a graph that has been altered."""
+    """Returns the error for a graph that has been altered."""
     return ValueError(
         f"the graph on the mesh is damaged: {what}; give an accuracy to build another one"
     )
@@ -32,15 +32,15 @@ class GraphInfo:
     construction : int
         Index into CONSTRUCTIONS.
     is_cloud : bool
-        Whether it is the graph of a point cloud.
+        True for the graph of a point cloud.
     accuracy : float or None
-        None for a SaddleVertexGraph; of a cloud, how far edges were pruned, or 0.
+        None for a SaddleVertexGraph; of a cloud, the accuracy of pruning, 0 without.
     number_of_neighbors : int
-        Of a SaddleVertexGraph.
+        Number of nearest points of a SaddleVertexGraph, otherwise 0.
     is_merged : bool
-        Whether coincident points were one.
+        True if coincident points were merged.
     merge_tolerance : float
-        How far from each other they may have been, as a fraction of the diagonal.
+        Largest distance of merged points, as a fraction of the diagonal.
     """
 
     def __init__(self, polydata):
