@@ -15,7 +15,6 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
 from vtkdgg.commands import files
 from vtkdgg.commands.discs import disc_radii, discs, spacings_of
-from vtkdgg.commands.files import MeshFileError
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -46,7 +45,7 @@ UNREACHED = (0.75, 0.75, 0.75)
 def main(cloud_path, number_of_cells, picture_path):
     """Run the pipeline."""
     # The graph of the points: built once, for both filters.
-    graph = files.make_graph(files.read(cloud_path))
+    graph = files.make_graph(vtkdgg.read(cloud_path).as_polydata())
 
     # Points that are far from each other, ...
     sampler = vtkdgg.vtkGeodesicSampler()
@@ -119,7 +118,7 @@ def render(graph, voronoi, colours, picture_path):
     cloud = voronoi.GetOutput()
     points = vtk_to_numpy(cloud.GetPoints().GetData())
     finite = np.isfinite(points).all(axis=1)
-    drawn = files.cloud_of(points[finite])
+    drawn = vtkdgg.Mesh(points[finite]).as_polydata()
     radii = disc_radii(spacings_of(graph)[finite])
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
@@ -148,5 +147,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(sys.argv[1], integer(1)(sys.argv[2]), sys.argv[3])
-    except (MeshFileError, ArgumentTypeError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, ArgumentTypeError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

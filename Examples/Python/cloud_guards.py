@@ -14,7 +14,6 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkdgg.commands.discs import disc_radii, discs, spacings_of
-from vtkdgg.commands.files import cloud_of
 from vtkdgg.commands.pictures import DISTANCE_COLOURS, INK, marker
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
@@ -74,7 +73,7 @@ def sheets(count, random):
 def distances_on(points, source):
     """The graph of the points, and distances from one of them."""
     graph = vtkdgg.vtkPointCloudDGG()
-    graph.SetInputData(cloud_of(points))
+    graph.SetInputData(vtkdgg.Mesh(points).as_polydata())
     distance = vtkdgg.vtkDGGDistance()
     distance.SetInputConnection(graph.GetOutputPort())
     distance.AddSourceId(source)
@@ -105,8 +104,8 @@ def panel(title, points, start, towards, zoom, outwards=None, larger=LARGER):
     source = int(np.argmax(points @ np.array(start)))
     graph, distances = distances_on(points, source)
     shown = np.ones(len(points), bool) if outwards is None else outwards @ direction > -0.1
-    cloud = cloud_of(points[shown])
-    size = cloud_of(points).GetLength()
+    cloud = vtkdgg.Mesh(points[shown]).as_polydata()
+    size = vtkdgg.Mesh(points).as_polydata().GetLength()
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     table = band_table(np.nanmax(distances))

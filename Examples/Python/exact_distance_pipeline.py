@@ -12,7 +12,6 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
-from vtkdgg.commands.files import MeshFileError, make_reader
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -26,11 +25,11 @@ from vtkmodules.vtkRenderingCore import (
 def main(mesh_path, source_id, picture_path):
     """Run the pipeline."""
     # Read.
-    reader = make_reader(mesh_path)
+    mesh = vtkdgg.read(mesh_path).as_polydata()
 
     # Distance from one point. check() updates, and raises when something is wrong.
     distance = vtkdgg.vtkExactGeodesicDistance()
-    distance.SetInputConnection(reader.GetOutputPort())
+    distance.SetInputData(mesh)
     distance.AddSourceId(source_id)
     mesh = vtkdgg.check(distance)
     array = mesh.GetPointData().GetArray("GeodesicDistance")
@@ -72,5 +71,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(sys.argv[1], integer(0)(sys.argv[2]), sys.argv[3])
-    except (MeshFileError, ArgumentTypeError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, ArgumentTypeError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

@@ -48,7 +48,7 @@ def play(window, act):
 
 def main(path, folder, names):
     """Draw the pictures."""
-    contents = files.read(path)
+    contents = vtkdgg.read(path).as_polydata()
     is_cloud = files.is_cloud(contents)
     for name in names or (ON_CLOUDS if is_cloud else PICTURES):
         if name not in PICTURES:
@@ -69,5 +69,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(sys.argv[1], sys.argv[2], sys.argv[3:])
-    except (files.MeshFileError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

@@ -15,7 +15,7 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkdgg.commands.files import MeshFileError, make_reader, read_all, triangles_of
+from vtkdgg.commands.files import MeshFileError, triangles_of
 from vtkdgg.commands.pictures import DISTANCE_COLOURS, ERROR_COLOURS, INK, lookup_table, marker
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -413,7 +413,7 @@ PICTURES = {
 
 def main(mesh_path, folder, names):
     """Draw the pictures."""
-    mesh = triangles_of(read_all(mesh_path, make_reader(mesh_path)), mesh_path)
+    mesh = triangles_of(vtkdgg.read(mesh_path).as_polydata(), mesh_path)
     z = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2]
     source = int(np.argmax(z))  # closest to the viewer
     for name in names or PICTURES:
@@ -429,5 +429,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(sys.argv[1], sys.argv[2], sys.argv[3:])
-    except (MeshFileError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

@@ -13,15 +13,13 @@ import vtkdgg
 from example_arguments import integer
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import dijkstra
-from vtkdgg.commands.files import MeshFileError, make_reader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
 def main(mesh_path, source_id):
     """Compute the same distances twice."""
-    reader = make_reader(mesh_path)
     graph = vtkdgg.vtkDiscreteGeodesicGraph()
-    graph.SetInputConnection(reader.GetOutputPort())
+    graph.SetInputData(vtkdgg.read(mesh_path).as_polydata())
     graph.SetAccuracy(0.01)
     mesh = vtkdgg.check(graph)
 
@@ -60,5 +58,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(sys.argv[1], integer(0)(sys.argv[2]))
-    except (MeshFileError, ArgumentTypeError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, ArgumentTypeError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

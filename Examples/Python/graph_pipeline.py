@@ -12,7 +12,6 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
-from vtkdgg.commands.files import MeshFileError, make_reader
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersModeling import vtkBandedPolyDataContourFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -30,11 +29,11 @@ BANDS = 24
 
 def main(mesh_path, source_ids, picture_path):
     """Run the pipeline."""
-    reader = make_reader(mesh_path)
+    mesh = vtkdgg.read(mesh_path).as_polydata()
 
     # The graph: built once.
     graph = vtkdgg.vtkDiscreteGeodesicGraph()
-    graph.SetInputConnection(reader.GetOutputPort())
+    graph.SetInputData(mesh)
     graph.SetAccuracy(0.01)
 
     # Queries: as many as you like, in milliseconds.
@@ -110,5 +109,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(sys.argv[1], (integer(0)(sys.argv[2]), integer(0)(sys.argv[3])), sys.argv[4])
-    except (MeshFileError, ArgumentTypeError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, ArgumentTypeError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

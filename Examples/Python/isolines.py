@@ -16,7 +16,6 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer, triple
-from vtkdgg.commands.files import MeshFileError, make_reader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -236,7 +235,7 @@ def compare(surface, sources, count, view):
 def main(options):
     """Run the pipeline."""
     if options.mesh:
-        surface = vtkdgg.check(make_reader(options.mesh))
+        surface = vtkdgg.read(options.mesh).as_polydata()
         rows = [compare(surface, options.sources or [0], options.count, options.view)]
     else:
         rows = [
@@ -267,5 +266,5 @@ if __name__ == "__main__":
     options = parse(sys.argv[1:])
     try:
         main(options)
-    except (MeshFileError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

@@ -14,10 +14,10 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import triple
-from vtkdgg.commands.files import MeshFileError, make_reader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFlyingEdges3D, vtkTubeFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
@@ -157,8 +157,12 @@ def render(actors, view, up, picture_path):
 
 def main(options):
     """Run the pipeline."""
-    source = make_reader(options.mesh) if options.mesh else make_two_rings()
-    surface = vtkdgg.check(source)
+    if options.mesh:
+        surface = vtkdgg.read(options.mesh).as_polydata()
+    else:
+        surface = vtkdgg.check(make_two_rings())
+    source = vtkTrivialProducer()
+    source.SetOutput(surface)
     through = options.rope or (() if options.mesh else WAIST)
     size = surface.GetLength()
     port = source.GetOutputPort()
@@ -211,5 +215,5 @@ if __name__ == "__main__":
     options = parse(sys.argv[1:])
     try:
         main(options)
-    except (MeshFileError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

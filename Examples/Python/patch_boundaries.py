@@ -14,7 +14,6 @@ import numpy as np
 import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkdgg.commands.files import MeshFileError, make_reader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -123,9 +122,7 @@ def main(first_path, second_path, picture_path):
     """Trace the curves, show them, say how long they are."""
     meshes = []
     for path in (first_path, second_path):
-        reader = make_reader(path)
-        vtkdgg.check(reader)
-        meshes.append(reader.GetOutput())
+        meshes.append(vtkdgg.read(path).as_polydata())
     landmarks = [find_landmarks(mesh) for mesh in meshes]
 
     boundaries = vtkdgg.vtkGeodesicPatchBoundaries()
@@ -164,5 +161,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(*sys.argv[1:])
-    except (MeshFileError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

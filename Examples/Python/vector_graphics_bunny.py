@@ -28,7 +28,7 @@ from vector_graphics import (
     make_shaded,
     write_picture,
 )
-from vtkdgg.commands.files import MeshFileError, read_all, triangles_of
+from vtkdgg.commands.files import MeshFileError, triangles_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkWindowedSincPolyDataFilter
@@ -107,7 +107,7 @@ def mix(first, second, t):
 def make_bunny(path):
     """The mesh, 2 long, around the origin, smooth as if under a glaze, with smooth normals."""
     surface = vtkWindowedSincPolyDataFilter()
-    surface.SetInputData(triangles_of(read_all(path), path))
+    surface.SetInputData(triangles_of(vtkdgg.read(path).as_polydata(), path))
     surface.SetNumberOfIterations(30)
     surface.SetPassBand(0.025)
     surface.NormalizeCoordinatesOn()
@@ -433,5 +433,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except (MeshFileError, vtkdgg.VTKError) as error:
+    except (OSError, ValueError, vtkdgg.VTKError) as error:
         sys.exit(str(error))

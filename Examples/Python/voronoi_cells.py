@@ -13,7 +13,6 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
-from vtkdgg.commands.files import MeshFileError, make_reader
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
@@ -27,11 +26,11 @@ from vtkmodules.vtkRenderingCore import (
 
 def main(mesh_path, number_of_sites, picture_path):
     """Run the pipeline."""
-    reader = make_reader(mesh_path)
+    mesh = vtkdgg.read(mesh_path).as_polydata()
 
     # The graph: built once, for both filters.
     graph = vtkdgg.vtkDiscreteGeodesicGraph()
-    graph.SetInputConnection(reader.GetOutputPort())
+    graph.SetInputData(mesh)
 
     # Points that are far from each other, ...
     sampler = vtkdgg.vtkGeodesicSampler()
@@ -125,5 +124,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(sys.argv[1], integer(1)(sys.argv[2]), sys.argv[3])
-    except (MeshFileError, ArgumentTypeError, vtkdgg.VTKError) as problem:
+    except (OSError, ValueError, ArgumentTypeError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

@@ -28,18 +28,18 @@ from vtkdgg.commands.methods import field
 from vtkdgg.commands.sizes import floor_of
 
 SOURCES = 3
+EXTENSIONS = (".obj", ".off", ".ply", ".stl", ".vtk", ".vtp")
 
 
 def meshes_of(folder):
     """Paths of the files that may hold a surface, by name."""
     names = sorted(os.listdir(folder))
-    known = tuple(files.READERS)
-    return [os.path.join(folder, name) for name in names if name.lower().endswith(known)]
+    return [os.path.join(folder, name) for name in names if name.lower().endswith(EXTENSIONS)]
 
 
 def measure_mesh(path, accuracies, number_of_sources, most_points):
     """One row for each accuracy. Raises what reading, exact distances or graphs refuse."""
-    mesh = files.triangles_of(files.read(path), path)
+    mesh = files.triangles_of(vtkdgg.read(path).as_polydata(), path)
     points, triangles = arrays_of(mesh)
     if len(points) > most_points:
         raise files.MeshFileError(f"{len(points)} points, and {most_points} are wanted at most")
@@ -178,7 +178,7 @@ def main(arguments=None):
     if not os.path.isdir(options.folder):
         sys.exit(f"error: {options.folder}: no such folder")
     if not meshes_of(options.folder):
-        sys.exit(f"error: {options.folder}: holds no mesh ({' '.join(sorted(files.READERS))})")
+        sys.exit(f"error: {options.folder}: holds no mesh ({' '.join(EXTENSIONS)})")
     accuracies = [float(word) for word in options.accuracies.split(",")]
     os.makedirs(options.out, exist_ok=True)
     results = measure(options.folder, accuracies, options.sources, options.most_points)

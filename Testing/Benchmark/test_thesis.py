@@ -31,7 +31,6 @@ from exhibits.run import Run, TooLong, limited_time
 from Published import bidirectional, green_sums
 from Published.delaunay_mesh import DelaunayMesh
 from table_support import OUTPUT, cells_of
-from vtkdgg.commands.files import cloud_of
 
 NAMES = (
     "T3.1 T3.2 T3.4 T5.1 T5.2 T5.3 T5.4 F1.1 F3.6 F3.7 F3.8 F3.9 F3.10 F3.11 F3.12 F3.13 F3.14 F3.15 "
@@ -141,7 +140,7 @@ class Clouds(unittest.TestCase):
         jitter = np.random.default_rng(3).uniform(-0.3, 0.3, grid.shape)
         points = np.pad((grid + jitter) / 17.0, ((0, 0), (0, 1)))
         tilted = points @ np.linalg.qr(np.random.default_rng(4).random((3, 3)))[0]
-        triangles = local_triangles(cloud_of(tilted), tilted)
+        triangles = local_triangles(vtkdgg.Mesh(tilted).as_polydata(), tilted)
         self.assertTrue((np.diff(triangles, axis=1) > 0).all())
         # In the middle they are those of Delaunay: no point is inside of a circle.
         corners = points[triangles][:, :, :2]

@@ -8,12 +8,12 @@ import subprocess
 import sys
 
 import numpy as np
+import vtkdgg
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader
 
 TESTING = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOT = os.path.dirname(TESTING)
@@ -96,11 +96,8 @@ def triangles_of(mesh):
 
 def bumpy():
     """Points and triangles of a bumpy sphere, from its file."""
-    reader = vtkPLYReader()
-    reader.SetFileName(os.path.join(DATA, "bumpy.ply"))
-    reader.Update()
-    mesh = reader.GetOutput()
-    return np.array(vtk_to_numpy(mesh.GetPoints().GetData()), dtype=float), triangles_of(mesh)
+    mesh = vtkdgg.read(BUMPY)
+    return mesh.points, mesh.triangles
 
 
 def point_array(mesh, name):

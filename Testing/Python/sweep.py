@@ -37,9 +37,6 @@ from sweep_checks import CHECKS, LARGE, NEEDS
 from sweep_trial import Surface, Trial
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 RATIO, LEAST = 20.0, 2.0  # times a clean mesh, and seconds, that a filter may take
 SHORTEST = 0.01  # seconds; what takes less is not reported apart
@@ -48,13 +45,7 @@ LARGEST = 70_000  # points, for filters that are not meant for more
 LADDER = [50, 200, 800, 3200, 12800]  # points of the clean meshes that are measured
 SEEDS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "sweep_seeds.txt")
 
-READERS = {
-    ".ply": vtkPLYReader,
-    ".stl": vtkSTLReader,
-    ".obj": vtkOBJReader,
-    ".vtp": vtkXMLPolyDataReader,
-    ".off": vtkdgg.vtkDGGOFFReader,
-}
+EXTENSIONS = (".ply", ".stl", ".obj", ".vtp", ".off")
 
 GOOD = ("ok", "refused", "known")
 # What the documentation says that filters refuse.
@@ -197,10 +188,8 @@ def run(surface, names, limit_of):
 def read(path):
     """The mesh of a file, None when it has no triangles. Readers use no threads, which a process
     that forks must not have."""
-    reader = READERS[os.path.splitext(path)[1].lower()]()
-    reader.SetFileName(path)
     triangles = vtkTriangleFilter()
-    triangles.SetInputConnection(reader.GetOutputPort())
+    triangles.SetInputData(vtkdgg.read(path).as_polydata())
     triangles.PassVertsOff()
     triangles.PassLinesOff()
     mesh = vtkdgg.check(triangles)
@@ -218,7 +207,7 @@ def files_in(folders):
             found += [
                 os.path.join(place, name)
                 for name in names
-                if os.path.splitext(name)[1].lower() in READERS
+                if os.path.splitext(name)[1].lower() in EXTENSIONS
             ]
     return sorted(found, key=lambda path: (os.path.getsize(path), path))
 

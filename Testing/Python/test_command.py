@@ -59,7 +59,7 @@ CPLUSPLUS = r"\bvtk(?!dgg)\w+|\bSet[A-Z]|\b(?!GeodesicDistance)[A-Z][a-z]+[A-Z]\
 class Command(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.mesh = files.read(BUMPY)
+        cls.mesh = vtkdgg.read(BUMPY).as_polydata()
         cls.exact = vtkdgg.distance(cls.mesh, 5)
 
     def answer(self, *arguments):
@@ -131,7 +131,7 @@ class Command(unittest.TestCase):
         for gap, components in ((0.0, 1), (20.0, 2)):
             path = out("gap.xyz")
             points = np.column_stack([(x + gap * (x > 19)).ravel(), y.ravel(), 0 * x.ravel()])
-            files.write(path, files.cloud_of(points))
+            vtkdgg.write(path, vtkdgg.Mesh(points))
             found = self.answer("info", path)
             self.assertEqual((found["spacing"], found["components"]), (1.0, components))
         self.assertEqual(self.answer("info", BUMPY, "--cloud")["kind"], "point cloud")
@@ -153,7 +153,7 @@ class Command(unittest.TestCase):
     def test_graph(self):
         path = out("graph.vtp")
         found = self.answer("graph", BUMPY, "--accuracy", 0.05, "--out", path)
-        graph = vtkdgg.Graph.from_polydata(files.read(path))
+        graph = vtkdgg.Graph.from_polydata(vtkdgg.read(path).as_polydata())
         self.assertEqual((found["edges"], found["accuracy"]), (len(graph.targets), 0.05))
         self.assertTrue((np.abs(graph.distance(5) - self.exact) <= 0.0501 * self.exact).all())
 
@@ -188,7 +188,7 @@ class Command(unittest.TestCase):
         path = out("distance.vtp")
         found = self.answer("distance", BUMPY, "--source", 5, "--out", path)
         self.assertAlmostEqual(found["largest"], self.exact.max())
-        values = support.point_array(files.read(path), "GeodesicDistance")
+        values = support.point_array(vtkdgg.read(path).as_polydata(), "GeodesicDistance")
         np.testing.assert_array_equal(values, self.exact)
         x, y, z = self.mesh.GetPoint(7)
         both = self.answer("distance", BUMPY, "--source", 5, "--source", f"{x},{y},{z}")
@@ -225,9 +225,9 @@ class Command(unittest.TestCase):
                     self.assertIn("--accuracy 0.002 is finer than the graph", found["warnings"][-1])
         for asked in (("distance", path, *source), ("path", path, 5, 100)):
             self.assertEqual(self.answer(*asked, "--method", "exact")["method"], "exact")
-        damaged = files.read(path)
-        damaged.GetFieldData().GetArray("DGG.Lengths").SetValue(100, 7.0)
-        files.write(path, damaged)
+        damaged = vtkdgg.read(path)
+        damaged.field_data["DGG.Lengths"][100] = 7.0
+        vtkdgg.write(path, damaged)
         result = command("distance", path, *source)
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr, "is damaged: .*; give an --accuracy to build another one")
@@ -241,19 +241,22 @@ class Command(unittest.TestCase):
         path, kept, again = out("without.vtp"), out("with.vtp"), out("again.vtp")
         asked = "--source", 5, "--method", "graph", "--out"
         self.answer("distance", BUMPY, *asked, path)
-        self.assertEqual(files.read(path).GetFieldData().GetNumberOfArrays(), 0)
+        self.assertEqual(vtkdgg.read(path).as_polydata().GetFieldData().GetNumberOfArrays(), 0)
         self.answer("graph", BUMPY, "--out", kept)
         self.answer("distance", kept, *asked, again)
-        self.assertTrue(files.read(again).GetFieldData().HasArray("DGG.Info"))
+        self.assertTrue(vtkdgg.read(again).as_polydata().GetFieldData().HasArray("DGG.Info"))
         np.testing.assert_array_equal(
-            *(support.point_array(files.read(name), "GeodesicDistance") for name in (path, again))
+            *(
+                support.point_array(vtkdgg.read(name).as_polydata(), "GeodesicDistance")
+                for name in (path, again)
+            )
         )
 
     def test_path(self):
         path = out("path.vtk")
         found = self.answer("path", BUMPY, 5, 100, "--out", path)
         self.assertAlmostEqual(found["length"], self.exact[100])
-        self.assertEqual(files.read(path).GetNumberOfLines(), 1)
+        self.assertEqual(vtkdgg.read(path).as_polydata().GetNumberOfLines(), 1)
         near = self.answer("path", BUMPY, 5, 100, "--accuracy", 0.05)
         self.assertLessEqual(near["length"], 1.05 * self.exact[100])
         place = ",".join(str(x) for x in self.mesh.GetPoint(int(np.argmin(
@@ -269,7 +272,7 @@ class Command(unittest.TestCase):
         self.assertEqual(found["values"], [0.5, 1.0])
         self.assertEqual(len(self.answer("isolines", BUMPY, "--source", 5)["values"]), 10)
         tube = out("tube.ply")
-        files.write(tube, support.polydata(*support.prism(9, 6)))
+        vtkdgg.write(tube, support.polydata(*support.prism(9, 6)))
         found = self.answer("loop", tube, "--out", out("loop.vtp"))
         np.testing.assert_allclose(found["lengths"], [9.0], atol=1e-5)
         found = self.answer(
@@ -283,7 +286,7 @@ class Command(unittest.TestCase):
         cells = out("cells.vtp")
         found = self.answer("voronoi", BUMPY, "--site", 5, "--site", 100, "--out", cells)
         self.assertEqual(len(found["areas"]), 2)
-        self.assertTrue(files.read(cells).GetCellData().HasArray("SiteId"))
+        self.assertTrue(vtkdgg.read(cells).as_polydata().GetCellData().HasArray("SiteId"))
         even = self.answer("voronoi", BUMPY, "--number", 6, "--iterations", 5)
         self.assertEqual(even["sites"], 6)
 
@@ -322,7 +325,7 @@ class Command(unittest.TestCase):
         two = out("parts.off")
         points, triangles = support.grid(2, 2)
         points = np.vstack([points, points + [9, 0, 0]])
-        files.write(two, support.polydata(points, np.vstack([triangles, triangles + 9])))
+        vtkdgg.write(two, support.polydata(points, np.vstack([triangles, triangles + 9])))
         for asked in (("sample", two, "--number", 1), ("voronoi", two, "--site", 0)):
             result = command(*asked, "--json")
             found = json.loads(result.stdout, parse_constant=refuse)
@@ -350,7 +353,7 @@ class Command(unittest.TestCase):
         ):
             path = out(f"{name}.off")
             cells = np.vstack([triangles + 16 * i for i in range(len(mesh))])
-            files.write(path, support.polydata(np.vstack(mesh), cells))
+            vtkdgg.write(path, support.polydata(np.vstack(mesh), cells))
             word, *rest = asked.split()
             with self.subTest(asked=asked):
                 result = command(word, path, *rest)
@@ -360,47 +363,76 @@ class Command(unittest.TestCase):
         self.assertRegex(result.stderr, "--merge may join them")
 
     def test_formats(self):
-        points = ".obj .off .pcd .ply .vtk .vtp .xyz"
+        curves, scalars = ".csv .npy .obj .vtk .vtp", ".csv .npy .pcd .ply .vtk .vtp"
+        points = ".csv .npy .obj .off .pcd .ply .vtk .vtp .xyz"
+        field = "distance", BUMPY, "--source", 5, "--out"
         for arguments, known in (
-            (("path", BUMPY, 5, 100, "--out", out("p.stl")), ".obj .vtk .vtp"),
-            (("path", BUMPY, 5, 100, "--out", out("p.ply")), ".obj .vtk .vtp"),
-            (("isolines", BUMPY, "--source", 5, "--out", out("i.pcd")), ".obj .vtk .vtp"),
+            (("path", BUMPY, 5, 100, "--out", out("p.stl")), curves),
+            (("path", BUMPY, 5, 100, "--out", out("p.ply")), curves),
+            (("isolines", BUMPY, "--source", 5, "--out", out("i.pcd")), curves),
             (("matrix", BUMPY, "--source", 5, "--out", out("m.vtp")), ".csv .npy"),
-            (("loop", BUMPY, "--through", 5, "--out", out("l.off")), ".obj .vtk .vtp"),
+            (("loop", BUMPY, "--through", 5, "--out", out("l.off")), curves),
             (("graph", BUMPY, "--out", out("g.ply")), ".vtk .vtp"),
             (("sample", BUMPY, "--number", 3, "--out", out("s.stl")), points),
             (("render", BUMPY, "--source", 5, "--out", out("r.jpg")), ".png"),
+            *(((*field, out(f"d{kind}")), scalars) for kind in (".obj", ".off", ".stl", ".xyz")),
+            (("voronoi", BUMPY, "--number", 3, "--out", out("v.obj")), ".pcd .ply .vtk .vtp"),
         ):
             result = command(*arguments)
             self.assertEqual((result.returncode, result.stdout), (2, ""))
-            self.assertRegex(result.stderr, rf"known are {re.escape(known)}\n\Z")
+            self.assertRegex(
+                result.stderr, rf"cannot hold .*; expected {re.escape(known)} \(--help"
+            )
             self.assertFalse(os.path.exists(arguments[-1]))
         path = out("lines.obj")
         lines = self.answer("isolines", BUMPY, "--source", 5, "--out", path)["lines"]
-        self.assertEqual(files.read(path).GetNumberOfLines(), lines)
-        with self.assertRaisesRegex(files.MeshFileError, "cannot write '.stl' .point cloud."):
-            files.write(out("c.stl"), files.cloud_of([[0, 0, 0]]))
-        for extension, lost in (
-            (".vtp", ()),
-            (".vtk", ()),
-            (".ply", ("GeodesicDistance",)),
-            (".stl", ("GeodesicDistance",)),
-            (".off", ("GeodesicDistance",)),
-            (".obj", ("GeodesicDistance",)),
-            (".xyz", ("polygons", "GeodesicDistance")),
-            (".pcd", ("polygons",)),
-        ):
+        self.assertEqual(vtkdgg.read(path).as_polydata().GetNumberOfLines(), lines)
+        result = command("voronoi", BUMPY, "--number", 3, "--out", out("v.pcd"))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn(".pcd cannot hold SiteId; .vtk and .vtp can", result.stderr)
+        for extension, lost in ((".vtp", ""), (".vtk", ""), (".ply", ""), (".pcd", "polygons")):
             path = out("distance" + extension)
-            arguments = "distance", BUMPY, "--source", 5, "--out", path
-            note = f"{extension} keeps no {', '.join(lost)}; .vtk and .vtp do"
-            self.assertEqual(self.answer(*arguments)["warnings"], [note] if lost else [])
-            self.assertEqual(f"note         {note}" in command(*arguments).stdout, bool(lost))
-            written = files.read(path)
-            has_array = written.GetPointData().HasArray("GeodesicDistance")
-            self.assertEqual(has_array, "GeodesicDistance" not in lost)
-            self.assertEqual(files.kind_of(written) == "surface", "polygons" not in lost)
+            note = f"{extension} keeps no {lost}; .vtk and .vtp do"
+            self.assertEqual(self.answer(*field, path)["warnings"], [note] if lost else [])
+            self.assertEqual(f"note         {note}" in command(*field, path).stdout, bool(lost))
+            written = vtkdgg.read(path)
+            np.testing.assert_array_equal(written.point_data["GeodesicDistance"], self.exact)
+            self.assertEqual(len(written.polygons[1]) > 0, not lost)
         said = " ".join(command("sample", "--help").stdout.split())
         self.assertIn(".vtk and .vtp keep all arrays", said)
+
+    def test_tables(self):
+        """.csv and .npy files of answers."""
+        csv, npy = out("answer.csv"), out("answer.npy")
+        for path in (csv, npy):
+            self.answer("distance", BUMPY, "--source", 5, "--out", path)
+        np.testing.assert_array_equal(np.load(npy), self.exact)
+        table = np.genfromtxt(csv, delimiter=",", names=True)
+        np.testing.assert_array_equal(table["GeodesicDistance"], self.exact)
+        np.testing.assert_array_equal(
+            np.column_stack([table[i] for i in "xyz"])[7], self.mesh.GetPoint(7)
+        )
+        for path in (csv, npy):
+            found = self.answer("path", BUMPY, 5, 100, "--out", path)
+        table = np.load(npy)
+        self.assertEqual(
+            (table["vtkOriginalPointIds"][0], table["vtkOriginalPointIds"][-1]), (5, 100)
+        )
+        points = np.column_stack([table[i] for i in "xyz"])
+        np.testing.assert_array_equal(points, found["points"])
+        self.assertAlmostEqual(
+            np.linalg.norm(np.diff(points, axis=0), axis=1).sum(), found["length"]
+        )
+        self.assertEqual(
+            np.genfromtxt(csv, delimiter=",", names=True).dtype.names, table.dtype.names
+        )
+        lines = self.answer("isolines", BUMPY, "--source", 5, "--count", 3, "--out", npy)["lines"]
+        table = np.load(npy)
+        self.assertEqual(len(np.unique(table["line"])), lines)
+        self.assertEqual(len(np.unique(table["IsoValue"])), 3)
+        found = self.answer("sample", BUMPY, "--number", 12, "--out", npy)
+        self.assertEqual(np.load(npy)["vtkOriginalPointIds"].tolist(), found["ids"])
+        self.assertEqual(len(set(found["ids"])), 12)
 
     def test_render(self):
         first, second = out("first.png"), out("second.png")
@@ -418,7 +450,7 @@ class Command(unittest.TestCase):
         points = np.array([[0, 0, 0], [3, 0, 0], [3, 1, 0], [1, 1, 0], [1, 3, 0], [0, 3, 0]], float)
         path, picture = out("letter.off"), out("letter.png")
         cells = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]]
-        files.write(path, support.polydata(points, cells))
+        vtkdgg.write(path, support.polydata(points, cells))
         for view, empty in (("top", (1, 1)), ("0,0,2", (1, 1)), ("bottom", (0, 1))):
             asked = "render", path, "--source", 0, f"--view={view}", "--out", picture
             result = support.command(*asked)
@@ -434,7 +466,7 @@ class Command(unittest.TestCase):
         kept, picture = out("error.vtp"), out("error.png")
         wave = np.sin(10.0 * self.exact)
         arrays = {"ErrorPercent": wave, "RelativeError": wave, "ExactDistance": self.exact}
-        files.write(kept, with_arrays(self.mesh, arrays))
+        vtkdgg.write(kept, with_arrays(self.mesh, arrays))
         images = []
         for name in arrays:
             result = support.command("render", kept, "--array", name, "--out", picture)
@@ -451,7 +483,7 @@ class Command(unittest.TestCase):
     def test_clouds(self):
         cloud = out("cloud.pcd")
         x, y = np.meshgrid(np.linspace(0, 2, 41), np.linspace(0, 1, 21))
-        files.write(cloud, files.cloud_of(np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])))
+        vtkdgg.write(cloud, vtkdgg.Mesh(np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])))
         self.assertEqual(self.answer("info", cloud)["kind"], "point cloud")
         kept = out("cloud.vtp")
         self.assertGreater(self.answer("graph", cloud, "--out", kept)["edges"], 861)
@@ -479,15 +511,15 @@ class Command(unittest.TestCase):
         self.assertAlmostEqual(rough["largest"], np.sqrt(5.0), delta=0.1)
         self.assertNotEqual(rough["largest"], found["largest"])
         self.answer("distance", cloud, *asked, "graph", "--out", path)
-        self.assertFalse(files.read(path).GetFieldData().HasArray("DGG.Info"))
+        self.assertFalse(vtkdgg.read(path).as_polydata().GetFieldData().HasArray("DGG.Info"))
         self.answer("voronoi", cloud, "--site", 3, "--out", path)
-        self.assertFalse(files.read(path).GetFieldData().HasArray("DGG.Info"))
+        self.assertFalse(vtkdgg.read(path).as_polydata().GetFieldData().HasArray("DGG.Info"))
 
     def test_no_answer(self):
         points, triangles = support.grid(1, 1)
         two = out("two.ply")
         points = np.vstack([points, points + [5, 0, 0]])
-        files.write(two, support.polydata(points, np.vstack([triangles, triangles + 4])))
+        vtkdgg.write(two, support.polydata(points, np.vstack([triangles, triangles + 4])))
         for arguments, pattern in (
             (("path", two, 0, 5), "not connected"),
             (("loop", BUMPY), "no loop"),
@@ -504,19 +536,19 @@ class Command(unittest.TestCase):
         stripper.SetInputData(mesh)
         for name, data in (("grid.off", mesh), ("strips.off", vtkdgg.check(stripper))):
             path = out(name)
-            files.write(path, data)
-            again = files.read(path)
+            vtkdgg.write(path, data)
+            again = vtkdgg.read(path).as_polydata()
             np.testing.assert_array_equal(vtk_to_numpy(again.GetPoints().GetData()), points)
             found = {frozenset(corners) for corners in support.triangles_of(again)}
             self.assertEqual(found, {frozenset(corners) for corners in triangles})
         path = out("points.xyz")
-        files.write(path, mesh)
-        again = vtk_to_numpy(files.read(path).GetPoints().GetData())
+        vtkdgg.write(path, mesh)
+        again = vtk_to_numpy(vtkdgg.read(path).as_polydata().GetPoints().GetData())
         np.testing.assert_array_equal(again, points)
 
     def test_mistakes(self):
         coloured = out("coloured.vtp")
-        files.write(coloured, with_arrays(self.mesh, {"Error": self.exact, "Colour": self.exact}))
+        vtkdgg.write(coloured, with_arrays(self.mesh, {"Error": self.exact, "Colour": self.exact}))
         wrong = out("wrong.txt")
         with open(wrong, "w", encoding="utf-8") as file:
             file.write("5\n1 2\n")
@@ -527,13 +559,16 @@ class Command(unittest.TestCase):
             (("sample", BUMPY, "--numer=3"), "option --numer; did you mean --number\\?"),
             (("info",), "file"),
             (("info", "missing.ply"), "no such file"),
-            (("info", "mesh.abc"), "unknown extension"),
+            (("info", __file__), "test_command.py: unknown extension '.py'; known are .gii .obj"),
             (("distance", BUMPY), "--source"),
             (("distance", BUMPY, "--source", "642"), "--source 642: there are points 0 to 641"),
             (("distance", BUMPY, "--source", "1,2"), "expected a point id, X,Y,Z or face:"),
             (("distance", BUMPY, "--source", "9,9,9"), "or raise --tolerance"),
             (("distance", BUMPY, "--source", "0", "--method", "best"), "invalid choice"),
-            (("distance", BUMPY, "--source", "0", "--out", "a.abc"), "cannot write '.abc'"),
+            (
+                ("distance", BUMPY, "--source", "0", "--out", "a.abc"),
+                "'.abc' cannot hold values at points",
+            ),
             (("distance", BUMPY, "--source", "0", "--out", "none/a.vtp"), "error"),
             (("distance", BUMPY, "--source", "0", "--out", "none/a.off"), "none/a.off"),
             (("graph", BUMPY, "--accuracy", "2"), "--accuracy 2 is out of range: expected 1e-06"),
@@ -574,13 +609,18 @@ class Command(unittest.TestCase):
         points, triangles = support.grid(249, 249)
         points[:, 2] = 3.0 * np.sin(x.ravel() / 5.0) * np.cos(y.ravel() / 7.0)
         path = out("large.vtp")
-        files.write(path, support.polydata(points, triangles))
+        vtkdgg.write(path, support.polydata(points, triangles))
+        code = (
+            "import sys; from vtkdgg.command_line import main; print(flush=True); sys.exit(main())"
+        )
         running = subprocess.Popen(
-            [sys.executable, "-m", "vtkdgg", "graph", path, "--accuracy", "0.001"],
+            [sys.executable, "-c", code, "graph", path, "--accuracy", "0.001"],
+            stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
         )
-        time.sleep(2.0)
+        running.stdout.readline()  # after the imports
+        time.sleep(1.0)
         running.send_signal(signal.SIGINT)
         _, said = running.communicate(timeout=60)
         self.assertEqual((running.returncode, said), (130, "interrupted\n"))

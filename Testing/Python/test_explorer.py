@@ -19,7 +19,6 @@ import vtkdgg
 from support import BUMPY
 from vtkdgg import explorer
 from vtkdgg.command_line import main
-from vtkdgg.commands import files
 from vtkdgg.errors import VTKError
 from vtkdgg.explorer import Explorer, Scene
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -32,10 +31,10 @@ HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
 # Two windows, one after the other; each is left by its key after a moment.
 START = """
 import sys
+import vtkdgg
 from vtkdgg import explorer
-from vtkdgg.commands import files
 
-mesh = files.read(sys.argv[1])
+mesh = vtkdgg.read(sys.argv[1]).as_polydata()
 for _ in range(2):
     scene = explorer.Scene(mesh)
     window = explorer.Explorer(scene, size=(300, 200), place=mesh.GetPoint(5))
@@ -122,7 +121,7 @@ class Hand:
 class Surface(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.mesh = files.read(BUMPY)
+        cls.mesh = vtkdgg.read(BUMPY).as_polydata()
         cls.graph = vtkdgg.Graph(cls.mesh)
 
     def setUp(self):
@@ -262,7 +261,7 @@ class Surface(unittest.TestCase):
         self.assertIn("accuracies are from 0.1 to 0.001", hand.window._status.GetInput())
 
     def test_graph_of_the_surface(self):
-        mesh = vtkdgg.Graph(files.read(BUMPY), accuracy=0.05).polydata
+        mesh = vtkdgg.Graph(vtkdgg.read(BUMPY).as_polydata(), accuracy=0.05).polydata
         scene = Scene(mesh)
         self.assertEqual((scene.accuracy, scene.graph.used_input_graph), (0.05, True))
         scene.suggest(mesh.GetPoint(5))
@@ -328,7 +327,7 @@ class Surface(unittest.TestCase):
         hand.key("g")
         self.assertIsNone(scene.values)
         hand.click(hand.middle())
-        expected = vtkdgg.greens_function(self.mesh, hand.place())[:, 0]
+        expected = vtkdgg.greens_function(self.mesh, hand.place())
         self.assert_equal(scene.values, expected)
         self.assertGreater(scene.lines.GetNumberOfLines(), 5)
         self.assertIn("Green's function", hand.window._status.GetInput())
@@ -372,14 +371,14 @@ class Surface(unittest.TestCase):
             values, path = scene.values, scene.path.points
             hand.key("x")
             *_, surface, table, line, points = hand.window.written
-            found = support.point_array(files.read(surface), name)
+            found = vtkdgg.read(surface).point_data[name]
             np.testing.assert_array_equal(found, values)
             with open(table, encoding="utf-8") as file:
                 self.assertEqual(file.readline().strip(), f"x,y,z,{name}")
                 np.testing.assert_array_equal(np.loadtxt(file, delimiter=",")[:, 3], values)
-            self.assertEqual(files.read(line).GetNumberOfLines(), 1)
-            found = np.loadtxt(points, delimiter=",", skiprows=1)
-            np.testing.assert_array_equal(found, path)
+            self.assertEqual(vtkdgg.read(line).lines[0].tolist(), [0, len(path)])
+            found = np.genfromtxt(points, delimiter=",", names=True)
+            np.testing.assert_array_equal(np.column_stack([found[axis] for axis in "xyz"]), path)
         self.assertTrue(surface.endswith("shot-points-2.vtp") and points.endswith("path-2.csv"))
 
     def test_start(self):
@@ -506,7 +505,7 @@ class Cloud(unittest.TestCase):
         turn = np.pi * (3.0 - np.sqrt(5.0)) * i
         ring = np.sqrt(1.0 - z * z)
         points = np.column_stack([ring * np.cos(turn), ring * np.sin(turn), z])
-        hand = Hand(self, files.cloud_of(points), is_cloud=True)
+        hand = Hand(self, vtkdgg.Mesh(points), is_cloud=True)
         scene = hand.scene
         graph = vtkdgg.CloudGraph(points)
         pixels = hand.middle(), hand.middle(40, 10)
@@ -567,7 +566,7 @@ class Command(unittest.TestCase):
 
     def test_mistakes(self):
         empty = os.path.join(support.output_folder("explorer"), "empty.vtp")
-        files.write(empty, files.cloud_of(np.empty((0, 3))))
+        vtkdgg.write(empty, vtkdgg.Mesh(np.empty((0, 3))))
         for arguments, pattern in (
             ((empty,), "holds no points"),
             (("missing.ply",), "no such file"),

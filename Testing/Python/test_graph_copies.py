@@ -198,8 +198,8 @@ class FromPolydata(unittest.TestCase):
             mesh = vtkdgg.check(reader)
             if binary:
                 self.check_equal(vtkdgg.Graph.from_polydata(mesh))
-            else:  # which rounds the points
-                with self.assertWarnsRegex(RuntimeWarning, "out of date"):
+            else:
+                with self.assertRaisesRegex(ValueError, "as by a text file that rounds them"):
                     vtkdgg.Graph.from_polydata(mesh)
 
     def test_other_data(self):
@@ -244,9 +244,7 @@ class FromPolydata(unittest.TestCase):
         points, triangles = support.grid(1, 1)
         points = np.vstack([points, points + [1.0 + 1e-7, 0.0, 0.0]])
         triangles = np.vstack([triangles, triangles + 4])
-        graph = vtkdgg.Graph(
-            points, triangles, merge_coincident_points=True, merge_tolerance=1e-6
-        )
+        graph = vtkdgg.Graph(points, triangles, merge_coincident_points=True, merge_tolerance=1e-6)
         for same in (
             graph,
             pickle.loads(pickle.dumps(graph)),

@@ -2,15 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of other packages, and places on them."""
 
+import os
 import pathlib
 import types
 import unittest
 
 import numpy as np
+import other_packages
 import support
 import vtkdgg
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkStripper
+from vtkmodules.vtkCommonDataModel import (
+    VTK_QUADRATIC_TETRA,
+    vtkImageData,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkStripper
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 POINTS, TRIANGLES = support.grid(4, 3)
 QUADS = np.array(
@@ -48,9 +56,13 @@ MESHES = {
     "pyvista": Mesh(points=POINTS.astype(np.float32), faces=padded(TRIANGLES)),
     "pyvista, quads": Mesh(points=POINTS, faces=padded(QUADS)),
     "pyvista, mixed": Mesh(points=POINTS, faces=np.append(padded(QUADS[:6]), padded(REST))),
-    "trimesh": Mesh(vertices=POINTS, faces=TRIANGLES),
+    "Mesh": vtkdgg.Mesh(POINTS, TRIANGLES),
+    "Mesh, quads": vtkdgg.Mesh(POINTS, QUADS),
+    "pair": (POINTS, TRIANGLES),
+    "pair of lists": [POINTS.tolist(), QUADS.tolist()],
+    **other_packages.make(other_packages.MESHES, POINTS, TRIANGLES),
     "lists": Mesh(vertices=POINTS.tolist(), faces=TRIANGLES.tolist()),
-    "meshio": Mesh(
+    "meshio, mixed": Mesh(
         points=POINTS,
         cells=[
             Block("vertex", [[0]]),
@@ -100,9 +112,11 @@ class Meshes(unittest.TestCase):
                 vtkdgg.distance(POINTS, cells, 0)
 
     def test_wrong_meshes(self):
-        grid = vtkUnstructuredGrid()
-        for mesh in (grid, vtkImageData()):
-            with self.assertRaisesRegex(ValueError, "vtkDataSetSurfaceFilter"):
+        with self.assertRaisesRegex(ValueError, "vtkDataSetSurfaceFilter"):
+            vtkdgg.distance(vtkImageData(), 0)
+        for mesh in (None, object()):
+            pattern = f"type {type(mesh).__name__} without .*vertices and faces; .*points and cells"
+            with self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.distance(mesh, 0)
         solid = Mesh(points=POINTS, cells=[Block("tetra", [[0, 1, 5, 6]])])
         with self.assertRaisesRegex(ValueError, "'tetra'"):
@@ -116,7 +130,7 @@ class Meshes(unittest.TestCase):
             vtkdgg.distance(POINTS, TRIANGLES)
         for call in (lambda file: vtkdgg.distance(file, 0), vtkdgg.Graph):
             for file in ("file.ply", pathlib.Path("file.ply")):
-                with self.assertRaisesRegex(ValueError, r"'file.ply'; .*vtkdgg.check\(reader\)"):
+                with self.assertRaisesRegex(FileNotFoundError, "file.ply: no such file"):
                     call(file)
         with self.assertRaisesRegex(ValueError, "triangles: the mesh has cells"):
             vtkdgg.distance(MESHES["trimesh"], TRIANGLES, 0)
@@ -124,6 +138,70 @@ class Meshes(unittest.TestCase):
             vtkdgg.path(MESHES["trimesh"], 0)
         with self.assertRaisesRegex(vtkdgg.VTKError, r"vtkPointCloudDGG makes \(vtkdgg.CloudGraph"):
             vtkdgg.distance(Mesh(points=POINTS), 0)
+
+    def test_scenes(self):
+        scenes = other_packages.make(other_packages.SCENES, POINTS, TRIANGLES)
+        for name, scene in scenes.items():
+            with self.subTest(name):
+                distances = vtkdgg.distance(scene, 0, merge_coincident_points=True)
+                np.testing.assert_allclose(distances[: len(POINTS)], STRAIGHT, rtol=1e-6)
+
+    def test_volumes(self):
+        """Of a grid of cubes the surface is used, whose point ids are those of the grid."""
+        solid = vtkStructuredGrid()
+        solid.SetDimensions(4, 4, 4)
+        corner = np.arange(4.0)
+        points = np.array([[x, y, z] for z in corner for y in corner for x in corner])
+        solid.SetPoints(support.polydata(points, TRIANGLES).GetPoints())
+        append = vtkAppendFilter()
+        append.AddInputData(solid)
+        path = os.path.join(support.output_folder("meshes"), "solid.vtu")
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(path)
+        writer.SetInputData(vtkdgg.check(append))
+        vtkdgg.check(writer)
+        for mesh in (solid, vtkdgg.check(append), path):
+            with self.assertWarnsRegex(RuntimeWarning, "volume cells: .* surface of 54 faces"):
+                distances = vtkdgg.distance(mesh, 0)
+            inside = ((points > 0.5) & (points < 2.5)).all(axis=1)
+            np.testing.assert_array_equal(np.isnan(distances), inside)
+            self.assertAlmostEqual(distances[-1], 3.0 * np.sqrt(5.0))
+            self.assertAlmostEqual(distances[3], 3.0)
+
+    def test_quadratic_cells(self):
+        cell = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2], [1, 0, 0]]
+        cell += [[1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]]
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(support.polydata(cell, TRIANGLES).GetPoints())
+        grid.InsertNextCell(VTK_QUADRATIC_TETRA, 10, range(10))
+        with self.assertWarnsRegex(RuntimeWarning, "volume cells"):
+            distances = vtkdgg.distance(grid, 0)
+        np.testing.assert_allclose(distances[[3, 4, 5, 6]], [2.0, 1.0, np.sqrt(2.0), 1.0])
+
+    def test_missing_points(self):
+        """Points with NaN that no triangle uses get the value of unreached points."""
+        points = np.vstack([POINTS, np.full((2, 3), np.nan)])
+        for mesh in ((points, TRIANGLES), support.polydata(points, TRIANGLES)):
+            np.testing.assert_allclose(vtkdgg.distance(mesh, 0), [*STRAIGHT, np.nan, np.nan])
+            self.assertEqual(vtkdgg.Graph(mesh, accuracy=0.1).number_of_points, len(points))
+            self.assertAlmostEqual(vtkdgg.path(mesh, 0, 18).length, STRAIGHT[18])
+        pattern = r"points: row 20 is not finite: \[nan nan nan\]; polygon 24 uses it"
+        with self.assertRaisesRegex(ValueError, pattern):
+            vtkdgg.distance(points, np.vstack([TRIANGLES, [[0, 1, 20]]]), 0)
+
+    @unittest.skipUnless(hasattr(vtkdgg, "vtkPointCloudDGG"), "built without PCL")
+    def test_clouds(self):
+        points = support.grid(30, 20)[0]
+        missing = np.vstack([points, np.full((1, 3), np.nan)])
+        expected = vtkdgg.CloudGraph(points).distance(0)
+        clouds = other_packages.make(other_packages.CLOUDS, points)
+        clouds.update({"Mesh": vtkdgg.Mesh(points), "polydata": support.polydata(points, [])})
+        for name, cloud in clouds.items():
+            with self.subTest(name):
+                np.testing.assert_array_equal(vtkdgg.CloudGraph(cloud).distance(0), expected)
+        for cloud in (missing, vtkdgg.Mesh(missing), support.polydata(missing, [])):
+            distances = vtkdgg.CloudGraph(cloud).distance(0)
+            np.testing.assert_array_equal(distances, [*expected, np.nan])
 
     def test_input_is_left_alone(self):
         mesh = support.polydata(POINTS, TRIANGLES)

@@ -106,7 +106,7 @@ class Pages(unittest.TestCase):
             ("Readers/README.md", "python"): 2,
             ("Readers/README.md", "cpp"): 1,
             ("Wrapping/ParaView/README.md", "python"): 3,  # tested in ParaView
-            ("Wrapping/Python/README.md", "python"): 3,
+            ("Wrapping/Python/README.md", "python"): 4,
         }
         for page in pages.PAGES:
             for language in ("python", "py", "cpp", "cmake"):
@@ -153,10 +153,21 @@ class PythonPage(unittest.TestCase):
         execute(self.blocks[0], names)
         np.testing.assert_allclose(names["d"], [0.0, 3.0, 4.0], rtol=1e-12)
 
+    def test_files(self):
+        folder = support.output_folder("readme")
+        shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
+        block = self.blocks[1]
+        for name in ("mesh.ply", "distance.ply"):
+            block = block.replace(f'"{name}"', repr(os.path.join(folder, name)))
+        names = {}
+        self.assertIn(f"# {execute(block, names).strip()}\n", self.blocks[1])
+        written = vtkdgg.read(os.path.join(folder, "distance.ply"))
+        np.testing.assert_array_equal(written.point_data["distance"], names["d"])
+
     def test_many_queries(self):
         points, triangles = support.bumpy()
         names = {"points": points, "triangles": triangles}
-        execute(self.blocks[1], names)
+        execute(self.blocks[2], names)
         exact = vtkdgg.distance(points, triangles, [0, 10, 20])
         self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
         self.assertEqual(names["m"].shape, (2, 3))
@@ -168,7 +179,7 @@ class PythonPage(unittest.TestCase):
 
     def test_other_packages(self):
         names = {}
-        execute(self.blocks[2], names)
+        execute(self.blocks[3], names)
         points, triangles = support.bumpy()
         expected = vtkdgg.distance(points, triangles, 0)
         np.testing.assert_array_equal(names["gdist"].compute_gdist(points, triangles), expected)
@@ -259,7 +270,7 @@ class Gallery(unittest.TestCase):
 
     # What each of them creates, and what it prints.
     EXPECTED = (
-        ("vtkPLYReader()", ""),
+        ("vtkDGGPLYReader()", ""),
         ("vtkDiscreteGeodesicGraph()", r"\d\d\.\d edges per point"),
         ("vtkDGGDistance()", r"(farthest from \d+: \d\.\d+ model units away\n?){3}"),
         ("vtkGeodesicDistanceMatrix()", r"from 10 to 40: (\S+)"),

@@ -16,10 +16,20 @@ MODULES = [
     for name in dir(vtkdgg)
     if name.startswith("vtkDGG") and inspect.ismodule(getattr(vtkdgg, name))
 ]
-CLASSES = ["CloudGraph", "EarthMovers", "Graph", "Isoline", "Loop", "Path", "Samples", "Voronoi"]
+CLASSES = [
+    "CloudGraph",
+    "EarthMovers",
+    "Graph",
+    "Isoline",
+    "Loop",
+    "Mesh",
+    "Path",
+    "Samples",
+    "Voronoi",
+]
 CLASSES.append("VTKError")
 FUNCTIONS = ["biharmonic", "check", "distance", "earth_movers", "greens_function", "path"]
-FUNCTIONS += ["interpolate", "show_progress"]
+FUNCTIONS += ["interpolate", "read", "show_progress", "write"]
 
 
 def stub_of(module):
@@ -54,6 +64,30 @@ class Stubs(unittest.TestCase):
         rest = {name for name in dir(vtkdgg) if not name.startswith("_")} - seen
         modules = {name for name in rest if inspect.ismodule(getattr(vtkdgg, name))}
         self.assertEqual(rest - modules, set(CLASSES + FUNCTIONS))
+
+    def test_overloads(self):
+        """Arguments that choose what is returned have an overload each."""
+        fields = [
+            "vtkPolyData",
+            "Tuple[NDArray[np.float64], NDArray[np.intp]]",
+            "NDArray[np.float64]",
+        ]
+        for module, name, returned in (
+            ("distances", "distance", fields),
+            ("queries", "distance", fields),
+            ("queries", "sample", ["vtkPolyData", "Samples"]),
+            ("graph", "loop", ["vtkPolyData", "List[Loop]"]),
+            ("paths", "path", ["vtkPolyData", "Path"]),
+            ("spectral", "interpolate", ["vtkPolyData", "NDArray[np.float64]"]),
+        ):
+            with open(os.path.join(FOLDER, f"{module}.pyi"), encoding="utf-8") as file:
+                nodes = list(ast.walk(ast.parse(file.read())))
+            found = [n for n in nodes if isinstance(n, ast.FunctionDef) and n.name == name]
+            with self.subTest(module, name=name):
+                self.assertEqual([ast.unparse(node.returns) for node in found], returned)
+                for node, choice in zip(found, ("True", "False", "False")):
+                    flags = {a.arg: ast.unparse(a.annotation) for a in node.args.kwonlyargs}
+                    self.assertEqual(flags["as_polydata"], f"Literal[{choice}]")
 
     def test_marker(self):
         self.assertTrue(os.path.exists(os.path.join(FOLDER, "py.typed")))

@@ -9,40 +9,10 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from .checks import check_ids, coordinates, numbers  # noqa: F401
+
 # How far barycentric coordinates may be below 0, and their sum from 1, as the filters take them.
 _BARYCENTRIC_TOLERANCE = 1e-6
-
-
-def numbers(values, name, kind="number"):
-    """`values` as an array of the kind ("integer", "number")."""
-    if np.ma.is_masked(values):  # what is masked would be treated as numbers
-        raise ValueError(f"{name}: has masked entries; remove or fill them")
-    try:
-        array = np.asarray(values)
-    except ValueError as error:  # rows of unequal length
-        raise ValueError(f"{name}: not an array of numbers ({error})") from None
-    if array.dtype == object and all(isinstance(value, int) for value in array.flat):
-        largest = max(array.flat, key=abs)  # integers that NumPy has no type for
-        raise ValueError(f"{name}: {largest} does not fit into 64 bits")
-    allowed = {"integer": "iu", "number": "iuf"}[kind]
-    if array.size and array.dtype.kind not in allowed:
-        raise ValueError(f"{name}: {kind}s are wanted, not {array.dtype}")
-    return array
-
-
-def coordinates(values, name):
-    """An array of shape (n, 3) of finite numbers."""
-    array = numbers(values, name)
-    if array.size == 0 and array.ndim < 2:
-        return np.empty((0, 3))
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{name}: the shape must be (n, 3), not {array.shape}")
-    array = np.ascontiguousarray(array, dtype=np.float64)
-    finite = np.isfinite(array).all(axis=1)
-    if not finite.all():
-        row = int(np.argmin(finite))
-        raise ValueError(f"{name}: row {row} is not finite: {array[row]}")
-    return array
 
 
 # The arrays of SurfacePoints.
@@ -306,17 +276,6 @@ def number_of_bytes(value, name):
     if not 1.0 <= number(value, name) < 2.0**63:
         raise ValueError(f"{name}: must be a number of bytes, from 1 to 2^63 - 1, is {value}")
     return int(value)
-
-
-def check_ids(array, number_of_points, name):
-    outside = (array < 0) | (array >= number_of_points)
-    if outside.any():
-        place = np.unravel_index(int(np.argmax(outside)), array.shape)
-        known = "is 1 point" if number_of_points == 1 else f"are {number_of_points} points"
-        raise ValueError(
-            f"{name}: point id {array[place]} (entry {', '.join(map(str, place))}) does not exist; "
-            f"there {known}"
-        )
 
 
 def polydata(points):

@@ -16,7 +16,6 @@ from .build_info import HAS_POINT_CLOUDS
 from .errors import VTKError, depth_of_package, run
 from .graph_info import CONSTRUCTIONS, SCHEMES, GraphInfo
 from .queries import Queries
-from .surface import copy_surface
 from .vtkDGGFiltersGeodesic import vtkDGGDistance
 
 if TYPE_CHECKING:
@@ -38,7 +37,8 @@ class CloudGraph(Queries):
         one of the next six arguments is given. If it belongs to other points or is damaged, a
         warning says so and a graph with the same scheme and accuracy is built.
     normals : array_like, shape (n, 3), optional
-        Normals. Default: those that a vtkPolyData has, else they are found from the points.
+        Normals. Default: those that a vtkPolyData or a `Mesh` has, else they are found from the
+        points.
     scheme : {"C", "B", "A"}, optional
         How far edges reach, see vtkPointCloudDGG. Default: "C".
     offset_in_voxels, resolution, alpha : float, int, float, optional
@@ -83,10 +83,7 @@ class CloudGraph(Queries):
             raise ImportError("CloudGraph needs vtkDGG built with PCL (CMake: -DDGG_WITH_PCL=ON)")
         from .vtkDGGFiltersPointCloud import vtkPointCloudDGG
 
-        if isinstance(points, vtkPolyData):
-            cloud = copy_surface(points)
-        else:
-            cloud = arguments.polydata(meshes.points_of(points))
+        cloud = meshes.cloud_of(points)
         count = cloud.GetNumberOfPoints()
         if count == 0:
             raise ValueError("points: at least one is wanted")

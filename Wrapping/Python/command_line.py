@@ -20,7 +20,7 @@ import warnings
 
 from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
 
-from . import build_info
+from . import build_info, reading, writing
 from .commands import answers, compare, files, places
 from .commands.output import print_table
 from .commands.words import HELP, in_options, notes_of
@@ -113,7 +113,7 @@ def make_parser():
     commands = parser.add_subparsers(dest="command", metavar="command", required=True)
     parser.commands = commands.choices
 
-    def add(run, *shared, out="surface", keeps=KEEPS, needs_out=False, example=""):
+    def add(run, *shared, out="cells", keeps=KEEPS, needs_out=False, example=""):
         name = run.__name__
         command = commands.add_parser(
             name,
@@ -122,23 +122,26 @@ def make_parser():
             epilog=f"example:\n  vtkdgg {name} mesh.ply {example}",
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
-        command.add_argument("file", help=" ".join(files.EXTENSIONS))
+        command.add_argument("file", help=" ".join(reading.EXTENSIONS))
         if "source" in shared:
             shared = ("source", "sources", "source-file", *shared[1:])
         for option in (*shared, "cloud", "json"):
             command.add_argument(f"--{option}", **OPTIONS[option])
         if out:
-            said = f"write {' '.join(files.FORMATS[out])}{keeps}"
+            said = f"write {' '.join(writing.FORMATS[out])}{keeps}"
             check = functools.partial(files.writable, kind=out)
             command.add_argument("--out", metavar="FILE", required=needs_out, type=check, help=said)
         command.set_defaults(run=run)
         return command
 
     built = ("accuracy", "merge")
+    values = "values at points"
     placed = (*built, "tolerance")
     add(answers.info, out="")
-    add(answers.graph, *built, out="graph", keeps="", example="--accuracy 0.001 --out graph.vtp")
-    command = add(answers.distance, "source", *placed, example="--source 0 --out distance.vtp")
+    add(answers.graph, *built, out="a graph", keeps="", example="--accuracy 0.001 --out graph.vtp")
+    command = add(
+        answers.distance, "source", *placed, out=values, example="--source 0 --out distance.vtp"
+    )
     command.add_argument(
         "--method",
         choices=answers.METHODS,
@@ -147,7 +150,7 @@ def make_parser():
         "has one, else exact)",
     )
     command.add_argument("--maximum", type=float, metavar="D", help="stop at this distance")
-    tabled = {"out": "matrix", "keeps": "", "needs_out": True}
+    tabled = {"out": "a matrix", "keeps": "", "needs_out": True}
     listed = "--sources 0,5,9 --out matrix.csv"
     command = add(answers.matrix, "source", *placed, **tabled, example=listed)
     command.add_argument(
@@ -184,17 +187,16 @@ def make_parser():
     which.add_argument("--number", type=int, help="or how many, spread evenly (default: 20)")
     command.add_argument("--iterations", type=int, default=0, help="move sites to the middle")
     points = "--number 500 --out samples.vtp"
-    command = add(answers.sample, *built, out="point cloud", example=points)
+    command = add(answers.sample, *built, out="points", example=points)
     command.add_argument("--number", type=int, required=True, help="how many")
     command.add_argument("--first", type=int, default=0, metavar="ID", help="the first one")
-    command = add(answers.greens, "source", "merge", "tolerance", example="--source 0")
+    command = add(answers.greens, "source", "merge", "tolerance", out=values, example="--source 0")
     methods = ("SingularitySubtraction", "Localized", "Interpolated", "Vertex")
     command.add_argument("--method", choices=methods, default=methods[0])
     command.add_argument("--boundary", choices=("Neumann", "Dirichlet"), default="Neumann")
     drawn = "--source 0 --out picture.png"
-    command = add(
-        answers.render, "source", *placed, out="picture", keeps="", needs_out=True, example=drawn
-    )
+    drawing = {"out": "a picture", "keeps": "", "needs_out": True}
+    command = add(answers.render, "source", *placed, **drawing, example=drawn)
     command.add_argument(
         "--view",
         metavar="NAME|X,Y,Z",
@@ -206,7 +208,7 @@ def make_parser():
         default="GeodesicDistance",
         help="a point array; one that ends in Distance has isolines (default: %(default)s)",
     )
-    numbered = {"out": "picture", "keeps": ", numbered"}
+    numbered = {"out": "a picture", "keeps": ", numbered"}
     command = add(answers.explore, *built, **numbered, example="--source 0")
     command.epilog += "\n\nin the window:\n" + textwrap.indent(HELP, "  ")
     command.add_argument("--source", metavar="ID|X,Y,Z", help="where to begin (default: far out)")
@@ -316,6 +318,7 @@ def main(arguments=None):
         files.MeshFileError,
         ValueError,
         VTKError,
+        ImportError,
         OSError,
     ) as problem:
         print(f"error: {in_options(' '.join(str(problem).split()))}", file=sys.stderr)

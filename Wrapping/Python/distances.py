@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -21,7 +21,8 @@ from .vtkDGGFiltersGeodesic import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 __all__ = ["distance"]
 
@@ -41,7 +42,7 @@ def distance(
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
-) -> Any:
+) -> Union[NDArray[np.float64], Tuple[NDArray[np.float64], NDArray[np.intp]], vtkPolyData]:
     """Geodesic distance of every point of a mesh from the nearest source:
     ``distance(points, triangles, sources)`` or ``distance(mesh, sources)``.
 

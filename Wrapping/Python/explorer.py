@@ -14,8 +14,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
 
+from . import writing
 from .commands import cloud_pictures, pictures, places
-from .commands.output import save
 from .commands.words import HELP
 from .errors import VTKError
 from .explorer_props import CloudSkin, Skin, bar_of, lines_actor, table_of
@@ -198,12 +198,8 @@ class Explorer:
         names = []
         for part, data in self.scene.answer().items():
             names += [self._new_name(f"-{part}", extension) for extension in (".vtp", ".csv")]
-            save(names[-2], data)
-            arrays = data.GetPointData()
-            columns = [data.GetPoints().GetData(), *filter(None, [arrays.GetScalars()])]
-            header = ",".join(["x,y,z", *(array.GetName() for array in columns[1:])])
-            table = np.column_stack([vtk_to_numpy(array) for array in columns])
-            np.savetxt(names[-1], table, "%.17g", ",", header=header, comments="")
+            writing.write(names[-2], data)
+            writing.write_numbers(names[-1], writing.table_of(data))
         self.written += names
         return names
 

@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 
-from . import arguments
+from . import arguments, meshes
 from .cloud_graph import CloudGraph
 from .commands import files
 from .commands.measured import Errors
@@ -49,7 +49,7 @@ FILTERS = {
 class Scene:
     """Source, end and corner on a surface or a cloud, and the answers that they determine.
 
-    A vtkPolyData with `is_cloud` is a cloud, else a surface. Polygons and strips of a surface are
+    A mesh as `distance` takes it, or a cloud with `is_cloud`. Polygons and strips of a surface are
     cut into triangles; a ValueError says that there is none, or that a point is not finite. The
     graph on the surface is used unless an accuracy is given; without either the accuracy is 0.01.
 
@@ -81,6 +81,7 @@ class Scene:
     """
 
     def __init__(self, surface, is_cloud=False, accuracy=None, merge=False):
+        surface = meshes.cloud_of(surface) if is_cloud else meshes.take(surface)[0]
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("there are no points to explore")
         if accuracy is not None and not 1e-6 <= accuracy <= 0.5:
@@ -463,7 +464,4 @@ def _polyline(points):
 def _triangles_of(surface):
     """Returns the triangles of a surface."""
     arguments.coordinates(vtk_to_numpy(surface.GetPoints().GetData()), "points")
-    try:
-        return files.triangles_of(surface, "surface")
-    except files.MeshFileError as refusal:
-        raise ValueError(str(refusal)) from None
+    return files.triangles_of(surface, "surface")

@@ -1,12 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Type stubs of the wrapped modules, from the signatures that VTK's wrappers put into docstrings.
+"""Type stubs of the wrapped modules, from the signatures that VTK's wrappers put into docstrings, and
+of Python sources whose functions return different types, with overloads.
 
-Usage: generate_stubs.py FOLDER MODULE...
+Usage: generate_stubs.py FOLDER MODULE... SOURCE.py...
 
-Writes FOLDER/MODULE.pyi for the modules of vtkdgg. The Python sources have annotations of their own.
+Writes FOLDER/MODULE.pyi and FOLDER/SOURCE.pyi. Other Python sources have annotations of their own.
 """
 
+import ast
+import copy
 import importlib
 import keyword
 import os
@@ -112,10 +115,74 @@ class Stub:
         return "Any"
 
 
+class Overloads(ast.NodeTransformer):
+    """Removes bodies and private names, and splits functions that return a Union.
+
+    `as_polydata=True` returns the vtkPolyData, `return_source=True` the tuple.
+    """
+
+    def visit_Module(self, node):
+        """The stub of a module."""
+        self.generic_visit(node)
+        typing = ast.parse("from typing import Literal, overload").body
+        future = [i for i, part in enumerate(node.body) if isinstance(part, ast.ImportFrom)][0]
+        node.body[future + 1 : future + 1] = typing
+        return node
+
+    def visit_If(self, node):
+        """What is imported for type checkers only."""
+        return node.body
+
+    def visit_Assign(self, node):
+        """Constants have no annotation, and none is public."""
+        return None
+
+    visit_Expr = visit_Assign  # docstrings
+
+    def visit_FunctionDef(self, node):
+        """The signature, or one for each type that is returned."""
+        if node.name.startswith("_") and not node.name.startswith("__"):
+            return None
+        node.body = [ast.Expr(ast.Constant(...))]
+        names = [argument.arg for argument in node.args.kwonlyargs]
+        if "as_polydata" not in names:
+            return node
+        kinds = node.returns.slice.elts
+        first, *others, polydata = kinds
+        found = [self._with(node, polydata, as_polydata=True)]
+        for other in others:
+            found.append(self._with(node, other, return_source=True, as_polydata=False))
+        flags = {"return_source": False} if others else {}
+        return [*found, self._with(node, first, **flags, as_polydata=False)]
+
+    @staticmethod
+    def _with(node, returned, **flags):
+        """The overload for these values of arguments; one that is true has no default."""
+        node = copy.deepcopy(node)
+        node.returns = returned
+        node.decorator_list.insert(0, ast.Name("overload"))
+        for i, argument in enumerate(node.args.kwonlyargs):
+            if argument.arg in flags:
+                argument.annotation = ast.parse(f"Literal[{flags[argument.arg]}]").body[0].value
+                node.args.kw_defaults[i] = None if flags[argument.arg] else ast.Constant(...)
+        return node
+
+
+def stub_of_source(path):
+    """The stub of a Python source."""
+    with open(path, encoding="utf-8") as file:
+        tree = ast.parse(file.read())
+    return ast.unparse(ast.fix_missing_locations(Overloads().visit(tree))) + "\n"
+
+
 def main(folder, names):
     """Write them."""
     for name in names:
-        text = Stub(name).text()
+        if name.endswith(".py"):
+            text = stub_of_source(name)
+            name = os.path.splitext(os.path.basename(name))[0]
+        else:
+            text = Stub(name).text()
         with open(os.path.join(folder, f"{name}.pyi"), "w", encoding="utf-8") as file:
             file.write(text)
 

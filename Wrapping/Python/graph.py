@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, List, Optional, Union
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -165,7 +165,7 @@ class Graph(Queries):
         initial_distances: Optional[ArrayLike] = None,
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
-    ) -> Any:
+    ) -> Union[List[Isoline], vtkPolyData]:
         """Curves along which the distance from the nearest source has a value.
 
         Parameters
@@ -221,7 +221,7 @@ class Graph(Queries):
         taut: bool = False,
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
-    ) -> Any:
+    ) -> Union[List[Loop], vtkPolyData]:
         """Closed curves that no curve next to them undercuts.
 
         Parameters

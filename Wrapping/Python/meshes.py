@@ -1,19 +1,34 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes as other packages have them, and their way into VTK.
+"""Meshes of other packages, and their conversion to vtkPolyData.
 
-Points and cells are copied, so that whoever changes them afterwards, in another thread even, does
-not change what is computed.
+Points and cells are copied, so that changes made afterwards, even by another thread, do not affect
+what is computed.
 """
 
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData
 
 from . import arguments
-from .surface import copy_surface
+from .mesh import Mesh
+from .reading import read
+from .surface import copy_surface, surface_of
+
+# Attributes that hold points and cells, by package.
+LAYOUTS = (
+    ("vertex.positions", "triangle.indices"),  # Open3D, tensor meshes
+    ("point.positions", None),  # Open3D, tensor clouds
+    ("vertices", "faces"),  # trimesh
+    ("vertices", "triangles"),  # Open3D
+    ("coordinates", "faces"),  # nilearn
+    ("points", "faces"),
+    ("points", "cells"),  # meshio
+    ("points", None),
+    ("vertices", None),
+)
 
 
 def take(mesh, cells=None, **named):
@@ -21,13 +36,14 @@ def take(mesh, cells=None, **named):
     array of points with `cells`; else `cells` is the first of the others, each of which may be None
     for one that is missing."""
     others = list(named.values())
-    if not is_mesh(mesh):
+    found = opened(mesh)
+    if found is None:
         try:
             if cells is None:
                 raise ValueError("triangles: they are missing, and the points have no cells")
             surface = from_arrays(mesh, cells)
         except ValueError as error:
-            # Whoever gives points and sources alone may have a cloud.
+            # Callers that pass points and sources alone may have a cloud.
             is_short = cells is None or any(other is None for other in others)
             if not (is_short and str(error).startswith("triangles: ")):
                 raise
@@ -41,119 +57,124 @@ def take(mesh, cells=None, **named):
                 raise ValueError("triangles: the mesh has cells of its own")
             del others[missing[0]]
             others.insert(0, cells)
-        surface = from_mesh(mesh)
+        surface = _surface(found)
     for name, other in zip(named, others):
         if other is None:
             raise ValueError(f"{name}: missing")
     return surface, others
 
 
-def is_mesh(mesh):
-    """Whether it is more than coordinates, and not the name of a file."""
+def opened(mesh):
+    """The mesh as a Mesh, a vtkDataObject or a pair of points and cells; None for an array."""
+    if isinstance(mesh, (Mesh, vtkDataObject)):
+        return mesh
     if isinstance(mesh, (str, os.PathLike)):
+        return read(mesh)
+    if isinstance(mesh, np.ndarray):
+        return None
+    if isinstance(mesh, (list, tuple)):
+        return tuple(mesh) if len(mesh) == 2 and np.ndim(mesh[0]) == 2 else None
+    if hasattr(mesh, "to_mesh"):  # a scene of trimesh
+        return opened(mesh.to_mesh())
+    if isinstance(getattr(mesh, "dataset", None), vtkDataObject):  # vedo
+        return mesh.dataset
+    for layout in LAYOUTS:
+        points, cells = (None if path is None else _attribute(mesh, path) for path in layout)
+        if points is not None and (cells is not None or layout[1] is None):
+            return points, [] if cells is None else cells
+    if np.asarray(mesh).dtype == object:
+        known = "; ".join(" and ".join(filter(None, layout)) for layout in LAYOUTS)
         raise ValueError(
-            f"points: coordinates or a mesh are wanted, not {os.fspath(mesh)!r}; readers of VTK "
-            "read files: mesh = vtkdgg.check(reader)"
+            f"points: expected coordinates, a file name or a mesh, got an object of type "
+            f"{type(mesh).__name__} without any of these sets of attributes: {known}"
         )
-    return isinstance(mesh, vtkDataObject) or any(
-        hasattr(mesh, name) for name in ("points", "vertices")
-    )
+    return None
 
 
-def from_mesh(mesh):
-    """A new vtkPolyData of any object with points and cells."""
-    if isinstance(mesh, vtkPolyData):  # which those of PyVista are
-        return copy_surface(mesh)
-    if isinstance(mesh, vtkDataObject):
-        raise ValueError(
-            f"a surface is wanted, not a {mesh.GetClassName()}: vtkDataSetSurfaceFilter makes one "
-            "of it"
-        )
-    points = mesh.points if hasattr(mesh, "points") else mesh.vertices
-    if hasattr(mesh, "faces"):
-        return from_arrays(points, mesh.faces)
-    if hasattr(mesh, "cells"):  # meshio: blocks of cells of one type
-        return from_arrays(points, [row for block in mesh.cells for row in _rows(block)])
-    return from_arrays(points, [])
+def cloud_of(mesh, name="points"):
+    """A new vtkPolyData of a cloud. The data of a vtkPolyData or Mesh come along."""
+    found = opened(mesh)
+    if isinstance(found, vtkPolyData):
+        return copy_surface(found)
+    if isinstance(found, Mesh):
+        return found.as_polydata()
+    return arguments.polydata(points_of(mesh if found is None else found, name))
 
 
 def points_of(mesh, name="points"):
     """The coordinates of a mesh, cloud or array, shape (n, 3)."""
-    if isinstance(mesh, vtkDataObject):
-        if not hasattr(mesh, "GetPoints"):
-            raise ValueError(f"{name}: a {mesh.GetClassName()} has no points")
-        mesh = vtk_to_numpy(mesh.GetPoints().GetData()) if mesh.GetPoints() else []
-    elif is_mesh(mesh):
-        mesh = mesh.points if hasattr(mesh, "points") else mesh.vertices
-    return arguments.coordinates(mesh, name)
+    found = opened(mesh)
+    if isinstance(found, vtkDataObject):
+        if not hasattr(found, "GetPoints"):
+            raise ValueError(f"{name}: a {found.GetClassName()} has no points")
+        found = vtk_to_numpy(found.GetPoints().GetData()) if found.GetPoints() else []
+    elif isinstance(found, Mesh):
+        found = found.points
+    elif found is not None:
+        found = found[0]
+    return arguments.coordinates(mesh if found is None else found, name, is_finite=False)
 
 
 def from_arrays(points, cells):
     """A new vtkPolyData of points and polygons."""
-    points = arguments.coordinates(points, "points")
-    offsets, corners = _polygons(cells)
-    arguments.check_ids(corners, len(points), "triangles")
-    surface = arguments.polydata(points)
-    polygons = vtkCellArray()
-    polygons.SetData(
-        numpy_to_vtkIdTypeArray(np.ascontiguousarray(offsets, dtype=np.int64), deep=True),
-        numpy_to_vtkIdTypeArray(np.ascontiguousarray(corners.ravel(), dtype=np.int64), deep=True),
-    )
-    surface.SetPolys(polygons)
-    return surface
-
-
-def _rows(block):
-    """The polygons of a block of cells; points and lines have none."""
-    kind = "".join(letter for letter in block.type if letter.isalpha())
-    if kind in ("vertex", "line"):
-        return []
-    if block.type not in ("triangle", "quad") and kind != "polygon":
-        raise ValueError(f"triangles: a surface is wanted, but there are cells {block.type!r}")
-    return list(block.data)
-
-
-def _polygons(cells):
-    """Offsets of polygons and their corners, the ids as they were given.
-
-    Cells have one row each, or are one row of all: the number of corners before the corners.
-    """
-    if isinstance(cells, (list, tuple)) and len({np.size(row) for row in cells}) > 1:
-        sizes = [np.size(row) for row in cells]
-        corners = [i for row in cells for i in np.ravel(row)]
-    else:
-        array = arguments.numbers(cells, "triangles", "integer")
-        if array.size == 0 and array.ndim < 2:
-            array = np.empty((0, 3), dtype=np.int64)
-        if array.ndim == 2:
-            if array.shape[1] < 3:
-                raise ValueError(f"triangles: the shape must be (m, 3), not {array.shape}")
-            return np.arange(len(array) + 1) * array.shape[1], array
-        if array.ndim != 1:
-            raise ValueError(f"triangles: the shape must be (m, 3), not {array.shape}")
-        sizes, corners = _unpacked(array)
-    if len(sizes) and min(sizes) < 3:
-        raise ValueError(f"triangles: a polygon has {min(sizes)} corners")
-    return np.concatenate([[0], np.cumsum(sizes)]), arguments.numbers(
-        corners, "triangles", "integer"
-    )
-
-
-def _unpacked(row):
-    """Numbers of corners and the corners, of [n, i, j, k, n, ...]."""
-    step = int(row[0]) + 1
-    if step > 1 and len(row) % step == 0 and (row[::step] == step - 1).all():
-        return np.full(len(row) // step, step - 1), row.reshape(-1, step)[:, 1:].ravel()
-    starts = []
-    at = 0
-    while at < len(row):
-        starts.append(at)
-        if row[at] < 0:
-            break
-        at += int(row[at]) + 1
-    if at != len(row):
+    mesh = Mesh(points, **_cells(cells))
+    offsets, corners = mesh.polygons
+    bad = np.flatnonzero(~np.isfinite(mesh.points[corners]).all(axis=1))
+    if len(bad):
+        polygon = int(np.searchsorted(offsets, bad[0], side="right")) - 1
+        row = int(corners[bad[0]])
         raise ValueError(
-            "triangles: the shape must be (m, 3), or one row that has the number of corners before "
-            "those of each polygon"
+            f"points: row {row} is not finite: {mesh.points[row]}; polygon {polygon} uses it"
         )
-    return row[starts], np.delete(row, starts)
+    return mesh.as_polydata()
+
+
+def _surface(found):
+    """A new vtkPolyData of what opened() returns."""
+    if isinstance(found, Mesh):
+        return found.as_polydata()
+    if isinstance(found, tuple):
+        return from_arrays(*found)
+    if isinstance(found, vtkPolyData):
+        return copy_surface(found)
+    if isinstance(found, vtkPointSet):
+        return copy_surface(surface_of(found, f"The {found.GetClassName()}"))
+    raise ValueError(
+        f"a surface is wanted, not a {found.GetClassName()}: vtkDataSetSurfaceFilter makes one of "
+        "it"
+    )
+
+
+def _attribute(mesh, path):
+    """The attribute at a dotted path, None if there is none. Tensors become arrays."""
+    for name in path.split("."):
+        try:
+            mesh = getattr(mesh, name)
+        except (AttributeError, KeyError):  # Open3D raises the latter
+            return None
+    return mesh.numpy() if hasattr(mesh, "numpy") else mesh
+
+
+def _cells(cells):
+    """Cells as arguments of Mesh. Those of meshio are blocks of cells of one type."""
+    if not (isinstance(cells, list) and cells and hasattr(cells[0], "type")):
+        return {"triangles": cells}
+    blocks = [np.asarray(block.data) for block in cells if _is_polygonal(block.type)]
+    sizes = [np.full(len(block), block.shape[1]) for block in blocks]
+    empty = [np.empty(0, dtype=np.int64)]
+    return {
+        "polygons": (
+            np.concatenate([[0], np.cumsum(np.concatenate(sizes + empty))]),
+            np.concatenate([block.ravel() for block in blocks] + empty),
+        )
+    }
+
+
+def _is_polygonal(kind):
+    """True for polygons, false for points and lines; volumes and curved cells are an error."""
+    letters = "".join(letter for letter in kind if letter.isalpha())
+    if letters in ("vertex", "line"):
+        return False
+    if kind not in ("triangle", "quad") and letters != "polygon":
+        raise ValueError(f"triangles: a surface is wanted, but there are cells {kind!r}")
+    return True

@@ -4,10 +4,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from . import arguments, meshes
 from .errors import VTKError, run
@@ -33,7 +33,7 @@ def path(
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
-) -> Any:
+) -> Union[Path, vtkPolyData]:
     """A shortest path on a mesh: ``path(points, triangles, start, end)`` or
     ``path(mesh, start, end)``.
 

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, List, Optional, Tuple, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -14,7 +14,7 @@ from .distances import field_of, set_sources
 from .errors import run
 from .matrices import Matrices
 from .paths import find
-from .results import Samples, Voronoi, array_of
+from .results import Path, Samples, Voronoi, array_of
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
     vtkDGGPath,
@@ -23,7 +23,8 @@ from .vtkDGGFiltersGeodesic import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 
 class Queries(Matrices):
@@ -40,7 +41,7 @@ class Queries(Matrices):
         unreached: float = np.nan,
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
-    ) -> Any:
+    ) -> Union[NDArray[np.float64], Tuple[NDArray[np.float64], NDArray[np.intp]], vtkPolyData]:
         """Distance of every point from the nearest source.
 
         Parameters
@@ -98,7 +99,7 @@ class Queries(Matrices):
         detour: Optional[float] = None,
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
-    ) -> Any:
+    ) -> Union[Path, vtkPolyData]:
         """A path on the surface from one point to another.
 
         It is a geodesic: no path next to it is shorter. Its length is at least the exact distance,
@@ -149,7 +150,7 @@ class Queries(Matrices):
         detour: Optional[float] = None,
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
-    ) -> Any:
+    ) -> Union[List[Optional[Path]], vtkPolyData]:
         """Paths between many pairs of points, on all threads.
 
         Parameters
@@ -194,7 +195,7 @@ class Queries(Matrices):
         in_faces: bool = False,
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
-    ) -> Any:
+    ) -> Union[Samples, vtkPolyData]:
         """Points that are spread evenly: each is as far as possible from those before.
 
         Parameters
@@ -251,7 +252,7 @@ class Queries(Matrices):
         iterations: int = 0,
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
-    ) -> Any:
+    ) -> Union[Voronoi, vtkPolyData]:
         """Which of some sites is nearest, and how large their cells are.
 
         Parameters

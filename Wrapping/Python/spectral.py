@@ -5,7 +5,7 @@ interpolation."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -21,7 +21,8 @@ from .vtkDGGFiltersSpectral import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 __all__ = ["biharmonic", "earth_movers", "greens_function", "interpolate"]
 
@@ -39,7 +40,7 @@ def greens_function(
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
-) -> Any:
+) -> Union[NDArray[np.float64], vtkPolyData]:
     """Green's functions of the Laplacian: ``greens_function(points, triangles, sources)`` or
     ``greens_function(mesh, sources)``.
 
@@ -66,7 +67,7 @@ def greens_function(
     -------
     numpy.ndarray of float64, shape (n, k) or (p, k), or vtkPolyData
         Numbers without a unit, or areas of order 2, positive at the sources; one column for each
-        source.
+        source. The shape is (n,) or (p,) for one source.
 
     Raises
     ------
@@ -108,7 +109,7 @@ def biharmonic(
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
-) -> Any:
+) -> Union[NDArray[np.float64], vtkPolyData]:
     """Smooth distances made of the Laplacian: ``biharmonic(points, triangles, sources)`` or
     ``biharmonic(mesh, sources)``.
 
@@ -143,7 +144,8 @@ def biharmonic(
     -------
     numpy.ndarray of float64, shape (n, k) or (p, k), or vtkPolyData
         Biharmonic distances in the unit of the points, commute-time distances without one,
-        diffusion distances in one over it; one column for each source.
+        diffusion distances in one over it; one column for each source. The shape is (n,) or (p,)
+        for one source.
 
     Raises
     ------
@@ -158,7 +160,7 @@ def biharmonic(
     --------
     >>> d = vtkdgg.biharmonic(mesh, 0)
     >>> d.shape
-    (642, 1)
+    (642,)
     """
     surface, (sources,) = meshes.take(points, triangles, sources=sources)
     solve = vtkBiharmonicDistance()
@@ -189,7 +191,7 @@ def earth_movers(
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
-) -> Any:
+) -> Union[EarthMovers, vtkPolyData]:
     """The least cost of moving mass within a surface:
     ``earth_movers(points, triangles, start, end)`` or ``earth_movers(mesh, start, end)``.
 
@@ -262,7 +264,7 @@ def interpolate(
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
-) -> Any:
+) -> Union[NDArray[np.float64], vtkPolyData]:
     """A smooth function with the values that are known at some places:
     ``interpolate(points, triangles, sites, values)`` or ``interpolate(mesh, sites, values)``.
 
@@ -290,7 +292,7 @@ def interpolate(
     Returns
     -------
     numpy.ndarray of float64, shape (n,), (n, c), (p,) or (p, c), or vtkPolyData
-        In the unit of the values.
+        In the unit of the values. One column of values gives shape (n,) or (p,).
 
     Raises
     ------
@@ -331,7 +333,7 @@ def interpolate(
     output.GetPointData().RemoveArray(_SITE_VALUES)
     if as_polydata:
         return output
-    return array_of(output.GetPointData(), "Interpolation").reshape(-1, *numbers.shape[1:])
+    return array_of(output.GetPointData(), "Interpolation")
 
 
 #: The array that takes values to vtkHarmonicBSpline.
@@ -373,8 +375,7 @@ def _solve(solve, surface, sources, at, as_polydata):
     output = _evaluate(solve, at)
     if as_polydata:
         return output
-    values = array_of(output.GetPointData(), solve.GetResultArrayName())
-    return values.reshape(len(values), -1)
+    return array_of(output.GetPointData(), solve.GetResultArrayName())
 
 
 def _evaluate(solve, at):

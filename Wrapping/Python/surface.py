@@ -1,11 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Copies of a vtkPolyData, and its way into numpy arrays and back."""
+"""Conversions between vtkPolyData and NumPy arrays; copies and surfaces of VTK's data sets."""
+
+import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_BIT, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonCore import VTK_BIT, VTK_FLOAT, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+
+from .errors import check, depth_of_package
+from .mesh import Mesh
 
 CELLS = ("Verts", "Lines", "Polys", "Strips")
 DATA = ("PointData", "CellData", "FieldData")
@@ -28,21 +35,95 @@ def copy_surface(polydata):
     return result
 
 
+def mesh_of(polydata):
+    """The vtkPolyData as a Mesh. Strips become triangles; vertices and arrays of text are lost."""
+    if polydata.GetNumberOfStrips() > 0:
+        triangulate = vtkTriangleFilter()
+        triangulate.SetInputData(polydata)
+        polydata = check(triangulate)
+    first = polydata.GetNumberOfVerts()  # arrays of cells begin with those of vertices
+    points = polydata.GetPoints()
+    data, field_data = polydata.GetPointData(), polydata.GetFieldData()
+    mesh = Mesh(
+        vtk_to_numpy(points.GetData()) if points else [],
+        polygons=_ids_of(polydata.GetPolys()),
+        lines=_ids_of(polydata.GetLines()),
+        point_data=_named(data),
+        cell_data={key: rows[first:] for key, rows in _named(polydata.GetCellData()).items()},
+        field_data=_named(field_data),
+    )
+    mesh._is_single = points is not None and points.GetDataType() == VTK_FLOAT
+    for kind in range(vtkDataSetAttributes.NUM_ATTRIBUTES):
+        array = data.GetAbstractAttribute(kind)
+        if array is not None:
+            mesh._active[kind] = array.GetName()
+    return mesh
+
+
+def polydata_of(mesh):
+    """The Mesh as a new vtkPolyData. Points without any cell get vertices, which draw them."""
+    result = vtkPolyData()
+    result.SetPoints(_points_of(mesh))
+    result.SetLines(_cells_of(*mesh.lines))
+    result.SetPolys(_cells_of(*mesh.polygons))
+    if result.GetNumberOfCells() == 0:
+        ids = np.flatnonzero(np.isfinite(mesh.points).all(axis=1))
+        result.SetVerts(_cells_of(np.arange(len(ids) + 1), ids))
+    for kind, arrays in zip(DATA, (mesh.point_data, mesh.cell_data, mesh.field_data)):
+        data = getattr(result, f"Get{kind}")()
+        if kind == "CellData" and result.GetNumberOfVerts() > 0:
+            continue
+        for name, values in arrays.items():
+            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+            array.SetName(name)
+            data.AddArray(array)
+    for kind, name in {vtkDataSetAttributes.NORMALS: "Normals", **mesh._active}.items():
+        result.GetPointData().SetActiveAttribute(name, kind)
+    return result
+
+
+def surface_of(data, name):
+    """The surface of a vtkPointSet as a vtkPolyData with all of its points, in their order. `name`
+    names the data in the warning about volumes."""
+    ids = numpy_to_vtkIdTypeArray(np.arange(data.GetNumberOfPoints()), deep=True)
+    ids.SetName("vtkdgg ids")  # PassThroughPointIds of VTK 9.1 is wrong on quadratic cells
+    numbered = data.NewInstance()
+    numbered.CopyStructure(data)
+    numbered.GetPointData().AddArray(ids)
+    numbered.GetCellData().ShallowCopy(data.GetCellData())
+    extract = vtkDataSetSurfaceFilter()
+    extract.SetInputData(numbered)
+    found = check(extract)
+    is_solid = any(data.GetCell(i).GetCellDimension() == 3 for i in _one_of_each_type(data))
+    if is_solid:
+        faces = found.GetNumberOfPolys() + found.GetNumberOfStrips()
+        warnings.warn(
+            f"{name} has volume cells: distances are measured on the surface of {faces} faces",
+            RuntimeWarning,
+            stacklevel=depth_of_package(),
+        )
+    result = vtkPolyData()
+    result.SetPoints(data.GetPoints())
+    ids = found.GetPointData().GetArray(ids.GetName())
+    for kind in CELLS:
+        offsets, corners = _ids_of(getattr(found, f"Get{kind}")())
+        if len(corners):
+            getattr(result, f"Set{kind}")(_cells_of(offsets, vtk_to_numpy(ids)[corners]))
+    result.GetPointData().ShallowCopy(data.GetPointData())
+    result.GetCellData().ShallowCopy(found.GetCellData())
+    result.GetFieldData().ShallowCopy(data.GetFieldData())
+    return result
+
+
 def to_arrays(polydata):
     """The surface as a dict of what pickle knows. Arrays of text and of bits are left out."""
     result = {"Points": vtk_to_numpy(polydata.GetPoints().GetData())}
     for kind in CELLS:
-        cells = getattr(polydata, f"Get{kind}")()
-        result[kind] = tuple(
-            vtk_to_numpy(array) for array in (cells.GetOffsetsArray(), cells.GetConnectivityArray())
-        )
+        result[kind] = _ids_of(getattr(polydata, f"Get{kind}")())
     for kind in DATA:
-        data = getattr(polydata, f"Get{kind}")()
-        arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
         result[kind] = [
             (array.GetName(), array.GetDataType(), vtk_to_numpy(array))
-            for array in arrays
-            if array is not None and array.GetDataType() != VTK_BIT
+            for array in _numeric(getattr(polydata, f"Get{kind}")())
         ]
     return result
 
@@ -54,14 +135,54 @@ def from_arrays(arrays):
     points.SetData(numpy_to_vtk(arrays["Points"], deep=True))
     result.SetPoints(points)
     for kind in CELLS:
-        cells = vtkCellArray()
-        cells.SetData(
-            *(numpy_to_vtkIdTypeArray(ids.astype(np.int64), deep=True) for ids in arrays[kind])
-        )
-        getattr(result, f"Set{kind}")(cells)
+        getattr(result, f"Set{kind}")(_cells_of(*arrays[kind]))
     for kind in DATA:
         for name, data_type, values in arrays[kind]:
             array = numpy_to_vtk(values, deep=True, array_type=data_type)
             array.SetName(name)
             getattr(result, f"Get{kind}")().AddArray(array)
     return result
+
+
+def _points_of(mesh):
+    """The points in double precision; in single precision where they were stored so in a file."""
+    values = mesh.points
+    if mesh._is_single and (values.astype(np.float32) == values).all():
+        values = values.astype(np.float32)
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(values), deep=True))
+    return points
+
+
+def _ids_of(cells):
+    """Offsets and corners of a vtkCellArray, without a copy."""
+    return tuple(
+        vtk_to_numpy(array) for array in (cells.GetOffsetsArray(), cells.GetConnectivityArray())
+    )
+
+
+def _cells_of(*arrays):
+    """A vtkCellArray of offsets and corners."""
+    cells = vtkCellArray()
+    cells.SetData(*(numpy_to_vtkIdTypeArray(ids.astype(np.int64), deep=True) for ids in arrays))
+    return cells
+
+
+def _numeric(data):
+    """The arrays of numbers."""
+    arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
+    return [a for a in arrays if a is not None and a.GetDataType() != VTK_BIT]
+
+
+def _named(data):
+    """The arrays of numbers by name."""
+    return {a.GetName(): vtk_to_numpy(a) for a in _numeric(data) if a.GetName()}
+
+
+def _one_of_each_type(data):
+    """A cell id for each type of cell."""
+    if not hasattr(data, "GetCellTypesArray"):
+        return [0] if data.GetNumberOfCells() else []
+    if data.GetNumberOfCells() == 0:
+        return []
+    return np.unique(vtk_to_numpy(data.GetCellTypesArray()), return_index=True)[1].tolist()

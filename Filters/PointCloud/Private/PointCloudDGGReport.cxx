@@ -185,7 +185,8 @@ void vtkPointCloudDGG::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
       << "), are larger than the spacing of the points, which is " << used.Spacing << ". "
       << (isGiven ? "The graph bridges gaps and holes, and may connect or tear apart "
                     "what it should not"
-                  : "Building is slower")
+                  : "Building is slower, and paths that vtkDGGPath straightens may "
+                    "cross gaps as narrow as a voxel")
       << ". "
       << (options.Resolution > 0 || isGiven
              ? "Use a larger Resolution."

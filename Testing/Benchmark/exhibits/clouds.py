@@ -11,7 +11,6 @@ from benchmark_results import bytes_text, count_text, digits, percent, table
 from plot_cloud import curve, plot
 from summarize_cloud import PUBLISHED
 from summarize_cloud import Run as CloudRun
-from vtkdgg.commands.files import cloud_of
 from vtkdgg.commands.sizes import floor_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -146,7 +145,7 @@ class Errors(Exhibit):
         yield (
             f"sphere, {count_text(count)}",
             "sphere",
-            cloud_of(points),
+            vtkdgg.Mesh(points).as_polydata(),
             lambda graph: sphere_errors(graph, points),
         )
         names = ["torus-200", "terrain-160"] + [name for name in run.scans() if name == "bunny"]
@@ -164,7 +163,7 @@ class Errors(Exhibit):
             return summary(found, exact, floor_of(mesh))
 
         title = f"vertices of {name}, {count_text(len(points))}"
-        return title, name.split("-")[0], cloud_of(points), errors
+        return title, name.split("-")[0], vtkdgg.Mesh(points).as_polydata(), errors
 
     def measure(self, run):
         found = {}
@@ -236,7 +235,7 @@ class BuildTimes(Exhibit):
         found = []
         for name in ("torus-80", "torus-160", "torus-640"):
             mesh = run.mesh(name)
-            cloud = cloud_of(surfaces.arrays_of(mesh)[0])
+            cloud = vtkdgg.Mesh(surfaces.arrays_of(mesh)[0]).as_polydata()
             start = time.perf_counter()
             vtkdgg.distance(mesh, 0)
             unit = time.perf_counter() - start
@@ -278,7 +277,7 @@ class Sparsification(Exhibit):
 
     def measure(self, run):
         points = random_sphere(run, run.pick(20000, 100000))
-        cloud = cloud_of(points)
+        cloud = vtkdgg.Mesh(points).as_polydata()
         rows = []
         for tolerance in self.tolerances:
             graph, _ = built(cloud, Accuracy=tolerance)
@@ -403,7 +402,7 @@ class Noisy(Exhibit):
         for noise in self.noises:
             moved = points * (1.0 + 2.0 * noise * away)[:, None]
             for scheme in "ABC":
-                graph, _ = built(cloud_of(moved), Scheme=scheme)
+                graph, _ = built(vtkdgg.Mesh(moved).as_polydata(), Scheme=scheme)
                 rows.append(
                     {
                         "noise": noise,
@@ -450,7 +449,7 @@ class Cells(Exhibit):
         found = {}
         for title, surface in (("torus", mesh), ("flattened torus", flat)):
             points, _ = surfaces.arrays_of(surface)
-            graph, _ = built(cloud_of(points))
+            graph, _ = built(vtkdgg.Mesh(points).as_polydata())
             on_mesh = vtkdgg.Graph(surface, accuracy=0.001)
             sites = on_mesh.sample(self.sites).point_ids.tolist()
             exact = np.argmin([on_mesh.distance(s) for s in sites], axis=0)

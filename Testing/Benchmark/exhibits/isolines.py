@@ -17,7 +17,6 @@ from benchmark_results import (
 from plot_tools import STYLES
 from summarize_isolines import METHODS, STEINER
 from summarize_isolines import Run as IsolineRun
-from vtkdgg.commands.files import cloud_of
 from vtkdgg.commands.methods import graph as graph_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkContourFilter
@@ -279,7 +278,7 @@ def line_errors(exact, lines):
     places, levels = middles(lines)
     probe = vtkdgg.vtkGeodesicProbe()
     probe.SetInputConnection(exact.GetOutputPort())
-    probe.SetProbeData(cloud_of(places))
+    probe.SetProbeData(vtkdgg.Mesh(places).as_polydata())
     found = vtkdgg.check(probe).GetPointData().GetArray(exact.GetDistanceArrayName())
     sizes = np.abs(vtk_to_numpy(found) / levels - 1.0)
     sizes = sizes[np.isfinite(sizes)]

@@ -8,7 +8,6 @@ import numpy as np
 import vtkdgg
 from benchmark_results import count_text, digits, percent, table
 from plot_tools import STYLES
-from vtkdgg.commands.files import cloud_of
 
 from . import surfaces
 from .clouds import arcs, built, marching, random_sphere
@@ -55,7 +54,7 @@ class CloudDensity(Exhibit):
 
     def errors(self, method, points, exact):
         """Of distances from the first points."""
-        cloud = cloud_of(points)
+        cloud = vtkdgg.Mesh(points).as_polydata()
         if method in self.tolerances:
             asked, _ = built(cloud, Accuracy=self.tolerances[method])
         else:

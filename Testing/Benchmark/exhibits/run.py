@@ -78,7 +78,7 @@ class Run:
             made = surfaces.make(name)
             if made is None:
                 path = os.path.join(self.data, f"{name}.ply")
-                made = files.triangles_of(files.read(path), path)
+                made = files.triangles_of(vtkdgg.read(path).as_polydata(), path)
             self._meshes[name] = made
         return self._meshes[name]
 

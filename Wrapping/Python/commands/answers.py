@@ -10,6 +10,7 @@ import numpy as np
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .. import writing
 from ..graph_info import GraphInfo, choose_method
 from . import files, places, sizes
 
@@ -24,7 +25,7 @@ class Negative(Exception):
 
 def read(options):
     """What the file holds, and whether it is a cloud."""
-    contents = files.read(options.file)
+    contents = vtkdgg.read(options.file).as_polydata()
     is_cloud = options.cloud or files.is_cloud(contents)
     return contents, is_cloud
 
@@ -114,15 +115,21 @@ def sources_of(options, contents):
     return [places.choose(text, contents, name) for name, text in texts]
 
 
-def written(options, data):
-    """Write the file, if one is asked for; what there is to say of it."""
+def written(options, data, answer=None):
+    """Write the file if there is --out, and return its entry of the answer. `answer` names the
+    array that must not be lost; a .npy file holds it alone."""
     if options.out is None:
         return {}
-    files.write(options.out, data)
-    names = files.left_out(options.out, data)
-    if names:
-        extension = files.extension_of(options.out)
-        warnings.warn(f"{extension} keeps no {', '.join(names)}; .vtk and .vtp do", stacklevel=2)
+    if answer in writing.left_out(options.out, data):
+        extension = writing.extension_of(options.out)
+        raise files.MeshFileError(
+            f"{options.out}: {extension} cannot hold {answer}; .vtk and .vtp can"
+        )
+    if answer and options.out.lower().endswith(".npy"):
+        values = vtk_to_numpy(data.GetPointData().GetArray(answer))
+        writing.write_numbers(options.out, values)
+    else:
+        vtkdgg.write(options.out, data)
     return {"written": options.out}
 
 
@@ -145,7 +152,7 @@ def spread(values):
 
 def info(options):
     """What the file holds."""
-    contents = files.read(options.file)
+    contents = vtkdgg.read(options.file).as_polydata()
     kind = "point cloud" if options.cloud else files.kind_of(contents)
     found = {
         "kind": kind,
@@ -215,7 +222,8 @@ def distance(options):
     output = without_graph(output, contents)
     values = vtk_to_numpy(output.GetPointData().GetArray("GeodesicDistance"))
     output.GetPointData().SetActiveScalars("GeodesicDistance")
-    return {**used, "points": len(values), **spread(values), **written(options, output)}
+    found = {**used, "points": len(values), **spread(values)}
+    return {**found, **written(options, output, "GeodesicDistance")}
 
 
 def matrix(options):
@@ -232,7 +240,7 @@ def matrix(options):
         values = np.lib.format.open_memmap(options.out, "w+", np.float64, shape=shape)
     values = made.matrix(rows, columns, out=values, projection_tolerance=options.tolerance)
     if not options.out.endswith(".npy"):
-        np.savetxt(options.out, values, fmt="%.17g", delimiter=",")
+        writing.write_numbers(options.out, values)
     largest = float(np.fmax.reduce(values, axis=None))
     return {
         "rows": values.shape[0],
@@ -268,8 +276,9 @@ def path(options):
             raise
         raise Negative(str(error)) from None
     length = output.GetCellData().GetArray("Length").GetValue(0)
-    count = output.GetNumberOfPoints()
-    return {**used, "length": length, "points": count, **written(options, output)}
+    points = vtk_to_numpy(output.GetPoints().GetData())
+    found = {"length": length, "points": points.tolist() if options.json else len(points)}
+    return {**used, **found, **written(options, output)}
 
 
 def loop(options):
@@ -335,7 +344,8 @@ def voronoi(options):
         found["areas"] = cells.areas.tolist()
     if options.out:
         output = made.voronoi(sites, as_polydata=True, **choices)
-        found.update(written(options, without_graph(output, contents)))
+        answer = "GeodesicSource" if made.is_cloud else "SiteId"
+        found.update(written(options, without_graph(output, contents), answer))
     return found
 
 
@@ -347,6 +357,7 @@ def sample(options):
     return {
         **named(made),
         "samples": output.GetNumberOfPoints(),
+        "ids": vtk_to_numpy(output.GetPointData().GetArray("vtkOriginalPointIds")).tolist(),
         "covering radius": float(radii[-1]),
         **written(options, output),
     }
@@ -372,7 +383,7 @@ def greens(options):
         "sources": values.shape[1],
         "smallest": values.min(axis=0).tolist(),
         "largest": values.max(axis=0).tolist(),
-        **written(options, output),
+        **written(options, output, "GreensFunction"),
     }
 
 

@@ -11,8 +11,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
+from .. import arguments
 from .discs import RADIUS, disc_radii, discs
-from .files import cloud_of
 from .pictures import (
     DISTANCE_COLOURS,
     INK,
@@ -46,7 +46,7 @@ def save_distances(path, points, distances, spacings, way, lines):
     `spacings` tell how far points are from each other around each of them, `lines` what is said
     below the scalar bar.
     """
-    cloud = cloud_of(points)
+    cloud = arguments.polydata(np.asarray(points, dtype=float))
     size = size_of(cloud)
     high = float(np.nanmax(distances)) or 1.0
     table = lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED)

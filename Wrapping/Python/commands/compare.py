@@ -14,10 +14,11 @@ import numpy as np
 import vtkdgg
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
+from .. import reading
 from . import bounds, files, places
 from .files import triangles_of
 from .measured import Errors
-from .output import print_table, save, with_arrays
+from .output import print_table, with_arrays
 from .sizes import floor_of, notes
 from .solve import Direct, Graph, Query
 from .words import counted
@@ -39,7 +40,7 @@ def add_arguments(parser):
         "mesh",
         nargs="?",
         default=DEFAULT_MESH,
-        help=f"{' '.join(files.EXTENSIONS)} (default: %(default)s)",
+        help=f"{' '.join(reading.EXTENSIONS)} (default: %(default)s)",
     )
     parser.add_argument(
         "--source",
@@ -194,7 +195,7 @@ def write(folder, mesh, source, query, exact, errors, accuracy):
             "RelativeError": errors.signed,
         },
     )
-    save(paths[0], result)
+    vtkdgg.write(paths[0], result)
     step = pictures.save_distances(paths[1], result, "GeodesicDistance", source)
     note = (
         f"promised  {percent(accuracy)}",
@@ -209,7 +210,7 @@ def write(folder, mesh, source, query, exact, errors, accuracy):
 def run(options):
     """Compare; returns the exit code."""
     start = time.perf_counter()
-    contents = files.read(options.mesh)
+    contents = vtkdgg.read(options.mesh).as_polydata()
     read_time = time.perf_counter() - start
     if not options.cloud and not files.is_cloud(contents):
         return on_mesh(options, contents, read_time)

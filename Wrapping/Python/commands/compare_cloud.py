@@ -7,13 +7,14 @@ import sys
 import warnings
 
 import numpy as np
+import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from . import cloud_pictures, places
 from .discs import spacings_of
 from .files import MeshFileError, points_of
-from .output import print_table, save, with_arrays
+from .output import print_table, with_arrays
 from .solve import CloudGraph, Path, Query
 from .words import counted
 
@@ -60,8 +61,8 @@ def run(options, contents, read_time):
     names = ("distance.vtp", "path.vtp", "distance.png")
     paths = [os.path.join(options.out, name) for name in names]
     arrays = {"GeodesicDistance": query.distances, "Component": component}
-    save(paths[0], with_arrays(cloud, arrays))
-    save(paths[1], path.output)
+    vtkdgg.write(paths[0], with_arrays(cloud, arrays))
+    vtkdgg.write(paths[1], path.output)
     cloud_pictures.save_distances(
         paths[2],
         points[finite],

@@ -2,10 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What commands print and write."""
 
-import vtkdgg
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from .words import notes_of
 
@@ -20,14 +18,6 @@ def with_arrays(data, arrays):
         result.GetPointData().AddArray(array)
     result.GetPointData().SetActiveScalars(next(iter(arrays)))
     return result
-
-
-def save(path, data):
-    """Write a .vtp file."""
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(path)
-    writer.SetInputData(data)
-    vtkdgg.check(writer)
 
 
 def print_table(rows, notes, warnings):

@@ -11,13 +11,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, List, Optional, Sequence, Tuple
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .. import arguments, meshes
 from ..cloud_graph import CloudGraph
-from ..commands import files
 from ..graph import Graph
+from ..mesh import Mesh
+from ..reading import read
 from ..vtkDGGFiltersGeodesic import vtkDGGFastMarchingDistance, vtkHeatGeodesicDistance
+from ..writing import write
 from .common import find_distances, missing, vertices
 
 if TYPE_CHECKING:
@@ -236,16 +237,14 @@ def read_mesh(filename: str) -> Tuple[NDArray[np.float64], NDArray[np.int64]]:
 
 def read_polygon_mesh(filename: str) -> Tuple[NDArray[np.float64], List[List[int]]]:
     """Returns the points and polygons of a file."""
-    contents = files.read(filename)
-    polygons = contents.GetPolys()
-    starts = vtk_to_numpy(polygons.GetOffsetsArray())[1:-1]
-    corners = np.split(vtk_to_numpy(polygons.GetConnectivityArray()), starts)
-    return meshes.points_of(contents), [ids.tolist() for ids in corners]
+    mesh = read(filename)
+    offsets, corners = mesh.polygons
+    return mesh.points, [ids.tolist() for ids in np.split(corners, offsets[1:-1])]
 
 
 def read_point_cloud(filename: str) -> NDArray[np.float64]:
     """Returns the points of a file."""
-    return meshes.points_of(files.read(filename))
+    return read(filename).points
 
 
 def write_mesh(
@@ -258,12 +257,12 @@ def write_mesh(
     """Writes points and polygons to a file, without texture coordinates."""
     if UV_type is not None:
         raise NotImplementedError("write_mesh is not available with texture coordinates.")
-    files.write(filename, meshes.from_arrays(V, F))
+    write(filename, (V, F))
 
 
 def write_point_cloud(V: ArrayLike, filename: str) -> None:
     """Writes points to a file."""
-    files.write(filename, arguments.polydata(arguments.coordinates(V, "points")))
+    write(filename, Mesh(V))
 
 
 def validate_points(V: ArrayLike) -> None:

@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tests of meshes with the real packages of PyPI, in a virtual environment beside the VTK that
+the package was built with."""
+
+import os
+import re
+import subprocess
+import unittest
+import venv
+
+import numpy as np
+import support
+
+# PyVista 0.45 and newer needs a newer VTK than 9.1. None brings a VTK of its own.
+PACKAGES = (
+    "meshio==5.3.*",
+    "nilearn==0.14.*",
+    "open3d==0.20.*",
+    "pyvista==0.44.2",
+    "trimesh==5.2.*",
+    "vedo==2026.6.*",
+)
+# What these import.
+REQUIRED = (
+    "Pygments addict configargparse dash flask joblib matplotlib nbformat nibabel pandas".split()
+)
+REQUIRED += (
+    "pillow plotly pooch requests rich scikit-learn scooby typing-extensions werkzeug".split()
+)
+UNREACHED = "NewConnectionError|NameResolutionError|ConnectTimeout|ReadTimeout|ProxyError"
+FOLDER = os.path.join(support.output_folder("other_packages"), "venv")
+PYTHON = os.path.join(FOLDER, "bin", "python")
+
+
+def install(*arguments):
+    """Install with pip."""
+    found = subprocess.run(
+        [PYTHON, "-m", "pip", "install", "--quiet", "--retries", "1", *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if found.returncode != 0:
+        if re.search(UNREACHED, found.stderr):
+            raise unittest.SkipTest(f"PyPI cannot be reached: {found.stderr.strip()[-200:]}")
+        raise AssertionError(found.stderr)
+
+
+class OtherPackages(unittest.TestCase):
+    def test_real_ones(self):
+        venv.create(FOLDER, system_site_packages=True, with_pip=True)
+        major = int(np.__version__.split(".", 1)[0])
+        install(*REQUIRED, f"numpy>={np.__version__},<{major + 1}")
+        install("--no-deps", *PACKAGES)
+        found = subprocess.run(
+            [PYTHON, os.path.join(os.path.dirname(__file__), "test_meshes.py")],
+            env={**os.environ, "DGG_REAL_PACKAGES": "1"},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,287 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkdgg.read, vtkdgg.write and vtkdgg.Mesh; the command with files of all formats."""
+
+import contextlib
+import gzip
+import io
+import json
+import os
+import re
+import struct
+import sys
+import types
+import unittest
+import warnings
+from unittest import mock
+
+import formats
+import numpy as np
+import support
+import vtkdgg
+from vtkdgg.command_line import main
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkStringArray
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+
+FOLDER = support.output_folder("reading")
+NORMALS = """v 0 0 0
+v 3 0 0
+v 3 4 0
+v 0 4 0
+vn 0 0 1
+vn 0 1 0
+f 1//1 2//1 3//1
+f 1//2 3//2 4//2
+"""
+
+
+def path_of(name, contents):
+    """A file with these contents."""
+    path = os.path.join(FOLDER, name)
+    formats.save(path, contents)
+    return path
+
+
+def command(*arguments):
+    """The command in this process: exit code, JSON or error."""
+    said, complained = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(complained):
+        code = main([*arguments, "--json"])
+    return code, json.loads(said.getvalue()) if code == 0 else complained.getvalue()
+
+
+class Formats(unittest.TestCase):
+    def test_table(self):
+        for extension, name, cells in formats.table():
+            with self.subTest(format=extension, dialect=name):
+                wrong = {key: value for key, value in cells.items() if value not in (True, None)}
+                self.assertEqual(wrong, {})
+
+    def test_real_precision(self):
+        """Distances on a grid at UTM coordinates with three decimals."""
+        points, triangles = support.grid(60, 60)
+        points[:, :2] += 0.3 * np.random.default_rng(1).random((len(points), 2))
+        points = 0.5 * points
+        expected = vtkdgg.distance(points, triangles, 0)
+        moved = points + [512345.678, 5403210.987, 0.0]
+        found = {}
+        for name, contents in (
+            ("u.obj", formats.obj(moved, triangles)),
+            ("u.off", formats.off(np.round(moved, 3), triangles)),
+            ("u.ply", formats.ply(np.round(moved, 3), triangles, expected, "binary_big_endian")),
+        ):
+            path = path_of(name, contents)
+            out = os.path.join(FOLDER, "u.npy")
+            code, answer = command("distance", path, "--source", "0", "--out", out)
+            self.assertEqual(code, 0, answer)
+            found[name] = np.load(out)
+            error = np.abs(found[name] - expected)[1:] / expected[1:]
+            self.assertLess(error.max(), 0.005)
+            self.assertLess(error.mean(), 0.0005)
+        np.testing.assert_array_equal(found["u.obj"], found["u.off"])
+        np.testing.assert_array_equal(found["u.ply"], found["u.off"])
+
+    def test_written_answers(self):
+        """A .ply file holds the distances and coordinates with all digits."""
+        points, triangles, _ = formats.surface()
+        mesh = path_of("mesh.obj", formats.obj(points, triangles))
+        out = os.path.join(FOLDER, "distance.ply")
+        self.assertEqual(command("distance", mesh, "--source", "0", "--out", out)[0], 0)
+        found = vtkdgg.read(out)
+        np.testing.assert_array_equal(found.points, points)
+        expected = vtkdgg.distance(points, triangles, 0)
+        np.testing.assert_array_equal(found.point_data["GeodesicDistance"], expected)
+
+    def test_corners_of_obj_files(self):
+        """Points are the `v` lines, whatever faces name beside them."""
+        path = path_of("n.obj", NORMALS)
+        self.assertEqual(vtkdgg.read(path).points.tolist()[3], [0.0, 4.0, 0.0])
+        for merge in ((), ("--merge",)):
+            code, answer = command("path", path, "0", "3", *merge)
+            self.assertEqual((code, answer["length"]), (0, 4.0))
+        points, triangles = support.bumpy()
+        path = path_of("textured.obj", formats.obj(points, triangles, textured=True))
+        code, answer = command("info", path)
+        self.assertEqual((code, answer["points"], answer["components"]), (0, len(points), "1"))
+
+    def test_truncated(self):
+        """Files cut in the middle, in the command and the function."""
+        points, triangles = support.grid(150, 150)
+        values = points[:, 0]
+        cut = {
+            "first.ply": formats.ply(points, triangles, values, "binary_little_endian")[:50000],
+            "second.ply": formats.ply(points, triangles, values, "binary_little_endian")[:800000],
+            "half.stl": (lambda data: data[: len(data) // 2])(formats.stl(points, triangles, True)),
+            "half.off": formats.off(points, triangles)[:200000],
+            "half.obj.gz": gzip.compress(formats.obj(points, triangles).encode())[:50000],
+        }
+        for name, contents in cut.items():
+            path = path_of(name, contents)
+            with self.subTest(name):
+                with self.assertRaisesRegex(ValueError, re.escape(path)):
+                    vtkdgg.read(path)
+                code, said = command("distance", path, "--source", "0")
+                self.assertEqual(code, 2)
+                self.assertRegex(said, rf"\Aerror: {re.escape(path)}: [^\n]+\n\Z")
+
+    def test_damaged_legacy_files(self):
+        """What VTK's reader accepts or cannot survive."""
+        start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+        start += "0 0 0 1 0 0 0 1 0\n"
+        for text, pattern in (
+            (start + "POLYGONS 1 4\n3 0 1\n", "'POLYGONS 1 4': the file ends too early"),
+            (start + "POLYGONS 2 4\n3 0 1 2\n", "it holds 1 cells"),
+            (start + "POLYGONS 1 4\n7 0 1 2\n", "'POLYGONS 1 4'"),
+            (start + "POLYGONS 1 4\n3 0 1 9\n", "point id 9"),
+            (start + "POLYG", "'POLYG': this is no keyword"),
+            (start + "POLYGONS 1\n", "'POLYGONS 1': the line is damaged"),
+            (start.replace("float", "real"), "data type: real"),
+            ("# vtk DataFile", "header"),
+            (start.replace("POLYDATA", "STRUCTURED_POINTS"), "has no surface"),
+        ):
+            with self.subTest(text[len(start) :]), self.assertRaisesRegex(ValueError, pattern):
+                vtkdgg.read(path_of("damaged.vtk", text))
+        with self.assertWarnsRegex(RuntimeWarning, "cut.vtk: the last line has no end"):
+            vtkdgg.read(path_of("cut.vtk", start + "POLYGONS 1 4\n3 0 1 2"))
+
+    def test_text_arrays(self):
+        """Arrays of text are skipped."""
+        labels = vtkStringArray()
+        labels.SetName("labels")
+        mesh = support.polydata(*support.grid(1, 1))
+        for i in range(4):
+            labels.InsertNextValue(f"point {i}")
+        mesh.GetPointData().AddArray(labels)
+        for binary in ("SetFileTypeToASCII", "SetFileTypeToBinary"):
+            path = path_of("text.vtk", formats.of_vtk(vtkPolyDataWriter(), mesh, **{binary: ()}))
+            self.assertEqual(vtkdgg.read(path).point_data, {})
+
+    def test_wrong_files(self):
+        for name, contents, pattern in (
+            ("empty.ply", "", r"empty.ply: "),
+            ("none.xyz", "# nothing\n", "none.xyz: .*no points"),
+            ("mesh.abc", "v 0 0 0\n", r"mesh.abc: unknown extension '.abc'; known are .gii .obj"),
+        ):
+            with self.subTest(name), self.assertRaisesRegex(ValueError, pattern):
+                vtkdgg.read(path_of(name, contents))
+        with self.assertRaisesRegex(FileNotFoundError, "missing.ply: no such file"):
+            vtkdgg.read("missing.ply")
+
+    def test_nibabel(self):
+        """GIFTI and FreeSurfer surfaces, or the name of the package that reads them."""
+        points, triangles = support.bumpy()
+        freesurfer = b"\xff\xff\xfecreated by test\n\n" + struct.pack(
+            ">2i", len(points), len(triangles)
+        )
+        freesurfer += points.astype(">f4").tobytes() + triangles.astype(">i4").tobytes()
+        path = path_of("lh.pial", freesurfer)
+        try:
+            import nibabel
+        except ImportError:
+            with self.assertRaisesRegex(ImportError, "pip install nibabel"):
+                vtkdgg.read(path)
+            # A stand-in with what is used of it.
+            surface = types.SimpleNamespace(
+                agg_data={"pointset": points, "triangle": triangles}.get
+            )
+            nibabel = types.ModuleType("nibabel")
+            nibabel.load = lambda name: surface
+            nibabel.freesurfer = types.SimpleNamespace(
+                read_geometry=lambda name: (points, triangles)
+            )
+            gifti = path_of("surface.gii", "")
+        else:
+            image = nibabel.gifti.GiftiImage()
+            for values, intent in ((points, "POINTSET"), (triangles, "TRIANGLE")):
+                kind = "float32" if intent == "POINTSET" else "int32"
+                image.add_gifti_data_array(
+                    nibabel.gifti.GiftiDataArray(values.astype(kind), f"NIFTI_INTENT_{intent}")
+                )
+            gifti = os.path.join(FOLDER, "surface.gii")
+            nibabel.save(image, gifti)
+        with mock.patch.dict(sys.modules, nibabel=nibabel):
+            for name in (path, gifti):
+                mesh = vtkdgg.read(name)
+                np.testing.assert_allclose(mesh.points, points, rtol=1e-6)
+                np.testing.assert_array_equal(mesh.triangles, triangles)
+
+
+class Meshes(unittest.TestCase):
+    def test_arrays(self):
+        points, triangles, values = formats.surface()
+        mesh = vtkdgg.Mesh(
+            points,
+            triangles,
+            lines=([0, 3], [0, 1, 2]),
+            point_data={"value": values, "Normals": np.ones_like(points)},
+            cell_data={"id": np.arange(1 + len(triangles))},
+            field_data={"year": [2026]},
+        )
+        self.assertEqual(repr(mesh), "<vtkdgg.Mesh: 81 points, 1 line, 128 polygons>")
+        self.assertIsNone(mesh.graph)
+        path = os.path.join(FOLDER, "arrays.vtp")
+        vtkdgg.write(path, mesh)
+        again = vtkdgg.read(path)
+        np.testing.assert_array_equal(again.points, points)
+        np.testing.assert_array_equal(again.triangles, triangles)
+        np.testing.assert_array_equal(again.lines[1], [0, 1, 2])
+        for name in ("point_data", "cell_data", "field_data"):
+            expected, found = getattr(mesh, name), getattr(again, name)
+            self.assertEqual(list(expected), list(found))
+            for key, array in expected.items():
+                np.testing.assert_array_equal(found[key], array)
+        self.assertEqual(mesh.as_polydata().GetPointData().GetNormals().GetName(), "Normals")
+
+    def test_polygons(self):
+        cells = [[0, 1, 3, 2], [0, 1, 3]]
+        mesh = vtkdgg.Mesh(support.grid(1, 1)[0], cells)
+        self.assertIsNone(mesh.triangles)
+        self.assertEqual(
+            [part.tolist() for part in mesh.polygons], [[0, 4, 7], cells[0] + cells[1]]
+        )
+
+    def test_graph(self):
+        graph = vtkdgg.Graph(*support.bumpy(), accuracy=0.05)
+        path = os.path.join(FOLDER, "graph.vtp")
+        vtkdgg.write(path, graph.polydata)
+        mesh = vtkdgg.read(path)
+        np.testing.assert_array_equal(mesh.graph["DGG.Targets"], graph.targets)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            again = vtkdgg.Graph.from_polydata(mesh.as_polydata())
+        np.testing.assert_array_equal(again.distance(5), graph.distance(5))
+
+    def test_wrong_arrays(self):
+        points, triangles = support.grid(1, 1)
+        for options, pattern in (
+            ({"triangles": [[0, 1, 9]]}, "triangles: point id 9"),
+            ({"polygons": ([0, 2], [0, 1])}, "triangles: a polygon has 2 corners"),
+            ({"polygons": ([0, 3], [0, 1])}, "triangles: offsets must rise from 0 .* 2"),
+            ({"lines": ([0, 1], [0])}, "lines: a line has 1 corners"),
+            (
+                {"point_data": {"a": [1, 2]}},
+                r"point_data\['a'\]: expected 4 rows, got shape \(2,\)",
+            ),
+            ({"cell_data": {"a": [1]}}, r"cell_data\['a'\]: expected 0 rows"),
+            ({"point_data": {"a": ["x"] * 4}}, r"point_data\['a'\]: numbers"),
+        ):
+            with self.subTest(options), self.assertRaisesRegex(ValueError, pattern):
+                vtkdgg.Mesh(points, **options)
+        with self.assertRaisesRegex(ValueError, "points: the shape"):
+            vtkdgg.Mesh(points[0])
+
+    def test_single_precision_is_kept(self):
+        """So that filters can warn of coordinates without enough digits."""
+        points, triangles, values = formats.surface()
+        path = path_of(
+            "float.ply", formats.ply(points, triangles, values, "binary_little_endian", "float")
+        )
+        mesh = vtkdgg.read(path)
+        self.assertEqual(mesh.points.dtype, np.float64)
+        self.assertEqual(mesh.as_polydata().GetPoints().GetDataType(), VTK_FLOAT)
+        mesh.points += 1e-9
+        self.assertEqual(mesh.as_polydata().GetPoints().GetDataType(), VTK_DOUBLE)
+
+
+if __name__ == "__main__":
+    unittest.main()

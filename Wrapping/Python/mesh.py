@@ -1,0 +1,175 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A mesh in NumPy arrays. This module imports no VTK."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
+
+import numpy as np
+
+from .checks import check_ids, coordinates, numbers
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+    Cells = Tuple[NDArray[np.int64], NDArray[np.int64]]
+
+__all__ = ["Mesh"]
+
+
+class Mesh:
+    """Points with polygons, lines or neither, in NumPy arrays: what `read` returns, and a first
+    argument of every function.
+
+    Polygons and lines are pairs of arrays (offsets, corners): cell i has the point ids
+    ``corners[offsets[i]:offsets[i + 1]]``. Cell ids count lines first, then polygons.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 3)
+        Coordinates. Points that no cell uses may be NaN.
+    triangles : array_like, shape (m, 3), optional
+        Point ids of the corners; larger polygons as for `distance`. Default: none, a point cloud.
+    polygons, lines : pair of array_like, shapes (k + 1,) and (p,), optional
+        Offsets and corners; `polygons` in place of `triangles`.
+    point_data, cell_data, field_data : dict of str to array_like, optional
+        Arrays with one row for each point, one row for each cell, and of any length. A point array
+        "Normals" with three columns holds the normals.
+
+    Attributes
+    ----------
+    points : numpy.ndarray of float64, shape (n, 3)
+    polygons, lines : pair of numpy.ndarray of int64
+    point_data, cell_data, field_data : dict of str to numpy.ndarray
+
+    Raises
+    ------
+    ValueError
+        When an array has the wrong shape or type, or an id does not exist.
+
+    Examples
+    --------
+    >>> mesh = vtkdgg.Mesh([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
+    >>> mesh
+    <vtkdgg.Mesh: 3 points, 1 polygon>
+    >>> vtkdgg.distance(mesh, 0)
+    array([0., 3., 4.])
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        triangles: Optional[ArrayLike] = None,
+        *,
+        polygons: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        lines: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        point_data: Optional[Dict[str, ArrayLike]] = None,
+        cell_data: Optional[Dict[str, ArrayLike]] = None,
+        field_data: Optional[Dict[str, ArrayLike]] = None,
+    ) -> None:
+        self.points: NDArray[np.float64] = coordinates(points, "points", is_finite=False)
+        if polygons is None:
+            polygons = _polygons([] if triangles is None else triangles)
+        self.polygons: Cells = _cells(polygons, "triangles", len(self.points))
+        self.lines: Cells = _cells(lines or ([0], []), "lines", len(self.points))
+        self.point_data: Dict[str, NDArray[Any]] = _arrays(
+            point_data, "point_data", len(self.points)
+        )
+        count = len(self.lines[0]) + len(self.polygons[0]) - 2
+        self.cell_data: Dict[str, NDArray[Any]] = _arrays(cell_data, "cell_data", count)
+        self.field_data: Dict[str, NDArray[Any]] = _arrays(field_data, "field_data", None)
+        # What a file says of arrays and points, for as_polydata().
+        self._active: Dict[int, str] = {}
+        self._is_single = False
+
+    @property
+    def triangles(self) -> Optional[NDArray[np.int64]]:
+        """Point ids of the corners, shape (m, 3); None if a polygon has more than three."""
+        offsets, corners = self.polygons
+        return corners.reshape(-1, 3) if (np.diff(offsets) == 3).all() else None
+
+    @property
+    def graph(self) -> Optional[Dict[str, NDArray[Any]]]:
+        """The arrays of a graph that the mesh carries (`DGG.Offsets` and others); else None."""
+        found = {key: value for key, value in self.field_data.items() if key.startswith("DGG.")}
+        return found or None
+
+    def as_polydata(self) -> vtkPolyData:
+        """A new vtkPolyData with copies of all arrays, for filters and writers."""
+        from .surface import polydata_of  # which imports VTK
+
+        return polydata_of(self)
+
+    def __repr__(self) -> str:
+        counts = {"line": len(self.lines[0]) - 1, "polygon": len(self.polygons[0]) - 1}
+        parts = [f"{n} {one}{'s' * (n != 1)}" for one, n in counts.items() if n]
+        return f"<vtkdgg.Mesh: {', '.join([f'{len(self.points)} points', *parts])}>"
+
+
+def _cells(pair, name, number_of_points):
+    """Offsets and corners after checks."""
+    offsets, corners = (numbers(part, name, "integer") for part in pair)
+    check_ids(corners, number_of_points, name)
+    offsets, corners = offsets.astype(np.int64), corners.astype(np.int64).ravel()
+    sizes = np.diff(offsets)
+    if offsets.ndim != 1 or offsets[:1] != 0 or offsets[-1] != len(corners) or (sizes < 0).any():
+        raise ValueError(
+            f"{name}: offsets must rise from 0 to the number of corners, which is {len(corners)}"
+        )
+    kind, least = ("line", 2) if name == "lines" else ("polygon", 3)
+    if len(sizes) and sizes.min() < least:
+        raise ValueError(f"{name}: a {kind} has {sizes.min()} corners; expected at least {least}")
+    return offsets, corners
+
+
+def _arrays(arrays, name, count):
+    """Copies of named arrays after checks; `count` is the number of rows, or None for any."""
+    found = {}
+    for key, values in (arrays or {}).items():
+        values = np.array(numbers(values, f"{name}[{key!r}]"))
+        if values.ndim not in (1, 2) or count not in (None, len(values)):
+            wanted = "rows" if count is None else f"{count} rows"
+            raise ValueError(f"{name}[{key!r}]: expected {wanted}, got shape {values.shape}")
+        found[key] = values
+    return found
+
+
+def _polygons(cells):
+    """Offsets and corners of polygons, with one row each or in one padded row."""
+    if isinstance(cells, (list, tuple)) and len({np.size(row) for row in cells}) > 1:
+        sizes = [np.size(row) for row in cells]
+        corners = [i for row in cells for i in np.ravel(row)]
+    else:
+        array = numbers(cells, "triangles", "integer")
+        if array.size == 0 and array.ndim < 2:
+            array = np.empty((0, 3), dtype=np.int64)
+        if array.ndim == 2:
+            if array.shape[1] < 3:
+                raise ValueError(f"triangles: the shape must be (m, 3), not {array.shape}")
+            return np.arange(len(array) + 1) * array.shape[1], array
+        if array.ndim != 1:
+            raise ValueError(f"triangles: the shape must be (m, 3), not {array.shape}")
+        sizes, corners = unpacked(array)
+    return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64), corners
+
+
+def unpacked(row):
+    """Sizes of cells and their corners, of [n, i, j, k, n, ...]."""
+    step = int(row[0]) + 1
+    if step > 1 and len(row) % step == 0 and (row[::step] == step - 1).all():
+        return np.full(len(row) // step, step - 1), row.reshape(-1, step)[:, 1:].ravel()
+    starts = []
+    at = 0
+    while at < len(row):
+        starts.append(at)
+        if row[at] < 0:
+            break
+        at += int(row[at]) + 1
+    if at != len(row):
+        raise ValueError(
+            "triangles: the shape must be (m, 3), or one row that has the number of corners before "
+            "those of each polygon"
+        )
+    return row[starts], np.delete(row, starts)

@@ -1,0 +1,195 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of meshes, curves and point clouds."""
+
+from __future__ import annotations
+
+import contextlib
+import gzip
+import os
+import shutil
+import tempfile
+import warnings
+import zlib
+from typing import Any
+
+from vtkmodules.vtkIOLegacy import (
+    vtkPolyDataReader,
+    vtkStructuredGridReader,
+    vtkUnstructuredGridReader,
+)
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+
+from .errors import VTKError, check, depth_of_package
+from .legacy_format import LegacyFile
+from .mesh import Mesh
+from .surface import mesh_of, surface_of
+from .vtkDGGReaders import (
+    vtkDGGOBJReader,
+    vtkDGGOFFReader,
+    vtkDGGPLYReader,
+    vtkDGGSTLReader,
+    vtkDGGXYZReader,
+    vtkPCDReader,
+)
+
+__all__ = ["read"]
+
+OWN = {
+    ".obj": vtkDGGOBJReader,
+    ".off": vtkDGGOFFReader,
+    ".pcd": vtkPCDReader,
+    ".ply": vtkDGGPLYReader,
+    ".stl": vtkDGGSTLReader,
+    ".xyz": vtkDGGXYZReader,
+}
+XML = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader}
+LEGACY = {
+    "POLYDATA": vtkPolyDataReader,
+    "STRUCTURED_GRID": vtkStructuredGridReader,
+    "UNSTRUCTURED_GRID": vtkUnstructuredGridReader,
+}
+EXTENSIONS = sorted([*OWN, *XML, ".gii", ".vtk"])
+_FREESURFER = b"\xff\xff\xfe"  # the first bytes of a surface of triangles
+
+
+def read(file: Any) -> Mesh:
+    """A mesh, curves or a point cloud from a file.
+
+    Coordinates keep their digits and points their order; what a file lacks or contradicts is an
+    error. Of volume meshes the surface is used, with a warning.
+
+    Parameters
+    ----------
+    file : str or os.PathLike
+        ``.ply .obj .stl .off .pcd .xyz .vtp .vtk .vtu``, all of these also compressed as ``.gz``;
+        GIFTI (``.gii``) and FreeSurfer surfaces where nibabel is installed.
+
+    Returns
+    -------
+    Mesh
+        At least one point.
+
+    Raises
+    ------
+    ValueError
+        When the format is unknown, or the file is truncated, damaged or empty. The message names
+        the file.
+    OSError
+        When there is no such file, or it must not be read.
+    ImportError
+        When nibabel is needed and not installed.
+
+    See Also
+    --------
+    write : the opposite.
+
+    Examples
+    --------
+    >>> mesh = vtkdgg.read("bunny.ply")  # doctest: +SKIP
+    >>> d = vtkdgg.distance(mesh, 0)  # doctest: +SKIP
+    """
+    path = os.fspath(file)
+    extension = extension_of(path)
+    if not os.path.isfile(path):
+        raise FileNotFoundError(f"{path}: no such file")
+    try:
+        if extension in OWN:
+            mesh = mesh_of(_update(OWN[extension](), path))
+        else:
+            with _decompressed(path, extension) as plain:
+                mesh = _read_others(plain, extension, path)
+    except (ValueError, VTKError, EOFError, gzip.BadGzipFile, zlib.error) as error:
+        raise ValueError(f"{path}: {_reason(error, path)}") from None
+    if len(mesh.points) == 0:
+        raise ValueError(f"{path}: holds no points")
+    return mesh
+
+
+def extension_of(path):
+    """The extension that names the format, without .gz."""
+    stem, extension = os.path.splitext(path.lower())
+    return os.path.splitext(stem)[1] if extension == ".gz" else extension
+
+
+def _read_others(path, extension, name):
+    """A file that VTK or nibabel reads; `name` is that before decompression."""
+    with open(path, "rb") as file:
+        start = file.read(len(_FREESURFER))
+        if extension in XML:
+            file.seek(max(0, os.path.getsize(path) - 100))
+            if not file.read().rstrip().endswith(b"</VTKFile>"):
+                raise ValueError("the file ends before </VTKFile>: it is truncated")
+            return _mesh_of_vtk(_update(XML[extension](), path), name)
+    if extension == ".vtk":
+        return _mesh_of_vtk(_read_legacy(path, name), name)
+    if extension == ".gii":
+        image = _nibabel(name).load(path)
+        return Mesh(image.agg_data("pointset"), image.agg_data("triangle"))
+    if start == _FREESURFER:
+        return Mesh(*_nibabel(name).freesurfer.read_geometry(path))
+    known = " ".join(EXTENSIONS)
+    raise ValueError(f"unknown extension '{extension}'; known are {known}, and .gz after these")
+
+
+def _read_legacy(path, name):
+    with open(path, "rb") as file:
+        contents = LegacyFile(file.read())
+    if contents.kind not in LEGACY:
+        raise ValueError(
+            f"a DATASET {contents.kind} has no surface; expected one of {', '.join(LEGACY)}"
+        )
+    contents.check()
+    if contents.may_be_cut:
+        warnings.warn(
+            f"{name}: the last line has no end; the file may be truncated",
+            RuntimeWarning,
+            stacklevel=depth_of_package(),
+        )
+    return _update(LEGACY[contents.kind](), path)
+
+
+def _mesh_of_vtk(data, name):
+    return mesh_of(data if data.IsA("vtkPolyData") else surface_of(data, name))
+
+
+def _update(reader, path):
+    """The output of a reader of VTK."""
+    reader.SetFileName(path)
+    for name in ("ReadAllScalarsOn", "ReadAllVectorsOn", "ReadAllNormalsOn", "ReadAllTCoordsOn",
+                 "ReadAllTensorsOn", "ReadAllFieldsOn", "ReadAllColorScalarsOn"):  # fmt: skip
+        if hasattr(reader, name):  # those of legacy files read the first array of a kind by default
+            getattr(reader, name)()
+    return check(reader)
+
+
+@contextlib.contextmanager
+def _decompressed(path, extension):
+    """The file, or for .gz a temporary one with the contents."""
+    if not path.lower().endswith(".gz"):
+        yield path
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        plain = os.path.join(folder, "file" + extension)
+        with gzip.open(path) as source, open(plain, "wb") as target:
+            shutil.copyfileobj(source, target)
+        yield plain
+
+
+def _nibabel(name):
+    try:
+        import nibabel
+    except ImportError:
+        raise ImportError(
+            f"{name}: reading GIFTI and FreeSurfer surfaces needs nibabel, which is not installed "
+            "(Debian: python3-nibabel, else: pip install nibabel)"
+        ) from None
+    return nibabel
+
+
+def _reason(error, path):
+    """The message of an error in one line, without the name of the class and the file."""
+    text = " ".join(str(error).split())
+    speaker, _, rest = text.partition(": ")
+    text = rest if speaker.startswith("vtk") else text
+    return text.replace(f"Cannot read {path}: ", "", 1)

@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writing of meshes, curves, clouds and numbers."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from typing import Any
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from . import meshes
+from .errors import VTKError, check, depth_of_package
+from .vtkDGGReaders import vtkDGGMeshWriter, vtkPCDWriter
+
+__all__ = ["write"]
+
+WRITERS = {
+    ".obj": vtkDGGMeshWriter,
+    ".off": vtkDGGMeshWriter,
+    ".pcd": vtkPCDWriter,
+    ".ply": vtkDGGMeshWriter,
+    ".stl": vtkDGGMeshWriter,
+    ".vtk": vtkPolyDataWriter,
+    ".vtp": vtkXMLPolyDataWriter,
+    ".xyz": vtkDGGMeshWriter,
+}
+TABLES = (".csv", ".npy")
+# Formats that hold an answer, by what it is.
+FORMATS = {
+    "values at points": (".csv", ".npy", ".pcd", ".ply", ".vtk", ".vtp"),
+    "cells": (".pcd", ".ply", ".vtk", ".vtp"),
+    "curves": (".csv", ".npy", ".obj", ".vtk", ".vtp"),
+    "points": (".csv", ".npy", ".obj", ".off", ".pcd", ".ply", ".vtk", ".vtp", ".xyz"),
+    "a graph": (".vtk", ".vtp"),
+    "a matrix": (".csv", ".npy"),
+    "a picture": (".png",),
+}
+
+
+def write(file: Any, mesh: Any) -> None:
+    """Write a mesh, curves or a point cloud to a file.
+
+    Coordinates keep their digits. Arrays and cells that the format does not hold are named in a
+    warning.
+
+    Parameters
+    ----------
+    file : str or os.PathLike
+        ``.ply .obj .stl .off .pcd .xyz .vtp .vtk``; .vtp and .vtk hold everything. ``.csv`` has a
+        header line and a row for each point, ``.npy`` the same as a structured array.
+    mesh : Mesh, vtkPolyData, or a mesh of another package
+        As for `distance`.
+
+    Raises
+    ------
+    ValueError
+        When the format is unknown or cannot hold the cells, or the file cannot be written.
+
+    See Also
+    --------
+    read : the opposite.
+
+    Examples
+    --------
+    >>> vtkdgg.write("distance.ply", vtkdgg.distance(mesh, 0, as_polydata=True))  # doctest: +SKIP
+    """
+    path = os.fspath(file)
+    data, _ = meshes.take(mesh)
+    extension = extension_of(path)
+    known = (*WRITERS, *TABLES)
+    if extension not in known:
+        raise ValueError(f"{path}: unknown extension '{extension}'; known are {' '.join(known)}")
+    lost = left_out(path, data)
+    if lost:
+        warnings.warn(
+            f"{extension} keeps no {', '.join(lost)}; .vtk and .vtp do",
+            RuntimeWarning,
+            stacklevel=depth_of_package(),
+        )
+    if extension in TABLES:
+        write_numbers(path, table_of(data))
+        return
+    writer = WRITERS[extension]()
+    if hasattr(writer, "SetFileTypeToBinary"):
+        writer.SetFileTypeToBinary()  # exact, and VTK does not read every NaN in a text
+    writer.SetFileName(path)
+    writer.SetInputData(data)
+    try:
+        check(writer)
+    except VTKError as error:
+        raise ValueError(f"{path}: {' '.join(str(error).split())}") from None
+
+
+def write_numbers(path, values):
+    """Write an array to a .csv or .npy file. Structured arrays get a header line in a CSV file."""
+    if extension_of(path) == ".npy":
+        np.save(path, values)
+        return
+    names = values.dtype.names
+    kinds = [values.dtype[i].kind for i in range(len(names))] if names else [values.dtype.kind]
+    formats = ["%d" if kind in "iub" else "%.17g" for kind in kinds]
+    formats = formats if names else formats[0]
+    header = ",".join(names or ())
+    np.savetxt(path, values, fmt=formats, delimiter=",", header=header, comments="")
+
+
+def table_of(data):
+    """The points of a vtkPolyData as a structured array: coordinates and point arrays; of curves
+    the points of each line in turn, with the index of the line and the cell arrays."""
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    rows = slice(None)
+    columns = {}
+    if data.GetNumberOfLines() > 0:
+        sizes = np.diff(vtk_to_numpy(data.GetLines().GetOffsetsArray()))
+        rows = vtk_to_numpy(data.GetLines().GetConnectivityArray())
+        columns["line"] = np.repeat(np.arange(len(sizes)), sizes)
+    columns.update(zip("xyz", points[rows].T))
+    for name, values in arrays_of(data.GetPointData()):
+        columns.update(_columns(name, values[rows]))
+    if data.GetNumberOfLines() > 0:
+        cells = data.GetNumberOfVerts() + columns["line"]
+        for name, values in arrays_of(data.GetCellData()):
+            columns.update(_columns(name, values[cells]))
+    table = np.empty(len(columns["x"]), dtype=[(key, v.dtype) for key, v in columns.items()])
+    for key, values in columns.items():
+        table[key] = values
+    return table
+
+
+def _columns(name, values):
+    if values.ndim == 1:
+        return {name: values}
+    return {f"{name}_{i}": column for i, column in enumerate(values.T)}
+
+
+def extension_of(path):
+    """The extension, in lower case."""
+    return os.path.splitext(path)[1].lower()
+
+
+def arrays_of(data):
+    """Names and values of the arrays of numbers that have a name."""
+    arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
+    return [(a.GetName(), vtk_to_numpy(a)) for a in arrays if a is not None and a.GetName()]
+
+
+def left_out(path, data):
+    """The names of what the format of the file does not hold of the data."""
+    extension = extension_of(path)
+    if extension in (".vtk", ".vtp"):
+        return []
+    points, cells = data.GetPointData(), data.GetCellData()
+    in_points = [name for name, _ in arrays_of(points)]
+    in_cells = [name for name, _ in arrays_of(cells)]
+    has_polygons = data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
+    if extension in (".pcd", *TABLES):
+        in_points = []
+        in_cells = in_cells if has_polygons or extension == ".pcd" else []
+    elif extension == ".ply":
+        is_plain = data.GetNumberOfPolys() == data.GetNumberOfCells()
+        in_points = []
+        in_cells = [n for n, values in arrays_of(cells) if not is_plain or values.ndim > 1]
+    elif extension in (".obj", ".off"):
+        active = [points.GetNormals()] + [points.GetTCoords()] * (extension == ".obj")
+        kept = [array.GetName() for array in active if array] + ["RGB", "RGBA"]
+        in_points = [name for name in in_points if name not in kept]
+    lost = ["polygons"] if has_polygons and extension in (".pcd", ".xyz", *TABLES) else []
+    return [*lost, *in_cells, *in_points]
