@@ -20,8 +20,10 @@
  *    connected.
  *
  * On a cloud, `GraphLength` is the distance in its graph and `FaceId` is -1. Straighten smooths
- * paths along what the points sample, which needs the band around the cloud within MemoryLimit;
- * they need not be shortest. Where a smooth path is longer than `GraphLength` by more than 0.5 %,
+ * paths along the sampled surface; they need not be shortest. Points of a smooth path are within
+ * one spacing of a point of the cloud (a spacing is the radius of its ball, `DGG.Radii`, by 1.5),
+ * between two of them a path crosses no wider gap than edges of the graph do, and at rims and holes
+ * it stays among the points. Where a smooth path is longer than `GraphLength` by more than 0.5 %,
  * that from point to point is kept, unless it is longer still, and `Straightened` is 0. Method
  * Exact is an error.
  *

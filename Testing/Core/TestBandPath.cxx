@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -123,8 +122,7 @@ TEST(BandPath, GreatCircles)
 {
   const NearGraph cloud(SpherePoints(2000), 3.0 * Spacing, 1.5 * Spacing);
   const dgg::GraphView view = cloud.View();
-  BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
-  ASSERT_TRUE(shortener.Prepare(0.4 * Spacing, 0, {}).IsOk());
+  const BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
   int found = 0;
   for (Id to = 1; to < 40; ++to)
   {
@@ -191,29 +189,27 @@ TEST(BandPath, StaysOnItsSideOfAHole)
     vertices.push_back(best);
   }
   vertices.push_back(1);
-  BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
-  ASSERT_TRUE(shortener.Prepare(0.4 * s, 0, {}).IsOk());
+  const BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
   BandPath path;
   ASSERT_TRUE(shortener.Shorten(vertices, nullptr, nullptr, path).IsOk());
   EXPECT_LT(path.Length, cloud.LengthOf(vertices));
-  // Tangents and an arc around the hole, less what the band bridges of it.
+  // Tangents and an arc around the hole, more by bays of its rim that no disc reaches across.
   const double tangent = std::sqrt(0.81 - 0.25);
   const double arc = 0.5 * (dgg::Pi - 2.0 * std::acos(0.5 / 0.9));
-  EXPECT_NEAR(path.Length, 2.0 * tangent + arc, 0.08);
+  EXPECT_NEAR(path.Length, 2.0 * tangent + arc, 0.05);
   double least = 1.0;
   for (const Point3& p : path.Points)
   {
     least = std::min(least, std::hypot(p.X, p.Y));
   }
-  EXPECT_GT(least, 0.5 - 2.0 * s);
+  EXPECT_GT(least, 0.5 - 0.5 * s);
 }
 
 TEST(BandPath, EndsOffTheCloudAndTrivialPaths)
 {
   const NearGraph cloud(SpherePoints(500), 0.5, 0.24);
   const dgg::GraphView view = cloud.View();
-  BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
-  ASSERT_TRUE(shortener.Prepare(0.06, 0, {}).IsOk());
+  const BandPathShortener shortener(cloud.Points.data(), view, cloud.Radii.data());
   BandPath path;
   ASSERT_TRUE(shortener.Shorten({}, nullptr, nullptr, path).IsOk());
   EXPECT_TRUE(path.Points.empty());
@@ -232,6 +228,4 @@ TEST(BandPath, EndsOffTheCloudAndTrivialPaths)
   EXPECT_EQ(path.Vertices.back(), dgg::NoId);
   EXPECT_FALSE(shortener.Shorten({ 7, 500 }, nullptr, nullptr, path).IsOk());
   EXPECT_FALSE(shortener.Shorten({ -1 }, nullptr, nullptr, path).IsOk());
-  EXPECT_FALSE(shortener.Prepare(0.0, 0, {}).IsOk());
-  EXPECT_FALSE(shortener.Prepare(std::numeric_limits<double>::quiet_NaN(), 0, {}).IsOk());
 }

@@ -10,11 +10,14 @@
 #include "vtkDGGPath.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 namespace dggtest
@@ -23,6 +26,19 @@ namespace
 {
 class CloudPath : public CloudFixture
 {
+protected:
+  /// Distance from a place to the nearest point of the cloud, by the spacing there.
+  double DistanceBySpacing(const std::array<double, 3>& place)
+  {
+    vtkDataArray* radii = this->Graph->GetOutput()->GetFieldData()->GetArray("DGG.Radii");
+    double least = INFINITY;
+    for (std::size_t i = 0; i < this->Cloud.size(); ++i)
+    {
+      const double spacing = radii->GetTuple1(static_cast<vtkIdType>(i)) / 1.5;
+      least = std::min(least, Distance(place, this->Cloud[i]) / spacing);
+    }
+    return least;
+  }
 };
 
 /// The polyline of a path as points.
@@ -179,35 +195,99 @@ TEST_F(CloudPath, SmoothPaths)
   EXPECT_LT(turns[1], 0.5 * turns[0]);
 }
 
-TEST_F(CloudPath, SmoothPathsAreBoundedAndStop)
+TEST_F(CloudPath, PathsFollowARim)
 {
-  this->Use(MakeSpherePoints(3000));
+  // Rows of the unit sphere. The geodesic between points of the uppermost row is a part of that
+  // row, as the great circle between them leads over the void above it.
+  Points points;
+  for (int k = 0; k < 8; ++k)
+  {
+    const double latitude = 0.3 + 2.0 * vtkMath::Pi() * k / 160;
+    for (int j = 0; j < 160; ++j)
+    {
+      const double longitude = 2.0 * vtkMath::Pi() * j / 160;
+      points.push_back({ { std::cos(latitude) * std::cos(longitude),
+        std::cos(latitude) * std::sin(longitude), std::sin(latitude) } });
+    }
+  }
+  this->Use(points);
   vtkNew<vtkDGGPath> path;
   this->Connect(path);
-  path->AddPair(10, 1700);
-  path->SetMemoryLimit(100000);
-  ExpectError(path, { "limit" });
-  path->StraightenOff(); // takes no band
+  path->AddPair(1120, 1173);
   ExpectSuccess(path);
-  path->StraightenOn();
-  path->SetMemoryLimit(0);
-  this->Graph->Update();
-  for (const double stop : { 0.1, 0.25 }) // while the band is made, and the path is moved
+  vtkCellData* data = path->GetOutput()->GetCellData();
+  EXPECT_EQ(Value(data, "Straightened", 0), 1.0);
+  EXPECT_NEAR(Value(data, "Length", 0), 1.74674, 0.01 * 1.74674);
+  EXPECT_NEAR(Value(data, "Length", 0), Value(data, "GraphLength", 0), 0.01 * 1.74674);
+  const Points line = GetPolyline(path->GetOutput(), 0);
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
   {
-    vtkNew<vtkDGGPath> stopped; // outlived by its observer
-    stopped->SetInputData(this->Graph->GetOutput());
-    stopped->AddPair(10, 1700);
-    ProgressWatch watch(stopped);
-    watch.StopAt = stop;
-    stopped->Update();
-    EXPECT_EQ(stopped->GetErrorCode(), 0u);
-    EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 0);
-    EXPECT_LT(watch.Progress.back(), stop + 0.1);
-    watch.StopAt = 2.0;
-    ExpectSuccess(stopped);
-    EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 1);
+    for (const double t : { 0.0, 0.25, 0.5, 0.75 })
+    {
+      std::array<double, 3> place;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        place[axis] = (1.0 - t) * line[k][axis] + t * line[k + 1][axis];
+      }
+      EXPECT_LT(this->DistanceBySpacing(place), 1.0);
+    }
   }
+}
+
+TEST_F(CloudPath, PathsLeadAroundAHole)
+{
+  // Random points of a square around a disc.
+  const double x = 2.9;
+  Points points{ { { -x, 0.0, 0.0 } }, { { x, 0.0, 0.0 } }, { { 0.0, -x, 0.0 } },
+    { { 0.0, x, 0.0 } } };
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> number(-3.0, 3.0);
+  while (points.size() < 12000)
+  {
+    const std::array<double, 3> point{ { number(generator), number(generator), 0.0 } };
+    if (std::hypot(point[0], point[1]) > 1.0)
+    {
+      points.push_back(point);
+    }
+  }
+  this->Use(points);
+  vtkNew<vtkDGGPath> path;
+  this->Connect(path);
+  path->AddPair(0, 1);
+  path->AddPair(2, 3);
   ExpectSuccess(path);
+  // Two tangents and the arc between them.
+  const double exact = 2.0 * (std::sqrt(x * x - 1.0) + std::asin(1.0 / x));
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    vtkCellData* data = path->GetOutput()->GetCellData();
+    EXPECT_EQ(Value(data, "Straightened", i), 1.0);
+    EXPECT_NEAR(Value(data, "Length", i), exact, 0.003 * exact);
+    EXPECT_NEAR(Value(data, "Length", i), Value(data, "GraphLength", i), 0.003 * exact);
+    for (const auto& p : GetPolyline(path->GetOutput(), i))
+    {
+      EXPECT_LT(this->DistanceBySpacing(p), 1.0 + 1e-9);
+      EXPECT_GT(std::hypot(p[0], p[1]), 1.0 - this->Graph->GetSpacing());
+    }
+  }
+}
+
+TEST_F(CloudPath, SmoothPathsStop)
+{
+  this->Use(MakeSpherePoints(3000));
+  this->Graph->Update();
+  vtkNew<vtkDGGPath> stopped; // outlived by its observer
+  stopped->SetInputData(this->Graph->GetOutput());
+  stopped->AddPair(10, 1700);
+  ProgressWatch watch(stopped);
+  watch.StopAt = 0.1;
+  stopped->Update();
+  EXPECT_EQ(stopped->GetErrorCode(), 0u);
+  EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 0);
+  EXPECT_LT(watch.Progress.back(), 0.2);
+  watch.StopAt = 2.0;
+  ExpectSuccess(stopped);
+  EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 1);
 }
 
 TEST_F(CloudPath, PathsThatDoNotExist)

@@ -182,7 +182,7 @@ TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
   this->Use(clean);
   this->Filter->SetResolution(4);
   ExpectWarning(this->Filter,
-    { "(Resolution 4), are larger than the spacing", "vtkDGGPath straightens",
+    { "(Resolution 4), are larger than the spacing", "Building is slower",
       "Use a larger Resolution" });
   EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
   this->Filter->SetOffsetInVoxels(1.0);

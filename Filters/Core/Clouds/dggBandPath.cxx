@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBandPath.h"
 
+#include "dggBandSizes.h"
 #include "dggCloudFrame.h"
 #include "dggLocalFit.h"
-#include "dggMemoryLimit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,11 @@ namespace dgg
 {
 namespace
 {
-/// Distance between points that are put into a path, by the radius of a ball: about that of the
-/// points of the cloud.
-constexpr double StepByRadius = 0.6;
-/// Points of the cloud that a surface is fitted to: those closer than that many radii.
-constexpr double FitByRadius = 2.0;
-/// How far a point moves towards the middle of its neighbours in one round.
+/// Longest step between points of a path by the spacing of the cloud.
+constexpr double StepBySpacing = 0.9;
+/// Radius by spacing of the neighborhood that gives the surface at a point, and its rim.
+constexpr double FitBySpacing = 3.0;
+/// Fraction of the step toward the midpoint of its neighbors that a point moves in one round.
 constexpr double Damping = 0.7;
 constexpr std::size_t LongestStride = 8;
 constexpr int MostRounds = 200;
@@ -28,6 +27,12 @@ constexpr int MostRounds = 200;
 constexpr int RoundsPerLook = 5;
 constexpr double LeastDrop = 1e-5;
 constexpr int MostPointsPerGraphEdge = 1000;
+
+/// Component of a vector perpendicular to a normal, which may be 0.
+Point3 AlongPlane(const Point3& vector, const Point3& normal)
+{
+  return vector - Dot(vector, normal) * normal;
+}
 
 double LengthOf(const std::vector<Point3>& points)
 {
@@ -55,20 +60,20 @@ public:
     this->Owners.push_back(owner);
   }
 
-  /// Points between the last one and the next one, on the segment.
+  /// Adds points near the segment to a point of the cloud or the end, in discs, and that point.
   void AddGraphEdge(const Point3& to, Id owner)
   {
     const Point3 from = this->Points.back();
     const Id first = this->Owners.back();
-    const double radius = std::max(this->Tables.Radii[first], this->Tables.Radii[owner]);
-    const double length = Norm(to - from);
-    const int count = radius > 0.0 ? static_cast<int>(std::min<double>(MostPointsPerGraphEdge,
-                                       std::ceil(length / (StepByRadius * radius))))
-                                   : 1;
+    const double step = StepBySpacing * std::max(this->SpacingAt(first), this->SpacingAt(owner));
+    const int count = step > 0.0 ? static_cast<int>(std::min<double>(
+                                     MostPointsPerGraphEdge, std::ceil(Norm(to - from) / step)))
+                                 : 1;
     for (int i = 1; i < count; ++i)
     {
-      const double t = static_cast<double>(i) / count;
-      this->Add(from + t * (to - from), t < 0.5 ? first : owner);
+      const Point3 place = from + (static_cast<double>(i) / count) * (to - from);
+      const Id nearest = this->FindOwner(this->Owners.back(), place);
+      this->Add(place + this->StepIntoDisc(place, nearest, {}), nearest);
     }
     this->Add(to, owner);
   }
@@ -82,11 +87,13 @@ public:
     }
     std::vector<Point3> best = this->Points;
     double shortest = LengthOf(best);
-    for (int round = 1; round <= MostRounds; ++round)
+    // Between neighbors that are far apart first: that straightens long bends, which single steps
+    // would take very many rounds for. Beside gaps and rims it makes kinks, so it ends when the
+    // path no longer becomes shorter.
+    std::size_t longest = LongestStride;
+    for (int round = 1; round <= MostRounds && longest > 0; ++round)
     {
-      // Between neighbours that are far apart first: that straightens long bends, which single
-      // steps would take very many rounds for.
-      for (std::size_t stride = LongestStride; stride >= 1; stride /= 2)
+      for (std::size_t stride = longest; stride >= 1; stride /= 2)
       {
         if (progress && !progress(static_cast<double>(round) / (MostRounds + 1)))
         {
@@ -102,16 +109,14 @@ public:
       if (round % RoundsPerLook == 0)
       {
         const double length = LengthOf(this->Points);
-        if (!(length < shortest))
+        if (length > (1.0 - LeastDrop) * shortest)
         {
-          break;
+          longest = longest > 1 ? 1 : 0;
         }
-        const bool isDone = length > (1.0 - LeastDrop) * shortest;
-        best = this->Points;
-        shortest = length;
-        if (isDone)
+        if (length < shortest)
         {
-          break;
+          best = this->Points;
+          shortest = length;
         }
       }
     }
@@ -122,12 +127,13 @@ public:
   std::vector<Point3> Points;
 
 private:
-  /// Move a point to the surface near a place, if that is in the band.
+  /// Moves a point to the surface near a place, into the disc of the nearest point of the cloud,
+  /// unless that leads out over the rim of the cloud or across a gap.
   void MoveTo(std::size_t i, const Point3& place)
   {
     const Id owner = this->FindOwner(this->Owners[i], place);
+    const double radius = FitBySpacing * this->SpacingAt(owner);
     this->Around.clear();
-    const double radius = FitByRadius * this->Tables.Radii[owner];
     const auto add = [&](Id v) {
       const Point3 point = dgg::PointAt(this->Tables.Points, v);
       const Point3 d = point - place;
@@ -143,37 +149,90 @@ private:
       add(graph.Targets[e]);
     }
     const LocalFit fit = FitSurface(place, this->Around.data(), this->Around.size());
-    Point3 moved = place + fit.ToSurface;
-    if (!(Norm(fit.ToSurface) <= radius))
+    Point3 moved = place;
+    if (Norm(fit.ToSurface) <= radius)
     {
-      moved = place;
+      moved = moved + fit.ToSurface;
     }
-    if (this->IsInBand(moved) && this->IsInBand(0.5 * (moved + this->Points[i - 1])) &&
-      this->IsInBand(0.5 * (moved + this->Points[i + 1])))
+    moved = moved + this->StepIntoDisc(moved, owner, fit.Normal);
+    const double ball = this->Tables.Radii[owner];
+    if (this->IsNearCloud(moved, ball) &&
+      this->IsNearCloud(0.5 * (moved + this->Points[i - 1]), ball) &&
+      this->IsNearCloud(0.5 * (moved + this->Points[i + 1]), ball) &&
+      !this->IsOutward(moved, moved - this->Points[i], fit.Normal))
     {
       this->Points[i] = moved;
       this->Owners[i] = owner;
     }
   }
 
-  bool IsInBand(const Point3& point) const
+  /// Returns the step across a normal from a place into the disc around a point of the cloud.
+  Point3 StepIntoDisc(const Point3& place, Id owner, const Point3& normal) const
   {
-    const Point3 inGrid = this->Tables.Band.ToGrid(point);
-    return this->Tables.Band.IsInBox(inGrid) &&
-      this->Tables.Band.Contains(VoxelBand::VoxelOf(inGrid));
+    const Point3 offset = AlongPlane(dgg::PointAt(this->Tables.Points, owner) - place, normal);
+    const double distance = Norm(offset);
+    const double spacing = this->SpacingAt(owner);
+    return distance > spacing ? (1.0 - spacing / distance) * offset : Point3();
   }
 
-  /// Walk to the point of the cloud that is nearest to a place, along edges.
+  /// Returns true if one of the points around a move is within a radius of a place.
+  bool IsNearCloud(const Point3& place, double radius) const
+  {
+    return std::any_of(this->Around.begin(), this->Around.end(), [&](const Point3& point) {
+      const Point3 d = point - place;
+      return Dot(d, d) <= radius * radius;
+    });
+  }
+
+  /// Returns true if a place is outside the convex hull of the points around it, seen along the
+  /// normal, and the move that led there points away from the hull.
+  bool IsOutward(const Point3& place, const Point3& move, const Point3& normal)
+  {
+    const Point3 x = AlongPlane(move, normal);
+    const Point3 y = Cross(normal, x);
+    unsigned quadrants = 0;
+    for (const Point3& point : this->Around)
+    {
+      const Point3 d = point - place;
+      quadrants |= 1u << (2 * (Dot(d, x) > 0.0) + (Dot(d, y) > 0.0));
+    }
+    if (quadrants == 15) // one in each, so they surround the place
+    {
+      return false;
+    }
+    this->Angles.clear();
+    for (const Point3& point : this->Around)
+    {
+      const Point3 d = point - place;
+      this->Angles.push_back(std::atan2(Dot(d, y), Dot(d, x)));
+    }
+    std::sort(this->Angles.begin(), this->Angles.end());
+    this->Angles.push_back(this->Angles.front() + 2.0 * Pi);
+    for (std::size_t k = 1; k < this->Angles.size(); ++k)
+    {
+      if (this->Angles[k] - this->Angles[k - 1] > Pi)
+      {
+        return std::cos(0.5 * (this->Angles[k] + this->Angles[k - 1])) > 0.0;
+      }
+    }
+    return false;
+  }
+
+  /// Walks along edges to the point of the cloud that is nearest to a place.
   Id FindOwner(Id owner, const Point3& place) const
   {
+    const auto measure = [&](Id v) {
+      const Point3 d = dgg::PointAt(this->Tables.Points, v) - place;
+      return Dot(d, d);
+    };
     const GraphView& graph = this->Tables.Graph;
-    double least = Norm(dgg::PointAt(this->Tables.Points, owner) - place);
+    double least = measure(owner);
     for (;;)
     {
       Id next = owner;
       for (Offset e = graph.Offsets[owner]; e < graph.Offsets[owner + 1]; ++e)
       {
-        const double distance = Norm(dgg::PointAt(this->Tables.Points, graph.Targets[e]) - place);
+        const double distance = measure(graph.Targets[e]);
         if (distance < least)
         {
           least = distance;
@@ -188,9 +247,12 @@ private:
     }
   }
 
+  double SpacingAt(Id v) const { return this->Tables.Radii[v] / AutomaticBallBySpacing; }
+
   const BandPathShortener& Tables;
-  std::vector<Id> Owners; ///< per point, the point of the cloud that is nearest
-  std::vector<Point3> Around;
+  std::vector<Id> Owners;     ///< per point, the point of the cloud that is nearest
+  std::vector<Point3> Around; ///< points of the cloud around the place of a move
+  std::vector<double> Angles; ///< directions to them
 };
 
 BandPathShortener::BandPathShortener(
@@ -199,43 +261,6 @@ BandPathShortener::BandPathShortener(
   , Graph(graph)
   , Radii(radii)
 {
-}
-
-Status BandPathShortener::Prepare(double voxelSize, std::size_t memoryLimit,
-  const ParallelFor& parallel, const ProgressCallback& progress)
-{
-  const std::size_t copies =
-    static_cast<std::size_t>(this->Graph.NumberOfVertices) * (sizeof(Point3) + sizeof(double));
-  if (memoryLimit > 0 && copies >= memoryLimit)
-  {
-    return CheckMemory("the points of the band alone", static_cast<double>(copies) + 1.0,
-      static_cast<double>(memoryLimit), "use fewer points");
-  }
-  std::vector<Point3> points;
-  std::vector<double> radii;
-  points.reserve(static_cast<std::size_t>(this->Graph.NumberOfVertices));
-  radii.reserve(points.capacity());
-  for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
-  {
-    const Point3 p = dgg::PointAt(this->Points, v);
-    // Points without a ball are not in the band: outliers would make its box very large.
-    if (IsFinite(p) && std::isfinite(this->Radii[v]) && this->Radii[v] > 0.0)
-    {
-      points.push_back(p);
-      radii.push_back(this->Radii[v]);
-    }
-  }
-  if (points.empty())
-  {
-    this->Band = VoxelBand();
-    return Status::Success();
-  }
-  if (!(voxelSize > 0.0 && std::isfinite(voxelSize)))
-  {
-    return Status::Invalid("the size of voxels is not positive");
-  }
-  return this->Band.Build(points, radii, voxelSize, memoryLimit > 0 ? memoryLimit - copies : 0,
-    parallel, progress, "build the graph of the cloud with larger voxels, or turn Straighten off");
 }
 
 Status BandPathShortener::Shorten(const std::vector<Id>& vertices, const Point3* start,

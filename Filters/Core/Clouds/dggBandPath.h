@@ -7,12 +7,10 @@
 
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggGeodesicGraph.h" // for GraphView
-#include "dggParallel.h"      // for ParallelFor
 #include "dggPoint3.h"        // for Point3
-#include "dggVoxelBand.h"     // for VoxelBand
+#include "dggTypes.h"         // for Id, Status
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for the path
+#include <vector> // for the path
 
 namespace dgg
 {
@@ -24,21 +22,21 @@ struct BandPath
   double Length = 0.0;        ///< of the polyline
 };
 
-/// Makes paths through points of a cloud shorter and smooth. Points are put between those of the
-/// path, about as far apart as those of the cloud, and moved to and fro: to the middle of their
-/// neighbours, and back to the surface that is fitted to the points of the cloud around them. None
-/// leaves the band. Neighbours come from the graph, so no search tree is needed.
+/// Makes paths through points of a cloud shorter and smooth. Points are inserted about one spacing
+/// apart and moved toward the midpoint of their neighbors and onto the surface that is fitted to
+/// the points of the cloud around them. Neighborhoods come from the graph, so no search tree is
+/// needed.
+///
+/// Every point stays within one spacing of a point of the cloud, and every midpoint of a segment in
+/// the ball of one, so that a path crosses no wider gap than edges of the graph do. No point moves
+/// out of the convex hull of the points of the cloud within three spacings: at a rim or a hole,
+/// discs and balls alone would let it cut the corner.
 class DGG_CORE_EXPORT BandPathShortener
 {
 public:
   /// `points` (x y z each), the graph of the cloud and `radii` (CloudGraph::Radii) must outlive it.
+  /// The spacing of a point is its radius by AutomaticBallBySpacing.
   BandPathShortener(const double* points, const GraphView& graph, const double* radii);
-
-  /// Rebuild the band, in at most `memoryLimit` bytes (0: no limit). Fails as VoxelBand::Build()
-  /// does.
-  Status Prepare(double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
-    const ProgressCallback& progress = {});
-  std::size_t GetMemorySize() const { return this->Band.GetMemorySize(); }
 
   /// Shorten a path, `vertices` from start to end. With `start` or `end`, which may be null, the
   /// path begins or ends there rather than at its first or last vertex. Fails when a vertex does
@@ -53,7 +51,6 @@ private:
   const double* Points;
   GraphView Graph;
   const double* Radii;
-  VoxelBand Band;
 };
 }
 

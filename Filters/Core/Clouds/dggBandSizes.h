@@ -20,6 +20,10 @@ constexpr std::size_t SpacingNeighbors = 16;
 /// Voxels along the longest side that can be asked for.
 constexpr Id LargestResolution = 1 << 19;
 
+/// Automatic radius of a ball by spacing. Of a randomly sampled surface, all but 1 in 10000 lies in
+/// such balls.
+constexpr double AutomaticBallBySpacing = 1.5;
+
 /// The root of the area that a point has, given its k-th neighbour.
 DGG_CORE_EXPORT double SpacingFrom(double squaredDistance, std::size_t k);
 
@@ -33,8 +37,7 @@ struct BandOptions
 {
   double OffsetInVoxels = 0.0; ///< radius of balls; 0 for one that follows the spacing
   Id Resolution = 0;           ///< voxels along the longest side; 0 for an automatic one
-  /// Radius of a ball by spacing: of random points, all but 1 in 10000 of the surface lie in balls.
-  double BallBySpacing = 1.5;
+  double BallBySpacing = AutomaticBallBySpacing;
 };
 
 struct BandSizes

@@ -262,7 +262,10 @@ private:
     {
       for (Id v = 0; v < n; ++v)
       {
-        this->CertifyRow(v);
+        if (this->Labels.IsReached(v))
+        {
+          this->CertifyRow(v);
+        }
       }
       return;
     }
@@ -276,7 +279,10 @@ private:
       const Id v = waiting.back();
       waiting.pop_back();
       const std::size_t count = touched.size();
-      this->CertifyRow(v);
+      if (this->Labels.IsReached(v))
+      {
+        this->LowerNeighbors(v); // most rows end at vertices without a label
+      }
       for (std::size_t i = count; i < touched.size(); ++i)
       {
         if (touched[i] > v)
@@ -290,21 +296,27 @@ private:
 
   void CertifyRow(Id v)
   {
-    if (!this->Labels.IsReached(v))
-    {
-      return;
-    }
-    const double* const distances = this->Labels.Distances.data();
     const Offset begin = this->Graph.Offsets[v];
     const Offset end = this->Graph.Offsets[v + 1];
     this->Effort.Relaxations += static_cast<std::size_t>(end - begin);
-    const double limit = this->Labels.Limit;
-    const double label = distances[v] + Slack * std::abs(distances[v]);
-    if (this->LargestDifference(begin, end) <= label)
+    if (this->LargestDifference(begin, end) > this->LabelWithSlack(v))
     {
-      return;
+      this->LowerNeighbors(v);
     }
-    for (Offset e = begin; e < end; ++e)
+  }
+
+  double LabelWithSlack(Id v) const
+  {
+    const double distance = this->Labels.Distances[v];
+    return distance + Slack * std::abs(distance);
+  }
+
+  void LowerNeighbors(Id v)
+  {
+    const double* const distances = this->Labels.Distances.data();
+    const double limit = this->Labels.Limit;
+    const double label = this->LabelWithSlack(v);
+    for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
     {
       const Id t = this->Graph.Targets[e];
       if (label + this->Lengths[e] < std::min(distances[t], limit))
@@ -322,7 +334,6 @@ private:
   {
     const double* const distances = this->Labels.Distances.data();
     const Id* const targets = this->Graph.Targets;
-    const double limit = this->Labels.Limit;
     // Four chains, as a maximum takes some cycles.
     double largest[4] = { -Infinity, -Infinity, -Infinity, -Infinity };
     Offset e = begin;
@@ -330,13 +341,13 @@ private:
     {
       for (int k = 0; k < 4; ++k)
       {
-        const double difference = std::min(distances[targets[e + k]], limit) - this->Lengths[e + k];
+        const double difference = distances[targets[e + k]] - this->Lengths[e + k];
         largest[k] = difference > largest[k] ? difference : largest[k];
       }
     }
     for (; e < end; ++e)
     {
-      largest[0] = std::max(largest[0], std::min(distances[targets[e]], limit) - this->Lengths[e]);
+      largest[0] = std::max(largest[0], distances[targets[e]] - this->Lengths[e]);
     }
     return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
   }

@@ -100,6 +100,7 @@ struct SearchLabels
     ResetTouched(this->Distances, n, this->Touched, Infinity);
     this->Origins.resize(n);
     this->Touched.clear();
+    this->Touched.reserve(n);
     for (std::size_t i = 0; i < seeds.size(); ++i)
     {
       this->Lower(seeds[i], i);

@@ -31,8 +31,6 @@ constexpr double LinkShare = 0.5;
 constexpr std::size_t FewestPairsForLandmarks = 256;
 /// Share of the rest that goes to landmarks.
 constexpr double LandmarkShare = 0.3;
-/// The same for the band around a cloud.
-constexpr double BandShare = 0.2;
 
 /// Bytes per vertex of what finds paths, about.
 constexpr std::size_t BytesOfPaths = 40;
@@ -173,7 +171,6 @@ void DGGGraphUser::FollowMesh(const DGGPreparedMesh& mesh)
 void DGGGraphUser::ForgetGraph()
 {
   this->Finder.reset();
-  this->Shortener.reset();
   this->Search.reset();
   this->Graph.reset();
   this->OwnAccuracy = 0.0;
@@ -184,7 +181,6 @@ void DGGGraphUser::ForgetGraph()
 void DGGGraphUser::SearchIn(const DGGGraphArrays& arrays, const DGGPreparedMesh& mesh)
 {
   this->Finder.reset();
-  this->Shortener.reset();
   this->Search.reset();
   this->Graph.reset(); // before there are two
   this->Graph = DGGPreparedGraph::Make(arrays, mesh);
@@ -421,19 +417,10 @@ const dgg::PathFinder& DGGGraphUser::GetPathFinder()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGGraphUser::PrepareShortener(const DGGContext& context)
+dgg::BandPathShortener DGGGraphUser::MakeShortener(const DGGPreparedMesh& cloud) const
 {
-  if (this->Shortener)
-  {
-    return dgg::Status::Success();
-  }
-  const DGGCloudBand& band = this->Graph->GetArrays().GetBand();
-  auto shortener = std::make_unique<dgg::BandPathShortener>(
-    context.Surface.GetPositions(), this->Search->GetGraph(), band.Radii);
-  DGG_RETURN_IF_ERROR(shortener->Prepare(band.VoxelSize, DGGGetMemoryLimit(context.MemoryLimit),
-    context.Parallel, this->TakeProgress(context, BandShare)));
-  this->Shortener = std::move(shortener);
-  return dgg::Status::Success();
+  return { cloud.GetPositions(), this->Search->GetGraph(),
+    this->Graph->GetArrays().GetBand().Radii };
 }
 
 //------------------------------------------------------------------------------
@@ -481,6 +468,5 @@ std::size_t DGGGraphUser::GetMemorySize() const
   return this->GetSummary().MemorySize + this->Search->GetMemorySize() + this->BuilderSize +
     links * sizeof(dgg::GraphLink) +
     (this->Finder ? BytesOfPaths * static_cast<std::size_t>(this->GetSummary().NumberOfVertices)
-                  : 0) +
-    (this->Shortener ? this->Shortener->GetMemorySize() : 0);
+                  : 0);
 }

@@ -85,10 +85,8 @@ public:
   /// For paths in the graph, with links when there is a builder. Its memory is as large as the
   /// mesh, whose positions have been made; it is kept as long as graph and builder are the same.
   const dgg::PathFinder& GetPathFinder();
-  /// For smooth paths on a cloud: rebuild the band that its graph was built in, unless it is there
-  /// already. Kept as long as the graph is the same. Fails when it would take too much memory.
-  dgg::Status PrepareShortener(const DGGContext& context);
-  const dgg::BandPathShortener& GetShortener() const { return *this->Shortener; }
+  /// Returns what makes paths on a cloud smooth. It uses the graph, which must outlive it.
+  dgg::BandPathShortener MakeShortener(const DGGPreparedMesh& cloud) const;
 
   ///@{
   /// What getters of filters report: whether the graph is that on the input, its numbers, all zero
@@ -137,9 +135,8 @@ private:
   std::optional<dgg::GraphSearch> Search; // that of Graph, with landmarks when there are enough
   std::size_t NumberOfPairs = 0;          // that it has been asked for
   std::shared_ptr<const dgg::GraphBuilder> Builder;
-  std::size_t BuilderSize = 0;                       // bytes, about
-  std::unique_ptr<dgg::PathFinder> Finder;           // in Search, with Builder
-  std::unique_ptr<dgg::BandPathShortener> Shortener; // on a cloud
+  std::size_t BuilderSize = 0;             // bytes, about
+  std::unique_ptr<dgg::PathFinder> Finder; // in Search, with Builder
   LinkStore Store;
   vtkTimeStamp BuildTime;
   double Done = 0.0; // share of the progress

@@ -154,10 +154,6 @@ dgg::Status DGGPathSearch::RunInGraph(
 dgg::Status DGGPathSearch::RunOnCloud(DGGGraphUser& graph, bool smooth, Paths& paths) const
 {
   DGG_RETURN_IF_ERROR(graph.PrepareForPairs(this->Context, this->PointPairs.size()));
-  if (smooth)
-  {
-    DGG_RETURN_IF_ERROR(graph.PrepareShortener(this->Context));
-  }
   paths.assign(this->PointPairs.size(), dgg::FoundPath());
   const auto find = [&](std::size_t i, const dgg::ProgressCallback& within) {
     return this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i])
@@ -206,9 +202,9 @@ dgg::Status DGGPathSearch::FindOnCloud(const DGGGraphUser& graph, const DGGPoint
     const dgg::Point3 start = GetPosition(pair.From, this->Mesh);
     const dgg::Point3 end = GetPosition(pair.To, this->Mesh);
     dgg::BandPath band;
-    DGG_RETURN_IF_ERROR(
-      graph.GetShortener().Shorten(path.Vertices, dgg::IsVertex(pair.From) ? nullptr : &start,
-        dgg::IsVertex(pair.To) ? nullptr : &end, band, progress));
+    DGG_RETURN_IF_ERROR(graph.MakeShortener(this->Mesh)
+                          .Shorten(path.Vertices, dgg::IsVertex(pair.From) ? nullptr : &start,
+                            dgg::IsVertex(pair.To) ? nullptr : &end, band, progress));
     // A smooth path follows the surface, so that it is longer than straight lines from point to
     // point; but one that is longer than the way in the graph as well has gone astray.
     const bool isUseful =

@@ -185,8 +185,7 @@ void vtkPointCloudDGG::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
       << "), are larger than the spacing of the points, which is " << used.Spacing << ". "
       << (isGiven ? "The graph bridges gaps and holes, and may connect or tear apart "
                     "what it should not"
-                  : "Building is slower, and paths that vtkDGGPath straightens may "
-                    "cross gaps as narrow as a voxel")
+                  : "Building is slower")
       << ". "
       << (options.Resolution > 0 || isGiven
              ? "Use a larger Resolution."
