@@ -12,10 +12,11 @@
 #include "vtkPolyData.h"
 #include "vtkTriangleFilter.h"
 
-#include "vtksys/SystemTools.hxx"
-
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <iterator>
+#include <string>
 
 vtkStandardNewMacro(vtkDGGMeshWriter);
 
@@ -48,7 +49,7 @@ int vtkDGGMeshWriter::Write()
   if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError &&
     this->GetAbortExecute() == 0)
   {
-    // The superclass says nothing of a reader or filter before this one that has failed.
+    // The superclass does not report the failure of a reader or filter upstream.
     this->SetErrorCode(vtkErrorCode::UnknownError);
   }
   return this->IsWritten ? 1 : 0;
@@ -58,8 +59,9 @@ int vtkDGGMeshWriter::FindFormat() const
 {
   // In the order of dgg::FileFormat.
   const char* const extensions[] = { ".obj", ".off", ".pcd", ".ply", ".stl", ".xyz" };
-  const std::string extension =
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
+  std::string extension = std::filesystem::path(this->FileName).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto* found = std::find(std::begin(extensions), std::end(extensions), extension);
   return found == std::end(extensions) ? -1 : static_cast<int>(found - std::begin(extensions));
 }

@@ -45,7 +45,7 @@ namespace vtkDGG
 {
 namespace Detail
 {
-/// False when PCL has a type that is not known here.
+/// Returns false if the type of PCL is unknown here.
 inline bool FromPCLField(const pcl::PCLPointField& in, PointField& out)
 {
   const char kind = pcl::getFieldType(static_cast<int>(in.datatype));
@@ -55,7 +55,7 @@ inline bool FromPCLField(const pcl::PCLPointField& in, PointField& out)
   return size > 0;
 }
 
-/// Add the fields of points that lie one after the other. False on error.
+/// Adds the fields of contiguous points. Returns false on error.
 inline bool AddFields(const std::vector<pcl::PCLPointField>& fields, const void* points,
   std::size_t step, PointCloudView& view, std::string& error)
 {
@@ -85,7 +85,7 @@ inline bool AddFields(const std::vector<pcl::PCLPointField>& fields, const void*
   return true;
 }
 
-/// Turn the bytes of all numbers round, of points that fill `bytes`.
+/// Reverses the bytes of all numbers of the points that fill `bytes`.
 inline void SwapBytes(const PointCloudView& view, std::size_t step, std::vector<char>& bytes)
 {
   for (const PointFieldView& in : view.Fields)
@@ -119,8 +119,9 @@ inline vtkSmartPointer<vtkPolyData> Finish(
 }
 }
 
-/// A cloud of any fields. Null when it is malformed: `error` says why, and is empty when all is
-/// well; without it, it goes to VTK's output window. The fields x, y and z must be there.
+/// Converts a cloud of any fields, which must include x, y and z. Returns null if the cloud is
+/// malformed; `error` receives the defect (empty if there is none), or VTK's output window if it is
+/// null.
 inline vtkSmartPointer<vtkPolyData> ToPolyData(
   const pcl::PCLPointCloud2& cloud, std::string* error = nullptr)
 {
@@ -163,7 +164,7 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(
   return Detail::Finish(view, isWell, message, error);
 }
 
-/// A cloud of any type of point that is registered with PCL and has x, y and z.
+/// Converts a cloud of any type of point that is registered with PCL and has x, y and z.
 template <typename Point>
 vtkSmartPointer<vtkPolyData> ToPolyData(
   const pcl::PointCloud<Point>& cloud, std::string* error = nullptr)
@@ -187,7 +188,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(
   return Detail::Finish(view, isWell, message, error);
 }
 
-/// What clouds, of either kind, are mostly held by. Null in, null out.
+/// Converts the cloud of a shared pointer. Null is an error.
 template <typename Cloud>
 vtkSmartPointer<vtkPolyData> ToPolyData(
   const pcl::shared_ptr<Cloud>& cloud, std::string* error = nullptr)
@@ -196,8 +197,8 @@ vtkSmartPointer<vtkPolyData> ToPolyData(
                : Detail::Finish(PointCloudView(), false, "there is no cloud", error);
 }
 
-/// All points and all arrays of numbers. False, and an empty cloud, without data or with more than
-/// PCL can count.
+/// Copies all points and all arrays of numbers. Returns false and an empty cloud if there are no
+/// data or more than PCL can count.
 inline bool FromPolyData(vtkPolyData* data, pcl::PCLPointCloud2& cloud)
 {
   cloud = pcl::PCLPointCloud2();
@@ -243,10 +244,10 @@ inline bool FromPolyData(vtkPolyData* data, pcl::PCLPointCloud2& cloud)
   return true;
 }
 
-/// The fields that the type of point has. Numbers are converted to the types of the fields; of the
-/// field `rgba` and `rgb`, each does for the other. What the data lack keeps the value of a new
-/// point, and `missing`, when given, lists it. False, and an empty cloud, without data or with more
-/// points than PCL can count.
+/// Copies the fields of the type of point. Numbers are converted to the types of the fields; `rgba`
+/// and `rgb` replace each other. Fields that the data lack keep the value of a new point and are
+/// listed in `missing`. Returns false and an empty cloud if there are no data or more points than
+/// PCL can count.
 template <typename Point>
 bool FromPolyData(
   vtkPolyData* data, pcl::PointCloud<Point>& cloud, std::vector<std::string>* missing = nullptr)

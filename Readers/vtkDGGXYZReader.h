@@ -10,7 +10,7 @@
  * a vert.
  *
  * <b>Errors</b>. As the format has no counts, a file that ends at a line end cannot be recognized
- * as truncated. If the last line has no line end, a warning says so.
+ * as truncated. A last line without a line end causes a warning.
  *
  * @sa vtkDGGMeshReader for output and errors, vtkDGGMeshWriter
  */

@@ -86,29 +86,29 @@ class TextCursor
 public:
   TextCursor(std::string_view text, const TextRules& rules)
     : Begin(text.data())
-    , Place(text.data())
+    , Position(text.data())
     , End(text.data() + text.size())
     , Rules(rules)
   {
     constexpr std::string_view mark = "\xEF\xBB\xBF"; // of UTF-8
-    this->Place += text.substr(0, mark.size()) == mark ? mark.size() : 0;
+    this->Position += text.substr(0, mark.size()) == mark ? mark.size() : 0;
   }
 
   /// Moves to the next word on this line. Returns false if there is none.
   bool FindOnLine()
   {
     bool isComment = false;
-    for (; this->Place != this->End && !this->IsAtLineEnd(); ++this->Place)
+    for (; this->Position != this->End && !this->IsAtLineEnd(); ++this->Position)
     {
       if (this->IsAtContinuation())
       {
-        this->Place += this->Place[1] == '\r' ? 2 : 1;
+        this->Position += this->Position[1] == '\r' ? 2 : 1;
         ++this->Line;
         isComment = false;
         continue;
       }
       isComment = isComment || this->IsAtComment();
-      if (!isComment && !this->IsBlank(*this->Place))
+      if (!isComment && !this->IsBlank(*this->Position))
       {
         return true;
       }
@@ -120,11 +120,11 @@ public:
   {
     while (!this->FindOnLine())
     {
-      if (this->Place == this->End)
+      if (this->Position == this->End)
       {
         return false;
       }
-      ++this->Place; // the line end
+      ++this->Position; // the line end
       ++this->Line;
     }
     return true;
@@ -132,29 +132,29 @@ public:
   /// Moves over the word that was found.
   std::string_view TakeWord()
   {
-    const char* const first = this->Place;
-    while (this->Place != this->End && *this->Place != '\n' && !this->IsBlank(*this->Place) &&
-      !this->IsAtComment() && !this->IsAtContinuation())
+    const char* const first = this->Position;
+    while (this->Position != this->End && *this->Position != '\n' &&
+      !this->IsBlank(*this->Position) && !this->IsAtComment() && !this->IsAtContinuation())
     {
-      ++this->Place;
+      ++this->Position;
     }
-    return { first, static_cast<std::size_t>(this->Place - first) };
+    return { first, static_cast<std::size_t>(this->Position - first) };
   }
   /// Moves behind the next line end; continuations end lines here.
   void SkipLine()
   {
-    while (this->Place != this->End && !this->IsAtLineEnd())
+    while (this->Position != this->End && !this->IsAtLineEnd())
     {
-      ++this->Place;
+      ++this->Position;
     }
-    this->Place += this->Place == this->End ? 0 : 1;
+    this->Position += this->Position == this->End ? 0 : 1;
     ++this->Line;
   }
-  void Skip(std::size_t bytes) { this->Place += bytes; }
+  void Skip(std::size_t bytes) { this->Position += bytes; }
 
-  std::string_view GetRest() const { return { this->Place, this->GetBytesLeft() }; }
-  std::size_t GetBytesLeft() const { return static_cast<std::size_t>(this->End - this->Place); }
-  std::size_t GetByte() const { return static_cast<std::size_t>(this->Place - this->Begin); }
+  std::string_view GetRest() const { return { this->Position, this->GetBytesLeft() }; }
+  std::size_t GetBytesLeft() const { return static_cast<std::size_t>(this->End - this->Position); }
+  std::size_t GetByte() const { return static_cast<std::size_t>(this->Position - this->Begin); }
   std::size_t GetLine() const { return this->Line; }
   double GetFraction() const
   {
@@ -167,26 +167,26 @@ private:
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f' ||
       (this->Rules.HasSeparators && (c == ',' || c == ';'));
   }
-  bool IsNext(char c) const { return this->Place + 1 != this->End && this->Place[1] == c; }
+  bool IsNext(char c) const { return this->Position + 1 != this->End && this->Position[1] == c; }
   bool IsAtComment() const
   {
-    return (this->Rules.HasComments && *this->Place == '#') ||
-      (this->Rules.HasSlashComments && *this->Place == '/' && this->IsNext('/'));
+    return (this->Rules.HasComments && *this->Position == '#') ||
+      (this->Rules.HasSlashComments && *this->Position == '/' && this->IsNext('/'));
   }
   bool IsAtContinuation() const
   {
-    return this->Rules.HasContinuations && *this->Place == '\\' &&
+    return this->Rules.HasContinuations && *this->Position == '\\' &&
       (this->IsNext('\n') ||
-        (this->IsNext('\r') && this->Place + 2 != this->End && this->Place[2] == '\n'));
+        (this->IsNext('\r') && this->Position + 2 != this->End && this->Position[2] == '\n'));
   }
   bool IsAtLineEnd() const
   {
-    return *this->Place == '\n' ||
-      (this->Rules.HasLoneReturns && *this->Place == '\r' && !this->IsNext('\n'));
+    return *this->Position == '\n' ||
+      (this->Rules.HasLoneReturns && *this->Position == '\r' && !this->IsNext('\n'));
   }
 
   const char* Begin;
-  const char* Place;
+  const char* Position;
   const char* End;
   TextRules Rules;
   std::size_t Line = 1;

@@ -94,7 +94,7 @@ bool dgg::DecompressLZF(
 void dgg::CompressLZF(const char* input, std::size_t inputSize, std::vector<char>& output)
 {
   const auto* bytes = reinterpret_cast<const unsigned char*>(input);
-  // Where three bytes with that hash were last, plus one; 0 when nowhere.
+  // Last position of three bytes with that hash, plus one; 0 if there is none.
   std::vector<std::size_t> last(std::size_t(1) << HashBits, 0);
   std::size_t literals = 0; // where those begin that have yet to be put out
   std::size_t i = 0;
@@ -120,7 +120,7 @@ void dgg::CompressLZF(const char* input, std::size_t inputSize, std::vector<char
     }
     AppendLiterals(input + literals, input + i, output);
     AppendCopy(i - (candidate - 1), length, output);
-    // What the copy covers can be copied from, too.
+    // Bytes inside the copy may be copied later, too.
     const std::size_t next = i + length;
     for (++i; i < next && i + ShortestMatch <= inputSize; ++i)
     {

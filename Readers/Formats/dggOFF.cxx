@@ -12,7 +12,7 @@ namespace
 using dgg::FileCode;
 
 constexpr dgg::TextRules Rules{ true, true, false, false, false };
-/// Colour of faces that have none in a file where others do: geomview's default.
+/// Color of faces that have none in a file where others do: geomview's default.
 constexpr float DefaultGrey = 170.0f;
 
 constexpr auto Malformed = FileCode::Malformed;
@@ -30,28 +30,27 @@ struct RestNumber
   bool IsFraction;
 };
 
-/// A column of colours. Files give them as fractions of 1 or as integers up to 255, and only the
-/// whole file says which: any number with a decimal point or exponent, or no number above 1, means
-/// fractions.
+/// Colors of all vertices or faces. They are fractions of 1 if any component of the file has a
+/// decimal point or an exponent, or none exceeds 1; otherwise integers up to 255.
 struct Colors
 {
-  std::vector<float> Values; ///< four per record; a negative red: no colour of its own
+  std::vector<float> Values; ///< four per record; red is negative if the record has no color
   bool IsUsed = false;
   bool HasAlpha = false;
   bool SawFraction = false;
-  std::size_t PlaceAboveOne = 0; ///< of the first; 0 when there is none
+  std::size_t LocationAboveOne = 0; ///< of the first; 0 when there is none
 
-  /// The first `count` numbers are the colour of the next record.
-  void Add(const std::vector<RestNumber>& numbers, std::size_t count, std::size_t place)
+  /// Adds the color of the next record, the first `count` numbers.
+  void Add(const std::vector<RestNumber>& numbers, std::size_t count, std::size_t location)
   {
     float color[4] = { -1.0f, 0.0f, 0.0f, -1.0f };
     for (std::size_t i = 0; i < count; ++i)
     {
       color[i] = static_cast<float>(numbers[i].Value);
       this->SawFraction = this->SawFraction || numbers[i].IsFraction;
-      if (color[i] > 1.0f && this->PlaceAboveOne == 0)
+      if (color[i] > 1.0f && this->LocationAboveOne == 0)
       {
-        this->PlaceAboveOne = place;
+        this->LocationAboveOne = location;
       }
     }
     this->IsUsed = this->IsUsed || count > 0;
@@ -63,7 +62,7 @@ struct Colors
   dgg::DataArray MakeArray() const
   {
     const int components = this->HasAlpha ? 4 : 3;
-    const float scale = this->PlaceAboveOne > 0 ? 1.0f : 255.0f;
+    const float scale = this->LocationAboveOne > 0 ? 1.0f : 255.0f;
     std::vector<std::uint8_t> bytes;
     for (auto value = this->Values.begin(); value != this->Values.end(); value += 4)
     {
@@ -78,7 +77,7 @@ struct Colors
   }
 };
 
-/// Understands text and binary files. Throws dgg::FileError.
+/// Reads text and binary files. Throws dgg::FileError.
 class OFFParser
 {
 public:
@@ -111,12 +110,12 @@ public:
     const std::size_t length = keyword.size() < 3 ? 0 : keyword.size() - 3;
     std::string prefix = keyword.substr(0, length);
     const auto take = [&prefix](std::string_view letters) {
-      const std::size_t place = prefix.find(letters);
-      if (place != std::string::npos)
+      const std::size_t location = prefix.find(letters);
+      if (location != std::string::npos)
       {
-        prefix.replace(place, letters.size(), " "); // "SCT" does not become "ST"
+        prefix.replace(location, letters.size(), " "); // "SCT" does not become "ST"
       }
-      return place != std::string::npos;
+      return location != std::string::npos;
     };
     this->HasTCoords = take("ST");
     this->HasColors = take("C");
@@ -186,8 +185,8 @@ private:
     this->Awaited = "the number of faces";
     const long long faces = this->ReadInteger();
     this->Awaited = "the number of edges";
-    // The number of edges says nothing, and some text files leave it out. It is there when it
-    // follows on the same line, or stands alone on the next one.
+    // Some text files lack the number of edges, which is not used. It follows on the same line or
+    // is alone on the next one.
     if (this->IsBinary || this->Text.FindOnLine())
     {
       this->ReadInteger();
@@ -252,7 +251,7 @@ private:
       this->Fail(rest == 0 && this->Text.GetBytesLeft() == 0 ? Premature : Malformed, "vertex ",
         vertex, " has ", rest, " numbers after its coordinates",
         this->HasNormals ? " and normal" : "", ", expected ",
-        this->HasColors ? "3 or 4 of a colour" : "none of a colour",
+        this->HasColors ? "3 or 4 of a color" : "none of a color",
         this->HasTCoords ? " and 2 texture coordinates" : "");
     }
     if (this->HasColors)
@@ -301,8 +300,8 @@ private:
     if (count < 0 || count == 2 || count > 4)
     {
       this->Fail(Malformed, "face ", face, " has ", count,
-        " numbers after its vertices, expected none, 1 (an index of a colour) or 3 or 4 (a "
-        "colour)");
+        " numbers after its vertices, expected none, 1 (an index of a color) or 3 or 4 (a "
+        "color)");
     }
     if (this->IsBinary && count == 1)
     {
@@ -312,7 +311,7 @@ private:
     {
       this->ReadRest(static_cast<std::size_t>(count));
     }
-    // A single number is an index into a table of colours that is not in the file.
+    // A single number is an index into a table of colors that is not in the file.
     this->AddColor(this->FaceColors, count == 1 ? 0 : static_cast<std::size_t>(count));
   }
 
@@ -332,10 +331,10 @@ private:
     }
     for (const Colors* colors : { &this->PointColors, &this->FaceColors })
     {
-      if (colors->SawFraction && colors->PlaceAboveOne > 0)
+      if (colors->SawFraction && colors->LocationAboveOne > 0)
       {
-        this->FailAt(colors->PlaceAboveOne, Malformed,
-          "a colour component is above 1, but others of the file are fractions of 1");
+        this->FailAt(colors->LocationAboveOne, Malformed,
+          "a color component is above 1, but others of the file are fractions of 1");
       }
     }
   }
@@ -369,11 +368,11 @@ private:
       const double value = this->Rest[i].Value;
       if (!(value >= 0.0 && value <= (this->Rest[i].IsFraction ? 1.0 : 255.0)))
       {
-        this->Fail(Malformed, "the colour component ", value,
+        this->Fail(Malformed, "the color component ", value,
           " is out of range: fractions must be in [0, 1], integers in [0, 255]");
       }
     }
-    colors.Add(this->Rest, count, this->GetPlace());
+    colors.Add(this->Rest, count, this->GetLocation());
   }
 
   double ReadNumber()
@@ -387,8 +386,8 @@ private:
     std::memcpy(&value, &bits, sizeof(value));
     if (!std::isfinite(value))
     {
-      this->FailAt(this->GetPlace() - 4, Malformed, "a number before ", this->Awaited, this->Record,
-        " is not finite");
+      this->FailAt(this->GetLocation() - 4, Malformed, "a number before ", this->Awaited,
+        this->Record, " is not finite");
     }
     return static_cast<double>(value);
   }
@@ -462,19 +461,19 @@ private:
 
   /// Of a number: of the shortest text, a digit and a blank, or in binary files.
   std::size_t GetLeastBytes() const { return this->IsBinary ? 4 : 2; }
-  std::size_t GetPlace() const
+  std::size_t GetLocation() const
   {
     return this->IsBinary ? this->Text.GetByte() : this->Text.GetLine();
   }
   template <typename... Parts>
   [[noreturn]] void Fail(FileCode code, const Parts&... parts) const
   {
-    this->FailAt(this->GetPlace(), code, parts...);
+    this->FailAt(this->GetLocation(), code, parts...);
   }
   template <typename... Parts>
-  [[noreturn]] void FailAt(std::size_t place, FileCode code, const Parts&... parts) const
+  [[noreturn]] void FailAt(std::size_t location, FileCode code, const Parts&... parts) const
   {
-    dgg::Fail(code, this->IsBinary ? "byte " : "line ", place, ": ", parts...);
+    dgg::Fail(code, this->IsBinary ? "byte " : "line ", location, ": ", parts...);
   }
   [[noreturn]] void FailEnd() const
   {

@@ -34,7 +34,8 @@ public:
   {
   }
 
-  /// Where the values are: in the file, or in a buffer of this object. Without padding.
+  /// Returns the fields without padding; their values are in the file or in a buffer of this
+  /// object.
   const dgg::PointCloudView& Read()
   {
     const std::size_t fileBytes = this->Text.GetRest().size();
@@ -241,7 +242,7 @@ private:
     }
   }
 
-  /// PCL fills files up to whole pages with zeros; anything else is data that nobody expects.
+  /// PCL fills files with zeros up to whole pages; any other data are an error.
   void CheckRest(std::size_t begin) const
   {
     const std::size_t trouble = this->Text.GetRest().find_first_not_of('\0', begin);
@@ -291,7 +292,7 @@ public:
       dgg::PointField field = source.GetField();
       if (field.Name == "rgb" && field.GetBytes() == 4)
       {
-        field.Kind = 'U'; // as PCL does in files: as floats, opaque colours are NaN
+        field.Kind = 'U'; // as PCL does in files: as floats, opaque colors are NaN
       }
       this->Header.Fields.push_back(field);
     }

@@ -27,9 +27,9 @@ bool IsKeyword(std::string_view text)
   return std::find(std::begin(Keywords), std::end(Keywords), text) != std::end(Keywords);
 }
 
-/// The words of the next line that is neither blank nor a comment; none at the end of the text. As
-/// a word takes many times the memory of its text, one more than there may be is kept, so that too
-/// many are noticed.
+/// Returns the words of the next line that is neither blank nor a comment; none at the end of the
+/// text. At most one more word than a valid line has is stored, because a view takes many times the
+/// memory of a short word.
 std::vector<std::string_view> TakeLine(dgg::TextCursor& text)
 {
   std::vector<std::string_view> words;
@@ -48,7 +48,7 @@ std::vector<std::string_view> TakeLine(dgg::TextCursor& text)
   return words;
 }
 
-/// What follows a keyword.
+/// A line of the header.
 struct Entry
 {
   std::string Keyword;
@@ -105,12 +105,12 @@ public:
   }
 
   const Entry& Get(const char* keyword) const { return this->Lines.find(keyword)->second; }
-  /// Null when there is no such line.
+  /// Returns the line of a keyword, or null.
   const Entry* Find(const char* keyword) const
   {
     return this->Lines.count(keyword) > 0 ? &this->Get(keyword) : nullptr;
   }
-  /// The same, of a line with that many values.
+  /// Returns the line of a keyword, which must have that many values, or null.
   const Entry* Find(const char* keyword, std::size_t count) const
   {
     const Entry* entry = this->Find(keyword);
@@ -120,7 +120,7 @@ public:
     }
     return entry;
   }
-  /// A number of points; -1 when there is no such line.
+  /// Returns a number of points; -1 if there is no such line.
   std::int64_t GetCount(const char* keyword, std::size_t& line) const
   {
     std::int64_t count = -1;
@@ -139,7 +139,7 @@ private:
   std::map<std::string, Entry, std::less<>> Lines;
 };
 
-/// Files of old have neither SIZE nor TYPE: all numbers are floats then.
+/// Old files have neither SIZE nor TYPE; all numbers are floats then.
 void ReadFields(const Entries& entries, dgg::PCDHeader& header)
 {
   const Entry* columns = entries.Find("COLUMNS");

@@ -279,7 +279,7 @@ TEST_F(OFFReader, ReadsFaceColors)
     this->ReadWell(head + "3 0 1 2 0.2 0.4 0.6 0.8\n3 0 2 1\n")->GetCellData()->GetScalars();
   ExpectTuple(colors, 0, { 51, 102, 153, 204 });
   ExpectTuple(colors, 1, { 170, 170, 170, 255 });
-  // Indices into a table of colours are passed over.
+  // Indices into a table of colors are passed over.
   EXPECT_EQ(this->ReadWell(head + "3 0 1 2 7\n3 0 2 1 8\n")->GetCellData()->GetNumberOfArrays(), 0);
 }
 
@@ -306,7 +306,7 @@ TEST_F(OFFReader, ReadsEverythingTogether)
     ExpectTuple(output->GetPointData()->GetScalars(), 0, { 10, 20, 30, 40 });
     ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
   }
-  // Three components of colour beside texture coordinates.
+  // Three components of color beside texture coordinates.
   vtkPolyData* output = this->ReadWell("STCOFF 1 0 0\n1 2 3 10 20 30 0.5 0.25\n");
   ExpectTuple(output->GetPointData()->GetScalars(), 0, { 10, 20, 30 });
   ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
