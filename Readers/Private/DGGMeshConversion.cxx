@@ -5,20 +5,16 @@
 #include "dggNumberTypes.h"
 #include "vtkDGGPointFields.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTriangleStrip.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cstring>
@@ -73,11 +69,7 @@ void AddArrays(std::vector<dgg::DataArray>& arrays, vtkDataSetAttributes* data)
 vtkSmartPointer<vtkCellArray> MakeCells(dgg::CellList& list)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->ShallowCopy(MakeArray(list.Offsets, 1));
-  vtkNew<vtkTypeInt64Array> corners;
-  corners->ShallowCopy(MakeArray(list.Connectivity, 1));
-  cells->SetData(offsets, corners);
+  cells->SetData(MakeArray(list.Offsets, 1), MakeArray(list.Connectivity, 1));
   return cells;
 }
 /// Copies cells, whose ids must be below `count`.
