@@ -126,8 +126,8 @@ public:
    * the input; none may be chosen. The table has a row for each pair within MaximumDistance, a
    * point and itself included: "Column" (int, the id of the point; ascending in each row of the
    * matrix) and "GeodesicDistance". The field data array "RowOffsets" (64-bit integers) has one
-   * tuple more than the matrix has rows: row i is [RowOffsets[i], RowOffsets[i + 1]). Costs no more
-   * than these pairs. Default off.
+   * tuple more than the matrix has rows: row i is [RowOffsets[i], RowOffsets[i + 1]). The
+   * cost is proportional to the number of pairs. Default off.
    */
   vtkSetMacro(CompressedRows, bool);
   vtkGetMacro(CompressedRows, bool);

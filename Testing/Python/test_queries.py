@@ -130,6 +130,23 @@ class OfAMesh(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "source"):
             self.graph.neighborhood([7, 8], 1.0)
 
+    def test_preparations_are_kept(self):
+        """Ids between coordinates do not release what links the coordinates."""
+        near = self.points[[7, 90, 200]] + 1e-3 * self.size
+        for kind, ask in (
+            (vtkdgg.vtkDGGDistance, self.graph.distance),
+            (vtkdgg.vtkDGGLoop, self.graph.loop),
+            (vtkdgg.vtkDGGPath, lambda points: self.graph.paths(points, 300)),
+            (vtkdgg.vtkGeodesicDistanceMatrix, self.graph.matrix),
+            (vtkdgg.vtkGeodesicSampler, lambda points: self.graph.sample(5, start=points)),
+            (vtkdgg.vtkGeodesicVoronoi, self.graph.voronoi),
+        ):
+            with self.subTest(kind=kind.__name__):
+                ask(near)
+                size = self.graph._filters[kind].GetMemorySize()
+                ask([7, 90, 200])
+                self.assertEqual(self.graph._filters[kind].GetMemorySize(), size)
+
     def test_sample(self):
         samples = self.graph.sample(30, first=5)
         self.assertEqual((samples.point_ids[0], len(samples.points)), (5, 30))
@@ -246,7 +263,11 @@ class OfACloud(unittest.TestCase):
         self.assertTrue(self.cloud.is_cloud)
         self.assertRegex(repr(self.cloud), "CloudGraph: 861 points, .* scheme C, [^,]* MiB")
         if sparse:
-            self.assertGreater(self.cloud.sparse_matrix(0.1).nnz, 861)
+            matrix = self.cloud.sparse_matrix(0.1)
+            self.assertGreater(matrix.nnz, 861)
+            ids, distances = self.cloud.neighborhood(5, 0.1)
+            self.assertEqual(len(ids), matrix[5].nnz + 1)
+            np.testing.assert_array_equal(distances, self.cloud.distance(5)[ids])
             self.assertEqual(self.cloud.csr.shape, (861, 861))
 
     def test_ways_to_have_one(self):

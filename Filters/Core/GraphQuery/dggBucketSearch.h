@@ -15,8 +15,8 @@ namespace dgg
 /// the fan of the edge on which it came; that leaves a few labels too large, so then all edges are
 /// certified one after the other, and what is found wrong is mended over all edges. The result is
 /// that of Dijkstra's algorithm, up to rounding. `width` is that of the buckets of the queue. With
-/// targets, the limit of the labels drops to the largest distance of a target. Costs no more than
-/// the vertices within the limit. False when aborted.
+/// targets, the limit of the labels drops to the largest distance of a target. The cost is
+/// proportional to the number of vertices within the limit. False when aborted.
 bool RunBucketSearch(const GraphView& graph, const GraphFans* fans,
   const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
   BucketQueue& queue, SearchLabels& labels, SearchEffort& effort);

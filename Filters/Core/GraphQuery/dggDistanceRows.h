@@ -32,8 +32,8 @@ struct DistanceRowsOptions
   std::vector<Id> NextPoints;
 };
 
-/// Computes one row per source. Costs no more than the entries where most of the surface is outside
-/// of the radius. The rows do not depend on the number of threads.
+/// Computes one row per source. The cost is proportional to the number of entries if most of the
+/// surface is outside the radius. The rows do not depend on the number of threads.
 DGG_CORE_EXPORT Status FindDistanceRows(const GraphSearch& search,
   const std::vector<std::vector<GraphSeed>>& sources, const DistanceRowsOptions& options,
   const ParallelFor& parallel, const ProgressCallback& progress, DistanceRows& rows);

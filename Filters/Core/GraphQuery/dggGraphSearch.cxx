@@ -75,7 +75,7 @@ constexpr double ChoiceShare = 0.2;
 constexpr double LargestNearField = 0.4;
 /// Bytes per vertex, about: of the tables of a mesh, the labels of a search, and landmarks.
 constexpr std::size_t BytesOfTables = 40;
-constexpr std::size_t BytesOfSearch = 72;
+constexpr std::size_t BytesOfSearch = 84;
 constexpr std::size_t BytesOfLandmarks = Landmarks::Count * sizeof(std::int16_t) + sizeof(Id);
 
 /// Removes labels beyond the limit, which a search for targets leaves behind.

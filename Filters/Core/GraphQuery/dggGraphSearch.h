@@ -122,8 +122,8 @@ public:
 
   /// Distances from the nearest of the seeds: the same, up to rounding, by every method. Fails when
   /// there is no seed, or one does not exist or starts with a distance that is not finite; then
-  /// `result` is empty. With the result of an earlier call, from which arrays may have been moved,
-  /// a search costs no more than the vertices within the radii of both.
+  /// `result` is empty. If `result` is that of an earlier call, from which arrays may have been
+  /// moved, the cost is proportional to the number of vertices within the radii of both searches.
   Status Run(
     const std::vector<GraphSeed>& seeds, const SearchOptions& options, SearchResult& result) const;
 
@@ -142,8 +142,9 @@ public:
   /// Distances from each of many sources, a set of seeds, on its own; `consume` receives them.
   /// Where most of the surface is searched, sources close together are searched together, which
   /// takes about half of the time of single searches, or less, where there are hundreds of them on
-  /// the surface. Other searches cost no more than the vertices within the radius or between source
-  /// and targets. Adds its work to `numberOfLabels` (see SearchResult) unless that is null.
+  /// the surface. The cost of other searches is proportional to the number of vertices within the
+  /// radius, or nearer than the farthest target. Adds the number of labels (see SearchResult) to
+  /// `numberOfLabels` unless that is null.
   Status Many(const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options,
     const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume,
     std::size_t* numberOfLabels = nullptr) const;
