@@ -53,14 +53,16 @@ class OtherPackages(unittest.TestCase):
         major = int(np.__version__.split(".", 1)[0])
         install(*REQUIRED, f"numpy>={np.__version__},<{major + 1}")
         install("--no-deps", *PACKAGES)
-        found = subprocess.run(
-            [PYTHON, os.path.join(os.path.dirname(__file__), "test_meshes.py")],
-            env={**os.environ, "DGG_REAL_PACKAGES": "1"},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
+        for words in (["test_meshes.py"], ["test_reading.py", "Formats.test_nibabel"]):
+            found = subprocess.run(
+                [PYTHON, *words],
+                cwd=os.path.dirname(os.path.abspath(__file__)),
+                env={**os.environ, "DGG_REAL_PACKAGES": "1"},
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import json
 import os
 import re
 import struct
+import subprocess
 import sys
 import types
 import unittest
@@ -250,6 +251,26 @@ class Meshes(unittest.TestCase):
             warnings.simplefilter("error")
             again = vtkdgg.Graph.from_polydata(mesh.as_polydata())
         np.testing.assert_array_equal(again.distance(5), graph.distance(5))
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for given in (path, mesh):
+                np.testing.assert_array_equal(vtkdgg.Graph(given).lengths, graph.lengths)
+
+    def test_without_vtk(self):
+        code = (
+            "import sys, types\n"
+            "sys.modules['vtkmodules'] = None\n"
+            "package = sys.modules['vtkdgg'] = types.ModuleType('vtkdgg')\n"
+            "package.__path__ = [sys.argv[1]]\n"
+            "from vtkdgg.mesh import Mesh\n"
+            "print(Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).triangles.tolist())\n"
+        )
+        folder = os.path.dirname(vtkdgg.__file__)
+        found = subprocess.run(
+            [sys.executable, "-c", code, folder], capture_output=True, text=True, check=True
+        )
+        self.assertEqual(found.stdout, "[[0, 1, 2]]\n")
 
     def test_wrong_arrays(self):
         points, triangles = support.grid(1, 1)

@@ -51,8 +51,9 @@ def distance(
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         Coordinates, and point ids of the corners. Polygons have more columns, or are one row that
         has the number of corners before those of each polygon, or rows of unequal lengths. A mesh
-        is a vtkPolyData, as those of PyVista are, or has `points` or `vertices`, and `faces` or
-        `cells`, as those of trimesh and meshio.
+        is a `Mesh`, the name of a file (see `read`), a pair of such arrays, a vtkPolyData, as those
+        of PyVista are, another data set of VTK, whose surface is used, or a mesh of trimesh,
+        meshio, Open3D, vedo or nilearn.
     sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
         Integers are point ids, floats coordinates of points anywhere on the surface, which are
         moved to the closest point of it.

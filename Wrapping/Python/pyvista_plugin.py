@@ -14,9 +14,8 @@ import pyvista
 
 from . import distances, paths, spectral
 from .cloud_graph import CloudGraph
-from .errors import check
 from .graph import Graph
-from .vtkDGGReaders import vtkPCDReader
+from .reading import read
 
 
 class DGGAccessor:
@@ -84,7 +83,9 @@ class DGGAccessor:
         """The length of `geodesic`, with the arguments of PyVista's `geodesic_distance`."""
         return self._path(start_vertex, end_vertex, use_scalar_weights, False).length
 
-    def paths(self, starts: Any, ends: Any, accuracy: Optional[float] = None, **options: Any) -> Any:
+    def paths(
+        self, starts: Any, ends: Any, accuracy: Optional[float] = None, **options: Any
+    ) -> Any:
         """Paths between many pairs of points; see `vtkdgg.Graph.paths`."""
         graph = self.graph(accuracy)
         return pyvista.wrap(graph.paths(starts, ends, as_polydata=True, **options))
@@ -138,9 +139,7 @@ class DGGAccessor:
 
 def read_pcd(path: Any, **_: Any) -> Any:
     """A PCD file as a mesh of PyVista."""
-    reader = vtkPCDReader()
-    reader.SetFileName(str(path))
-    return pyvista.wrap(check(reader))
+    return pyvista.wrap(read(path).as_polydata())
 
 
 def register() -> None:

@@ -169,5 +169,5 @@ def left_out(path, data):
         active = [points.GetNormals()] + [points.GetTCoords()] * (extension == ".obj")
         kept = [array.GetName() for array in active if array] + ["RGB", "RGBA"]
         in_points = [name for name in in_points if name not in kept]
-    lost = ["polygons"] if has_polygons and extension in (".pcd", ".xyz", *TABLES) else []
+    lost = ["polygons"] if has_polygons and extension in (".pcd", ".xyz") else []
     return [*lost, *in_cells, *in_points]
