@@ -129,8 +129,8 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
   DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));
   if (task.WantVirtualSource)
   {
-    dgg::FindVirtualSources(
-      context.Surface.GetMesh(), result, task.VirtualSource, context.Parallel);
+    dgg::FindVirtualSources(context.Surface.GetMesh(), result,
+      correct ? result.Corrected : result.Distances, task.VirtualSource, context.Parallel);
   }
   task.IsSparse = task.MayBeSparse && !task.WantVirtualSource &&
     result.Reached.size() < result.Distances.size() / SparsePart;

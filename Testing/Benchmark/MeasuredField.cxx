@@ -77,7 +77,7 @@ dgg::Status MeasuredField::RunGraph(BenchmarkMesh& mesh, dgg::Id source, double 
   const dgg::Status status = graph.GetSearch().Run({ seed }, options, result);
   if (status.IsOk())
   {
-    dgg::FindVirtualSources(this->Surface, result, this->Sources);
+    dgg::FindVirtualSources(this->Surface, result, result.Corrected, this->Sources);
   }
   this->Distances = std::move(result.Corrected);
   return status;

@@ -645,7 +645,7 @@ TEST(Relays, OfRimsDoNotHideTheSource)
     SearchResult result;
     ASSERT_TRUE(search.Run({ seed }, options, result).IsOk());
     VirtualSources merged;
-    FindVirtualSources(mesh, result, merged);
+    FindVirtualSources(mesh, result, result.Corrected, merged);
     linear.Add(field.Linear, field.Exact);
     ofExact.Add(field.Local, field.Exact);
     ofGraph.Add({ &mesh, result.Corrected.data(), nullptr, &merged }, field.Exact);
@@ -671,7 +671,7 @@ TEST(Relays, AreNoneOnAConvexPlate)
   SearchResult result;
   ASSERT_TRUE(search.Run({ seed }, options, result).IsOk());
   VirtualSources found;
-  FindVirtualSources(mesh, result, found);
+  FindVirtualSources(mesh, result, result.Corrected, found);
   EXPECT_EQ(found.Offsets, result.Virtual.Offsets);
   EXPECT_EQ(found.Lengths, result.Virtual.Lengths);
   EXPECT_EQ(found.Angles, result.Virtual.Angles);

@@ -120,6 +120,53 @@ vtkSmartPointer<vtkPolyData> MakeTerrain(int n)
   return surface;
 }
 
+vtkSmartPointer<vtkPolyData> MakePlateWithHole()
+{
+  constexpr int sides = 40;
+  constexpr int rows = 6;
+  constexpr double radius = 0.15;
+  const double turn = 2.0 * std::acos(-1.0) / sides;
+  Points points;
+  Cells cells;
+  const vtkIdType n = sides + 4; // points of each level, first the corners of the plate
+  for (int row = 0; row <= rows; ++row)
+  {
+    const double z = row * radius * turn;
+    points.insert(points.end(),
+      { { { 0.0, 0.0, z } }, { { 3.0, 0.0, z } }, { { 3.0, 1.0, z } }, { { 0.0, 1.0, z } } });
+    for (int i = 0; i < sides; ++i)
+    {
+      points.push_back(
+        { { 1.5 + radius * std::cos(turn * i), 0.5 + radius * std::sin(turn * i), z } });
+    }
+  }
+  const auto addWall = [&](vtkIdType a, vtkIdType b) {
+    for (vtkIdType level = 0; level < rows * n; level += n)
+    {
+      cells.push_back({ a + level, b + level, b + level + n });
+      cells.push_back({ a + level, b + level + n, a + level + n });
+    }
+  };
+  const auto addFaces = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+    cells.push_back({ c, b, a });
+    cells.push_back({ a + rows * n, b + rows * n, c + rows * n });
+  };
+  for (int i = 0; i < sides; ++i)
+  {
+    const vtkIdType corner = (2 + 4 * i / sides) % 4; // of that quarter
+    const vtkIdType a = 4 + i;
+    const vtkIdType b = 4 + (i + 1) % sides;
+    addWall(b, a);
+    addFaces(b, a, corner);
+    if (4 * (i + 1) % sides == 0)
+    {
+      addFaces(b, corner, (corner + 1) % 4);
+      addWall((corner + 2) % 4, (corner + 3) % 4);
+    }
+  }
+  return MakeSurface(points, cells);
+}
+
 vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift)
 {
   Points points;

@@ -45,6 +45,10 @@ vtkSmartPointer<vtkPolyData> MakeCube();
 vtkSmartPointer<vtkPolyData> MakeTerrain(int n);
 double GetTerrainHeight(double x, double y);
 
+/// A plate of 3 x 1 with a round hole of 40 corners, as CAD models have it: long triangles from the
+/// hole to the rim, and more small ones on the wall of the hole. It is closed and has 308 points.
+vtkSmartPointer<vtkPolyData> MakePlateWithHole();
+
 /// Two surfaces of polygons as one, the second one shifted along x.
 vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift);
 

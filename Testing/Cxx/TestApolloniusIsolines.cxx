@@ -15,6 +15,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
@@ -230,6 +231,67 @@ TEST_F(ApolloniusIsolines, AreGoodWithVirtualSources)
   ExpectSuccess(this->Isolines);
   EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
   EXPECT_GT(this->GetErrors()[0], 1e-2);
+}
+
+/// Rings around a point, each a fifth smaller than the one around it: most edges are shorter than
+/// the error that the graph promises for the distance to the source, which is on the outermost one.
+TEST_F(ApolloniusIsolines, TakeSourcesOfGraphsWithShortEdges)
+{
+  constexpr int sides = 24;
+  constexpr int rings = 100;
+  Points points = { { { 0.0, 0.0, 0.3 * std::sin(1.0) } } };
+  Cells cells;
+  for (vtkIdType ring = 0; ring < rings; ++ring)
+  {
+    const double radius = std::pow(0.83, rings - 1 - ring);
+    for (vtkIdType i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * (i + 0.5 * ring) / sides;
+      const double x = radius * std::cos(angle);
+      const double y = radius * std::sin(angle);
+      points.push_back({ { x, y, 0.3 * std::sin(3.0 * x) * std::cos(2.0 * y + 1.0) } });
+      const vtkIdType a = 1 + sides * (ring - 1) + i;
+      const vtkIdType b = 1 + sides * (ring - 1) + (i + 1) % sides;
+      if (ring == 0)
+      {
+        cells.push_back({ 0, 1 + i, 1 + (i + 1) % sides });
+      }
+      else
+      {
+        cells.push_back({ a, a + sides, b });
+        cells.push_back({ b, a + sides, b + sides });
+      }
+    }
+  }
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputData(MakeSurface(points, cells));
+  distance->AddSourceId(static_cast<vtkIdType>(points.size()) - 5);
+  distance->GenerateVirtualSourceOn();
+  this->Isolines->SetInputConnection(distance->GetOutputPort());
+  for (const double accuracy : { 0.01, 0.1, 0.5 })
+  {
+    for (const bool correct : { false, true })
+    {
+      SCOPED_TRACE(accuracy);
+      distance->SetAccuracy(accuracy);
+      distance->SetCorrection(correct);
+      ExpectSuccess(this->Isolines);
+      EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
+    }
+  }
+}
+
+TEST_F(ApolloniusIsolines, WarnOfSourcesInLongTriangles)
+{
+  this->Distance->SetInputData(MakePlateWithHole());
+  this->Distance->SetSourceIds({ 4 });
+  this->Distance->GenerateVirtualSourceOn();
+  this->Isolines->GenerateValues(6, 0.1, 2.0);
+  ExpectWarning(this->Isolines, { "covered by long triangles", "GenerateWindowsOn()" });
+  this->Isolines->GenerateValues(3, 0.1, 2.0); // once for each mesh
+  ExpectSuccess(this->Isolines);
+  this->Distance->GenerateWindowsOn();
+  ExpectSuccess(this->Isolines);
 }
 
 TEST_F(ApolloniusIsolines, PublishedOnesGetBetterWithPointsOnEdges)

@@ -460,7 +460,7 @@ TEST_P(ExtraData, VirtualSourcesBeatLinearInterpolation)
     dgg::SearchResult found;
     ASSERT_TRUE(search.Run({ seed }, searchOptions, found).IsOk());
     dgg::VirtualSources ofGraph;
-    dgg::FindVirtualSources(surface, found, ofGraph);
+    dgg::FindVirtualSources(surface, found, found.Corrected, ofGraph);
     const std::array<dgg::DistanceField, 4> fields{ {
       { &surface, exact.Distances.data(), nullptr, nullptr },
       { &surface, exact.Distances.data(), nullptr, &ofExact },

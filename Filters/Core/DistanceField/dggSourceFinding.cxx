@@ -171,8 +171,8 @@ void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
 }
 }
 
-void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result, VirtualSources& found,
-  const ParallelFor& parallel)
+void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
+  const std::vector<double>& distances, VirtualSources& found, const ParallelFor& parallel)
 {
   found = result.Virtual;
   std::vector<Id> relays(result.Tails.size(), NoId);
@@ -187,6 +187,13 @@ void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result, Vir
     }
   }
   MergeRelays(mesh, result.Corrected, relays, parallel, found);
+  for (std::size_t v = 0; v < distances.size(); ++v)
+  {
+    if (distances[v] < Infinity)
+    {
+      found.Offsets[v] = distances[v] - found.Lengths[v];
+    }
+  }
 }
 
 void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,

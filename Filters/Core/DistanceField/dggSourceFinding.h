@@ -23,10 +23,12 @@ DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh,
   const std::vector<GeodesicSource>& sources, const ExactResult& result, VirtualSources& found,
   const ParallelFor& parallel = ParallelFor());
 
-/// The virtual sources of the corrected distances of a search, with relays merged: for distances
-/// inside of faces. Those of the search itself are for what is reached over further edges.
+/// The virtual sources of a search, with relays merged: for distances inside of faces. Offsets and
+/// lengths add up to `distances`, the labels or the corrected ones of the result. The virtual
+/// sources in the result itself are for what is reached over further edges.
 DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
-  VirtualSources& found, const ParallelFor& parallel = ParallelFor());
+  const std::vector<double>& distances, VirtualSources& found,
+  const ParallelFor& parallel = ParallelFor());
 
 /// Find for each vertex the virtual source that explains the distances of its neighbours best:
 /// its direction and the curvature of the wave that comes from there, which is one over its
