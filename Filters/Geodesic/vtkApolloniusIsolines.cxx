@@ -239,7 +239,7 @@ dgg::Status vtkApolloniusIsolines::Execute(const DGGContext& context,
     this->Information, this->DistanceArrayName, context.Input, distances));
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
   DGG_RETURN_IF_ERROR(this->ReadField(context, distances, input));
-  this->WarnAbout(input);
+  this->WarnAbout(input, context);
   DGG_RETURN_IF_ERROR(this->FindCurves(context, input.GetField(), curves));
   this->WarnAboutNoLine(input.GetDistances(), curves.Lines);
   this->UsedWindows = input.GetField().HasWindows();
@@ -264,8 +264,9 @@ dgg::Status vtkApolloniusIsolines::ReadField(
 }
 
 //------------------------------------------------------------------------------
-void vtkApolloniusIsolines::WarnAbout(const DGGFieldInput& input)
+void vtkApolloniusIsolines::WarnAbout(const DGGFieldInput& input, const DGGContext& context)
 {
+  this->WarnAboutQuality(input.DescribeQuality(context.Surface));
   if (!input.GetWarning().empty())
   {
     vtkWarningMacro(<< input.GetWarning() << ".");

@@ -31,9 +31,10 @@
  * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) points of
  * lines are at their value up to rounding, and ridges exact. With virtual sources
  * (GenerateVirtualSourceOn() of any distance filter), or those fitted to the distances without,
- * lines are better than linear ones but without a bound, and some ridges are spurious. Pieces of
- * lines are within ChordTolerance of the curve; the number of points grows like one over its square
- * root.
+ * lines are better than linear ones but without a bound, and some ridges are spurious: inside long
+ * triangles, as of CAD models, they may be off by half of the largest distance. A warning
+ * recommends windows if GetMeanAnisotropy() is above 2. Pieces of lines are within ChordTolerance
+ * of the curve; the number of points grows like one over its square root.
  *
  * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: no array of distances, or one without one
  * number per point; a distance of minus infinity; a value that is not finite; a ChordTolerance
@@ -254,7 +255,7 @@ private:
 
   std::vector<double> CopyValues() const;
   dgg::Status ReadField(const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input);
-  void WarnAbout(const DGGFieldInput& input);
+  void WarnAbout(const DGGFieldInput& input, const DGGContext& context);
   void WarnAboutNoLine(const std::vector<double>& distances, const dgg::Isolines& lines);
   dgg::Status FindCurves(
     const DGGContext& context, const dgg::DistanceField& field, Curves& curves);

@@ -131,8 +131,9 @@ dgg::Status vtkDGGFastMarchingDistance::MarchOnMesh(DGGDistanceTask& task)
     auto solver = std::make_unique<dgg::FastMarching>(mesh.GetMesh());
     this->Prepared.reset(
       new Preparation{ mesh.GetBuildTime(), std::move(solver), nullptr, 0.0, 0 });
-    this->QualityWarning = DGGWarnOfLongTriangles(this);
   }
+  this->QualityWarning =
+    this->WarnAboutQuality(DGGDescribeLongTriangles(mesh, DGGLongTrianglesMislead));
   dgg::MarchingResult result;
   const dgg::Status status = this->Prepared->Solver->Run(task.Sources, options, result);
   task.Distances = std::move(result.Distances);

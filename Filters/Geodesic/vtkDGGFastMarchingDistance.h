@@ -119,8 +119,8 @@ public:
   ///@}
 
   /**
-   * Whether the median anisotropy of the last update's mesh (GetMedianAnisotropy()) is above 3:
-   * then distances may be far off. A warning says so once for each mesh.
+   * True if GetMeanAnisotropy() of the mesh of the last update is above 2: distances may be far
+   * off. Reported once for each mesh.
    */
   vtkGetMacro(QualityWarning, bool);
 

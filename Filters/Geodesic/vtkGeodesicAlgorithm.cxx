@@ -139,6 +139,7 @@ vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
   , IsStopped(false)
   , ReportTime(0)
   , GapsBuildTime(0)
+  , QualityTime(0)
   , Adapter(new DGGMeshAdapter)
   , Parts(new DGGPartedUpdate)
 {
@@ -529,6 +530,21 @@ void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector
   {
     vtkWarningMacro(<< warning << ".");
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGeodesicAlgorithm::WarnAboutQuality(const std::string& reason)
+{
+  if (this->QualityTime != this->GetMeshBuildTime() || this->QualityReason != reason)
+  {
+    this->QualityTime = this->GetMeshBuildTime();
+    this->QualityReason = reason;
+    if (!reason.empty())
+    {
+      vtkWarningMacro(<< reason << ".");
+    }
+  }
+  return !reason.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -210,7 +210,9 @@ public:
 
   ///@{
   /**
-   * Mean and median of longest edge * perimeter / (4 sqrt(3) area) of triangles: 1 if equilateral.
+   * Mean, weighted with areas, and median of longest edge * perimeter / (4 sqrt(3) area) of
+   * triangles: 1 if equilateral. Above a mean of 2 much of the surface is covered by long
+   * triangles.
    */
   double GetMeanAnisotropy() const;
   double GetMedianAnisotropy() const;
@@ -304,6 +306,12 @@ protected:
   void WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached);
 
   /**
+   * Reports why results may be far off, unless the reason is empty or was reported last for this
+   * mesh. Returns true if there is a reason.
+   */
+  bool WarnAboutQuality(const std::string& reason);
+
+  /**
    * Run a step that may fail or throw, and report the error. Returns whether it succeeded and was
    * not stopped.
    */
@@ -351,6 +359,8 @@ private:
   std::string Reported;        // error of the last update, empty without
   vtkMTimeType ReportTime;     // of the pipeline at that time
   vtkMTimeType GapsBuildTime;  // of the mesh whose gaps have been looked for
+  vtkMTimeType QualityTime;    // of the mesh that QualityReason is about
+  std::string QualityReason;   // reported last
   std::unique_ptr<DGGMeshAdapter> Adapter;
   std::unique_ptr<DGGPartedUpdate> Parts;
 };

@@ -127,6 +127,7 @@ dgg::Status vtkGeodesicProbe::Execute(
   {
     vtkWarningMacro(<< input.GetWarning() << ".");
   }
+  this->WarnAboutQuality(input.DescribeQuality(context.Surface));
   const auto found = DGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
   DGG_RETURN_IF_ERROR(DGGForEach((places.size() + BlockSize - 1) / BlockSize, 1,

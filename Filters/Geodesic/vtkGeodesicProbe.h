@@ -13,9 +13,10 @@
  *
  * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) exact;
  * with virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to the
- * distances without, better than linear interpolation, but without a bound: take windows for CAD
- * models, whose long triangles are reached from many sides. One search in the surface for each
- * place.
+ * distances without, better than linear interpolation, but without a bound: inside the long
+ * triangles of CAD models, which are reached from many sides, they may be off by half of the
+ * largest distance. A warning recommends windows if GetMeanAnisotropy() is above 2. One search in
+ * the surface for each place.
  *
  * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: no points on port 1; a point that is not
  * finite, or farther from the surface than ProjectionTolerance; no array of distances, or one

@@ -384,6 +384,7 @@ dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVor
   dgg::PropagationResult found;
   DGG_RETURN_IF_ERROR(this->PreviewSolver->Run(context, result.Sites, options, found)
                         .Of("Preview, which can be turned off"));
+  this->WarnAboutQuality(found.IsSettled ? "" : DGGUnsettledDistances);
   result.Diagram.NearestSites = std::move(found.NearestSource);
   result.Diagram.Distances = std::move(found.Distances);
   return dgg::Status::Success();

@@ -39,7 +39,7 @@
  *    than ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or NaN; a
  *    negative NumberOfIterations; an array name that is empty or used twice;
  *  - an Accuracy outside [1e-6, 0.5]; a graph that takes more than MemoryLimit; Preview with
- *    Centroidal or on a cloud, or on triangles that vtkVirtualSourceGeodesicDistance refuses.
+ *    Centroidal or on a cloud.
  *
  * @code
  * vtkNew<vtkGeodesicVoronoi> voronoi;

@@ -27,6 +27,24 @@ namespace
 {
 /// Part of the progress when the systems are factorized.
 constexpr double FactorizedAt = 0.9;
+
+/// Returns the reasons why distances may be far off; empty without one.
+std::string DescribeQuality(const DGGPreparedMesh& surface, double factor, dgg::Id triangles)
+{
+  return DGGJoinReasons({ DGGDescribeLongTriangles(surface, DGGLongTrianglesMislead),
+    triangles < dgg::FewestUsefulTriangles
+      ? dgg::JoinText("A source is on a component of ", triangles, " triangles, fewer than ",
+          dgg::FewestUsefulTriangles,
+          ": distances are off by 10 % and more on average there. Use vtkExactGeodesicDistance, or "
+          "subdivide the triangles")
+      : "",
+    factor < dgg::SmallestUsefulFactor || factor > dgg::LargestUsefulFactor
+      ? dgg::JoinText("TimeStepFactor is ", factor, ", outside of ", dgg::SmallestUsefulFactor,
+          " to ", dgg::LargestUsefulFactor,
+          ": distances are off by 10 % and more on average. Call SetTimeStepFactor() with a number "
+          "around 1")
+      : "" });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -110,7 +128,6 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
     this->Prepared.reset(); // before there are two
     this->Prepared.reset(new Preparation{
       task.Context.Surface.GetBuildTime(), dgg::HeatMethod(task.Context.Surface.GetMesh()) });
-    this->QualityWarning = DGGWarnOfLongTriangles(this);
   }
   dgg::HeatMethod& method = this->Prepared->Method;
   bool isTooMuch = false;
@@ -135,9 +152,11 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   query.WantVirtualSource = task.WantVirtualSource;
   query.Progress = dgg::ProgressPart(task.Context.Progress, FactorizedAt, 1.0);
   dgg::HeatResult result;
-  status = method.Run(task.Sources, query, result);
+  DGG_RETURN_IF_ERROR(method.Run(task.Sources, query, result));
+  this->QualityWarning = this->WarnAboutQuality(
+    DescribeQuality(task.Context.Surface, options.TimeStepFactor, result.FewestTriangles));
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);
   task.VirtualSource = std::move(result.Virtual);
-  return status;
+  return dgg::Status::Success();
 }

@@ -64,7 +64,8 @@ public:
   ///@{
   /**
    * The time of the flow, in squares of the mean edge length of each component, after flips. Larger
-   * ones smooth the distances. Default 1; in [1e-6, 1e6], of which 0.5 to 10 is of use.
+   * ones smooth the distances. Default 1; in [1e-6, 1e6], of which 0.5 to 10 is of use. There is a
+   * warning outside of [0.1, 100].
    */
   vtkSetMacro(TimeStepFactor, double);
   vtkGetMacro(TimeStepFactor, double);
@@ -104,8 +105,9 @@ public:
   int GetNumberOfFactorizations() const;
 
   /**
-   * Whether the median anisotropy of the last update's mesh (GetMedianAnisotropy()) is above 3:
-   * then distances may be far off. A warning says so once for each mesh.
+   * True if distances of the last update may be far off: GetMeanAnisotropy() is above 2, a source
+   * is on a component of fewer than 50 triangles, or TimeStepFactor is outside of [0.1, 100].
+   * Reported once for each mesh and reason.
    */
   vtkGetMacro(QualityWarning, bool);
 

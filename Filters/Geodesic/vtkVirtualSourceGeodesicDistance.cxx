@@ -16,7 +16,6 @@ vtkStandardNewMacro(vtkVirtualSourceGeodesicDistance);
 vtkVirtualSourceGeodesicDistance::vtkVirtualSourceGeodesicDistance()
   : Quality(Automatic)
   , QualityWarning(false)
-  , MeshTime(0)
   , Propagation(new DGGPropagation)
 {
 }
@@ -55,14 +54,11 @@ dgg::Status vtkVirtualSourceGeodesicDistance::ComputeDistances(DGGDistanceTask& 
   options.MaximumDistance = task.MaximumDistance;
   options.WantNearestSource = task.WantNearestSource;
   options.WantVirtualSource = task.WantVirtualSource;
-  const vtkMTimeType meshTime = task.Context.Surface.GetBuildTime();
-  if (this->MeshTime != meshTime)
-  {
-    this->MeshTime = meshTime;
-    this->QualityWarning = DGGWarnOfLongTriangles(this);
-  }
   dgg::PropagationResult result;
   DGG_RETURN_IF_ERROR(this->Propagation->Run(task.Context, task.Sources, options, result));
+  this->QualityWarning = this->WarnAboutQuality(
+    DGGJoinReasons({ DGGDescribeLongTriangles(task.Context.Surface, DGGLongTrianglesMislead),
+      result.IsSettled ? "" : DGGUnsettledDistances }));
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);
   task.VirtualSource = std::move(result.Virtual);

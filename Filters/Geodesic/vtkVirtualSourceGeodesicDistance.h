@@ -13,8 +13,10 @@
  * rounding, for any number of sources. Nothing else bounds the error. Of 10 sources on each of 27
  * real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 %
  * too short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken
- * models of CAD 0.6 to 2 % on the mean, and up to 20 % too short and 60 % too long, several times
- * too long where sides are rough as well; there vtkExactGeodesicDistance is fast enough. Of a
+ * models of CAD 0.6 to 6 % on the mean, and up to 55 % too short and 60 % too long, several times
+ * too long where sides are rough as well (QualityWarning); there vtkExactGeodesicDistance is fast
+ * enough. Triangles may be so irregular that distances do not settle: the search then ends with the
+ * shortest ones found so far, and a warning. Of a
  * thousand sources at once the mean is smaller, but where there are about as many sources as
  * triangles, or these are long, single distances may be several times too long, and the mean 3 %:
  * no triangle keeps more than one of them. Five million points take a second on one thread, and
@@ -22,8 +24,8 @@
  * largest distance, initial distances included; along strips of ten thousand triangles rounding
  * adds up to 1e-4 of it.
  *
- * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; triangles too irregular for distances to
- * settle; initial distances that differ by more than 1e30 mean edges.
+ * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; initial distances that differ by more than
+ * 1e30 mean edges.
  *
  * @code
  * vtkNew<vtkVirtualSourceGeodesicDistance> distance;
@@ -63,7 +65,7 @@ public:
    */
   enum QualityType
   {
-    Automatic = 0, ///< High if the median anisotropy of the mesh is above 3, else Fast
+    Automatic = 0, ///< High if GetMeanAnisotropy() is above 2, else Fast
     Fast = 1,      ///< each triangle
     High = 2       ///< each edge: more accurate, in some 1.6 times the time
   };
@@ -81,9 +83,8 @@ public:
   ///@}
 
   /**
-   * Whether the median anisotropy of the last update's mesh (GetMedianAnisotropy()) is above 3:
-   * then distances may be far off, above all from many sources. A warning says so once for each
-   * mesh.
+   * True if distances of the last update may be far off: GetMeanAnisotropy() is above 2, or they
+   * did not settle. Reported once for each mesh and reason.
    */
   vtkGetMacro(QualityWarning, bool);
 
@@ -100,7 +101,6 @@ private:
 
   int Quality;
   bool QualityWarning;
-  vtkMTimeType MeshTime; // that the warning is about
   std::unique_ptr<DGGPropagation> Propagation;
 };
 

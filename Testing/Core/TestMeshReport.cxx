@@ -195,10 +195,17 @@ TEST(MeshReport, MeasuresAnisotropy)
   // Right isosceles: sqrt(2) (2 + sqrt(2)) / (2 sqrt(3)).
   const double right = std::sqrt(2.0) * (2.0 + std::sqrt(2.0)) / (2.0 * std::sqrt(3.0));
   EXPECT_NEAR(Inspect(Plane(3, 3)).MeanAnisotropy, right, 1e-14);
-  // The median is not moved by a few slivers, the mean is.
+  // Neither is moved by a few slivers; long triangles count by their area.
   const MeshReport slivers = Inspect(SliverPlane(6, 1e-6));
   EXPECT_NEAR(slivers.MedianAnisotropy, right, 1e-12);
-  EXPECT_GT(slivers.MeanAnisotropy, 1e4);
+  EXPECT_NEAR(slivers.MeanAnisotropy, right, 0.1);
+  TestMesh plates = Plane(3, 3);
+  const Id first = plates.AddPoint(0.0, 5.0, 0.0);
+  plates.AddTriangle(first, plates.AddPoint(30.0, 5.0, 0.0), plates.AddPoint(0.0, 6.0, 0.0));
+  EXPECT_NEAR(Inspect(plates).MedianAnisotropy, right, 1e-12);
+  const double length = std::hypot(30.0, 1.0);
+  const double product = length * (31.0 + length) / (4.0 * std::sqrt(3.0));
+  EXPECT_NEAR(Inspect(plates).MeanAnisotropy, (9.0 * right + product) / (9.0 + 15.0), 1e-12);
   EXPECT_EQ(Inspect(TestMesh()).MeanAnisotropy, 0.0);
 }
 

@@ -7,7 +7,6 @@
 #include "vtkDGGDistance.h"
 #include "vtkDGGFastMarchingDistance.h"
 #include "vtkExactGeodesicDistance.h"
-#include "vtkHeatGeodesicDistance.h"
 #include "vtkVirtualSourceGeodesicDistance.h"
 
 #include "vtkFloatArray.h"
@@ -324,7 +323,6 @@ TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
   expectReport(vtkNew<vtkDGGDistance>());
   expectReport(vtkNew<vtkDGGFastMarchingDistance>());
   expectReport(vtkNew<vtkVirtualSourceGeodesicDistance>());
-  expectReport(vtkNew<vtkHeatGeodesicDistance>());
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetMaximumDistance(1.0);
   expectReport(filter);

@@ -416,6 +416,12 @@ Status HeatMethod::Run(
     return Status::Abort();
   }
   ShiftToDistances(system, sources, corners, leastOffsets, result.Distances);
+  result.FewestTriangles = this->Mesh.GetNumberOfFaces();
+  for (const Corner& corner : corners)
+  {
+    result.FewestTriangles = std::min(
+      result.FewestTriangles, system.GetNumberOfTriangles(system.GetComponent(corner.Vertex)));
+  }
   if (query.WantNearestSource || query.WantVirtualSource)
   {
     result.NearestSource = FindNearestSources(this->Mesh, sources, corners, result.Distances);

@@ -33,6 +33,14 @@ constexpr double SmallestTimeStepFactor = 1e-6;
 constexpr double LargestTimeStepFactor = 1e6;
 /// @}
 
+/// Outside of this range of time step factors, and in components with fewer triangles, distances
+/// are off by some 10 % and more on average (measured on spheres, plates, scans and parts).
+/// @{
+constexpr double SmallestUsefulFactor = 0.1;
+constexpr double LargestUsefulFactor = 100.0;
+constexpr Id FewestUsefulTriangles = 50;
+/// @}
+
 struct HeatOptions
 {
   /// Heat flows for the time c h^2 with this c and the mean edge length h, that of the component
@@ -61,6 +69,7 @@ struct HeatResult
   /// the rest, and the polar angle at the vertex against the gradient of the distances. Empty
   /// unless asked for.
   VirtualSources Virtual;
+  Id FewestTriangles = 0; ///< of the components that have a source
 };
 
 /// Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013, on one mesh, which must outlive it:

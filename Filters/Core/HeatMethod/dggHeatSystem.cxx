@@ -97,10 +97,12 @@ void HeatSystem::MeasureEdges()
   const IntrinsicTriangulation& triangulation = this->Triangulation;
   const Id count = this->NumberOfComponents;
   this->MeanEdges.assign(count, 0.0);
+  this->Triangles.assign(count, 0);
   std::vector<Offset> edges(count, 0);
   for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
   {
     const Id component = this->Components[triangulation.Origin(h)];
+    this->Triangles[component] += h % 3 == 0 ? 1 : 0;
     if (triangulation.FirstOfEdge(h) == h)
     {
       this->MeanEdges[component] += triangulation.Length(h);

@@ -43,6 +43,7 @@ public:
   const HeatOptions& GetOptions() const { return this->Options; }
   /// How far heat goes until it has fallen by a factor of e: the square root of the time.
   double GetHeatLength(Id component) const;
+  Id GetNumberOfTriangles(Id component) const { return this->Triangles[component]; }
 
   double GetEstimatedMemory() const;
   bool HoldsFactors() const;
@@ -77,6 +78,7 @@ private:
   double CooledFactor = -1.0; ///< time step factor of Dirichlet
   int NumberOfFactorizations = 0;
   std::vector<double> MeanEdges; // per component
+  std::vector<Id> Triangles;     // per component, their number
   std::vector<Frame> Frames;
   SparseFactor Heat;
   SparseFactor CooledHeat;

@@ -137,6 +137,7 @@ Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh)
   std::vector<double> taus;
   taus.reserve(static_cast<std::size_t>(mesh.GetNumberOfFaces()));
   double sum = 0.0;
+  double area = 0.0;
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     if (mesh.IsDropped(f) || mesh.IsDegenerate(f))
@@ -146,10 +147,11 @@ Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh)
     const double a = mesh.Length(3 * f);
     const double b = mesh.Length(3 * f + 1);
     const double c = mesh.Length(3 * f + 2);
-    const double tau =
-      std::max({ a, b, c }) * (a + b + c) / (4.0 * std::sqrt(3.0) * TriangleArea(a, b, c));
-    taus.push_back(tau);
-    sum += tau;
+    const double size = TriangleArea(a, b, c);
+    const double product = std::max({ a, b, c }) * (a + b + c) / (4.0 * std::sqrt(3.0));
+    taus.push_back(product / size);
+    sum += product;
+    area += size;
   }
   if (taus.empty())
   {
@@ -157,7 +159,7 @@ Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh)
   }
   const auto middle = taus.begin() + static_cast<std::ptrdiff_t>(taus.size() / 2);
   std::nth_element(taus.begin(), middle, taus.end());
-  return { sum / static_cast<double>(taus.size()), *middle };
+  return { sum / area, *middle };
 }
 
 Offset CountCoincidentPoints(const double* points, Offset numberOfPoints)

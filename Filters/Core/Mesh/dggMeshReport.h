@@ -40,7 +40,7 @@ struct MeshReport
 /// area); 1 when equilateral. 0 when there is no such face.
 struct Anisotropy
 {
-  double Mean = 0.0;
+  double Mean = 0.0; ///< weighted with areas, so that slivers hardly count
   double Median = 0.0;
 };
 

@@ -75,6 +75,12 @@ double Propagation<High>::CountExpected() const
 }
 
 template <bool High>
+std::size_t Propagation<High>::CountMost() const
+{
+  return ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
+}
+
+template <bool High>
 double Propagation<High>::GetProgress() const
 {
   return std::min(LargestProgress, static_cast<double>(this->Propagated) / this->CountExpected());
@@ -160,16 +166,14 @@ void Propagation<High>::ReachHub(Id v, float distance, Id root, PropagationChunk
 }
 
 template <bool High>
-Status Propagation<High>::Advance(RoundTeam& team)
+void Propagation<High>::Advance(RoundTeam& team)
 {
-  const std::size_t most =
-    ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
   const double step = std::max(FewestLabelsPerReport, this->CountExpected() / NumberOfReports);
   const std::size_t stop = this->Propagated + static_cast<std::size_t>(step);
   RoundTeam::Counts counts{};
   while (this->Propagated < stop)
   {
-    if (!this->Rounds.Next(this->Slots.get(), this->Entries))
+    if (!this->IsSettled() || !this->Rounds.Next(this->Slots.get(), this->Entries))
     {
       this->HasEnded = true;
       break;
@@ -205,13 +209,7 @@ Status Propagation<High>::Advance(RoundTeam& team)
     }
     this->Rounds.AdjustWidth(labels, known);
     this->Propagated += labels;
-    if (this->Propagated > most)
-    {
-      return Status::Invalid("the triangles are too irregular for virtual sources: distances did "
-                             "not settle; use another method");
-    }
   }
-  return Status::Success();
 }
 
 /// The labels that have changed, and how far they are from the vertices behind their edges.

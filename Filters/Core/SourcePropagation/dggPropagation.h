@@ -49,8 +49,10 @@ public:
 
   void Start(const std::vector<GeodesicSource>& sources, bool wantsLabels);
   /// Some rounds. Nothing is left to do when IsDone() holds.
-  Status Advance(RoundTeam& team);
+  void Advance(RoundTeam& team);
   bool IsDone() const { return this->HasEnded; }
+  /// False if it has ended with labels that still changed.
+  bool IsSettled() const { return this->Propagated <= this->CountMost(); }
   double GetProgress() const;
 
   /// Mends what is missing then; to be called once. Returns the ways that vertices have their
@@ -70,6 +72,8 @@ public:
 private:
   /// Labels, about; it takes as many as it takes.
   double CountExpected() const;
+  /// Labels that are propagated at most.
+  std::size_t CountMost() const;
   Id SlotOf(Id entry) const;
   void Radiate(const PropagationLabel& from, Id v, PropagationChunk& chunk);
   void CrossInto(Id t, Id exit, PropagationLabel label, PropagationChunk& chunk);

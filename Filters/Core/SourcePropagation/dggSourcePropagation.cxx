@@ -55,15 +55,14 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   propagation.Start(sources, options.WantNearestSource || options.WantVirtualSource);
   while (!propagation.IsDone())
   {
-    Status status;
-    RoundTeam::Run(parallel, threads, [&](RoundTeam& team) { status = propagation.Advance(team); });
-    DGG_RETURN_IF_ERROR(status);
+    RoundTeam::Run(parallel, threads, [&](RoundTeam& team) { propagation.Advance(team); });
     // Not while others wait for the leader: observers may have loops of their own.
     if (options.Progress && !options.Progress(propagation.GetProgress()))
     {
       return Status::Abort();
     }
   }
+  result.IsSettled = propagation.IsSettled();
   PropagationOutput output(mesh, options, shift, result);
   const auto& shortcuts = propagation.FindShortcuts(parallel);
   ForRange(parallel, mesh.GetNumberOfVertices(), VerticesPerBlock, [&](Offset begin, Offset end) {

@@ -40,6 +40,9 @@ struct PropagationResult
   std::vector<Id> NearestSource;
   /// As in SearchResult. Empty unless asked for.
   VirtualSources Virtual;
+  /// False if the search ended before distances settled. They are lengths of paths that were found,
+  /// and may be far too long.
+  bool IsSettled = true;
 };
 
 class PropagationFaces;
@@ -75,9 +78,9 @@ public:
   SourcePropagation(const SourcePropagation&) = delete;
   SourcePropagation& operator=(const SourcePropagation&) = delete;
 
-  /// Distances from the nearest of the sources. Fails as ExactGeodesics does, with initial
-  /// distances more than 1e30 mean edges apart, and where distances do not settle: single precision
-  /// is too little for some meshes of very small and long triangles.
+  /// Distances from the nearest of the sources. Fails as ExactGeodesics does, and with initial
+  /// distances more than 1e30 mean edges apart. On some meshes of very small and long triangles
+  /// single precision is too little for distances to settle; the search ends then.
   Status Run(const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
     PropagationResult& result) const;
 

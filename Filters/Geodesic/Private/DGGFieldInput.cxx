@@ -3,6 +3,7 @@
 #include "DGGFieldInput.h"
 
 #include "DGGContext.h"
+#include "DGGMeshQuality.h"
 #include "DGGPreparedMesh.h"
 #include "DGGThreads.h"
 #include "DGGUnreachedArray.h"
@@ -272,6 +273,13 @@ dgg::Status DGGFieldInput::FitSources(
            mesh, this->Distances.data(), DGGMakeParallelFor(progress), this->Sources, progress)
     ? dgg::Status::Success()
     : dgg::Status::Abort();
+}
+
+//------------------------------------------------------------------------------
+std::string DGGFieldInput::DescribeQuality(const DGGPreparedMesh& surface) const
+{
+  return this->Field.HasSources() ? DGGDescribeLongTriangles(surface, DGGLongTrianglesHideSources)
+                                  : std::string();
 }
 
 //------------------------------------------------------------------------------

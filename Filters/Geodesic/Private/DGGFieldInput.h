@@ -14,6 +14,7 @@
 class vtkDataArray;
 class vtkInformation;
 class vtkPolyData;
+class DGGPreparedMesh;
 struct DGGContext;
 
 /// Reads a point array of distances, and what there is beside it that gives the distance inside of
@@ -55,6 +56,8 @@ public:
   /// Arrays that were there and could not be used, distances that are too steep; empty when all is
   /// well.
   const std::string& GetWarning() const { return this->Warning; }
+  /// Why distances inside triangles may be far off; empty without a reason.
+  std::string DescribeQuality(const DGGPreparedMesh& surface) const;
 
 private:
   void ReadWindows(const DGGContext& context, vtkDataArray* distances);

@@ -23,8 +23,8 @@ public:
   /// Which quality is right for the mesh.
   static dgg::PropagationQuality Choose(const DGGPreparedMesh& surface)
   {
-    return surface.GetAnisotropy().Median > DGGMostAnisotropy ? dgg::PropagationQuality::High
-                                                              : dgg::PropagationQuality::Fast;
+    return DGGHasLongTriangles(surface) ? dgg::PropagationQuality::High
+                                        : dgg::PropagationQuality::Fast;
   }
 
   /// With threads and progress of the update.
