@@ -180,10 +180,10 @@ class DemoOnClouds(unittest.TestCase):
             ((garbage,), "garbage.pcd: cannot be read"),
             ((good, "--source", "900"), "points 0 to 899"),
             ((good, "--source", "9,9,9"), r"raise ProjectionTolerance \(--tolerance\)"),
-            ((good, "--accuracy", "0.01"), "--accuracy: not on a point cloud"),
-            ((good, "--merge"), "--merge: not on a point cloud"),
-            ((BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
-            ((BUMPY, "--cloud", "--methods"), "--methods: not on a point cloud"),
+            ((good, "--accuracy", "0.01"), "--accuracy applies to meshes"),
+            ((good, "--merge"), "--merge applies to meshes"),
+            ((BUMPY, "--cloud", "--merge"), "--merge applies to meshes"),
+            ((BUMPY, "--cloud", "--methods"), "--methods applies to meshes"),
             ((unseen, "--source", "1"), "--source 1: this point is not finite"),
         ):
             with self.subTest(arguments=arguments):

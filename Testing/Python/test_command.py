@@ -127,6 +127,10 @@ class Command(unittest.TestCase):
         corners = np.array(support.bumpy()[0])[support.triangles_of(self.mesh)].swapaxes(0, 1)
         products = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         self.assertAlmostEqual(found["area"], np.linalg.norm(products, axis=1).sum() / 2)
+        headed = out("head.xyz")
+        with open(headed, "w", encoding="utf-8") as file:
+            file.write("x y z\n0 0 0\n1 0 0\n")
+        self.assertEqual(self.answer("info", headed)["points"], 2)
         x, y = np.meshgrid(np.arange(40.0), np.arange(10.0))
         for gap, components in ((0.0, 1), (20.0, 2)):
             path = out("gap.xyz")
@@ -141,12 +145,12 @@ class Command(unittest.TestCase):
         self.answer("path", BUMPY, 5, 100, "--out", path)
         found = self.answer("info", path)
         self.assertEqual((found["kind"], found["lines"]), ("curves", 1))
-        self.assertIn("--cloud looks at points only", found["warnings"][0])
+        self.assertIn("--cloud uses the points only", found["warnings"][0])
         self.assertEqual(self.answer("info", path, "--cloud")["kind"], "point cloud")
         for name in (("distance", path, "--source", 0), ("loop", path), ("compare", path)):
             result = command(*name)
             self.assertEqual(result.returncode, 2)
-            self.assertRegex(result.stderr, "holds curves and no surface; --cloud looks at points")
+            self.assertRegex(result.stderr, "holds curves and no surface; --cloud uses the points")
         found = self.answer("distance", path, "--source", 0, "--cloud", "--method", "marching")
         self.assertGreater(found["largest"], 0.0)
 
@@ -490,6 +494,10 @@ class Command(unittest.TestCase):
         found = self.answer("distance", cloud, "--source", 0)
         again = self.answer("distance", kept, "--source", 0)
         self.assertEqual((found.pop("graph"), again.pop("graph")), ("built", "of the file"))
+        points_only = out("points_only.vtp")  # with the polygons of the mesh
+        self.answer("graph", BUMPY, "--cloud", "--out", points_only)
+        again = self.answer("distance", points_only, "--source", 5)
+        self.assertEqual(again["graph"], "of the file")
         self.assertEqual(again, found)
         self.assertAlmostEqual(found["largest"], np.sqrt(5.0), delta=0.02)
         self.assertAlmostEqual(
@@ -504,7 +512,7 @@ class Command(unittest.TestCase):
         for method in ("exact", "fast"):
             result = command("distance", cloud, "--source", 0, "--method", method)
             self.assertEqual(result.returncode, 2)
-            self.assertRegex(result.stderr, f"--method {method}: .*there are graph and marching")
+            self.assertRegex(result.stderr, f"--method {method} .*expected graph or marching")
         path = out("marching.vtp")
         asked = "--source", 0, "--method"
         rough = self.answer("distance", cloud, *asked, "marching")
@@ -549,6 +557,9 @@ class Command(unittest.TestCase):
     def test_mistakes(self):
         coloured = out("coloured.vtp")
         vtkdgg.write(coloured, with_arrays(self.mesh, {"Error": self.exact, "Colour": self.exact}))
+        truncated = out("cut.ply")
+        with open(BUMPY, "rb") as file, open(truncated, "wb") as cut:
+            cut.write(file.read(4000))
         wrong = out("wrong.txt")
         with open(wrong, "w", encoding="utf-8") as file:
             file.write("5\n1 2\n")
@@ -558,7 +569,8 @@ class Command(unittest.TestCase):
             (("distance", BUMPY, "--sorce", "0"), "option --sorce; did you mean --source\\?"),
             (("sample", BUMPY, "--numer=3"), "option --numer; did you mean --number\\?"),
             (("info",), "file"),
-            (("info", "missing.ply"), "no such file"),
+            (("info", "missing.ply"), "missing.ply: no such file"),
+            (("info", truncated), rf"error: {truncated}: line 4: the header promises 642 records"),
             (("info", __file__), "test_command.py: unknown extension '.py'; known are .gii .obj"),
             (("distance", BUMPY), "--source"),
             (("distance", BUMPY, "--source", "642"), "--source 642: there are points 0 to 641"),
@@ -579,7 +591,7 @@ class Command(unittest.TestCase):
             (("distance", BUMPY, "--source-file", "none.txt"), "none.txt"),
             (("distance", BUMPY, "--source-file", wrong), r"wrong.txt, line 2: 1,2: expected a"),
             (("render", BUMPY, "--source", "0", "--out", "a.png", "--view=up"), "--view: expected"),
-            (("graph", BUMPY, "--cloud", "--merge"), "--merge: not on a point cloud"),
+            (("graph", BUMPY, "--cloud", "--merge"), "--merge applies to meshes"),
             (("isolines", BUMPY, "--source", "0", "--values", "a,b"), "--values"),
             (("sample", BUMPY, "--number", "0"), "error: --number: must be positive, is 0"),
             (("voronoi", BUMPY, "--number", "0"), "error: --number: must be positive, is 0"),
@@ -593,7 +605,7 @@ class Command(unittest.TestCase):
             (("loop", BUMPY, "--through", "9,9,9"), r"error: loop point 0, at \(9, 9, 9\), is 14"),
             (("loop", BUMPY, "--rope"), "--through"),
             (("render", TETRAHEDRON, "--out", "a.png"), "no point array 'GeodesicDistance'"),
-            (("render", coloured, "--array", "Erorr", "--out", "a.png"), "are: Error, Colour"),
+            (("render", coloured, "--array", "Erorr", "--out", "a.png"), "found: Error, Colour"),
         ):
             with self.subTest(arguments=arguments):
                 # What draws starts again where there is no display.

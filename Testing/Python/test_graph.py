@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkdgg.Graph: a graph that is built once and asked often, and the meshes that it takes."""
 
+import os
 import sys
 import unittest
 import warnings
@@ -256,9 +257,18 @@ class GraphOnTheMesh(unittest.TestCase):
         exact = vtkdgg.path(self.mesh, 5, 100, method="exact")
         self.assertTrue(np.isnan(exact.graph_length))
         self.assertAlmostEqual(exact.length, self.exact[100])
-        for method, pattern in (("fast", "'exact', 'graph', got 'fast'"), ("exact", "'graph' only")):
+        for method, pattern in (("fast", "'graph', got 'fast'"), ("exact", "'graph' only")):
             with self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.path(self.mesh, 5, 100, method=method, accuracy=0.1)
+
+    def test_files_and_meshes(self):
+        path = os.path.join(support.output_folder("graph"), "used.vtp")
+        vtkdgg.write(path, self.mesh)
+        expected = self.graph.distance(5)
+        for mesh in (path, vtkdgg.read(path)):
+            np.testing.assert_array_equal(vtkdgg.distance(mesh, 5), expected)
+            graph = vtkdgg.Graph(mesh)
+            self.assertEqual((graph.accuracy, graph.used_input_graph), (0.05, True))
 
     def test_graphs(self):
         for options, accuracy, is_found in (
@@ -281,7 +291,7 @@ class GraphOnTheMesh(unittest.TestCase):
         ):
             expected = ask()
             np.testing.assert_array_equal(ask(accuracy=0.1), expected)
-            with self.assertWarnsRegex(RuntimeWarning, r"0\.05 and .*vtkdgg\.Graph\(mesh, accuracy"):
+            with self.assertWarnsRegex(RuntimeWarning, r"0\.05 and .*Graph\(mesh, accuracy"):
                 np.testing.assert_array_equal(ask(accuracy=0.01), expected)
 
     def test_merged_points(self):
@@ -312,6 +322,10 @@ class GraphOnTheMesh(unittest.TestCase):
         np.testing.assert_array_equal(graph.distance(5), expected)
         np.testing.assert_array_equal(vtkdgg.distance(cloud, 5), expected)
         self.assertFalse(vtkdgg.CloudGraph(cloud, scheme="B").used_input_graph)
+        path = os.path.join(support.output_folder("graph"), "cloud.vtp")
+        vtkdgg.write(path, cloud)
+        for mesh in (path, vtkdgg.read(path)):
+            self.assertTrue(vtkdgg.CloudGraph(mesh).used_input_graph)
         moved = vtkPolyData()
         moved.DeepCopy(cloud)
         moved.GetPoints().SetPoint(0, 0.0, 0.0, 1.5)
@@ -329,7 +343,7 @@ class WrongInput(unittest.TestCase):
 
     def test_arrays(self):
         for points, triangles, pattern in (
-            ([], [], "points: at least one"),
+            ([], [], "points: expected at least one"),
             (self.points[:, :2], self.triangles, "points: the shape"),
             (self.points + np.nan, self.triangles, "points: row 0 is not finite"),
             (np.ma.masked_less(self.points, 0.5), self.triangles, "points: has masked entries"),

@@ -270,7 +270,7 @@ class FromPolydata(unittest.TestCase):
         with_graph = vtkPolyData()
         with_graph.SetFieldData(self.graph.polydata.GetFieldData())
         for mesh in (empty, with_graph):
-            with self.assertRaisesRegex(ValueError, "no graph|points: at least one"):
+            with self.assertRaisesRegex(ValueError, "no graph|points: expected at least one"):
                 vtkdgg.Graph.from_polydata(mesh)
 
     def test_unreadable_parameters(self):

@@ -285,7 +285,7 @@ class OfACloud(unittest.TestCase):
 
     def test_mistakes(self):
         for call, pattern in (
-            (lambda: vtkdgg.CloudGraph([]), "points: at least one"),
+            (lambda: vtkdgg.CloudGraph([]), "points: expected at least one"),
             (lambda: vtkdgg.CloudGraph([[0, 0]]), "points: the shape"),
             (lambda: vtkdgg.CloudGraph(self.points, normals=[[0, 0, 1]]), "normals: expected 861"),
             (lambda: vtkdgg.CloudGraph(self.points, scheme="D"), "scheme"),

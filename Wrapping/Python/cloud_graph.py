@@ -86,7 +86,7 @@ class CloudGraph(Queries):
         cloud = meshes.cloud_of(points)
         count = cloud.GetNumberOfPoints()
         if count == 0:
-            raise ValueError("points: at least one is wanted")
+            raise ValueError("points: expected at least one, got none")
         limit = arguments.number_of_bytes(memory_limit, "memory_limit")
         is_given = offset_in_voxels or resolution or alpha
         if not is_given and normals is None and scheme is None and accuracy is None:

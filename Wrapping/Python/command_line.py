@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Geodesics on meshes and point clouds, from the shell.
 
-Exit codes: 0, done; 1, there is no answer, or a promise is broken; 2, something is wrong with what
-was given; 130, interrupted.
+Exit codes: 0, done; 1, there is no answer, or a promise is broken; 2, wrong input or usage; 130,
+interrupted.
 """
 
 import argparse
@@ -36,14 +36,14 @@ EXAMPLES = """examples:
   vtkdgg render mesh.ply --source 0 --out picture.png
   vtkdgg explore mesh.ply
   vtkdgg compare mesh.ply --accuracy 0.01 --out folder"""
-# What there is to say of most formats.
+# Holds for most kinds of output.
 KEEPS = "; .vtk and .vtp keep all arrays"
-# Those that draw need a display, which may be a virtual one.
+# Commands that need a display, which may be a virtual one.
 DRAWING = ("compare", "render")
 
 
 def version():
-    """What is there, in one line."""
+    """Returns the version and the build options in one line."""
     threads = vtkSMPTools.GetEstimatedNumberOfThreads()
     clouds = "with" if build_info.HAS_POINT_CLOUDS else "without"
     return (
@@ -60,7 +60,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def numbers(text):
-    """Numbers with commas in between."""
+    """Returns the numbers of a list with commas."""
     return [float(word) for word in text.split(",")]
 
 
@@ -70,12 +70,12 @@ OPTIONS = {
         "action": "append",
         "metavar": "ID|X,Y,Z",
         "help": "where distances start: a point id, coordinates on the surface, or "
-        "face:ID:B0,B1,B2 with barycentric coordinates; several times for several",
+        "face:ID:B0,B1,B2 with barycentric coordinates; may be repeated",
     },
     "sources": {"metavar": "ID,ID,...", "help": "point ids of several sources"},
     "source-file": {
         "metavar": "FILE",
-        "help": "sources from a text file, one a line, with commas or blanks between coordinates",
+        "help": "sources from a text file, one per line, with commas or blanks between coordinates",
     },
     "accuracy": {
         "type": float,
@@ -90,10 +90,10 @@ OPTIONS = {
     "tolerance": {
         "type": float,
         "metavar": "T",
-        "help": "how far X,Y,Z may be from the surface, as a fraction of the diagonal (default: "
-        "0.01)",
+        "help": "largest distance of X,Y,Z from the surface, as a fraction of the diagonal "
+        "(default: 0.01)",
     },
-    "cloud": {"action": "store_true", "help": "look at points only, also of a mesh"},
+    "cloud": {"action": "store_true", "help": "use the points only, also of a mesh"},
     "json": {
         "action": "store_true",
         "help": "print the answer as JSON, in which null is an infinite or missing number",
@@ -102,7 +102,7 @@ OPTIONS = {
 
 
 def make_parser():
-    """All commands and their options."""
+    """Returns the parser of all commands and their options."""
     parser = Parser(
         prog="vtkdgg",
         description=__doc__,
@@ -223,7 +223,7 @@ def make_parser():
 
 
 def said_with(found):
-    """An answer as lines of a table."""
+    """Returns an answer as rows of a table."""
 
     def text(value):
         if isinstance(value, float):
@@ -263,7 +263,7 @@ def finite(value):
 
 
 def answer(options):
-    """Run a command that answers a question, and print what it found."""
+    """Runs a command that answers a question, and prints the answer."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = options.run(options)
@@ -276,7 +276,7 @@ def answer(options):
 
 
 def with_display(arguments):
-    """Start again with a virtual display, where there is none."""
+    """Starts the command again with a virtual display."""
     if shutil.which("xvfb-run") is None:
         raise compare.UsageError("there is no display to draw with, and no xvfb-run to make one")
     packages = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -290,7 +290,7 @@ def with_display(arguments):
 
 
 def main(arguments=None):
-    """Run the command; its exit code."""
+    """Runs the command, and returns its exit code."""
     arguments = sys.argv[1:] if arguments is None else list(map(str, arguments))
     try:
         parser = make_parser()
@@ -298,7 +298,7 @@ def main(arguments=None):
             parser.print_help()
             return 2
         check_names(parser, arguments)
-        # A blank keeps argparse from taking coordinates with a minus sign for an option.
+        # argparse takes coordinates with a minus sign for an option unless a blank precedes them.
         options = parser.parse_args([re.sub(r"^-(?=[\d.])", " -", a) for a in arguments])
         if options.command in DRAWING:
             if sys.platform == "linux" and not os.environ.get("DISPLAY"):
@@ -306,7 +306,7 @@ def main(arguments=None):
         code = options.run(options) if options.command == "compare" else answer(options)
         sys.stdout.flush()
         return code
-    except BrokenPipeError:  # who reads has enough
+    except BrokenPipeError:  # the reader of a pipe has closed it
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except answers.Negative as reason:

@@ -97,7 +97,7 @@ class Graph(Queries):
     ) -> None:
         surface, _ = meshes.take(points, triangles)
         if surface.GetNumberOfPoints() == 0:
-            raise ValueError("points: at least one is wanted")
+            raise ValueError("points: expected at least one, got none")
         info = None
         if accuracy is None and construction is None and number_of_neighbors is None:
             info = GraphInfo.find(surface)

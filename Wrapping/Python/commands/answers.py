@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The commands that answer one question: each takes its options, writes a file where one is asked
-for, and returns what it found as a dict."""
+"""The commands that answer one question: each takes its options, writes the file of --out if there
+is one, and returns the answer as a dict."""
 
 import time
 import warnings
@@ -14,24 +14,24 @@ from .. import writing
 from ..graph_info import GraphInfo, choose_method
 from . import files, places, sizes
 
-
-# Of distances on a mesh.
+# Methods of distances on a mesh.
 METHODS = ("exact", "graph", "fast", "marching")
 
 
 class Negative(Exception):
-    """There is no answer; the text says why."""
+    """The question has no answer; the text states the reason."""
 
 
 def read(options):
-    """What the file holds, and whether it is a cloud."""
+    """Returns the contents of the file, and true if they are points or have a graph of points."""
     contents = vtkdgg.read(options.file).as_polydata()
-    is_cloud = options.cloud or files.is_cloud(contents)
-    return contents, is_cloud
+    graph = GraphInfo.find(contents)
+    is_cloud = options.cloud or (graph is not None and graph.is_cloud)
+    return contents, is_cloud or files.is_cloud(contents)
 
 
 def surface_of(options):
-    """The mesh of the file, for commands that need one."""
+    """Returns the mesh of the file, for commands that need one."""
     contents, is_cloud = read(options)
     if is_cloud:
         raise files.MeshFileError(
@@ -41,14 +41,14 @@ def surface_of(options):
 
 
 def refuse_on_clouds(options):
-    """Errors of options that are for meshes."""
+    """Raises an error for options that only meshes have."""
     for name in ("accuracy", "merge"):
         if getattr(options, name, None):
-            raise files.MeshFileError(f"--{name}: not on a point cloud, only on a mesh")
+            raise files.MeshFileError(f"--{name} applies to meshes, not to point clouds")
     method = getattr(options, "method", None)
     if method in ("exact", "fast"):
         raise files.MeshFileError(
-            f"--method {method}: not on a point cloud, only on a mesh; there are graph and marching"
+            f"--method {method} applies to meshes, not to point clouds; expected graph or marching"
         )
 
 
@@ -95,7 +95,7 @@ def named(graph):
 
 
 def several(texts, contents, name):
-    """Surface points as functions take them."""
+    """Returns surface points as functions take them."""
     return [places.choose(text, contents, name) for text in texts]
 
 
@@ -116,7 +116,7 @@ def sources_of(options, contents):
 
 
 def written(options, data, answer=None):
-    """Write the file if there is --out, and return its entry of the answer. `answer` names the
+    """Writes the file if there is --out, and returns its entry of the answer. `answer` names the
     array that must not be lost; a .npy file holds it alone."""
     if options.out is None:
         return {}
@@ -134,7 +134,7 @@ def written(options, data, answer=None):
 
 
 def without_graph(data, contents):
-    """The data without its graph, which is far larger; unless the file had one."""
+    """Removes the graph, which is far larger than the data, unless the file had one."""
     fields = data.GetFieldData()
     if not contents.GetFieldData().HasArray("DGG.Info"):
         for name in files.names_of(fields):
@@ -144,14 +144,14 @@ def without_graph(data, contents):
 
 
 def spread(values):
-    """The range of numbers, without those that are not there."""
+    """Returns the count and the range of the finite values."""
     finite = values[np.isfinite(values)]
     low, high = (float(finite.min()), float(finite.max())) if finite.size else (None, None)
     return {"reached": int(finite.size), "smallest": low, "largest": high}
 
 
 def info(options):
-    """What the file holds."""
+    """Contents, size and defects of a file."""
     contents = vtkdgg.read(options.file).as_polydata()
     kind = "point cloud" if options.cloud else files.kind_of(contents)
     found = {
@@ -164,7 +164,7 @@ def info(options):
     found["point arrays"] = files.names_of(contents.GetPointData())
     if kind == "curves":
         found["lines"] = contents.GetNumberOfLines()
-        warnings.warn("there is no surface; --cloud looks at points only", stacklevel=2)
+        warnings.warn("there is no surface; --cloud uses the points only", stacklevel=2)
     if kind == "surface":
         look = vtkdgg.vtkExactGeodesicDistance()
         look.SetInputData(contents)
@@ -183,7 +183,7 @@ def info(options):
 
 
 def graph(options):
-    """Build a graph, and keep it in a file."""
+    """Build a graph, and write it to a file."""
     start = time.perf_counter()
     made = graph_of(options, *read(options))
     return {
@@ -227,7 +227,7 @@ def distance(options):
 
 
 def matrix(options):
-    """Distances between all pairs of two sets of points, or of one."""
+    """Distances between all pairs of points of two sets, or of one."""
     contents, is_cloud = read(options)
     rows = sources_of(options, contents)
     columns = None
@@ -252,7 +252,7 @@ def matrix(options):
 
 
 def path(options):
-    """A shortest path."""
+    """Shortest path between two points."""
     contents, is_cloud = read(options)
     ends = [places.choose(getattr(options, name), contents, name) for name in ("start", "end")]
     tolerance = options.tolerance
@@ -329,7 +329,7 @@ def isolines(options):
 
 
 def voronoi(options):
-    """Cells of the nearest of some sites."""
+    """Voronoi cells of sites."""
     contents, is_cloud = read(options)
     made = graph_of(options, contents, is_cloud)
     if options.site:
@@ -350,7 +350,7 @@ def voronoi(options):
 
 
 def sample(options):
-    """Points that are spread evenly."""
+    """Evenly spread points."""
     made = graph_of(options, *read(options))
     output = made.sample(options.number, first=options.first, as_polydata=True)
     radii = vtk_to_numpy(output.GetPointData().GetArray("CoveringRadius"))
@@ -388,7 +388,7 @@ def greens(options):
 
 
 def render(options):
-    """A picture of a surface with its distances and isolines, or with another array."""
+    """Picture of a surface with distances and isolines, or with another array."""
     from . import pictures
 
     contents = surface_of(options)
@@ -400,8 +400,8 @@ def render(options):
     if array is None or array.GetNumberOfComponents() > 1:
         known = ", ".join(files.names_of(contents.GetPointData())) or "none"
         raise files.MeshFileError(
-            f"{options.file}: has no point array {options.array!r} of single numbers (there are: "
-            f"{known}); give a --source, or the file that the command distance has written"
+            f"{options.file}: there is no point array {options.array!r} with one component (found: "
+            f"{known}); give a --source, or a file that 'vtkdgg distance' has written"
         )
     mesh = files.triangles_of(contents, options.file)
     values = vtk_to_numpy(mesh.GetPointData().GetArray(options.array))
@@ -417,7 +417,7 @@ def render(options):
 
 
 def explore(options):
-    """Click and drag on a surface or a cloud, in a window."""
+    """Window on a surface or a cloud, for clicks and drags."""
     from .. import explorer
 
     contents, is_cloud = read(options)

@@ -220,7 +220,7 @@ def run(options):
         ("--methods", options.methods),
     ):
         if given:
-            raise UsageError(f"{option}: not on a point cloud, only on a mesh (--help explains)")
+            raise UsageError(f"{option} applies to meshes, not to point clouds")
     from . import compare_cloud  # rendering takes long to import
 
     return compare_cloud.run(options, contents, read_time)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a file of the command line holds: a surface, curves or a cloud."""
+"""Kinds of contents of files: surfaces, curves and clouds."""
 
 import argparse
 
@@ -14,11 +14,11 @@ from .. import arguments, writing
 
 
 class MeshFileError(ValueError):
-    """The file does not hold what a command needs; the text says why."""
+    """The file lacks something that a command needs; the text states what."""
 
 
 def triangles_of(contents, path):
-    """The triangles in it; polygons and strips are triangulated, lines and verts left out."""
+    """Returns the triangles; polygons and strips are triangulated, lines and vertices removed."""
     triangulate = vtkTriangleFilter()
     triangulate.PassLinesOff()
     triangulate.PassVertsOff()
@@ -30,22 +30,22 @@ def triangles_of(contents, path):
 
 
 def kind_of(contents):
-    """What these are: a surface, if there is any polygon."""
+    """Returns the kind of contents: a surface if there is any polygon."""
     if contents.GetNumberOfPolys() + contents.GetNumberOfStrips() > 0:
         return "surface"
     return "curves" if contents.GetNumberOfLines() > 0 else "point cloud"
 
 
 def is_cloud(contents):
-    """Whether these are points, and no cell but vertices uses them. Curves are an error."""
+    """Returns true if there are points without cells other than vertices. Curves are an error."""
     kind = kind_of(contents)
     if kind == "curves":
-        raise MeshFileError("the file holds curves and no surface; --cloud looks at points only")
+        raise MeshFileError("the file holds curves and no surface; --cloud uses the points only")
     return kind == "point cloud"
 
 
 def points_of(contents):
-    """The points alone, with their normals if there are any."""
+    """Returns the points alone, with their normals if there are any."""
     cloud = vtkPolyData()
     cloud.SetPoints(contents.GetPoints())
     cloud.GetPointData().SetNormals(contents.GetPointData().GetNormals())
@@ -53,7 +53,7 @@ def points_of(contents):
 
 
 def make_graph(contents):
-    """The filter that makes a graph of these points."""
+    """Returns the filter that builds the graph of these points."""
     if not hasattr(vtkdgg, "vtkPointCloudDGG"):
         raise MeshFileError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
     graph = vtkdgg.vtkPointCloudDGG()
@@ -62,7 +62,7 @@ def make_graph(contents):
 
 
 def finite_points(contents, path):
-    """The contents, or where points are not finite the others alone."""
+    """Returns the contents, or only the finite points if some are not finite."""
     points = vtk_to_numpy(contents.GetPoints().GetData())
     finite = np.isfinite(points).all(axis=1)
     if not finite.any():
@@ -71,7 +71,7 @@ def finite_points(contents, path):
 
 
 def writable(path, kind):
-    """The path, after a check that its format holds an answer of the kind in writing.FORMATS."""
+    """Returns the path, after a check that its format holds this kind of writing.FORMATS."""
     extension = writing.extension_of(path)
     if extension not in writing.FORMATS[kind]:
         known = " ".join(writing.FORMATS[kind])
@@ -81,5 +81,5 @@ def writable(path, kind):
 
 
 def names_of(data):
-    """The names of the arrays that have one."""
+    """Returns the names of arrays, without those that have none."""
     return list(filter(None, map(data.GetArrayName, range(data.GetNumberOfArrays()))))

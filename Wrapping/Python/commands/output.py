@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What commands print and write."""
+"""Output of commands: arrays, files and tables."""
 
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -9,7 +9,7 @@ from .words import notes_of
 
 
 def with_arrays(data, arrays):
-    """The data with these arrays at its points besides its own, coloured by the first."""
+    """Returns the data with further point arrays, of which the first is active."""
     result = vtkPolyData()
     result.ShallowCopy(data)
     for name, values in arrays.items():
@@ -21,7 +21,7 @@ def with_arrays(data, arrays):
 
 
 def print_table(rows, notes, warnings):
-    """Print the rows; then the notes and the warnings of filters, each once."""
+    """Prints rows, then notes and the warnings of filters, each once."""
     for key, value in rows:
         print(f"{key:<12} {value}")
     for note in [*notes, *notes_of(warnings)]:

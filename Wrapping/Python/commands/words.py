@@ -1,19 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Words of tables and of the explorer."""
+"""Texts of tables and of the explorer, and messages in terms of the options of the shell."""
 
 import re
 
 from ..errors import in_arguments
 
-# Of the window of the explorer.
+# Help of the explorer.
 HELP = """click: source of the distances, then the end of a path, then the corner of a loop
-drag: move what is there; beside the surface, or with Ctrl, turn the camera
+drag: move a marker; beside the surface, or with Ctrl, turn the camera
 middle button, wheel: move the camera, zoom
 m: method (graph, exact, fast)
 + and -: accuracy of the graph
 e: errors against exact distances
-v: Voronoi cells, of one more source with each click
+v: Voronoi cells; each click adds a source
 g: Green's function
 c: clear
 r: all in view
@@ -24,7 +24,7 @@ q: quit"""
 
 
 def counted(count, one, many=None):
-    """A count and what is counted, in the singular or the plural."""
+    """Returns a count with its unit in the singular or the plural."""
     return f"{count} {one if count == 1 else many or one + 's'}"
 
 
