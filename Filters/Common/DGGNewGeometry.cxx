@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGNewGeometry.h"
 
+#include "DGGCellCoordinates.h"
 #include "DGGContext.h"
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
@@ -18,6 +19,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -74,6 +76,9 @@ dgg::Status DGGNewGeometry::Take(const DGGContext& context, int precision)
   DGGWindowArrays::RemoveAllFrom(this->Fields);
   this->DataType = ChooseDataType(precision, points);
   this->Mesh = &mesh;
+  this->Coordinates = mesh.IsCloud() || !DGGCellCoordinates::AreAllTriangles(context.Input)
+    ? nullptr
+    : std::make_unique<DGGCellCoordinates>(context.Input, mesh);
   const double* positions = mesh.GetPositions(points);
   const std::size_t size = 3 * static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
   return precision == vtkAlgorithm::SINGLE_PRECISION ? CheckRange(positions, positions + size)
@@ -127,6 +132,33 @@ vtkIdType DGGNewGeometry::GetCell(dgg::Id face) const
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkDoubleArray> DGGNewGeometry::MakeBarycentric(std::size_t size) const
+{
+  vtkSmartPointer<vtkDoubleArray> array;
+  if (this->Coordinates)
+  {
+    array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName("Barycentric");
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(size));
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+void DGGNewGeometry::SetBarycentric(
+  vtkDoubleArray* array, vtkIdType i, const dgg::SurfacePoint& point, dgg::Id face) const
+{
+  if (array)
+  {
+    const std::array<double, 3> coordinates = face == dgg::NoId
+      ? std::array<double, 3>{ { 0.0, 0.0, 0.0 } }
+      : this->Coordinates->GetCoordinates(point, face);
+    array->SetTuple(i, coordinates.data());
+  }
+}
+
+//------------------------------------------------------------------------------
 void DGGFillSurfacePoints(
   const std::vector<dgg::SurfacePoint>& places, const DGGNewGeometry& geometry, vtkPolyData* output)
 {
@@ -138,6 +170,11 @@ void DGGFillSurfacePoints(
   const auto ids =
     DGGAddArray<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", places.size());
   const auto faces = DGGAddArray<vtkIdTypeArray>(output->GetPointData(), "FaceId", places.size());
+  const auto barycentric = geometry.MakeBarycentric(places.size());
+  if (barycentric)
+  {
+    output->GetPointData()->AddArray(barycentric);
+  }
   for (std::size_t k = 0; k < places.size(); ++k)
   {
     const auto i = static_cast<vtkIdType>(k);
@@ -145,7 +182,9 @@ void DGGFillSurfacePoints(
     geometry.SetPoint(points, i, place);
     verts->InsertNextCell(1, &i);
     ids->SetValue(i, DGGNewGeometry::GetPointId(place));
-    faces->SetValue(i, geometry.GetCell(dgg::FindFaceOf(geometry.GetMesh(), place)));
+    const dgg::Id face = dgg::FindFaceOf(geometry.GetMesh(), place);
+    faces->SetValue(i, geometry.GetCell(face));
+    geometry.SetBarycentric(barycentric, i, place, face);
   }
 }
 
@@ -154,6 +193,7 @@ DGGPolylineWriter::DGGPolylineWriter(const DGGNewGeometry& geometry, vtkIdType s
   : Geometry(geometry)
   , Points(geometry.MakePoints(size))
   , Faces(DGGMakeArray<vtkIdTypeArray>("FaceId", size))
+  , Barycentric(geometry.MakeBarycentric(size))
   , PointIds(DGGMakeArray<vtkIdTypeArray>("vtkOriginalPointIds", size))
   , ArcLengths(DGGMakeArray<vtkDoubleArray>("ArcLength", size))
 {
@@ -179,7 +219,9 @@ void DGGPolylineWriter::Add(const dgg::SurfacePath& path, bool isClosed)
     arcLength += i > 0 ? this->MeasurePiece(path, i - 1) : 0.0;
     const dgg::SurfacePoint& point = path.Points[i];
     this->Geometry.SetPoint(this->Points, this->Next, point);
-    this->Faces->SetValue(this->Next, this->FindCell(path, i));
+    const dgg::Id face = this->FindFace(path, i);
+    this->Faces->SetValue(this->Next, this->Geometry.GetCell(face));
+    this->Geometry.SetBarycentric(this->Barycentric, this->Next, point, face);
     this->PointIds->SetValue(this->Next, DGGNewGeometry::GetPointId(point));
     this->ArcLengths->SetValue(this->Next, arcLength);
     this->Lines->InsertCellPoint(this->Next);
@@ -197,6 +239,10 @@ void DGGPolylineWriter::AddTo(vtkPolyData* output) const
   output->SetPoints(this->Points);
   output->SetLines(this->Lines);
   output->GetPointData()->AddArray(this->Faces);
+  if (this->Barycentric)
+  {
+    output->GetPointData()->AddArray(this->Barycentric);
+  }
   output->GetPointData()->AddArray(this->PointIds);
   output->GetPointData()->AddArray(this->ArcLengths);
 }
@@ -216,11 +262,9 @@ double DGGPolylineWriter::MeasurePiece(const dgg::SurfacePath& path, std::size_t
 }
 
 //------------------------------------------------------------------------------
-/// The cell of the input that piece i lies in; the last piece for the last point.
-vtkIdType DGGPolylineWriter::FindCell(const dgg::SurfacePath& path, std::size_t i) const
+/// The face that piece i lies in; the last piece for the last point.
+dgg::Id DGGPolylineWriter::FindFace(const dgg::SurfacePath& path, std::size_t i) const
 {
-  const dgg::Id face = path.Faces.empty()
-    ? dgg::FindFaceOf(this->Geometry.GetMesh(), path.Points[i])
-    : path.Faces[std::min(i, path.Faces.size() - 1)];
-  return this->Geometry.GetCell(face);
+  return path.Faces.empty() ? dgg::FindFaceOf(this->Geometry.GetMesh(), path.Points[i])
+                            : path.Faces[std::min(i, path.Faces.size() - 1)];
 }

@@ -19,8 +19,10 @@
 #include "vtkType.h"         // for vtkIdType
 
 #include <cstddef> // for std::size_t
+#include <memory>  // for the coordinates
 #include <vector>  // for the positions
 
+class DGGCellCoordinates;
 class DGGPreparedMesh;
 class vtkFieldData;
 class vtkPolyData;
@@ -58,20 +60,27 @@ public:
   static vtkIdType GetPointId(const dgg::SurfacePoint& place);
   /// For `FaceId`: the cell of the input that a face is a part of, -1 for no face.
   vtkIdType GetCell(dgg::Id face) const;
+  /// Makes the array `Barycentric`; null unless all polygons of the surface are triangles.
+  vtkSmartPointer<vtkDoubleArray> MakeBarycentric(std::size_t size) const;
+  /// Sets the coordinates, in the cell of `face`, of a point; 0 for no face. The array may be null.
+  void SetBarycentric(
+    vtkDoubleArray* array, vtkIdType i, const dgg::SurfacePoint& point, dgg::Id face) const;
 
 private:
   const DGGPreparedMesh* Mesh = nullptr;
+  std::unique_ptr<DGGCellCoordinates> Coordinates; // null for surfaces with other cells, and clouds
   vtkNew<vtkFieldData> Fields;
   int DataType;
 };
 
-/// Make an output of surface points: points with verts, and the point arrays `vtkOriginalPointIds`
-/// and `FaceId`.
+/// Make an output of surface points: points with verts, and the point arrays `vtkOriginalPointIds`,
+/// `FaceId` and `Barycentric`.
 VTKDGGFILTERSCOMMON_EXPORT void DGGFillSurfacePoints(const std::vector<dgg::SurfacePoint>& places,
   const DGGNewGeometry& geometry, vtkPolyData* output);
 
-/// Fills points and polylines, curve by curve, with the point data FaceId, vtkOriginalPointIds and
-/// ArcLength. Curves without faces are those of a cloud, straight in space from point to point.
+/// Fills points and polylines, curve by curve, with the point data FaceId, Barycentric,
+/// vtkOriginalPointIds and ArcLength. Curves without faces are those of a cloud, straight in space
+/// from point to point.
 class VTKDGGFILTERSCOMMON_EXPORT DGGPolylineWriter
 {
 public:
@@ -88,13 +97,14 @@ public:
 
 private:
   double MeasurePiece(const dgg::SurfacePath& path, std::size_t piece) const;
-  vtkIdType FindCell(const dgg::SurfacePath& path, std::size_t i) const;
+  dgg::Id FindFace(const dgg::SurfacePath& path, std::size_t i) const;
 
   const DGGNewGeometry& Geometry;
   vtkIdType Next = 0;
   vtkSmartPointer<vtkPoints> Points;
   vtkNew<vtkCellArray> Lines;
   vtkSmartPointer<vtkIdTypeArray> Faces;
+  vtkSmartPointer<vtkDoubleArray> Barycentric; // may be null
   vtkSmartPointer<vtkIdTypeArray> PointIds;
   vtkSmartPointer<vtkDoubleArray> ArcLengths;
 };

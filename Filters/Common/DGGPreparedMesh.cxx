@@ -263,6 +263,8 @@ dgg::Status DGGPreparedMesh::Build(vtkPolyData* input)
       [this](dgg::Id triangle) { return this->Cells[triangle]; });
     this->Cells.swap(cells);
   }
+  this->NumberOfOrderedFaces = static_cast<std::size_t>(
+    std::is_sorted_until(this->Cells.begin(), this->Cells.end()) - this->Cells.begin());
   DGG_RETURN_IF_ERROR(dgg::SurfaceMesh::FromPointsWithoutAngles(coordinates.GetData(), n,
     triangles.data(), static_cast<dgg::Offset>(triangles.size() / 3), this->Mesh));
   this->Signature = dgg::ComputeSignature(
@@ -517,6 +519,26 @@ const dgg::SurfaceMesh& DGGPreparedMesh::GetMesh() const
 {
   std::call_once(this->AnglesOnce, [this] { this->Mesh.MeasureAngles(); });
   return this->Mesh;
+}
+
+//------------------------------------------------------------------------------
+std::vector<dgg::Id> DGGPreparedMesh::GetFaces(vtkIdType cell) const
+{
+  std::vector<dgg::Id> faces;
+  const auto end = this->Cells.begin() + static_cast<std::ptrdiff_t>(this->NumberOfOrderedFaces);
+  const auto range = std::equal_range(this->Cells.begin(), end, cell);
+  for (auto face = range.first; face != range.second; ++face)
+  {
+    faces.push_back(static_cast<dgg::Id>(face - this->Cells.begin()));
+  }
+  for (std::size_t face = this->NumberOfOrderedFaces; face < this->Cells.size(); ++face)
+  {
+    if (this->Cells[face] == cell)
+    {
+      faces.push_back(static_cast<dgg::Id>(face));
+    }
+  }
+  return faces;
 }
 
 //------------------------------------------------------------------------------

@@ -77,6 +77,8 @@ public:
   }
   /// The cell of the input that a face of the mesh is a part of.
   vtkIdType GetCell(dgg::Id face) const { return this->Cells[face]; }
+  /// The faces that are parts of a cell of the input; none for a cell that was left out.
+  std::vector<dgg::Id> GetFaces(vtkIdType cell) const;
 
   /// Polygons left out because fewer than three of their points are distinct.
   vtkIdType GetNumberOfDroppedCells() const { return this->NumberOfDroppedCells; }
@@ -128,8 +130,9 @@ private:
   mutable std::once_flag AnglesOnce;
   mutable dgg::SurfaceMesh Mesh;
   dgg::Signature Signature{};
-  std::vector<dgg::Id> Vertices; // per point; empty unless coincident points are merged
-  std::vector<vtkIdType> Cells;  // per face
+  std::vector<dgg::Id> Vertices;        // per point; empty unless coincident points are merged
+  std::vector<vtkIdType> Cells;         // per face
+  std::size_t NumberOfOrderedFaces = 0; // before the pieces of split triangles
   vtkIdType NumberOfDroppedCells = 0;
   dgg::CapSplitting Caps;     // triangles without area that were left out
   vtkIdType NumberOfFans = 0; // polygons that cross or touch themselves

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGSourceCollector.h"
 
+#include "DGGCellCoordinates.h"
 #include "DGGContext.h"
 #include "DGGPreparedMesh.h"
 
@@ -17,6 +18,7 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -79,29 +81,110 @@ dgg::Status CheckIds(const DGGSourceSet& set, vtkIdType numberOfPoints)
   return dgg::Status::Success();
 }
 
-/// The point of the surface that another filter says that a point is, as samples are, if that is
-/// where it lies; else -1.
-vtkIdType FindOriginal(vtkPolyData* points, vtkIdType index, vtkPoints* coordinates)
+/// The point arrays by which points of an input port identify points of a surface.
+class Identities
 {
-  vtkDataArray* ids = points->GetPointData()->GetArray("vtkOriginalPointIds");
-  if (!ids || ids->GetNumberOfComponents() != 1 ||
-    ids->GetNumberOfTuples() != points->GetNumberOfPoints())
+public:
+  Identities(const DGGContext& context, const DGGSourceSet& set)
+    : Context(context)
+    , Set(set)
+    , Cells(context.Input, context.Surface)
+    , Ids(this->Find("vtkOriginalPointIds", 1))
+    , Faces(this->Find("FaceId", 1))
+    , Weights(this->Find("Barycentric", 3))
   {
-    return -1;
   }
-  const double id = ids->GetComponent(index, 0);
-  if (!(id >= 0.0 && id < static_cast<double>(coordinates->GetNumberOfPoints())))
+
+  /// Finds the point of the surface that is identified by the arrays, and sets `isFound`. Moves
+  /// `position` to a point of a cell that has no area. In outputs of filters, which have all
+  /// arrays, an array counts where the point lies there: they may be of another surface.
+  dgg::Status Resolve(
+    vtkIdType index, double position[3], dgg::SurfacePoint& point, bool& isFound) const
   {
-    return -1;
+    isFound = false;
+    if (this->Faces && this->Weights)
+    {
+      const double cell = this->Faces->GetComponent(index, 0);
+      std::array<double, 3> weights{};
+      this->Weights->GetTuple(index, weights.data());
+      const std::string problem = this->Cells.Check(cell, weights);
+      if (!this->Ids && !problem.empty())
+      {
+        return dgg::Status::Invalid(Describe(this->Set, index, position) + " " + problem);
+      }
+      const auto id = static_cast<vtkIdType>(problem.empty() ? cell : 0.0);
+      if (problem.empty() && (!this->Ids || this->Cells.IsAt(id, weights, position)))
+      {
+        isFound = this->Cells.FindPoint(id, weights, point);
+        const std::array<double, 3> found = this->Cells.GetPosition(id, weights);
+        std::copy(found.begin(), found.end(), position);
+        return dgg::Status::Success();
+      }
+    }
+    const vtkIdType original = this->Ids ? this->FindOriginal(index, position) : -1;
+    if (original >= 0)
+    {
+      point = dgg::SurfacePoint::AtVertex(this->Context.Surface.GetVertex(original));
+      isFound = true;
+    }
+    return dgg::Status::Success();
   }
-  double p[3];
-  double q[3];
-  points->GetPoint(index, p);
-  coordinates->GetPoint(static_cast<vtkIdType>(id), q);
-  const bool isThere = std::equal(p, p + 3, q, [](double a, double b) {
-    return static_cast<float>(a) == static_cast<float>(b); // outputs may be in single precision
-  });
-  return isThere ? static_cast<vtkIdType>(id) : -1;
+
+private:
+  /// The array, if it has the right size.
+  vtkDataArray* Find(const char* name, int components) const
+  {
+    vtkDataArray* array = this->Set.Points->GetPointData()->GetArray(name);
+    return array && array->GetNumberOfComponents() == components &&
+        array->GetNumberOfTuples() == this->Set.Points->GetNumberOfPoints()
+      ? array
+      : nullptr;
+  }
+
+  /// The point id that the array names, if the point lies there; else -1.
+  vtkIdType FindOriginal(vtkIdType index, const double p[3]) const
+  {
+    vtkPoints* coordinates = this->Context.Input->GetPoints();
+    const double id = this->Ids->GetComponent(index, 0);
+    if (!(id >= 0.0 && id < static_cast<double>(coordinates->GetNumberOfPoints())))
+    {
+      return -1;
+    }
+    double q[3];
+    coordinates->GetPoint(static_cast<vtkIdType>(id), q);
+    const bool isThere = std::equal(p, p + 3, q, [](double a, double b) {
+      return static_cast<float>(a) == static_cast<float>(b); // outputs may be in single precision
+    });
+    return isThere ? static_cast<vtkIdType>(id) : -1;
+  }
+
+  const DGGContext& Context;
+  const DGGSourceSet& Set;
+  DGGCellCoordinates Cells;
+  vtkDataArray* Ids;
+  vtkDataArray* Faces;
+  vtkDataArray* Weights;
+};
+
+/// Finds the point of the surface that is closest to the position of a point of the set.
+dgg::Status FindClosest(const DGGContext& context, const DGGSourceSet& set, vtkIdType id,
+  const double p[3], double tolerance, dgg::SurfacePoint& point)
+{
+  const DGGPreparedMesh& mesh = context.Surface;
+  DGGLocator& locator = mesh.GetLocator(context.Input->GetPoints());
+  const std::lock_guard<std::mutex> lock(locator.GetMutex());
+  const double farthest = tolerance * locator.GetDiagonal();
+  double distance = dgg::Infinity;
+  if (!locator.FindClosestPoint(p, point, distance) || !locator.IsClose(point, distance, farthest))
+  {
+    return dgg::InvalidInput(Describe(set, id, p), " is ", distance, " away from the ",
+      mesh.IsCloud()             ? "cloud"
+        : set.Surface == "input" ? "surface"
+                                 : set.Surface,
+      ", farther than ", farthest, " (ProjectionTolerance ", tolerance, " times the diagonal ",
+      locator.GetDiagonal(), "): move it there, or raise ProjectionTolerance");
+  }
+  return dgg::Status::Success();
 }
 
 dgg::Status CheckInitialDistances(vtkPolyData* points, const std::string& name)
@@ -181,7 +264,6 @@ dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSour
   double tolerance, std::vector<dgg::GeodesicSource>& sources)
 {
   const DGGPreparedMesh& mesh = context.Surface;
-  vtkPoints* coordinates = context.Input->GetPoints();
   sources.clear();
   for (std::size_t i = 0; i < set.Ids.size(); ++i)
   {
@@ -193,9 +275,7 @@ dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSour
     return dgg::Status::Success();
   }
 
-  DGGLocator& locator = mesh.GetLocator(coordinates);
-  const std::lock_guard<std::mutex> lock(locator.GetMutex());
-  const double farthest = tolerance * locator.GetDiagonal();
+  const Identities identities(context, set);
   vtkDataArray* offsets = set.InitialDistanceArray.empty()
     ? nullptr
     : set.Points->GetPointData()->GetArray(set.InitialDistanceArray.c_str());
@@ -206,23 +286,11 @@ dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSour
     set.Points->GetPoint(id, p);
     dgg::GeodesicSource source;
     source.InitialDistance = offsets ? offsets->GetComponent(id, 0) : 0.0;
-    const vtkIdType original = FindOriginal(set.Points, id, coordinates);
-    if (original >= 0)
+    bool isFound = false;
+    DGG_RETURN_IF_ERROR(identities.Resolve(id, p, source.Point, isFound));
+    if (!isFound)
     {
-      source.Point = dgg::SurfacePoint::AtVertex(mesh.GetVertex(original));
-      sources.push_back(source);
-      continue;
-    }
-    double distance = dgg::Infinity;
-    const bool found = locator.FindClosestPoint(p, source.Point, distance);
-    if (!found || !locator.IsClose(source.Point, distance, farthest))
-    {
-      return dgg::InvalidInput(Describe(set, id, p), " is ", distance, " away from the ",
-        mesh.IsCloud()             ? "cloud"
-          : set.Surface == "input" ? "surface"
-                                   : set.Surface,
-        ", farther than ", farthest, " (ProjectionTolerance ", tolerance, " times the diagonal ",
-        locator.GetDiagonal(), "): move it there, or raise ProjectionTolerance");
+      DGG_RETURN_IF_ERROR(FindClosest(context, set, id, p, tolerance, source.Point));
     }
     sources.push_back(source);
   }
@@ -243,9 +311,9 @@ void DGGSourceCollector::PassArrays(
   {
     vtkAbstractArray* values = data->GetAbstractArray(k);
     const std::string name = values->GetName() ? values->GetName() : "";
-    // Neither ghosts among the sources, nor what points of the surface they are, is so elsewhere.
+    // Ghosts among the sources, and the identity of sources, do not hold for other points.
     if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
-      name == "vtkOriginalPointIds" || output->HasArray(name.c_str()) ||
+      name == "vtkOriginalPointIds" || name == "Barycentric" || output->HasArray(name.c_str()) ||
       values->GetNumberOfTuples() != set.Points->GetNumberOfPoints())
     {
       continue;

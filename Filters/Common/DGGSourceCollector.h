@@ -49,11 +49,16 @@ public:
   /// coordinates and initial distances finite.
   static dgg::Status Check(const DGGSourceSet& set, vtkIdType numberOfPoints);
 
-  /// The points on the surface, or near those of a cloud, after Check(). Points with the array
-  /// vtkOriginalPointIds are those of the mesh, where they lie there: by their position alone they
-  /// may be on another sheet in the same place. `tolerance` is how far from the surface a point may
-  /// be, as a fraction of the diagonal. Where a cloud is sparser than that, places between its
-  /// points are close enough.
+  /// The points on the surface, or near those of a cloud, after Check(). Point arrays identify them
+  /// where several layers of the surface coincide, in this order:
+  ///  - `FaceId` and `Barycentric` (3 components) together: a triangle of the input, and
+  ///  coordinates
+  ///    with respect to its corners, whatever the position of the point is;
+  ///  - `vtkOriginalPointIds`: a point of the input, where the point lies there.
+  /// Outputs of filters have all three; then the first two count only where the point lies there.
+  /// Other points are moved to the closest point of the surface. `tolerance` is how far from the
+  /// surface a point may be, as a fraction of the diagonal. Where a cloud is sparser than that,
+  /// places between its points are close enough.
   static dgg::Status Collect(const DGGContext& context, const DGGSourceSet& set, double tolerance,
     std::vector<dgg::GeodesicSource>& sources);
 

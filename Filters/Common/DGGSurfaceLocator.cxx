@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGSurfaceLocator.h"
 
+#include "dggBarycentric.h"
+
 #include "vtkCellArray.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
@@ -171,49 +173,9 @@ std::array<double, 3> DGGSurfaceLocator::Project(
   const Vector& p, dgg::Id face, double& squaredDistance) const
 {
   const auto ids = this->GetInputTriangle(face);
-  const std::array<Vector, 3> corners{ { this->GetPosition(ids[0]), this->GetPosition(ids[1]),
-    this->GetPosition(ids[2]) } };
-  std::array<double, 3> best{ { 1.0, 0.0, 0.0 } };
-  squaredDistance = dgg::Infinity;
-  const Vector ab = corners[1] - corners[0];
-  const Vector ac = corners[2] - corners[0];
-  const Vector ap = p - corners[0];
-  auto offer = [&](const std::array<double, 3>& weights) {
-    Vector offset;
-    for (int i = 0; i < 3; ++i)
-    {
-      offset[i] = ap[i] - weights[1] * ab[i] - weights[2] * ac[i];
-    }
-    const double square = Dot(offset, offset);
-    if (square < squaredDistance)
-    {
-      squaredDistance = square;
-      best = weights;
-    }
-  };
-  for (int k = 0; k < 3; ++k) // the edges first: on a tie the point is on the edge
-  {
-    const int next = (k + 1) % 3;
-    const Vector edge = corners[next] - corners[k];
-    const double square = Dot(edge, edge);
-    const double along = square > 0.0 ? Dot(p - corners[k], edge) / square : 0.0;
-    std::array<double, 3> weights{ { 0.0, 0.0, 0.0 } };
-    weights[next] = std::min(1.0, std::max(0.0, along));
-    weights[k] = 1.0 - weights[next];
-    offer(weights);
-  }
-  const Vector normal = Cross(ab, ac);
-  const double square = Dot(normal, normal);
-  if (square > 0.0)
-  {
-    const double v = Dot(Cross(ap, ac), normal) / square;
-    const double w = Dot(Cross(ab, ap), normal) / square;
-    if (v >= 0.0 && w >= 0.0 && v + w <= 1.0)
-    {
-      offer({ { 1.0 - v - w, v, w } });
-    }
-  }
-  return best;
+  return dgg::FindClosestInTriangle(
+    { { this->GetPosition(ids[0]), this->GetPosition(ids[1]), this->GetPosition(ids[2]) } }, p,
+    squaredDistance);
 }
 
 //------------------------------------------------------------------------------

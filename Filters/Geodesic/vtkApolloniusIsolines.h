@@ -17,7 +17,7 @@
  * geometry, see vtkGeodesicAlgorithm.
  *  - Output 0: isolines in order of increasing values, with lower distances on the left, closed but
  *    for those that end at the boundary, unreached triangles or edges with more than two triangles.
- *    Cell data: `IsoValue` (double). Point data: `FaceId`, `vtkOriginalPointIds`, `ArcLength`.
+ *    Cell data: `IsoValue` (double). Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
  *  - Output 1 (GetRidges()): ridges, with GenerateRidges; the same point data, and the cell array
  *    `RidgeAngle` (double, degrees), the mean angle between the two directions.
  *  - Output 2 (GetBands()): the reached triangles cut along the isolines, with GenerateBands. Cell

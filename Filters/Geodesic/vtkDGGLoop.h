@@ -18,7 +18,7 @@
  *  - Cell data: `Length` (double); `LoopId`, the number of the point or of the loop; `Angle`
  *    (double, radians), the smallest one of the loop at its points, pi for a closed geodesic;
  *    `Kinked` (int), whether that is below pi by more than 1e-5.
- *  - Point data: `FaceId`, `vtkOriginalPointIds`, `ArcLength`.
+ *  - Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
  *  - Field data: `LoopStatus` (int), for each loop asked for: 0 found; 1 none, as it contracts to a
  *    point, or for AroundHandles as it has to pass a point in which sheets touch; 2 points of the
  *    rope that are not connected. Loops that are not found are left out, with a warning that counts

@@ -15,7 +15,7 @@
  *  - Cell data: `Length` (double), `GraphLength` (double, before it was shortened; NaN with Method
  *    Exact), `Straightened` (int), `PairId`, and the cell data of the lines of port 1; pairs by id
  *    have zeros and empty texts there.
- *  - Point data: `FaceId`, `vtkOriginalPointIds`, `ArcLength`.
+ *  - Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
  *  - Field data: `PathStatus` (int), for each pair: 0 for a path, 1 for points that are not
  *    connected.
  *

@@ -23,7 +23,17 @@
  * `FaceId` numbers cells of the surface, `vtkOriginalPointIds` its points (-1 elsewhere). Where it
  * counts the pieces of a polyline, `FaceId` is the cell of the piece after the point, at the last
  * point of the one before it; `ArcLength` is the length up to the point. Each piece lies in one
- * triangle.
+ * triangle. If all polygons are triangles, `Barycentric` (3 components) are the coordinates of the
+ * point with respect to the corners of `FaceId`, 0 where that is -1.
+ *
+ * <b>Points of further inputs</b> (sources, sites, ends of paths) are moved to the closest point of
+ * the surface, within ProjectionTolerance, unless point arrays identify them, which is necessary
+ * where parts of the surface coincide, as at a slit:
+ *  - `FaceId` and `Barycentric` together, wherever the point is. An error for cells other than
+ *    triangles, and for coordinates that are negative, not finite, or do not sum to 1 (by 1e-6);
+ *  - `vtkOriginalPointIds`, if the point lies at that point of the surface.
+ * With all three, as in new geometry, which may be that of another surface, `FaceId` and
+ * `Barycentric` count only if the point lies there, and are never an error.
  *
  * <b>Graphs</b>. vtkDGGDistance, vtkDGGPath, vtkDGGLoop, vtkGeodesicSampler, vtkGeodesicVoronoi and
  * vtkGeodesicDistanceMatrix search a graph: that on the input, see vtkDiscreteGeodesicGraph, else

@@ -9,8 +9,8 @@
  * coordinates), which becomes the active scalars; on request also the nearest and virtual sources.
  *
  * Sources are point ids (SetSourceIds()) and the points of a vtkPolyData on the optional input port
- * 1 (SetSourceConnection()), each projected to the closest point of the surface. They are numbered
- * from 0, ids first. A source starts with the distance given with its id, or in the point array
+ * 1 (SetSourceConnection()), each moved to the closest point of the surface, or identified by point
+ * arrays, see vtkGeodesicAlgorithm. They are numbered from 0, ids first. A source starts with the distance given with its id, or in the point array
  * `InitialDistance` of port 1: any finite number, 0 by default. One on a point that no polygon uses
  * reaches that point only, with a warning.
  *

@@ -21,7 +21,8 @@
  * Outputs 0 and 1 have the curves on either surface, as new geometry: polylines in the same order
  * and direction. Points with the same `ArcFraction` correspond.
  *  - Cell data: `LayoutEdge` (numbers of the two landmarks), `Length` (double).
- *  - Point data: `ArcLength`, `ArcFraction` (double, from 0 to 1), `FaceId`, `vtkOriginalPointIds`.
+ *  - Point data: `ArcLength`, `ArcFraction` (double, from 0 to 1), `FaceId`, `Barycentric`,
+ *    `vtkOriginalPointIds`.
  *
  * Mesh reports are those of the first surface.
  *

@@ -14,6 +14,7 @@
  *  - `vtkOriginalPointIds`: the id of the sample in the input, -1 inside faces and on edges; the
  *    smallest one of merged points;
  *  - `FaceId`: a cell that it lies in, -1 at points that no polygon uses, and on clouds;
+ *  - `Barycentric`: its coordinates in that cell, if all polygons are triangles;
  *  - `CoveringRadius` (double): the largest distance of a point of the input from the samples so
  *    far. It never grows, and is infinite until every component has a sample, which comes first.
  *

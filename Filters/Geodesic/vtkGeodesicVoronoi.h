@@ -18,7 +18,8 @@
  *    arrays `SiteId` (int, -1 where no site reaches), `CellArea` (double), the area of the whole
  *    cell, `FaceId`. The first points are those of the input; point array `GeodesicDistance`.
  *  - Output 3 (GetSites()): the sites, moved, with verts; point arrays `SiteId`, `CellArea`,
- *    `vtkOriginalPointIds` (-1 for a site that is no point of the input), `FaceId`.
+ *    `vtkOriginalPointIds` (-1 for a site that is no point of the input), `FaceId`,
+ *    `Barycentric`.
  *
  * Centroidal moves each site towards the mean of its cell (Lloyd's iteration) and so reduces the
  * energy: the sum over points of area times squared distance from the nearest site. It stops after

@@ -166,7 +166,8 @@ void AddNote(vtkPolyData* surface, const char* name)
 
 const std::vector<SurfaceFilter>& GetSurfaceFilters()
 {
-  static const std::vector<const char*> curve{ "FaceId", "vtkOriginalPointIds", "ArcLength" };
+  static const std::vector<const char*> curve{ "FaceId", "Barycentric", "vtkOriginalPointIds",
+    "ArcLength" };
   static const std::vector<SurfaceFilter> filters{
     { "Path", MakePath, { 0 }, curve,
       { "Method: Graph", "NumberOfPairs: 0", "Straighten: On", "Detour: 0.0001",
@@ -176,7 +177,8 @@ const std::vector<SurfaceFilter>& GetSurfaceFilters()
       { "Mode: ThroughPoint", "PointIds: (none)", "Taut: Off", "TapeWidth: 0",
         "ProjectionTolerance: 0.01", "Accuracy: 0.01", "GraphAccuracy: 0" } },
     { "Isolines", MakeIsolines, { 0 }, curve, {} },
-    { "Sampler", MakeSampler, { 0 }, { "FaceId", "vtkOriginalPointIds", "CoveringRadius" },
+    { "Sampler", MakeSampler, { 0 },
+      { "FaceId", "Barycentric", "vtkOriginalPointIds", "CoveringRadius" },
       { "NumberOfSamples: 100", "FirstSample: -1", "CoveringRadius: 0", "InFaces: Off",
         "ProjectionTolerance: 0.01", "Accuracy: 0.01" } },
     { "Voronoi", MakeVoronoi, { 1, 2, 3 }, {},
@@ -186,7 +188,7 @@ const std::vector<SurfaceFilter>& GetSurfaceFilters()
         "ProjectionTolerance: 0.01", "Accuracy: 0.01" } },
     { "Graphics", MakeGraphics, { 0 }, { "Colors", "RGB" }, {} },
     { "PatchBoundaries", MakeBoundaries, { 0, 1 },
-      { "FaceId", "vtkOriginalPointIds", "ArcLength", "ArcFraction" },
+      { "FaceId", "Barycentric", "vtkOriginalPointIds", "ArcLength", "ArcFraction" },
       { "FirstLandmarkIds: (none)", "SecondLandmarkIds: (none)", "ProjectionTolerance: 0.01" } },
   };
   return filters;

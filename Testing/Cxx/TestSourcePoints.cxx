@@ -196,6 +196,12 @@ TEST(SourcePoints, ArraysThatAreNotPassed)
   heights->SetName("Height");
   heights->SetNumberOfTuples(3); // of 4 points
   heights->Fill(1.0);
+  vtkNew<vtkFloatArray> coordinates; // without FaceId they are of no use
+  coordinates->SetName("Barycentric");
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(4);
+  coordinates->Fill(1.0);
+  sources->GetPointData()->AddArray(coordinates);
   sources->GetPointData()->AddArray(ghosts);
   sources->GetPointData()->AddArray(heights);
 

@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks of arguments, and their way into VTK. What is wrong is a ValueError that names it."""
 
+from __future__ import annotations
+
 import operator
+from typing import TYPE_CHECKING, Sequence, Tuple, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -11,10 +14,16 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .checks import check_ids, coordinates, numbers  # noqa: F401
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    #: A point id, coordinates, or a face and barycentric coordinates.
+    SurfacePointLike = Union[int, ArrayLike, Tuple[int, ArrayLike]]
+    #: One or several of them.
+    SurfacePointsLike = Union[SurfacePointLike, Sequence[SurfacePointLike]]
+
 # How far barycentric coordinates may be below 0, and their sum from 1, as the filters take them.
 _BARYCENTRIC_TOLERANCE = 1e-6
-
-
 # The arrays of SurfacePoints.
 _GIVEN = ("point_ids", "coordinates", "faces", "barycentric")
 

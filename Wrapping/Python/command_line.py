@@ -68,7 +68,7 @@ def numbers(text):
 OPTIONS = {
     "source": {
         "action": "append",
-        "metavar": "ID|X,Y,Z",
+        "metavar": places.POINT,
         "help": "where distances start: a point id, coordinates on the surface, or "
         "face:ID:B0,B1,B2 with barycentric coordinates; may be repeated",
     },
@@ -165,12 +165,12 @@ def make_parser():
         help="default: graph with --accuracy, on clouds and where the file has one, else exact",
     )
     for name in ("start", "end"):
-        command.add_argument(name, metavar="ID|X,Y,Z", help=f"{name} of the path")
+        command.add_argument(name, metavar=places.POINT, help=f"{name} of the path")
     command = add(answers.loop, *placed, out="curves", example="--through 0 --taut --out loop.vtp")
     command.add_argument(
         "--through",
         action="append",
-        metavar="ID|X,Y,Z",
+        metavar=places.POINT,
         help="a loop through this point; several times for several (default: around handles)",
     )
     command.add_argument("--rope", action="store_true", help="one loop through all points")
@@ -183,7 +183,7 @@ def make_parser():
     which.add_argument("--count", type=int, help="or their number (default: 10)")
     command = add(answers.voronoi, *placed, example="--number 50 --iterations 10 --out cells.vtp")
     which = command.add_mutually_exclusive_group()
-    which.add_argument("--site", action="append", metavar="ID|X,Y,Z", help="a site")
+    which.add_argument("--site", action="append", metavar=places.POINT, help="a site")
     which.add_argument("--number", type=int, help="or how many, spread evenly (default: 20)")
     command.add_argument("--iterations", type=int, default=0, help="move sites to the middle")
     points = "--number 500 --out samples.vtp"
@@ -211,7 +211,7 @@ def make_parser():
     numbered = {"out": "a picture", "keeps": ", numbered"}
     command = add(answers.explore, *built, **numbered, example="--source 0")
     command.epilog += "\n\nin the window:\n" + textwrap.indent(HELP, "  ")
-    command.add_argument("--source", metavar="ID|X,Y,Z", help="where to begin (default: far out)")
+    command.add_argument("--source", metavar=places.POINT, help="where to begin (default: far out)")
     command = commands.add_parser(
         "compare",
         help="Our methods beside each other, with their errors and pictures",

@@ -24,13 +24,15 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+    from .arguments import SurfacePointsLike
+
 __all__ = ["distance"]
 
 
 def distance(
     points: Any,
     triangles: Optional[ArrayLike] = None,
-    sources: Optional[ArrayLike] = None,
+    sources: Optional[SurfacePointsLike] = None,
     *,
     maximum_distance: Optional[float] = None,
     initial_distances: Optional[ArrayLike] = None,
@@ -54,9 +56,11 @@ def distance(
         is a `Mesh`, the name of a file (see `read`), a pair of such arrays, a vtkPolyData, as those
         of PyVista are, another data set of VTK, whose surface is used, or a mesh of trimesh,
         meshio, Open3D, vedo or nilearn.
-    sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
-        Integers are point ids, floats coordinates of points anywhere on the surface, which are
-        moved to the closest point of it.
+    sources : surface points
+        Integers are point ids, floats (shape (3,) or (k, 3)) are coordinates of points anywhere on
+        the surface, which are moved to its closest point. A tuple (face, (b0, b1, b2)) is a point
+        in a triangle: an index into `triangles` (of a vtkPolyData or Mesh: a cell id), and
+        barycentric coordinates with respect to its corners. A list may mix all three.
     maximum_distance : float, optional
         Points farther than this are left unreached. Default: no limit.
     initial_distances : float or sequence of float, optional

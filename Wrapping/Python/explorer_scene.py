@@ -54,7 +54,8 @@ class Scene:
     graph on the surface is used unless an accuracy is given; without either the accuracy is 0.01.
 
     The first place is a source of distances, the second the end of a path, the third makes it a
-    loop; in the view "voronoi" all are sources. A place is three coordinates, on a cloud an id.
+    loop; in the view "voronoi" all are sources. A place is a point id or, on a surface,
+    three coordinates.
 
     Attributes
     ----------
@@ -267,7 +268,7 @@ class Scene:
             return ""
         place = self.places[self._last]
         role = "source" if self.view == "voronoi" else ROLES[self._last]
-        if self.is_cloud:
+        if isinstance(place, int):
             x, y, z = self.surface.GetPoint(place)
             return f"{role}: point {place} at ({x:.6g}, {y:.6g}, {z:.6g})"
         closest, cell, sub, squared = [0.0] * 3, reference(0), reference(0), reference(0.0)
@@ -329,7 +330,7 @@ class Scene:
             self.limits = 0.0, float(max(1, len(self.sources) - 1))
             self.cells = None
             if not (is_moving or self.is_cloud):
-                self.cells = self.graph.voronoi(np.array(self.sources), as_polydata=True)
+                self.cells = self.graph.voronoi(self.sources, as_polydata=True)
                 sites = vtk_to_numpy(self.cells.GetCellData().GetArray("SiteId"))
                 self._add_to_cells(sites.astype(float))
 
@@ -365,10 +366,9 @@ class Scene:
         """Runs a filter from the sources, and returns its duration in seconds."""
         start = time.perf_counter()
         set_merging(algorithm, *self._merging)
-        if self.is_cloud:
-            algorithm.SetSourceIds(self.sources)
-        else:
-            algorithm.SetSourceData(arguments.polydata(np.array(self.sources)))
+        sources = arguments.surface_points(self.sources, "sources", self.surface)
+        algorithm.SetSourceIds(sources.ids)
+        algorithm.SetSourceData(sources.data)
         run(algorithm, self._heard)
         self.times[name] = time.perf_counter() - start
         return self.times[name]
@@ -444,7 +444,7 @@ class Scene:
         self.times["path"] = time.perf_counter() - start
         if len(self.places) > 2:
             start = time.perf_counter()
-            loops = graph.loop(np.array(self.places), rope=True)
+            loops = graph.loop(self.places, rope=True)
             self.times["loop"] = time.perf_counter() - start
             if loops:
                 self.loop = loops[0]

@@ -19,6 +19,8 @@ from .vtkDGGFiltersGeodesic import vtkApolloniusIsolines, vtkDGGLoop, vtkDiscret
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from .arguments import SurfacePointsLike
+
 __all__ = ["Graph"]
 
 
@@ -159,7 +161,7 @@ class Graph(Queries):
 
     def isolines(
         self,
-        sources: ArrayLike,
+        sources: SurfacePointsLike,
         values: ArrayLike,
         *,
         initial_distances: Optional[ArrayLike] = None,
@@ -215,7 +217,7 @@ class Graph(Queries):
 
     def loop(
         self,
-        points: Optional[ArrayLike] = None,
+        points: Optional[SurfacePointsLike] = None,
         *,
         rope: bool = False,
         taut: bool = False,
@@ -226,9 +228,9 @@ class Graph(Queries):
 
         Parameters
         ----------
-        points : int, sequence of int, or array_like of float, shape (3,) or (k, 3), optional
-            Point ids or coordinates, as for `distance`: the shortest loop found through each of
-            them. Default: None, loops around the handles and holes of the surface.
+        points : surface points, optional
+            As for `distance`: the shortest loop found through each of them. Default: None,
+            loops around the handles and holes of the surface.
         rope : bool, optional
             One loop through all points, in their order.
         taut : bool, optional

@@ -16,7 +16,9 @@ from .progress import Bar, Part
 from .vtkDGGFiltersGeodesic import vtkGeodesicDistanceMatrix
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, DTypeLike, NDArray
+    from numpy.typing import DTypeLike, NDArray
+
+    from .arguments import SurfacePointLike, SurfacePointsLike
 
 # Numbers in a block of a matrix that is computed block by block.
 _BLOCK = 2**23
@@ -27,8 +29,8 @@ class Matrices(GraphData):
 
     def matrix(
         self,
-        rows: ArrayLike,
-        columns: Optional[ArrayLike] = None,
+        rows: SurfacePointsLike,
+        columns: Optional[SurfacePointsLike] = None,
         *,
         out: Optional[Any] = None,
         dtype: Optional[DTypeLike] = None,
@@ -43,8 +45,8 @@ class Matrices(GraphData):
 
         Parameters
         ----------
-        rows, columns : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
-            Points as for `distance`. Without columns they are the rows; then the matrix is
+        rows, columns : surface points
+            As for `distance`. Without columns they are the rows; then the matrix is
             symmetric.
         out : array, numpy.memmap or the like, shape (number of rows, number of columns), optional
             Receives the distances, block by block, and is returned: any object with a shape that
@@ -108,7 +110,7 @@ class Matrices(GraphData):
     def sparse_matrix(
         self,
         maximum_distance: float,
-        rows: Optional[ArrayLike] = None,
+        rows: Optional[SurfacePointsLike] = None,
         *,
         projection_tolerance: Optional[float] = None,
     ) -> Any:
@@ -122,8 +124,8 @@ class Matrices(GraphData):
         ----------
         maximum_distance : float
             How far apart two points may be, in the unit of the points.
-        rows : int, sequence of int, or array_like of float, shape (3,) or (k, 3), optional
-            Points as for `distance`. Default: all points of the mesh.
+        rows : surface points, optional
+            As for `distance`. Default: all points of the mesh.
         projection_tolerance : float, optional
             As for `distance`.
 
@@ -154,7 +156,7 @@ class Matrices(GraphData):
 
     def neighborhood(
         self,
-        source: ArrayLike,
+        source: SurfacePointLike,
         radius: float,
         *,
         correction: bool = True,
@@ -167,8 +169,8 @@ class Matrices(GraphData):
 
         Parameters
         ----------
-        source : int, array_like of float, shape (3,), or pair (face, barycentric coordinates)
-            A point as for `path`.
+        source : surface point
+            As one of the sources of `distance`.
         radius : float
             The largest distance, in the unit of the points.
         correction, projection_tolerance

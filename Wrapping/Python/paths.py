@@ -18,14 +18,16 @@ from .vtkDGGFiltersGeodesic import vtkDGGPath
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from .arguments import SurfacePointLike
+
 __all__ = ["path"]
 
 
 def path(
     points: Any,
     triangles: Optional[ArrayLike] = None,
-    start: Optional[ArrayLike] = None,
-    end: Optional[ArrayLike] = None,
+    start: Optional[SurfacePointLike] = None,
+    end: Optional[SurfacePointLike] = None,
     *,
     accuracy: Optional[float] = None,
     method: Optional[str] = None,
@@ -41,9 +43,8 @@ def path(
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`.
-    start, end : int, or array_like of float, shape (3,)
-        A point id, or coordinates of a point anywhere on the surface; it is moved to the closest
-        point of the surface.
+    start, end : surface point
+        As one of the sources of `distance`.
     accuracy : float, optional
         With a number in [1e-6, 0.5] a graph is built for this one call, unless the mesh has one,
         which is used; a warning says if it is coarser. The path in the graph is shortened to a

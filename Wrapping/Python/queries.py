@@ -14,7 +14,7 @@ from .distances import field_of, set_sources
 from .errors import run
 from .matrices import Matrices
 from .paths import find
-from .results import Path, Samples, Voronoi, array_of
+from .results import Path, Samples, Voronoi, array_of, surface_points_of
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
     vtkDGGPath,
@@ -26,13 +26,15 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+    from .arguments import SurfacePointLike, SurfacePointsLike
+
 
 class Queries(Matrices):
     """Distances, paths and what follows from them."""
 
     def distance(
         self,
-        sources: ArrayLike,
+        sources: SurfacePointsLike,
         *,
         correction: bool = True,
         maximum_distance: Optional[float] = None,
@@ -46,9 +48,9 @@ class Queries(Matrices):
 
         Parameters
         ----------
-        sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
-            Integers are point ids, floats coordinates of points anywhere on the surface, which are
-            moved to the closest point of it.
+        sources : surface points
+            As for the function `vtkdgg.distance`: point ids, coordinates, or pairs (face,
+            barycentric coordinates).
         correction : bool, optional
             True: the best estimate within the promised error. False: the length of a path in the
             graph, which is never shorter than the exact distance; these are a metric.
@@ -92,8 +94,8 @@ class Queries(Matrices):
 
     def path(
         self,
-        start: ArrayLike,
-        end: ArrayLike,
+        start: SurfacePointLike,
+        end: SurfacePointLike,
         *,
         straighten: bool = True,
         detour: Optional[float] = None,
@@ -107,9 +109,8 @@ class Queries(Matrices):
 
         Parameters
         ----------
-        start, end : int, or array_like of float, shape (3,)
-            A point id, or coordinates of a point anywhere on the surface; it is moved to the
-            closest point of the surface.
+        start, end : surface point
+            As one of the sources of `distance`.
         straighten : bool, optional
             False: the path in the graph as it is, with small bends at some points.
         detour : float, optional
@@ -143,8 +144,8 @@ class Queries(Matrices):
 
     def paths(
         self,
-        starts: ArrayLike,
-        ends: ArrayLike,
+        starts: SurfacePointsLike,
+        ends: SurfacePointsLike,
         *,
         straighten: bool = True,
         detour: Optional[float] = None,
@@ -155,8 +156,8 @@ class Queries(Matrices):
 
         Parameters
         ----------
-        starts, ends : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
-            Point ids or coordinates, as for `distance`; as many starts as ends, or one of either.
+        starts, ends : surface points
+            As for `distance`; as many starts as ends, or one of either.
         straighten, detour, projection_tolerance
             As for `path`.
         as_polydata : bool, optional
@@ -190,7 +191,7 @@ class Queries(Matrices):
         number_of_samples: int,
         *,
         first: int = 0,
-        start: Optional[ArrayLike] = None,
+        start: Optional[SurfacePointsLike] = None,
         covering_radius: float = 0.0,
         in_faces: bool = False,
         projection_tolerance: Optional[float] = None,
@@ -204,7 +205,7 @@ class Queries(Matrices):
             How many there are at most, those of `start` included.
         first : int, optional
             The point id of the first one. Default: 0.
-        start : int, sequence of int, or array_like of float, shape (3,) or (k, 3), optional
+        start : surface points, optional
             Samples to begin with, in place of `first`.
         covering_radius : float, optional
             Stop when every point of the mesh is this close to a sample. Default: 0, do not.
@@ -240,14 +241,13 @@ class Queries(Matrices):
         data = output.GetPointData()
         return Samples(
             points=np.array(vtk_to_numpy(output.GetPoints().GetData()), dtype=np.float64),
-            point_ids=array_of(data, "vtkOriginalPointIds"),
-            faces=array_of(data, "FaceId"),
+            **surface_points_of(data),
             covering_radii=array_of(data, "CoveringRadius"),
         )
 
     def voronoi(
         self,
-        sites: ArrayLike,
+        sites: SurfacePointsLike,
         *,
         iterations: int = 0,
         projection_tolerance: Optional[float] = None,
@@ -257,8 +257,8 @@ class Queries(Matrices):
 
         Parameters
         ----------
-        sites : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
-            Point ids or coordinates, as for `distance`.
+        sites : surface points
+            As for `distance`.
         iterations : int, optional
             How often sites are moved to the middle of their cells, at most. Default: 0.
         projection_tolerance : float, optional
@@ -294,6 +294,7 @@ class Queries(Matrices):
             nearest=vtk_to_numpy(data.GetArray("GeodesicSource")).astype(np.intp),
             distances=array_of(data, "GeodesicDistance"),
             sites=np.array(vtk_to_numpy(moved.GetPoints().GetData()), dtype=np.float64),
+            **surface_points_of(moved.GetPointData()),
             areas=areas,
         )
 

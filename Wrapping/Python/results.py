@@ -32,6 +32,10 @@ class Path:
     faces : numpy.ndarray of int64, shape (k,)
         The cell that the piece after the point lies in; that before it for the last point. -1 at a
         point that no cell uses, and on clouds.
+    barycentric : numpy.ndarray of float64, shape (k, 3), or None
+        Barycentric coordinates in `faces`; 0 where there is none. ``zip(faces, barycentric)`` are
+        sources that identify the points where layers of the surface coincide. None for a surface
+        with other cells than triangles, and for a cloud.
     point_ids : numpy.ndarray of int64, shape (k,)
         The point of the mesh where the path is at one, else -1.
     arc_lengths : numpy.ndarray of float64, shape (k,)
@@ -42,6 +46,7 @@ class Path:
     length: float
     graph_length: float
     faces: NDArray[np.int64]
+    barycentric: NDArray[np.float64] | None
     point_ids: NDArray[np.int64]
     arc_lengths: NDArray[np.float64]
 
@@ -63,7 +68,7 @@ class Loop:
         In the unit of the points.
     angle : float
         The smallest angle of the loop at its points, in radians: pi for a closed geodesic.
-    faces, point_ids, arc_lengths : numpy.ndarray, shape (k,)
+    faces, barycentric, point_ids, arc_lengths : numpy.ndarray
         As those of a `Path`.
     """
 
@@ -71,6 +76,7 @@ class Loop:
     length: float
     angle: float
     faces: NDArray[np.int64]
+    barycentric: NDArray[np.float64] | None
     point_ids: NDArray[np.int64]
     arc_lengths: NDArray[np.float64]
 
@@ -88,13 +94,14 @@ class Isoline:
         The last one is the first one again unless the line ends at the boundary.
     value : float
         The distance, in the unit of the points.
-    faces, point_ids, arc_lengths : numpy.ndarray, shape (k,)
+    faces, barycentric, point_ids, arc_lengths : numpy.ndarray
         As those of a `Path`.
     """
 
     points: NDArray[np.float64]
     value: float
     faces: NDArray[np.int64]
+    barycentric: NDArray[np.float64] | None
     point_ids: NDArray[np.int64]
     arc_lengths: NDArray[np.float64]
 
@@ -114,6 +121,8 @@ class Samples:
         The point of the mesh, -1 for one that lies in a face or on an edge.
     faces : numpy.ndarray of int64, shape (k,)
         A cell that it lies in; -1 at points that no cell uses, and on clouds.
+    barycentric : numpy.ndarray of float64, shape (k, 3), or None
+        As that of a `Path`.
     covering_radii : numpy.ndarray of float64, shape (k,)
         The largest distance of a point of the mesh from the samples up to this one, in the unit of
         the points; infinite until every component has a sample.
@@ -122,6 +131,7 @@ class Samples:
     points: NDArray[np.float64]
     point_ids: NDArray[np.int64]
     faces: NDArray[np.int64]
+    barycentric: NDArray[np.float64] | None
     covering_radii: NDArray[np.float64]
 
     def __repr__(self) -> str:
@@ -141,6 +151,8 @@ class Voronoi:
         Distance from it, in the unit of the points; NaN where none reaches.
     sites : numpy.ndarray of float64, shape (k, 3)
         Where the sites are, after they were moved.
+    point_ids, faces, barycentric : numpy.ndarray
+        Of the sites, as those of `Samples`.
     areas : numpy.ndarray of float64, shape (k,), or None
         Areas of the cells; None for a cloud.
     """
@@ -148,6 +160,9 @@ class Voronoi:
     nearest: NDArray[np.intp]
     distances: NDArray[np.float64]
     sites: NDArray[np.float64]
+    point_ids: NDArray[np.int64]
+    faces: NDArray[np.int64]
+    barycentric: NDArray[np.float64] | None
     areas: NDArray[np.float64] | None
 
     def __repr__(self) -> str:
@@ -184,6 +199,15 @@ def array_of(data, name):
     return np.array(vtk_to_numpy(data.GetArray(name)))
 
 
+def surface_points_of(data):
+    """The point arrays that identify points of a surface, by the names of attributes."""
+    return {
+        "point_ids": array_of(data, "vtkOriginalPointIds"),
+        "faces": array_of(data, "FaceId"),
+        "barycentric": array_of(data, "Barycentric") if data.HasArray("Barycentric") else None,
+    }
+
+
 def lines_of(output, kind, **names):
     """The polylines of a filter as objects of the kind; `names` are those of arrays with one value
     per line."""
@@ -193,11 +217,7 @@ def lines_of(output, kind, **names):
     offsets = vtk_to_numpy(output.GetLines().GetOffsetsArray())
     corners = vtk_to_numpy(output.GetLines().GetConnectivityArray())
     data, cells = output.GetPointData(), output.GetCellData()
-    per_point = {
-        "faces": array_of(data, "FaceId"),
-        "point_ids": array_of(data, "vtkOriginalPointIds"),
-        "arc_lengths": array_of(data, "ArcLength"),
-    }
+    per_point = {**surface_points_of(data), "arc_lengths": array_of(data, "ArcLength")}
     first = output.GetNumberOfVerts()  # arrays of cells begin with those
     per_line = {key: array_of(cells, name)[first:] for key, name in names.items()}
     lines: List = []
@@ -207,7 +227,7 @@ def lines_of(output, kind, **names):
         lines.append(
             kind(
                 points=points[ids],
-                **{key: values[ids] for key, values in per_point.items()},
+                **{k: None if values is None else values[ids] for k, values in per_point.items()},
                 **{key: float(values[i]) for key, values in per_line.items()},
             )
         )

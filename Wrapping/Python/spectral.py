@@ -24,18 +24,20 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+    from .arguments import SurfacePointsLike
+
 __all__ = ["biharmonic", "earth_movers", "greens_function", "interpolate"]
 
 
 def greens_function(
     points: Any,
     triangles: Optional[ArrayLike] = None,
-    sources: Optional[ArrayLike] = None,
+    sources: Optional[SurfacePointsLike] = None,
     *,
     order: int = 1,
     method: str = "SingularitySubtraction",
     boundary: str = "Neumann",
-    at: Optional[ArrayLike] = None,
+    at: Optional[SurfacePointsLike] = None,
     merge_coincident_points: bool = False,
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
@@ -48,7 +50,7 @@ def greens_function(
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`.
-    sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+    sources : surface points
         As for `distance`.
     order : {1, 2}, optional
         Of the Laplacian, or of the bi-Laplacian.
@@ -56,7 +58,7 @@ def greens_function(
         See vtkDiscreteGreensFunction.
     boundary : {"Neumann", "Dirichlet"}, optional
         What holds at the boundary: no flow through it, or the value 0.
-    at : array_like of float, shape (3,) or (p, 3), optional
+    at : surface points, optional
         Points on the surface where the values are wanted. Default: the points of the mesh.
     merge_coincident_points, merge_tolerance, projection_tolerance
         As for `distance`.
@@ -96,14 +98,14 @@ def greens_function(
 def biharmonic(
     points: Any,
     triangles: Optional[ArrayLike] = None,
-    sources: Optional[ArrayLike] = None,
+    sources: Optional[SurfacePointsLike] = None,
     *,
     kind: str = "Biharmonic",
     method: str = "Spectrum",
     number_of_eigenvalues: Optional[int] = None,
     diffusion_time: Optional[float] = None,
     boundary: str = "Neumann",
-    at: Optional[ArrayLike] = None,
+    at: Optional[SurfacePointsLike] = None,
     unreached: float = np.nan,
     merge_coincident_points: bool = False,
     merge_tolerance: float = 0.0,
@@ -117,7 +119,7 @@ def biharmonic(
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`.
-    sources : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+    sources : surface points
         As for `distance`.
     kind : {"Biharmonic", "CommuteTime", "Diffusion"}, optional
         Which distance.
@@ -130,7 +132,7 @@ def biharmonic(
         of the component.
     boundary : {"Neumann", "Dirichlet"}, optional
         As for `greens_function`.
-    at : array_like of float, shape (3,) or (p, 3), optional
+    at : surface points, optional
         As for `greens_function`.
     unreached : float, optional
         What points of another component get. Default: NaN.
@@ -181,8 +183,8 @@ def biharmonic(
 def earth_movers(
     points: Any,
     triangles: Optional[ArrayLike] = None,
-    start: Optional[ArrayLike] = None,
-    end: Optional[ArrayLike] = None,
+    start: Optional[SurfacePointsLike] = None,
+    end: Optional[SurfacePointsLike] = None,
     *,
     density: bool = True,
     normalize: bool = True,
@@ -199,7 +201,7 @@ def earth_movers(
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`.
-    start, end : array_like of float, shape (n,), or places as the sources of `distance`
+    start, end : array_like of float, shape (n,), or surface points
         Where the mass is before and after: what each point has, or places with the mass 1 each.
     density : bool, optional
         Whether numbers of the points are mass per area, else masses.
@@ -254,12 +256,12 @@ def earth_movers(
 def interpolate(
     points: Any,
     triangles: Optional[ArrayLike] = None,
-    sites: Optional[ArrayLike] = None,
+    sites: Optional[SurfacePointsLike] = None,
     values: Optional[ArrayLike] = None,
     *,
     order: int = 2,
     boundary: str = "Neumann",
-    at: Optional[ArrayLike] = None,
+    at: Optional[SurfacePointsLike] = None,
     merge_coincident_points: bool = False,
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
@@ -272,7 +274,7 @@ def interpolate(
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`.
-    sites : int, sequence of int, or array_like of float, shape (3,) or (k, 3)
+    sites : surface points
         Where values are known, as the sources of `distance`. Those of order 1 move to the nearest
         corner of their triangle.
     values : array_like of float, shape (k,) or (k, c)
@@ -282,7 +284,7 @@ def interpolate(
         bumps at the sites.
     boundary : {"Neumann", "Dirichlet"}, optional
         What holds at the boundary: no flow through it, or the value 0.
-    at : array_like of float, shape (3,) or (p, 3), optional
+    at : surface points, optional
         As for `greens_function`.
     merge_coincident_points, merge_tolerance, projection_tolerance
         As for `distance`.

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfacePoint.h"
 
+#include "dggBarycentric.h"
 #include "dggInvalidInput.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace dgg
@@ -14,16 +14,6 @@ namespace
 {
 /// Barycentric coordinates this close to 0 or 1 are snapped.
 constexpr double SnapTolerance = 1e-9;
-/// How far a sum of coordinates may be from 1, and a coordinate below 0.
-constexpr double CoordinateTolerance = 1e-6;
-
-bool AreCoordinates(const std::array<double, 3>& b)
-{
-  const double sum = b[0] + b[1] + b[2];
-  const bool positive =
-    b[0] >= -CoordinateTolerance && b[1] >= -CoordinateTolerance && b[2] >= -CoordinateTolerance;
-  return positive && std::abs(sum - 1.0) <= CoordinateTolerance; // false for NaN
-}
 
 /// Coordinates with respect to the corners as the mesh stores them, snapped.
 SurfacePoint Snap(const SurfaceMesh& mesh, Id face, std::array<double, 3> b)
@@ -32,7 +22,7 @@ SurfacePoint Snap(const SurfaceMesh& mesh, Id face, std::array<double, 3> b)
   point.On = SurfacePoint::Support::Face;
   point.Face = face;
   point.Barycentric = b;
-  if (face < 0 || face >= mesh.GetNumberOfFaces() || !AreCoordinates(b))
+  if (face < 0 || face >= mesh.GetNumberOfFaces() || !AreBarycentric(b))
   {
     return point; // Check() will say so
   }
@@ -139,7 +129,7 @@ Status SurfacePoint::Check(const SurfaceMesh& mesh) const
   {
     return InvalidInput("face ", this->Face, " does not exist or has no area");
   }
-  if (!AreCoordinates(this->Barycentric))
+  if (!AreBarycentric(this->Barycentric))
   {
     return InvalidInput("the barycentric coordinates (", this->Barycentric[0], ", ",
       this->Barycentric[1], ", ", this->Barycentric[2], ") in face ", this->Face,

@@ -428,8 +428,8 @@ def explore(options):
     place = places.choose(options.source, contents)
     if is_cloud and place is not None and not isinstance(place, int):
         place = contents.FindPoint(place)
-    elif isinstance(place, int) and not is_cloud:
-        place = contents.GetPoint(place)
+    elif isinstance(place, tuple):
+        place, _ = places.locate(contents, place)
     scene = explorer.Scene(contents, is_cloud, options.accuracy, options.merge)
     window = explorer.explore(scene, place, options.out or "explore.png")
     return {"shown": scene.status(), "written": window.written}

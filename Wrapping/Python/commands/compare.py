@@ -44,9 +44,9 @@ def add_arguments(parser):
     )
     parser.add_argument(
         "--source",
-        metavar="ID|X,Y,Z",
-        help="where distances start: a point id, or coordinates on the surface "
-        "(default: the point farthest from the centre of the mesh)",
+        metavar=places.POINT,
+        help="where distances start: a point id, coordinates on the surface, or a face with "
+        "barycentric coordinates (default: the point farthest from the centre of the mesh)",
     )
     parser.add_argument(
         "--tolerance",

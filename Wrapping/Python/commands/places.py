@@ -14,6 +14,10 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 from .. import arguments
 
 
+#: How a point is given.
+POINT = "ID|X,Y,Z|face:ID:B0,B1,B2"
+
+
 class SourceError(Exception):
     """There is no such source; the text says why."""
 

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Barycentric coordinates in triangles.
+#ifndef dggBarycentric_h
+#define dggBarycentric_h
+
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+
+#include <array> // for the coordinates
+
+namespace dgg
+{
+/// Three corners of a triangle, in space or as barycentric coordinates in a larger triangle.
+using TriangleCorners = std::array<std::array<double, 3>, 3>;
+
+/// Returns true if coordinates are finite, not negative and sum to 1, up to 1e-6.
+DGG_CORE_EXPORT bool AreBarycentric(const std::array<double, 3>& coordinates);
+
+/// Returns the barycentric coordinates of the point of a triangle in space that is closest to
+/// `position`. A triangle without area is its edges; on a tie the point is on an edge.
+DGG_CORE_EXPORT std::array<double, 3> FindClosestInTriangle(
+  const TriangleCorners& corners, const std::array<double, 3>& position, double& squaredDistance);
+
+/// Converts barycentric coordinates in a triangle to those in a smaller triangle in its plane,
+/// whose corners have the coordinates `corners` in the larger one. They are negative for a point
+/// outside the smaller triangle. Returns false for corners on a line.
+DGG_CORE_EXPORT bool ConvertToPart(const TriangleCorners& corners,
+  const std::array<double, 3>& coordinates, std::array<double, 3>& inPart);
+
+/// Converts barycentric coordinates in the smaller triangle to those in the larger one.
+DGG_CORE_EXPORT std::array<double, 3> ConvertFromPart(
+  const TriangleCorners& corners, const std::array<double, 3>& inPart);
+}
+
+#endif

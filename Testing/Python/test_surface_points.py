@@ -1,0 +1,394 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surface points by id, by coordinates and by face: the same answers from all functions and
+commands, on slits, seams and coincident layers too."""
+
+import contextlib
+import io
+import json
+import os
+import unittest
+import warnings
+
+import numpy as np
+import support
+import vtkdgg
+from vtkdgg.command_line import main
+from vtkdgg.explorer_scene import Scene
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+FOLDER = support.output_folder("surface_points")
+SEEDS = range(0, int(os.environ.get("DGG_TEST_SEEDS", 4)), 3)
+SIDE = 9  # points of a layer along each side
+
+
+def slit_grid():
+    """A grid of 21 x 21 points with a slit along x = 0.5, y < 0.79, and the points of the slit:
+    those on the left, and the copies on the right."""
+    x, y = np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 21), indexing="ij")
+    points = np.column_stack([x.ravel(), y.ravel(), np.zeros(441)])
+    corner = (21 * np.arange(20)[:, None] + np.arange(20)).ravel()
+    triangles = np.vstack(
+        [
+            np.column_stack([corner, corner + 21, corner + 22]),
+            np.column_stack([corner, corner + 22, corner + 1]),
+        ]
+    )
+    left = 210 + np.flatnonzero(points[210:231, 1] < 0.79)
+    return cut(points, triangles, left)
+
+
+def cut(points, triangles, line):
+    """Doubles the points of a line x = const; triangles to the right of it get the copies."""
+    copies = np.arange(len(points))
+    copies[line] = len(points) + np.arange(len(line))
+    is_right = points[triangles, 0].mean(axis=1) > points[line[0], 0]
+    triangles = np.where(is_right[:, None], copies[triangles], triangles)
+    return np.vstack([points, points[line]]), triangles, line, copies[line]
+
+
+class Surface:
+    """A random surface with a slit. Others have a seam that splits them into two parts, a second
+    layer in the same position, or both. Ids of points and triangles, and corners, are in random
+    order."""
+
+    def __init__(self, seed):
+        self.random = np.random.default_rng(seed)
+        points, triangles = support.grid(SIDE - 1, SIDE - 1)
+        points[:, 1:] += self.random.uniform(-0.2, 0.2, (len(points), 2))
+        column = SIDE * np.arange(SIDE)
+        slit = column[: self.random.integers(3, SIDE - 1)] + 3
+        points, triangles, *_ = cut(points, triangles, slit)
+        if seed % 2:
+            points, triangles, *_ = cut(points, triangles, column + 6)
+        if seed % 4 > 1:
+            triangles = np.vstack([triangles, triangles + len(points)])
+            points = np.vstack([points, points])
+        order = self.random.permutation(len(points))
+        self.points = np.empty_like(points)
+        self.points[order] = points
+        triangles = self.random.permutation(order[triangles])
+        turns = self.random.integers(0, 3, len(triangles))
+        self.triangles = np.array([np.roll(t, k) for t, k in zip(triangles, turns)])
+        # A part, which is not always all of it.
+        part = {int(self.triangles[0, 0])}
+        while True:
+            self.part = np.isin(self.triangles, list(part)).any(axis=1)
+            grown = set(self.triangles[self.part].ravel().tolist())
+            if len(grown) == len(part):
+                break
+            part = grown
+        self.ids = self.random.permutation(sorted(part))[:5].tolist()
+
+    def polydata(self):
+        """The surface with a line, so that ids of cells are not rows of triangles."""
+        result = support.polydata(self.points, self.triangles)
+        line = vtkCellArray()
+        line.InsertNextCell(2, [0, 1])
+        result.SetLines(line)
+        return result
+
+    def faces_of(self, ids):
+        """Points as pairs of a triangle around each and coordinates of its corner."""
+        found = []
+        for i in ids:
+            faces, corners = np.nonzero(self.triangles == i)
+            k = self.random.integers(len(faces))
+            found.append((int(faces[k]), tuple(np.eye(3)[corners[k]])))
+        return found
+
+    def points_in_faces(self):
+        """Five points inside triangles of the part, as pairs and as coordinates."""
+        faces = self.random.permutation(np.flatnonzero(self.part))[:5]
+        weights = self.random.dirichlet([2.0, 2.0, 2.0], 5)
+        corners = self.points[self.triangles[faces]]
+        return list(zip(faces, weights)), (weights[:, :, None] * corners).sum(axis=1)
+
+
+def shifted(pairs):
+    """The same with ids of cells of Surface.polydata()."""
+    return [(face + 1, weights) for face, weights in pairs]
+
+
+def mixed(*namings):
+    """A point of each in turn."""
+    return [namings[i % len(namings)][i] for i in range(len(namings[0]))]
+
+
+def numbers_of(result):
+    """All numbers of a result, but those that identify points."""
+    if isinstance(result, (list, tuple)):
+        return np.concatenate([numbers_of(one) for one in result] or [np.empty(0)])
+    if hasattr(result, "toarray"):
+        return result.toarray().ravel()
+    if isinstance(result, np.ndarray) or np.isscalar(result):
+        return np.ravel(result).astype(float)
+    names = [name for name in vars(result) if name not in ("faces", "point_ids", "barycentric")]
+    return numbers_of([getattr(result, name) for name in names])
+
+
+def functions(mesh, merge):
+    """By name, functions of five surface points."""
+    options = {"merge_coincident_points": merge}
+    graph = vtkdgg.Graph(*mesh, **options)
+
+    def function(of, *first, **more):
+        """A function of some of the points."""
+        return lambda p: of(*mesh, *(p[part] for part in first), **more, **options)
+
+    pair, rest = slice(2), slice(2, 5)
+    return {
+        "exact": function(vtkdgg.distance, pair, return_source=True),
+        "initial": function(vtkdgg.distance, pair, initial_distances=[0.5, 0.25]),
+        "graph": function(vtkdgg.distance, pair, method="graph"),
+        "fast": function(vtkdgg.distance, pair, method="fast"),
+        "marching": function(vtkdgg.distance, pair, method="marching"),
+        "path": function(vtkdgg.path, 0, 1),
+        "greens": function(vtkdgg.greens_function, pair),
+        "greens at": lambda p: function(vtkdgg.greens_function, pair, at=p[rest])(p),
+        "biharmonic": function(vtkdgg.biharmonic, pair, method="Exact"),
+        "biharmonic at": lambda p: function(
+            vtkdgg.biharmonic, pair, method="Exact", at=p[rest]
+        )(p),
+        "earth_movers": lambda p: function(vtkdgg.earth_movers, pair, slice(2, 4))(p).lower_bound,
+        "interpolate": lambda p: vtkdgg.interpolate(
+            *mesh, p[:3], [1.0, 4.0, 2.0], at=p[rest], **options
+        ),
+        "Graph.distance": lambda p: graph.distance(p, initial_distances=0.5, return_source=True),
+        "matrix": lambda p: graph.matrix(p[pair], p[rest]),
+        "symmetric matrix": graph.matrix,
+        "sparse_matrix": lambda p: graph.sparse_matrix(3.0, p[pair]),
+        "Graph.path": lambda p: graph.path(p[0], p[1]),
+        "paths": lambda p: graph.paths(p[pair], p[2:4]),
+        "paths from one": lambda p: graph.paths(p[:1], p[1:]),
+        "sample": lambda p: graph.sample(7, start=p[pair]),
+        "voronoi": graph.voronoi,
+        "moved": lambda p: graph.voronoi(p, iterations=2),
+        "isolines": lambda p: graph.isolines(p[pair], [0.7, 2.0]),
+        "neighborhood": lambda p: graph.neighborhood(p[0], 2.0),
+        "loop": lambda p: graph.loop(p[:3], rope=True),
+    }
+
+
+#: Functions whose answers depend on other parts than those of the points.
+ALL_PARTS = ("earth_movers", "fast", "interpolate", "sample")
+
+
+class Functions(unittest.TestCase):
+    def setUp(self):
+        warnings.simplefilter("ignore")
+
+    def agree(self, expected_on, expected_of, namings, merge=False, left_out=()):
+        """All functions of the points on a mesh give what they give on others."""
+        first = functions(expected_on, merge)
+        for mesh, points in namings:
+            others = functions(mesh, merge)
+            for name in sorted(set(first) - set(left_out)):
+                with self.subTest(function=name, points=points):
+                    expected = numbers_of(first[name](expected_of))
+                    found = numbers_of(others[name](points))
+                    self.assertTrue(np.isfinite(expected).any())
+                    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-7)
+
+    def test_ids_and_corners(self):
+        for seed in SEEDS:
+            surface = Surface(seed)
+            mesh, of_vtk = (surface.points, surface.triangles), (surface.polydata(),)
+            faces = surface.faces_of(surface.ids)
+            self.agree(
+                mesh,
+                surface.ids,
+                [(mesh, faces), (mesh, mixed(surface.ids, faces)), (of_vtk, shifted(faces))],
+                left_out=() if surface.part.all() else ("interpolate",),
+            )
+
+    def test_inside_faces(self):
+        for seed in SEEDS:
+            surface = Surface(seed)
+            faces, positions = surface.points_in_faces()
+            mesh, of_vtk = (surface.points, surface.triangles), (surface.polydata(),)
+            # Coordinates identify points where no other part is in the same position.
+            alone = surface.points, surface.triangles[surface.part]
+            mixture = mixed(faces, positions) if seed % 4 < 2 else faces
+            self.agree(
+                alone,
+                positions,
+                [(mesh, mixture), (of_vtk, shifted(faces))],
+                left_out=() if surface.part.all() else ALL_PARTS,
+            )
+
+    def test_merged(self):
+        for seed in SEEDS:
+            surface = Surface(seed)
+            mesh = surface.points, surface.triangles
+            faces = surface.faces_of(surface.ids)
+            positions = surface.points[surface.ids]
+            self.agree(mesh, surface.ids, [(mesh, mixed(faces, positions))], merge=True)
+
+
+class Commands(unittest.TestCase):
+    """Commands of the shell."""
+
+    def answer(self, *words):
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            with contextlib.redirect_stderr(io.StringIO()) as complained:
+                code = main([*map(str, words), "--json"])
+        self.assertEqual(code, 0, complained.getvalue())
+        found = json.loads(said.getvalue())
+        return {key: found[key] for key in found if key not in ("seconds", "written", "warnings")}
+
+    def test_same_answers(self):
+        for seed in SEEDS:
+            surface = Surface(seed)
+            path = os.path.join(FOLDER, f"surface_{seed}.vtp")
+            vtkdgg.write(path, surface.polydata())
+            picture, matrix = (os.path.join(FOLDER, name) for name in ("a.png", "a.npy"))
+            faces = [
+                f"face:{face}:" + ",".join(map(repr, weights))
+                for face, weights in shifted(surface.faces_of(surface.ids))
+            ]
+
+            def options(name, points):
+                return [word for point in points for word in (f"--{name}", point)]
+
+            for name, words in (
+                ("distance", lambda p: options("source", p[:2])),
+                ("distance", lambda p: [*options("source", p[:2]), "--accuracy", 0.1]),
+                ("matrix", lambda p: [*options("source", p), "--out", matrix]),
+                ("path", lambda p: p[:2]),
+                ("path", lambda p: [*p[:2], "--accuracy", 0.01]),
+                ("isolines", lambda p: [*options("source", p[:2]), "--count", 3]),
+                ("loop", lambda p: [*options("through", p[:3]), "--rope"]),
+                ("voronoi", lambda p: [*options("site", p), "--iterations", 2]),
+                ("greens", lambda p: options("source", p[:2])),
+                ("render", lambda p: [*options("source", p[:2]), "--out", picture]),
+            ):
+                with self.subTest(command=name, seed=seed):
+                    expected = self.answer(name, path, *words(surface.ids))
+                    self.assertEqual(self.answer(name, path, *words(faces)), expected)
+                    both = mixed(surface.ids, faces)
+                    self.assertEqual(self.answer(name, path, *words(both)), expected)
+
+
+class Slit(unittest.TestCase):
+    """Values that are known."""
+
+    @classmethod
+    def setUpClass(cls):
+        warnings.simplefilter("ignore")
+        cls.points, cls.triangles, cls.left, cls.right = slit_grid()
+        cls.mesh = cls.points, cls.triangles
+        cls.graph = vtkdgg.Graph(*cls.mesh)
+
+    def test_samples_to_begin_with(self):
+        for i in (*self.left, *self.right):
+            self.assertEqual(self.graph.sample(2, start=[i]).point_ids[0], i)
+
+    def test_ids_beside_coordinates(self):
+        i, copy = self.left[2], self.right[2]
+        near = [0.55, 0.1, 0.0]
+        for find in (lambda *ends: vtkdgg.path(*self.mesh, *ends), self.graph.path):
+            self.assertAlmostEqual(find(copy, near).length, 0.05, delta=1e-9)
+            self.assertGreater(find(i, near).length, 1.3)
+        lengths = [path.length for path in self.graph.paths([i, copy], [near, near])]
+        np.testing.assert_allclose(
+            self.graph.matrix([i, near, copy])[1], [lengths[0], 0.0, lengths[1]], rtol=0.01
+        )
+        distances = vtkdgg.distance(*self.mesh, [i, [0.05, 0.95, 0.0]])
+        self.assertEqual(distances[i], 0.0)
+        self.assertGreater(distances[copy], 1.0)
+
+    def test_command(self):
+        path, out = (os.path.join(FOLDER, name) for name in ("slit.vtp", "distance.vtp"))
+        vtkdgg.write(path, support.polydata(*self.mesh))
+        code = main(["distance", path, "--source", "212", "--source", "0.05,0.95,0", "--out", out])
+        self.assertEqual(code, 0)
+        self.assertEqual(vtkdgg.read(out).point_data["GeodesicDistance"][212], 0.0)
+
+
+    def test_explorer(self):
+        scene = Scene(support.polydata(*self.mesh))
+        scene.press(int(self.left[2]))
+        self.assertEqual(scene.distances[self.left[2]], 0.0)
+        self.assertGreater(scene.distances[self.right[2]], 1.0)
+
+    def test_comparison(self):
+        path, out = (os.path.join(FOLDER, name) for name in ("slit.vtp", "compared"))
+        vtkdgg.write(path, support.polydata(*self.mesh))
+        for source in (self.left[2], "face:{}:{:.0f},{:.0f},{:.0f}".format(*self.corner(212))):
+            with contextlib.redirect_stdout(io.StringIO()):
+                self.assertEqual(main(["compare", path, "--source", str(source), "--out", out]), 0)
+            result = vtkdgg.read(os.path.join(out, "distance.vtp"))
+            self.assertEqual(result.point_data["GeodesicDistance"][212], 0.0)
+
+    def corner(self, i):
+        """A triangle around a point and the coordinates of its corner."""
+        faces, corners = np.nonzero(self.triangles == i)
+        return faces[0], *np.eye(3)[corners[0]]
+
+
+class Layers(unittest.TestCase):
+    """A sphere that is present twice."""
+
+    @classmethod
+    def setUpClass(cls):
+        warnings.simplefilter("ignore")
+        points, triangles = support.bumpy()
+        cls.count = len(triangles)
+        cls.mesh = np.vstack([points, points]), np.vstack([triangles, triangles + len(points)])
+        cls.graph = vtkdgg.Graph(*cls.mesh, accuracy=0.05)
+
+    def test_cells_of_samples(self):
+        path = os.path.join(FOLDER, "twice.vtp")
+        vtkdgg.write(path, support.polydata(*self.mesh))
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            self.assertEqual(main(["voronoi", path, "--number", "8", "--json"]), 0)
+        self.assertGreater(min(json.loads(said.getvalue())["areas"]), 0.1)
+
+    def test_results_identify_their_points(self):
+        samples = self.graph.sample(12, in_faces=True)
+        cells = self.graph.voronoi(list(zip(samples.faces, samples.barycentric)), iterations=3)
+        self.assertEqual((cells.faces < self.count).sum(), 6)
+        again = self.graph.voronoi(list(zip(cells.faces, cells.barycentric)))
+        np.testing.assert_allclose(again.areas, cells.areas, atol=1e-9)
+        path = self.graph.path(
+            *zip(cells.faces[cells.faces >= self.count][:2], cells.barycentric[:2])
+        )
+        self.assertTrue((path.faces >= self.count).all())
+        for found in (samples, path):
+            corners = self.mesh[0][self.mesh[1][found.faces]]
+            positions = (found.barycentric[:, :, None] * corners).sum(axis=1)
+            np.testing.assert_allclose(positions, found.points, atol=1e-12)
+
+
+class Mistakes(unittest.TestCase):
+    def test_faces(self):
+        points, triangles = support.grid(2, 1)
+        mesh = points, [*triangles[:-1].tolist(), [0, 1, 4, 3]]
+        inside = (0.2, 0.3, 0.5)
+        for sources, pattern in (
+            ((4, inside), r"sources: face 4 \(entry 0\) does not exist; there are 4"),
+            ([0, (-1, inside)], r"face -1 \(entry 1\) does not exist"),
+            ((3, inside), "face 3 .* is no triangle"),
+            ((0, (0.2, 0.3, 0.6)), "barycentric coordinates .* sum must be 1"),
+            ((0, (1.2, -0.2, 0.0)), "must not be negative"),
+            ((0, (np.nan, 0.5, 0.5)), "must not be negative"),
+            ((0, (0.5, 0.5)), "three barycentric coordinates"),
+            ((0.0, inside), "an integer"),
+            ([0, "a"], r"sources\[1\]: "),
+            ([0, [1, 2, 3]], r"sources\[1\]: expected a point id"),
+            ([0, [1.0, 2.0]], r"sources\[1\]: expected a point id"),
+        ):
+            with self.subTest(sources=sources):
+                with self.assertRaisesRegex(ValueError, pattern):
+                    vtkdgg.distance(*mesh, sources)
+        with self.assertRaisesRegex(ValueError, "face 0"):
+            vtkdgg.distance(points, [], (0, inside), method="marching")
+        if hasattr(vtkdgg, "vtkPointCloudDGG"):
+            cloud = vtkdgg.CloudGraph(support.bumpy()[0])
+            with self.assertRaisesRegex(ValueError, "a point cloud has no faces"):
+                cloud.distance((0, inside))
+
+
+if __name__ == "__main__":
+    unittest.main()
