@@ -23,7 +23,7 @@
  * paths along the sampled surface; they need not be shortest. Points of a smooth path are within
  * one spacing of a point of the cloud (a spacing is the radius of its ball, `DGG.Radii`, by 1.5),
  * between two of them a path crosses no wider gap than edges of the graph do, and at rims and holes
- * it stays among the points. Where a smooth path is longer than `GraphLength` by more than 0.5 %,
+ * it stays among the points. Where a smooth path is longer than `GraphLength` by more than 1 %,
  * that from point to point is kept, unless it is longer still, and `Straightened` is 0. Method
  * Exact is an error.
  *

@@ -60,7 +60,7 @@ public:
     this->Owners.push_back(owner);
   }
 
-  /// Adds points near the segment to a point of the cloud or the end, in discs, and that point.
+  /// Adds the points of the cloud along an edge, or along the segment to the end of the path.
   void AddGraphEdge(const Point3& to, Id owner)
   {
     const Point3 from = this->Points.back();
@@ -73,7 +73,10 @@ public:
     {
       const Point3 place = from + (static_cast<double>(i) / count) * (to - from);
       const Id nearest = this->FindOwner(this->Owners.back(), place);
-      this->Add(place + this->StepIntoDisc(place, nearest, {}), nearest);
+      if (nearest != this->Owners.back() && nearest != owner)
+      {
+        this->Add(dgg::PointAt(this->Tables.Points, nearest), nearest);
+      }
     }
     this->Add(to, owner);
   }
@@ -132,7 +135,8 @@ private:
   void MoveTo(std::size_t i, const Point3& place)
   {
     const Id owner = this->FindOwner(this->Owners[i], place);
-    const double radius = FitBySpacing * this->SpacingAt(owner);
+    const double spacing = this->SpacingAt(owner);
+    const double radius = FitBySpacing * spacing;
     this->Around.clear();
     const auto add = [&](Id v) {
       const Point3 point = dgg::PointAt(this->Tables.Points, v);
@@ -154,7 +158,8 @@ private:
     {
       moved = moved + fit.ToSurface;
     }
-    moved = moved + this->StepIntoDisc(moved, owner, fit.Normal);
+    const Point3 offset = AlongPlane(dgg::PointAt(this->Tables.Points, owner) - moved, fit.Normal);
+    moved = moved + std::max(0.0, 1.0 - spacing / Norm(offset)) * offset;
     const double ball = this->Tables.Radii[owner];
     if (this->IsNearCloud(moved, ball) &&
       this->IsNearCloud(0.5 * (moved + this->Points[i - 1]), ball) &&
@@ -164,15 +169,6 @@ private:
       this->Points[i] = moved;
       this->Owners[i] = owner;
     }
-  }
-
-  /// Returns the step across a normal from a place into the disc around a point of the cloud.
-  Point3 StepIntoDisc(const Point3& place, Id owner, const Point3& normal) const
-  {
-    const Point3 offset = AlongPlane(dgg::PointAt(this->Tables.Points, owner) - place, normal);
-    const double distance = Norm(offset);
-    const double spacing = this->SpacingAt(owner);
-    return distance > spacing ? (1.0 - spacing / distance) * offset : Point3();
   }
 
   /// Returns true if one of the points around a move is within a radius of a place.

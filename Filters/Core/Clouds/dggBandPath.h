@@ -22,9 +22,9 @@ struct BandPath
   double Length = 0.0;        ///< of the polyline
 };
 
-/// Makes paths through points of a cloud shorter and smooth. Points are inserted about one spacing
-/// apart and moved toward the midpoint of their neighbors and onto the surface that is fitted to
-/// the points of the cloud around them. Neighborhoods come from the graph, so no search tree is
+/// Makes paths through points of a cloud shorter and smooth. The points of the cloud along edges
+/// are added, and all are moved toward the midpoint of their neighbors and onto the surface fitted
+/// to the points of the cloud around them. Neighborhoods come from the graph, so no search tree is
 /// needed.
 ///
 /// Every point stays within one spacing of a point of the cloud, and every midpoint of a segment in

@@ -23,7 +23,7 @@
 namespace
 {
 /// Length of a smooth path by that in the graph, at most.
-constexpr double LargestDetour = 1.005;
+constexpr double LargestDetour = 1.01;
 
 bool NeedsLinks(const DGGPointPair& pair)
 {
