@@ -18,6 +18,20 @@
 #include <iterator>
 #include <string>
 
+namespace
+{
+bool HasTrianglesOnly(const dgg::CellList& polygons)
+{
+  std::int64_t corners = 0;
+  return std::all_of(
+    polygons.Offsets.begin(), polygons.Offsets.end(), [&corners](std::int64_t end) {
+      const bool isNext = end == corners;
+      corners += 3;
+      return isNext;
+    });
+}
+}
+
 vtkStandardNewMacro(vtkDGGMeshWriter);
 
 vtkDGGMeshWriter::~vtkDGGMeshWriter()
@@ -82,21 +96,23 @@ void vtkDGGMeshWriter::WriteData()
     {
       if (!data->GetArray(i))
       {
-        vtkWarningMacro(
-          "The array " << data->GetArrayName(i) << " is left out: it does not hold numbers.");
+        const char* name = data->GetArrayName(i);
+        vtkWarningMacro("The array " << (name ? name : "(without a name)")
+                                     << " is left out: it does not hold numbers.");
       }
     }
-    vtkNew<vtkTriangleFilter> triangulate;
-    if (format == dgg::FileFormat::STL)
+    dgg::MeshData mesh;
+    dgg::FileStatus status = vtkDGG::FromPolyData(input, mesh);
+    if (status.IsOk() && format == dgg::FileFormat::STL && !HasTrianglesOnly(mesh.Polygons))
     {
+      vtkNew<vtkTriangleFilter> triangulate;
       triangulate->PassVertsOff();
       triangulate->PassLinesOff();
       triangulate->SetInputData(input);
       triangulate->Update();
-      input = triangulate->GetOutput();
+      mesh = dgg::MeshData();
+      status = vtkDGG::FromPolyData(triangulate->GetOutput(), mesh);
     }
-    dgg::MeshData mesh;
-    dgg::FileStatus status = vtkDGG::FromPolyData(input, mesh);
     if (status.IsOk())
     {
       status = dgg::WriteMesh(format, this->FileName, mesh, progress);

@@ -5,8 +5,9 @@
 #include "dggParsers.h"
 #include "dggWriters.h"
 
+#include <algorithm>
+#include <exception>
 #include <filesystem>
-#include <new>
 
 namespace
 {
@@ -45,7 +46,7 @@ dgg::FileStatus Run(const Work& work)
   {
     return { error.Code, error.what() };
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&) // of containers
   {
     return { FileCode::OutOfMemory, "not enough memory" };
   }

@@ -209,7 +209,10 @@ TEST_F(MeshWriter, RefusesWhatCannotBeWritten)
   this->ExpectRefused(mesh, "a.ply", "the point array Short has 1 values for 4 points");
   mesh = MakeMesh();
   mesh->GetPolys()->InsertNextCell({ 0, 1, 4 });
-  this->ExpectRefused(mesh, "a.obj", "a cell has a point id that is out of range");
+  for (const char* name : { "a.obj", "a.stl" })
+  {
+    this->ExpectRefused(mesh, name, "a cell has a point id that is out of range");
+  }
   mesh->SetPolys(vtkNew<vtkCellArray>());
   this->ExpectRefused(mesh, "a.stl", "there are 0 triangles");
   this->Writer->SetFileName(nullptr);
