@@ -76,7 +76,7 @@ dgg_add_consumer_test(KernelOnly 0 "loops: 1.*opposite corners: 1.41421"
   "${consumer_dir}/KernelOnly")
 dgg_add_consumer_test(TenLines 0 ""
   "${consumer_dir}/TenLines")
-dgg_add_consumer_test(TenLines.MissingFile 1 "error: no distances of mesh.ply"
+dgg_add_consumer_test(TenLines.MissingFile 1 "Cannot read mesh.ply: the file does not exist"
   "${CMAKE_COMMAND}" -E chdir "${consumer_dir}" "${consumer_dir}/TenLines")
 foreach (extension IN ITEMS off ply)
   dgg_add_consumer_test("Pipeline.${extension}" 0 "points, distances 0 to [0-9.]+, ${extension}.png"

@@ -74,7 +74,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(found, set(pages.PAGES))
 
     def test_front_page_is_short(self):
-        self.assertLessEqual(len(pages.text_of("README.md").splitlines()), 250)
+        self.assertLessEqual(len(pages.text_of("README.md").splitlines()), 150)
 
     def test_changes_begin_with_this_version(self):
         heading = re.search(r"(?m)^## ([\d.]+)", pages.text_of("CHANGELOG.md"))
