@@ -314,6 +314,17 @@ class Command(unittest.TestCase):
         found = self.answer("distance", BUMPY, at_one_point)
         self.assertAlmostEqual(found["largest"], self.exact.max(), delta=1e-6)
 
+    def test_exact_isolines(self):
+        path = out("exact.vtp")
+        asked = "isolines", BUMPY, "--source", 5, "--values", "0.5,1", "--method", "exact"
+        found = self.answer(*asked, "--out", path)
+        self.assertEqual((found["method"], found["values"]), ("exact", [0.5, 1.0]))
+        lines = vtkdgg.read(path)
+        for i in range(0, len(lines.points), 40):
+            length = vtkdgg.path(self.mesh, 5, lines.points[i]).length
+            self.assertLess(min(abs(length - value) for value in (0.5, 1.0)), 2e-3)
+        self.assertEqual(len(self.answer(*asked[:4], "--method", "exact")["values"]), 10)
+
     def test_every(self):
         found = self.answer("isolines", BUMPY, "--source", 5, "--every", 0.5)
         count = int(self.exact.max() / 0.5)
@@ -354,6 +365,8 @@ class Command(unittest.TestCase):
             ("parts", [points, points + [9, 0, 0]], "sample --number 1", "Raise --number"),
             ("one", [points], "sample --number 99", "subdivide the surface."),
             ("one", [points], "greens --source 5", "refine it there"),
+            ("long", [points * [1, 20, 1]], "isolines --source 5", "Use --method exact, or remesh"),
+            ("long", [points * [1, 20, 1]], "distance --source 5 --method fast", "exact or --m"),
         ):
             path = out(f"{name}.off")
             cells = np.vstack([triangles + 16 * i for i in range(len(mesh))])
@@ -363,7 +376,7 @@ class Command(unittest.TestCase):
                 result = command(word, path, *rest)
                 self.assertRegex(result.stdout, f"note .*{pattern}")
                 self.assertNotRegex(result.stdout.split("note", 1)[1], CPLUSPLUS)
-        result = command("path", path.replace("one", "parts"), 0, 20)
+        result = command("path", os.path.join(FOLDER, "parts.off"), 0, 20)
         self.assertRegex(result.stderr, "--merge may join them")
 
     def test_formats(self):
@@ -586,6 +599,7 @@ class Command(unittest.TestCase):
             (("graph", BUMPY, "--accuracy", "2"), "--accuracy 2 is out of range: expected 1e-06"),
             (("path", BUMPY, "0", "3", "--accuracy", "2"), "--accuracy 2 is out of range"),
             (("isolines", BUMPY, "--source", "0", "--every", "0"), "--every: must be positive"),
+            (("isolines", BUMPY, "--source", "0", "--count", "-1"), "--count: must be positive"),
             (("distance", BUMPY, "--sources", "0,642"), "--sources 642: there are points 0 to 641"),
             (("distance", BUMPY, "--sources", "0.5,1,2"), "--sources 0.5: expected a point id"),
             (("distance", BUMPY, "--source-file", "none.txt"), "none.txt"),

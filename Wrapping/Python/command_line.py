@@ -177,6 +177,11 @@ def make_parser():
     command.add_argument("--taut", action="store_true", help="pull the loops tight")
     lines = "--source 0 --count 20"
     command = add(answers.isolines, "source", *placed, out="curves", example=lines)
+    command.add_argument(
+        "--method",
+        choices=answers.METHODS[:2],
+        help="exact: right also inside long triangles (default: graph)",
+    )
     which = command.add_mutually_exclusive_group()
     which.add_argument("--values", type=numbers, metavar="D,D,...", help="the distances")
     which.add_argument("--every", type=float, metavar="D", help="or the multiples of one distance")

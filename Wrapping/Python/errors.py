@@ -27,6 +27,7 @@ _SPEAKER = re.compile(r"\A\w+: ")
 # Words of filters, and what users of functions should read.
 _IN_ARGUMENTS = {
     " of input port 1, at": ", at",
+    "Use vtkExactGeodesicDistance or vtkDGGDistance": 'Use method="exact" or "graph"',
     "vtkPointCloudDGG makes,": "vtkPointCloudDGG makes (vtkdgg.CloudGraph),",
     "build it so by vtkDiscreteGeodesicGraph, remove it, or turn AcceptCoarserGraph on": "build it "
     'so by vtkdgg.Graph(mesh, accuracy=...), or choose method="exact"',

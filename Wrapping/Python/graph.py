@@ -206,13 +206,7 @@ class Graph(Queries):
             distances = array_of(field.GetPointData(), search.GetDistanceArrayName())
             largest = np.nanmax(distances) if np.isfinite(distances).any() else 0.0
             array = largest * np.arange(1, int(array) + 1) / (int(array) + 1)
-        contour = vtkApolloniusIsolines()
-        contour.SetMergeCoincidentPoints(self._info.is_merged)
-        contour.SetMergeTolerance(self._info.merge_tolerance)
-        contour.SetInputData(field)
-        for i, value in enumerate(array):
-            contour.SetValue(i, value)
-        output = run(contour, self._heard)
+        output = find_isolines(field, array, False, self._info, self._heard)
         return output if as_polydata else lines_of(output, Isoline, value="IsoValue")
 
     def loop(
@@ -266,3 +260,14 @@ class Graph(Queries):
         if as_polydata:
             return self._given_away(tie)
         return lines_of(output, Loop, length="Length", angle="Angle")
+
+
+def find_isolines(field, values, merge_coincident_points, info=None, heard=None):
+    """Returns the isolines of a surface with distances, in which virtual sources or windows must be
+    as well; `info` is that of the graph that the distances are from."""
+    contour = vtkApolloniusIsolines()
+    set_merging(contour, merge_coincident_points, 0.0, info)
+    contour.SetInputData(field)
+    for i, value in enumerate(values):
+        contour.SetValue(i, value)
+    return run(contour, heard)

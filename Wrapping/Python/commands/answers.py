@@ -10,7 +10,10 @@ import numpy as np
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from .. import writing
+from .. import arguments, writing
+from ..distances import set_sources
+from ..errors import run
+from ..graph import find_isolines
 from ..graph_info import GraphInfo, choose_method
 from . import files, places, sizes
 
@@ -307,25 +310,56 @@ def loop(options):
 def isolines(options):
     """Curves of equal distance."""
     contents = surface_of(options)
-    made = graph_of(options, contents)
     sources = sources_of(options, contents)
-    choices = {"projection_tolerance": options.tolerance}
-    values = options.values or (10 if options.count is None else options.count)
-    if options.every is not None:
-        if not options.every > 0.0:
-            raise ValueError(f"--every: must be positive, is {options.every:g}")
-        largest = np.nanmax(made.distance(sources, **choices))
-        values = options.every * np.arange(1, int(largest / options.every) + 1)
-        if len(values) == 0:
-            raise Negative(f"--every {options.every:g} is above the largest distance, {largest:g}")
-    output = made.isolines(sources, values, as_polydata=True, **choices)
-    values = vtk_to_numpy(output.GetCellData().GetArray("IsoValue"))
+    method = options.method or "graph"
+    choose_method(method, options.accuracy, contents, METHODS[:2])
+    if method == "exact":
+        used = {"method": method}
+        field = exact_windows(options, contents, sources)
+        distances = vtk_to_numpy(field.GetPointData().GetArray("GeodesicDistance"))
+        output = find_isolines(field, values_of(options, distances), options.merge)
+    else:
+        made = graph_of(options, contents)
+        used = named(made)
+        choices = {"projection_tolerance": options.tolerance}
+        values = values_of(options, made.distance(sources, **choices))
+        output = made.isolines(sources, values, as_polydata=True, **choices)
+    found = vtk_to_numpy(output.GetCellData().GetArray("IsoValue"))
     return {
-        **named(made),
+        **used,
         "lines": output.GetNumberOfLines(),
-        "values": np.unique(values).tolist(),
+        "values": np.unique(found).tolist(),
         **written(options, output),
     }
+
+
+def exact_windows(options, contents, sources):
+    """Returns the contents with exact distances, at points and inside triangles."""
+    solve = vtkdgg.vtkExactGeodesicDistance()
+    solve.GenerateWindowsOn()
+    solve.SetInputData(contents)
+    solve.SetMergeCoincidentPoints(options.merge)
+    solve.SetProjectionTolerance(arguments.projection_tolerance(options.tolerance))
+    set_sources(solve, arguments.surface_points(sources, "sources", contents), None)
+    return run(solve)
+
+
+def values_of(options, distances):
+    """Returns the distances of isolines that the options ask for."""
+    if options.values:
+        return options.values
+    largest = np.fmax.reduce(distances)
+    if options.every is None:
+        count = 10 if options.count is None else options.count
+        if count < 1:
+            raise ValueError(f"--count: must be positive, is {count}")
+        return largest * np.arange(1, count + 1) / (count + 1)
+    if not options.every > 0.0:
+        raise ValueError(f"--every: must be positive, is {options.every:g}")
+    values = options.every * np.arange(1, int(largest / options.every) + 1)
+    if len(values) == 0:
+        raise Negative(f"--every {options.every:g} is above the largest distance, {largest:g}")
+    return values
 
 
 def voronoi(options):
