@@ -5,6 +5,7 @@
 #include "TestMeshes.h"
 
 #include "dggBucketQueue.h"
+#include "dggDistanceRows.h"
 #include "dggHeap.h"
 #include "dggSourceGroups.h"
 
@@ -187,6 +188,33 @@ TEST(GraphPairs, ManyInThreadsAreTheSame)
   ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, nullptr, rows[0]).IsOk());
   ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, WithThreads(2), rows[1]).IsOk());
   EXPECT_EQ(rows[0], rows[1]);
+}
+
+TEST(GraphPairs, SparseRowsInThreadsAreTheSame)
+{
+  const SearchCase c("terrain", Terrain(20, 0.4, 2), 0.02);
+  std::vector<std::vector<GraphSeed>> sources;
+  for (const Id source : RandomPermutation(c.GetNumberOfVertices(), 4))
+  {
+    sources.push_back({ SeedAt(source) });
+  }
+  dgg::DistanceRowsOptions options;
+  options.MaximumDistance = 2.5;
+  options.SearchRadius = 2.5;
+  dgg::DistanceRows rows[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    const dgg::ParallelFor parallel = k == 0 ? dgg::ParallelFor() : WithThreads(2);
+    ASSERT_TRUE(
+      dgg::FindDistanceRows(c.GetSearch(), sources, options, parallel, nullptr, rows[k]).IsOk());
+  }
+  EXPECT_GT(rows[0].Columns.Size(), 5 * sources.size());
+  EXPECT_TRUE(std::equal(rows[0].Offsets.begin(), rows[0].Offsets.end(), rows[1].Offsets.begin(),
+    rows[1].Offsets.end()));
+  EXPECT_TRUE(std::equal(rows[0].Columns.begin(), rows[0].Columns.end(), rows[1].Columns.begin(),
+    rows[1].Columns.end()));
+  EXPECT_TRUE(std::equal(rows[0].Distances.begin(), rows[0].Distances.end(),
+    rows[1].Distances.begin(), rows[1].Distances.end()));
 }
 
 TEST(GraphPairs, BadSourcesAreNamed)
