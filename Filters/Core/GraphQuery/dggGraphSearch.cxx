@@ -73,6 +73,8 @@ constexpr double ChoiceShare = 0.2;
 /// Sources with a larger part of the surface than this as near field are better searched one by
 /// one.
 constexpr double LargestNearField = 0.4;
+/// Searches that reach less than this part of the surface are local, whatever their sources.
+constexpr double LargestLocalPart = 0.25;
 /// Bytes per vertex, about: of the tables of a mesh, the labels of a search, and landmarks.
 constexpr std::size_t BytesOfTables = 40;
 constexpr std::size_t BytesOfSearch = 84;
@@ -162,6 +164,11 @@ struct ManyWorkspace
   std::vector<double> Field;
   std::vector<Id> Reached;
 };
+
+const std::vector<Id>* GetTargets(const ManyOptions& options)
+{
+  return options.Targets.empty() ? nullptr : &options.Targets;
+}
 
 const GraphSeed& NearestOf(const std::vector<GraphSeed>& seeds)
 {
@@ -316,45 +323,42 @@ public:
         return group.size() * static_cast<std::size_t>(this->Graph.NumberOfVertices);
       }
     }
+    SearchOptions single;
+    single.MaximumDistance = options.MaximumDistance;
+    single.Correct = options.Correct;
     std::size_t labels = 0;
     for (std::size_t i = 0; i < group.size() && goes(); ++i)
     {
-      labels += this->ConsumeSingle(
-        sources[group[i]], options, [&](const double* distances, const std::vector<Id>& reached) {
-          consume(group[i], distances, reached);
-        });
+      const auto workspace = this->Workspaces.Borrow();
+      SearchResult& result = workspace->Result;
+      this->RunSingle(
+        sources[group[i]], single, GetTargets(options), options.Correct, *workspace, result);
+      const bool hasEstimates = !result.Corrected.empty();
+      consume(
+        group[i], hasEstimates ? result.Corrected.data() : result.Distances.data(), result.Reached);
+      labels += result.NumberOfLabels;
     }
     return labels;
   }
 
-  template <typename Consume>
-  std::size_t ConsumeSingle(
-    const std::vector<GraphSeed>& seeds, const ManyOptions& options, const Consume& consume) const
-  {
-    const auto workspace = this->Workspaces.Borrow();
-    SearchOptions single;
-    single.MaximumDistance = options.MaximumDistance;
-    single.Correct = options.Correct;
-    SearchResult& result = workspace->Result;
-    this->RunSingle(seeds, single, options.Targets.empty() ? nullptr : &options.Targets,
-      options.Correct, *workspace, result);
-    consume(
-      result.Corrected.empty() ? result.Distances.data() : result.Corrected.data(), result.Reached);
-    return result.NumberOfLabels;
-  }
-
-  /// The number of vertices that a search from one of the sources reaches, judged by the first.
+  /// The number of vertices that a search from one of the sources reaches, judged by the first one.
+  /// That search is given up where it becomes too large.
   std::size_t FindReach(
     const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options) const
   {
-    const bool isBounded = options.MaximumDistance < Infinity || !options.Targets.empty();
-    std::size_t reach = static_cast<std::size_t>(this->Graph.NumberOfVertices);
-    if (isBounded && sources.size() >= SmallestGroup)
+    const auto n = static_cast<std::size_t>(this->Graph.NumberOfVertices);
+    if (sources.size() < SmallestGroup ||
+      (options.MaximumDistance == Infinity && options.Targets.empty()))
     {
-      this->ConsumeSingle(sources.front(), options,
-        [&](const double*, const std::vector<Id>& reached) { reach = reached.size(); });
+      return n;
     }
-    return reach;
+    const auto workspace = this->Workspaces.Borrow();
+    SearchOptions probe;
+    probe.MaximumDistance = options.MaximumDistance;
+    probe.Progress = [](double share) { return share < LargestLocalPart; };
+    const bool isDone = this->RunSingle(
+      sources.front(), probe, GetTargets(options), false, *workspace, workspace->Result);
+    return isDone ? workspace->Result.Reached.size() : n;
   }
 
   /// False when a group is better searched one by one: its sources are far apart, or few vertices
@@ -364,9 +368,10 @@ public:
   {
     const auto workspace = this->Workspaces.Borrow();
     const std::vector<GraphSeed>& middle = *group[group.size() / 2];
+    ResetTree(0, false, false, workspace->Result); // it would belong to other labels
     SearchLabels labels(workspace->Result.Distances, workspace->Origins, workspace->Result.Reached,
       options.MaximumDistance);
-    labels.Targets = options.Targets.empty() ? nullptr : &options.Targets;
+    labels.Targets = GetTargets(options);
     labels.Start(this->Graph.NumberOfVertices, middle);
     RunAlongFans(this->Graph, *this->Fans, middle, this->BucketWidth, workspace->Queue, labels,
       order.Vertices);
@@ -485,7 +490,8 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
     vertices.push_back(NearestOf(sources[i]).Vertex);
   }
   const std::size_t reach = internals.FindReach(sources, options);
-  const bool areLocal = sources.size() < SmallestGroup || 2 * reach <= n;
+  const bool areLocal =
+    sources.size() < SmallestGroup || static_cast<double>(reach) < LargestLocalPart * n;
   const auto groups = internals.GroupByPlace(vertices, areLocal);
   const auto numberOfGroups = static_cast<Offset>(groups.size());
   const auto verticesPerGroup = static_cast<Offset>(std::max<std::size_t>(1, reach));
