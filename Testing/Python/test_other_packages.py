@@ -6,11 +6,11 @@ the package was built with."""
 import os
 import re
 import subprocess
+import tempfile
 import unittest
 import venv
 
 import numpy as np
-import support
 
 # PyVista 0.45 and newer needs a newer VTK than 9.1. None brings a VTK of its own.
 PACKAGES = (
@@ -29,14 +29,12 @@ REQUIRED += (
     "pillow plotly pooch requests rich scikit-learn scooby typing-extensions werkzeug".split()
 )
 UNREACHED = "NewConnectionError|NameResolutionError|ConnectTimeout|ReadTimeout|ProxyError"
-FOLDER = os.path.join(support.output_folder("other_packages"), "venv")
-PYTHON = os.path.join(FOLDER, "bin", "python")
 
 
-def install(*arguments):
+def install(python, *arguments):
     """Install with pip."""
     found = subprocess.run(
-        [PYTHON, "-m", "pip", "install", "--quiet", "--retries", "1", *arguments],
+        [python, "-m", "pip", "install", "--quiet", "--retries", "1", *arguments],
         capture_output=True,
         text=True,
         check=False,
@@ -49,13 +47,16 @@ def install(*arguments):
 
 class OtherPackages(unittest.TestCase):
     def test_real_ones(self):
-        venv.create(FOLDER, system_site_packages=True, with_pip=True)
+        folder = tempfile.TemporaryDirectory()  # more than a gigabyte
+        self.addCleanup(folder.cleanup)
+        venv.create(folder.name, system_site_packages=True, with_pip=True)
+        python = os.path.join(folder.name, "bin", "python")
         major = int(np.__version__.split(".", 1)[0])
-        install(*REQUIRED, f"numpy>={np.__version__},<{major + 1}")
-        install("--no-deps", *PACKAGES)
+        install(python, *REQUIRED, f"numpy>={np.__version__},<{major + 1}")
+        install(python, "--no-deps", *PACKAGES)
         for words in (["test_meshes.py"], ["test_reading.py", "Formats.test_nibabel"]):
             found = subprocess.run(
-                [PYTHON, *words],
+                [python, *words],
                 cwd=os.path.dirname(os.path.abspath(__file__)),
                 env={**os.environ, "DGG_REAL_PACKAGES": "1"},
                 capture_output=True,
