@@ -126,7 +126,7 @@ class Formats(unittest.TestCase):
                 self.assertRegex(said, rf"\Aerror: {re.escape(path)}: [^\n]+\n\Z")
 
     def test_damaged_legacy_files(self):
-        """What VTK's reader accepts or cannot survive."""
+        """Files that VTK's reader accepts in part, or that end its process."""
         start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
         start += "0 0 0 1 0 0 0 1 0\n"
         for text, pattern in (
@@ -200,6 +200,11 @@ class Formats(unittest.TestCase):
                 )
             gifti = os.path.join(FOLDER, "surface.gii")
             nibabel.save(image, gifti)
+            with open(gifti, "rb") as file:
+                cut = path_of("cut.gii", file.read()[:9000])
+            for name in (cut, path_of("cut.pial", freesurfer[:9000])):
+                with self.assertRaisesRegex(ValueError, f"{name}: nibabel cannot read"):
+                    vtkdgg.read(name)
         with mock.patch.dict(sys.modules, nibabel=nibabel):
             for name in (path, gifti):
                 mesh = vtkdgg.read(name)

@@ -56,7 +56,7 @@ _FREESURFER = b"\xff\xff\xfe"  # the first bytes of a surface of triangles
 def read(file: Any) -> Mesh:
     """A mesh, curves or a point cloud from a file.
 
-    Coordinates keep their digits and points their order; what a file lacks or contradicts is an
+    Coordinates keep their digits and points their order. Truncated and inconsistent files are an
     error. Of volume meshes the surface is used, with a warning.
 
     Parameters
@@ -123,11 +123,8 @@ def _read_others(path, extension, name):
             return _mesh_of_vtk(_update(XML[extension](), path), name)
     if extension == ".vtk":
         return _mesh_of_vtk(_read_legacy(path, name), name)
-    if extension == ".gii":
-        image = _nibabel(name).load(path)
-        return Mesh(image.agg_data("pointset"), image.agg_data("triangle"))
-    if start == _FREESURFER:
-        return Mesh(*_nibabel(name).freesurfer.read_geometry(path))
+    if extension == ".gii" or start == _FREESURFER:
+        return Mesh(*_read_by_nibabel(path, extension, name))
     known = " ".join(EXTENSIONS)
     raise ValueError(f"unknown extension '{extension}'; known are {known}, and .gz after these")
 
@@ -176,7 +173,8 @@ def _decompressed(path, extension):
         yield plain
 
 
-def _nibabel(name):
+def _read_by_nibabel(path, extension, name):
+    """Points and triangles of a GIFTI or FreeSurfer surface."""
     try:
         import nibabel
     except ImportError:
@@ -184,7 +182,13 @@ def _nibabel(name):
             f"{name}: reading GIFTI and FreeSurfer surfaces needs nibabel, which is not installed "
             "(Debian: python3-nibabel, else: pip install nibabel)"
         ) from None
-    return nibabel
+    try:
+        if extension == ".gii":
+            image = nibabel.load(path)
+            return image.agg_data("pointset"), image.agg_data("triangle")
+        return nibabel.freesurfer.read_geometry(path)
+    except Exception as error:  # of its parsers, which have no common class
+        raise ValueError(f"nibabel cannot read the file ({error})") from None
 
 
 def _reason(error, path):
