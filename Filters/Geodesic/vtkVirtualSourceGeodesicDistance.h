@@ -11,18 +11,17 @@
  *
  * <b>Guarantee and cost</b>. No distance is longer than the shortest way along mesh edges, up to
  * rounding, for any number of sources. Nothing else bounds the error. Of 10 sources on each of 27
- * real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 %
- * too short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken
- * models of CAD 0.6 to 6 % on the mean, and up to 55 % too short and 60 % too long, several times
- * too long where sides are rough as well (QualityWarning); there vtkExactGeodesicDistance is fast
- * enough. Triangles may be so irregular that distances do not settle: the search then ends with the
- * shortest ones found so far, and a warning. Of a
- * thousand sources at once the mean is smaller, but where there are about as many sources as
- * triangles, or these are long, single distances may be several times too long, and the mean 3 %:
- * no triangle keeps more than one of them. Five million points take a second on one thread, and
- * less on several; several sources a third longer. Single precision: about six digits of the
- * largest distance, initial distances included; along strips of ten thousand triangles rounding
- * adds up to 1e-4 of it.
+ * real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 % too
+ * short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken models
+ * of CAD 0.6 to 6 % on the mean, and up to 55 % too short and 60 % too long, several times too long
+ * where sides are rough as well (QualityWarning); there vtkExactGeodesicDistance is fast enough.
+ * Triangles may be so irregular that distances do not settle: the search then ends with the
+ * shortest ones found so far, and a warning. Of a thousand sources at once the mean is smaller, but
+ * where there are about as many sources as triangles, or these are long, single distances may be
+ * several times too long, and the mean 3 %: no triangle keeps more than one of them. Five million
+ * points take a second on one thread, and less on several; several sources a third longer. Single
+ * precision: about six digits of the largest distance, initial distances included; along strips of
+ * ten thousand triangles rounding adds up to 1e-4 of it.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; initial distances that differ by more than
  * 1e30 mean edges.

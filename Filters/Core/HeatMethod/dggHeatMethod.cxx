@@ -419,8 +419,11 @@ Status HeatMethod::Run(
   result.FewestTriangles = this->Mesh.GetNumberOfFaces();
   for (const Corner& corner : corners)
   {
-    result.FewestTriangles = std::min(
-      result.FewestTriangles, system.GetNumberOfTriangles(system.GetComponent(corner.Vertex)));
+    const Id triangles = system.GetNumberOfTriangles(system.GetComponent(corner.Vertex));
+    if (triangles > 0)
+    {
+      result.FewestTriangles = std::min(result.FewestTriangles, triangles);
+    }
   }
   if (query.WantNearestSource || query.WantVirtualSource)
   {

@@ -69,7 +69,8 @@ struct HeatResult
   /// the rest, and the polar angle at the vertex against the gradient of the distances. Empty
   /// unless asked for.
   VirtualSources Virtual;
-  Id FewestTriangles = 0; ///< of the components that have a source
+  /// Of the components that have a source, those of isolated vertices excluded.
+  Id FewestTriangles = 0;
 };
 
 /// Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013, on one mesh, which must outlive it:

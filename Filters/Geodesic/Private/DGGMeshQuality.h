@@ -38,8 +38,8 @@ inline std::string DGGDescribeLongTriangles(
 constexpr const char* DGGLongTrianglesMislead =
   "distances may be far off. Use vtkExactGeodesicDistance or vtkDGGDistance, or remesh the surface";
 constexpr const char* DGGLongTrianglesHideSources =
-  "inside them distances from virtual sources may be off by half of the largest distance. Call "
-  "GenerateWindowsOn() of vtkExactGeodesicDistance for exact ones, or remesh the surface";
+  "inside them distances from virtual sources may be off by half of the largest distance and more. "
+  "Call GenerateWindowsOn() of vtkExactGeodesicDistance for exact ones, or remesh the surface";
 /// @}
 
 /// A warning about PropagationResult::IsSettled.
