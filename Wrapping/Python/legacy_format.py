@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A check of legacy VTK files. VTK's readers return a part of a truncated file without an error, or
-end the process."""
+"""A check of legacy VTK files, because VTK's readers return a part of a truncated file without an
+error, or end the process."""
 
 import itertools
 import re

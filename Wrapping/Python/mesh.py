@@ -20,11 +20,11 @@ __all__ = ["Mesh"]
 
 
 class Mesh:
-    """Points with polygons, lines or neither, in NumPy arrays: what `read` returns, and a first
-    argument of every function.
+    """A mesh, curves or a point cloud in NumPy arrays.
 
-    Polygons and lines are pairs of arrays (offsets, corners): cell i has the point ids
-    ``corners[offsets[i]:offsets[i + 1]]``. Cell ids count lines first, then polygons.
+    `read` returns it, and every function accepts it as first argument. Polygons and lines are pairs
+    of arrays (offsets, corners): cell i has the point ids ``corners[offsets[i]:offsets[i + 1]]``.
+    Cell ids count lines first, then polygons.
 
     Parameters
     ----------
@@ -80,7 +80,8 @@ class Mesh:
         count = len(self.lines[0]) + len(self.polygons[0]) - 2
         self.cell_data: Dict[str, NDArray[Any]] = _arrays(cell_data, "cell_data", count)
         self.field_data: Dict[str, NDArray[Any]] = _arrays(field_data, "field_data", None)
-        # What a file says of arrays and points, for as_polydata().
+        # For as_polydata(): names of the active arrays by attribute type of VTK, and True if the
+        # file stores coordinates in single precision.
         self._active: Dict[int, str] = {}
         self._is_single = False
 
@@ -92,12 +93,12 @@ class Mesh:
 
     @property
     def graph(self) -> Optional[Dict[str, NDArray[Any]]]:
-        """The arrays of a graph that the mesh carries (`DGG.Offsets` and others); else None."""
+        """Graph arrays in the field data (`DGG.Offsets` and others); None without a graph."""
         found = {key: value for key, value in self.field_data.items() if key.startswith("DGG.")}
         return found or None
 
     def as_polydata(self) -> vtkPolyData:
-        """A new vtkPolyData with copies of all arrays, for filters and writers."""
+        """Returns a new vtkPolyData with copies of all arrays, for filters and writers."""
         from .surface import polydata_of  # which imports VTK
 
         return polydata_of(self)
@@ -109,7 +110,7 @@ class Mesh:
 
 
 def _cells(pair, name, number_of_points):
-    """Offsets and corners after checks."""
+    """Checks offsets and corners, and returns them as int64."""
     offsets, corners = (numbers(part, name, "integer") for part in pair)
     check_ids(corners, number_of_points, name)
     offsets, corners = offsets.astype(np.int64), corners.astype(np.int64).ravel()
@@ -125,7 +126,7 @@ def _cells(pair, name, number_of_points):
 
 
 def _arrays(arrays, name, count):
-    """Copies of named arrays after checks; `count` is the number of rows, or None for any."""
+    """Checks and copies named arrays; `count` is the number of rows, None for any number."""
     found = {}
     for key, values in (arrays or {}).items():
         values = np.array(numbers(values, f"{name}[{key!r}]"))
@@ -137,7 +138,7 @@ def _arrays(arrays, name, count):
 
 
 def _polygons(cells):
-    """Offsets and corners of polygons, with one row each or in one padded row."""
+    """Returns offsets and corners of polygons that have one row each, or are one padded row."""
     if isinstance(cells, (list, tuple)) and len({np.size(row) for row in cells}) > 1:
         sizes = [np.size(row) for row in cells]
         corners = [i for row in cells for i in np.ravel(row)]
@@ -156,7 +157,7 @@ def _polygons(cells):
 
 
 def unpacked(row):
-    """Sizes of cells and their corners, of [n, i, j, k, n, ...]."""
+    """Returns sizes and corners of cells in one row [n, i, j, k, n, ...]."""
     step = int(row[0]) + 1
     if step > 1 and len(row) % step == 0 and (row[::step] == step - 1).all():
         return np.full(len(row) // step, step - 1), row.reshape(-1, step)[:, 1:].ravel()

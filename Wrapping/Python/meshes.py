@@ -32,9 +32,11 @@ LAYOUTS = (
 
 
 def take(mesh, cells=None, **named):
-    """The surface as a new vtkPolyData, and the arguments after it. The mesh is one object, or an
-    array of points with `cells`; else `cells` is the first of the others, each of which may be None
-    for one that is missing."""
+    """Returns the surface as a new vtkPolyData, and the arguments that follow the mesh.
+
+    The mesh is one object, or an array of points with `cells`. With one object `cells` is the first
+    of the arguments that follow. A missing argument is None.
+    """
     others = list(named.values())
     found = opened(mesh)
     if found is None:
@@ -65,7 +67,7 @@ def take(mesh, cells=None, **named):
 
 
 def opened(mesh):
-    """The mesh as a Mesh, a vtkDataObject or a pair of points and cells; None for an array."""
+    """Returns a Mesh, a vtkDataObject or a pair (points, cells); None for an array of points."""
     if isinstance(mesh, (Mesh, vtkDataObject)):
         return mesh
     if isinstance(mesh, (str, os.PathLike)):
@@ -92,7 +94,7 @@ def opened(mesh):
 
 
 def cloud_of(mesh, name="points"):
-    """A new vtkPolyData of a cloud. The data of a vtkPolyData or Mesh come along."""
+    """Returns a new vtkPolyData of a cloud, with the arrays of a vtkPolyData or Mesh."""
     found = opened(mesh)
     if isinstance(found, vtkPolyData):
         return copy_surface(found)
@@ -102,7 +104,7 @@ def cloud_of(mesh, name="points"):
 
 
 def points_of(mesh, name="points"):
-    """The coordinates of a mesh, cloud or array, shape (n, 3)."""
+    """Returns the coordinates of a mesh, cloud or array, shape (n, 3)."""
     found = opened(mesh)
     if isinstance(found, vtkDataObject):
         if not hasattr(found, "GetPoints"):
@@ -116,7 +118,7 @@ def points_of(mesh, name="points"):
 
 
 def from_arrays(points, cells):
-    """A new vtkPolyData of points and polygons."""
+    """Returns a new vtkPolyData of points and polygons. Points of polygons must be finite."""
     mesh = Mesh(points, **_cells(cells))
     offsets, corners = mesh.polygons
     bad = np.flatnonzero(~np.isfinite(mesh.points[corners]).all(axis=1))
@@ -130,7 +132,7 @@ def from_arrays(points, cells):
 
 
 def _surface(found):
-    """A new vtkPolyData of what opened() returns."""
+    """Returns a new vtkPolyData for a result of opened()."""
     if isinstance(found, Mesh):
         return found.as_polydata()
     if isinstance(found, tuple):
@@ -146,7 +148,7 @@ def _surface(found):
 
 
 def _attribute(mesh, path):
-    """The attribute at a dotted path, None if there is none. Tensors become arrays."""
+    """Returns the attribute at a dotted path, None if it is missing. Tensors become arrays."""
     for name in path.split("."):
         try:
             mesh = getattr(mesh, name)
@@ -156,7 +158,7 @@ def _attribute(mesh, path):
 
 
 def _cells(cells):
-    """Cells as arguments of Mesh. Those of meshio are blocks of cells of one type."""
+    """Returns cells as arguments of Mesh. Cells of meshio are blocks of one type each."""
     if not (isinstance(cells, list) and cells and hasattr(cells[0], "type")):
         return {"triangles": cells}
     blocks = [np.asarray(block.data) for block in cells if _is_polygonal(block.type)]
@@ -171,7 +173,7 @@ def _cells(cells):
 
 
 def _is_polygonal(kind):
-    """True for polygons, false for points and lines; volumes and curved cells are an error."""
+    """Returns true for polygons, false for points and lines. Other cells are an error."""
     letters = "".join(letter for letter in kind if letter.isalpha())
     if letters in ("vertex", "line"):
         return False

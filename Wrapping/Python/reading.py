@@ -54,7 +54,7 @@ _FREESURFER = b"\xff\xff\xfe"  # the first bytes of a surface of triangles
 
 
 def read(file: Any) -> Mesh:
-    """A mesh, curves or a point cloud from a file.
+    """Read a mesh, curves or a point cloud from a file.
 
     Coordinates keep their digits and points their order. Truncated and inconsistent files are an
     error. Of volume meshes the surface is used, with a warning.
@@ -107,13 +107,13 @@ def read(file: Any) -> Mesh:
 
 
 def extension_of(path):
-    """The extension that names the format, without .gz."""
+    """Returns the extension that names the format, without .gz."""
     stem, extension = os.path.splitext(path.lower())
     return os.path.splitext(stem)[1] if extension == ".gz" else extension
 
 
 def _read_others(path, extension, name):
-    """A file that VTK or nibabel reads; `name` is that before decompression."""
+    """Reads a file by VTK or nibabel. `name` is the name before decompression, for messages."""
     with open(path, "rb") as file:
         start = file.read(len(_FREESURFER))
         if extension in XML:
@@ -151,7 +151,7 @@ def _mesh_of_vtk(data, name):
 
 
 def _update(reader, path):
-    """The output of a reader of VTK."""
+    """Returns the output of a reader of VTK."""
     reader.SetFileName(path)
     for name in ("ReadAllScalarsOn", "ReadAllVectorsOn", "ReadAllNormalsOn", "ReadAllTCoordsOn",
                  "ReadAllTensorsOn", "ReadAllFieldsOn", "ReadAllColorScalarsOn"):  # fmt: skip
@@ -162,7 +162,7 @@ def _update(reader, path):
 
 @contextlib.contextmanager
 def _decompressed(path, extension):
-    """The file, or for .gz a temporary one with the contents."""
+    """Context of the path; of a compressed file it is a temporary one with the contents."""
     if not path.lower().endswith(".gz"):
         yield path
         return
@@ -174,7 +174,7 @@ def _decompressed(path, extension):
 
 
 def _read_by_nibabel(path, extension, name):
-    """Points and triangles of a GIFTI or FreeSurfer surface."""
+    """Returns points and triangles of a GIFTI or FreeSurfer surface."""
     try:
         import nibabel
     except ImportError:
@@ -192,7 +192,7 @@ def _read_by_nibabel(path, extension, name):
 
 
 def _reason(error, path):
-    """The message of an error in one line, without the name of the class and the file."""
+    """Returns the message of an error in one line, without class and file name."""
     text = " ".join(str(error).split())
     speaker, _, rest = text.partition(": ")
     text = rest if speaker.startswith("vtk") else text

@@ -36,7 +36,7 @@ def copy_surface(polydata):
 
 
 def mesh_of(polydata):
-    """The vtkPolyData as a Mesh. Strips become triangles; vertices and arrays of text are lost."""
+    """Returns the vtkPolyData as a Mesh. Strips become triangles; vertices and text are skipped."""
     if polydata.GetNumberOfStrips() > 0:
         triangulate = vtkTriangleFilter()
         triangulate.SetInputData(polydata)
@@ -61,7 +61,7 @@ def mesh_of(polydata):
 
 
 def polydata_of(mesh):
-    """The Mesh as a new vtkPolyData. Points without any cell get vertices, which draw them."""
+    """Returns the Mesh as a new vtkPolyData. Clouds get vertices, so that they are drawn."""
     result = vtkPolyData()
     result.SetPoints(_points_of(mesh))
     result.SetLines(_cells_of(*mesh.lines))
@@ -83,8 +83,10 @@ def polydata_of(mesh):
 
 
 def surface_of(data, name):
-    """The surface of a vtkPointSet as a vtkPolyData with all of its points, in their order. `name`
-    names the data in the warning about volumes."""
+    """Returns the surface of a vtkPointSet as a vtkPolyData with the same points.
+
+    A warning about volume cells begins with `name`.
+    """
     ids = numpy_to_vtkIdTypeArray(np.arange(data.GetNumberOfPoints()), deep=True)
     ids.SetName("vtkdgg ids")  # PassThroughPointIds of VTK 9.1 is wrong on quadratic cells
     numbered = data.NewInstance()
@@ -145,7 +147,7 @@ def from_arrays(arrays):
 
 
 def _points_of(mesh):
-    """The points in double precision; in single precision where they were stored so in a file."""
+    """Returns vtkPoints: single precision for unchanged coordinates of a file that stores it."""
     values = mesh.points
     if mesh._is_single and (values.astype(np.float32) == values).all():
         values = values.astype(np.float32)
@@ -155,32 +157,32 @@ def _points_of(mesh):
 
 
 def _ids_of(cells):
-    """Offsets and corners of a vtkCellArray, without a copy."""
+    """Returns offsets and corners of a vtkCellArray, without a copy."""
     return tuple(
         vtk_to_numpy(array) for array in (cells.GetOffsetsArray(), cells.GetConnectivityArray())
     )
 
 
 def _cells_of(*arrays):
-    """A vtkCellArray of offsets and corners."""
+    """Returns a vtkCellArray of offsets and corners."""
     cells = vtkCellArray()
     cells.SetData(*(numpy_to_vtkIdTypeArray(ids.astype(np.int64), deep=True) for ids in arrays))
     return cells
 
 
 def _numeric(data):
-    """The arrays of numbers."""
+    """Returns the arrays of numbers, without those of bits."""
     arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
     return [a for a in arrays if a is not None and a.GetDataType() != VTK_BIT]
 
 
 def _named(data):
-    """The arrays of numbers by name."""
+    """Returns the arrays of numbers by name."""
     return {a.GetName(): vtk_to_numpy(a) for a in _numeric(data) if a.GetName()}
 
 
 def _one_of_each_type(data):
-    """A cell id for each type of cell."""
+    """Returns the id of one cell of each type."""
     if not hasattr(data, "GetCellTypesArray"):
         return [0] if data.GetNumberOfCells() else []
     if data.GetNumberOfCells() == 0:

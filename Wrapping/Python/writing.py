@@ -97,7 +97,7 @@ def write(file: Any, mesh: Any) -> None:
 
 
 def write_numbers(path, values):
-    """Write an array to a .csv or .npy file. Structured arrays get a header line in a CSV file."""
+    """Writes an array to a .csv or .npy file. CSV files of structured arrays have a header line."""
     if extension_of(path) == ".npy":
         np.save(path, values)
         return
@@ -110,8 +110,10 @@ def write_numbers(path, values):
 
 
 def table_of(data):
-    """The points of a vtkPolyData as a structured array: coordinates and point arrays; of curves
-    the points of each line in turn, with the index of the line and the cell arrays."""
+    """Returns coordinates and point arrays of a vtkPolyData as a structured array.
+
+    Curves have a row for each point of each line, with the index of the line and the cell arrays.
+    """
     points = vtk_to_numpy(data.GetPoints().GetData())
     rows = slice(None)
     columns = {}
@@ -139,18 +141,18 @@ def _columns(name, values):
 
 
 def extension_of(path):
-    """The extension, in lower case."""
+    """Returns the extension in lower case."""
     return os.path.splitext(path)[1].lower()
 
 
 def arrays_of(data):
-    """Names and values of the arrays of numbers that have a name."""
+    """Returns names and values of the arrays of numbers that have a name."""
     arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
     return [(a.GetName(), vtk_to_numpy(a)) for a in arrays if a is not None and a.GetName()]
 
 
 def left_out(path, data):
-    """The names of what the format of the file does not hold of the data."""
+    """Returns the names of arrays and cells of the data that the format does not hold."""
     extension = extension_of(path)
     if extension in (".vtk", ".vtp"):
         return []
