@@ -137,7 +137,7 @@ if (DGG_WITH_PYTHON)
   math(EXPR dgg_next "${Python3_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}~), \
 python3 (<< 3.${dgg_next}), python3-numpy, python3-vtk9")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy, python3-tqdm")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-nibabel, python3-scipy, python3-tqdm")
   # Compiled modules are not in the package, so they are to be made and to be removed.
   file(WRITE "${dgg_folder}/postinst" "#!/bin/sh\nset -e\nif [ \"$1\" = configure ]; then\n\
   py3compile -p python3-vtkdgg\nfi\n")
