@@ -70,14 +70,20 @@ DGGCellCoordinates::Coordinates DGGCellCoordinates::GetPosition(
 bool DGGCellCoordinates::IsAt(
   vtkIdType cell, const Coordinates& coordinates, const double position[3]) const
 {
-  const dgg::TriangleCorners corners = this->GetPositions(this->GetCorners(cell));
-  const Coordinates found = dgg::ConvertFromPart(corners, coordinates);
+  const Corners corners = this->GetCorners(cell);
+  Corners merged;
+  std::transform(corners.begin(), corners.end(), merged.begin(),
+    [this](vtkIdType id) { return this->Mesh.GetVertex(id); });
+  const dgg::TriangleCorners positions = this->GetPositions(corners);
+  const Coordinates inInput = dgg::ConvertFromPart(positions, coordinates);
+  const Coordinates inMesh = dgg::ConvertFromPart(this->GetPositions(merged), coordinates);
   double largest = 0.0;
   double farthest = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    farthest = std::max(farthest, std::abs(found[i] - position[i]));
-    for (const Coordinates& corner : corners)
+    farthest =
+      std::max(farthest, std::abs(inInput[i] - position[i]) - std::abs(inInput[i] - inMesh[i]));
+    for (const Coordinates& corner : positions)
     {
       largest = std::max(largest, std::abs(corner[i]));
     }
@@ -119,10 +125,9 @@ DGGCellCoordinates::Coordinates DGGCellCoordinates::GetCoordinates(
 //------------------------------------------------------------------------------
 DGGCellCoordinates::Corners DGGCellCoordinates::GetCorners(vtkIdType cell) const
 {
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  this->Input->GetPolys()->GetCellAtId(cell - this->FirstPolygon, size, ids);
-  return { { ids[0], ids[1], ids[2] } };
+  // Unlike with pointers, other threads may read the same cells.
+  this->Input->GetPolys()->GetCellAtId(cell - this->FirstPolygon, this->Cell);
+  return { { this->Cell->GetId(0), this->Cell->GetId(1), this->Cell->GetId(2) } };
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,9 @@
 #include "dggBarycentric.h"            // for TriangleCorners
 #include "dggSurfacePoint.h"           // for SurfacePoint
 
-#include "vtkType.h" // for vtkIdType
+#include "vtkIdList.h" // for the workspace
+#include "vtkNew.h"    // for vtkNew
+#include "vtkType.h"   // for vtkIdType
 
 #include <array>  // for the coordinates
 #include <string> // for messages
@@ -37,7 +39,8 @@ public:
   /// Position in space of a pair that Check() accepts.
   Coordinates GetPosition(vtkIdType cell, const Coordinates& coordinates) const;
 
-  /// Returns true if a pair that Check() accepts is at a position, up to single precision.
+  /// Returns true if a pair that Check() accepts is at a position, up to single precision and to
+  /// the distances by which corners were merged.
   bool IsAt(vtkIdType cell, const Coordinates& coordinates, const double position[3]) const;
 
   /// Finds the point of the mesh for a pair that Check() accepts. Returns false if the mesh has no
@@ -53,11 +56,13 @@ private:
   Corners GetCorners(vtkIdType cell) const;
   /// Coordinates in the cell with these corners of the corners of a face.
   dgg::TriangleCorners GetPart(const Corners& corners, dgg::Id face) const;
+  /// Coordinates of points.
   dgg::TriangleCorners GetPositions(const Corners& corners) const;
 
   vtkPolyData* Input;
   const DGGPreparedMesh& Mesh;
   vtkIdType FirstPolygon;
+  vtkNew<vtkIdList> Cell; // workspace
 };
 
 #endif

@@ -95,6 +95,17 @@ public:
   {
   }
 
+  /// Fails if arrays of the right names have other sizes.
+  dgg::Status Check() const
+  {
+    vtkPointData* data = this->Set.Points->GetPointData();
+    const bool isMeant = !this->Ids && data->HasArray("FaceId") && data->HasArray("Barycentric");
+    return isMeant && !(this->Faces && this->Weights)
+      ? dgg::InvalidInput("the point arrays FaceId and Barycentric of input port ", this->Set.Port,
+          " must have 1 and 3 components: correct or remove Barycentric")
+      : dgg::Status::Success();
+  }
+
   /// Finds the point of the surface that is identified by the arrays, and sets `isFound`. Moves
   /// `position` to a point of a cell that has no area. In outputs of filters, which have all
   /// arrays, an array counts where the point lies there: they may be of another surface.
@@ -276,6 +287,7 @@ dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSour
   }
 
   const Identities identities(context, set);
+  DGG_RETURN_IF_ERROR(identities.Check());
   vtkDataArray* offsets = set.InitialDistanceArray.empty()
     ? nullptr
     : set.Points->GetPointData()->GetArray(set.InitialDistanceArray.c_str());
@@ -347,33 +359,37 @@ void DGGSourceCollector::PassArrays(
 }
 
 //------------------------------------------------------------------------------
-void DGGSourceCollector::WarnAboutIsolatedIds(
-  const DGGContext& context, const DGGSourceSet& set, vtkObject* filter)
+void DGGSourceCollector::WarnAboutIsolated(const DGGContext& context,
+  const std::vector<dgg::GeodesicSource>& sources, const std::string& role, vtkObject* filter)
 {
   const DGGPreparedMesh& mesh = context.Surface;
   const double* positions = mesh.IsCloud() ? mesh.GetPositions() : nullptr;
-  const auto isIsolated = [&](vtkIdType id) {
+  const auto isIsolated = [&](const dgg::SurfacePoint& point) {
+    if (!dgg::IsVertex(point))
+    {
+      return false;
+    }
     if (!positions)
     {
-      return IsIsolated(mesh, mesh.GetVertex(id));
+      return IsIsolated(mesh, point.Vertex);
     }
-    const double* p = positions + 3 * id;
+    const double* p = positions + 3 * static_cast<std::size_t>(point.Vertex);
     return !std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]);
   };
   vtkIdType count = 0;
   vtkIdType example = 0;
-  for (const vtkIdType id : set.Ids)
+  for (const dgg::GeodesicSource& source : sources)
   {
-    if (isIsolated(id))
+    if (isIsolated(source.Point))
     {
-      example = count == 0 ? id : example;
+      example = count == 0 ? source.Point.Vertex : example;
       ++count;
     }
   }
   if (count > 0)
   {
     vtkWarningWithObjectMacro(filter,
-      << count << " of the " << set.Role << " ids, the first of them " << example
+      << count << " of the " << role << " ids, the first of them " << example
       << (positions ? ", are points that are not finite" : ", are points that no polygon uses")
       << ". They reach no other point.");
   }

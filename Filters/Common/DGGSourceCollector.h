@@ -68,10 +68,10 @@ public:
   static void PassArrays(
     const DGGSourceSet& set, const std::vector<dgg::Id>& nearest, vtkDataSetAttributes* output);
 
-  /// Have a filter warn of ids of points that no polygon uses; in clouds, of those that are not
-  /// finite. The set must have been checked.
-  static void WarnAboutIsolatedIds(
-    const DGGContext& context, const DGGSourceSet& set, vtkObject* filter);
+  /// Makes a filter warn of collected points that no polygon uses; in clouds, of points that are
+  /// not finite. `role` is what the message calls them.
+  static void WarnAboutIsolated(const DGGContext& context,
+    const std::vector<dgg::GeodesicSource>& sources, const std::string& role, vtkObject* filter);
 };
 
 #endif

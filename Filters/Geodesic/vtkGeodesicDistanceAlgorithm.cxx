@@ -268,7 +268,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   std::vector<dgg::GeodesicSource> sources;
   DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
     context, this->GetSources(inputVector), this->ProjectionTolerance, sources));
-  DGGSourceCollector::WarnAboutIsolatedIds(context, this->GetSources(inputVector), this);
+  DGGSourceCollector::WarnAboutIsolated(context, sources, "source", this);
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;

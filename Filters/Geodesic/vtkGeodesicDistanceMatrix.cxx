@@ -292,8 +292,8 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
     DGG_RETURN_IF_ERROR(
       DGGSourceCollector::Collect(context, columnSet, this->ProjectionTolerance, others));
   }
-  DGGSourceCollector::WarnAboutIsolatedIds(context, this->GetRows(inputVector), this);
-  DGGSourceCollector::WarnAboutIsolatedIds(context, columnSet, this);
+  DGGSourceCollector::WarnAboutIsolated(context, sources, "row", this);
+  DGGSourceCollector::WarnAboutIsolated(context, others, "column", this);
   if (this->CompressedRows)
   {
     return this->FillCompressedRows(context, sources, vtkTable::GetData(outputVector));

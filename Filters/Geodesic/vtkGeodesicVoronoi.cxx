@@ -445,7 +445,7 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
   result.Moving.NumberOfIterations = this->NumberOfIterations;
   result.Moving.Tolerance = this->Tolerance;
-  DGGSourceCollector::WarnAboutIsolatedIds(context, set, this);
+  DGGSourceCollector::WarnAboutIsolated(context, result.Sites, "site", this);
   if (this->Preview)
   {
     DGG_RETURN_IF_ERROR(this->ComputePreview(context, result));

@@ -497,6 +497,38 @@ TEST(SourceFaces, WrongOnesAreRefused)
   }
 }
 
+TEST(SourceFaces, PointsWithoutCellsStayThemselves)
+{
+  const auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 0 } } }, { { 0, 1, 2 } });
+  const auto points = MakeSourcePoints({ { { 0, 0, 0 } } });
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("vtkOriginalPointIds");
+  ids->InsertNextValue(3);
+  points->GetPointData()->AddArray(ids);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(points);
+  ExpectWarning(filter, { "1 of the source ids", "the first of them 3", "no polygon uses" });
+  EXPECT_EQ(GetDistances(filter)[3], 0.0);
+  EXPECT_TRUE(std::isnan(GetDistances(filter)[0]));
+}
+
+TEST(SourceFaces, ThreeCoordinatesAreNeeded)
+{
+  const auto surface = MakeGrid(1, 1);
+  const auto points = MakePoints(surface, { { 0, { { 1, 0, 0 } } } }, ByFace);
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetName("Barycentric");
+  coordinates->SetNumberOfComponents(2);
+  coordinates->InsertNextTuple2(1.0, 0.0);
+  points->GetPointData()->AddArray(coordinates);
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->SetSourceData(points);
+  ExpectError(filter, { "FaceId and Barycentric of input port 1 must have 1 and 3 components" });
+}
+
 TEST(SourceFaces, OutputsIdentifyTheirPoints)
 {
   // Samples and sites inside faces, on the layer that the position does not find.
