@@ -322,8 +322,11 @@ dgg::Status vtkGeodesicVoronoi::CheckProperties() const
     return dgg::Status::Invalid("NumberOfIterations is " +
       std::to_string(this->NumberOfIterations) + ": call SetNumberOfIterations() with at least 0");
   }
-  for (const auto& name : { std::make_pair("DistanceArrayName", &this->DistanceArrayName),
-         std::make_pair("SourceArrayName", &this->SourceArrayName) })
+  const std::pair<const char*, const std::string*> names[] = {
+    { "DistanceArrayName", &this->DistanceArrayName },
+    { "SourceArrayName", &this->SourceArrayName },
+  };
+  for (const auto& name : names)
   {
     if (name.second->empty())
     {
