@@ -68,7 +68,7 @@ class Distance(unittest.TestCase):
         )
         self.assertTrue(found.GetPointData().HasArray("GeodesicSource"))
         self.assertEqual(len(vtkdgg.distance([], [], 0, return_source=True)), 2)
-        with self.assertRaisesRegex(ValueError, "initial_distances: one number, or 2"):
+        with self.assertRaisesRegex(ValueError, "initial_distances: expected one number or 2"):
             vtkdgg.distance(self.points, self.triangles, ids, initial_distances=[1.0])
 
     def test_around_a_corner(self):
@@ -192,48 +192,48 @@ class WrongInput(unittest.TestCase):
             vtkdgg.distance(points, triangles, sources, **options)
 
     def test_points(self):
-        self.refuses(r"points: the shape must be \(n, 3\), not \(9, 2\)", self.points[:, :2])
-        self.refuses(r"points: the shape", self.points.ravel())
-        self.refuses("points: .*not an array of numbers|points: numbers", [[0, 0, 0], [1, 0]])
-        self.refuses("points: numbers are wanted", [["a", "b", "c"]])
-        self.refuses("points: numbers are wanted", self.points.astype(complex))
+        self.refuses(r"points: expected the shape \(n, 3\), got \(9, 2\)", self.points[:, :2])
+        self.refuses(r"points: expected the shape", self.points.ravel())
+        self.refuses("points: .*not an array of numbers|points: expected numbers", [[0, 0, 0], [1, 0]])
+        self.refuses("points: expected numbers", [["a", "b", "c"]])
+        self.refuses("points: expected numbers", self.points.astype(complex))
         for value in (np.nan, np.inf):
             bad = self.points.copy()
             bad[4, 1] = value
             self.refuses("points: row 4 is not finite", bad)
 
     def test_triangles(self):
-        self.refuses(r"triangles: the shape must be \(m, 3\)", triangles=[[0, 1]])
-        self.refuses("triangles: integers are wanted, not float64", triangles=[[0.0, 1.0, 2.0]])
-        self.refuses("triangles: integers are wanted, not bool", triangles=[[True, False, True]])
+        self.refuses(r"triangles: expected the shape \(m, 3\)", triangles=[[0, 1]])
+        self.refuses("triangles: expected integers, got float64", triangles=[[0.0, 1.0, 2.0]])
+        self.refuses("triangles: expected integers, got bool", triangles=[[True, False, True]])
         self.refuses(r"triangles: point id 9 \(entry 1, 2\)", triangles=[[0, 1, 2], [3, 4, 9]])
         self.refuses(r"triangles: point id -1 \(entry 0, 0\)", triangles=[[-1, 1, 2]])
 
     def test_sources(self):
         self.refuses(r"sources: point id 9 \(entry 0\)", sources=9)
         self.refuses(r"sources: point id -1 \(entry 1\)", sources=[0, -1])
-        self.refuses("sources: at least one", sources=[])
+        self.refuses("sources: expected at least one", sources=[])
         self.refuses("sources: expected point ids", sources=1.0)
         self.refuses("sources: expected point ids", sources=[0.5, 0.5])
         self.refuses("sources: expected point ids", sources=[[0, 1, 2]])  # ids or coordinates?
-        self.refuses("sources: numbers are wanted, not bool", sources=[True, False])
-        self.refuses("sources: numbers are wanted", sources="first")
+        self.refuses("sources: expected numbers, got bool", sources=[True, False])
+        self.refuses("sources: expected numbers", sources="first")
         self.refuses("sources: missing", sources=None)
-        self.refuses(r"sources: the shape must be \(n, 3\)", sources=[[0.0, 1.0]])
+        self.refuses(r"sources: expected the shape \(n, 3\)", sources=[[0.0, 1.0]])
         self.refuses("sources: row 0 is not finite", sources=[[np.nan, 0.0, 0.0]])
 
     def test_maximum_distance(self):
         for value in (-1.0, np.nan):
             self.refuses("maximum_distance", maximum_distance=value)
 
-        self.refuses("maximum_distance: a number is wanted", maximum_distance="far")
+        self.refuses("maximum_distance: expected a number", maximum_distance="far")
 
     def test_numbers(self):
         for name in ("unreached", "projection_tolerance", "accuracy", "maximum_distance"):
             for value in ("x", "1", [1, 2], 10**400):
                 with self.subTest(name=name, value=str(value)[:9]):
-                    self.refuses(f"{name}: a number is wanted", **{name: value})
-        self.refuses("unreached: a number is wanted, not None", unreached=None)
+                    self.refuses(f"{name}: expected a number", **{name: value})
+        self.refuses("unreached: expected a number, got None", unreached=None)
         for value in (-0.1, np.nan):
             self.refuses("projection_tolerance: must not be", projection_tolerance=value)
 
@@ -246,7 +246,7 @@ class WrongInput(unittest.TestCase):
         self.refuses("there is 1 point$", points=[[0, 0, 0]], triangles=[[0, 0, 0]], sources=1)
 
     def test_accuracy(self):
-        self.refuses("accuracy: a number is wanted, not 'high'", accuracy="high")
+        self.refuses("accuracy: expected a number, got 'high'", accuracy="high")
         for accuracy in (0.0, -0.1, 0.6, np.nan):
             with self.subTest(accuracy=accuracy), self.assertRaisesRegex(vtkdgg.VTKError, "0.5"):
                 vtkdgg.distance(self.points, self.triangles, 0, accuracy=accuracy)

@@ -344,12 +344,12 @@ class WrongInput(unittest.TestCase):
     def test_arrays(self):
         for points, triangles, pattern in (
             ([], [], "points: expected at least one"),
-            (self.points[:, :2], self.triangles, "points: the shape"),
+            (self.points[:, :2], self.triangles, "points: expected the shape"),
             (self.points + np.nan, self.triangles, "points: row 0 is not finite"),
             (np.ma.masked_less(self.points, 0.5), self.triangles, "points: has masked entries"),
             (self.points, self.triangles + 3, r"triangles: point id 6 \(entry 0, 2\)"),
-            (self.points, self.triangles + 0.0, "triangles: integers are wanted"),
-            (self.points, self.triangles > 0, "triangles: integers are wanted, not bool"),
+            (self.points, self.triangles + 0.0, "triangles: expected integers"),
+            (self.points, self.triangles > 0, "triangles: expected integers, got bool"),
         ):
             with self.subTest(pattern=pattern), self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.Graph(points, triangles)
@@ -362,7 +362,7 @@ class WrongInput(unittest.TestCase):
                 with self.assertRaisesRegex(vtkdgg.VTKError, "accuracy.*1e-06, 0.5"):
                     vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
         for accuracy in ("fine", [0.1, 0.2]):
-            with self.assertRaisesRegex(ValueError, "accuracy: a number is wanted"):
+            with self.assertRaisesRegex(ValueError, "accuracy: expected a number"):
                 vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
 
     def test_construction(self):
@@ -392,7 +392,7 @@ class WrongInput(unittest.TestCase):
     def test_numbers(self):
         for value in ("x", None, [1.0, 2.0]):
             for ask in (self.graph.distance, self.graph.matrix):
-                with self.assertRaisesRegex(ValueError, "unreached: a number is wanted"):
+                with self.assertRaisesRegex(ValueError, "unreached: expected a number"):
                     ask(0, unreached=value)
         for ask in (self.graph.distance, self.graph.matrix):
             for value in (-1.0, np.nan, "x"):
@@ -401,23 +401,23 @@ class WrongInput(unittest.TestCase):
 
     def test_queries(self):
         for sources, options, pattern in (
-            ([], {}, "sources: at least one"),
+            ([], {}, "sources: expected at least one"),
             (6, {}, "sources: point id 6"),
             ([0, -1], {}, r"sources: point id -1 \(entry 1\)"),
             (2**70, {}, "sources: 1180591620717411303424 does not fit into 64 bits"),
-            (True, {}, "sources: numbers are wanted, not bool"),
-            (np.array([True, False]), {}, "sources: numbers are wanted, not bool"),
+            (True, {}, "sources: expected numbers, got bool"),
+            (np.array([True, False]), {}, "sources: expected numbers, got bool"),
             (np.ma.masked_equal([0, 1], 1), {}, "sources: has masked entries"),
             (0.5, {}, "sources: expected point ids"),
             ([[0.0, 0.0, np.inf]], {}, "sources: row 0 is not finite"),
             (0, {"maximum_distance": -1.0}, "maximum_distance"),
             (0, {"maximum_distance": np.nan}, "maximum_distance"),
-            ([0, 1], {"initial_distances": [1.0]}, "initial_distances: one number, or 2"),
-            ([0, 1], {"initial_distances": [[1.0, 2.0]]}, "initial_distances: one number, or 2"),
-            ([0, 1], {"initial_distances": []}, "initial_distances: one number, or 2"),
+            ([0, 1], {"initial_distances": [1.0]}, "initial_distances: expected one number or 2"),
+            ([0, 1], {"initial_distances": [[1.0, 2.0]]}, "initial_distances: expected one number or 2"),
+            ([0, 1], {"initial_distances": []}, "initial_distances: expected one number or 2"),
             ([0, 1], {"initial_distances": [0.0, np.nan]}, "initial_distances: entry 1"),
-            ([0, 1], {"initial_distances": "ab"}, "initial_distances: numbers"),
-            (0, {"initial_distances": [1.0, 2.0]}, "initial_distances: one number is wanted"),
+            ([0, 1], {"initial_distances": "ab"}, "initial_distances: expected numbers"),
+            (0, {"initial_distances": [1.0, 2.0]}, "initial_distances: expected one number"),
         ):
             with self.subTest(sources=sources, options=options):
                 with self.assertRaisesRegex(ValueError, pattern):

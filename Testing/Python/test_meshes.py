@@ -96,17 +96,17 @@ class Meshes(unittest.TestCase):
 
     def test_wrong_cells(self):
         for cells, pattern in (
-            ([[0, 1]], "triangles: the shape"),
+            ([[0, 1]], "triangles: expected the shape"),
             ([[0, 1, 2], [0, 1]], "triangles: a polygon has 2 corners"),
-            ([3, 0, 1], "triangles: the shape .* number of corners before"),
-            ([3, 0, 1, 2, 4, 0, 1], "number of corners before"),
+            ([3, 0, 1], "triangles: expected the shape .* number of corners"),
+            ([3, 0, 1, 2, 4, 0, 1], "number of corners"),
             ([-1, 0, 1, 2], "triangles: "),
             ([2, 0, 1], "triangles: a polygon has 2 corners"),
             ([3, 0, 1, 99], "triangles: point id 99"),
             ([[0, 1, 2], [0, 1, 2, 99]], "triangles: point id 99"),
-            ([[0.0, 1, 2]], "triangles: integers"),
-            (7, "triangles: the shape"),
-            ("abc", "triangles: integers"),
+            ([[0.0, 1, 2]], "triangles: expected integers"),
+            (7, "triangles: expected the shape"),
+            ("abc", "triangles: expected integers"),
         ):
             with self.subTest(cells=cells), self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.distance(POINTS, cells, 0)
@@ -121,7 +121,7 @@ class Meshes(unittest.TestCase):
         solid = Mesh(points=POINTS, cells=[Block("tetra", [[0, 1, 5, 6]])])
         with self.assertRaisesRegex(ValueError, "'tetra'"):
             vtkdgg.Graph(solid)
-        with self.assertRaisesRegex(ValueError, "triangles: they are missing"):
+        with self.assertRaisesRegex(ValueError, "triangles: missing"):
             vtkdgg.distance(POINTS, sources=0)
         for given in ((POINTS, 0), (POINTS, [0, 1]), (POINTS,), (POINTS, None, 0)):
             with self.assertRaisesRegex(ValueError, "triangles: .* see vtkdgg.CloudGraph"):
@@ -132,7 +132,7 @@ class Meshes(unittest.TestCase):
             for file in ("file.ply", pathlib.Path("file.ply")):
                 with self.assertRaisesRegex(FileNotFoundError, "file.ply: no such file"):
                     call(file)
-        with self.assertRaisesRegex(ValueError, "triangles: the mesh has cells"):
+        with self.assertRaisesRegex(ValueError, "triangles: given, but the mesh has cells"):
             vtkdgg.distance(MESHES["trimesh"], TRIANGLES, 0)
         with self.assertRaisesRegex(ValueError, "end: missing"):
             vtkdgg.path(MESHES["trimesh"], 0)

@@ -186,8 +186,8 @@ class Small(unittest.TestCase):
             ([0, 1], 0, "start: expected a point id"),
             ([0, 0, 1], 0, "start: expected a point id"),  # three ids, or coordinates?
             ([[0, 1, 2]], 0, "start: expected a point id"),
-            (True, 0, "start: numbers are wanted"),
-            ("a", 0, "start: numbers are wanted"),
+            (True, 0, "start: expected numbers"),
+            ("a", 0, "start: expected numbers"),
             (0, [0, 0, np.nan], "end: row 0 is not finite"),
         ):
             with self.subTest(start=start, end=end):

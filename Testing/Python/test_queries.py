@@ -55,7 +55,7 @@ class OfAMesh(unittest.TestCase):
         np.testing.assert_allclose([p.length for p in fan], [p.length for p in back], rtol=0.02)
         mixed = self.graph.paths(self.points[[5, 17]] + 1e-9, [318, 5])
         self.assertAlmostEqual(mixed[0].length, found[0].length, delta=1e-4 * self.size)
-        with self.assertRaisesRegex(ValueError, "as many are wanted"):
+        with self.assertRaisesRegex(ValueError, "expected equal numbers"):
             self.graph.paths([1, 2, 3], [1, 2])
 
     def test_paths_that_are_not_there(self):
@@ -286,7 +286,7 @@ class OfACloud(unittest.TestCase):
     def test_mistakes(self):
         for call, pattern in (
             (lambda: vtkdgg.CloudGraph([]), "points: expected at least one"),
-            (lambda: vtkdgg.CloudGraph([[0, 0]]), "points: the shape"),
+            (lambda: vtkdgg.CloudGraph([[0, 0]]), "points: expected the shape"),
             (lambda: vtkdgg.CloudGraph(self.points, normals=[[0, 0, 1]]), "normals: expected 861"),
             (lambda: vtkdgg.CloudGraph(self.points, scheme="D"), "scheme"),
             (lambda: vtkdgg.Graph.from_polydata(self.cloud.polydata), "CloudGraph"),
@@ -324,7 +324,7 @@ class Spectral(unittest.TestCase):
         squares = vtkdgg.greens_function(self.mesh, [0, 10], order=2)
         self.assertAlmostEqual(squares[0, 1], squares[10, 0], 3)
         self.assertEqual(np.argmax(squares[:, 1]), 10)
-        with self.assertRaisesRegex(ValueError, "order: 1 or 2"):
+        with self.assertRaisesRegex(ValueError, "order: expected 1 or 2"):
             vtkdgg.greens_function(self.mesh, 0, order=3)
         for options in ({"method": "Best"}, {"boundary": "Robin"}):
             with self.assertRaisesRegex(ValueError, "one of"):
@@ -368,10 +368,10 @@ class Spectral(unittest.TestCase):
         self.assertEqual(names, ["Interpolation"])
         self.assertEqual(surface.GetPointData().GetNumberOfArrays(), 1)
         for sites, values, pattern in (
-            ([0, 1], [1.0], "values: one row for each of 2 sites"),
-            ([0], [[[1.0]]], "values: one row"),
+            ([0, 1], [1.0], "values: expected one row for each of 2 sites"),
+            ([0], [[[1.0]]], "values: expected one row"),
             ([0, 642], [1.0, 2.0], "sites: "),
-            ([0], "x", "values: numbers"),
+            ([0], "x", "values: expected numbers"),
         ):
             with self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.interpolate(self.mesh, sites, values)

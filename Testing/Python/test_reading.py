@@ -281,19 +281,19 @@ class Meshes(unittest.TestCase):
         points, triangles = support.grid(1, 1)
         for options, pattern in (
             ({"triangles": [[0, 1, 9]]}, "triangles: point id 9"),
-            ({"polygons": ([0, 2], [0, 1])}, "triangles: a polygon has 2 corners"),
-            ({"polygons": ([0, 3], [0, 1])}, "triangles: offsets must rise from 0 .* 2"),
+            ({"polygons": ([0, 2], [0, 1])}, "polygons: a polygon has 2 corners"),
+            ({"polygons": ([0, 3], [0, 1])}, "polygons: offsets must rise from 0 .* 2"),
             ({"lines": ([0, 1], [0])}, "lines: a line has 1 corners"),
             (
                 {"point_data": {"a": [1, 2]}},
                 r"point_data\['a'\]: expected 4 rows, got shape \(2,\)",
             ),
             ({"cell_data": {"a": [1]}}, r"cell_data\['a'\]: expected 0 rows"),
-            ({"point_data": {"a": ["x"] * 4}}, r"point_data\['a'\]: numbers"),
+            ({"point_data": {"a": ["x"] * 4}}, r"point_data\['a'\]: expected numbers"),
         ):
             with self.subTest(options), self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.Mesh(points, **options)
-        with self.assertRaisesRegex(ValueError, "points: the shape"):
+        with self.assertRaisesRegex(ValueError, "points: expected the shape"):
             vtkdgg.Mesh(points[0])
 
     def test_single_precision_is_kept(self):

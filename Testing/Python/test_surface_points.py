@@ -369,7 +369,7 @@ class Mistakes(unittest.TestCase):
         for sources, pattern in (
             ((4, inside), r"sources: face 4 \(entry 0\) does not exist; there are 4"),
             ([0, (-1, inside)], r"face -1 \(entry 1\) does not exist"),
-            ((3, inside), "face 3 .* is no triangle"),
+            ((3, inside), "face 3 .* is not a triangle"),
             ((0, (0.2, 0.3, 0.6)), "barycentric coordinates .* sum must be 1"),
             ((0, (1.2, -0.2, 0.0)), "must not be negative"),
             ((0, (np.nan, 0.5, 0.5)), "must not be negative"),

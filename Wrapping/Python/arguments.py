@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks of arguments, and their way into VTK. What is wrong is a ValueError that names it."""
+"""Checks of arguments, and their conversion to VTK. Errors are a ValueError that names the
+argument."""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     #: One or several of them.
     SurfacePointsLike = Union[SurfacePointLike, Sequence[SurfacePointLike]]
 
-# How far barycentric coordinates may be below 0, and their sum from 1, as the filters take them.
+# Tolerance of barycentric coordinates and of their sum, the same as in the filters.
 _BARYCENTRIC_TOLERANCE = 1e-6
 # The arrays of SurfacePoints.
 _GIVEN = ("point_ids", "coordinates", "faces", "barycentric")
@@ -53,14 +54,14 @@ class SurfacePoints:
         return len(self.point_ids)
 
     def __getitem__(self, rows):
-        """The points of a slice or of an array of indices."""
+        """Returns the points of a slice or of an array of indices."""
         result = SurfacePoints(self._surface, 0)
         for name in _GIVEN:
             setattr(result, name, getattr(self, name)[rows])
         return result
 
     def interleaved(self, others):
-        """The points, each followed by the one of `others` with the same index."""
+        """Returns the points, each followed by the one of `others` with the same index."""
         result = SurfacePoints(self._surface, 0)
         for name in _GIVEN:
             pairs = np.stack([getattr(self, name), getattr(others, name)], axis=1)
@@ -111,8 +112,8 @@ class SurfacePoints:
 
 
 def surface_points(values, name, surface, is_cloud=False):
-    """Points of a surface as `SurfacePoints`: ids (integers), coordinates (floats), pairs (face,
-    barycentric coordinates), or a sequence that mixes them."""
+    """Returns points of a surface as `SurfacePoints`: ids (integers), coordinates (floats), pairs
+    (face, barycentric coordinates), or a sequence that mixes them."""
     if isinstance(values, tuple) and _is_in_face(values):
         values = [values]
     if is_mixed(values):
@@ -122,7 +123,7 @@ def surface_points(values, name, surface, is_cloud=False):
     else:
         array = numbers(values, name)
         if array.size == 0:
-            raise ValueError(f"{name}: at least one is wanted")
+            raise ValueError(f"{name}: expected at least one, got none")
         is_float = array.dtype.kind == "f"
         if array.shape != (3,) and array.ndim != 2 if is_float else array.ndim > 1:
             raise ValueError(
@@ -143,7 +144,7 @@ def surface_points(values, name, surface, is_cloud=False):
 
 
 def surface_point(value, name, surface, is_cloud=False):
-    """One point of a surface, as `SurfacePoints` of length 1."""
+    """Returns one point of a surface, as `SurfacePoints` of length 1."""
     if not _is_in_face(value):
         array = numbers(value, name)
         if array.shape != ((3,) if array.dtype.kind == "f" else ()):
@@ -155,15 +156,15 @@ def surface_point(value, name, surface, is_cloud=False):
 
 
 def is_mixed(values):
-    """True for a sequence that contains pairs (face, barycentric coordinates), or both ids and
-    coordinates."""
+    """Returns true for a sequence that contains pairs (face, barycentric coordinates), or both
+    ids and coordinates."""
     return isinstance(values, (list, tuple)) and (
         any(map(_is_in_face, values)) or len({hasattr(value, "__len__") for value in values}) > 1
     )
 
 
 def _is_in_face(value):
-    """True for a pair of a number and a sequence."""
+    """Returns true for a pair of a number and a sequence."""
     return (
         isinstance(value, (list, tuple))
         and len(value) == 2
@@ -188,6 +189,7 @@ def _set(points, i, value, name):
 
 
 def _check_faces(points, name, surface, is_cloud):
+    """Raises an error for a face or barycentric coordinates that do not identify a point."""
     in_face = ((points.point_ids < 0) & np.isnan(points.coordinates[:, 0])).nonzero()[0]
     if len(in_face) == 0:
         return
@@ -199,29 +201,29 @@ def _check_faces(points, name, surface, is_cloud):
         face, weights = points.faces[i], points.barycentric[i]
         entry = f"{name}: face {face} (entry {i})"
         if not 0 <= face < surface.GetNumberOfCells():
-            raise ValueError(f"{entry} does not exist; there are {surface.GetNumberOfCells()}")
+            raise ValueError(f"{entry} does not exist; there are {surface.GetNumberOfCells()} cells")
         polygon = face - first
         if not 0 <= polygon < len(offsets) - 1 or offsets[polygon + 1] - offsets[polygon] != 3:
             raise ValueError(
-                f"{entry} is no triangle; barycentric coordinates refer to the corners of one"
+                f"{entry} is not a triangle; barycentric coordinates need one"
             )
         # False for NaN.
         if not (weights.min() >= -_BARYCENTRIC_TOLERANCE) or not (
             abs(weights.sum() - 1.0) <= _BARYCENTRIC_TOLERANCE
         ):
             raise ValueError(
-                f"{entry} has the barycentric coordinates {weights}; they must not be negative, "
-                "and their sum must be 1"
+                f"{entry} has the barycentric coordinates {weights}; expected numbers that are "
+                "not negative and have the sum 1"
             )
 
 
 def first_polygon(surface):
-    """The id of the first polygon: cells of a vtkPolyData are verts, lines, polygons, strips."""
+    """Returns the id of the first polygon: cells of a vtkPolyData are verts, lines, polygons, strips."""
     return surface.GetNumberOfVerts() + surface.GetNumberOfLines()
 
 
 def point_id(value, name, number_of_points):
-    """One point id."""
+    """Returns one point id."""
     array = numbers(value, name)
     if array.ndim > 0 or array.dtype.kind == "f":
         raise ValueError(
@@ -232,11 +234,11 @@ def point_id(value, name, number_of_points):
 
 
 def finite_numbers(values, name, count):
-    """`count` finite numbers, or one for all."""
+    """Returns `count` finite numbers; a single one is repeated."""
     array = numbers(values, name)
     if array.size == 0 or array.shape not in ((), (count,)):
-        wanted = "one number is" if count == 1 else f"one number, or {count} are"
-        raise ValueError(f"{name}: {wanted} wanted, not shape {array.shape}")
+        expected = "one number" if count == 1 else f"one number or {count}"
+        raise ValueError(f"{name}: expected {expected}, got shape {array.shape}")
     array = np.array(np.broadcast_to(array, (count,)), dtype=np.float64)
     if not np.isfinite(array).all():
         entry = int(np.argmin(np.isfinite(array)))
@@ -245,28 +247,28 @@ def finite_numbers(values, name, count):
 
 
 def number(value, name):
-    """One number; text is none, even where it could be read as one."""
+    """Returns one number. Text is an error, also if it looks like a number."""
     try:
         if isinstance(value, (str, bytes)):
             raise TypeError
         return float(value)
     except (TypeError, ValueError, OverflowError):
-        raise ValueError(f"{name}: a number is wanted, not {value!r}") from None
+        raise ValueError(f"{name}: expected a number, got {value!r}") from None
 
 
 def integer(value, name):
-    """One integer of 32 bits."""
+    """Returns one integer of 32 bits."""
     try:
         result = operator.index(value)
     except TypeError:
-        raise ValueError(f"{name}: an integer is wanted, not {value!r}") from None
+        raise ValueError(f"{name}: expected an integer, got {value!r}") from None
     if not -(2**31) <= result < 2**31:
         raise ValueError(f"{name}: must fit into 32 bits, is {result}")
     return result
 
 
 def limit(value, name):
-    """A number that is not negative; infinity for None."""
+    """Returns a number that is not negative; infinity for None."""
     result = np.inf if value is None else number(value, name)
     if not result >= 0.0:
         raise ValueError(f"{name}: must not be negative or NaN, is {result}")
@@ -274,12 +276,12 @@ def limit(value, name):
 
 
 def projection_tolerance(value):
-    """A number that is not negative; for None the default of the filters."""
+    """Returns a number that is not negative; the default of the filters for None."""
     return 0.01 if value is None else limit(value, "projection_tolerance")
 
 
 def number_of_bytes(value, name):
-    """A positive integer; 0 for None, as the filters take it."""
+    """Returns a number of bytes; 0 for None, which stands for the default of the filters."""
     if value is None:
         return 0
     if not 1.0 <= number(value, name) < 2.0**63:
@@ -288,7 +290,7 @@ def number_of_bytes(value, name):
 
 
 def polydata(points):
-    """Coordinates that have been checked, as points without cells."""
+    """Returns checked coordinates as points without cells."""
     result = vtkPolyData()
     vtk_points = vtkPoints()
     vtk_points.SetData(numpy_to_vtk(points, deep=True))  # a pipeline may outlive the array

@@ -6,29 +6,29 @@ import numpy as np
 
 
 def numbers(values, name, kind="number"):
-    """`values` as an array of the kind ("integer", "number")."""
-    if np.ma.is_masked(values):  # what is masked would be treated as numbers
+    """Returns `values` as an array of the kind "integer" or "number"."""
+    if np.ma.is_masked(values):  # masked entries would be treated as numbers
         raise ValueError(f"{name}: has masked entries; remove or fill them")
     try:
         array = np.asarray(values)
     except ValueError as error:  # rows of unequal length
         raise ValueError(f"{name}: not an array of numbers ({error})") from None
     if array.dtype == object and all(isinstance(value, int) for value in array.flat):
-        largest = max(array.flat, key=abs)  # integers that NumPy has no type for
+        largest = max(array.flat, key=abs)  # NumPy has no type for such integers
         raise ValueError(f"{name}: {largest} does not fit into 64 bits")
     allowed = {"integer": "iu", "number": "iuf"}[kind]
     if array.size and array.dtype.kind not in allowed:
-        raise ValueError(f"{name}: {kind}s are wanted, not {array.dtype}")
+        raise ValueError(f"{name}: expected {kind}s, got {array.dtype}")
     return array
 
 
 def coordinates(values, name, is_finite=True):
-    """An array of shape (n, 3) of numbers, which are finite by default."""
+    """Returns `values` as float64 of shape (n, 3), after a check that they are finite by default."""
     array = numbers(values, name)
     if array.size == 0 and array.ndim < 2:
         return np.empty((0, 3))
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{name}: the shape must be (n, 3), not {array.shape}")
+        raise ValueError(f"{name}: expected the shape (n, 3), got {array.shape}")
     array = np.ascontiguousarray(array, dtype=np.float64)
     finite = np.isfinite(array).all(axis=1)
     if is_finite and not finite.all():
@@ -38,11 +38,12 @@ def coordinates(values, name, is_finite=True):
 
 
 def check_ids(array, number_of_points, name):
+    """Raises an error that names the first id that is out of range."""
     outside = (array < 0) | (array >= number_of_points)
     if outside.any():
-        place = np.unravel_index(int(np.argmax(outside)), array.shape)
+        entry = np.unravel_index(int(np.argmax(outside)), array.shape)
         known = "is 1 point" if number_of_points == 1 else f"are {number_of_points} points"
         raise ValueError(
-            f"{name}: point id {array[place]} (entry {', '.join(map(str, place))}) does not exist; "
+            f"{name}: point id {array[entry]} (entry {', '.join(map(str, entry))}) does not exist; "
             f"there {known}"
         )

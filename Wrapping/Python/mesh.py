@@ -22,9 +22,9 @@ __all__ = ["Mesh"]
 class Mesh:
     """A mesh, curves or a point cloud in NumPy arrays.
 
-    `read` returns it, and every function accepts it as first argument. Polygons and lines are pairs
-    of arrays (offsets, corners): cell i has the point ids ``corners[offsets[i]:offsets[i + 1]]``.
-    Cell ids count lines first, then polygons.
+    `read` returns it, and every function accepts it as first argument. Arrays are copied. Polygons
+    and lines are pairs of arrays (offsets, corners): cell i has the point ids
+    ``corners[offsets[i]:offsets[i + 1]]``. Cell ids count lines first, then polygons.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ class Mesh:
     triangles : array_like, shape (m, 3), optional
         Point ids of the corners; larger polygons as for `distance`. Default: none, a point cloud.
     polygons, lines : pair of array_like, shapes (k + 1,) and (p,), optional
-        Offsets and corners; `polygons` in place of `triangles`.
+        Offsets and corners; `polygons` replaces `triangles`.
     point_data, cell_data, field_data : dict of str to array_like, optional
         Arrays with one row for each point, one row for each cell, and of any length. A point array
         "Normals" with three columns holds the normals.
@@ -41,13 +41,17 @@ class Mesh:
     Attributes
     ----------
     points : numpy.ndarray of float64, shape (n, 3)
-    polygons, lines : pair of numpy.ndarray of int64
+        In the unit of the file or of the caller.
+    polygons, lines : pair of numpy.ndarray of int64, shapes (k + 1,) and (p,)
+        Offsets and corners.
     point_data, cell_data, field_data : dict of str to numpy.ndarray
+        Arrays of numbers by name.
 
     Raises
     ------
     ValueError
-        When an array has the wrong shape or type, or an id does not exist.
+        When an array has the wrong shape or type, an id does not exist, or both `triangles` and
+        `polygons` are given.
 
     Examples
     --------
@@ -69,10 +73,14 @@ class Mesh:
         cell_data: Optional[Dict[str, ArrayLike]] = None,
         field_data: Optional[Dict[str, ArrayLike]] = None,
     ) -> None:
-        self.points: NDArray[np.float64] = coordinates(points, "points", is_finite=False)
+        self.points: NDArray[np.float64] = coordinates(points, "points", is_finite=False).copy()
+        if triangles is not None and polygons is not None:
+            raise ValueError("triangles and polygons: expected one of them, got both")
+        name = "polygons"
         if polygons is None:
+            name = "triangles"
             polygons = _polygons([] if triangles is None else triangles)
-        self.polygons: Cells = _cells(polygons, "triangles", len(self.points))
+        self.polygons: Cells = _cells(polygons, name, len(self.points))
         self.lines: Cells = _cells(lines or ([0], []), "lines", len(self.points))
         self.point_data: Dict[str, NDArray[Any]] = _arrays(
             point_data, "point_data", len(self.points)
@@ -115,7 +123,8 @@ def _cells(pair, name, number_of_points):
     check_ids(corners, number_of_points, name)
     offsets, corners = offsets.astype(np.int64), corners.astype(np.int64).ravel()
     sizes = np.diff(offsets)
-    if offsets.ndim != 1 or offsets[:1] != 0 or offsets[-1] != len(corners) or (sizes < 0).any():
+    ends = offsets[[0, -1]].tolist() if offsets.size else []
+    if offsets.ndim != 1 or ends != [0, len(corners)] or (sizes < 0).any():
         raise ValueError(
             f"{name}: offsets must rise from 0 to the number of corners, which is {len(corners)}"
         )
@@ -131,14 +140,15 @@ def _arrays(arrays, name, count):
     for key, values in (arrays or {}).items():
         values = np.array(numbers(values, f"{name}[{key!r}]"))
         if values.ndim not in (1, 2) or count not in (None, len(values)):
-            wanted = "rows" if count is None else f"{count} rows"
-            raise ValueError(f"{name}[{key!r}]: expected {wanted}, got shape {values.shape}")
+            expected = "rows" if count is None else f"{count} rows"
+            raise ValueError(f"{name}[{key!r}]: expected {expected}, got shape {values.shape}")
         found[key] = values
     return found
 
 
 def _polygons(cells):
-    """Returns offsets and corners of polygons that have one row each, or are one padded row."""
+    """Returns offsets and corners of polygons: rows of equal or unequal length, or one row
+    [n, i, j, k, n, ...]."""
     if isinstance(cells, (list, tuple)) and len({np.size(row) for row in cells}) > 1:
         sizes = [np.size(row) for row in cells]
         corners = [i for row in cells for i in np.ravel(row)]
@@ -148,10 +158,10 @@ def _polygons(cells):
             array = np.empty((0, 3), dtype=np.int64)
         if array.ndim == 2:
             if array.shape[1] < 3:
-                raise ValueError(f"triangles: the shape must be (m, 3), not {array.shape}")
+                raise ValueError(f"triangles: expected the shape (m, 3), got {array.shape}")
             return np.arange(len(array) + 1) * array.shape[1], array
         if array.ndim != 1:
-            raise ValueError(f"triangles: the shape must be (m, 3), not {array.shape}")
+            raise ValueError(f"triangles: expected the shape (m, 3), got {array.shape}")
         sizes, corners = unpacked(array)
     return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64), corners
 
@@ -170,7 +180,7 @@ def unpacked(row):
         at += int(row[at]) + 1
     if at != len(row):
         raise ValueError(
-            "triangles: the shape must be (m, 3), or one row that has the number of corners before "
-            "those of each polygon"
+            "triangles: expected the shape (m, 3), or one row that has the number of corners of each "
+            "polygon before its corners"
         )
     return row[starts], np.delete(row, starts)

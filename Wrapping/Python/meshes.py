@@ -42,7 +42,7 @@ def take(mesh, cells=None, **named):
     if found is None:
         try:
             if cells is None:
-                raise ValueError("triangles: they are missing, and the points have no cells")
+                raise ValueError("triangles: missing, and the points have no cells")
             surface = from_arrays(mesh, cells)
         except ValueError as error:
             # Callers that pass points and sources alone may have a cloud.
@@ -56,7 +56,7 @@ def take(mesh, cells=None, **named):
         if cells is not None:
             missing = [i for i, other in enumerate(others) if other is None]
             if not missing:
-                raise ValueError("triangles: the mesh has cells of its own")
+                raise ValueError("triangles: given, but the mesh has cells of its own")
             del others[missing[0]]
             others.insert(0, cells)
         surface = _surface(found)
@@ -142,8 +142,8 @@ def _surface(found):
     if isinstance(found, vtkPointSet):
         return copy_surface(surface_of(found, f"The {found.GetClassName()}"))
     raise ValueError(
-        f"a surface is wanted, not a {found.GetClassName()}: vtkDataSetSurfaceFilter makes one of "
-        "it"
+        f"points: expected a surface, got a {found.GetClassName()}; vtkDataSetSurfaceFilter extracts "
+        "one"
     )
 
 
@@ -178,5 +178,5 @@ def _is_polygonal(kind):
     if letters in ("vertex", "line"):
         return False
     if kind not in ("triangle", "quad") and letters != "polygon":
-        raise ValueError(f"triangles: a surface is wanted, but there are cells {kind!r}")
+        raise ValueError(f"triangles: expected triangles and polygons, got cells of the type {kind!r}")
     return True

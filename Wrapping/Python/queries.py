@@ -178,8 +178,8 @@ class Queries(Matrices):
         count = max(map(len, sets))
         if any(len(points) not in (1, count) for points in sets):
             raise ValueError(
-                f"starts and ends: as many are wanted of both, or one, not {len(sets[0])} and "
-                f"{len(sets[1])}"
+                "starts and ends: expected equal numbers, or one of either, got "
+                f"{len(sets[0])} and {len(sets[1])}"
             )
         finder = self._path_finder(straighten, detour, projection_tolerance)
         sets = [points[np.arange(count) % len(points)] for points in sets]

@@ -59,7 +59,7 @@ def greens_function(
     boundary : {"Neumann", "Dirichlet"}, optional
         What holds at the boundary: no flow through it, or the value 0.
     at : surface points, optional
-        Points on the surface where the values are wanted. Default: the points of the mesh.
+        Points on the surface where the function is evaluated. Default: the points of the mesh.
     merge_coincident_points, merge_tolerance, projection_tolerance
         As for `distance`.
     as_polydata : bool, optional
@@ -324,7 +324,7 @@ def interpolate(
     numbers = numbers.reshape(1) if numbers.ndim == 0 else numbers
     if numbers.ndim > 2 or len(numbers) != len(sites) or numbers.size == 0:
         raise ValueError(
-            f"values: one row for each of {len(sites)} sites is wanted, not shape {numbers.shape}"
+            f"values: expected one row for each of {len(sites)} sites, got shape {numbers.shape}"
         )
     data = sites.polydata()
     array = numpy_to_vtk(np.ascontiguousarray(numbers), deep=True)
@@ -344,7 +344,7 @@ _SITE_VALUES = "vtkdgg site values"
 
 def _order(value):
     if isinstance(value, bool) or value not in (1, 2):
-        raise ValueError(f"order: 1 or 2 is wanted, not {value!r}")
+        raise ValueError(f"order: expected 1 or 2, got {value!r}")
     return int(value)
 
 
@@ -359,7 +359,7 @@ def _choice(algorithm, value, name):
         if isinstance(number, kind)
     }
     if value not in known:
-        raise ValueError(f"{name}: one of {', '.join(known)} is wanted, not {value!r}")
+        raise ValueError(f"{name}: expected one of {', '.join(known)}, got {value!r}")
     return known[value]
 
 
