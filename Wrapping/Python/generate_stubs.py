@@ -116,13 +116,14 @@ class Stub:
 
 
 class Overloads(ast.NodeTransformer):
-    """Removes bodies and private names, and splits functions that return a Union.
+    """Removes bodies and private names, and gives functions that return a Union an overload for
+    each type.
 
     `as_polydata=True` returns the vtkPolyData, `return_source=True` the tuple.
     """
 
     def visit_Module(self, node):
-        """The stub of a module."""
+        """Adds imports to the stub of a module."""
         self.generic_visit(node)
         typing = ast.parse("from typing import Literal, overload").body
         future = [i for i, part in enumerate(node.body) if isinstance(part, ast.ImportFrom)][0]
@@ -130,17 +131,17 @@ class Overloads(ast.NodeTransformer):
         return node
 
     def visit_If(self, node):
-        """What is imported for type checkers only."""
+        """Keeps imports for type checkers without their condition."""
         return node.body
 
     def visit_Assign(self, node):
-        """Constants have no annotation, and none is public."""
+        """Removes constants, of which none is public."""
         return None
 
-    visit_Expr = visit_Assign  # docstrings
+    visit_Expr = visit_Assign  # removes docstrings
 
     def visit_FunctionDef(self, node):
-        """The signature, or one for each type that is returned."""
+        """Returns the signature, or one for each type that is returned."""
         if node.name.startswith("_") and not node.name.startswith("__"):
             return None
         node.body = [ast.Expr(ast.Constant(...))]
@@ -153,11 +154,12 @@ class Overloads(ast.NodeTransformer):
         for other in others:
             found.append(self._with(node, other, return_source=True, as_polydata=False))
         flags = {"return_source": False} if others else {}
-        return [*found, self._with(node, first, **flags, as_polydata=False)]
+        found.append(self._with(node, first, **flags, as_polydata=False))
+        return [*found, self._with(node, node.returns)]  # values that are not known to the checker
 
     @staticmethod
     def _with(node, returned, **flags):
-        """The overload for these values of arguments; one that is true has no default."""
+        """Returns the overload for these values of arguments; a true one has no default."""
         node = copy.deepcopy(node)
         node.returns = returned
         node.decorator_list.insert(0, ast.Name("overload"))
@@ -169,7 +171,7 @@ class Overloads(ast.NodeTransformer):
 
 
 def stub_of_source(path):
-    """The stub of a Python source."""
+    """Returns the stub of a Python source."""
     with open(path, encoding="utf-8") as file:
         tree = ast.parse(file.read())
     return ast.unparse(ast.fix_missing_locations(Overloads().visit(tree))) + "\n"
