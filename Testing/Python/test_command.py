@@ -122,8 +122,8 @@ class Command(unittest.TestCase):
 
     def test_info(self):
         found = self.answer("info", BUMPY)
-        self.assertEqual((found["points"], found["polygons"], found["genus"]), (642, 1280, "0"))
-        self.assertEqual((found["kind"], found["components"]), ("surface", "1"))
+        self.assertEqual((found["points"], found["polygons"], found["genus"]), (642, 1280, 0))
+        self.assertEqual((found["kind"], found["components"]), ("surface", 1))
         corners = np.array(support.bumpy()[0])[support.triangles_of(self.mesh)].swapaxes(0, 1)
         products = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         self.assertAlmostEqual(found["area"], np.linalg.norm(products, axis=1).sum() / 2)

@@ -108,6 +108,9 @@ class OfAMesh(unittest.TestCase):
             ValueError, r"out: expected the shape \(40, 3\), got \(3, 40\)"
         ):
             self.graph.matrix(rows, columns, out=np.empty((3, 40)))
+        for out in (np.zeros((40, 3), dtype=int), [[0.0] * 3] * 40):
+            with self.assertRaisesRegex(ValueError, "out: expected"):
+                self.graph.matrix(rows, columns, out=out)
         with self.assertRaisesRegex(ValueError, "dtype: expected a floating-point type, got int32"):
             self.graph.matrix(rows, dtype=np.int32)
 

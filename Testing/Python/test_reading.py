@@ -103,7 +103,7 @@ class Formats(unittest.TestCase):
         points, triangles = support.bumpy()
         path = path_of("textured.obj", formats.obj(points, triangles, textured=True))
         code, answer = command("info", path)
-        self.assertEqual((code, answer["points"], answer["components"]), (0, len(points), "1"))
+        self.assertEqual((code, answer["points"], answer["components"]), (0, len(points), 1))
 
     def test_truncated(self):
         """Files cut in the middle, in the command and the function."""
@@ -131,10 +131,10 @@ class Formats(unittest.TestCase):
         start += "0 0 0 1 0 0 0 1 0\n"
         for text, pattern in (
             (start + "POLYGONS 1 4\n3 0 1\n", "'POLYGONS 1 4': the file ends too early"),
-            (start + "POLYGONS 2 4\n3 0 1 2\n", "it holds 1 cells"),
-            (start + "POLYGONS 1 4\n7 0 1 2\n", "'POLYGONS 1 4'"),
+            (start + "POLYGONS 2 4\n3 0 1 2\n", "it contains 1 cells"),
+            (start + "POLYGONS 1 4\n7 0 1 2\n", "'POLYGONS 1 4': the sizes of cells contradict"),
             (start + "POLYGONS 1 4\n3 0 1 9\n", "point id 9"),
-            (start + "POLYG", "'POLYG': this is no keyword"),
+            (start + "POLYG", "'POLYG': the keyword is unknown"),
             (start + "POLYGONS 1\n", "'POLYGONS 1': the line is damaged"),
             (start.replace("float", "real"), "data type: real"),
             ("# vtk DataFile", "header"),
@@ -225,6 +225,14 @@ class Meshes(unittest.TestCase):
         )
         self.assertEqual(repr(mesh), "<vtkdgg.Mesh: 81 points, 1 line, 128 polygons>")
         self.assertIsNone(mesh.graph)
+        for name in ("no_folder/arrays.vtp", "no_folder/arrays.xyz", "no_folder/arrays.csv"):
+            with self.assertRaisesRegex(OSError, name), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                vtkdgg.write(name, mesh)
+        path = os.path.join(FOLDER, "arrays.NPY")
+        with self.assertWarns(RuntimeWarning):
+            vtkdgg.write(path, mesh)
+        np.testing.assert_array_equal(np.load(path)["value"], values[[0, 1, 2]])
         path = os.path.join(FOLDER, "arrays.vtp")
         vtkdgg.write(path, mesh)
         again = vtkdgg.read(path)

@@ -201,7 +201,8 @@ def _check_faces(points, name, surface, is_cloud):
         face, weights = points.faces[i], points.barycentric[i]
         entry = f"{name}: face {face} (entry {i})"
         if not 0 <= face < surface.GetNumberOfCells():
-            raise ValueError(f"{entry} does not exist; there are {surface.GetNumberOfCells()} cells")
+            count = surface.GetNumberOfCells()
+            raise ValueError(f"{entry} does not exist; there are {count} cells")
         polygon = face - first
         if not 0 <= polygon < len(offsets) - 1 or offsets[polygon + 1] - offsets[polygon] != 3:
             raise ValueError(
@@ -218,7 +219,7 @@ def _check_faces(points, name, surface, is_cloud):
 
 
 def first_polygon(surface):
-    """Returns the id of the first polygon: cells of a vtkPolyData are verts, lines, polygons, strips."""
+    """Returns the cell id of the first polygon, which follows verts and lines."""
     return surface.GetNumberOfVerts() + surface.GetNumberOfLines()
 
 

@@ -23,7 +23,7 @@ def numbers(values, name, kind="number"):
 
 
 def coordinates(values, name, is_finite=True):
-    """Returns `values` as float64 of shape (n, 3), after a check that they are finite by default."""
+    """Returns `values` as float64 of shape (n, 3), finite by default."""
     array = numbers(values, name)
     if array.size == 0 and array.ndim < 2:
         return np.empty((0, 3))

@@ -235,7 +235,9 @@ def said_with(found):
             return f"{value:.8g}"
         if value is None:
             return "none"
-        return ", ".join(map(text, value)) if isinstance(value, list) else str(value)
+        if isinstance(value, list):
+            return ", ".join(map(text, value)) or "none"
+        return str(value)
 
     return [(key, text(value)) for key, value in found.items()]
 

@@ -36,7 +36,8 @@ class LegacyFile:
     kind : str
         The word after DATASET, such as "POLYDATA".
     may_be_cut : bool
-        True if a number is the very end of the file, and may have had more digits. Set by `check`.
+        True if the file ends with a number without a line end, which may have lost digits. Set by
+        `check`.
     """
 
     def __init__(self, data):
@@ -53,7 +54,7 @@ class LegacyFile:
         self.may_be_cut = False
 
     def check(self):
-        """Raise a ValueError where data are missing or contradict their counts."""
+        """Raises a ValueError if data are missing or contradict their counts."""
         rows = None
         while True:
             line = self._next_line()
@@ -71,7 +72,7 @@ class LegacyFile:
                 raise ValueError(f"in the section {text!r}: {reason}") from None
 
     def _section(self, words, rows):
-        """Skip the data that follow a line of keywords."""
+        """Skips the data that follow a line of keywords."""
         key = words[0]
         if key == "points":
             self._skip(3 * int(words[1]), words[2])
@@ -96,7 +97,7 @@ class LegacyFile:
             while self._line().strip():
                 pass
         elif key != "dimensions":
-            raise ValueError("this is no keyword of the format")
+            raise ValueError("the keyword is unknown")
 
     def _field(self, count):
         while count > 0:
@@ -109,9 +110,13 @@ class LegacyFile:
 
     def _cells(self, first, second):
         if not self._is_new:
-            sizes, _ = unpacked(self._ids(second, "int")) if second else ([], None)
+            row = self._ids(second, "int")
+            try:
+                sizes, _ = unpacked(row) if second else ([], None)
+            except ValueError:
+                raise ValueError("the sizes of cells contradict the number of entries") from None
             if len(sizes) != first:
-                raise ValueError(f"it holds {len(sizes)} cells")
+                raise ValueError(f"it contains {len(sizes)} cells")
             return
         if first == 0:
             return
@@ -121,14 +126,14 @@ class LegacyFile:
             raise ValueError(f"offsets must rise from 0 to {second}")
 
     def _ids(self, count, kind):
-        """The integers that come next."""
+        """Returns the next integers."""
         data = self._skip(count, kind)
         if self._is_binary:
             return np.frombuffer(data, dtype=f">i{_SIZES[kind]}").astype(np.int64)
         return np.array(data.split()).astype(np.int64)
 
     def _skip(self, count, kind):
-        """Move behind values of a type, and return what was skipped."""
+        """Moves behind values of a type, and returns their bytes."""
         start = self._at
         if kind not in _SIZES:  # text; the rest of the file is not checked
             self._at = len(self._data)
@@ -145,7 +150,7 @@ class LegacyFile:
         return self._data[start : self._at]
 
     def _keyword(self, word=None):
-        """The next line, which has to begin with the word."""
+        """Returns the next line; an error unless its first word is the given one."""
         line = self._next_line()
         if line is None:
             raise ValueError(self._end())
@@ -154,7 +159,7 @@ class LegacyFile:
         return line
 
     def _next_line(self):
-        """The next line that is not blank; None at the end."""
+        """Returns the next line that is not blank; None at the end."""
         while self._at < len(self._data):
             line = self._line().strip()
             if line:

@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
     from .arguments import SurfacePointLike, SurfacePointsLike
 
-# Numbers in a block of a matrix that is computed block by block.
+# Number of entries of a block of a matrix.
 _BLOCK = 2**23
 
 
 class Matrices(GraphData):
-    """Matrices of distances."""
+    """Queries of a graph for distances between many points."""
 
     def matrix(
         self,
@@ -37,7 +37,7 @@ class Matrices(GraphData):
         unreached: float = np.nan,
         projection_tolerance: Optional[float] = None,
     ) -> NDArray[Any]:
-        """Distances between two sets of points, or between all pairs of one.
+        """Distances between two sets of points, or between all pairs of one set.
 
         They are lengths of paths in the graph (there is no correction): at least the exact
         distance, and at most (1 + accuracy) times that. Between points of the mesh they are a
@@ -46,14 +46,13 @@ class Matrices(GraphData):
         Parameters
         ----------
         rows, columns : surface points
-            As for `distance`. Without columns they are the rows; then the matrix is
-            symmetric.
-        out : array, numpy.memmap or the like, shape (number of rows, number of columns), optional
-            Receives the distances, block by block, and is returned: any object with a shape that
-            slices can be assigned to. The matrix need not fit into memory.
-        dtype : numpy.dtype of floating point, optional
-            The type of a new array, which is filled block by block unless it is float64. Default:
-            float64.
+            As for `distance`. Default of `columns`: the rows; the matrix is then symmetric.
+        out : numpy.ndarray, memmap or similar, shape (number of rows, number of columns), optional
+            Is filled with the distances block by block, and returned. Any object with a shape works
+            if slices can be assigned to it. The matrix need not fit into memory.
+        dtype : floating-point numpy.dtype, optional
+            Type of the new array if there is no `out`; one of another type than float64 is filled
+            block by block. Default: float64.
         unreached : float, optional
             Distance given to pairs that are not connected. Default: NaN.
         projection_tolerance : float, optional
@@ -74,8 +73,12 @@ class Matrices(GraphData):
         rows = self._points(rows, "rows")
         columns = None if columns is None else self._points(columns, "columns")
         shape = len(rows), len(rows if columns is None else columns)
-        if out is not None and tuple(out.shape) != shape:
-            raise ValueError(f"out: expected the shape {shape}, got {tuple(out.shape)}")
+        if out is not None:
+            given = tuple(getattr(out, "shape", ()))
+            if given != shape:
+                raise ValueError(f"out: expected the shape {shape}, got {given}")
+            if getattr(getattr(out, "dtype", None), "kind", "f") != "f":
+                raise ValueError(f"out: expected a floating-point type, got {out.dtype}")
         dtype = np.dtype(np.float64 if dtype is None else dtype)
         if dtype.kind != "f":
             raise ValueError(f"dtype: expected a floating-point type, got {dtype}")
@@ -116,14 +119,14 @@ class Matrices(GraphData):
     ) -> Any:
         """Distances between all pairs of points that are close to each other.
 
-        Those of `matrix`, without the pairs that are farther apart and those of a point with
-        itself. A point that is in the very place of another one has an explicit 0. The cost is
+        The entries are those of `matrix`, without pairs that are farther apart and without pairs of
+        a point with itself. Two points in the same position have an explicit 0. The cost is
         proportional to the number of entries.
 
         Parameters
         ----------
         maximum_distance : float
-            How far apart two points may be, in the unit of the points.
+            Largest distance of an entry, in the unit of the points.
         rows : surface points, optional
             As for `distance`. Default: all points of the mesh.
         projection_tolerance : float, optional
@@ -131,7 +134,7 @@ class Matrices(GraphData):
 
         Returns
         -------
-        scipy.sparse.csr_matrix of float64, shape (number of rows, n)
+        scipy.sparse.csr_matrix of float64, shape (number of rows, number of points)
             In the unit of the points.
 
         Raises
@@ -143,7 +146,7 @@ class Matrices(GraphData):
 
         See Also
         --------
-        Graph.neighborhood : the points around one point.
+        neighborhood : the points around one point.
         """
         csr_matrix = self._csr_matrix("Graph.sparse_matrix")
         n = self.number_of_points
@@ -164,8 +167,8 @@ class Matrices(GraphData):
     ) -> Tuple[NDArray[np.intp], NDArray[np.float64]]:
         """Points within a distance from one point, nearest first.
 
-        They have the distances that `distance` returns for `maximum_distance=radius`. The cost is
-        proportional to their number, whatever the size of the mesh.
+        The distances are those of `distance` with `maximum_distance=radius`. The cost is
+        proportional to the number of points found and does not depend on the size of the mesh.
 
         Parameters
         ----------
@@ -179,8 +182,8 @@ class Matrices(GraphData):
         Returns
         -------
         ids : numpy.ndarray of int, shape (k,)
-            Point ids in the order of increasing distance, then of increasing id. A source that is a
-            point of the mesh is among them.
+            Point ids by increasing distance, then by increasing id. A source that is a point of the
+            mesh is included.
         distances : numpy.ndarray of float64, shape (k,)
             In the unit of the points.
 
@@ -196,7 +199,7 @@ class Matrices(GraphData):
         return ids[order].astype(np.intp), distances[order]
 
     def _block(self, tabulate, rows, columns, part=None):
-        """The distances between two sets of points, or between all pairs of one."""
+        """Returns the distances between two sets of points, or between all pairs of one set."""
         tabulate.SetRowIds(rows.ids)
         tabulate.SetRowData(rows.data)
         tabulate.SetColumnIds([] if columns is None else columns.ids)
@@ -204,11 +207,11 @@ class Matrices(GraphData):
         run(tabulate, self._heard, bar=(lambda: part) if part else Bar)
         matrix = tabulate.GetMatrix()
         shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
-        tabulate.ReleaseMatrix()  # it is ours alone now, and is not given out twice
+        tabulate.ReleaseMatrix()  # the next call makes another one
         return vtk_to_numpy(matrix).reshape(shape)
 
     def _rows(self, rows, radius, correction, tolerance):
-        """Offsets, columns and distances of the compressed rows."""
+        """Returns offsets, columns and distances of compressed rows."""
         tabulate = self._filter(vtkGeodesicDistanceMatrix, tolerance)
         tabulate.CompressedRowsOn()
         tabulate.SetCorrection(correction)

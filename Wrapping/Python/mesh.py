@@ -180,7 +180,7 @@ def unpacked(row):
         at += int(row[at]) + 1
     if at != len(row):
         raise ValueError(
-            "triangles: expected the shape (m, 3), or one row that has the number of corners of each "
+            "triangles: expected the shape (m, 3), or one row with the number of corners of each "
             "polygon before its corners"
         )
     return row[starts], np.delete(row, starts)

@@ -142,8 +142,7 @@ def _surface(found):
     if isinstance(found, vtkPointSet):
         return copy_surface(surface_of(found, f"The {found.GetClassName()}"))
     raise ValueError(
-        f"points: expected a surface, got a {found.GetClassName()}; vtkDataSetSurfaceFilter extracts "
-        "one"
+        f"points: expected a surface, got a {found.GetClassName()}; vtkDataSetSurfaceFilter makes one"
     )
 
 
@@ -178,5 +177,5 @@ def _is_polygonal(kind):
     if letters in ("vertex", "line"):
         return False
     if kind not in ("triangle", "quad") and letters != "polygon":
-        raise ValueError(f"triangles: expected triangles and polygons, got cells of the type {kind!r}")
+        raise ValueError(f"triangles: expected polygons, got cells of the type {kind!r}")
     return True

@@ -7,6 +7,7 @@ from __future__ import annotations
 import contextlib
 import gzip
 import os
+import re
 import shutil
 import tempfile
 import warnings
@@ -50,14 +51,14 @@ LEGACY = {
     "UNSTRUCTURED_GRID": vtkUnstructuredGridReader,
 }
 EXTENSIONS = sorted([*OWN, *XML, ".gii", ".vtk"])
-_FREESURFER = b"\xff\xff\xfe"  # the first bytes of a surface of triangles
+_FREESURFER = b"\xff\xff\xfe"  # first bytes of a file with triangles
 
 
 def read(file: Any) -> Mesh:
     """Read a mesh, curves or a point cloud from a file.
 
-    Coordinates keep their digits and points their order. Truncated and inconsistent files are an
-    error. Of volume meshes the surface is used, with a warning.
+    Coordinates keep all digits of the file, and points their order. Truncated and inconsistent
+    files are an error. The surface of a volume mesh is extracted, with a warning.
 
     Parameters
     ----------
@@ -76,13 +77,13 @@ def read(file: Any) -> Mesh:
         When the format is unknown, or the file is truncated, damaged or empty. The message names
         the file.
     OSError
-        When there is no such file, or it must not be read.
+        When there is no such file, or it cannot be opened.
     ImportError
         When nibabel is needed and not installed.
 
     See Also
     --------
-    write : the opposite.
+    write : writes such files.
 
     Examples
     --------
@@ -100,7 +101,7 @@ def read(file: Any) -> Mesh:
             with _decompressed(path, extension) as plain:
                 mesh = _read_others(plain, extension, path)
     except (ValueError, VTKError, EOFError, gzip.BadGzipFile, zlib.error) as error:
-        raise ValueError(f"{path}: {_reason(error, path)}") from None
+        raise ValueError(f"{path}: {reason_of(error, path)}") from None
     if len(mesh.points) == 0:
         raise ValueError(f"{path}: holds no points")
     return mesh
@@ -151,18 +152,18 @@ def _mesh_of_vtk(data, name):
 
 
 def _update(reader, path):
-    """Returns the output of a reader of VTK."""
+    """Returns the output of a reader, with all arrays of the file."""
     reader.SetFileName(path)
     for name in ("ReadAllScalarsOn", "ReadAllVectorsOn", "ReadAllNormalsOn", "ReadAllTCoordsOn",
                  "ReadAllTensorsOn", "ReadAllFieldsOn", "ReadAllColorScalarsOn"):  # fmt: skip
-        if hasattr(reader, name):  # those of legacy files read the first array of a kind by default
+        if hasattr(reader, name):  # legacy readers read the first array of a kind by default
             getattr(reader, name)()
     return check(reader)
 
 
 @contextlib.contextmanager
 def _decompressed(path, extension):
-    """Context of the path; of a compressed file it is a temporary one with the contents."""
+    """Yields the path, or that of a temporary copy without compression."""
     if not path.lower().endswith(".gz"):
         yield path
         return
@@ -191,9 +192,9 @@ def _read_by_nibabel(path, extension, name):
         raise ValueError(f"nibabel cannot read the file ({error})") from None
 
 
-def _reason(error, path):
+def reason_of(error, path):
     """Returns the message of an error in one line, without class and file name."""
     text = " ".join(str(error).split())
     speaker, _, rest = text.partition(": ")
     text = rest if speaker.startswith("vtk") else text
-    return text.replace(f"Cannot read {path}: ", "", 1)
+    return re.sub(rf"\ACannot (read|write) {re.escape(path)}: ", "", text)

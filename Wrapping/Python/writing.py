@@ -10,11 +10,13 @@ from typing import Any
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from . import meshes
 from .errors import VTKError, check, depth_of_package
+from .reading import reason_of
 from .vtkDGGReaders import vtkDGGMeshWriter, vtkPCDWriter
 
 __all__ = ["write"]
@@ -30,7 +32,7 @@ WRITERS = {
     ".xyz": vtkDGGMeshWriter,
 }
 TABLES = (".csv", ".npy")
-# Formats that hold an answer, by what it is.
+# Formats that can hold an answer, by its kind.
 FORMATS = {
     "values at points": (".csv", ".npy", ".pcd", ".ply", ".vtk", ".vtp"),
     "cells": (".pcd", ".ply", ".vtk", ".vtp"),
@@ -51,19 +53,22 @@ def write(file: Any, mesh: Any) -> None:
     Parameters
     ----------
     file : str or os.PathLike
-        ``.ply .obj .stl .off .pcd .xyz .vtp .vtk``; .vtp and .vtk hold everything. ``.csv`` has a
-        header line and a row for each point, ``.npy`` the same as a structured array.
+        ``.ply .obj .stl .off .pcd .xyz .vtp .vtk .csv .npy``; .vtp and .vtk hold everything. A .csv
+        file has a header line and a row for each point, a .npy file the same rows as a structured
+        array. An existing file is replaced.
     mesh : Mesh, vtkPolyData, or a mesh of another package
         As for `distance`.
 
     Raises
     ------
     ValueError
-        When the format is unknown or cannot hold the cells, or the file cannot be written.
+        When the format is unknown or cannot hold the cells.
+    OSError
+        When the file cannot be written. The messages of both name the file.
 
     See Also
     --------
-    read : the opposite.
+    read : reads these files.
 
     Examples
     --------
@@ -93,13 +98,19 @@ def write(file: Any, mesh: Any) -> None:
     try:
         check(writer)
     except VTKError as error:
-        raise ValueError(f"{path}: {' '.join(str(error).split())}") from None
+        is_system_error = error.code < vtkErrorCode.FirstVTKErrorCode or error.code in (
+            vtkErrorCode.CannotOpenFileError,
+            vtkErrorCode.OutOfDiskSpaceError,
+        )
+        kind = OSError if is_system_error else ValueError
+        raise kind(f"{path}: {reason_of(error, path)}") from None
 
 
 def write_numbers(path, values):
     """Writes an array to a .csv or .npy file. CSV files of structured arrays have a header line."""
     if extension_of(path) == ".npy":
-        np.save(path, values)
+        with open(path, "wb") as file:  # np.save() adds an extension to names such as x.NPY
+            np.save(file, values)
         return
     names = values.dtype.names
     kinds = [values.dtype[i].kind for i in range(len(names))] if names else [values.dtype.kind]
@@ -146,7 +157,7 @@ def extension_of(path):
 
 
 def arrays_of(data):
-    """Returns names and values of the arrays of numbers that have a name."""
+    """Returns names and values of the arrays of numbers, without those that have no name."""
     arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
     return [(a.GetName(), vtk_to_numpy(a)) for a in arrays if a is not None and a.GetName()]
 

@@ -3,6 +3,7 @@
 """The commands that answer one question: each takes its options, writes the file of --out if there
 is one, and returns the answer as a dict."""
 
+import contextlib
 import time
 import warnings
 
@@ -128,7 +129,7 @@ def written(options, data, answer=None):
         raise files.MeshFileError(
             f"{options.out}: {extension} cannot hold {answer}; .vtk and .vtp can"
         )
-    if answer and options.out.lower().endswith(".npy"):
+    if answer and writing.extension_of(options.out) == ".npy":
         values = vtk_to_numpy(data.GetPointData().GetArray(answer))
         writing.write_numbers(options.out, values)
     else:
@@ -177,12 +178,20 @@ def info(options):
         found["area"] = sizes.area(files.triangles_of(contents, options.file))
         for line in look.GetMeshReport().splitlines():
             key, _, value = line.partition(": ")
-            found.setdefault(key, value)
+            found.setdefault(key, number_of(value))
     if kind == "point cloud":
         cloud = files.finite_points(files.points_of(contents), options.file)
         spacing = sizes.spacing_of(cloud)
         found.update({"spacing": spacing, "components": sizes.components_of(cloud, spacing)})
     return found
+
+
+def number_of(text):
+    """Returns the number that a text stands for, else the text."""
+    for kind in (int, float):
+        with contextlib.suppress(ValueError):
+            return kind(text)
+    return text
 
 
 def graph(options):
@@ -238,11 +247,12 @@ def matrix(options):
         columns = several(options.targets.split(","), contents, "--targets")
     made = graph_of(options, contents, is_cloud)
     values = None
-    if options.out.endswith(".npy"):  # block by block: the matrix need not fit into memory
+    is_mapped = writing.extension_of(options.out) == ".npy"
+    if is_mapped:  # block by block: the matrix need not fit into memory
         shape = len(rows), len(rows if columns is None else columns)
         values = np.lib.format.open_memmap(options.out, "w+", np.float64, shape=shape)
     values = made.matrix(rows, columns, out=values, projection_tolerance=options.tolerance)
-    if not options.out.endswith(".npy"):
+    if not is_mapped:
         writing.write_numbers(options.out, values)
     largest = float(np.fmax.reduce(values, axis=None))
     return {

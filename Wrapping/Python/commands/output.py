@@ -22,7 +22,8 @@ def with_arrays(data, arrays):
 
 def print_table(rows, notes, warnings):
     """Prints rows, then notes and the warnings of filters, each once."""
+    width = max([12, *(len(key) for key, _ in rows)])
     for key, value in rows:
-        print(f"{key:<12} {value}")
+        print(f"{key:<{width}} {value}")
     for note in [*notes, *notes_of(warnings)]:
-        print(f"{'note':<12} {note}")
+        print(f"{'note':<{width}} {note}")
