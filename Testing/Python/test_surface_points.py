@@ -367,12 +367,12 @@ class Mistakes(unittest.TestCase):
         mesh = points, [*triangles[:-1].tolist(), [0, 1, 4, 3]]
         inside = (0.2, 0.3, 0.5)
         for sources, pattern in (
-            ((4, inside), r"sources: face 4 \(entry 0\) does not exist; there are 4"),
+            ((4, inside), r"sources: face 4 \(entry 0\) does not exist; there are 4 cells"),
             ([0, (-1, inside)], r"face -1 \(entry 1\) does not exist"),
             ((3, inside), "face 3 .* is not a triangle"),
-            ((0, (0.2, 0.3, 0.6)), "barycentric coordinates .* sum must be 1"),
-            ((0, (1.2, -0.2, 0.0)), "must not be negative"),
-            ((0, (np.nan, 0.5, 0.5)), "must not be negative"),
+            ((0, (0.2, 0.3, 0.6)), "barycentric coordinates .* have the sum 1"),
+            ((0, (1.2, -0.2, 0.0)), "expected numbers that are not negative"),
+            ((0, (np.nan, 0.5, 0.5)), "expected numbers that are not negative"),
             ((0, (0.5, 0.5)), "three barycentric coordinates"),
             ((0.0, inside), "an integer"),
             ([0, "a"], r"sources\[1\]: "),
