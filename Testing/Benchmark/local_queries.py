@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The cost of questions about a few points, on meshes of growing size, beside SciPy and gdist.
+"""The cost of queries about a few points, on meshes of growing size, beside SciPy and gdist.
 
 Usage: local_queries.py OUT.json OUT.md [NUMBER-OF-POINTS ...]
 

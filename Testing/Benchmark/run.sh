@@ -25,7 +25,7 @@
 #             first.md
 #   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
 #             and error_against_degree.png (needs matplotlib)
-#   local     questions about a few points on meshes of growing size, beside SciPy and gdist: writes
+#   local     queries about a few points on meshes of growing size, beside SciPy and gdist: writes
 #             local.json and local.md
 #   path      what a graph gives: paths, samples, Voronoi cells, a matrix, loops: writes path.json
 #             and path.md

@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A table of file formats and their dialects: what `vtkdgg.read` keeps of a file, what it says of
-truncated ones, and what `vtkdgg.write` keeps.
+"""A table of file formats and their dialects: what `vtkdgg.read` keeps of a file, whether it refuses
+truncated files, and what `vtkdgg.write` keeps.
 
 Usage: DGG_TEST_OUTPUT=FOLDER build/test/bin/vtkdgg-python Testing/Python/formats.py
 
-A small grid at UTM coordinates is written in each dialect. The columns: coordinates have all digits,
-ids and polygons are those of the file, values at points are there, 20 files that are cut at random
-places are refused, and `vtkdgg.write` followed by `vtkdgg.read` returns the same. A "-" marks what a
-format does not have. Formats without counts (.obj, .xyz) are complete after any line; of these a cut
-within a line has to give a warning.
+A small grid at UTM coordinates is written in each dialect. The columns: coordinates have all digits;
+ids and polygons are those of the file; values at points are kept; 20 files that are cut at random
+positions are refused; `vtkdgg.write` followed by `vtkdgg.read` returns the same mesh. A "-" marks a
+property that a format does not have. Formats without counts (.obj, .xyz) are complete after any line;
+a cut within a line has to cause a warning or an error.
 """
 
 import gzip
@@ -107,7 +107,7 @@ def pcd(points, values, mode):
 
 
 def of_vtk(writer, data, **settings):
-    """What a writer of VTK writes."""
+    """Returns the bytes that a writer of VTK writes."""
     path = os.path.join(FOLDER, "vtk.tmp")
     writer.SetFileName(path)
     writer.SetInputData(data)
@@ -119,8 +119,8 @@ def of_vtk(writer, data, **settings):
 
 
 def dialects():
-    """Extension, name, contents and what has to come back: points, polygons and values, each of which
-    may be None for one that the dialect does not hold."""
+    """Yields extension, name, contents and the expected points, polygons and values; None for those
+    that the dialect does not hold."""
     points, cells, values = surface()
     single = points.astype(np.float32).astype(float)
     quads = cells.reshape(2, -1, 3)
@@ -182,7 +182,7 @@ def save(path, contents):
 
 
 def read(path):
-    """The mesh or the message of the error, and whether there is a warning."""
+    """Returns the mesh or the message of the error, and true if there is a warning."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -192,7 +192,7 @@ def read(path):
 
 
 def compare(mesh, points, cells, values):
-    """The cells of a row about a mesh, or the text of an error as the first cell."""
+    """Returns the cells of a row about a mesh, or the text of an error as the first cell."""
     if isinstance(mesh, str):
         return {**dict.fromkeys(COLUMNS, None), "digits": mesh}
     found = {"digits": np.array_equal(np.sort(mesh.points, axis=0), np.sort(points, axis=0))}
@@ -209,8 +209,8 @@ def compare(mesh, points, cells, values):
 
 
 def truncation(path, contents, whole):
-    """The number of cut files that are refused with their name, lead to a warning, or to the same
-    mesh; or the position of one for which nothing of this holds."""
+    """Returns true if every cut file is refused with its name, causes a warning or has all polygons;
+    otherwise a text with the position of a cut and the message or mesh."""
     contents = contents if isinstance(contents, bytes) else contents.encode()
     extension = os.path.splitext(path)[1]
     cut = os.path.join(FOLDER, "cut" + extension)
@@ -228,7 +228,7 @@ def truncation(path, contents, whole):
 
 
 def row(extension, name, contents, expected):
-    """The cells of a row: true, false, None for what there is not, or the text of an error."""
+    """Returns the cells of a row: true, false, None if not applicable, or the text of an error."""
     path = os.path.join(FOLDER, name.replace(" ", "_").replace("/", "") + extension)
     save(path, contents)
     mesh, _ = read(path)
@@ -246,7 +246,7 @@ def row(extension, name, contents, expected):
 
 
 def table():
-    """Extension, name and row of all dialects; those of text formats compressed as well."""
+    """Yields extension, name and row of all dialects, and of compressed text formats."""
     for extension, name, contents, expected in dialects():
         yield extension, name, row(extension, name, contents, expected)
         if isinstance(contents, str) and name in ("plain", "ascii", "text"):
