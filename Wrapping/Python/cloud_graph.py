@@ -25,27 +25,26 @@ __all__ = ["CloudGraph"]
 
 
 class CloudGraph(Queries):
-    """Geodesic distances and paths on what a point cloud samples, asked many times.
+    """Geodesic distances and paths on the surface that a point cloud samples, for many queries.
 
-    Nothing is promised: errors depend on the sampling. The points are copied and do not change any
-    more. A graph can be copied and pickled; it is not built again.
+    Errors depend on the sampling and have no bound. The points are copied. A graph can be copied
+    and pickled without building it again.
 
     Parameters
     ----------
     points : array_like, shape (n, 3), or a mesh, of which only the points are used
-        Coordinates; at least one point. The graph on a vtkPolyData is used, without a copy, unless
-        one of the next six arguments is given. If it belongs to other points or is damaged, a
-        warning says so and a graph with the same scheme and accuracy is built.
+        Coordinates; at least one point. The graph on a vtkPolyData or `Mesh` is used, without a
+        copy, unless one of the next six arguments is given. If it belongs to other points or is
+        damaged, a graph with the same scheme and accuracy is built, with a warning.
     normals : array_like, shape (n, 3), optional
-        Normals. Default: those that a vtkPolyData or a `Mesh` has, else they are found from the
-        points.
+        Normals. Default: those of a vtkPolyData or `Mesh`, otherwise estimated from the points.
     scheme : {"C", "B", "A"}, optional
-        How far edges reach, see vtkPointCloudDGG. Default: "C".
+        Rule for the length of edges, see vtkPointCloudDGG. Default: "C".
     offset_in_voxels, resolution, alpha : float, int, float, optional
         The band around the cloud, see vtkPointCloudDGG. Default: 0, automatic.
     accuracy : float, optional
-        Largest relative increase in length of a path by edges that are omitted; 0 to keep all
-        edges. Default: 0.001.
+        Largest relative increase of path lengths by the removal of edges; 0 keeps all edges.
+        Default: 0.001.
     memory_limit : int, optional
         As for `Graph`.
 
@@ -119,8 +118,9 @@ class CloudGraph(Queries):
     def from_polydata(
         cls, polydata: vtkPolyData, *, memory_limit: Optional[int] = None
     ) -> CloudGraph:
-        """Returns the graph that vtkPointCloudDGG has put on a cloud: ``CloudGraph(polydata)`` that
-        fails where there is none.
+        """Returns the graph in the field data of a vtkPolyData.
+
+        Unlike ``CloudGraph(polydata)``, a missing graph is an error.
 
         Parameters
         ----------
@@ -141,7 +141,7 @@ class CloudGraph(Queries):
         return cls(polydata, memory_limit=memory_limit)
 
     def _is_current(self):
-        """Returns true if the graph belongs to the points, which the filter checks; else warns."""
+        """Returns true if the graph belongs to the points, otherwise warns."""
         search = self._filter(vtkDGGDistance, None)
         finite = np.isfinite(self.points).all(axis=1)
         search.SetSourceIds([int(np.argmax(finite))])
@@ -150,8 +150,8 @@ class CloudGraph(Queries):
             run(search, self._heard)
         except VTKError:
             warnings.warn(
-                "points: the graph on the cloud belongs to other points or is damaged; it is built "
-                "anew",
+                "points: the graph on the cloud belongs to other points or is damaged; another "
+                "one is built",
                 RuntimeWarning,
                 stacklevel=depth_of_package(),
             )
@@ -160,5 +160,5 @@ class CloudGraph(Queries):
 
     @property
     def components(self) -> NDArray[np.int32]:
-        """The connected part of each point, from the largest on; -1 where it is not finite."""
+        """Components by decreasing size, shape (n,); -1 for points that are not finite."""
         return np.array(vtk_to_numpy(self._surface.GetPointData().GetArray("Component")))

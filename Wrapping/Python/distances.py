@@ -51,44 +51,44 @@ def distance(
     Parameters
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
-        Coordinates, and point ids of the corners. Polygons have more columns, or are one row that
-        has the number of corners before those of each polygon, or rows of unequal lengths. A mesh
-        is a `Mesh`, the name of a file (see `read`), a pair of such arrays, a vtkPolyData, as those
-        of PyVista are, another data set of VTK, whose surface is used, or a mesh of trimesh,
-        meshio, Open3D, vedo or nilearn.
+        Coordinates, and point ids of the corners. Larger polygons have more columns, or rows of
+        unequal lengths, or are one row with the number of corners of each polygon before its
+        corners. A mesh is a `Mesh`, the name of a file (see `read`), a pair of such arrays, a
+        vtkPolyData such as a mesh of PyVista, another vtkPointSet, whose surface is used, or a mesh
+        of trimesh, meshio, Open3D, vedo or nilearn.
     sources : surface points
-        Integers are point ids, floats (shape (3,) or (k, 3)) are coordinates of points anywhere on
-        the surface, which are moved to its closest point. A tuple (face, (b0, b1, b2)) is a point
-        in a triangle: an index into `triangles` (of a vtkPolyData or Mesh: a cell id), and
-        barycentric coordinates with respect to its corners. A list may mix all three.
+        Integers are point ids. Floats, shape (3,) or (k, 3), are coordinates anywhere on the
+        surface, which are moved to its closest point. A tuple (face, (b0, b1, b2)) is a point in a
+        triangle: an index into `triangles`, or a cell id of a vtkPolyData or Mesh, and barycentric
+        coordinates with respect to the corners of the triangle. A list may mix all three.
     maximum_distance : float, optional
-        Points farther than this are left unreached. Default: no limit.
+        Points farther than this are not reached. Default: no limit.
     initial_distances : float or sequence of float, optional
-        The distances that the sources start with. Default: 0.
+        Distances at the sources, in the unit of the points. Default: 0.
     return_source : bool, optional
         Return the nearest source of each point as well.
     unreached : float, optional
         Distance given to points that no source reaches. Default: NaN.
     accuracy : float, optional
-        Largest relative error, in [1e-6, 0.5]. With a number a graph is built for this one call,
-        unless the mesh has one, which is used; a warning says if it is coarser. Default: that of
-        the graph on the mesh, otherwise the exact distance. For many calls see `Graph`.
+        Largest relative error, in [1e-6, 0.5]. A graph is built for this one call, unless the mesh
+        has a graph, which is used, with a warning if it is coarser. Default: the accuracy of the
+        graph on the mesh, otherwise the exact distance. For many calls see `Graph`.
     method : {"exact", "graph", "fast", "marching"}, optional
         Default: "graph" with an `accuracy` and on a mesh or cloud that has a graph, otherwise
-        "exact". The accuracy of "graph" is 0.01 where nothing else determines it. "fast" (virtual
-        sources) takes milliseconds, and nothing bounds its errors. Nor does anything those of
-        "marching" (fast marching), which takes point clouds as well: a mesh without polygons, or []
-        for the triangles. With methods other than "graph" an `accuracy` is an error.
+        "exact". The default accuracy of "graph" is 0.01. "fast" (virtual sources) takes
+        milliseconds. "marching" (fast marching) takes point clouds as well: a mesh without
+        polygons, or [] for the triangles. Errors of these two have no bound. An `accuracy` with
+        another method than "graph" is an error.
     merge_coincident_points : bool, optional
-        Whether points with the very same coordinates are one, as along the seams of a textured
-        mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
+        Treat points with equal coordinates as one, as along the seams of a textured mesh or in a
+        triangle soup. (MergeCoincidentPoints in messages of filters.)
     merge_tolerance : float, optional
-        How far from each other merged points may be, as a fraction of the diagonal of the bounding
-        box of all points. Default: 0, the very same coordinates. Only used with
-        `merge_coincident_points`. (MergeTolerance, in the messages of the filters.)
+        Largest distance of merged points, as a fraction of the diagonal of the bounding box of all
+        points. Default: 0, equal coordinates. Only used with `merge_coincident_points`.
+        (MergeTolerance in messages of filters.)
     projection_tolerance : float, optional
-        How far coordinates of sources may be from the surface, as a fraction of the diagonal of
-        its bounding box. Default: 0.01. (ProjectionTolerance, in the messages of the filters.)
+        Largest distance of the coordinates of a source from the surface, as a fraction of the
+        diagonal of its bounding box. Default: 0.01. (ProjectionTolerance in messages of filters.)
     as_polydata : bool, optional
         Return the surface with the point array "GeodesicDistance", and with `return_source` also
         "GeodesicSource".
@@ -170,7 +170,7 @@ def set_sources(solve, sources, initial_distances):
 
 
 def field_of(solve, return_source):
-    """The distances that a filter has found, and on request the nearest sources."""
+    """Returns the distances that a filter computed, and on request the nearest sources."""
     # Copies: the filter keeps its output and returns it again for equal parameters.
     data = solve.GetOutput().GetPointData()
     distances = array_of(data, solve.GetDistanceArrayName())

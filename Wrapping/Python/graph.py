@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A discrete geodesic graph as a Python object: built once, asked often."""
+"""A discrete geodesic graph as a Python object, for many queries."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ __all__ = ["Graph"]
 
 
 class Graph(Queries):
-    """Geodesic distances and paths on one triangle mesh, asked many times.
+    """Geodesic distances and paths on one triangle mesh, for many queries.
 
     A sparse graph is built once, in which shortest paths are geodesics up to a known error; then a
-    distance field takes milliseconds. The mesh is copied and does not change any more.
+    distance field takes milliseconds. The mesh is copied.
 
-    A graph can be copied and pickled, for other processes for example; it is not built again.
+    A graph can be copied and pickled, for other processes for example, without building it again.
 
     Parameters
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`; at least one point. A graph on the mesh is used, without a copy, unless
-        one of the next three arguments is given. If it belongs to other points or cells, a warning
-        says so and a graph with the same parameters is built.
+        the next three arguments ask for another graph. If it belongs to other points or cells, a
+        graph with the same parameters is built, with a warning.
     accuracy : float, optional
         Largest relative error of a distance, in [1e-6, 0.5]. The mean error is far smaller.
         Default: that of the graph on the mesh, otherwise 0.01.
@@ -45,18 +45,18 @@ class Graph(Queries):
         The rule that chooses the edges: "Guaranteed" (default), or for comparison "OneRelay",
         "Indirect", "SaddleVertexGraph" (which ignores `accuracy`).
     number_of_neighbors : int, optional
-        Of a SaddleVertexGraph: the number of nearest points that each point examines, all points
-        where it is larger than their number: minutes for some thousand points. Default: 30.
+        Number of nearest points that each point of a SaddleVertexGraph examines, at most all
+        points, which takes minutes for some thousand points. Default: 30.
     memory_limit : int, optional
-        Most bytes that building the graph, or the table of `matrix`, may take. Default: 70 % of the
-        memory that is free at that time.
+        Largest size of the graph while it is built, and of the array of `matrix`, in bytes.
+        Default: 70 % of the memory that is free at that time.
     merge_coincident_points : bool, optional
-        Whether points with the very same coordinates are one, as along the seams of a textured
-        mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
+        Treat points with equal coordinates as one, as along the seams of a textured mesh or in a
+        triangle soup. (MergeCoincidentPoints in messages of filters.)
     merge_tolerance : float, optional
-        How far from each other merged points may be, as a fraction of the diagonal of the bounding
-        box of all points. Default: 0, the very same coordinates. Only used with
-        `merge_coincident_points`. (MergeTolerance, in the messages of the filters.)
+        Largest distance of merged points, as a fraction of the diagonal of the bounding box of all
+        points. Default: 0, equal coordinates. Only used with `merge_coincident_points`.
+        (MergeTolerance in messages of filters.)
 
     Raises
     ------
@@ -128,11 +128,10 @@ class Graph(Queries):
 
     @classmethod
     def from_polydata(cls, polydata: vtkPolyData, *, memory_limit: Optional[int] = None) -> Graph:
-        """Returns the graph that vtkDiscreteGeodesicGraph has put on a surface: ``Graph(polydata)``
-        that fails where there is none.
+        """Returns the graph in the field data of a vtkPolyData.
 
-        Points and cells are copied; the arrays of point, cell and field data are kept in `polydata`
-        and shared.
+        Unlike ``Graph(polydata)``, a missing graph is an error. Points and cells are copied; the
+        arrays of point, cell and field data are shared with `polydata`.
 
         Parameters
         ----------
@@ -154,7 +153,7 @@ class Graph(Queries):
 
     @classmethod
     def from_points(cls, points: Any, **options: Any) -> Any:
-        """The graph of a point cloud: a `CloudGraph`, whose parameters these are."""
+        """Returns the graph of a point cloud, with the parameters of `CloudGraph`."""
         from .cloud_graph import CloudGraph
 
         return CloudGraph(points, **options)
@@ -168,22 +167,22 @@ class Graph(Queries):
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
     ) -> Union[List[Isoline], vtkPolyData]:
-        """Curves along which the distance from the nearest source has a value.
+        """Curves along which the distance from the nearest source has a given value.
 
         Parameters
         ----------
         sources, initial_distances, projection_tolerance
             As for `distance`.
         values : float, or sequence of float, or int
-            The distances. An integer is a number of them: evenly spaced up to the largest distance,
-            without it and 0.
+            The distances. An integer is a number of distances with even spacing between 0 and the
+            largest distance, both excluded.
         as_polydata : bool, optional
             Whether to return a vtkPolyData with polylines and the arrays of vtkApolloniusIsolines.
 
         Returns
         -------
         list of Isoline, or vtkPolyData
-            In order of increasing values; none for a value that no point has.
+            By increasing value; none for a value that no point has.
 
         Raises
         ------
@@ -199,7 +198,7 @@ class Graph(Queries):
         search = self._search(sources, True, None, initial_distances, projection_tolerance)
         search.SetUnreachedValue(np.nan)
         search.GenerateVirtualSourceOn()
-        # The filter keeps the output, and makes another one for the next query.
+        # The next query replaces the output of the filter.
         field = vtkPolyData()
         field.ShallowCopy(run(search, self._heard))
         if is_number:
@@ -218,7 +217,7 @@ class Graph(Queries):
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
     ) -> Union[List[Loop], vtkPolyData]:
-        """Closed curves that no curve next to them undercuts.
+        """Closed geodesics: closed curves that are not longer than the curves next to them.
 
         Parameters
         ----------
@@ -228,7 +227,7 @@ class Graph(Queries):
         rope : bool, optional
             One loop through all points, in their order.
         taut : bool, optional
-            Let go of the points and pull the loops tight.
+            Release the points and pull the loops tight.
         projection_tolerance : float, optional
             As for `distance`.
         as_polydata : bool, optional
@@ -237,7 +236,7 @@ class Graph(Queries):
         Returns
         -------
         list of Loop, or vtkPolyData
-            Loops that contract to a point are left out, with a warning.
+            Loops that contract to a point are skipped, with a warning.
 
         Raises
         ------
@@ -263,8 +262,8 @@ class Graph(Queries):
 
 
 def find_isolines(field, values, merge_coincident_points, info=None, heard=None):
-    """Returns the isolines of a surface with distances, in which virtual sources or windows must be
-    as well; `info` is that of the graph that the distances are from."""
+    """Returns the isolines of a surface with distances and virtual sources or windows. `info` is
+    that of the graph of the distances."""
     contour = vtkApolloniusIsolines()
     set_merging(contour, merge_coincident_points, 0.0, info)
     contour.SetInputData(field)

@@ -17,7 +17,7 @@ from .mesh import Mesh
 from .reading import read
 from .surface import copy_surface, surface_of
 
-# Attributes that hold points and cells, by package.
+# Attributes of points and cells; the first pair that an object has is used.
 LAYOUTS = (
     ("vertex.positions", "triangle.indices"),  # Open3D, tensor meshes
     ("point.positions", None),  # Open3D, tensor clouds
@@ -45,7 +45,7 @@ def take(mesh, cells=None, **named):
                 raise ValueError("triangles: missing, and the points have no cells")
             surface = from_arrays(mesh, cells)
         except ValueError as error:
-            # Callers that pass points and sources alone may have a cloud.
+            # Calls with points and sources alone may refer to a cloud.
             is_short = cells is None or any(other is None for other in others)
             if not (is_short and str(error).startswith("triangles: ")):
                 raise
@@ -142,7 +142,8 @@ def _surface(found):
     if isinstance(found, vtkPointSet):
         return copy_surface(surface_of(found, f"The {found.GetClassName()}"))
     raise ValueError(
-        f"points: expected a surface, got a {found.GetClassName()}; vtkDataSetSurfaceFilter makes one"
+        f"points: expected a surface, got a {found.GetClassName()}; vtkDataSetSurfaceFilter makes "
+        "one"
     )
 
 

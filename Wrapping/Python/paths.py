@@ -36,7 +36,7 @@ def path(
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
 ) -> Union[Path, vtkPolyData]:
-    """A shortest path on a mesh: ``path(points, triangles, start, end)`` or
+    """Shortest path on a mesh: ``path(points, triangles, start, end)`` or
     ``path(mesh, start, end)``.
 
     Parameters
@@ -46,23 +46,23 @@ def path(
     start, end : surface point
         As one of the sources of `distance`.
     accuracy : float, optional
-        With a number in [1e-6, 0.5] a graph is built for this one call, unless the mesh has one,
-        which is used; a warning says if it is coarser. The path in the graph is shortened to a
-        geodesic; its length is off by no more than this fraction. Default: that of the graph on the
-        mesh, otherwise the path is exactly shortest. For many calls see `Graph.path`.
+        Largest relative error of the length, in [1e-6, 0.5]. A graph is built for this one call,
+        unless the mesh has a graph, which is used, with a warning if it is coarser. The path in the
+        graph is shortened to a geodesic. Default: the accuracy of the graph on the mesh, otherwise
+        the path is exactly shortest. For many calls see `Graph.path`.
     method : {"exact", "graph"}, optional
         Default: "graph" with an `accuracy` and on a mesh or cloud that has a graph, otherwise
         "exact".
     merge_coincident_points : bool, optional
-        Whether points with the very same coordinates are one, as along the seams of a textured
-        mesh or in a soup of triangles. (MergeCoincidentPoints, in the messages of the filters.)
+        Treat points with equal coordinates as one, as along the seams of a textured mesh or in a
+        triangle soup. (MergeCoincidentPoints in messages of filters.)
     merge_tolerance : float, optional
-        How far from each other merged points may be, as a fraction of the diagonal of the bounding
-        box of all points. Default: 0, the very same coordinates. Only used with
-        `merge_coincident_points`. (MergeTolerance, in the messages of the filters.)
+        Largest distance of merged points, as a fraction of the diagonal of the bounding box of all
+        points. Default: 0, equal coordinates. Only used with `merge_coincident_points`.
+        (MergeTolerance in messages of filters.)
     projection_tolerance : float, optional
-        How far coordinates may be from the surface, as a fraction of the diagonal of its bounding
-        box. Default: 0.01. (ProjectionTolerance, in the messages of the filters.)
+        Largest distance of coordinates from the surface, as a fraction of the diagonal of its
+        bounding box. Default: 0.01. (ProjectionTolerance in messages of filters.)
     as_polydata : bool, optional
         Whether to return a vtkPolyData with one polyline.
 
@@ -108,9 +108,9 @@ def path(
 
 
 def find(finder, starts, ends, heard=None):
-    """The paths between `SurfacePoints`, by a filter that is set up for its surface; None where the
-    surface does not connect two, unless they are the only ones: that is an error. `heard` as for
-    run()."""
+    """Returns the paths between `SurfacePoints` by a filter with its input. The path is None for a
+    pair that the surface does not connect; if it is the only pair, that is an error. `heard` is as
+    for run()."""
     set_pairs(finder, starts, ends)
     is_alone = len(starts) == 1
     try:
@@ -119,8 +119,8 @@ def find(finder, starts, ends, heard=None):
         if not (is_alone and _is_unconnected(finder)):
             raise
         raise ValueError(
-            "start and end are not connected by the surface; where its parts only touch, "
-            "merge_coincident_points may join them"
+            "start and end are not connected by the surface; if its components "
+            "have points with equal coordinates, merge_coincident_points may join them"
         ) from None
     found = [None] * len(starts)
     if output.GetNumberOfLines() > 0:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """``mesh.dgg`` of the meshes of PyVista, and its reader of PCD files.
 
-PyVista 0.48 and newer finds both by the entry points of the installed package; to import this
-module does it as well.
+PyVista 0.48 and newer finds both by the entry points of the installed package, or after this module
+is imported.
 """
 
 from __future__ import annotations
@@ -19,11 +19,12 @@ from .reading import read
 
 
 class DGGAccessor:
-    """Geodesics on a mesh of PyVista; whatever has points comes back as one as well.
+    """Geodesics on a mesh of PyVista; results with points are meshes of PyVista as well.
 
-    With `accuracy`, and in all methods below `graph`, answers come from a graph that is built for
-    the first call and kept until the mesh or the accuracy changes. Without `accuracy` the graph on
-    the mesh is used, if there is one; otherwise the accuracy is 0.01, and distances are exact.
+    `paths`, `isolines`, `loop`, `sample` and `voronoi`, and `distance` with an `accuracy`, use a
+    graph that is built by the first call and kept until the mesh or the accuracy changes. Without
+    an `accuracy` the graph on the mesh is used if there is one; otherwise the accuracy of a graph
+    is 0.01, and distances are exact.
     """
 
     def __init__(self, dataset: Any) -> None:
@@ -61,9 +62,9 @@ class DGGAccessor:
     ) -> Any:
         """A shortest path, with the arguments of PyVista's `geodesic`, which follows edges.
 
-        The path is exact, or that of the graph on the mesh if there is one.
-        Ends may be coordinates as well. Where the path crosses edges and faces, its array
-        "vtkOriginalPointIds" has -1. There are no scalar weights; progress is shown in any case.
+        The path is exact, or that of the graph on the mesh if there is one. Ends may be any surface
+        points. The point array "vtkOriginalPointIds" is -1 where the path crosses edges and faces.
+        There are no scalar weights, and `progress_bar` is ignored.
         """
         found = pyvista.wrap(self._path(start_vertex, end_vertex, use_scalar_weights, True))
         if not keep_order:
@@ -138,12 +139,12 @@ class DGGAccessor:
 
 
 def read_pcd(path: Any, **_: Any) -> Any:
-    """A PCD file as a mesh of PyVista."""
+    """Reads a PCD file as a mesh of PyVista."""
     return pyvista.wrap(read(path).as_polydata())
 
 
 def register() -> None:
-    """Register both, as far as this PyVista knows such registries."""
+    """Registers the accessor and the reader with versions of PyVista that support this."""
     if hasattr(pyvista, "register_dataset_accessor"):
         pyvista.register_dataset_accessor("dgg", pyvista.PolyData)(DGGAccessor)
     if hasattr(pyvista, "register_reader"):

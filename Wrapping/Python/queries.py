@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What can be asked of a graph, be it that of a mesh or of a cloud."""
+"""Queries of the graph of a mesh or cloud."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class Queries(Matrices):
-    """Distances, paths and what follows from them."""
+    """Queries of a graph for distances, paths, samples and Voronoi cells."""
 
     def distance(
         self,
@@ -55,27 +55,26 @@ class Queries(Matrices):
             True: the best estimate within the promised error. False: the length of a path in the
             graph, which is never shorter than the exact distance; these are a metric.
         maximum_distance : float, optional
-            Points farther than this are left unreached. Default: no limit.
+            Points farther than this are not reached. Default: no limit.
         initial_distances : float or sequence of float, optional
-            The distances that the sources start with. Default: 0.
+            Distances at the sources, in the unit of the points. Default: 0.
         return_source : bool, optional
-            Whether to return the nearest source as well.
+            Return the nearest source of each point as well.
         unreached : float, optional
             Distance given to points that no source reaches. Default: NaN.
         projection_tolerance : float, optional
-            How far coordinates may be from the surface, as a fraction of the diagonal of its
+            Largest distance of coordinates from the surface, as a fraction of the diagonal of its
             bounding box. Default: 0.01.
         as_polydata : bool, optional
-            Whether to return the surface with the point arrays "GeodesicDistance" and
-            "GeodesicSource".
+            Return the surface with the point arrays "GeodesicDistance" and "GeodesicSource".
 
         Returns
         -------
         distances : numpy.ndarray of float64, shape (n,), or vtkPolyData
             In the unit of the points.
         nearest : numpy.ndarray of int, shape (n,)
-            Index into `sources` of the nearest one, -1 where none reaches. Only with
-            `return_source`, and without `as_polydata`.
+            Index into `sources` of the nearest one, -1 for unreached points. Only with
+            `return_source` and without `as_polydata`.
 
         Raises
         ------
@@ -114,13 +113,13 @@ class Queries(Matrices):
         straighten : bool, optional
             False: the path in the graph as it is, with small bends at some points.
         detour : float, optional
-            Behind every bump there are several geodesics. The shortest one is taken of those with
-            detours from the first one found of up to this fraction of its length, in [0, 0.1].
-            Default: 1e-4.
+            Several geodesics may connect two points. The shortest is chosen among those near paths
+            in the graph that are longer than the shortest one by at most this fraction, in
+            [0, 0.1]. Default: 1e-4.
         projection_tolerance : float, optional
             As for `distance`.
         as_polydata : bool, optional
-            Whether to return a vtkPolyData with one polyline, and the arrays of vtkDGGPath.
+            Return a vtkPolyData with one polyline and the arrays of vtkDGGPath.
 
         Returns
         -------
@@ -157,17 +156,17 @@ class Queries(Matrices):
         Parameters
         ----------
         starts, ends : surface points
-            As for `distance`; as many starts as ends, or one of either.
+            As for `distance`; equal numbers of starts and ends, or one of either.
         straighten, detour, projection_tolerance
             As for `path`.
         as_polydata : bool, optional
-            Whether to return one vtkPolyData with a polyline for each path that there is; the cell
-            array "PairId" numbers them.
+            Return one vtkPolyData with a polyline for each path; the cell array "PairId" contains
+            the index of the pair.
 
         Returns
         -------
         list of Path, or vtkPolyData
-            None, with a warning, for a pair that the surface does not connect.
+            The item is None, with a warning, for a pair that the surface does not connect.
 
         Raises
         ------
@@ -197,24 +196,25 @@ class Queries(Matrices):
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
     ) -> Union[Samples, vtkPolyData]:
-        """Points that are spread evenly: each is as far as possible from those before.
+        """Evenly spread points: each is as far as possible from all before it.
 
         Parameters
         ----------
         number_of_samples : int
-            How many there are at most, those of `start` included.
+            Largest number of samples, including those of `start`.
         first : int, optional
-            The point id of the first one. Default: 0.
+            Point id of the first sample. Default: 0.
         start : surface points, optional
-            Samples to begin with, in place of `first`.
+            First samples, which replace `first`.
         covering_radius : float, optional
-            Stop when every point of the mesh is this close to a sample. Default: 0, do not.
+            Stop when every point of the mesh is at most this far from a sample, in the unit of the
+            points. Default: 0, no such limit.
         in_faces : bool, optional
-            Whether samples may lie in faces and on edges, and not only in points of the mesh.
+            Samples may lie in faces and on edges, and not only at points of the mesh.
         projection_tolerance : float, optional
             As for `distance`.
         as_polydata : bool, optional
-            Whether to return the points as vtkPolyData, with the arrays of vtkGeodesicSampler.
+            Return the points as vtkPolyData, with the arrays of vtkGeodesicSampler.
 
         Returns
         -------
@@ -253,19 +253,19 @@ class Queries(Matrices):
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
     ) -> Union[Voronoi, vtkPolyData]:
-        """Which of some sites is nearest, and how large their cells are.
+        """Voronoi cells: the nearest of some sites for each point, and the areas of the cells.
 
         Parameters
         ----------
         sites : surface points
             As for `distance`.
         iterations : int, optional
-            How often sites are moved to the middle of their cells, at most. Default: 0.
+            Largest number of times that sites move to the centers of their cells. Default: 0.
         projection_tolerance : float, optional
             As for `distance`.
         as_polydata : bool, optional
-            Whether to return a vtkPolyData: the surface cut along the borders of cells, with the
-            cell array "SiteId". That of a cloud is the cloud with the point array "GeodesicSource".
+            Return a vtkPolyData: the surface, cut along the borders of cells, with the cell array
+            "SiteId"; for a cloud the cloud with the point array "GeodesicSource".
 
         Returns
         -------
@@ -299,7 +299,7 @@ class Queries(Matrices):
         )
 
     def _search(self, sources, correction, maximum_distance, initial_distances, tolerance):
-        """The search from the sources, not run yet."""
+        """Returns the filter with its sources, before its update."""
         limit = arguments.limit(maximum_distance, "maximum_distance")
         search = self._filter(vtkDGGDistance, tolerance)
         set_sources(search, self._points(sources, "sources"), initial_distances)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is found on a surface, as numpy arrays."""
+"""Results of queries, as numpy arrays."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ class Path:
         Length of the path in the graph, before it was shortened: at most (1 + accuracy) times the
         exact distance. NaN for exact paths.
     faces : numpy.ndarray of int64, shape (k,)
-        The cell that the piece after the point lies in; that before it for the last point. -1 at a
-        point that no cell uses, and on clouds.
+        Id of the cell that contains the segment after the point; for the last point, the segment
+        before it. -1 at a point that no cell uses, and on clouds.
     barycentric : numpy.ndarray of float64, shape (k, 3), or None
-        Barycentric coordinates in `faces`; 0 where there is none. ``zip(faces, barycentric)`` are
-        sources that identify the points where layers of the surface coincide. None for a surface
-        with other cells than triangles, and for a cloud.
+        Barycentric coordinates in `faces`; 0 if the face is -1. The list
+        ``list(zip(faces, barycentric))`` identifies the points as sources, also where layers of the
+        surface coincide. None for a surface with other cells than triangles, and for a cloud.
     point_ids : numpy.ndarray of int64, shape (k,)
-        The point of the mesh where the path is at one, else -1.
+        Id of the point of the mesh at this position, otherwise -1.
     arc_lengths : numpy.ndarray of float64, shape (k,)
         Length of the path up to the point.
     """
@@ -116,11 +116,11 @@ class Samples:
     Attributes
     ----------
     points : numpy.ndarray of float64, shape (k, 3)
-        Where they are.
+        Coordinates.
     point_ids : numpy.ndarray of int64, shape (k,)
-        The point of the mesh, -1 for one that lies in a face or on an edge.
+        Id of the point of the mesh, -1 for a sample in a face or on an edge.
     faces : numpy.ndarray of int64, shape (k,)
-        A cell that it lies in; -1 at points that no cell uses, and on clouds.
+        Id of a cell that contains the sample; -1 at points that no cell uses, and on clouds.
     barycentric : numpy.ndarray of float64, shape (k, 3), or None
         As that of a `Path`.
     covering_radii : numpy.ndarray of float64, shape (k,)
@@ -141,20 +141,20 @@ class Samples:
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Voronoi:
-    """Which of some sites is nearest.
+    """Voronoi cells of sites.
 
     Attributes
     ----------
     nearest : numpy.ndarray of int, shape (n,)
-        Index of the nearest site of each point of the mesh, -1 where none reaches.
+        Index of the nearest site of each point of the mesh, -1 for unreached points.
     distances : numpy.ndarray of float64, shape (n,)
-        Distance from it, in the unit of the points; NaN where none reaches.
+        Distance from the nearest site, in the unit of the points; NaN for unreached points.
     sites : numpy.ndarray of float64, shape (k, 3)
-        Where the sites are, after they were moved.
+        Coordinates of the sites, after they were moved.
     point_ids, faces, barycentric : numpy.ndarray
         Of the sites, as those of `Samples`.
     areas : numpy.ndarray of float64, shape (k,), or None
-        Areas of the cells; None for a cloud.
+        Areas of the cells, in the squared unit of the points; None for a cloud.
     """
 
     nearest: NDArray[np.intp]
@@ -195,12 +195,12 @@ class EarthMovers:
 
 
 def array_of(data, name):
-    """A copy of an array of VTK: outputs go with their filters."""
+    """Returns a copy of an array of VTK, whose memory belongs to a filter."""
     return np.array(vtk_to_numpy(data.GetArray(name)))
 
 
 def surface_points_of(data):
-    """The point arrays that identify points of a surface, by the names of attributes."""
+    """Returns the point arrays that identify surface points, by names of attributes."""
     return {
         "point_ids": array_of(data, "vtkOriginalPointIds"),
         "faces": array_of(data, "FaceId"),
@@ -209,8 +209,8 @@ def surface_points_of(data):
 
 
 def lines_of(output, kind, **names):
-    """The polylines of a filter as objects of the kind; `names` are those of arrays with one value
-    per line."""
+    """Returns the polylines of a filter as objects of the class `kind`. `names` are the cell arrays of
+    its further attributes."""
     if output.GetNumberOfLines() == 0:
         return []
     points = np.array(vtk_to_numpy(output.GetPoints().GetData()), dtype=np.float64)
@@ -218,7 +218,7 @@ def lines_of(output, kind, **names):
     corners = vtk_to_numpy(output.GetLines().GetConnectivityArray())
     data, cells = output.GetPointData(), output.GetCellData()
     per_point = {**surface_points_of(data), "arc_lengths": array_of(data, "ArcLength")}
-    first = output.GetNumberOfVerts()  # arrays of cells begin with those
+    first = output.GetNumberOfVerts()  # arrays of cells begin with verts
     per_line = {key: array_of(cells, name)[first:] for key, name in names.items()}
     lines: List = []
     for i in range(len(offsets) - 1):
