@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGMeshReader.h"
 
+#include "DGGCompatibility.h"
 #include "DGGMeshConversion.h"
 
 #include "vtkErrorCode.h"
@@ -11,14 +12,14 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-vtkDGGMeshReader::vtkDGGMeshReader(int format)
+vtkDGGMeshReader::vtkDGGMeshReader(dgg::FileFormat format)
   : Format(format)
 {
 }
 
-int vtkDGGMeshReader::CanReadFile(const char* fileName, int format)
+int vtkDGGMeshReader::CanReadFile(const char* fileName, dgg::FileFormat format)
 {
-  return dgg::LooksLike(static_cast<dgg::FileFormat>(format), fileName ? fileName : "") ? 1 : 0;
+  return dgg::LooksLike(format, fileName ? fileName : "") ? 1 : 0;
 }
 
 int vtkDGGMeshReader::RequestData(
@@ -28,8 +29,8 @@ int vtkDGGMeshReader::RequestData(
   const auto work = [&](const dgg::FileProgress& progress) {
     dgg::MeshData mesh;
     dgg::FileStatus status = dgg::ReadMesh(
-      static_cast<dgg::FileFormat>(this->Format), this->FileName,
-      [&progress](double done) { return progress(0.9 * done); }, mesh);
+      this->Format, this->FileName, [&progress](double done) { return progress(0.9 * done); },
+      mesh);
     for (const std::string& warning : mesh.Warnings)
     {
       vtkWarningMacro(<< this->FileName << ": " << warning);
@@ -45,7 +46,7 @@ int vtkDGGMeshReader::RequestData(
     return status;
   };
   this->SetErrorCode(vtkDGG::RunOnFile(this, "read", this->FileName, work));
-  if (this->ErrorCode == vtkErrorCode::NoError && this->GetAbortExecute() == 0)
+  if (this->ErrorCode == vtkErrorCode::NoError && !vtkDGGIsAbortedMacro(this))
   {
     this->UpdateProgress(1.0);
     return 1;

@@ -16,10 +16,14 @@
  * memory is allocated.
  *
  * <b>Errors</b>. A file that is missing, cannot be opened, is truncated or malformed causes an
- * error with its name and the line (the byte in binary data). GetErrorCode() is then not zero and
- * the output is empty.
+ * error with its name and the line (the byte in binary data). The output is then empty, and
+ * GetErrorCode() returns vtkErrorCode::NoFileNameError, FileNotFoundError, CannotOpenFileError,
+ * UnrecognizedFileTypeError, PrematureEndOfFileError, FileFormatError, or UnknownError if memory is
+ * exhausted. A text file without a line end after its last line causes a warning, because its last
+ * number may be truncated. After an abort the output is empty and GetErrorCode() is zero.
  *
- * @sa vtkDGGOBJReader vtkDGGPLYReader vtkDGGSTLReader vtkDGGXYZReader
+ * @sa vtkDGGMeshWriter vtkDGGOBJReader vtkDGGOFFReader vtkDGGPLYReader vtkDGGSTLReader
+ * vtkDGGXYZReader vtkPCDReader
  */
 #ifndef vtkDGGMeshReader_h
 #define vtkDGGMeshReader_h
@@ -27,16 +31,18 @@
 #include "vtkAbstractPolyDataReader.h"
 #include "vtkDGGReadersModule.h" // for the export macro
 
+namespace dgg
+{
+enum class FileFormat;
+}
+
 class VTKDGGREADERS_EXPORT vtkDGGMeshReader : public vtkAbstractPolyDataReader
 {
 public:
   vtkAbstractTypeMacro(vtkDGGMeshReader, vtkAbstractPolyDataReader);
 
 protected:
-  /**
-   * The format is a value of dgg::FileFormat.
-   */
-  explicit vtkDGGMeshReader(int format);
+  explicit vtkDGGMeshReader(dgg::FileFormat format);
   ~vtkDGGMeshReader() override = default;
 
   int RequestData(
@@ -45,13 +51,13 @@ protected:
   /**
    * Returns 1 if the beginning of the file has the format, otherwise 0.
    */
-  static int CanReadFile(const char* fileName, int format);
+  static int CanReadFile(const char* fileName, dgg::FileFormat format);
 
 private:
   vtkDGGMeshReader(const vtkDGGMeshReader&) = delete;
   void operator=(const vtkDGGMeshReader&) = delete;
 
-  const int Format;
+  const dgg::FileFormat Format;
 };
 
 #endif

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGMeshWriter.h"
 
+#include "DGGCompatibility.h"
 #include "DGGMeshConversion.h"
 
+#include "vtkCellData.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -61,7 +63,7 @@ int vtkDGGMeshWriter::Write()
   this->SetErrorCode(vtkErrorCode::NoError);
   this->Superclass::Write();
   if (!this->IsWritten && this->GetErrorCode() == vtkErrorCode::NoError &&
-    this->GetAbortExecute() == 0)
+    !vtkDGGIsAbortedMacro(this))
   {
     // The superclass does not report the failure of a reader or filter upstream.
     this->SetErrorCode(vtkErrorCode::UnknownError);
@@ -80,6 +82,19 @@ int vtkDGGMeshWriter::FindFormat() const
   return found == std::end(extensions) ? -1 : static_cast<int>(found - std::begin(extensions));
 }
 
+void vtkDGGMeshWriter::WarnOfStrings(vtkFieldData* data)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (!data->GetArray(i))
+    {
+      const char* name = data->GetArrayName(i);
+      vtkWarningMacro("The array " << (name ? name : "(without a name)")
+                                   << " is skipped: its values are not numeric.");
+    }
+  }
+}
+
 void vtkDGGMeshWriter::WriteData()
 {
   const auto work = [this](const dgg::FileProgress& progress) -> dgg::FileStatus {
@@ -91,15 +106,14 @@ void vtkDGGMeshWriter::WriteData()
     }
     const auto format = static_cast<dgg::FileFormat>(found);
     vtkPolyData* input = this->GetInput();
-    vtkPointData* data = input->GetPointData();
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    if (format != dgg::FileFormat::OBJ && format != dgg::FileFormat::OFF &&
+      format != dgg::FileFormat::STL && format != dgg::FileFormat::XYZ)
     {
-      if (!data->GetArray(i))
-      {
-        const char* name = data->GetArrayName(i);
-        vtkWarningMacro("The array " << (name ? name : "(without a name)")
-                                     << " is left out: it does not hold numbers.");
-      }
+      this->WarnOfStrings(input->GetPointData());
+    }
+    if (format == dgg::FileFormat::PLY)
+    {
+      this->WarnOfStrings(input->GetCellData());
     }
     dgg::MeshData mesh;
     dgg::FileStatus status = vtkDGG::FromPolyData(input, mesh);
@@ -115,7 +129,7 @@ void vtkDGGMeshWriter::WriteData()
     }
     if (status.IsOk())
     {
-      status = dgg::WriteMesh(format, this->FileName, mesh, progress);
+      status = dgg::WriteMesh(format, this->FileName, std::move(mesh), progress);
     }
     this->IsWritten = status.IsOk();
     return status;

@@ -9,22 +9,29 @@
  *  - `.ply`: points, polygons, all point arrays and, for polygons, all cell arrays of numbers.
  *    Binary; coordinates are float if those of the input are, otherwise double. Components of
  *    arrays become properties `name_0`, `name_1` and so on; integers of 64 bits become double if 32
- *    bits do not suffice. Blanks in names become `_`. Verts are skipped, lines are an error.
- *  - `.obj`: points, verts, lines, polygons, active normals, texture coordinates and colors.
- *  - `.off`: the same, and colors of cells. Lines are faces of two corners, or more, which read
- * back as polygons.
- *  - `.stl`: triangles, at least one; polygons are triangulated. Binary if float32 holds all
- *    coordinates, otherwise text.
- *  - `.xyz`: points.
- *  - `.pcd`: points and point arrays, binary; see vtkPCDWriter for other modes.
+ *    bits do not suffice, which rounds those above 2^53. Blanks in names become `_`. Verts are
+ *    skipped.
+ *  - `.obj`: points, verts, lines, polygons, active normals, texture coordinates and colors without
+ *    alpha.
+ *  - `.off`: the same with alpha, and colors of cells. Each point of a vert is a face of one
+ * corner, a line a face of two corners; polylines of more points are an error.
+ *  - `.stl`: triangles, at least one; polygons are triangulated, verts are skipped. Binary if
+ *    float32 holds all coordinates, otherwise text.
+ *  - `.xyz`: points; verts and polygons are skipped.
+ *  - `.pcd`: points and point arrays, binary; verts and polygons are skipped. See vtkPCDWriter for
+ *    other modes.
  *
- * Triangle strips become triangles without cell arrays. Everything else is skipped; arrays of
- * strings cause a warning. Colors are an array `RGB` or `RGBA`, or the active scalars, of three or
+ * Lines are an error of all formats but `.obj` and `.off`. Triangle strips become triangles without
+ * cell arrays; cells without points are skipped. Arrays of strings cause a warning in formats that
+ * store arrays. Colors are an array `RGB` or `RGBA`, or the active scalars, of three or
  * four unsigned chars.
  *
  * <b>Errors</b>. A missing input or file name, another extension, a file that cannot be written or
- * a full disk cause an error with the name of the file. Write() then returns 0, GetErrorCode() is
- * not zero, and no part of a file is left.
+ * a full disk cause an error with the name of the file. Write() then returns 0, and GetErrorCode()
+ * is vtkErrorCode::NoFileNameError, UnrecognizedFileTypeError (extension), FileFormatError (data
+ * that the format cannot store), CannotOpenFileError, OutOfDiskSpaceError, or UnknownError if
+ * memory is exhausted or a filter upstream fails. After an abort it is zero. The file is written as
+ * `<name>.part` and renamed at the end: after a failure or an abort an older file is unchanged.
  *
  * @code
  * vtkNew<vtkDGGMeshWriter> writer;
@@ -41,6 +48,7 @@
 #include "vtkDGGReadersModule.h" // for the export macro
 #include "vtkWriter.h"
 
+class vtkFieldData;
 class vtkPolyData;
 
 class VTKDGGREADERS_EXPORT vtkDGGMeshWriter : public vtkWriter
@@ -59,13 +67,13 @@ public:
   ///@}
 
   /**
-   * Write the file: 1 on success, 0 on failure, also when the input could not be made.
+   * Writes the file. Returns 1 on success and 0 on failure, including failures upstream.
    */
   int Write() override;
 
   ///@{
   /**
-   * The data to write.
+   * Returns the input.
    */
   vtkPolyData* GetInput();
   vtkPolyData* GetInput(int port);
@@ -86,6 +94,8 @@ protected:
 private:
   vtkDGGMeshWriter(const vtkDGGMeshWriter&) = delete;
   void operator=(const vtkDGGMeshWriter&) = delete;
+
+  void WarnOfStrings(vtkFieldData* data);
 
   char* FileName = nullptr;
   bool IsWritten = false;

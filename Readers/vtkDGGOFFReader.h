@@ -5,8 +5,8 @@
  * @brief   read surfaces in the Object File Format (OFF)
  *
  * <b>Input and output</b>. Text and binary files (big endian, 32 bits) with any of the prefixes ST,
- * C and N; 4 and n (points that are not in space) are refused. Faces of two corners become lines,
- * those of one corner verts.
+ * C and N; 4 and n (points of other dimensions than three) are refused. Faces of two corners become
+ * lines, those of one corner verts.
  *  - Point data: `Normals`, `TCoords` and `RGB` or `RGBA`.
  *  - Cell data: `RGB` or `RGBA`, gray for faces without a color. Indices into a table of colors are
  *    ignored.
@@ -17,7 +17,7 @@
  *    edges or the keyword may be missing; the keyword may be in lower case; colors may follow
  *    vertices without the prefix C.
  *
- * <b>Errors</b>. Data behind the last face are an error, too.
+ * <b>Errors</b>. Data after the last face are an error.
  *
  * <b>Source</b>. The format is that of geomview (www.geomview.org/docs/html/OFF.html). VTK has an
  * OFF reader from 9.4 on.
@@ -37,7 +37,8 @@ public:
   vtkTypeMacro(vtkDGGOFFReader, vtkDGGMeshReader);
 
   /**
-   * Returns 1 if the beginning of the file has this format, otherwise 0.
+   * Returns 1 if the file begins with the keyword of the format, otherwise 0. Files without a
+   * keyword can be read but are not recognized.
    */
   static int CanReadFile(VTK_FILEPATH const char* fileName);
 

@@ -23,7 +23,7 @@
 #ifndef vtkDGGPointCloudConversions_h
 #define vtkDGGPointCloudConversions_h
 
-#include "vtkDGGPointFields.h" // for what does the work
+#include "vtkDGGPointFields.h" // for the conversion
 
 #include "vtkObject.h"       // for vtkGenericWarningMacro
 #include "vtkPolyData.h"     // for the data
@@ -104,9 +104,9 @@ inline void SwapBytes(const PointCloudView& view, std::size_t step, std::vector<
 }
 
 inline vtkSmartPointer<vtkPolyData> Finish(
-  const PointCloudView& view, bool isWell, std::string message, std::string* error)
+  const PointCloudView& view, bool isValid, std::string message, std::string* error)
 {
-  vtkSmartPointer<vtkPolyData> data = isWell ? MakePolyData(view, message) : nullptr;
+  vtkSmartPointer<vtkPolyData> data = isValid ? MakePolyData(view, message) : nullptr;
   if (error)
   {
     *error = data ? std::string() : message;
@@ -130,12 +130,12 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(
   const std::size_t step = cloud.point_step;
   const std::size_t width = cloud.width;
   const std::size_t height = cloud.height;
-  // Rows may be longer than their points. A cloud of one row may say nothing of it.
+  // Rows may be longer than their points. row_step may be 0 in clouds of one row.
   const std::size_t row = cloud.row_step == 0 ? step * width : cloud.row_step;
-  bool isWell = width == 0 || height == 0 ||
+  bool isValid = width == 0 || height == 0 ||
     (row >= step * width && cloud.data.size() >= step * width &&
       height - 1 <= (cloud.data.size() - step * width) / (row == 0 ? 1 : row));
-  if (!isWell)
+  if (!isValid)
   {
     message = std::to_string(width) + " x " + std::to_string(height) + " points of " +
       std::to_string(step) + " bytes are promised, but there are " +
@@ -143,9 +143,9 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(
   }
   const char* points = reinterpret_cast<const char*>(cloud.data.data());
   std::vector<char> packed;
-  // Numbers may be those of another machine.
+  // The byte order may differ.
   const bool isSwapped = cloud.is_bigendian != pcl::PCLPointCloud2().is_bigendian;
-  if (isWell && width > 0 && (isSwapped || (height > 1 && row != step * width)))
+  if (isValid && width > 0 && (isSwapped || (height > 1 && row != step * width)))
   {
     packed.reserve(step * width * height);
     for (std::size_t j = 0; j < height; ++j)
@@ -156,12 +156,12 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(
   }
   view.Width = static_cast<vtkIdType>(width);
   view.Height = static_cast<vtkIdType>(height);
-  isWell = isWell && Detail::AddFields(cloud.fields, points, step, view, message);
-  if (isWell && isSwapped && !packed.empty())
+  isValid = isValid && Detail::AddFields(cloud.fields, points, step, view, message);
+  if (isValid && isSwapped && !packed.empty())
   {
     Detail::SwapBytes(view, step, packed);
   }
-  return Detail::Finish(view, isWell, message, error);
+  return Detail::Finish(view, isValid, message, error);
 }
 
 /// Converts a cloud of any type of point that is registered with PCL and has x, y and z.
@@ -171,7 +171,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(
 {
   PointCloudView view;
   std::string message;
-  // PCL lets clouds in one row do without width and height.
+  // Width and height may be unset in clouds of one row.
   const std::size_t count = cloud.size();
   const bool fits =
     cloud.height > 0 && cloud.width == count / cloud.height && count % cloud.height == 0;
@@ -183,9 +183,9 @@ vtkSmartPointer<vtkPolyData> ToPolyData(
     view.Sensor[static_cast<std::size_t>(i + 4)] = cloud.sensor_orientation_.vec()[i];
   }
   view.Sensor[3] = cloud.sensor_orientation_.w();
-  const bool isWell =
+  const bool isValid =
     Detail::AddFields(pcl::getFields<Point>(), cloud.points.data(), sizeof(Point), view, message);
-  return Detail::Finish(view, isWell, message, error);
+  return Detail::Finish(view, isValid, message, error);
 }
 
 /// Converts the cloud of a shared pointer. Null is an error.
@@ -268,14 +268,14 @@ bool FromPolyData(
   {
     return false;
   }
-  std::vector<PointField> wanted;
+  std::vector<PointField> fields;
   std::vector<std::size_t> offsets;
   for (const pcl::PCLPointField& in : pcl::getFields<Point>())
   {
     PointField field;
     if (Detail::FromPCLField(in, field))
     {
-      wanted.push_back(field);
+      fields.push_back(field);
       offsets.push_back(in.offset);
     }
   }
@@ -293,17 +293,17 @@ bool FromPolyData(
   cloud.sensor_orientation_.w() = static_cast<float>(sensor[3]);
 
   std::vector<PointFieldSource> storage;
-  const std::vector<const PointFieldSource*> sources = FindPointFields(data, wanted, storage);
-  for (std::size_t i = 0; i < wanted.size(); ++i)
+  const std::vector<const PointFieldSource*> sources = FindPointFields(data, fields, storage);
+  for (std::size_t i = 0; i < fields.size(); ++i)
   {
     if (sources[i] && !cloud.empty())
     {
-      sources[i]->Copy(0, data->GetNumberOfPoints(), wanted[i].Kind, wanted[i].Size,
+      sources[i]->Copy(0, data->GetNumberOfPoints(), fields[i].Kind, fields[i].Size,
         reinterpret_cast<char*>(cloud.points.data()) + offsets[i], sizeof(Point));
     }
     else if (!sources[i] && missing)
     {
-      missing->push_back(wanted[i].Name);
+      missing->push_back(fields[i].Name);
     }
   }
   return true;

@@ -25,16 +25,6 @@ std::vector<vtkDGG::PointFieldSource> MakeSources(vtkPolyData* data, bool areNam
 }
 }
 
-bool vtkDGG::IsPointFieldType(char kind, int size)
-{
-  return dgg::IsFieldType(kind, size);
-}
-
-std::string vtkDGG::CheckPointFields(const PointCloudView& cloud)
-{
-  return dgg::CheckPointFields(cloud);
-}
-
 vtkSmartPointer<vtkPolyData> vtkDGG::MakePolyData(const PointCloudView& cloud, std::string& error)
 {
   dgg::MeshData mesh;
@@ -71,11 +61,11 @@ std::vector<vtkDGG::PointFieldSource> vtkDGG::ListPointFields(vtkPolyData* data)
 }
 
 std::vector<const vtkDGG::PointFieldSource*> vtkDGG::FindPointFields(
-  vtkPolyData* data, const std::vector<PointField>& wanted, std::vector<PointFieldSource>& storage)
+  vtkPolyData* data, const std::vector<PointField>& fields, std::vector<PointFieldSource>& storage)
 {
   storage = MakeSources(data, false);
   std::vector<const PointFieldSource*> found;
-  for (const PointField& field : wanted)
+  for (const PointField& field : fields)
   {
     const auto source =
       std::find_if(storage.begin(), storage.end(), [&field](const PointFieldSource& candidate) {
@@ -106,8 +96,10 @@ void vtkDGG::GetPointCloudLayout(vtkPolyData* data, PointCloudView& cloud)
   if (!size.empty() && size[0] >= 1.0 && size[1] >= 1.0 &&
     size[0] * size[1] == static_cast<double>(count))
   {
-    cloud.Width = static_cast<vtkIdType>(size[0]);
-    cloud.Height = static_cast<vtkIdType>(size[1]);
+    const auto width = static_cast<vtkIdType>(size[0]);
+    const auto height = static_cast<vtkIdType>(size[1]);
+    cloud.Width = width * height == count ? width : count;
+    cloud.Height = width * height == count ? height : 1;
   }
   const std::vector<double> sensor = getValues(vtkDGG::ViewpointName, 7);
   if (!sensor.empty() &&

@@ -8,11 +8,13 @@
 /// coordinates, `Normals`, `RGB` and `RGBA` by their meaning, all others by name, type and number
 /// of components, bits as bytes. Points with finite coordinates have a vert. `PCD.Dimensions`
 /// (width and height, int64) and `PCD.Viewpoint` (translation x, y, z and quaternion w, x, y, z of
-/// the sensor, double) are field data; the former counts if the product is the number of points.
+/// the sensor, double) are field data; PCD.Dimensions is used if its product is the number of
+/// points.
 ///
 /// <b>Guarantee and cost</b>. Everything is copied; numbers keep their values and types.
 ///
-/// <b>Errors</b>. Malformed clouds give null and a message. Arrays of strings are left out.
+/// <b>Errors</b>. For a malformed cloud the result is null and `error` is set. Arrays of strings
+/// are skipped.
 #ifndef vtkDGGPointFields_h
 #define vtkDGGPointFields_h
 
@@ -40,13 +42,6 @@ using dgg::PointCloudView;
 using dgg::PointField;
 using dgg::PointFieldView;
 using dgg::Viewpoint;
-
-/// Returns true if there are numbers of that kind and size.
-VTKDGGREADERS_EXPORT bool IsPointFieldType(char kind, int size);
-
-/// Returns the defect of the fields of a cloud, whose values may be missing; empty if there is
-/// none.
-VTKDGGREADERS_EXPORT std::string CheckPointFields(const PointCloudView& cloud);
 
 /// Returns a copy of the cloud. On error returns null, and `error` describes the defect.
 VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
@@ -77,7 +72,7 @@ VTKDGGREADERS_EXPORT std::vector<PointFieldSource> ListPointFields(vtkPolyData* 
 /// Returns the sources for fields of these names, which are stored in `storage`; null where the
 /// data have no array of that name and number of values. `rgb` and `rgba` may replace each other.
 VTKDGGREADERS_EXPORT std::vector<const PointFieldSource*> FindPointFields(
-  vtkPolyData* data, const std::vector<PointField>& wanted, std::vector<PointFieldSource>& storage);
+  vtkPolyData* data, const std::vector<PointField>& fields, std::vector<PointFieldSource>& storage);
 
 /// Reads width, height and viewpoint from the field data if they exist and fit; otherwise all
 /// points are in one row, seen from the origin. Fields are unchanged.

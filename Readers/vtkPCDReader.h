@@ -19,7 +19,7 @@
  * together with TYPE may be missing. In text each point has a line of its own; binary data may be
  * followed by zeros. Files of PCL are read as PCL reads them, without PCL.
  *
- * <b>Errors</b>. More than 10000 fields and data behind the last point are errors, too.
+ * <b>Errors</b>. More than 10000 fields and data after the last point are errors.
  *
  * @code
  * vtkNew<vtkPCDReader> reader;

@@ -5,7 +5,7 @@
  * @brief   write point clouds in PCL's format (PCD)
  *
  * <b>Input and output</b>. Writes the points and the point arrays of numbers as a file of version
- * 0.7, whatever the extension of the file name; cells are skipped.
+ * 0.7, whatever the extension of the file name. Verts and polygons are skipped, lines are an error.
  *  - `x`, `y`, `z` are float if the points are, otherwise double.
  *  - Active normals become `normal_x`, `normal_y`, `normal_z`.
  *  - Arrays `RGB` and `RGBA`, or active scalars, of three or four unsigned chars become `rgb` (with
@@ -45,7 +45,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How the points are written.
+   * Encoding of the points
    */
   enum DataModes
   {
@@ -56,7 +56,7 @@ public:
 
   ///@{
   /**
-   * How the points are written. The default is BINARY.
+   * Encoding of the points. The default is BINARY.
    */
   vtkSetClampMacro(DataMode, int, ASCII, BINARY_COMPRESSED);
   vtkGetMacro(DataMode, int);

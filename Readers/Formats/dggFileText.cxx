@@ -15,10 +15,10 @@
 
 namespace
 {
-/// Bytes that a decompression step yields at most.
+/// Largest number of bytes per decompression step
 constexpr std::size_t BlockBytes = std::size_t(1) << 20;
 
-/// zlib reads files that are not compressed as they are.
+/// Returns the first bytes of a file compressed by gzip.
 std::vector<char> Decompress(const std::string& name, std::size_t limit)
 {
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(name.c_str(), "rb"), gzclose);
@@ -40,6 +40,8 @@ std::vector<char> Decompress(const std::string& name, std::size_t limit)
   if (count < 0 || error != Z_OK)
   {
     const bool isCut = error == Z_BUF_ERROR;
+    const std::string prefix = name + ": "; // our callers name the file
+    message += std::string_view(message).substr(0, prefix.size()) == prefix ? prefix.size() : 0;
     dgg::Fail(isCut ? dgg::FileCode::Premature : dgg::FileCode::Malformed,
       "the file cannot be decompressed: ", isCut ? "the compressed data end too early" : message);
   }
@@ -94,7 +96,7 @@ bool dgg::IsTooSmall(std::string_view text)
 {
   std::istringstream stream{ std::string(text) };
   stream.imbue(std::locale::classic());
-  double number = 0.0; // the nearest one that there is
+  double number = 0.0; // zero after underflow, the largest double after overflow
   stream >> number;
   return std::abs(number) < 1.0;
 }

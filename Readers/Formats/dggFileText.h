@@ -3,8 +3,8 @@
 /// @file
 /// Bytes, words and numbers of files. Internal to the parsers and writers.
 ///
-/// They are our own because PCL's library of files, pcl_io, links a second VTK, which crashes
-/// ParaView, and because VTK's and PCL's readers allocate what a header claims.
+/// PCL's file library pcl_io links a second VTK, which crashes ParaView. VTK's and PCL's readers
+/// allocate the counts of a header unchecked.
 #ifndef dggFileText_h
 #define dggFileText_h
 
@@ -43,6 +43,9 @@ template <typename... Parts>
   throw FileError(code, message.str());
 }
 
+/// Number of records of a file between two reports of progress.
+constexpr std::size_t ProgressInterval = 1 << 14;
+
 /// Reports the finished fraction; throws if the callback asks to stop.
 class ProgressReport
 {
@@ -57,6 +60,18 @@ public:
     {
       Fail(FileCode::Aborted, "aborted");
     }
+  }
+  /// Reports the fraction if an interval ends with this record.
+  void At(std::size_t record, double done) const
+  {
+    if (record % ProgressInterval == 0)
+    {
+      (*this)(done);
+    }
+  }
+  void At(std::size_t record, std::size_t records) const
+  {
+    this->At(record, static_cast<double>(record) / static_cast<double>(records));
   }
 
 private:
@@ -129,7 +144,7 @@ public:
     }
     return true;
   }
-  /// Moves over the word that was found.
+  /// Returns the word at the position and moves behind it.
   std::string_view TakeWord()
   {
     const char* const first = this->Position;
@@ -140,7 +155,7 @@ public:
     }
     return { first, static_cast<std::size_t>(this->Position - first) };
   }
-  /// Moves behind the next line end; continuations end lines here.
+  /// Moves to the next line. Continuations are ignored.
   void SkipLine()
   {
     while (this->Position != this->End && !this->IsAtLineEnd())
@@ -192,7 +207,7 @@ private:
   std::size_t Line = 1;
 };
 
-/// Returns true if a number that std::from_chars finds out of range is too small, not too large.
+/// Returns true if a number outside the range of double underflows; false if it overflows.
 bool IsTooSmall(std::string_view text);
 
 /// Converts a word to a number, in any locale; a floating-point number that is too small becomes
@@ -221,9 +236,6 @@ const char* ParseNumber(std::string_view text, Number& number)
   }
   return nullptr;
 }
-
-/// Records of a file between two reports of progress.
-constexpr std::size_t ProgressInterval = 1 << 14;
 }
 
 #endif

@@ -13,27 +13,27 @@ namespace
 {
 using dgg::FileCode;
 
-/// Bytes that suffice to recognize a file behind comments.
+/// Number of leading bytes that LooksLike() inspects; headers may begin with comments
 constexpr std::size_t RecognitionBytes = 16384;
 
 struct Format
 {
   bool (*LooksLike)(std::string_view begin);
   void (*Parse)(std::string_view file, const dgg::ProgressReport& progress, dgg::MeshData& mesh);
-  void (*Write)(
-    const dgg::MeshData& mesh, const dgg::ProgressReport& progress, dgg::FileSink& sink);
+  void (*Write)(dgg::MeshData& mesh, const dgg::ProgressReport& progress, dgg::FileSink& sink);
+  bool HasLines;
 };
 /// In the order of dgg::FileFormat.
-constexpr Format Formats[] = { { dgg::LooksLikeOBJ, dgg::ParseOBJ, dgg::WriteOBJ },
-  { dgg::LooksLikeOFF, dgg::ParseOFF, dgg::WriteOFF },
-  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCD },
-  { dgg::LooksLikePLY, dgg::ParsePLY, dgg::WritePLY },
-  { dgg::LooksLikeSTL, dgg::ParseSTL, dgg::WriteSTL },
-  { dgg::LooksLikeXYZ, dgg::ParseXYZ, dgg::WriteXYZ },
-  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCDText },
-  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCDCompressed } };
+constexpr Format Formats[] = { { dgg::LooksLikeOBJ, dgg::ParseOBJ, dgg::WriteOBJ, true },
+  { dgg::LooksLikeOFF, dgg::ParseOFF, dgg::WriteOFF, true },
+  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCD, false },
+  { dgg::LooksLikePLY, dgg::ParsePLY, dgg::WritePLY, false },
+  { dgg::LooksLikeSTL, dgg::ParseSTL, dgg::WriteSTL, false },
+  { dgg::LooksLikeXYZ, dgg::ParseXYZ, dgg::WriteXYZ, false },
+  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCDText, false },
+  { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCDCompressed, false } };
 
-/// Turns what `work` throws into a status.
+/// Runs `work` and converts its exceptions to a status.
 template <typename Work>
 dgg::FileStatus Run(const Work& work)
 {
@@ -46,7 +46,7 @@ dgg::FileStatus Run(const Work& work)
   {
     return { error.Code, error.what() };
   }
-  catch (const std::exception&) // of containers
+  catch (const std::exception&) // std::bad_alloc or std::length_error
   {
     return { FileCode::OutOfMemory, "not enough memory" };
   }
@@ -70,15 +70,24 @@ dgg::FileStatus dgg::ReadMesh(
   {
     mesh = MeshData();
   }
+  if (status.Kind == FileCode::Premature)
+  {
+    status.Message += ". The file may be truncated: copy or export it again.";
+  }
   return status;
 }
 
-dgg::FileStatus dgg::WriteMesh(FileFormat format, const std::string& fileName, const MeshData& mesh,
-  const FileProgress& progress)
+dgg::FileStatus dgg::WriteMesh(
+  FileFormat format, const std::string& fileName, MeshData&& mesh, const FileProgress& progress)
 {
   return Run([&] {
+    const Format& writer = Formats[static_cast<int>(format)];
+    if (mesh.Lines.GetCount() > 0 && !writer.HasLines)
+    {
+      Fail(FileCode::Malformed, "the format cannot store lines. Remove them or write an OBJ file.");
+    }
     FileSink sink(fileName);
-    Formats[static_cast<int>(format)].Write(mesh, ProgressReport(progress), sink);
+    writer.Write(mesh, ProgressReport(progress), sink);
     sink.Close();
   });
 }
@@ -135,28 +144,43 @@ void dgg::FaceSorter::Sort(DataArray& values) const
     values.Values);
 }
 
+dgg::FileSink::FileSink(const std::string& fileName)
+  : FileName(fileName)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path target = fs::canonical(fileName, ignored); // follows links
+  this->FileName = target.empty() ? this->FileName : target;
+  const bool isReplaceable = target.empty() || fs::is_regular_file(target, ignored);
+  this->PartName = this->FileName;
+  this->PartName += isReplaceable ? ".part" : ""; // not for devices and pipes
+  this->Stream.open(this->PartName, std::ios::binary);
+  if (!this->Stream)
+  {
+    Fail(FileCode::CannotOpen, "the file cannot be opened for writing");
+  }
+}
+
 dgg::FileSink::~FileSink()
 {
-  std::error_code ignored;
-  if (this->IsOpened && !this->IsClosed &&
-    std::filesystem::is_regular_file(this->FileName, ignored))
+  if (this->PartName != this->FileName && !this->IsClosed)
   {
+    std::error_code ignored;
     this->Stream.close();
-    std::filesystem::remove(this->FileName, ignored);
+    std::filesystem::remove(this->PartName, ignored);
+  }
+}
+
+void dgg::RequirePoints(const MeshData& mesh)
+{
+  if (mesh.Points.empty())
+  {
+    Fail(FileCode::Malformed, "the input has no points");
   }
 }
 
 void dgg::FileSink::Flush()
 {
-  if (!this->IsOpened)
-  {
-    this->Stream.open(this->FileName, std::ios::binary);
-    this->IsOpened = this->Stream.is_open();
-    if (!this->IsOpened)
-    {
-      Fail(FileCode::CannotOpen, "the file cannot be opened for writing");
-    }
-  }
   this->Stream.write(this->Buffer.data(), static_cast<std::streamsize>(this->Buffer.size()));
   this->Buffer.clear();
   if (!this->Stream)
@@ -169,7 +193,12 @@ void dgg::FileSink::Close()
 {
   this->Flush();
   this->Stream.close();
-  if (!this->Stream)
+  std::error_code code;
+  if (this->Stream && this->PartName != this->FileName)
+  {
+    std::filesystem::rename(this->PartName, this->FileName, code);
+  }
+  if (!this->Stream || code)
   {
     Fail(FileCode::DiskFull, "the data cannot be written, is the disk full?");
   }

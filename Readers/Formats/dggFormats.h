@@ -53,10 +53,10 @@ using FileProgress = std::function<bool(double)>;
 FileStatus ReadMesh(
   FileFormat format, const std::string& fileName, const FileProgress& progress, MeshData& mesh);
 
-/// Writes a file. What the format cannot hold is skipped; see vtkDGGMeshWriter. After a failure no
-/// part of a file is left.
-FileStatus WriteMesh(FileFormat format, const std::string& fileName, const MeshData& mesh,
-  const FileProgress& progress);
+/// Writes a file, which replaces an older one only when it is complete. Data that the format cannot
+/// store are skipped or refused; vtkDGGMeshWriter lists them. The mesh must not be used afterwards.
+FileStatus WriteMesh(
+  FileFormat format, const std::string& fileName, MeshData&& mesh, const FileProgress& progress);
 
 /// Returns true if the beginning of the file has the given format.
 bool LooksLike(FileFormat format, const std::string& fileName);

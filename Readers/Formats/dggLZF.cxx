@@ -82,7 +82,7 @@ bool dgg::DecompressLZF(
     {
       return false;
     }
-    // Byte by byte: a copy may reach into itself, and repeats what it has put out then.
+    // Source and destination may overlap, which repeats the bytes; hence byte by byte.
     for (const char* const end = out + length; out != end; ++out)
     {
       *out = *(out - distance);
@@ -96,7 +96,7 @@ void dgg::CompressLZF(const char* input, std::size_t inputSize, std::vector<char
   const auto* bytes = reinterpret_cast<const unsigned char*>(input);
   // Last position of three bytes with that hash, plus one; 0 if there is none.
   std::vector<std::size_t> last(std::size_t(1) << HashBits, 0);
-  std::size_t literals = 0; // where those begin that have yet to be put out
+  std::size_t literals = 0; // start of the pending literals
   std::size_t i = 0;
   while (i + ShortestMatch <= inputSize)
   {

@@ -5,12 +5,9 @@
 ///
 /// A stream of LZF is a sequence of items that begin with a control byte c:
 /// - c < 32: c + 1 bytes follow and are taken as they are;
-/// - otherwise a copy of what was put out before. Its length is 2 plus the three high bits of c,
-/// and
-///   when these are 7, plus one more byte. The five low bits of c are the high bits of the distance
-///   less one, whose low bits are the last byte of the item.
-///
-/// PCL has the same in its library of files, which brings a whole VTK and Qt with it.
+/// - otherwise a copy of earlier output. Its length is 2 plus the three high bits of c and, when
+///   these are 7, plus one more byte. The five low bits of c are the high bits of the distance less
+///   one, whose low bits are the last byte of the item.
 #ifndef dggLZF_h
 #define dggLZF_h
 

@@ -11,7 +11,6 @@
 #include <cstdint>  // for types of numbers
 #include <optional> // for the layout
 #include <string>   // for names
-#include <utility>  // for std::move
 #include <variant>  // for values of any type
 #include <vector>   // for arrays
 

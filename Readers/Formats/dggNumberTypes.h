@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Numbers of types that are known at run time. Internal to the parsers and writers.
+/// Number types chosen at run time. Internal to the parsers and writers.
 #ifndef dggNumberTypes_h
 #define dggNumberTypes_h
 
@@ -32,7 +32,8 @@ constexpr NumberType TypeOf()
   return { !Limits::is_integer ? 'F' : Limits::is_signed ? 'I' : 'U', sizeof(T) };
 }
 
-/// Calls `worker` with a zero of the type. Returns false if there is no such type.
+/// Calls `worker` with a zero-initialized number of the type. Returns false if there is no such
+/// type.
 template <typename Worker>
 bool DispatchNumber(const NumberType& type, const Worker& worker)
 {

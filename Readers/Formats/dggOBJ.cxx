@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace
 {
@@ -14,11 +13,11 @@ using dgg::Quote;
 
 constexpr dgg::TextRules Rules{ true, true, false, true, false };
 
-/// Vectors of one statement (vt or vn), and the one that each point uses.
+/// Values of all vt or vn statements, and the index of the value that each point uses.
 struct PointVectors
 {
-  const char* Name;               ///< of a vector, for messages
-  std::size_t Components;         ///< that are kept
+  const char* Name;               ///< name in messages
+  std::size_t Components;         ///< number of components stored
   std::vector<double> Values;     ///< by vector
   std::vector<std::int64_t> Used; ///< by point: its vector; -1 if there is none
   bool IsAmbiguous = false;       ///< true if a point uses vectors that differ
@@ -63,7 +62,7 @@ private:
   }
   bool IsSame(std::int64_t a, std::int64_t b) const
   {
-    // A vector that is defined later counts as another one.
+    // A forward reference counts as a different value.
     return a == b ||
       (std::max(a, b) < this->GetCount() &&
         std::equal(
@@ -85,10 +84,7 @@ public:
     for (std::size_t i = 1; this->Text.FindAnywhere(); ++i)
     {
       this->ReadStatement();
-      if (i % dgg::ProgressInterval == 0)
-      {
-        progress(this->Text.GetFraction());
-      }
+      progress.At(i, this->Text.GetFraction());
     }
     const std::int64_t counts[] = { this->GetNumberOfPoints(), this->TCoords.GetCount(),
       this->Normals.GetCount() };
@@ -102,7 +98,7 @@ public:
   }
 
 private:
-  /// Largest id that the cells name before it is defined, and its line.
+  /// Largest forward reference of the cells, and its line
   struct LaterId
   {
     std::int64_t Id = -1;
@@ -153,7 +149,7 @@ private:
     }
   }
 
-  /// Reads up to `most` numbers of this line, and returns how many there are.
+  /// Reads at most `most` numbers of this line and returns their number.
   std::size_t ReadNumbers(std::size_t most)
   {
     std::size_t count = 0;
@@ -257,8 +253,7 @@ private:
     return ids[0];
   }
 
-  /// Returns the id, from 0, of the number in a file: from 1, or from -1 backwards from the last
-  /// one before this line.
+  /// Converts an index of the file (from 1, or negative and relative to the end) to an id from 0.
   std::int64_t Resolve(int kind, std::int64_t number, std::int64_t count)
   {
     const std::int64_t id = number > 0 ? number - 1 : count + number;
@@ -352,8 +347,12 @@ void dgg::ParseOBJ(std::string_view file, const ProgressReport& progress, MeshDa
   WarnOfOpenLine(file, mesh);
 }
 
-void dgg::WriteOBJ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+void dgg::WriteOBJ(MeshData& mesh, const ProgressReport& progress, FileSink& sink)
 {
+  RequirePoints(mesh);
+  const std::size_t records = mesh.GetNumberOfPoints() + mesh.Verts.GetCount() +
+    mesh.Lines.GetCount() + mesh.Polygons.GetCount();
+  std::size_t record = 0;
   const DataArray* const normals = FindArray(mesh.PointArrays, ArrayRole::Normals);
   const DataArray* const tCoords = FindArray(mesh.PointArrays, ArrayRole::TCoords);
   const DataArray* const colors = FindArray(mesh.PointArrays, ArrayRole::Colors);
@@ -379,32 +378,27 @@ void dgg::WriteOBJ(const MeshData& mesh, const ProgressReport& progress, FileSin
         sink.Put("\n");
       }
     }
-    if (i % ProgressInterval == 0)
-    {
-      progress(0.5 * static_cast<double>(i) / static_cast<double>(mesh.GetNumberOfPoints()));
-    }
+    progress.At(record++, records);
   }
-  const std::pair<const char*, const CellList*> lists[] = { { "p", &mesh.Verts },
-    { "l", &mesh.Lines }, { "f", &mesh.Polygons } };
-  for (const auto& [keyword, cells] : lists)
+  for (const CellList* cells : { &mesh.Verts, &mesh.Lines, &mesh.Polygons })
   {
     for (std::size_t i = 0; i < cells->GetCount(); ++i)
     {
-      sink.Put(keyword);
+      const std::int64_t size = cells->Offsets[i + 1] - cells->Offsets[i];
+      const bool isVert = cells == &mesh.Verts || size == 1;
+      const bool isLine = !isVert && (cells == &mesh.Lines || size == 2);
+      sink.Put(isVert ? "p" : isLine ? "l" : "f");
       for (std::int64_t k = cells->Offsets[i]; k < cells->Offsets[i + 1]; ++k)
       {
         const std::string id = std::to_string(cells->Connectivity[static_cast<std::size_t>(k)] + 1);
         sink.Put(" " + id);
-        if (cells == &mesh.Polygons && (tCoords || normals))
+        if (!isVert && !isLine && (tCoords || normals))
         {
           sink.Put("/" + (tCoords ? id : "") + (normals ? "/" + id : ""));
         }
       }
       sink.Put("\n");
-      if (i % ProgressInterval == 0)
-      {
-        progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(cells->GetCount()));
-      }
+      progress.At(record++, records);
     }
   }
 }

@@ -4,7 +4,6 @@
 #include "dggWriters.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace
@@ -12,8 +11,8 @@ namespace
 using dgg::FileCode;
 
 constexpr dgg::TextRules Rules{ true, true, false, false, false };
-/// Color of faces that have none in a file where others do: geomview's default.
-constexpr float DefaultGrey = 170.0f;
+/// Gray level of faces without a color in files with face colors (geomview's default)
+constexpr float DefaultGray = 170.0f;
 
 constexpr auto Malformed = FileCode::Malformed;
 constexpr auto Premature = FileCode::Premature;
@@ -38,7 +37,7 @@ struct Colors
   bool IsUsed = false;
   bool HasAlpha = false;
   bool SawFraction = false;
-  std::size_t LocationAboveOne = 0; ///< of the first; 0 when there is none
+  std::size_t LocationAboveOne = 0; ///< line or byte of the first component above 1; 0 if none
 
   /// Adds the color of the next record, the first `count` numbers.
   void Add(const std::vector<RestNumber>& numbers, std::size_t count, std::size_t location)
@@ -69,7 +68,7 @@ struct Colors
       for (int c = 0; c < components; ++c)
       {
         const bool isOpaque = c == 3 && value[3] < 0.0f;
-        const float scaled = value[0] < 0.0f ? DefaultGrey : value[c] * scale;
+        const float scaled = value[0] < 0.0f ? DefaultGray : value[c] * scale;
         bytes.push_back(isOpaque ? 255 : static_cast<std::uint8_t>(scaled + 0.5f));
       }
     }
@@ -82,15 +81,16 @@ class OFFParser
 {
 public:
   OFFParser(std::string_view file, dgg::MeshData& mesh)
-    : Text(file, Rules)
+    : File(file)
+    , Text(file, Rules)
     , Mesh(mesh)
     , Faces(mesh)
   {
   }
 
-  /// Reads [ST][C][N][4][n]OFF, the prefixes in any order. 4 and n are points that are not in
-  /// space. Lower case, a missing keyword and a count that follows without a blank are tolerated.
-  /// Returns true if there is a keyword.
+  /// Reads [ST][C][N][4][n]OFF, the prefixes in any order. 4 and n stand for points of other
+  /// dimensions than three. Lower case, a missing keyword and a count that follows without a blank
+  /// are tolerated. Returns true if there is a keyword.
   bool ReadKeyword()
   {
     this->Awaited = "the keyword OFF";
@@ -130,8 +130,7 @@ public:
     if (isHomogeneous || isOfAnyDimension)
     {
       this->Fail(FileCode::Unrecognized, dgg::Quote(word),
-        " has points of four or any number of coordinates: only points in space can be read, "
-        "convert the file to OFF");
+        " declares points of a dimension other than three. Convert the file to OFF.");
     }
     if (keyword.size() < word.size())
     {
@@ -153,17 +152,14 @@ public:
     return true;
   }
 
-  /// Reads all that follows the keyword.
+  /// Reads counts, vertices and faces.
   void ReadData(const dgg::ProgressReport& progress)
   {
     this->ReadCounts();
     this->Mesh.HasFloatPoints = this->IsBinary;
     for (std::size_t i = 0; i < this->NumberOfVertices + this->NumberOfFaces; ++i)
     {
-      if (i % dgg::ProgressInterval == 0)
-      {
-        progress(this->Text.GetFraction());
-      }
+      progress.At(i, this->Text.GetFraction());
       if (i < this->NumberOfVertices)
       {
         this->ReadVertex(i);
@@ -174,6 +170,10 @@ public:
       }
     }
     this->ReadEnd();
+    if (!this->IsBinary)
+    {
+      dgg::WarnOfOpenLine(this->File, this->Mesh);
+    }
     this->MakeOutput();
   }
 
@@ -271,7 +271,7 @@ private:
     const long long corners = this->ReadInteger();
     if (corners < 1)
     {
-      this->Fail(Malformed, "face ", face, " has ", corners, " vertices: at least 1 is needed");
+      this->Fail(Malformed, "face ", face, " has ", corners, " vertices. Expected at least 1.");
     }
     if (static_cast<std::size_t>(corners) > (this->Text.GetBytesLeft() + 1) / this->GetLeastBytes())
     {
@@ -320,14 +320,14 @@ private:
     if (!this->IsBinary && this->Text.FindAnywhere())
     {
       this->Fail(Malformed, dgg::Quote(this->Text.TakeWord()),
-        " follows the last face: are the counts too small?");
+        " follows the last face. Correct the counts of the header.");
     }
     const std::size_t rest = this->Text.GetRest().find_first_not_of(" \t\n\v\f\r");
     if (rest != std::string_view::npos)
     {
       this->Text.Skip(rest);
       this->Fail(Malformed, this->Text.GetBytesLeft(),
-        " bytes follow the last face: are the counts too small?");
+        " bytes follow the last face. Correct the counts of the header.");
     }
     for (const Colors* colors : { &this->PointColors, &this->FaceColors })
     {
@@ -369,7 +369,9 @@ private:
       if (!(value >= 0.0 && value <= (this->Rest[i].IsFraction ? 1.0 : 255.0)))
       {
         this->Fail(Malformed, "the color component ", value,
-          " is out of range: fractions must be in [0, 1], integers in [0, 255]");
+          " is out of range: fractions must be in [0, 1], integers in [0, 255]. If these numbers "
+          "are "
+          "normals, the keyword must be NOFF.");
       }
     }
     colors.Add(this->Rest, count, this->GetLocation());
@@ -384,11 +386,6 @@ private:
     const std::uint32_t bits = this->ReadBits();
     float value = 0.0f;
     std::memcpy(&value, &bits, sizeof(value));
-    if (!std::isfinite(value))
-    {
-      this->FailAt(this->GetLocation() - 4, Malformed, "a number before ", this->Awaited,
-        this->Record, " is not finite");
-    }
     return static_cast<double>(value);
   }
 
@@ -407,7 +404,8 @@ private:
     return value;
   }
 
-  /// The numbers left on this line; as many as given in binary files.
+  /// Reads the remaining numbers of the line, or `countIfBinary` numbers of a binary file, into
+  /// Rest.
   void ReadRest(std::size_t countIfBinary)
   {
     this->Rest.clear();
@@ -423,7 +421,7 @@ private:
     }
   }
 
-  /// Four bytes, the most significant one first.
+  /// Reads four bytes, most significant first.
   std::uint32_t ReadBits()
   {
     if (this->Text.GetBytesLeft() < 4)
@@ -451,15 +449,15 @@ private:
   double ToNumber(std::string_view word) const
   {
     double value = 0.0;
-    const char* trouble = dgg::ParseNumber(word, value);
-    if (trouble || !std::isfinite(value))
+    if (const char* trouble = dgg::ParseNumber(word, value))
     {
-      this->Fail(Malformed, dgg::Quote(word), " ", trouble ? trouble : "is not finite");
+      this->Fail(Malformed, dgg::Quote(word), " ", trouble);
     }
     return value;
   }
 
-  /// Of a number: of the shortest text, a digit and a blank, or in binary files.
+  /// Returns the smallest size of a number: a digit and a blank in text, four bytes in binary
+  /// files.
   std::size_t GetLeastBytes() const { return this->IsBinary ? 4 : 2; }
   std::size_t GetLocation() const
   {
@@ -483,6 +481,7 @@ private:
 
   static constexpr std::size_t NoRecord = SIZE_MAX;
 
+  const std::string_view File;
   dgg::TextCursor Text;
   dgg::MeshData& Mesh;
   const char* Awaited = "";      ///< value that is being read, for messages
@@ -534,23 +533,18 @@ void dgg::ParseOFF(std::string_view file, const ProgressReport& progress, MeshDa
   parser.ReadData(progress);
 }
 
-void dgg::WriteOFF(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+void dgg::WriteOFF(MeshData& mesh, const ProgressReport& progress, FileSink& sink)
 {
   const DataArray* const normals = FindArray(mesh.PointArrays, ArrayRole::Normals);
   const DataArray* const tCoords = FindArray(mesh.PointArrays, ArrayRole::TCoords);
   const DataArray* const colors = FindArray(mesh.PointArrays, ArrayRole::Colors);
   const DataArray* const cellColors = FindArray(mesh.CellArrays, ArrayRole::Colors);
   const std::size_t points = mesh.GetNumberOfPoints();
-  const std::size_t cells =
-    mesh.Verts.GetCount() + mesh.Lines.GetCount() + mesh.Polygons.GetCount();
+  // A face of one corner for each point of a vert.
+  const std::size_t faces =
+    mesh.Verts.Connectivity.size() + mesh.Lines.GetCount() + mesh.Polygons.GetCount();
   sink.Put(std::string(tCoords ? "ST" : "") + (colors ? "C" : "") + (normals ? "N" : "") + "OFF\n");
-  sink.Put(std::to_string(points) + " " + std::to_string(cells) + " 0\n");
-  const auto report = [&](std::size_t done) {
-    if (done % ProgressInterval == 0)
-    {
-      progress(static_cast<double>(done) / static_cast<double>(points + cells));
-    }
-  };
+  sink.Put(std::to_string(points) + " " + std::to_string(faces) + " 0\n");
   for (std::size_t i = 0; i < points; ++i)
   {
     for (std::size_t c = 0; c < 3; ++c)
@@ -570,24 +564,35 @@ void dgg::WriteOFF(const MeshData& mesh, const ProgressReport& progress, FileSin
       sink.PutNumbers(*tCoords, i);
     }
     sink.Put("\n");
-    report(i);
+    progress.At(i, points + faces);
   }
   std::size_t cell = 0;
+  std::size_t face = 0;
   for (const CellList* list : { &mesh.Verts, &mesh.Lines, &mesh.Polygons })
   {
     for (std::size_t i = 0; i < list->GetCount(); ++i, ++cell)
     {
-      sink.PutNumber(list->Offsets[i + 1] - list->Offsets[i]);
-      for (std::int64_t k = list->Offsets[i]; k < list->Offsets[i + 1]; ++k)
+      const std::int64_t size = list->Offsets[i + 1] - list->Offsets[i];
+      if (list == &mesh.Lines && size > 2)
       {
-        sink.PutNumber(list->Connectivity[static_cast<std::size_t>(k)]);
+        Fail(Malformed,
+          "an OFF file cannot store polylines of more than two points. Write an OBJ file.");
       }
-      if (cellColors)
+      const std::int64_t perFace = list == &mesh.Verts ? 1 : size;
+      for (std::int64_t k = list->Offsets[i]; k < list->Offsets[i + 1]; k += perFace, ++face)
       {
-        PutColor(sink, *cellColors, cell);
+        sink.PutNumber(perFace);
+        for (std::int64_t corner = k; corner < k + perFace; ++corner)
+        {
+          sink.PutNumber(list->Connectivity[static_cast<std::size_t>(corner)]);
+        }
+        if (cellColors)
+        {
+          PutColor(sink, *cellColors, cell);
+        }
+        sink.Put("\n");
+        progress.At(points + face, points + faces);
       }
-      sink.Put("\n");
-      report(points + cell);
     }
   }
 }

@@ -14,8 +14,6 @@ namespace
 {
 using dgg::FileCode;
 
-/// Bytes that are kept before they are written.
-constexpr std::size_t BlockBytes = std::size_t(1) << 22;
 /// Values of a point that a header may have in a file without points, whatever the size of the
 /// file.
 constexpr std::size_t MaximumValuesWithoutPoints = 1000000;
@@ -57,8 +55,8 @@ public:
     // Arrays take memory for their components even where there are no points.
     if (this->Count == 0 && numbers > MaximumValuesWithoutPoints && numbers > fileBytes)
     {
-      this->FailAtLine(Malformed, this->Header.CountLine, "the COUNTs promise points of ", numbers,
-        " values, more than the file has bytes");
+      this->FailAtLine(Malformed, this->Header.CountLine, "COUNT declares ", numbers,
+        " values per point, more than the file has bytes");
     }
     switch (this->Header.Data)
     {
@@ -78,13 +76,13 @@ public:
     return this->View;
   }
 
+  bool IsText() const { return this->Header.Data == dgg::PCDData::ASCII; }
+
 private:
   void ReadText(std::size_t numbers)
   {
-    // The least that a number takes is a digit and a blank or line end, which the last one may
-    // lack.
+    // A number takes at least a digit and a blank; the last blank may be missing.
     this->CheckCount(this->Text.GetBytesLeft() + 1, 2 * numbers);
-    const auto whole = static_cast<double>(this->Text.GetByte() + this->Text.GetBytesLeft());
     this->Buffer.resize(this->Count * this->PointBytes);
     this->SetView(this->Buffer.data(), false, true);
     std::vector<dgg::NumberType> types;
@@ -99,14 +97,11 @@ private:
     {
       if (point == this->Count)
       {
-        this->FailAtLine(Malformed, this->Text.GetLine(), "more follows the last of ", point,
-          " points: is their number too small?");
+        this->FailAtLine(Malformed, this->Text.GetLine(), "data follow the last of ", point,
+          " points. Increase POINTS, WIDTH or HEIGHT.");
       }
       this->ReadPoint(point, types, numbers, out);
-      if ((point + 1) % dgg::ProgressInterval == 0)
-      {
-        this->Progress(static_cast<double>(this->Text.GetByte()) / whole);
-      }
+      this->Progress.At(point + 1, this->Text.GetFraction());
     }
     if (point != this->Count)
     {
@@ -169,7 +164,7 @@ private:
       this->FailAtByte(Premature, 0, compressed, " bytes of compressed data are promised, but ",
         body.size() - 8, " follow");
     }
-    // Padding is not compressed, as PCL does it; other programs may know better.
+    // PCL excludes padding from compressed data; other programs may include it.
     std::size_t packed = this->PointBytes;
     for (const dgg::PointField& field : this->Header.Fields)
     {
@@ -248,8 +243,8 @@ private:
     const std::size_t trouble = this->Text.GetRest().find_first_not_of('\0', begin);
     if (trouble != std::string_view::npos)
     {
-      this->FailAtByte(Malformed, trouble, "more follows the last of ", this->Count,
-        " points: is their number too small?");
+      this->FailAtByte(Malformed, trouble, "data follow the last of ", this->Count,
+        " points. Increase POINTS, WIDTH or HEIGHT.");
     }
   }
 
@@ -278,14 +273,15 @@ private:
 class CloudWriter
 {
 public:
-  /// Refuses what a file cannot hold.
-  CloudWriter(const dgg::MeshData& mesh, dgg::PCDData mode, const dgg::ProgressReport& progress)
-    : Sources(dgg::ListFields(dgg::MeshData(mesh), true))
-    , Count(mesh.GetNumberOfPoints())
+  /// Throws if the cloud exceeds a limit of the format.
+  CloudWriter(dgg::MeshData& mesh, dgg::PCDData mode, const dgg::ProgressReport& progress)
+    : Count(mesh.GetNumberOfPoints())
+    , Sources(dgg::ListFields(std::move(mesh), true))
     , Progress(progress)
   {
     this->Header.Layout.Width = static_cast<std::int64_t>(this->Count);
-    this->Header.Layout = mesh.Layout.value_or(this->Header.Layout);
+    this->Header.Layout =
+      mesh.Layout.value_or(this->Header.Layout); // ListFields() moves arrays only
     this->Header.Data = mode;
     for (const dgg::FieldSource& source : this->Sources)
     {
@@ -327,7 +323,8 @@ public:
 private:
   void WriteBlocks(dgg::FileSink& sink) const
   {
-    const std::size_t perBlock = std::max<std::size_t>(BlockBytes / this->PointBytes, 1);
+    const std::size_t perBlock =
+      std::max<std::size_t>(dgg::FileSink::BlockBytes / this->PointBytes, 1);
     std::vector<char> block;
     for (std::size_t begin = 0; begin < this->Count; begin += perBlock)
     {
@@ -373,7 +370,8 @@ private:
     }
   }
 
-  /// Puts all values of each field, one field after the other, because these are more alike.
+  /// Puts all values of each field, one field after the other, because the values of one field are
+  /// similar and compress better.
   void WriteCompressed(dgg::FileSink& sink) const
   {
     std::vector<char> fields(this->Count * this->PointBytes);
@@ -392,8 +390,8 @@ private:
     sink.Put({ compressed.data(), compressed.size() });
   }
 
-  const std::vector<dgg::FieldSource> Sources;
   const std::size_t Count;
+  const std::vector<dgg::FieldSource> Sources;
   const dgg::ProgressReport& Progress;
   dgg::PCDHeader Header;
   std::size_t PointBytes = 0;
@@ -410,19 +408,23 @@ void dgg::ParsePCD(std::string_view file, const ProgressReport& progress, MeshDa
   {
     Fail(Malformed, defect);
   }
+  if (parser.IsText())
+  {
+    WarnOfOpenLine(file, mesh);
+  }
 }
 
-void dgg::WritePCD(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+void dgg::WritePCD(MeshData& mesh, const ProgressReport& progress, FileSink& sink)
 {
   CloudWriter(mesh, PCDData::Binary, progress).Write(sink);
 }
 
-void dgg::WritePCDText(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+void dgg::WritePCDText(MeshData& mesh, const ProgressReport& progress, FileSink& sink)
 {
   CloudWriter(mesh, PCDData::ASCII, progress).Write(sink);
 }
 
-void dgg::WritePCDCompressed(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+void dgg::WritePCDCompressed(MeshData& mesh, const ProgressReport& progress, FileSink& sink)
 {
   CloudWriter(mesh, PCDData::BinaryCompressed, progress).Write(sink);
 }

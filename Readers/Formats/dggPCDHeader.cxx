@@ -60,7 +60,7 @@ struct Entry
   {
     dgg::Fail(Malformed, "line ", this->Line, ": ", parts...);
   }
-  /// Refuse a value.
+  /// Reports an invalid value.
   template <typename... Parts>
   [[noreturn]] void FailAt(std::size_t i, const Parts&... parts) const
   {
@@ -207,7 +207,7 @@ void ReadCounts(const Entries& entries, dgg::PCDHeader& header)
   {
     entries.Get("HEIGHT").Fail("HEIGHT without WIDTH");
   }
-  // Old files have POINTS only, or say WIDTH 0 and HEIGHT 0 beside it.
+  // Old files have only POINTS, or WIDTH 0 and HEIGHT 0 in addition.
   if (header.Layout.Width < 0 || (header.Layout.Width == 0 && header.Layout.Height == 0))
   {
     header.Layout.Width = std::max<std::int64_t>(points, 0);

@@ -23,7 +23,7 @@ enum class PCDData
 
 struct PCDHeader
 {
-  /// VTK searches arrays by name one by one, so that many more would take forever.
+  /// Limit of fields: VTK's search of arrays by name is linear, so the time is quadratic.
   static constexpr std::size_t MaximumFields = 10000;
 
   std::vector<PointField> Fields; ///< padding (`_`) included
@@ -36,7 +36,7 @@ struct PCDHeader
   /// Returns the bytes of a point in a binary file.
   std::size_t GetPointBytes() const;
 
-  /// Reads the header of a file, and moves behind it. The body is not looked at. Throws FileError.
+  /// Reads the header of a file and moves behind it. Does not read the body. Throws FileError.
   void Parse(TextCursor& text);
   /// Returns the header as text, from the first line to the one with DATA.
   std::string Format() const;

@@ -17,7 +17,8 @@ using dgg::NumberType;
 using dgg::Quote;
 
 constexpr dgg::TextRules Rules{ true, false, false, false, false };
-/// Elements and properties of a header. VTK searches arrays by name one by one.
+/// Limit of elements and properties of a header: VTK's search of arrays by name is linear, so the
+/// time is quadratic.
 constexpr std::size_t MaximumHeaderEntries = 10000;
 
 struct TypeName
@@ -69,7 +70,8 @@ class PLYParser
 {
 public:
   PLYParser(std::string_view file, dgg::MeshData& mesh)
-    : Text(file, Rules)
+    : File(file)
+    , Text(file, Rules)
     , Mesh(mesh)
     , Faces(mesh)
   {
@@ -85,10 +87,7 @@ public:
       this->Current = &element;
       for (this->Record = 0; this->Record < element.Count; ++this->Record)
       {
-        if (this->Record % dgg::ProgressInterval == 0)
-        {
-          progress(this->Text.GetFraction());
-        }
+        progress.At(this->Record, this->Text.GetFraction());
         for (const Property& property : element.Properties)
         {
           property.IsList ? this->ReadList(property) : this->ReadNumber(property);
@@ -96,6 +95,10 @@ public:
       }
     }
     this->CheckRest();
+    if (!this->IsBinary)
+    {
+      dgg::WarnOfOpenLine(this->File, this->Mesh);
+    }
     this->Finish();
   }
 
@@ -176,8 +179,12 @@ private:
       type = this->TakeWord();
     }
     property.Name = this->TakeWord();
+    // Of two lists of this kind the first one counts.
+    const std::vector<Property>& others = this->Elements.back().Properties;
     const bool isFace = this->Elements.back().Name == "face" &&
-      (property.Name == "vertex_indices" || property.Name == "vertex_index");
+      (property.Name == "vertex_indices" || property.Name == "vertex_index") &&
+      std::none_of(others.begin(), others.end(),
+        [](const Property& other) { return other.Use == ListUse::Face; });
     const bool isStrip =
       this->Elements.back().Name == "tristrips" && property.Name == "vertex_indices";
     if (property.IsList && (isFace || isStrip))
@@ -291,10 +298,16 @@ private:
   }
 
   /// Joins properties to one array if all exist without a target and have one type: `type`, or any
-  /// floating-point type if its size is 0.
+  /// floating-point type if its size is 0. The first array of a role remains.
   void SetRole(Element& element, const char* name, ArrayRole role,
     std::initializer_list<const char*> names, const NumberType& type)
   {
+    const std::deque<DataArray>& arrays = this->GetArrays(element);
+    if (std::any_of(
+          arrays.begin(), arrays.end(), [&](const DataArray& array) { return array.Role == role; }))
+    {
+      return;
+    }
     std::vector<Property*> properties;
     for (const char* propertyName : names)
     {
@@ -310,10 +323,21 @@ private:
     this->AddTarget(element, name, role, properties);
   }
 
-  void AddTarget(const Element& element, const std::string& name, ArrayRole role,
+  std::deque<DataArray>& GetArrays(const Element& element)
+  {
+    return element.Name == "vertex" ? this->PointArrays : this->CellArrays;
+  }
+
+  /// Adds an array; a name that is taken gets one more `_`.
+  void AddTarget(const Element& element, std::string name, ArrayRole role,
     const std::vector<Property*>& properties)
   {
-    std::deque<DataArray>& arrays = element.Name == "vertex" ? this->PointArrays : this->CellArrays;
+    std::deque<DataArray>& arrays = this->GetArrays(element);
+    while (std::any_of(
+      arrays.begin(), arrays.end(), [&](const DataArray& array) { return array.Name == name; }))
+    {
+      name += '_';
+    }
     arrays.push_back({ name, static_cast<int>(properties.size()),
       dgg::MakeValues(properties[0]->Type, properties.size() * element.Count), role });
     for (std::size_t c = 0; c < properties.size(); ++c)
@@ -438,7 +462,7 @@ private:
     {
       this->Text.FindAnywhere();
       this->FailWith(FileCode::Malformed, this->Text.GetBytesLeft(),
-        " bytes follow the last record: are the counts of the header too small?");
+        " bytes follow the last record. Correct the counts of the header.");
     }
   }
 
@@ -501,6 +525,7 @@ private:
     this->FailWith(FileCode::Premature, "the file ends inside the header");
   }
 
+  const std::string_view File;
   dgg::TextCursor Text;
   dgg::MeshData& Mesh;
   std::vector<Element> Elements;
@@ -521,7 +546,8 @@ private:
 
 bool dgg::LooksLikePLY(std::string_view begin)
 {
-  return begin.substr(0, 4) == "ply\n" || begin.substr(0, 4) == "ply\r";
+  TextCursor text(begin, Rules);
+  return text.FindAnywhere() && text.TakeWord() == "ply";
 }
 
 void dgg::ParsePLY(std::string_view file, const ProgressReport& progress, MeshData& mesh)

@@ -124,15 +124,11 @@ private:
 };
 }
 
-void dgg::WritePLY(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+void dgg::WritePLY(MeshData& mesh, const ProgressReport& progress, FileSink& sink)
 {
   const CellList& polygons = mesh.Polygons;
   const std::size_t points = mesh.GetNumberOfPoints();
   const std::size_t faces = polygons.GetCount();
-  if (mesh.Lines.GetCount() > 0)
-  {
-    Fail(FileCode::Malformed, "a PLY file holds no lines: remove them or write an OBJ file");
-  }
   if (points > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
     Fail(FileCode::Malformed, "there are ", points, " points, more than the ids of a PLY file");
@@ -156,12 +152,6 @@ void dgg::WritePLY(const MeshData& mesh, const ProgressReport& progress, FileSin
       (corners < 256 ? "uchar" : "int") + " int vertex_indices\n" + faceTable.GetHeader());
   }
   sink.Put("end_header\n");
-  const auto report = [&](std::size_t done) {
-    if (done % ProgressInterval == 0)
-    {
-      progress(static_cast<double>(done) / static_cast<double>(points + faces));
-    }
-  };
   for (std::size_t i = 0; i < points; ++i)
   {
     for (std::size_t c = 0; c < 3; ++c)
@@ -170,7 +160,7 @@ void dgg::WritePLY(const MeshData& mesh, const ProgressReport& progress, FileSin
       mesh.HasFloatPoints ? sink.PutBytes(static_cast<float>(value)) : sink.PutBytes(value);
     }
     pointTable.PutRecord(i, sink);
-    report(i);
+    progress.At(i, points + faces);
   }
   for (std::size_t i = 0; i < faces; ++i)
   {
@@ -182,6 +172,6 @@ void dgg::WritePLY(const MeshData& mesh, const ProgressReport& progress, FileSin
       sink.PutBytes(static_cast<std::int32_t>(polygons.Connectivity[static_cast<std::size_t>(k)]));
     }
     faceTable.PutRecord(mesh.Verts.GetCount() + i, sink); // verts are not written
-    report(points + i);
+    progress.At(points + i, points + faces);
   }
 }

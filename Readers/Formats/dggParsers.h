@@ -32,7 +32,8 @@ void ParseSTL(std::string_view file, const ProgressReport& progress, MeshData& m
 bool LooksLikeXYZ(std::string_view begin);
 void ParseXYZ(std::string_view file, const ProgressReport& progress, MeshData& mesh);
 
-/// Adds a warning if the last line of a format without counts has no line end.
+/// Adds a warning if the last line of a text file has no line end, because its last number may be
+/// truncated.
 void WarnOfOpenLine(std::string_view file, MeshData& mesh);
 
 /// Sorts the faces of a file into verts, lines and polygons by their number of corners.

@@ -150,7 +150,7 @@ To Narrow(From number)
   else
   {
     const auto value = static_cast<double>(number);
-    // The largest number of 64 bits is no double: the next power of two is compared.
+    // The largest 64-bit integer is not a double, so the next power of two is compared.
     return std::isnan(value)                           ? To(0)
       : value >= std::ldexp(1.0, Limits::digits)       ? Limits::max()
       : value <= static_cast<double>(Limits::lowest()) ? Limits::lowest()

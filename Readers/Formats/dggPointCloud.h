@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Fields of point clouds to arrays and back. Internal to PCD files and to clouds of PCL.
+/// Converts fields of point clouds to arrays and back. Internal to PCD files and to clouds of PCL.
 #ifndef dggPointCloud_h
 #define dggPointCloud_h
 

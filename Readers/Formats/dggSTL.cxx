@@ -4,7 +4,6 @@
 #include "dggWriters.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -17,7 +16,7 @@ using dgg::Quote;
 constexpr dgg::TextRules Rules{ true, false, false, false, false };
 constexpr std::size_t HeaderBytes = 84;
 constexpr std::size_t FacetBytes = 50;
-/// Bytes without a zero that tell a text from a binary file, whose facets contain zeros.
+/// Number of leading bytes that are searched for a zero byte, which only binary files contain
 constexpr std::size_t TextBytes = 512;
 
 /// Finds equal points by a hash table with open addressing.
@@ -83,7 +82,7 @@ private:
   std::vector<std::int64_t> Table; ///< ids by slot; -1 if empty
 };
 
-/// Number of facets in the header of a binary file.
+/// Returns the number of facets in the header of a binary file.
 std::size_t GetFacetCount(std::string_view file)
 {
   std::size_t count = 0;
@@ -137,10 +136,7 @@ void ParseBinary(std::string_view file, const dgg::ProgressReport& progress, dgg
   PointMerger merger(mesh.Points);
   for (std::size_t i = 0; i < facets; ++i)
   {
-    if (i % dgg::ProgressInterval == 0)
-    {
-      progress(static_cast<double>(i) / static_cast<double>(facets));
-    }
+    progress.At(i, facets);
     const char* corner = file.data() + HeaderBytes + FacetBytes * i + 12; // behind the normal
     for (int k = 0; k < 3; ++k, corner += 12)
     {
@@ -179,14 +175,11 @@ public:
     while (this->Text.FindAnywhere())
     {
       this->Expect({ "solid" });
-      this->Text.SkipLine(); // a name of any words
+      this->Text.SkipLine(); // the name of the solid
       while (!this->ExpectEither("facet", "endsolid"))
       {
         this->ReadFacet();
-        if (++facets % dgg::ProgressInterval == 0)
-        {
-          progress(this->Text.GetFraction());
-        }
+        progress.At(++facets, this->Text.GetFraction());
       }
       this->Text.SkipLine();
     }
@@ -260,7 +253,7 @@ private:
 
 bool dgg::LooksLikeSTL(std::string_view begin)
 {
-  return IsText(begin) || (begin.size() > HeaderBytes && HasZero(begin));
+  return IsText(begin) || (begin.size() >= HeaderBytes && HasZero(begin));
 }
 
 void dgg::ParseSTL(std::string_view file, const ProgressReport& progress, MeshData& mesh)
@@ -275,7 +268,7 @@ void dgg::ParseSTL(std::string_view file, const ProgressReport& progress, MeshDa
   }
 }
 
-void dgg::WriteSTL(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+void dgg::WriteSTL(MeshData& mesh, const ProgressReport& progress, FileSink& sink)
 {
   const std::size_t count = mesh.Polygons.GetCount();
   if (count == 0 || count > UINT32_MAX)
@@ -329,10 +322,7 @@ void dgg::WriteSTL(const MeshData& mesh, const ProgressReport& progress, FileSin
       put(corner, 1.0);
     }
     sink.Put(isBinary ? std::string_view("\0\0", 2) : "\nendloop\nendfacet\n");
-    if (i % ProgressInterval == 0)
-    {
-      progress(static_cast<double>(i) / static_cast<double>(count));
-    }
+    progress.At(i, count);
   }
   sink.Put(isBinary ? "" : "endsolid vtkDGG\n");
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// One writer per format. Writers throw dgg::FileError.
+/// One writer per format. Writers throw dgg::FileError and may move arrays out of the mesh.
 #ifndef dggWriters_h
 #define dggWriters_h
 
@@ -9,21 +9,21 @@
 #include "dggNumberTypes.h" // for values
 
 #include <cstring>     // for std::memcpy
+#include <filesystem>  // for names of files
 #include <fstream>     // for the file
 #include <string>      // for the buffer
 #include <string_view> // for text
 
 namespace dgg
 {
-/// Collects text and bytes, and writes them in large blocks. The file is created by the first
-/// block, so that a writer that refuses its input leaves an older file alone.
+/// Collects text and bytes, and writes them in large blocks to a file <name>.part. An older file is
+/// replaced by Close().
 class FileSink
 {
 public:
-  explicit FileSink(const std::string& fileName)
-    : FileName(fileName)
-  {
-  }
+  static constexpr std::size_t BlockBytes = std::size_t(1) << 22;
+
+  explicit FileSink(const std::string& fileName);
   /// Removes an unfinished file.
   ~FileSink();
   FileSink(const FileSink&) = delete;
@@ -37,7 +37,7 @@ public:
       this->Flush();
     }
   }
-  /// Puts the shortest text that gives the number again, behind `separator`.
+  /// Appends `separator` and the shortest text that reads back as the same number.
   template <typename Number>
   void PutNumber(Number number, std::string_view separator = " ")
   {
@@ -73,25 +73,26 @@ public:
   void Close();
 
 private:
-  static constexpr std::size_t BlockBytes = std::size_t(1) << 22;
-
   void Flush();
 
-  const std::string FileName;
+  std::filesystem::path FileName;
+  std::filesystem::path PartName; ///< the same for devices and pipes
   std::string Buffer;
   std::ofstream Stream;
-  bool IsOpened = false;
   bool IsClosed = false;
 };
 
-void WriteOBJ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
-void WriteOFF(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
-void WritePCD(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
-void WritePCDText(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
-void WritePCDCompressed(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
-void WritePLY(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
-void WriteSTL(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
-void WriteXYZ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+/// Throws if there are no points, because the format has no empty files.
+void RequirePoints(const MeshData& mesh);
+
+void WriteOBJ(MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WriteOFF(MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WritePCD(MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WritePCDText(MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WritePCDCompressed(MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WritePLY(MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WriteSTL(MeshData& mesh, const ProgressReport& progress, FileSink& sink);
+void WriteXYZ(MeshData& mesh, const ProgressReport& progress, FileSink& sink);
 }
 
 #endif

@@ -12,9 +12,12 @@ using dgg::FileCode;
 
 constexpr dgg::TextRules Rules{ true, true, true, false, true };
 
-/// Reads lines that begin with three numbers, behind a count or a line of words.
-void Parse(dgg::TextCursor& text, const dgg::ProgressReport& progress, std::vector<double>& points)
+/// Reads lines that begin with three numbers, behind a count or a line of words. Returns the count;
+/// -1 if there is none.
+double Parse(
+  dgg::TextCursor& text, const dgg::ProgressReport& progress, std::vector<double>& points)
 {
+  double count = -1.0;
   bool isFirst = true;
   for (std::size_t i = 1; text.FindAnywhere(); ++i)
   {
@@ -23,9 +26,12 @@ void Parse(dgg::TextCursor& text, const dgg::ProgressReport& progress, std::vect
     std::size_t numbers = 0;
     bool isCount = false;
     std::string_view wrong;
+    const std::string_view rest = text.GetRest();
+    std::string_view line; // without a comment
     for (; text.FindOnLine(); ++words)
     {
       const std::string_view word = text.TakeWord();
+      line = rest.substr(0, rest.size() - text.GetBytesLeft());
       double number = 0.0;
       if (words < 3 || (isFirst && numbers == 0))
       {
@@ -45,15 +51,22 @@ void Parse(dgg::TextCursor& text, const dgg::ProgressReport& progress, std::vect
         wrong.empty() ? std::to_string(words) + " numbers" : dgg::Quote(wrong) + " is not a number",
         ", expected the coordinates x, y and z");
     }
+    if (!isHeader && line.find(',') != line.npos && line.find(';') != line.npos)
+    {
+      dgg::Fail(FileCode::Malformed, "line ", text.GetLine(),
+        ": ',' and ';' in one line are ambiguous. Use decimal points.");
+    }
     if (!isHeader)
     {
       points.insert(points.end(), p, p + 3);
     }
-    if (i % dgg::ProgressInterval == 0)
+    else if (numbers > 0)
     {
-      progress(text.GetFraction());
+      count = p[0];
     }
+    progress.At(i, text.GetFraction());
   }
+  return count;
 }
 }
 
@@ -77,7 +90,13 @@ bool dgg::LooksLikeXYZ(std::string_view begin)
 void dgg::ParseXYZ(std::string_view file, const ProgressReport& progress, MeshData& mesh)
 {
   TextCursor text(file, Rules);
-  Parse(text, progress, mesh.Points);
+  const double count = Parse(text, progress, mesh.Points);
+  const auto points = static_cast<double>(mesh.GetNumberOfPoints());
+  if (count >= 0.0 && count != points)
+  {
+    Fail(points < count ? FileCode::Premature : FileCode::Malformed, "the file announces ", count,
+      " points and has ", points);
+  }
   if (mesh.Points.empty())
   {
     Fail(FileCode::Malformed, "the file has no points");
@@ -86,8 +105,9 @@ void dgg::ParseXYZ(std::string_view file, const ProgressReport& progress, MeshDa
   WarnOfOpenLine(file, mesh);
 }
 
-void dgg::WriteXYZ(const MeshData& mesh, const ProgressReport& progress, FileSink& sink)
+void dgg::WriteXYZ(MeshData& mesh, const ProgressReport& progress, FileSink& sink)
 {
+  RequirePoints(mesh);
   for (std::size_t i = 0; i < mesh.GetNumberOfPoints(); ++i)
   {
     for (std::size_t c = 0; c < 3; ++c)
@@ -95,9 +115,6 @@ void dgg::WriteXYZ(const MeshData& mesh, const ProgressReport& progress, FileSin
       sink.PutNumber(mesh.Points[3 * i + c]);
     }
     sink.Put("\n");
-    if (i % ProgressInterval == 0)
-    {
-      progress(static_cast<double>(i) / static_cast<double>(mesh.GetNumberOfPoints()));
-    }
+    progress.At(i, mesh.GetNumberOfPoints());
   }
 }

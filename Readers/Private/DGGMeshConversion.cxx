@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGMeshConversion.h"
 
+#include "DGGCompatibility.h"
 #include "dggNumberTypes.h"
 #include "vtkDGGPointFields.h"
 
@@ -72,8 +73,8 @@ vtkSmartPointer<vtkCellArray> MakeCells(dgg::CellList& list)
   cells->SetData(MakeArray(list.Offsets, 1), MakeArray(list.Connectivity, 1));
   return cells;
 }
-/// Copies cells, whose ids must be below `count`.
-bool AddCells(vtkCellArray* cells, vtkIdType count, dgg::CellList& list)
+/// Copies cells, whose ids must be below `count`. Cells without points are skipped.
+bool AddCells(vtkCellArray* cells, vtkIdType count, dgg::CellList& list, std::vector<bool>& areKept)
 {
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
   {
@@ -88,9 +89,30 @@ bool AddCells(vtkCellArray* cells, vtkIdType count, dgg::CellList& list)
       }
       list.Connectivity.push_back(ids[k]);
     }
-    list.EndCell();
+    areKept.push_back(size > 0);
+    if (size > 0)
+    {
+      list.EndCell();
+    }
   }
   return true;
+}
+
+/// Removes the values of skipped cells.
+void RemoveValues(const std::vector<bool>& areKept, dgg::DataArray& array)
+{
+  const int components = array.Components;
+  std::visit(
+    [&](auto& values) {
+      std::decay_t<decltype(values)> kept;
+      for (std::size_t i = 0; i < areKept.size(); ++i)
+      {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(i) * components;
+        kept.insert(kept.end(), first, first + (areKept[i] ? components : 0));
+      }
+      values = std::move(kept);
+    },
+    array.Values);
 }
 
 /// Copies the values; bits become bytes.
@@ -222,13 +244,13 @@ unsigned long vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const
     vtkErrorWithObjectMacro(algorithm, "There is no file name: call SetFileName() first.");
     return vtkErrorCode::NoFileNameError;
   }
-  algorithm->SetAbortExecute(0); // VTK 9.1 keeps the flag of an earlier run
+  algorithm->SetAbortExecute(0); // some versions of VTK keep the flag of an earlier run
   dgg::FileStatus status;
   try
   {
     status = work([algorithm](double done) {
       algorithm->UpdateProgress(done);
-      return algorithm->GetAbortExecute() == 0;
+      return !vtkDGGIsAbortedMacro(algorithm);
     });
   }
   catch (const std::bad_alloc&) // from VTK's containers
@@ -261,10 +283,11 @@ dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
     strips->GetCellAtId(i, size, ids);
     vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), ids, triangles);
   }
-  if (!AddCells(input->GetVerts(), count, mesh.Verts) ||
-    !AddCells(input->GetLines(), count, mesh.Lines) ||
-    !AddCells(input->GetPolys(), count, mesh.Polygons) ||
-    !AddCells(triangles, count, mesh.Polygons))
+  std::vector<bool> areKept;
+  if (!AddCells(input->GetVerts(), count, mesh.Verts, areKept) ||
+    !AddCells(input->GetLines(), count, mesh.Lines, areKept) ||
+    !AddCells(input->GetPolys(), count, mesh.Polygons, areKept) ||
+    !AddCells(triangles, count, mesh.Polygons, areKept))
   {
     return { dgg::FileStatus::Code::Malformed,
       "a cell has a point id that is out of range: there are " + std::to_string(count) +
@@ -274,6 +297,13 @@ dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
   if (status.IsOk() && strips->GetNumberOfCells() == 0)
   {
     status = ReadArrays(input->GetCellData(), "cell", input->GetNumberOfCells(), mesh.CellArrays);
+  }
+  if (std::find(areKept.begin(), areKept.end(), false) != areKept.end())
+  {
+    for (dgg::DataArray& array : mesh.CellArrays)
+    {
+      RemoveValues(areKept, array);
+    }
   }
   return status;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Between the formats, which do not use VTK, and classes of VTK. Internal.
+/// Converts between dgg::MeshData and vtkPolyData. Internal.
 #ifndef DGGMeshConversion_h
 #define DGGMeshConversion_h
 
@@ -23,7 +23,8 @@ unsigned long RunOnFile(vtkAlgorithm* algorithm, const char* verb, const char* f
   const std::function<dgg::FileStatus(const dgg::FileProgress&)>& work);
 
 /// Copies points, cells and arrays of numbers; triangle strips become triangles, and then there are
-/// no cell arrays. Fails if a cell or an array does not fit the points.
+/// no cell arrays. Cells without points are skipped. Fails if a cell or an array does not fit the
+/// points.
 dgg::FileStatus FromPolyData(vtkPolyData* input, dgg::MeshData& mesh);
 
 /// Copies points and those point arrays of numbers that have a value for each point.

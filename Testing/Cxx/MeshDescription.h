@@ -17,7 +17,7 @@
 
 namespace dggtest
 {
-/// Shortest text that gives the number again.
+/// Returns the shortest text that reads back as the same number.
 inline std::string Digits(double value)
 {
   char buffer[32];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of readers share: files in a folder of their own, and what holds for all readers.
+/// Fixture of reader tests: files in a separate folder, and checks common to all readers.
 #ifndef ReaderFixture_h
 #define ReaderFixture_h
 
@@ -41,7 +41,7 @@ protected:
   std::string GetPath(const std::string& name) const { return (this->Folder / name).string(); }
   std::string Write(const std::string& content, const std::string& name) const
   {
-    // File systems make sure that what replaces a file is on the disk, which takes its time.
+    // Replacing a file may wait for the disk, so the old file is removed first.
     std::filesystem::remove(this->GetPath(name));
     std::ofstream(this->GetPath(name), std::ios::binary) << content;
     return this->GetPath(name);
@@ -84,6 +84,18 @@ protected:
     ExpectError(this->Reader, all);
     EXPECT_EQ(this->Reader->GetErrorCode(), code);
     EXPECT_GT(this->ReadWell(this->Good)->GetNumberOfPoints(), 0);
+  }
+
+  /// The last number of `content` has two digits. Without the last one and the line end the file is
+  /// read with a warning.
+  void ExpectWarningIfCut(const std::string& content)
+  {
+    this->Use(this->Write(content.substr(0, content.size() - 2)));
+    Listener listener(this->Reader);
+    this->Reader->Update();
+    EXPECT_TRUE(listener.Errors.empty());
+    ASSERT_EQ(listener.Warnings.size(), 1u);
+    EXPECT_NE(listener.Warnings[0].find("may be truncated"), std::string::npos);
   }
 
   void CheckFilesThatCannotBeRead()

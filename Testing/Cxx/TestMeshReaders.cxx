@@ -21,7 +21,7 @@ namespace
 using dggtest::Describe;
 using dggtest::Digits;
 
-/// A file, and what it holds or the error that it causes.
+/// A file and the expected output or error
 struct FileCase
 {
   const char* Name;
@@ -185,9 +185,17 @@ const FileCase PLYCases[] = {
     "ply\nformat ascii 1.0\nelement face 2\nproperty list int uint vertex_index\nproperty list "
     "uchar float texcoord\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement "
     "vertex 3\nproperty int x\nproperty int y\nproperty int z\nend_header\n"
-    "3 0 1 2 2 0.5 0.5 1 2 3\n1 2 0 4 5 6\n0 0 0 1 0 0 0 1 0",
+    "3 0 1 2 2 0.5 0.5 1 2 3\n1 2 0 4 5 6\n0 0 0 1 0 0 0 1 0\n",
     "0 0 0, 1 0 0, 0 1 0 | verts 2 | polys 0 1 2 "
     "| cells active RGB unsigned char 4 5 6, 1 2 3" },
+  { "arrays of one name, and a second list of indices",
+    MakeTextPLY("property float nx\nproperty float ny\nproperty float nz\nproperty int Normals\n"
+                "property float u\nproperty float v\nproperty float s\nproperty float t\n",
+      "element face 1\nproperty list int int vertex_indices\n"
+      "property list int int vertex_index\n",
+      "0 0 0 0 0 1 7 0.25 0.5 2 3\n1 0\n1 9\n", "1"),
+    "0 0 0 | verts 0 | active Normals float 0 0 1 | active TCoords float 0.25 0.5 | Normals_ int 7 "
+    "| s float 2 | t float 3" },
   { "strips",
     MakeTextPLY("", "element tristrips 1\nproperty list int int vertex_indices\n",
       "0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 0 1 2 3 -1 2 1 0 -1\n", "4"),
@@ -258,9 +266,14 @@ const FileCase STLCases[] = {
 };
 
 const FileCase XYZCases[] = {
-  { "separators, comments, further words", "# c\n1 2 3 9 n\n\n4,5;\t6 // c\n512345.678\t0.1 nan\n",
+  { "separators, comments, further words",
+    "# c\n1 2 3 9 n\n\n4;5;\t6 // c, d\n512345.678\t0.1 nan\n",
     "1 2 3, 4 5 6, 512345.678 0.1 nan | verts 0, 1" },
   { "count", "2\n1 2 3\n4 5 6\n", "1 2 3, 4 5 6 | verts 0, 1" },
+  { "count of too many points", "5\n0 0 0\n1 1 1\n",
+    "the file announces 5 points and has 2. The file" },
+  { "count of too few points", "1\n0 0 0\n1 1 1\n", "the file announces 1 points and has 2" },
+  { "decimal commas", "0;0;0\n1.5;2;3,5\n", "line 2: ',' and ';' in one line are ambiguous" },
   { "header", "//X,Y\nX,Y,Z,\"nx\"\n1,2,3,0\n", "1 2 3 | verts 0" },
   { "too few numbers", "1 2 3\n4 5\n", "line 2: 2 numbers, expected the coordinates x, y and z" },
   { "words behind the first line", "1 2 3\nx y z\n", "line 2: 'x' is not a number" },
@@ -377,7 +390,7 @@ protected:
     }
   }
 
-  /// Every file that is cut causes an error, or a warning where the format has no counts.
+  /// Each truncated file causes an error, or a warning where the format has no counts.
   void CheckTruncation(const std::string& content, bool hasCounts)
   {
     for (std::size_t i = 0; i < 20; ++i)
@@ -385,7 +398,7 @@ protected:
       std::size_t length = (content.size() - 2) * i / 19;
       while (!hasCounts && length > 0 && content[length - 1] == '\n')
       {
-        ++length; // a whole line less cannot be noticed
+        ++length; // a missing whole line cannot be detected
       }
       SCOPED_TRACE(length);
       this->Use(this->Write(content.substr(0, length)));
@@ -419,6 +432,23 @@ TEST_F(PLYReader, RefusesTruncatedFiles)
   {
     this->CheckTruncation(MakePLY(format), true);
   }
+}
+
+TEST_F(PLYReader, WarnsOfTruncatedLastNumbers)
+{
+  std::string points;
+  for (int i = 0; i < 12; ++i)
+  {
+    points += "0 0 " + std::to_string(i) + "\n";
+  }
+  this->ExpectWarningIfCut(MakeTextPLY(
+    "", "element face 1\nproperty list int int vertex_indices\n", points + "3 0 1 11\n", "12"));
+}
+
+TEST_F(PLYReader, RecognizesByteOrderMarks)
+{
+  const std::string path = this->Write("\xEF\xBB\xBF" + this->GoodFile());
+  EXPECT_EQ(vtkDGGPLYReader::CanReadFile(path.c_str()), 1);
 }
 
 TEST_F(PLYReader, RefusesHeadersOfManyProperties)

@@ -19,11 +19,13 @@
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace
@@ -197,7 +199,61 @@ TEST_F(MeshWriter, WritesLinesVertsAndStrips)
   const std::string all = points + "| verts 3 | lines 0 2 | polys 0 1 2, 2 1 3";
   EXPECT_EQ(this->RoundTrip<vtkDGGOBJReader>(mesh, "a.obj"), all);
   EXPECT_EQ(this->RoundTrip<vtkDGGOFFReader>(mesh, "a.off"), all);
-  this->ExpectRefused(mesh, "lines.ply", "a PLY file holds no lines");
+  for (const char* name : { "lines.ply", "lines.stl", "lines.xyz", "lines.pcd" })
+  {
+    this->ExpectRefused(mesh, name, "the format cannot store lines");
+  }
+}
+
+TEST_F(MeshWriter, WritesCellsOfAnySize)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
+  mesh->GetPoints()->SetPoint(0, NAN, 0.0, 0.0);
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0, 1, 2 });
+  mesh->SetVerts(verts);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 3 });
+  mesh->SetLines(lines);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({});
+  polygons->InsertNextCell({ 0, 2 });
+  polygons->InsertNextCell({ 2, 1, 0 });
+  mesh->SetPolys(polygons);
+  mesh->GetCellData()->SetScalars(MakeArray<vtkUnsignedCharArray, int>(
+    "RGB", 3, { 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5 }));
+  const std::string points = "nan 0 0" + std::string(Points).substr(std::string(Points).find(','));
+  const std::string cells = "| verts 0, 1, 2, 3 | lines 0 2 | polys 2 1 0";
+  EXPECT_EQ(this->RoundTrip<vtkDGGOBJReader>(mesh, "a.obj"), points + cells);
+  EXPECT_EQ(this->RoundTrip<vtkDGGOFFReader>(mesh, "a.off"),
+    points + cells + " | cells active RGB unsigned char 1 1 1, 1 1 1, 1 1 1, 2 2 2, 4 4 4, 5 5 5");
+  mesh->SetLines(nullptr);
+  mesh->GetCellData()->Initialize();
+  EXPECT_EQ(this->RoundTrip<vtkDGGPLYReader>(mesh, "a.ply"), points + "| lines 0 2 | polys 2 1 0");
+  lines->InsertNextCell({ 0, 1, 2 });
+  mesh->SetLines(lines);
+  this->ExpectRefused(mesh, "refused.off", "polylines of more than two points. Write an OBJ file");
+  for (const char* name : { "none.obj", "none.xyz" })
+  {
+    this->ExpectRefused(vtkNew<vtkPolyData>(), name, "the input has no points");
+  }
+}
+
+TEST_F(MeshWriter, WarnsOfStrings)
+{
+  vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
+  vtkNew<vtkStringArray> names;
+  names->SetName("Names");
+  mesh->GetPointData()->AddArray(names);
+  mesh->GetCellData()->AddArray(names);
+  for (const auto& [name, warnings] : { std::pair("a.ply", 2u), { "a.pcd", 1u }, { "a.xyz", 0u } })
+  {
+    this->Writer->SetInputData(mesh);
+    this->Writer->SetFileName((this->Folder / name).c_str());
+    dggtest::Listener listener(this->Writer);
+    EXPECT_EQ(this->Writer->Write(), 1);
+    EXPECT_EQ(listener.Warnings.size(), warnings) << name;
+  }
 }
 
 TEST_F(MeshWriter, RefusesWhatCannotBeWritten)
@@ -221,13 +277,19 @@ TEST_F(MeshWriter, RefusesWhatCannotBeWritten)
   EXPECT_EQ(this->Writer->GetErrorCode(), vtkErrorCode::NoFileNameError);
 }
 
-TEST_F(MeshWriter, LeavesNoPartOfAFile)
+TEST_F(MeshWriter, KeepsOlderFilesUntilTheEnd)
 {
-  this->Writer->SetInputData(MakeMesh());
-  this->Writer->SetFileName((this->Folder / "a.ply").c_str());
+  const std::string before = this->RoundTrip<vtkDGGPLYReader>(MakeMesh(), "a.ply");
+  vtkSmartPointer<vtkPolyData> large = MakeMesh(); // more than a block
+  large->GetPoints()->SetNumberOfPoints(300000);
+  this->Writer->SetInputData(large);
   dggtest::ProgressWatch watch(this->Writer);
-  watch.StopAt = 0.0;
+  watch.StopAt = 0.9;
   EXPECT_EQ(this->Writer->Write(), 0);
   EXPECT_EQ(this->Writer->GetErrorCode(), vtkErrorCode::NoError);
-  EXPECT_TRUE(std::filesystem::is_empty(this->Folder));
+  vtkNew<vtkDGGPLYReader> reader;
+  reader->SetFileName((this->Folder / "a.ply").c_str());
+  dggtest::ExpectSuccess(reader);
+  EXPECT_EQ(dggtest::Describe(reader->GetOutput()), before);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(this->Folder), {}), 1);
 }

@@ -155,7 +155,7 @@ TEST_F(PCDReaderRefusals, RefusesMalformedHeaders)
 #endif
   this->ExpectRefused("FIELDS x y z q\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 100000000\n"
                       "POINTS 0\nDATA binary\n",
-    code, { "line 5: the COUNTs promise points of 100000003 values" });
+    code, { "line 5: COUNT declares 100000003 values per point" });
   this->ExpectRefused("FIELDS x y z\nCOLUMNS x y z\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
     { "both FIELDS and COLUMNS" });
   this->ExpectRefused("VERSION 0.7\nFIELDS x y z\nUNITS m\nPOINTS 1\nDATA ascii\n0 0 0\n", code,
@@ -183,8 +183,8 @@ TEST_F(PCDReaderRefusals, RefusesBadText)
   this->ExpectRefused(head + "0 0 0\n\n0.25 0.25", end, { "line 14: point 1 has 2 values" });
   this->ExpectRefused(head + "0.125 0.125 0.125\n", end, { "the file ends after 1 of 2 points" });
   this->ExpectRefused(head + "0 0 0\n1 1 1\n2 2 2\n", code,
-    { "line 14: more follows the last of 2 points: is their number too small?" });
-  this->ExpectRefused(head + "0 0 0\n1 1 1\nend\n", code, { "line 14: more follows" });
+    { "line 14: data follow the last of 2 points. Increase POINTS" });
+  this->ExpectRefused(head + "0 0 0\n1 1 1\nend\n", code, { "line 14: data follow" });
   PCDLines lines;
   lines.Fields = "x y z i";
   lines.Size = "4 4 4 1";
@@ -209,7 +209,7 @@ TEST_F(PCDReaderRefusals, RefusesBadBinary)
   this->ExpectRefused(head + std::string(23, 'a'), end,
     { "line 10: 2 points of at least 12 bytes are promised, but only 23 bytes follow" });
   this->ExpectRefused(head + std::string(25, 'a'), code,
-    { "byte " + std::to_string(head.size() + 24) + ": more follows the last of 2" });
+    { "byte " + std::to_string(head.size() + 24) + ": data follow the last of 2" });
 }
 
 TEST_F(PCDReaderRefusals, RefusesBadCompressedData)
@@ -243,7 +243,7 @@ TEST_F(PCDReaderRefusals, RefusesBadCompressedData)
   this->ExpectRefused(head + Sizes(4, 24) + std::string("\x00\x61\x20\x00", 4), code, { damaged });
   const std::string whole = head + Sizes(5, 24) + std::string("\x00\x61\xE0\x0E\x00", 5);
   EXPECT_EQ(this->ReadWell(whole)->GetNumberOfPoints(), 2);
-  this->ExpectRefused(whole + "!", code, { "more follows the last of 2 points" });
+  this->ExpectRefused(whole + "!", code, { "data follow the last of 2 points" });
 }
 
 TEST_F(PCDReaderRefusals, AllocatesNothingForEmptyPromises)

@@ -225,7 +225,7 @@ class Meshes(unittest.TestCase):
         )
         self.assertEqual(repr(mesh), "<vtkdgg.Mesh: 81 points, 1 line, 128 polygons>")
         self.assertIsNone(mesh.graph)
-        for name in ("no_folder/arrays.vtp", "no_folder/arrays.xyz", "no_folder/arrays.csv"):
+        for name in ("no_folder/arrays.vtp", "no_folder/arrays.obj", "no_folder/arrays.csv"):
             with self.assertRaisesRegex(OSError, name), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 vtkdgg.write(name, mesh)
