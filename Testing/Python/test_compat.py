@@ -30,7 +30,8 @@ def peer(name):
         return None
 
 
-# The public names of each original, with those of its classes. What is marked is not available.
+# The public names of each original, with those of its classes. Names
+# marked with ! are not available.
 NAMES = {
     pp3d: """
         EdgeFlipGeodesicSolver.find_geodesic_loop EdgeFlipGeodesicSolver.find_geodesic_path
@@ -79,7 +80,7 @@ class Names(unittest.TestCase):
                         with self.assertRaisesRegex(NotImplementedError, r"is not available\. \w+"):
                             ours(1, two=3)
 
-    def test_those_of_the_originals(self):
+    def test_names_match_originals(self):
         for module in NAMES:
             original = peer(module.__name__.replace("vtkdgg.compat.", ""))
             if original is None:
@@ -166,6 +167,12 @@ class Potpourri3d(unittest.TestCase):
                 initial_distances=np.ravel(initial) if initial else None,
             )
             np.testing.assert_array_equal(solver.compute_distance(curves, initial), expected)
+        np.testing.assert_array_equal(
+            solver.compute_distance([[(7, [])]], [[]]), solver.compute_distance([[(7, [])]])
+        )
+        for element, weights in ((0.9, []), (0.9, [0.2, 0.3])):
+            with self.assertRaises(ValueError):
+                solver.compute_distance([[(element, weights)]])
         for curves, options in (
             ([[(7, []), (8, [])]], {}),
             ([[(7, [0.5])]], {}),
@@ -195,10 +202,12 @@ class Potpourri3d(unittest.TestCase):
             np.testing.assert_array_equal(found[1], triangles)
         pp3d.write_mesh(points, [[0, 1, 4, 3], [1, 2, 5]], path)
         self.assertEqual(pp3d.read_polygon_mesh(path)[1], [[0, 1, 4, 3], [1, 2, 5]])
-        with self.assertRaisesRegex(ValueError, "See read_polygon_mesh"):
+        with self.assertRaisesRegex(ValueError, "polygon 0 has 4 corners, expected 3"):
             pp3d.read_mesh(path)
         with self.assertRaises(NotImplementedError):
             pp3d.write_mesh(points, triangles, path, points[:, :2], "per-vertex")
+        with self.assertRaises(NotImplementedError):
+            pp3d.write_mesh(points, triangles, path, points[:, :2])
         path = os.path.join(folder, "points.xyz")
         pp3d.write_point_cloud(points + 1 / 3, path)
         np.testing.assert_array_equal(pp3d.read_point_cloud(path), points + 1 / 3)
@@ -217,6 +226,17 @@ class Potpourri3d(unittest.TestCase):
         points, triangles = support.folded()
         np.testing.assert_array_equal(pp3d.face_areas(points, triangles), 0.5)
         np.testing.assert_allclose(pp3d.vertex_areas(points, triangles).sum(), 2.0)
+        self.assertEqual(pp3d.face_areas(points, []).shape, (0,))
+        self.assertEqual(pp3d.edges(points, []).shape, (0, 2))
+        functions = [pp3d.face_areas, pp3d.vertex_areas, pp3d.edges]
+        for function in functions + [pp3d.cotan_laplacian] * (sparse is not None):
+            for faces in ([[0, 1, -1]], [[0, 1, 99]], [[0.0, 1.0, 2.5]]):
+                with self.subTest(function=function.__name__, faces=faces):
+                    with self.assertRaises(ValueError):
+                        function(points, faces)
+            if function is not pp3d.edges:
+                with self.assertRaisesRegex(ValueError, "more than three corners"):
+                    function(points, [[0, 1, 2, 3]])
 
     @unittest.skipUnless(sparse, "no SciPy")
     def test_laplacian(self):
@@ -265,7 +285,8 @@ class Pygeodesic(unittest.TestCase):
     def test_distance(self):
         distance, path = self.geoalg.geodesicDistance(25, 97)
         self.assertAlmostEqual(distance, vtkdgg.distance(self.points, self.faces, 25)[97])
-        np.testing.assert_array_equal(path[[0, -1]], self.points[[97, 25]])  # as it does
+        # from target to source, as in pygeodesic
+        np.testing.assert_array_equal(path[[0, -1]], self.points[[97, 25]])
         self.assertAlmostEqual(np.linalg.norm(np.diff(path, axis=0), axis=1).sum(), distance)
         with self.assertRaises(ValueError):
             self.geoalg.geodesicDistance(25, 9999)
@@ -342,6 +363,8 @@ class Gdist(unittest.TestCase):
         some = gdist.distance_matrix_of_selected_points(self.vertices, self.triangles, points)
         self.assertEqual((some.nnz, some.shape), (6, (121, 121)))
         self.assertAlmostEqual(some[2, 5], 0.3)
+        some = gdist.distance_matrix_of_selected_points(self.vertices, self.triangles, [])
+        self.assertEqual((some.nnz, some.shape), (0, (121, 121)))
 
     @unittest.skipUnless(peer("gdist"), "no gdist")
     def test_beside_it(self):

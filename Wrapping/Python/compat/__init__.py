@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names and arguments of other packages, answered by this one. Existing code changes its import::
+"""Replacements for potpourri3d, pygeodesic and gdist with the same names and arguments. Only the
+imports change::
 
     import vtkdgg.compat.potpourri3d as pp3d
     import vtkdgg.compat.pygeodesic.geodesic as geodesic
     import vtkdgg.compat.gdist as gdist
 
-Every public name of the original exists. What vtkDGG cannot answer raises a NotImplementedError
-that names the remedy. Wrong input raises a ValueError or a VTKError, whatever the original does.
+Every public name of the original exists. Functions without a counterpart raise a
+NotImplementedError that names an alternative. Wrong input raises a ValueError or a VTKError,
+whatever the original does.
 """
 
 from .gdist import compute_gdist, distance_matrix_of_selected_points, local_gdist_matrix
@@ -19,7 +21,7 @@ from .potpourri3d import (
 )
 from .pygeodesic.geodesic import PyGeodesicAlgorithmExact, read_mesh_from_file
 
-# These names were here before each package had its submodule.
+# Names of version 1.0
 __all__ = [
     "EdgeFlipGeodesicSolver",
     "MeshHeatMethodDistanceSolver",

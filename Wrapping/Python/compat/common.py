@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parts of all replacements."""
+"""Helpers of the replacement modules."""
 
 from __future__ import annotations
 
@@ -25,15 +25,16 @@ def missing(name: str, remedy: str) -> Callable[..., NoReturn]:
     return refuse
 
 
-def find_distances(solve, sources, max_distance=np.inf, initial_distances=None):
+def find_distances(solver, sources, max_distance=np.inf, initial_distances=None):
     """Returns distances, infinite where unreached, and the index of the nearest source."""
-    sources = arguments.surface_points(sources, "sources", solve.GetInput())
-    set_sources(solve, sources, initial_distances)
-    solve.SetMaximumDistance(arguments.limit(max_distance, "max_distance"))
-    solve.SetUnreachedValue(np.inf)
-    solve.GenerateNearestSourceOn()
-    data = run(solve).GetPointData()
-    return array_of(data, solve.GetDistanceArrayName()), array_of(data, solve.GetSourceArrayName())
+    sources = arguments.surface_points(sources, "sources", solver.GetInput())
+    set_sources(solver, sources, initial_distances)
+    solver.SetMaximumDistance(arguments.limit(max_distance, "max_distance"))
+    solver.SetUnreachedValue(np.inf)
+    solver.GenerateNearestSourceOn()
+    data = run(solver).GetPointData()
+    names = solver.GetDistanceArrayName(), solver.GetSourceArrayName()
+    return tuple(array_of(data, name) for name in names)
 
 
 def vertices(indices, name, count):

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 
 from ..graph_data import GraphData
-from .common import vertices as check
+from .common import vertices as check_vertices
 from .pygeodesic.geodesic import PyGeodesicAlgorithmExact
 
 if TYPE_CHECKING:
@@ -33,8 +33,8 @@ def compute_gdist(
 ) -> NDArray[np.float64]:
     """Returns distances of the targets (default: all vertices) from the nearest source (default:
     vertex 0), infinite beyond the largest distance."""
-    solve = PyGeodesicAlgorithmExact(vertices, np.asarray(triangles) - int(is_one_indexed))
-    return solve.geodesicDistances(source_indices, target_indices, max_distance)[0]
+    solver = PyGeodesicAlgorithmExact(vertices, np.asarray(triangles) - int(is_one_indexed))
+    return solver.geodesicDistances(source_indices, target_indices, max_distance)[0]
 
 
 def local_gdist_matrix(
@@ -59,17 +59,20 @@ def distance_matrix_of_selected_points(
 
 
 def _matrix(vertices, triangles, points, max_distance, is_one_indexed):
-    """Positive distances between points (None: all vertices); one row at a time is dense."""
+    """Returns the positive distances between `points` (None: all vertices). Only one dense row is
+    stored at a time."""
     csr_matrix = GraphData._csr_matrix("a distance matrix")
-    solve = PyGeodesicAlgorithmExact(vertices, np.asarray(triangles) - int(is_one_indexed))
+    solver = PyGeodesicAlgorithmExact(vertices, np.asarray(triangles) - int(is_one_indexed))
     count = len(np.asarray(vertices))
-    points = np.arange(count) if points is None else np.unique(check(points, "points", count))
-    sizes, targets, values = np.zeros(count, dtype=np.int64), [], []
-    for point in points:
-        distances, _ = solve.geodesicDistances([point], points, max_distance)
-        near = np.flatnonzero((distances > 0.0) & (distances < np.inf))
+    is_target = np.full(count, points is None)
+    if points is not None:
+        is_target[check_vertices(points, "points", count)] = True
+    sizes, targets, values = np.zeros(count, dtype=np.int64), [np.empty(0, np.int64)], [np.empty(0)]
+    for point in np.flatnonzero(is_target):
+        distances, _ = solver.geodesicDistances([point], None, max_distance)
+        near = np.flatnonzero(is_target & (distances > 0.0) & (distances < np.inf))
         sizes[point] = len(near)
-        targets.append(points[near])
+        targets.append(near)
         values.append(distances[near])
     offsets = np.concatenate([[0], np.cumsum(sizes)])
     parts = np.concatenate(values), np.concatenate(targets), offsets

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions and classes of potpourri3d.
 
-Distances of heat solvers on meshes are as good as the heat method is. Paths are geodesics, at most
+Mesh solvers named after the heat method use it and have its error. Paths are geodesics, at most
 1 % longer than the shortest. Distances on point clouds come from a graph (`vtkdgg.CloudGraph`).
 """
 
@@ -73,13 +73,13 @@ class _HeatSolver:
     """The heat method on a surface, prepared once."""
 
     def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
-        self._solve = vtkHeatGeodesicDistance()
-        self._solve.SetInputData(meshes.from_arrays(V, F))
-        self._solve.SetTimeStepFactor(arguments.number(t_coef, "t_coef"))
+        self._solver = vtkHeatGeodesicDistance()
+        self._solver.SetInputData(meshes.from_arrays(V, F))
+        self._solver.SetTimeStepFactor(arguments.number(t_coef, "t_coef"))
 
     def _find(self, indices):
-        count = self._solve.GetInput().GetNumberOfPoints()
-        return find_distances(self._solve, vertices(indices, "sources", count))[0]
+        count = self._solver.GetInput().GetNumberOfPoints()
+        return find_distances(self._solver, vertices(indices, "sources", count))[0]
 
 
 class MeshHeatMethodDistanceSolver(_HeatSolver):
@@ -89,7 +89,7 @@ class MeshHeatMethodDistanceSolver(_HeatSolver):
         self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True
     ) -> None:
         super().__init__(V, F, t_coef)
-        self._solve.SetIntrinsicDelaunay(bool(use_robust))
+        self._solver.SetIntrinsicDelaunay(bool(use_robust))
 
     def compute_distance(self, v_ind: int) -> NDArray[np.float64]:
         """Returns distances from a vertex."""
@@ -129,8 +129,8 @@ class MeshFastMarchingDistanceSolver:
     """Distances on a triangle mesh by fast marching."""
 
     def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
-        self._solve = vtkDGGFastMarchingDistance()
-        self._solve.SetInputData(meshes.from_arrays(V, F))
+        self._solver = vtkDGGFastMarchingDistance()
+        self._solver.SetInputData(meshes.from_arrays(V, F))
 
     def compute_distance(
         self,
@@ -148,12 +148,16 @@ class MeshFastMarchingDistanceSolver:
                 "compute_distance is not available for signs, edges and curves of several points. "
                 f"{_UNSIGNED}"
             )
+        count = self._solver.GetInput().GetNumberOfPoints()
         sources: List[Any] = []
         for ((element, weights),) in curves:
             weights = [*weights, 1.0 - sum(weights)] if len(weights) == 2 else list(weights)
-            sources.append((int(element), weights) if weights else int(element))
-        initial = [curve[0] for curve in distances] or None
-        return find_distances(self._solve, sources, initial_distances=initial)[0]
+            if weights:
+                sources.append((element, weights))
+            else:
+                sources += vertices([element], "curves", count)
+        initial = [distance for curve in distances for distance in curve] or None
+        return find_distances(self._solver, sources, initial_distances=initial)[0]
 
 
 class EdgeFlipGeodesicSolver:
@@ -230,8 +234,12 @@ class PointCloudHeatSolver:
 def read_mesh(filename: str) -> Tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Returns the points and triangles of a file."""
     points, polygons = read_polygon_mesh(filename)
-    if any(len(polygon) != 3 for polygon in polygons):
-        raise ValueError(f"{filename}: some polygons are no triangles. See read_polygon_mesh")
+    for i, polygon in enumerate(polygons):
+        if len(polygon) != 3:
+            raise ValueError(
+                f"{filename}: polygon {i} has {len(polygon)} corners, expected 3. "
+                "Use read_polygon_mesh."
+            )
     return points, np.array(polygons, dtype=np.int64).reshape(-1, 3)
 
 
@@ -255,7 +263,7 @@ def write_mesh(
     UV_type: Optional[str] = None,
 ) -> None:
     """Writes points and polygons to a file, without texture coordinates."""
-    if UV_type is not None:
+    if UV_coords is not None or UV_type is not None:
         raise NotImplementedError("write_mesh is not available with texture coordinates.")
     write(filename, (V, F))
 
@@ -282,38 +290,51 @@ def validate_mesh(
 
 def face_areas(V: ArrayLike, F: ArrayLike) -> NDArray[np.float64]:
     """Returns the areas of triangles."""
-    _, normals = _corners(V, F)
+    _, normals = _corners(*_triangle_mesh(V, F))
     return np.linalg.norm(normals[:, 0], axis=1) / 2.0
 
 
 def vertex_areas(V: ArrayLike, F: ArrayLike) -> NDArray[np.float64]:
     """Returns a third of the area of the triangles around each vertex."""
-    thirds = np.repeat(face_areas(V, F) / 3.0, 3)
-    return np.bincount(np.ravel(F), thirds, minlength=len(np.asarray(V)))
+    points, triangles = _triangle_mesh(V, F)
+    thirds = np.repeat(face_areas(points, triangles) / 3.0, 3)
+    return np.bincount(triangles.ravel(), thirds, minlength=len(points))
 
 
 def cotan_laplacian(V: ArrayLike, F: ArrayLike, denom_eps: float = 0.0) -> Any:
     """Returns the positive semidefinite cotangent Laplacian, a scipy.sparse.csr_matrix."""
     from scipy.sparse import csr_matrix, diags
 
-    cosines, normals = _corners(V, F)
+    points, triangles = _triangle_mesh(V, F)
+    cosines, normals = _corners(points, triangles)
     weights = cosines / (np.linalg.norm(normals, axis=2) + denom_eps) / 2.0
-    opposite = np.roll(F, -1, axis=1).ravel(), np.roll(F, -2, axis=1).ravel()
-    sides = csr_matrix((weights.ravel(), opposite), shape=(len(np.asarray(V)),) * 2)
+    opposite = np.roll(triangles, -1, axis=1).ravel(), np.roll(triangles, -2, axis=1).ravel()
+    sides = csr_matrix((weights.ravel(), opposite), shape=(len(points),) * 2)
     sides = sides + sides.T
     return csr_matrix(diags(np.asarray(sides.sum(axis=1)).ravel()) - sides)
 
 
 def edges(V: ArrayLike, F: ArrayLike) -> NDArray[np.int64]:
     """Returns the two vertices of each edge, shape (k, 2), in the order in which faces name it."""
-    sides = np.concatenate([np.stack([face, np.roll(face, -1)], axis=1) for face in F])
+    validate_mesh(V, F, test_indices=True)
+    offsets, corners = Mesh(V, F).polygons
+    after = np.arange(1, len(corners) + 1)
+    after[offsets[1:] - 1] = offsets[:-1]
+    sides = np.stack([corners, corners[after]], axis=1)
     _, first = np.unique(np.sort(sides, axis=1), axis=0, return_index=True)
     return sides[np.sort(first)]
 
 
-def _corners(V, F):
+def _triangle_mesh(V, F):
+    """Returns valid points and triangles."""
+    validate_mesh(V, F, force_triangular=True, test_indices=True)
+    mesh = Mesh(V, F)
+    return mesh.points, mesh.triangles
+
+
+def _corners(points, triangles):
     """Returns the scalar and vector products of the two sides at each corner of triangles."""
-    corners = np.asarray(V, dtype=np.float64)[np.asarray(F)]
+    corners = points[triangles]
     after = np.roll(corners, -1, axis=1) - corners
     before = np.roll(corners, -2, axis=1) - corners
     return (after * before).sum(axis=2), np.cross(after, before)

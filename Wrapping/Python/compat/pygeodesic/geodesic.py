@@ -24,10 +24,10 @@ class PyGeodesicAlgorithmExact:
 
     def __init__(self, _points: ArrayLike, _faces: ArrayLike) -> None:
         surface = meshes.from_arrays(_points, _faces)
-        self._solve = vtkExactGeodesicDistance()
+        self._solver = vtkExactGeodesicDistance()
         self._finder = vtkDGGPath()
         self._finder.SetMethodToExact()
-        for algorithm in (self._solve, self._finder):
+        for algorithm in (self._solver, self._finder):
             algorithm.SetInputData(surface)
 
     def geodesicDistance(
@@ -52,9 +52,9 @@ class PyGeodesicAlgorithmExact:
     ) -> Tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Returns distances of the targets (default: all vertices) from the nearest source (default:
         vertex 0), infinite where unreached, and the index of that source."""
-        count = self._solve.GetInput().GetNumberOfPoints()
+        count = self._solver.GetInput().GetNumberOfPoints()
         sources = vertices([0] if source_indices is None else source_indices, "sources", count)
-        distances, nearest = find_distances(self._solve, sources, max_distance)
+        distances, nearest = find_distances(self._solver, sources, max_distance)
         if target_indices is not None:
             targets = vertices(target_indices, "target_indices", count)
             distances, nearest = distances[targets], nearest[targets]
