@@ -3,6 +3,7 @@
 // vtkDGGPath on point clouds.
 #include "CloudFixture.h"
 #include "GraphTestTools.h"
+#include "dggBandSizes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -27,15 +28,16 @@ namespace
 class CloudPath : public CloudFixture
 {
 protected:
-  /// Distance from a place to the nearest point of the cloud, by the spacing there.
-  double DistanceBySpacing(const std::array<double, 3>& place)
+  /// Distance from a position to the nearest point of the cloud, by the spacing there.
+  double DistanceBySpacing(const std::array<double, 3>& position)
   {
     vtkDataArray* radii = this->Graph->GetOutput()->GetFieldData()->GetArray("DGG.Radii");
     double least = INFINITY;
     for (std::size_t i = 0; i < this->Cloud.size(); ++i)
     {
-      const double spacing = radii->GetTuple1(static_cast<vtkIdType>(i)) / 1.5;
-      least = std::min(least, Distance(place, this->Cloud[i]) / spacing);
+      const double spacing =
+        radii->GetTuple1(static_cast<vtkIdType>(i)) / dgg::AutomaticBallBySpacing;
+      least = std::min(least, Distance(position, this->Cloud[i]) / spacing);
     }
     return least;
   }
@@ -197,8 +199,8 @@ TEST_F(CloudPath, SmoothPaths)
 
 TEST_F(CloudPath, PathsFollowARim)
 {
-  // Rows of the unit sphere. The geodesic between points of the uppermost row is a part of that
-  // row, as the great circle between them leads over the void above it.
+  // Rows of the unit sphere. The geodesic between points of the uppermost row
+  // follows that row, because the great circle leaves the band.
   Points points;
   for (int k = 0; k < 8; ++k)
   {

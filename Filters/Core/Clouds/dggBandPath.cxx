@@ -22,11 +22,12 @@ constexpr double FitBySpacing = 3.0;
 /// Fraction of the step toward the midpoint of its neighbors that a point moves in one round.
 constexpr double Damping = 0.7;
 constexpr std::size_t LongestStride = 8;
-constexpr int MostRounds = 200;
-/// Rounds between two looks at the length, which must have dropped by that.
-constexpr int RoundsPerLook = 5;
-constexpr double LeastDrop = 1e-5;
-constexpr int MostPointsPerGraphEdge = 1000;
+constexpr int MaximumRounds = 200;
+/// Rounds between two checks of the length
+constexpr int RoundsPerCheck = 5;
+/// Smallest relative decrease of the length between two checks
+constexpr double SmallestDecrease = 1e-5;
+constexpr int MaximumPointsPerGraphEdge = 1000;
 
 /// Component of a vector perpendicular to a normal, which may be 0.
 Point3 AlongPlane(const Point3& vector, const Point3& normal)
@@ -45,7 +46,7 @@ double LengthOf(const std::vector<Point3>& points)
 }
 }
 
-/// One path while it is moved.
+/// Relaxation of one path
 class BandPathShortener::Relaxation
 {
 public:
@@ -67,12 +68,12 @@ public:
     const Id first = this->Owners.back();
     const double step = StepBySpacing * std::max(this->SpacingAt(first), this->SpacingAt(owner));
     const int count = step > 0.0 ? static_cast<int>(std::min<double>(
-                                     MostPointsPerGraphEdge, std::ceil(Norm(to - from) / step)))
+                                     MaximumPointsPerGraphEdge, std::ceil(Norm(to - from) / step)))
                                  : 1;
     for (int i = 1; i < count; ++i)
     {
-      const Point3 place = from + (static_cast<double>(i) / count) * (to - from);
-      const Id nearest = this->FindOwner(this->Owners.back(), place);
+      const Point3 position = from + (static_cast<double>(i) / count) * (to - from);
+      const Id nearest = this->FindOwner(this->Owners.back(), position);
       if (nearest != this->Owners.back() && nearest != owner)
       {
         this->Add(dgg::PointAt(this->Tables.Points, nearest), nearest);
@@ -81,7 +82,7 @@ public:
     this->Add(to, owner);
   }
 
-  /// Returns false when the caller asks to stop.
+  /// Returns false if the callback requests an abort.
   bool Run(const ProgressCallback& progress)
   {
     for (std::size_t i = 1; i + 1 < this->Points.size(); ++i)
@@ -90,15 +91,14 @@ public:
     }
     std::vector<Point3> best = this->Points;
     double shortest = LengthOf(best);
-    // Between neighbors that are far apart first: that straightens long bends, which single steps
-    // would take very many rounds for. Beside gaps and rims it makes kinks, so it ends when the
-    // path no longer becomes shorter.
+    // Large strides first: they straighten long bends in few rounds. Next to gaps and rims they
+    // cause kinks, so the stride becomes 1 once the length no longer decreases.
     std::size_t longest = LongestStride;
-    for (int round = 1; round <= MostRounds && longest > 0; ++round)
+    for (int round = 1; round <= MaximumRounds && longest > 0; ++round)
     {
       for (std::size_t stride = longest; stride >= 1; stride /= 2)
       {
-        if (progress && !progress(static_cast<double>(round) / (MostRounds + 1)))
+        if (progress && !progress(static_cast<double>(round) / (MaximumRounds + 1)))
         {
           return false;
         }
@@ -109,10 +109,10 @@ public:
           this->MoveTo(i, this->Points[i] + Damping * (middle - this->Points[i]));
         }
       }
-      if (round % RoundsPerLook == 0)
+      if (round % RoundsPerCheck == 0)
       {
         const double length = LengthOf(this->Points);
-        if (length > (1.0 - LeastDrop) * shortest)
+        if (length > (1.0 - SmallestDecrease) * shortest)
         {
           longest = longest > 1 ? 1 : 0;
         }
@@ -130,17 +130,17 @@ public:
   std::vector<Point3> Points;
 
 private:
-  /// Moves a point to the surface near a place, into the disc of the nearest point of the cloud,
-  /// unless that leads out over the rim of the cloud or across a gap.
-  void MoveTo(std::size_t i, const Point3& place)
+  /// Moves a point to the surface near a position, toward the nearest point of the cloud, unless
+  /// the move leads out over the rim of the cloud or across a gap.
+  void MoveTo(std::size_t i, const Point3& position)
   {
-    const Id owner = this->FindOwner(this->Owners[i], place);
+    const Id owner = this->FindOwner(this->Owners[i], position);
     const double spacing = this->SpacingAt(owner);
     const double radius = FitBySpacing * spacing;
     this->Around.clear();
     const auto add = [&](Id v) {
       const Point3 point = dgg::PointAt(this->Tables.Points, v);
-      const Point3 d = point - place;
+      const Point3 d = point - position;
       if (Dot(d, d) <= radius * radius)
       {
         this->Around.push_back(point);
@@ -152,8 +152,8 @@ private:
     {
       add(graph.Targets[e]);
     }
-    const LocalFit fit = FitSurface(place, this->Around.data(), this->Around.size());
-    Point3 moved = place;
+    const LocalFit fit = FitSurface(position, this->Around.data(), this->Around.size());
+    Point3 moved = position;
     if (Norm(fit.ToSurface) <= radius)
     {
       moved = moved + fit.ToSurface;
@@ -171,35 +171,35 @@ private:
     }
   }
 
-  /// Returns true if one of the points around a move is within a radius of a place.
-  bool IsNearCloud(const Point3& place, double radius) const
+  /// Returns true if one of the points around a move is within a radius of a position.
+  bool IsNearCloud(const Point3& position, double radius) const
   {
     return std::any_of(this->Around.begin(), this->Around.end(), [&](const Point3& point) {
-      const Point3 d = point - place;
+      const Point3 d = point - position;
       return Dot(d, d) <= radius * radius;
     });
   }
 
-  /// Returns true if a place is outside the convex hull of the points around it, seen along the
+  /// Returns true if a position is outside the convex hull of the points around it, seen along the
   /// normal, and the move that led there points away from the hull.
-  bool IsOutward(const Point3& place, const Point3& move, const Point3& normal)
+  bool IsOutward(const Point3& position, const Point3& move, const Point3& normal)
   {
     const Point3 x = AlongPlane(move, normal);
     const Point3 y = Cross(normal, x);
     unsigned quadrants = 0;
     for (const Point3& point : this->Around)
     {
-      const Point3 d = point - place;
+      const Point3 d = point - position;
       quadrants |= 1u << (2 * (Dot(d, x) > 0.0) + (Dot(d, y) > 0.0));
     }
-    if (quadrants == 15) // one in each, so they surround the place
+    if (quadrants == 15) // points in all quadrants surround the position
     {
       return false;
     }
     this->Angles.clear();
     for (const Point3& point : this->Around)
     {
-      const Point3 d = point - place;
+      const Point3 d = point - position;
       this->Angles.push_back(std::atan2(Dot(d, y), Dot(d, x)));
     }
     std::sort(this->Angles.begin(), this->Angles.end());
@@ -214,11 +214,11 @@ private:
     return false;
   }
 
-  /// Walks along edges to the point of the cloud that is nearest to a place.
-  Id FindOwner(Id owner, const Point3& place) const
+  /// Walks along edges to the point of the cloud that is nearest to a position.
+  Id FindOwner(Id owner, const Point3& position) const
   {
     const auto measure = [&](Id v) {
-      const Point3 d = dgg::PointAt(this->Tables.Points, v) - place;
+      const Point3 d = dgg::PointAt(this->Tables.Points, v) - position;
       return Dot(d, d);
     };
     const GraphView& graph = this->Tables.Graph;
@@ -247,7 +247,7 @@ private:
 
   const BandPathShortener& Tables;
   std::vector<Id> Owners;     ///< per point, the point of the cloud that is nearest
-  std::vector<Point3> Around; ///< points of the cloud around the place of a move
+  std::vector<Point3> Around; ///< points of the cloud around the position of a move
   std::vector<double> Angles; ///< directions to them
 };
 

@@ -27,10 +27,10 @@ struct BandPath
 /// to the points of the cloud around them. Neighborhoods come from the graph, so no search tree is
 /// needed.
 ///
-/// Every point stays within one spacing of a point of the cloud, and every midpoint of a segment in
-/// the ball of one, so that a path crosses no wider gap than edges of the graph do. No point moves
+/// Every point and every midpoint of a segment stays within 1.5 spacings of a point of the cloud
+/// (in its ball), so that a path crosses no wider gap than edges of the graph do. No point moves
 /// out of the convex hull of the points of the cloud within three spacings: at a rim or a hole,
-/// discs and balls alone would let it cut the corner.
+/// balls alone would let it cut the corner.
 class DGG_CORE_EXPORT BandPathShortener
 {
 public:
@@ -38,10 +38,10 @@ public:
   /// The spacing of a point is its radius by AutomaticBallBySpacing.
   BandPathShortener(const double* points, const GraphView& graph, const double* radii);
 
-  /// Shorten a path, `vertices` from start to end. With `start` or `end`, which may be null, the
-  /// path begins or ends there rather than at its first or last vertex. Fails when a vertex does
-  /// not exist; `path` is empty then, and when `progress` asks to stop. May be called by several
-  /// threads at once.
+  /// Shortens a path, `vertices` from start to end. With `start` or `end`, which may be null, the
+  /// path begins or ends there rather than at its first or last vertex. Fails if a vertex does not
+  /// exist. `path` is then empty, as after an abort. May be called by several threads
+  /// simultaneously.
   Status Shorten(const std::vector<Id>& vertices, const Point3* start, const Point3* end,
     BandPath& path, const ProgressCallback& progress = {}) const;
 

@@ -20,8 +20,8 @@ constexpr std::size_t SpacingNeighbors = 16;
 /// Voxels along the longest side that can be asked for.
 constexpr Id LargestResolution = 1 << 19;
 
-/// Automatic radius of a ball by spacing. Of a randomly sampled surface, all but 1 in 10000 lies in
-/// such balls.
+/// Automatic ratio of ball radius to spacing. For random samples the balls cover all but 1/10000 of
+/// the surface.
 constexpr double AutomaticBallBySpacing = 1.5;
 
 /// The root of the area that a point has, given its k-th neighbour.
