@@ -163,8 +163,8 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(DGGSpectralTask& task)
   DGG_RETURN_IF_ERROR(
     CheckAll(distance, &dgg::SpectralDistance::CheckPlace, task.Targets, "evaluation point "));
   const dgg::ParallelFor& parallel = task.Context.Parallel;
-  DGG_RETURN_IF_ERROR(
-    distance.Prepare(options, parallel, dgg::ProgressPart(task.Progress, 0.0, SpectrumDone)));
+  DGG_RETURN_IF_ERROR(distance.Prepare(
+    options, parallel, dgg::ProgressPart(task.Progress, 0.0, SpectrumDone), task.Sources));
   // Between sources and evaluation points, row by row.
   std::vector<double> matrix;
   if (!task.Targets.empty())

@@ -16,9 +16,9 @@
  * <b>Guarantee and cost</b>. These are metrics, but not lengths of paths. Method Exact has all
  * eigenvalues, up to rounding, of the finite elements: by a solution for each point, once, on all
  * threads; then two substitutions for each source, for some ten thousand points. Spectrum takes the
- * smallest NumberOfEigenvalues of each component, which are found once; those that are left out
- * make distances too small. Either method gives a component the distances that it has alone.
- * Commute-time distances grow without bound as a mesh is refined.
+ * smallest NumberOfEigenvalues of each component with a source, which are found once; those that
+ * are left out make distances too small. With either method, distances in a component do not depend
+ * on other components. Commute-time distances grow without bound as a mesh is refined.
  *
  * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Diffusion by the Exact method; a
  * DiffusionTime that is negative or not finite; a NumberOfEigenvalues below 1.
@@ -122,7 +122,7 @@ public:
   ///@}
 
   /**
-   * How often eigenvalues have been found so far.
+   * Number of updates so far that searched for eigenvalues.
    */
   int GetNumberOfSpectra() const;
 

@@ -20,7 +20,7 @@ namespace dggtest
 {
 namespace
 {
-/// One for each component.
+/// Eigenpairs of each component.
 std::vector<dgg::Eigenpairs> FindAllPairs(const dgg::PoissonSolver& solver, Id count)
 {
   std::vector<dgg::Eigenpairs> pairs;
@@ -192,7 +192,7 @@ TEST(Eigenpairs, StopsWhenAsked)
   }
 }
 
-TEST(Eigenpairs, EachPartHasThoseItHasAlone)
+TEST(Eigenpairs, ComponentsAreIndependent)
 {
   TestMesh spheres;
   for (const double radius : { 1.0, 0.1, 10.0 })
@@ -248,6 +248,41 @@ TEST(Eigenpairs, WorkGrowsWithTheNumberOfPartsOnly)
   }
   EXPECT_LT(solved[1], 4.4 * solved[0]);
   EXPECT_EQ(blocks[1], blocks[0]);
+}
+
+TEST(SpectralDistance, EigenpairsOfComponentsWithSourcesOnly)
+{
+  TestMesh spheres;
+  for (const double shift : { 0.0, 3.0, 6.0 })
+  {
+    Append(spheres, Translated(NoisySphere(3, 0.1, 4), shift, 0.0, 0.0));
+  }
+  const dgg::SurfaceMesh mesh = Build(spheres);
+  const auto solver = Ready(mesh);
+  const Id n = mesh.GetNumberOfVertices() / 3;
+  const auto options = Options(dgg::SpectralKind::Biharmonic, dgg::SpectralMethod::Spectrum, 20);
+  dgg::SpectralDistance all(*solver);
+  ASSERT_TRUE(Ok(all.Prepare(options, nullptr, nullptr)));
+  dgg::SpectralDistance distance(*solver);
+  struct Case
+  {
+    Id Sphere;
+    int NumberOfSpectra;
+  };
+  for (const Case& tested : { Case{ 1, 1 }, Case{ 1, 1 }, Case{ 0, 2 }, Case{ 1, 2 } })
+  {
+    const auto source = dgg::SurfacePoint::AtVertex(tested.Sphere * n + 7);
+    ASSERT_TRUE(Ok(distance.Prepare(options, nullptr, nullptr, { source })));
+    EXPECT_EQ(distance.GetNumberOfSpectra(), tested.NumberOfSpectra);
+    EXPECT_LT(distance.GetMemorySize(), all.GetMemorySize());
+    std::vector<double> expected;
+    std::vector<double> found;
+    ASSERT_TRUE(Ok(all.FromPoint(source, expected)));
+    ASSERT_TRUE(Ok(distance.FromPoint(source, found)));
+    EXPECT_EQ(found, expected);
+  }
+  std::vector<double> found;
+  EXPECT_TRUE(Says(distance.FromPoint(dgg::SurfacePoint::AtVertex(2 * n), found), "Prepare()"));
 }
 
 TEST(Eigenpairs, GivenBoundaryAndAnyTriangles)

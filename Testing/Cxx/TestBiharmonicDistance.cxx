@@ -153,8 +153,7 @@ TEST(BiharmonicDistance, OtherPartsAreNotReached)
   }
 }
 
-/// As many eigenvalues for each part: distances on a small sphere are those of the large one, in
-/// its size.
+/// Distances on a small sphere are those of a large one, scaled.
 TEST(BiharmonicDistance, SmallPartsHaveEigenvaluesOfTheirOwn)
 {
   vtkNew<vtkSphereSource> sphere;

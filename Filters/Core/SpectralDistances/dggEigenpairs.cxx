@@ -277,7 +277,7 @@ Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressC
   return Status::Success();
 }
 
-/// On a system of one component.
+/// Finds eigenpairs of a system with one component.
 Status FindOnComponent(
   const PoissonSystem& system, Id count, const ProgressCallback& progress, Eigenpairs& pairs)
 {
@@ -344,7 +344,7 @@ PoissonOptions OptionsOf(const PoissonSystem& system, const MeshPart& part)
 }
 
 Status FindEigenpairs(const PoissonSolver& solver, Id count, const ProgressCallback& progress,
-  std::vector<Eigenpairs>& pairs)
+  std::vector<Eigenpairs>& pairs, const std::vector<bool>& isWanted)
 {
   pairs.clear();
   if (!solver.IsReady())
@@ -366,6 +366,10 @@ Status FindEigenpairs(const PoissonSolver& solver, Id count, const ProgressCallb
     const double size = static_cast<double>(part.Faces.size()) / mesh.GetNumberOfFaces();
     const ProgressCallback reported = ProgressPart(progress, done, done + size);
     done += size;
+    if (!isWanted.empty() && !isWanted[c])
+    {
+      continue;
+    }
     if (parts.size() == 1)
     {
       DGG_RETURN_IF_ERROR(FindOnComponent(system, count, reported, found[c]));
@@ -380,7 +384,7 @@ Status FindEigenpairs(const PoissonSolver& solver, Id count, const ProgressCallb
       DGG_RETURN_IF_ERROR(own.Factorize());
       DGG_RETURN_IF_ERROR(FindOnComponent(own, count, reported, found[c]));
       found[c].Vertices.swap(part.Vertices);
-      part = MeshPart(); // no two at the same time
+      part = MeshPart(); // Release the submesh before the next one is built.
     }
   }
   pairs.swap(found);

@@ -37,12 +37,14 @@ struct Eigenpairs
 /// Finds `count` pairs of each component of the solver's system, fewer where a component has fewer
 /// (eigenvalues beyond 1e13 times the first one do not count, as on meshes with needles; components
 /// of thin triangles and vertices without a face have none), to a relative accuracy of 1e-8 of the
-/// values. By Lanczos' method with implicit restarts (Spectra), applied to the inverse. Where pairs
-/// of multiple eigenvalues are missing, they are looked for off those that were found. The solver
-/// must be ready, and its options decide about the boundary. The memory is about that of 3 `count`
+/// values. With `isWanted`, only its components get pairs. By Lanczos' method with implicit
+/// restarts (Spectra), applied to the inverse. Pairs of multiple eigenvalues may be missing at
+/// first: further searches run in the orthogonal complement of the functions found. The solver must
+/// be ready, and its options decide about the boundary. The memory is about that of 3 `count`
 /// functions on the mesh. The same input gives the same result, signs included.
 DGG_CORE_EXPORT Status FindEigenpairs(const PoissonSolver& solver, Id count,
-  const ProgressCallback& progress, std::vector<Eigenpairs>& pairs);
+  const ProgressCallback& progress, std::vector<Eigenpairs>& pairs,
+  const std::vector<bool>& isWanted = {});
 }
 
 #endif

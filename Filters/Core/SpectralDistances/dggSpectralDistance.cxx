@@ -45,8 +45,8 @@ SpectralDistance::SpectralDistance(const PoissonSolver& solver)
 {
 }
 
-Status SpectralDistance::Prepare(
-  const SpectralOptions& options, const ParallelFor& parallel, const ProgressCallback& progress)
+Status SpectralDistance::Prepare(const SpectralOptions& options, const ParallelFor& parallel,
+  const ProgressCallback& progress, const std::vector<SurfacePoint>& sources)
 {
   if (!this->Solver.IsReady())
   {
@@ -83,22 +83,49 @@ Status SpectralDistance::Prepare(
   {
     status = this->FindDiagonal(parallel, progress);
   }
-  if (!isExact && !hasSpectrum)
+  if (!isExact)
   {
-    status = FindEigenpairs(this->Solver, options.NumberOfEigenvalues, progress, this->Pairs);
-    this->NumberOfSpectra += status.IsOk() ? 1 : 0;
-    this->Places.assign(this->Solver.GetAreas().size(), NoId);
-    for (const Eigenpairs& pairs : this->Pairs)
-    {
-      for (std::size_t i = 0; i < pairs.Vertices.size(); ++i)
-      {
-        this->Places[pairs.Vertices[i]] = static_cast<Id>(i);
-      }
-    }
+    status = this->FindPairs(sources, progress);
   }
   this->IsPrepared = status.IsOk();
   this->Revision = revision;
   return status;
+}
+
+/// Adds the eigenpairs of components that have none yet.
+Status SpectralDistance::FindPairs(
+  const std::vector<SurfacePoint>& sources, const ProgressCallback& progress)
+{
+  const PoissonSystem& system = this->Solver.GetSystem();
+  this->Pairs.resize(static_cast<std::size_t>(system.GetNumberOfComponents()));
+  this->Places.resize(this->Solver.GetAreas().size(), NoId);
+  std::vector<bool> isWanted(this->Pairs.size(), sources.empty());
+  for (const SurfacePoint& source : sources)
+  {
+    isWanted[system.GetComponent(source)] = true;
+  }
+  for (std::size_t c = 0; c < isWanted.size(); ++c)
+  {
+    isWanted[c] = isWanted[c] && this->Pairs[c].Vertices.empty();
+  }
+  std::vector<Eigenpairs> found;
+  DGG_RETURN_IF_ERROR(
+    FindEigenpairs(this->Solver, this->Options.NumberOfEigenvalues, progress, found, isWanted));
+  bool isNew = false;
+  for (std::size_t c = 0; c < found.size(); ++c)
+  {
+    for (std::size_t i = 0; i < found[c].Vertices.size(); ++i)
+    {
+      this->Places[found[c].Vertices[i]] = static_cast<Id>(i);
+    }
+    if (!found[c].Vertices.empty())
+    {
+      this->Pairs[c] = std::move(found[c]);
+      isNew = true;
+    }
+  }
+  this->NumberOfSpectra += isNew ? 1 : 0;
+  return Status::Success();
 }
 
 double SpectralDistance::Filter(const Eigenpairs& pairs, std::size_t k) const
@@ -145,6 +172,16 @@ Status SpectralDistance::CheckSource(const SurfacePoint& point) const
   DGG_RETURN_IF_ERROR(this->CheckPlace(point));
   const PoissonSystem& system = this->Solver.GetSystem();
   return CheckThinPlace(system, system.GetComponent(point), NameOf(point));
+}
+
+Status SpectralDistance::CheckPreparedSource(const SurfacePoint& point) const
+{
+  DGG_RETURN_IF_ERROR(this->CheckSource(point));
+  const bool isReady = this->Options.Method == SpectralMethod::Exact ||
+    !this->Pairs[this->Solver.GetSystem().GetComponent(point)].Vertices.empty();
+  return isReady ? Status::Success()
+                 : Status::Invalid("the component of " + NameOf(point) +
+                     " has no eigenpairs: call Prepare() with this source");
 }
 
 /// Unit load, 0 where values are given.
@@ -262,7 +299,7 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, std::vector<doubl
 {
   distances.clear();
   DGG_RETURN_IF_ERROR(this->CheckPrepared());
-  DGG_RETURN_IF_ERROR(this->CheckSource(source));
+  DGG_RETURN_IF_ERROR(this->CheckPreparedSource(source));
   const PoissonSystem& system = this->Solver.GetSystem();
   const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
   const Id component = system.GetComponent(source);
@@ -317,8 +354,9 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
     {
       const SurfacePoint& point = (*points)[k];
       // In a thin component the distance is not known, but to those in others it is Infinity.
-      DGG_RETURN_IF_ERROR((points == &first ? this->CheckSource(point) : this->CheckPlace(point))
-                            .Of("point " + std::to_string(k)));
+      DGG_RETURN_IF_ERROR(
+        (points == &first ? this->CheckPreparedSource(point) : this->CheckPlace(point))
+          .Of("point " + std::to_string(k)));
     }
   }
   // Vectors whose distances are the distances: potentials, with areas as weights, or embeddings.

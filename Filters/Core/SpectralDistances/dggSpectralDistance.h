@@ -59,11 +59,12 @@ class DGG_CORE_EXPORT SpectralDistance
 public:
   explicit SpectralDistance(const PoissonSolver& solver);
 
-  /// Find what distances are made of, unless it is there already: eigenvalues, or with the Exact
-  /// method the diagonal of the Green's function, for which it solves for all vertices. To be done
-  /// again when the solver is prepared with other options.
-  Status Prepare(
-    const SpectralOptions& options, const ParallelFor& parallel, const ProgressCallback& progress);
+  /// Finds the eigenpairs of the components of `sources` (empty: of all), or with the Exact method
+  /// the diagonal of the Green's function, for which it solves for all vertices. Results of earlier
+  /// calls are kept. Call again for other components, and when the solver is prepared with other
+  /// options.
+  Status Prepare(const SpectralOptions& options, const ParallelFor& parallel,
+    const ProgressCallback& progress, const std::vector<SurfacePoint>& sources = {});
   /// Fail when the point does not exist, or has no face; a source, as well when it lies in a
   /// component whose triangles are too thin. May be asked before Prepare().
   /// @{
@@ -86,6 +87,7 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
+  Status FindPairs(const std::vector<SurfacePoint>& sources, const ProgressCallback& progress);
   Status FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress);
   std::vector<double> LoadOf(const SurfacePoint& point) const;
   std::vector<double> PotentialOf(const SurfacePoint& point) const;
@@ -95,13 +97,14 @@ private:
   double Filter(const Eigenpairs& pairs, std::size_t k) const;
   std::vector<double> EmbeddingOf(const SurfacePoint& point) const;
   Status CheckPrepared() const;
+  Status CheckPreparedSource(const SurfacePoint& point) const;
   double GetNumbersOfSolve() const;
 
   const PoissonSolver& Solver;
   SpectralOptions Options;
   bool IsPrepared = false;
   int NumberOfSpectra = 0;
-  std::uint64_t Revision = 0;    // of the system that all was made of
+  std::uint64_t Revision = 0;    // revision of the system at Prepare()
   std::vector<Eigenpairs> Pairs; // per component
   std::vector<Id> Places;        // per vertex, index in the pairs of its component
   std::vector<double> Diagonal;  // per vertex, of the Green's function
