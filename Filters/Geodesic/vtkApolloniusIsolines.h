@@ -17,7 +17,8 @@
  * geometry, see vtkGeodesicAlgorithm.
  *  - Output 0: isolines in order of increasing values, with lower distances on the left, closed but
  *    for those that end at the boundary, unreached triangles or edges with more than two triangles.
- *    Cell data: `IsoValue` (double). Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
+ *    Cell data: `IsoValue` (double). Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`,
+ *    `ArcLength`.
  *  - Output 1 (GetRidges()): ridges, with GenerateRidges; the same point data, and the cell array
  *    `RidgeAngle` (double, degrees), the mean angle between the two directions.
  *  - Output 2 (GetBands()): the reached triangles cut along the isolines, with GenerateBands. Cell
@@ -32,7 +33,7 @@
  * lines are at their value up to rounding, and ridges exact. With virtual sources
  * (GenerateVirtualSourceOn() of any distance filter), or those fitted to the distances without,
  * lines are better than linear ones but without a bound, and some ridges are spurious: inside long
- * triangles, as of CAD models, they may be off by half of the largest distance. A warning
+ * triangles, as of CAD models, they may be off by more than half of the largest distance. A warning
  * recommends windows if GetMeanAnisotropy() is above 2. Pieces of lines are within ChordTolerance
  * of the curve; the number of points grows like one over its square root.
  *

@@ -120,7 +120,8 @@ public:
 
   /**
    * True if GetMeanAnisotropy() of the mesh of the last update is above 2: distances may be far
-   * off. Reported once for each mesh.
+   * off. Also true on flat grids of long cells, where distances are good. A warning is reported
+   * once for each mesh.
    */
   vtkGetMacro(QualityWarning, bool);
 

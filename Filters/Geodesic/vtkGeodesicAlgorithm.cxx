@@ -535,14 +535,14 @@ void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector
 //------------------------------------------------------------------------------
 bool vtkGeodesicAlgorithm::WarnAboutQuality(const std::string& reason)
 {
-  if (this->QualityTime != this->GetMeshBuildTime() || this->QualityReason != reason)
+  if (this->QualityTime != this->GetMeshBuildTime())
   {
     this->QualityTime = this->GetMeshBuildTime();
-    this->QualityReason = reason;
-    if (!reason.empty())
-    {
-      vtkWarningMacro(<< reason << ".");
-    }
+    this->QualityReasons.clear();
+  }
+  if (!reason.empty() && this->QualityReasons.insert(reason).second)
+  {
+    vtkWarningMacro(<< reason << ".");
   }
   return !reason.empty();
 }

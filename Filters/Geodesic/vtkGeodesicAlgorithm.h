@@ -99,6 +99,7 @@
 #include <atomic>     // For the progress
 #include <functional> // For Attempt()
 #include <memory>     // For the mesh
+#include <set>        // For the warnings
 #include <string>     // For the report
 #include <thread>     // For the thread of the update
 #include <vector>     // For what is reached
@@ -316,8 +317,7 @@ protected:
   void WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached);
 
   /**
-   * Reports why results may be far off, unless the reason is empty or was reported last for this
-   * mesh. Returns true if there is a reason.
+   * Reports a reason for inaccurate results once per mesh. Returns true if there is a reason.
    */
   bool WarnAboutQuality(const std::string& reason);
 
@@ -363,14 +363,14 @@ private:
   int OutputPointsPrecision;
   vtkMultiProcessController* Controller;
   vtkIdType GatherLimit;
-  std::atomic<double> Reached; // progress of the update so far
-  std::atomic<bool> IsStopped; // whether observers have asked for that
-  std::thread::id Caller;      // of the update
-  std::string Reported;        // error of the last update, empty without
-  vtkMTimeType ReportTime;     // of the pipeline at that time
-  vtkMTimeType GapsBuildTime;  // of the mesh whose gaps have been looked for
-  vtkMTimeType QualityTime;    // of the mesh that QualityReason is about
-  std::string QualityReason;   // reported last
+  std::atomic<double> Reached;          // progress of the update so far
+  std::atomic<bool> IsStopped;          // whether observers have asked for that
+  std::thread::id Caller;               // of the update
+  std::string Reported;                 // error of the last update, empty without
+  vtkMTimeType ReportTime;              // of the pipeline at that time
+  vtkMTimeType GapsBuildTime;           // of the mesh whose gaps have been looked for
+  vtkMTimeType QualityTime;             // build time of the mesh of QualityReasons
+  std::set<std::string> QualityReasons; // reported for this mesh
   std::unique_ptr<DGGMeshAdapter> Adapter;
   std::unique_ptr<DGGPartedUpdate> Parts;
 };

@@ -10,9 +10,9 @@
  *
  * Sources are point ids (SetSourceIds()) and the points of a vtkPolyData on the optional input port
  * 1 (SetSourceConnection()), each moved to the closest point of the surface, or identified by point
- * arrays, see vtkGeodesicAlgorithm. They are numbered from 0, ids first. A source starts with the distance given with its id, or in the point array
- * `InitialDistance` of port 1: any finite number, 0 by default. One on a point that no polygon uses
- * reaches that point only, with a warning.
+ * arrays, see vtkGeodesicAlgorithm. They are numbered from 0, ids first. A source starts with the
+ * distance given with its id, or in the point array `InitialDistance` of port 1: any finite number,
+ * 0 by default. One on a point that no polygon uses reaches that point only, with a warning.
  *
  * Points that no source reaches, and those beyond MaximumDistance, get UnreachedValue, and -1 as
  * nearest source.

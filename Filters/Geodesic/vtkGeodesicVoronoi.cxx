@@ -387,7 +387,12 @@ dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVor
   dgg::PropagationResult found;
   DGG_RETURN_IF_ERROR(this->PreviewSolver->Run(context, result.Sites, options, found)
                         .Of("Preview, which can be turned off"));
-  this->WarnAboutQuality(found.IsSettled ? "" : DGGUnsettledDistances);
+  this->WarnAboutQuality(
+    DGGJoinReasons({ DGGDescribeLongTriangles(context.Surface,
+                       "cells of Preview may be wrong. Turn Preview off, or remesh the surface"),
+      found.IsSettled ? ""
+                      : "Preview: distances did not settle on triangles this irregular, so cells "
+                        "may be wrong. Turn Preview off" }));
   result.Diagram.NearestSites = std::move(found.NearestSource);
   result.Diagram.Distances = std::move(found.Distances);
   return dgg::Status::Success();

@@ -35,14 +35,13 @@ std::string DescribeQuality(const DGGPreparedMesh& surface, double factor, dgg::
     triangles < dgg::FewestUsefulTriangles
       ? dgg::JoinText("A source is on a component of ", triangles, " triangles, fewer than ",
           dgg::FewestUsefulTriangles,
-          ": distances are off by 10 % and more on average there. Use vtkExactGeodesicDistance, or "
-          "subdivide the triangles")
+          ": mean errors are 10 % or more. Use vtkExactGeodesicDistance, or subdivide the "
+          "triangles")
       : "",
     factor < dgg::SmallestUsefulFactor || factor > dgg::LargestUsefulFactor
       ? dgg::JoinText("TimeStepFactor is ", factor, ", outside of ", dgg::SmallestUsefulFactor,
           " to ", dgg::LargestUsefulFactor,
-          ": distances are off by 10 % and more on average. Call SetTimeStepFactor() with a number "
-          "around 1")
+          ": mean errors are 10 % or more. Call SetTimeStepFactor() with a number around 1")
       : "" });
 }
 }

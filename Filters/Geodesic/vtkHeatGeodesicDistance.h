@@ -107,7 +107,7 @@ public:
   /**
    * True if distances of the last update may be far off: GetMeanAnisotropy() is above 2, a source
    * is on a component of fewer than 50 triangles, or TimeStepFactor is outside of [0.1, 100].
-   * Reported once for each mesh and reason.
+   * A warning is reported once for each mesh and reason.
    */
   vtkGetMacro(QualityWarning, bool);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkVirtualSourceGeodesicDistance
- * @brief   approximate distances along a surface at once, without precomputation
+ * @brief   approximate distances along a surface, without precomputation
  *
  * Sources are unfolded from triangle to triangle, one virtual source for each. For what has to
  * follow the mouse, for previews, and for a first look at large meshes.
@@ -12,16 +12,17 @@
  * <b>Guarantee and cost</b>. No distance is longer than the shortest way along mesh edges, up to
  * rounding, for any number of sources. Nothing else bounds the error. Of 10 sources on each of 27
  * real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 % too
- * short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken models
- * of CAD 0.6 to 6 % on the mean, and up to 55 % too short and 60 % too long, several times too long
- * where sides are rough as well (QualityWarning); there vtkExactGeodesicDistance is fast enough.
- * Triangles may be so irregular that distances do not settle: the search then ends with the
- * shortest ones found so far, and a warning. Of a thousand sources at once the mean is smaller, but
- * where there are about as many sources as triangles, or these are long, single distances may be
- * several times too long, and the mean 3 %: no triangle keeps more than one of them. Five million
- * points take a second on one thread, and less on several; several sources a third longer. Single
- * precision: about six digits of the largest distance, initial distances included; along strips of
- * ten thousand triangles rounding adds up to 1e-4 of it.
+ * short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken CAD
+ * models the mean error is 0.6 to 6 %, and single distances are up to 55 % too short or 60 % too
+ * long, or several times too long on rough sides (see QualityWarning); there
+ * vtkExactGeodesicDistance is fast enough. Triangles may be so irregular that distances do not
+ * settle: the search then ends with the shortest ones found so far, and a warning. Of a thousand
+ * sources at once the mean is smaller, but where there are about as many sources as triangles, or
+ * these are long, single distances may be several times too long, and the mean 3 %: no triangle
+ * keeps more than one of them. Five million points take a second on one thread, and less on
+ * several; several sources a third longer. Single precision: about six digits of the largest
+ * distance, initial distances included; along strips of ten thousand triangles rounding adds up to
+ * 1e-4 of it.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; initial distances that differ by more than
  * 1e30 mean edges.
@@ -83,7 +84,8 @@ public:
 
   /**
    * True if distances of the last update may be far off: GetMeanAnisotropy() is above 2, or they
-   * did not settle. Reported once for each mesh and reason.
+   * did not settle. Also true on flat grids of long cells, where distances are good. A warning is
+   * reported once for each mesh and reason.
    */
   vtkGetMacro(QualityWarning, bool);
 

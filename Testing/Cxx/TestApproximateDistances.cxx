@@ -403,7 +403,7 @@ TEST(VirtualSourceGeodesicDistance, IsolinesOfVirtualSources)
   }
 }
 
-/// A disc of a thousand corners, extruded, on whose needles single precision is too little.
+/// An extruded disc of a thousand corners, whose needles exceed single precision.
 TEST(VirtualSourceGeodesicDistance, EndsWhereDistancesDoNotSettle)
 {
   constexpr vtkIdType n = 1000;
@@ -553,6 +553,12 @@ TEST(HeatGeodesicDistance, WarnsWhereItIsFarOff)
   filter->SetSourceIds({ 2 });
   ExpectSuccess(filter);
   EXPECT_TRUE(filter->GetQualityWarning());
+  // A source on a point without triangles.
+  auto isolated = MakeGrid(3, 3);
+  filter->SetSourceIds({ isolated->GetPoints()->InsertNextPoint(5.0, 0.0, 0.0) });
+  filter->SetInputData(isolated);
+  ExpectWarning(filter, { "no polygon" });
+  EXPECT_FALSE(filter->GetQualityWarning());
   // Components of two to five triangles beside a large one.
   auto surface = MakeTerrain(20);
   vtkIdType n = surface->GetNumberOfPoints();
@@ -584,6 +590,9 @@ TEST(HeatGeodesicDistance, WarnsWhereItIsFarOff)
     ExpectWarning(filter, { dgg::JoinText("TimeStepFactor is ", factor), "0.1 to 100" });
     EXPECT_TRUE(filter->GetQualityWarning());
   }
+  filter->SetTimeStepFactor(1e-2); // reported above
+  ExpectSuccess(filter);
+  EXPECT_TRUE(filter->GetQualityWarning());
   for (const double factor : { 0.1, 1.0, 100.0 })
   {
     filter->SetTimeStepFactor(factor);

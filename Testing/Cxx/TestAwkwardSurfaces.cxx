@@ -421,7 +421,7 @@ TEST(AwkwardSurfaces, IsolatedPoints)
   EXPECT_EQ(GetNearestSources(filter)[0], 1);
 }
 
-/// Half a meter between points, in UTM coordinates: floats are half a meter apart there.
+/// Grid with 0.5 m spacing in UTM coordinates, where floats are 0.5 m apart.
 TEST(AwkwardSurfaces, SinglePrecisionFarFromTheOrigin)
 {
   struct Case

@@ -164,6 +164,9 @@ TEST_F(GeodesicVoronoi, Preview)
     same += labels[i] == sites[i] ? 1 : 0;
   }
   EXPECT_GT(same, 390); // of 400
+  this->Filter->SetInputData(MakePlateWithHole());
+  this->Filter->SetSiteIds({ 0, 4 });
+  ExpectWarning(this->Filter, { "long triangles", "Turn Preview off" });
   this->Filter->CentroidalOn();
   ExpectError(this->Filter, { "Preview", "Centroidal" });
 }

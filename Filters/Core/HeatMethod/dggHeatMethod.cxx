@@ -416,7 +416,6 @@ Status HeatMethod::Run(
     return Status::Abort();
   }
   ShiftToDistances(system, sources, corners, leastOffsets, result.Distances);
-  result.FewestTriangles = this->Mesh.GetNumberOfFaces();
   for (const Corner& corner : corners)
   {
     const Id triangles = system.GetNumberOfTriangles(system.GetComponent(corner.Vertex));

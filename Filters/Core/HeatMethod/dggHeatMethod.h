@@ -10,6 +10,7 @@
 #include "dggVirtualSources.h" // for VirtualSources
 
 #include <functional> // for checks of memory
+#include <limits>     // for the number of triangles
 #include <memory>     // for the systems
 #include <vector>     // for the results
 
@@ -69,8 +70,8 @@ struct HeatResult
   /// the rest, and the polar angle at the vertex against the gradient of the distances. Empty
   /// unless asked for.
   VirtualSources Virtual;
-  /// Of the components that have a source, those of isolated vertices excluded.
-  Id FewestTriangles = 0;
+  /// Smallest number of triangles of a component with a source; isolated vertices are not counted.
+  Id FewestTriangles = std::numeric_limits<Id>::max();
 };
 
 /// Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013, on one mesh, which must outlive it:

@@ -78,7 +78,7 @@ private:
   double CooledFactor = -1.0; ///< time step factor of Dirichlet
   int NumberOfFactorizations = 0;
   std::vector<double> MeanEdges; // per component
-  std::vector<Id> Triangles;     // per component, their number
+  std::vector<Id> Triangles;     // number of triangles per component
   std::vector<Frame> Frames;
   SparseFactor Heat;
   SparseFactor CooledHeat;

@@ -75,7 +75,7 @@ double Propagation<High>::CountExpected() const
 }
 
 template <bool High>
-std::size_t Propagation<High>::CountMost() const
+std::size_t Propagation<High>::MaximumCount() const
 {
   return ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
 }

@@ -51,8 +51,8 @@ public:
   /// Some rounds. Nothing is left to do when IsDone() holds.
   void Advance(RoundTeam& team);
   bool IsDone() const { return this->HasEnded; }
-  /// False if it has ended with labels that still changed.
-  bool IsSettled() const { return this->Propagated <= this->CountMost(); }
+  /// Returns false if the search ended before labels settled.
+  bool IsSettled() const { return this->Propagated <= this->MaximumCount(); }
   double GetProgress() const;
 
   /// Mends what is missing then; to be called once. Returns the ways that vertices have their
@@ -72,8 +72,8 @@ public:
 private:
   /// Labels, about; it takes as many as it takes.
   double CountExpected() const;
-  /// Labels that are propagated at most.
-  std::size_t CountMost() const;
+  /// Returns the largest number of labels to propagate.
+  std::size_t MaximumCount() const;
   Id SlotOf(Id entry) const;
   void Radiate(const PropagationLabel& from, Id v, PropagationChunk& chunk);
   void CrossInto(Id t, Id exit, PropagationLabel label, PropagationChunk& chunk);

@@ -79,8 +79,8 @@ public:
   SourcePropagation& operator=(const SourcePropagation&) = delete;
 
   /// Distances from the nearest of the sources. Fails as ExactGeodesics does, and with initial
-  /// distances more than 1e30 mean edges apart. On some meshes of very small and long triangles
-  /// single precision is too little for distances to settle; the search ends then.
+  /// distances more than 1e30 mean edges apart. On some meshes of small needles, distances do
+  /// not settle in single precision. The search then ends; see PropagationResult::IsSettled.
   Status Run(const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
     PropagationResult& result) const;
 

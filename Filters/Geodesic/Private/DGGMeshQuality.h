@@ -13,8 +13,9 @@
 #include <string>           // for reasons
 
 /// Largest mean anisotropy, weighted with areas, without a warning. Measured on 16 scans and parts
-/// and on 120 generated CAD models: the former are below 1.9 but for one of fine long triangles; of
-/// the models, all but two on which distances are off by 10 % of the largest one are above 2.
+/// and on 120 generated CAD models. Scans and parts are below 1.9, except one with fine long
+/// triangles. All but two models whose distances are off by 10 % of the largest distance are above
+/// 2.
 constexpr double DGGMostAnisotropy = 2.0;
 
 inline bool DGGHasLongTriangles(const DGGPreparedMesh& surface)
@@ -38,11 +39,11 @@ inline std::string DGGDescribeLongTriangles(
 constexpr const char* DGGLongTrianglesMislead =
   "distances may be far off. Use vtkExactGeodesicDistance or vtkDGGDistance, or remesh the surface";
 constexpr const char* DGGLongTrianglesHideSources =
-  "inside them distances from virtual sources may be off by half of the largest distance and more. "
-  "Call GenerateWindowsOn() of vtkExactGeodesicDistance for exact ones, or remesh the surface";
+  "inside them, distances from virtual sources may be off by more than half of the largest "
+  "distance. Use vtkExactGeodesicDistance with GenerateWindowsOn(), or remesh the surface";
 /// @}
 
-/// A warning about PropagationResult::IsSettled.
+/// Warning for results that are not settled (PropagationResult::IsSettled).
 constexpr const char* DGGUnsettledDistances =
   "Virtual sources did not settle on triangles this irregular: distances are the shortest ones "
   "found so far, and may be too long. Use vtkExactGeodesicDistance or vtkDGGDistance, or remesh "
