@@ -471,6 +471,12 @@ TEST_F(STLReader, RefusesTruncatedBinaryFiles)
   this->CheckTruncation(MakeSTL(2), true);
 }
 
+TEST_F(STLReader, RecognizesFilesWithoutTriangles)
+{
+  const std::string path = this->Write(MakeSTL(0).substr(0, 80) + std::string(4, '\0'));
+  EXPECT_EQ(vtkDGGSTLReader::CanReadFile(path.c_str()), 1);
+}
+
 TEST_F(XYZReader, ReadsOrRefuses)
 {
   this->Check(XYZCases);
@@ -496,9 +502,12 @@ TYPED_TEST(MeshReaders, ReadsCompressedFiles)
   EXPECT_EQ(Describe(this->ReadWellFile("file.gz")), expected);
   EXPECT_EQ(TypeParam::CanReadFile(path.c_str()), 1);
 
-  const std::string compressed = this->Load("file.gz");
+  std::string compressed = this->Load("file.gz");
   this->ExpectRefused(compressed.substr(0, compressed.size() / 2),
     vtkErrorCode::PrematureEndOfFileError, { "the compressed data end too early" });
+  compressed[compressed.size() - 8] ^= 1; // checksum
+  this->ExpectRefused(compressed, vtkErrorCode::FileFormatError,
+    { "the file cannot be decompressed: incorrect data check" });
 }
 
 TYPED_TEST(MeshReaders, FilesThatCannotBeRead)

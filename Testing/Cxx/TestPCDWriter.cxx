@@ -230,6 +230,13 @@ TEST_F(PCDWriter, KeepsTheLayoutWhileItFits)
     EXPECT_EQ(this->GetLine("WIDTH"), "WIDTH 6");
     EXPECT_EQ(this->GetLine("HEIGHT"), "HEIGHT 1");
   }
+  vtkNew<vtkDoubleArray> fractions;
+  fractions->SetName("PCD.Dimensions");
+  fractions->InsertNextValue(1.5);
+  fractions->InsertNextValue(4.0);
+  cloud->GetFieldData()->AddArray(fractions);
+  this->WriteWell(cloud);
+  EXPECT_EQ(this->GetLine("WIDTH"), "WIDTH 6");
 }
 
 TEST_F(PCDWriter, TakesAllArraysOfNumbers)
