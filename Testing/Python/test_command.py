@@ -187,6 +187,9 @@ class Command(unittest.TestCase):
         result = command("matrix", BUMPY, "--sources", "0", "--targets", "642", "--out", path)
         self.assertEqual(result.returncode, 2)
         self.assertIn("--targets 642", result.stderr)
+        result = command("matrix", BUMPY, "--source", "9,9,9", "--out", path)
+        self.assertEqual(result.returncode, 2)
+        self.assertFalse(os.path.exists(path))
 
     def test_distance(self):
         path = out("distance.vtp")
@@ -332,6 +335,8 @@ class Command(unittest.TestCase):
         result = command("isolines", BUMPY, "--source", 5, "--every", 50)
         self.assertEqual(result.returncode, 1)
         self.assertRegex(result.stderr, "--every 50 is above the largest distance, 2")
+        result = command("isolines", BUMPY, "--source", 5, "--every", 1e-9)
+        self.assertRegex(result.stderr, "--every 1e-09 makes more than 10000 isolines")
 
     def test_valid_json(self):
         def refuse(name):
@@ -579,6 +584,7 @@ class Command(unittest.TestCase):
         for arguments, pattern in (
             (("fly", BUMPY), r"unknown command fly \(--help"),
             (("distence", BUMPY), "unknown command distence; did you mean distance\\?"),
+            (("--verson",), "option --verson; did you mean --version\\?"),
             (("distance", BUMPY, "--sorce", "0"), "option --sorce; did you mean --source\\?"),
             (("sample", BUMPY, "--numer=3"), "option --numer; did you mean --number\\?"),
             (("info",), "file"),
@@ -586,7 +592,7 @@ class Command(unittest.TestCase):
             (("info", truncated), rf"error: {truncated}: line 4: the header promises 642 records"),
             (("info", __file__), "test_command.py: unknown extension '.py'; known are .gii .obj"),
             (("distance", BUMPY), "--source"),
-            (("distance", BUMPY, "--source", "642"), "--source 642: there are points 0 to 641"),
+            (("distance", BUMPY, "--source", "642"), "--source 642: expected a point id from 0 to 641"),
             (("distance", BUMPY, "--source", "1,2"), "expected a point id, X,Y,Z or face:"),
             (("distance", BUMPY, "--source", "9,9,9"), "or raise --tolerance"),
             (("distance", BUMPY, "--source", "0", "--method", "best"), "invalid choice"),
@@ -598,9 +604,9 @@ class Command(unittest.TestCase):
             (("distance", BUMPY, "--source", "0", "--out", "none/a.off"), "none/a.off"),
             (("graph", BUMPY, "--accuracy", "2"), "--accuracy 2 is out of range: expected 1e-06"),
             (("path", BUMPY, "0", "3", "--accuracy", "2"), "--accuracy 2 is out of range"),
-            (("isolines", BUMPY, "--source", "0", "--every", "0"), "--every: must be positive"),
-            (("isolines", BUMPY, "--source", "0", "--count", "-1"), "--count: must be positive"),
-            (("distance", BUMPY, "--sources", "0,642"), "--sources 642: there are points 0 to 641"),
+            (("isolines", BUMPY, "--source", "0", "--every", "0"), "--every: expected a positive number"),
+            (("isolines", BUMPY, "--source", "0", "--count", "-1"), "--count: expected 1 to 10000"),
+            (("distance", BUMPY, "--sources", "0,642"), "--sources 642: expected a point id from 0 to 641"),
             (("distance", BUMPY, "--sources", "0.5,1,2"), "--sources 0.5: expected a point id"),
             (("distance", BUMPY, "--source-file", "none.txt"), "none.txt"),
             (("distance", BUMPY, "--source-file", wrong), r"wrong.txt, line 2: 1,2: expected a"),

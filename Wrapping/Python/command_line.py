@@ -249,13 +249,14 @@ def check_names(parser, arguments):
         found = difflib.get_close_matches(name, known, 1)
         return f"; did you mean {found[0]}?" if found else " (--help explains)"
 
-    name, *rest = arguments
+    name = arguments[0]
     if name.startswith("-"):
-        return
-    if name not in parser.commands:
+        known, words = parser._option_string_actions, arguments[:1]
+    elif name in parser.commands:
+        known, words = parser.commands[name]._option_string_actions, arguments[1:]
+    else:
         raise compare.UsageError(f"unknown command {name}{closest(name, parser.commands)}")
-    known = parser.commands[name]._option_string_actions
-    for option in (word.partition("=")[0] for word in rest):
+    for option in (word.partition("=")[0] for word in words):
         if option.startswith("--") and not any(other.startswith(option) for other in known):
             raise compare.UsageError(f"unknown option {option}{closest(option, known)}")
 

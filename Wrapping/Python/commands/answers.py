@@ -4,6 +4,7 @@
 is one, and returns the answer as a dict."""
 
 import contextlib
+import os
 import time
 import warnings
 
@@ -20,6 +21,8 @@ from . import files, places, sizes
 
 # Methods of distances on a mesh.
 METHODS = ("exact", "graph", "fast", "marching")
+# Largest number of values of isolines.
+MOST_VALUES = 10_000
 
 
 class Negative(Exception):
@@ -27,7 +30,7 @@ class Negative(Exception):
 
 
 def read(options):
-    """Returns the contents of the file, and true if they are points or have a graph of points."""
+    """Returns the contents of the file, and true for a cloud or the graph of a cloud."""
     contents = vtkdgg.read(options.file).as_polydata()
     graph = GraphInfo.find(contents)
     is_cloud = options.cloud or (graph is not None and graph.is_cloud)
@@ -148,7 +151,7 @@ def without_graph(data, contents):
 
 
 def spread(values):
-    """Returns the count and the range of the finite values."""
+    """Returns the number and the range of the finite values."""
     finite = values[np.isfinite(values)]
     low, high = (float(finite.min()), float(finite.max())) if finite.size else (None, None)
     return {"reached": int(finite.size), "smallest": low, "largest": high}
@@ -251,7 +254,12 @@ def matrix(options):
     if is_mapped:  # block by block: the matrix need not fit into memory
         shape = len(rows), len(rows if columns is None else columns)
         values = np.lib.format.open_memmap(options.out, "w+", np.float64, shape=shape)
-    values = made.matrix(rows, columns, out=values, projection_tolerance=options.tolerance)
+    try:
+        values = made.matrix(rows, columns, out=values, projection_tolerance=options.tolerance)
+    except BaseException:
+        if is_mapped:
+            os.remove(options.out)
+        raise
     if not is_mapped:
         writing.write_numbers(options.out, values)
     largest = float(np.fmax.reduce(values, axis=None))
@@ -361,11 +369,16 @@ def values_of(options, distances):
     largest = np.fmax.reduce(distances)
     if options.every is None:
         count = 10 if options.count is None else options.count
-        if count < 1:
-            raise ValueError(f"--count: must be positive, is {count}")
+        if not 1 <= count <= MOST_VALUES:
+            raise ValueError(f"--count: expected 1 to {MOST_VALUES}, got {count}")
         return largest * np.arange(1, count + 1) / (count + 1)
     if not options.every > 0.0:
-        raise ValueError(f"--every: must be positive, is {options.every:g}")
+        raise ValueError(f"--every: expected a positive number, got {options.every:g}")
+    if largest / options.every > MOST_VALUES:
+        raise ValueError(
+            f"--every {options.every:g} makes more than {MOST_VALUES} isolines; expected at least "
+            f"{largest / MOST_VALUES:g}"
+        )
     values = options.every * np.arange(1, int(largest / options.every) + 1)
     if len(values) == 0:
         raise Negative(f"--every {options.every:g} is above the largest distance, {largest:g}")
