@@ -178,7 +178,7 @@ class DemoOnClouds(unittest.TestCase):
             ((bad,), "line 2: 'x' is not a number"),
             ((short,), "line 3: 2 numbers, expected"),
             ((garbage,), "garbage.pcd: line 1: "),
-            ((good, "--source", "900"), "points 0 to 899"),
+            ((good, "--source", "900"), "point id from 0 to 899"),
             ((good, "--source", "9,9,9"), "or raise --tolerance"),
             ((good, "--accuracy", "0.01"), "--accuracy applies to meshes"),
             ((good, "--merge"), "--merge applies to meshes"),

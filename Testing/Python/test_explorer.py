@@ -571,7 +571,7 @@ class Command(unittest.TestCase):
             ((empty,), "holds no points"),
             (("missing.ply",), "no such file"),
             ((BUMPY, "--accuracy", "2"), r"accuracy: must be in \[1e-6, 0.5\]"),
-            ((BUMPY, "--source", "642"), "there are points 0 to 641"),
+            ((BUMPY, "--source", "642"), "expected a point id from 0 to 641"),
         ):
             with contextlib.redirect_stderr(io.StringIO()) as complained:
                 code = main(["explore", *arguments])

@@ -265,11 +265,6 @@ class Meshes(unittest.TestCase):
             again = vtkdgg.Graph.from_polydata(mesh.as_polydata())
         np.testing.assert_array_equal(again.distance(5), graph.distance(5))
 
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            for given in (path, mesh):
-                np.testing.assert_array_equal(vtkdgg.Graph(given).lengths, graph.lengths)
-
     def test_without_vtk(self):
         code = (
             "import sys, types\n"

@@ -22,9 +22,9 @@ __all__ = ["VTKError", "check"]
 # What VTK puts before a message, and the addresses of objects in it.
 _PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 _ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
-# The name of the class that says something.
+# The name of the class that reports.
 _SPEAKER = re.compile(r"\A\w+: ")
-# Words of filters, and what users of functions should read.
+# Words in messages of filters, and their replacements in functions.
 _IN_ARGUMENTS = {
     " of input port 1, at": ", at",
     "Use vtkExactGeodesicDistance or vtkDGGDistance": 'Use method="exact" or "graph"',
@@ -93,12 +93,12 @@ def check(algorithm: vtkAlgorithm) -> Any:
 
 
 def run(algorithm, heard=None, refused=None, bar=Bar):
-    """What check() does, for functions of the package: with a progress bar, and errors that speak
-    of arguments.
+    """Updates an algorithm like check(), for functions of the package: with a progress bar, and
+    messages in terms of arguments.
 
-    Warnings that are in the set `heard` are not repeated, whichever class gives them; the others
-    are added to it. A warning counts as an error, and stops the update, when the function `refused`
-    returns something true at that time. `bar` makes the progress bar.
+    Warnings in the set `heard` are not repeated, even if they come from another class; others are
+    added to the set. A warning becomes an error, and stops the update, if the function `refused`
+    returns true at that time. `bar` makes the progress bar.
     """
     return _checked(algorithm, heard, refused, bar, in_arguments)
 

@@ -177,7 +177,7 @@ class Graph(Queries):
             The distances. An integer is a number of distances with even spacing between 0 and the
             largest distance, both excluded.
         as_polydata : bool, optional
-            Whether to return a vtkPolyData with polylines and the arrays of vtkApolloniusIsolines.
+            Return a vtkPolyData with polylines and the arrays of vtkApolloniusIsolines.
 
         Returns
         -------
@@ -231,7 +231,7 @@ class Graph(Queries):
         projection_tolerance : float, optional
             As for `distance`.
         as_polydata : bool, optional
-            Whether to return a vtkPolyData with polylines and the arrays of vtkDGGLoop.
+            Return a vtkPolyData with polylines and the arrays of vtkDGGLoop.
 
         Returns
         -------

@@ -27,7 +27,7 @@ class GraphData:
     def csr(self) -> Any:
         """The graph as a new scipy.sparse.csr_matrix of lengths, shape (n, n).
 
-        It has arrays of its own, because SciPy sorts them in place now and then.
+        Arrays are copied, because SciPy may sort them in place.
 
         Raises
         ------
@@ -42,25 +42,25 @@ class GraphData:
 
     @property
     def points(self) -> NDArray[Any]:
-        """Coordinates, shape (n, 3). A view that cannot be written to."""
+        """Coordinates, shape (n, 3). A read-only view."""
         return _read_only(self._surface.GetPoints().GetData())
 
     @property
     def offsets(self) -> NDArray[np.int64]:
         """int64, shape (n + 1,): edges that leave point i are offsets[i] to offsets[i + 1] - 1.
 
-        A view that cannot be written to, as are `targets` and `lengths`.
+        A read-only view, as are `targets` and `lengths`.
         """
         return self._array("Offsets")
 
     @property
     def targets(self) -> NDArray[np.int32]:
-        """int32, one for each directed edge: the point at its end. Not sorted in a row."""
+        """int32, shape (m,): point id of the end of each directed edge. Rows are not sorted."""
         return self._array("Targets")
 
     @property
     def lengths(self) -> NDArray[Any]:
-        """float32 (float64 below an accuracy of 1e-5), one for each directed edge: rounded up."""
+        """float32 (float64 below an accuracy of 1e-5), shape (m,): lengths of edges, rounded up."""
         return self._array("Lengths")
 
     @property
@@ -70,12 +70,12 @@ class GraphData:
 
     @property
     def accuracy(self) -> Optional[float]:
-        """The accuracy of the graph; None for a SaddleVertexGraph. Not a bound on a cloud."""
+        """Accuracy of the graph; None for a SaddleVertexGraph. On clouds it is no bound."""
         return self._info.accuracy
 
     @property
     def construction(self) -> str:
-        """The rule that chose the edges. Only "Guaranteed" promises `accuracy`."""
+        """The rule that chose the edges. `accuracy` bounds errors for "Guaranteed" only."""
         return CONSTRUCTIONS[self._info.construction]
 
     @property
@@ -103,8 +103,8 @@ class GraphData:
     def polydata(self) -> vtkPolyData:
         """The surface with its graph as a new vtkPolyData, for filters and writers.
 
-        It has all other data of the mesh that was given. It shares its arrays with this object: do
-        not change them in place.
+        It has all other data of the input mesh. Arrays are shared with this object and must not be
+        changed in place.
         """
         result = vtkPolyData()
         result.ShallowCopy(self._surface)
@@ -112,7 +112,7 @@ class GraphData:
 
     def __repr__(self) -> str:
         kind = self.construction
-        if self.is_cloud:  # for which nothing is promised
+        if self.is_cloud:  # the accuracy is no bound
             kind = f"scheme {kind}"
         elif self.accuracy is not None:
             kind += f", accuracy {self.accuracy:g}"
@@ -122,7 +122,7 @@ class GraphData:
         )
 
     def __getstate__(self):
-        # Filters prepare themselves again.
+        # Without filters, which repeat their preparation.
         return {
             "surface": to_arrays(self._surface),
             "memory_limit": self._memory_limit,
@@ -135,7 +135,7 @@ class GraphData:
 
     def _build(self, builder, surface, refused=None):
         """Runs a builder, which may find the graph on the surface; `refused` as for run()."""
-        heard = set()  # each warning about the mesh is shown once, not by each filter
+        heard = set()  # warnings that were shown: filters repeat those about the mesh
         builder.SetInputData(surface)
         output = vtkPolyData()  # without the builder, which keeps much more
         output.ShallowCopy(run(builder, heard, refused))
@@ -152,7 +152,7 @@ class GraphData:
 
     @property
     def _filters(self):
-        """The filters of this thread; those of other threads have other sources."""
+        """Filters of this thread. Other threads have their own, with other sources."""
         return self._local.__dict__
 
     def _filter(self, kind, tolerance):
@@ -170,12 +170,12 @@ class GraphData:
         return consumer
 
     def _points(self, values, name):
-        """The points as `SurfacePoints`."""
+        """Returns the points as `SurfacePoints`."""
         return arguments.surface_points(values, name, self._surface, self.is_cloud)
 
     @staticmethod
     def _given_away(algorithm, port=0):
-        """Returns the output for the caller to keep; the next query makes another one."""
+        """Returns a copy of the output, which the next query replaces."""
         result = vtkPolyData()
         result.ShallowCopy(algorithm.GetOutputDataObject(port))
         algorithm.Modified()

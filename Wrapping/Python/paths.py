@@ -64,7 +64,7 @@ def path(
         Largest distance of coordinates from the surface, as a fraction of the diagonal of its
         bounding box. Default: 0.01. (ProjectionTolerance in messages of filters.)
     as_polydata : bool, optional
-        Whether to return a vtkPolyData with one polyline.
+        Return a vtkPolyData with one polyline.
 
     Returns
     -------

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How far an update is, for those who wait for it."""
+"""Progress bars of updates."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ _is_on = True
 
 
 def show_progress(on: bool = True) -> None:
-    """Whether functions of this package show a progress bar, once they have taken a second.
+    """Turn progress bars of the functions of this package on or off.
 
-    It is one of tqdm's where that is installed, else a plain line; on terminals and in notebooks
-    only. The default is on.
+    A bar appears after one second, on terminals and in notebooks only. It is one of tqdm if that is
+    installed, otherwise a line of text. Bars are on when the package is imported.
 
     Parameters
     ----------
     on : bool, optional
-        True or False.
+        True shows bars. Default: True.
     """
     global _is_on
     _is_on = bool(on)
@@ -39,7 +39,7 @@ class Bar:
         self._line = None
 
     def show(self, name, fraction):
-        """Show it, unless it is too early for that."""
+        """Shows the progress, unless it is too early."""
         now = time.monotonic()
         if now >= self._next:
             self._next = now + _PAUSE
@@ -47,23 +47,23 @@ class Bar:
             self._line.show(name, fraction)
 
     def close(self):
-        """Remove it."""
+        """Removes the bar."""
         if self._line:
             self._line.close()
 
 
 class Part:
-    """A part of the progress of one call, for one of its filters."""
+    """An interval of the progress of one call, for one of its filters."""
 
     def __init__(self, bar, start, end):
         self._bar, self._start, self._end = bar, start, end
 
     def show(self, name, fraction):
-        """Show it in the bar of the call."""
+        """Shows the progress in the bar of the call."""
         self._bar.show(name, self._start + fraction * (self._end - self._start))
 
     def close(self):
-        """Nothing: the call removes its bar."""
+        """Does nothing: the call removes its bar."""
 
 
 def _line():
@@ -79,20 +79,20 @@ def _line():
 
 class _Nothing:
     def show(self, name, fraction):
-        """Nothing."""
+        """Does nothing."""
 
     def close(self):
-        """Nothing."""
+        """Does nothing."""
 
 
 class _Plain:
     def show(self, name, fraction):
-        """Write over the line before."""
+        """Replaces the line."""
         sys.stderr.write(f"\r{name}: {100.0 * fraction:3.0f} %")
         sys.stderr.flush()
 
     def close(self):
-        """Clear the line."""
+        """Clears the line."""
         sys.stderr.write("\r\x1b[K")
         sys.stderr.flush()
 
@@ -104,11 +104,11 @@ class _Tqdm:
         )
 
     def show(self, name, fraction):
-        """Move the bar."""
+        """Moves the bar."""
         self._bar.desc = name
         self._bar.n = 100.0 * fraction
         self._bar.refresh()
 
     def close(self):
-        """Remove the bar."""
+        """Removes the bar."""
         self._bar.close()

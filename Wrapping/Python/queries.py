@@ -113,9 +113,9 @@ class Queries(Matrices):
         straighten : bool, optional
             False: the path in the graph as it is, with small bends at some points.
         detour : float, optional
-            Several geodesics may connect two points. The shortest is chosen among those near paths
-            in the graph that are longer than the shortest one by at most this fraction, in
-            [0, 0.1]. Default: 1e-4.
+            Several geodesics may connect two points. The shortest is chosen among those with
+            detours from the first one found of up to this fraction of its length, in [0, 0.1]; 0
+            takes the first one. Default: 1e-4.
         projection_tolerance : float, optional
             As for `distance`.
         as_polydata : bool, optional

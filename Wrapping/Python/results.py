@@ -209,8 +209,8 @@ def surface_points_of(data):
 
 
 def lines_of(output, kind, **names):
-    """Returns the polylines of a filter as objects of the class `kind`. `names` are the cell arrays of
-    its further attributes."""
+    """Returns the polylines of a filter as objects of the class `kind`. `names` are the cell arrays
+    of its further attributes."""
     if output.GetNumberOfLines() == 0:
         return []
     points = np.array(vtk_to_numpy(output.GetPoints().GetData()), dtype=np.float64)

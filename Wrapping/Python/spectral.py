@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What stands on the Laplacian of a surface: Green's functions, smooth distances, transport,
+"""Functions based on the Laplacian of a surface: Green's functions, smooth distances, transport,
 interpolation."""
 
 from __future__ import annotations
@@ -53,23 +53,23 @@ def greens_function(
     sources : surface points
         As for `distance`.
     order : {1, 2}, optional
-        Of the Laplacian, or of the bi-Laplacian.
+        1 for the Laplacian, 2 for the bi-Laplacian. Default: 1.
     method : {"SingularitySubtraction", "Localized", "Interpolated", "Vertex"}, optional
         See vtkDiscreteGreensFunction.
     boundary : {"Neumann", "Dirichlet"}, optional
-        What holds at the boundary: no flow through it, or the value 0.
+        Condition at the boundary: no flow through it, or the value 0. Default: "Neumann".
     at : surface points, optional
         Points on the surface where the function is evaluated. Default: the points of the mesh.
     merge_coincident_points, merge_tolerance, projection_tolerance
         As for `distance`.
     as_polydata : bool, optional
-        Whether to return the surface, or the points of `at`, with the point array "GreensFunction".
+        Return the surface, or the points of `at`, with the point array "GreensFunction".
 
     Returns
     -------
     numpy.ndarray of float64, shape (n, k) or (p, k), or vtkPolyData
-        Numbers without a unit, or areas of order 2, positive at the sources; one column for each
-        source. The shape is (n,) or (p,) for one source.
+        Numbers without a unit for order 1, areas for order 2, positive at the sources; one column
+        for each source. The shape is (n,) or (p,) for one source.
 
     Raises
     ------
@@ -112,7 +112,7 @@ def biharmonic(
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
 ) -> Union[NDArray[np.float64], vtkPolyData]:
-    """Smooth distances made of the Laplacian: ``biharmonic(points, triangles, sources)`` or
+    """Smooth distances by the Laplacian: ``biharmonic(points, triangles, sources)`` or
     ``biharmonic(mesh, sources)``.
 
     Parameters
@@ -122,9 +122,9 @@ def biharmonic(
     sources : surface points
         As for `distance`.
     kind : {"Biharmonic", "CommuteTime", "Diffusion"}, optional
-        Which distance.
+        The kind of distance. Default: "Biharmonic".
     method : {"Spectrum", "Exact"}, optional
-        The smallest eigenvalues of the Laplacian, or all.
+        Use the smallest eigenvalues of the Laplacian, or all. Default: "Spectrum".
     number_of_eigenvalues : int, optional
         Number of eigenvalues of each component for "Spectrum". Default: 150.
     diffusion_time : float, optional
@@ -135,19 +135,18 @@ def biharmonic(
     at : surface points, optional
         As for `greens_function`.
     unreached : float, optional
-        What points of another component get. Default: NaN.
+        Value at points of components without a source. Default: NaN.
     merge_coincident_points, merge_tolerance, projection_tolerance
         As for `distance`.
     as_polydata : bool, optional
-        Whether to return the surface, or the points of `at`, with the point array
-        "BiharmonicDistance".
+        Return the surface, or the points of `at`, with the point array "BiharmonicDistance".
 
     Returns
     -------
     numpy.ndarray of float64, shape (n, k) or (p, k), or vtkPolyData
-        Biharmonic distances in the unit of the points, commute-time distances without one,
-        diffusion distances in one over it; one column for each source. The shape is (n,) or (p,)
-        for one source.
+        Biharmonic distances in the unit of the points, commute-time distances without a unit,
+        diffusion distances in the inverse unit; one column for each source. The shape is (n,) or
+        (p,) for one source.
 
     Raises
     ------
@@ -202,17 +201,19 @@ def earth_movers(
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`.
     start, end : array_like of float, shape (n,), or surface points
-        Where the mass is before and after: what each point has, or places with the mass 1 each.
+        Distribution before and after: a number for each point, or surface points with the mass 1
+        each.
     density : bool, optional
-        Whether numbers of the points are mass per area, else masses.
+        True if numbers of points are mass per area, false if they are masses. Default: True.
     normalize : bool, optional
-        Whether to scale both to the mass 1; else they need the same mass.
+        Scale both distributions to the mass 1; otherwise their masses have to be equal. Default:
+        True.
     tolerance : float, optional
-        How far the two bounds may be apart, as a fraction. Default: as the filter has it.
+        Largest difference of cost and lower bound, relative to the cost. Default: 0.01.
     merge_coincident_points, merge_tolerance, projection_tolerance
         As for `distance`.
     as_polydata : bool, optional
-        Whether to return the surface with the arrays of vtkSurfaceEarthMoversDistance.
+        Return the surface with the arrays of vtkSurfaceEarthMoversDistance.
 
     Returns
     -------
@@ -222,7 +223,7 @@ def earth_movers(
     ------
     ValueError, VTKError
         As for `distance`; a ValueError for three numbers on a mesh of three points, which may be
-        masses or a place.
+        masses or coordinates.
 
     See Also
     --------
@@ -267,7 +268,7 @@ def interpolate(
     projection_tolerance: Optional[float] = None,
     as_polydata: bool = False,
 ) -> Union[NDArray[np.float64], vtkPolyData]:
-    """A smooth function with the values that are known at some places:
+    """A smooth function with given values at some surface points:
     ``interpolate(points, triangles, sites, values)`` or ``interpolate(mesh, sites, values)``.
 
     Parameters
@@ -275,7 +276,7 @@ def interpolate(
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`.
     sites : surface points
-        Where values are known, as the sources of `distance`. Those of order 1 move to the nearest
+        Positions of the values, as the sources of `distance`. With order 1 they move to the nearest
         corner of their triangle.
     values : array_like of float, shape (k,) or (k, c)
         One number for each site, or several.
@@ -283,13 +284,13 @@ def interpolate(
         Of the splines: with 2 biharmonic ones, which are smooth, with 1 harmonic ones, which have
         bumps at the sites.
     boundary : {"Neumann", "Dirichlet"}, optional
-        What holds at the boundary: no flow through it, or the value 0.
+        Condition at the boundary: no flow through it, or the value 0. Default: "Neumann".
     at : surface points, optional
         As for `greens_function`.
     merge_coincident_points, merge_tolerance, projection_tolerance
         As for `distance`.
     as_polydata : bool, optional
-        Whether to return the surface, or the points of `at`, with the point array "Interpolation".
+        Return the surface, or the points of `at`, with the point array "Interpolation".
 
     Returns
     -------
@@ -338,7 +339,7 @@ def interpolate(
     return array_of(output.GetPointData(), "Interpolation")
 
 
-#: The array that takes values to vtkHarmonicBSpline.
+#: Name of the point array with the values of sites.
 _SITE_VALUES = "vtkdgg site values"
 
 
@@ -381,7 +382,7 @@ def _solve(solve, surface, sources, at, as_polydata):
 
 
 def _evaluate(solve, at):
-    """The surface, or the points that are asked for, with the results."""
+    """Returns the surface, or the points of `at`, with the results."""
     if at is not None:
         at = arguments.surface_points(at, "at", solve.GetInput())
         solve.SetEvaluationData(at.polydata())
@@ -390,12 +391,12 @@ def _evaluate(solve, at):
 
 
 def _set_distribution(surface, values, name, set_array, set_points):
-    """Numbers of all points become an array, places become points."""
+    """Sets a distribution: numbers of all points as an array, surface points as points."""
     count = surface.GetNumberOfPoints()
     array = None if arguments.is_mixed(values) else arguments.numbers(values, name)
     if array is not None and array.dtype.kind == "f" and array.shape == (count,):
         if count == 3:
-            raise ValueError(f"{name}: three numbers may be masses of the points, or a place")
+            raise ValueError(f"{name}: three numbers may be masses of the points or coordinates")
         if not np.isfinite(array).all():
             raise ValueError(f"{name}: entry {int(np.argmin(np.isfinite(array)))} is not finite")
         numbers = numpy_to_vtk(np.ascontiguousarray(array, dtype=np.float64), deep=True)

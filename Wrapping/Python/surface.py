@@ -19,11 +19,11 @@ DATA = ("PointData", "CellData", "FieldData")
 
 
 def copy_surface(polydata):
-    """The surface with points and cells of its own. Arrays of all other data are shared."""
+    """Returns a copy of the surface with new points and cells. All other arrays are shared."""
     result = vtkPolyData()
     points = vtkPoints()
     if polydata.GetPoints():
-        points.SetDataType(polydata.GetPoints().GetDataType())  # which DeepCopy() leaves as it is
+        points.SetDataType(polydata.GetPoints().GetDataType())  # DeepCopy() does not change the type
         points.DeepCopy(polydata.GetPoints())
     result.SetPoints(points)
     for kind in CELLS:
@@ -36,12 +36,12 @@ def copy_surface(polydata):
 
 
 def mesh_of(polydata):
-    """Returns the vtkPolyData as a Mesh. Strips become triangles; vertices and text are skipped."""
+    """Returns the vtkPolyData as a Mesh. Strips become triangles; verts and texts are skipped."""
     if polydata.GetNumberOfStrips() > 0:
         triangulate = vtkTriangleFilter()
         triangulate.SetInputData(polydata)
         polydata = check(triangulate)
-    first = polydata.GetNumberOfVerts()  # arrays of cells begin with those of vertices
+    first = polydata.GetNumberOfVerts()  # arrays of cells begin with verts
     points = polydata.GetPoints()
     data, field_data = polydata.GetPointData(), polydata.GetFieldData()
     mesh = Mesh(
@@ -61,7 +61,7 @@ def mesh_of(polydata):
 
 
 def polydata_of(mesh):
-    """Returns the Mesh as a new vtkPolyData. Clouds get vertices, so that they are drawn."""
+    """Returns the Mesh as a new vtkPolyData. Clouds get verts, which renderers draw."""
     result = vtkPolyData()
     result.SetPoints(_points_of(mesh))
     result.SetLines(_cells_of(*mesh.lines))
@@ -118,7 +118,7 @@ def surface_of(data, name):
 
 
 def to_arrays(polydata):
-    """The surface as a dict of what pickle knows. Arrays of text and of bits are left out."""
+    """Returns the surface as a dict that can be pickled, without arrays of texts and bits."""
     result = {"Points": vtk_to_numpy(polydata.GetPoints().GetData())}
     for kind in CELLS:
         result[kind] = _ids_of(getattr(polydata, f"Get{kind}")())
@@ -131,7 +131,7 @@ def to_arrays(polydata):
 
 
 def from_arrays(arrays):
-    """The surface that to_arrays() has taken apart. It shares nothing with the arrays."""
+    """Returns the surface of a dict that to_arrays() returned. Arrays are copied."""
     result = vtkPolyData()
     points = vtkPoints()
     points.SetData(numpy_to_vtk(arrays["Points"], deep=True))

@@ -13,18 +13,17 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
 from .. import arguments
 
-
-#: How a point is given.
+#: Syntax of a surface point.
 POINT = "ID|X,Y,Z|face:ID:B0,B1,B2"
 
 
 class SourceError(Exception):
-    """There is no such source; the text says why."""
+    """The surface point does not exist; the text states the reason."""
 
 
 def choose(text, mesh, name="--source"):
-    """A point id (int), coordinates (list of 3 floats) or a pair (face, barycentric coordinates);
-    None for no text."""
+    """Returns a point id (int), coordinates (list of 3 floats) or a pair (face, barycentric
+    coordinates) for a text, and None for None."""
     if text is None:
         return None
     try:
@@ -45,12 +44,12 @@ def choose(text, mesh, name="--source"):
         arguments.surface_point(source, name, mesh)
     count = mesh.GetNumberOfPoints()
     if isinstance(source, int) and not 0 <= source < count:
-        raise SourceError(f"{name} {source}: there are points 0 to {count - 1}")
+        raise SourceError(f"{name} {source}: expected a point id from 0 to {count - 1}")
     return source
 
 
 def in_triangles(source, contents):
-    """The pair (face, barycentric coordinates) with the face that triangles_of() makes of it."""
+    """Returns the pair (face, barycentric coordinates) with the id in triangles_of()."""
     first = arguments.first_polygon(contents)
     offsets = vtk_to_numpy(contents.GetPolys().GetOffsetsArray())
     return int((np.diff(offsets[: source[0] - first + 1]) - 2).sum()), source[1]
@@ -86,7 +85,7 @@ def far_point(mesh):
 
 
 def locate(mesh, source):
-    """Where the source is on the surface, and the corners of the triangle that holds it."""
+    """Returns the coordinates of a source on the surface, and the corners of its triangle."""
     if isinstance(source, int):
         return np.array(mesh.GetPoint(source)), [source]
     if isinstance(source, tuple):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sizes of the triangles of a mesh, which say how exact results and pictures are, and the spacing
-of a point cloud."""
+"""Sizes of the triangles of a mesh, on which errors and pictures depend, and the spacing of a point
+cloud."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersPoints import vtkConnectedPointsFilter
 # Of the mean edge. Distances below consist of rounding and of the length added to triangles
 # without area.
 FLOOR = 1e-6
-# In spacings of a cloud. Parts with a wider gap between them are components.
+# Width of gaps that separate the components of a cloud, in spacings.
 GAP = 5.0
 # Of the diagonal. Isolines are drawn as if distances were linear in a triangle.
 LARGE = 0.05
@@ -51,7 +51,7 @@ def notes(mesh):
 
 
 def spacing_of(cloud):
-    """Returns the distance of points from their fourth neighbors, the median of some points."""
+    """Returns the median distance of some points from their fourth neighbors."""
     locator = vtkStaticPointLocator()
     locator.SetDataSet(cloud)
     locator.BuildLocator()
@@ -68,7 +68,7 @@ def spacing_of(cloud):
 
 
 def components_of(cloud, spacing):
-    """Returns the number of parts of a cloud that wide gaps separate."""
+    """Returns the number of components of a cloud, which wide gaps separate."""
     connect = vtkConnectedPointsFilter()
     connect.SetInputData(cloud)
     connect.SetRadius(GAP * spacing)

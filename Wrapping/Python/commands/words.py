@@ -28,7 +28,7 @@ def counted(count, one, many=None):
     return f"{count} {one if count == 1 else many or one + 's'}"
 
 
-# Words of filters and functions, as patterns, and what users of the shell read in their place.
+# Patterns of words in messages of filters and functions, and their replacements in the shell.
 IN_OPTIONS = {
     r"\bvtk(?!dgg)\w+: ": "",
     r"\Apoints: a rope needs some": "--through: a rope needs some points",
@@ -61,7 +61,7 @@ OPTIONS = {
     "number_of_samples": "--number",
     "projection_tolerance": "--tolerance",
 }
-# Arguments whose names are words as well, at the beginning of a message only.
+# Arguments that are also common words; replaced at the beginning of a message only.
 FIRST_WORDS = {"first": "--first", "iterations": "--iterations", "values": "--values"}
 
 
