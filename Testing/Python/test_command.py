@@ -594,6 +594,7 @@ class Command(unittest.TestCase):
             (("distance", BUMPY), "--source"),
             (("distance", BUMPY, "--source", "642"), "--source 642: expected a point id from 0 to 641"),
             (("distance", BUMPY, "--source", "1,2"), "expected a point id, X,Y,Z or face:"),
+            (("distance", BUMPY, "--source", "face:5:0.5,0.5"), "face:5:0.5,0.5: expected a point"),
             (("distance", BUMPY, "--source", "9,9,9"), "or raise --tolerance"),
             (("distance", BUMPY, "--source", "0", "--method", "best"), "invalid choice"),
             (

@@ -30,6 +30,8 @@ def choose(text, mesh, name="--source"):
         if text.startswith("face:"):
             _, face, weights = text.split(":")
             source = int(face), [float(word) for word in weights.split(",")]
+            if len(source[1]) != 3:
+                raise ValueError
         elif "," not in text:
             source = int(text)
         else:
