@@ -51,6 +51,7 @@ VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
 class VTKDGGREADERS_EXPORT PointFieldSource
 {
 public:
+  /// Stores the source of the values.
   explicit PointFieldSource(dgg::FieldSource&& source);
 
   /// Returns the description of the values.

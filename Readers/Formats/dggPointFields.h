@@ -44,6 +44,7 @@ struct CloudLayout
 {
   std::int64_t Width = 0;  ///< points in a row
   std::int64_t Height = 1; ///< rows; 1 for a cloud without order
+  /// Default: at the origin, without rotation
   Viewpoint Sensor = { { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 } };
 };
 

@@ -30,6 +30,7 @@ list(APPEND doc_inputs
   Testing/Benchmark/Thesis.md
   Wrapping/ParaView/README.md
   Wrapping/Python/README.md
+  Wrapping/Python/Shell.md
   Wrapping/README.md)
 
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${CMAKE_CURRENT_SOURCE_DIR}/README.md")

@@ -155,6 +155,7 @@ python3 (<< 3.${dgg_next}), python3-numpy, python3-vtk9")
   foreach (dgg_page IN ITEMS README.md CHANGELOG.md CITATION.cff LICENSE
       Filters/Geodesic/README.md Filters/PointCloud/README.md Filters/Spectral/README.md
       Readers/README.md Wrapping/README.md Wrapping/ParaView/README.md Wrapping/Python/README.md
+      Wrapping/Python/Shell.md
       Testing/README.md Testing/Benchmark/README.md Testing/Benchmark/Differences.md
       Testing/Benchmark/Thesis.md)
     get_filename_component(dgg_page_folder "${dgg_page}" DIRECTORY)
