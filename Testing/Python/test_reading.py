@@ -219,8 +219,9 @@ class Meshes(unittest.TestCase):
             points,
             triangles,
             lines=([0, 3], [0, 1, 2]),
-            point_data={"value": values, "Normals": np.ones_like(points)},
-            cell_data={"id": np.arange(1 + len(triangles))},
+            verts=([0, 1], [4]),
+            point_data={"value": values, "Normals": np.ones_like(points), "mask": values > 0.0},
+            cell_data={"id": np.arange(2 + len(triangles))},
             field_data={"year": [2026]},
         )
         self.assertEqual(repr(mesh), "<vtkdgg.Mesh: 81 points, 1 line, 128 polygons>")
@@ -239,6 +240,10 @@ class Meshes(unittest.TestCase):
         np.testing.assert_array_equal(again.points, points)
         np.testing.assert_array_equal(again.triangles, triangles)
         np.testing.assert_array_equal(again.lines[1], [0, 1, 2])
+        np.testing.assert_array_equal(again.verts[1], [4])
+        first = again.cell_data["id"][2]  # the first polygon follows a vert and a line
+        distances = vtkdgg.distance(again, [(first, (1, 0, 0))])
+        self.assertEqual(distances[triangles[0][0]], 0.0)
         for name in ("point_data", "cell_data", "field_data"):
             expected, found = getattr(mesh, name), getattr(again, name)
             self.assertEqual(list(expected), list(found))

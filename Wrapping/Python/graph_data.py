@@ -131,6 +131,8 @@ class GraphData:
         }
 
     def __setstate__(self, state):
+        # Version 1.0.0 did not store the origin of the graph.
+        state = {"used_input_graph": False, **state}
         self._take(**{**state, "surface": from_arrays(state["surface"])})
 
     def _build(self, builder, surface, refused=None):

@@ -22,9 +22,10 @@ __all__ = ["Mesh"]
 class Mesh:
     """A mesh, curves or a point cloud in NumPy arrays.
 
-    `read` returns it, and every function accepts it as first argument. Arrays are copied. Polygons
-    and lines are pairs of arrays (offsets, corners): cell i has the point ids
-    ``corners[offsets[i]:offsets[i + 1]]``. Cell ids count lines first, then polygons.
+    `read` returns it, and every function accepts it as first argument. Arrays are copied. Verts,
+    lines and polygons are pairs of arrays (offsets, corners): cell i has the point ids
+    ``corners[offsets[i]:offsets[i + 1]]``. Cell ids count verts first, then lines, then polygons,
+    as those of vtkPolyData do.
 
     Parameters
     ----------
@@ -32,7 +33,7 @@ class Mesh:
         Coordinates. Points that no cell uses may be NaN.
     triangles : array_like, shape (m, 3), optional
         Point ids of the corners; larger polygons as for `distance`. Default: none, a point cloud.
-    polygons, lines : pair of array_like, shapes (k + 1,) and (p,), optional
+    polygons, lines, verts : pair of array_like, shapes (k + 1,) and (p,), optional
         Offsets and corners; `polygons` replaces `triangles`.
     point_data, cell_data, field_data : dict of str to array_like, optional
         Arrays with one row for each point, one row for each cell, and of any length. A point array
@@ -42,7 +43,7 @@ class Mesh:
     ----------
     points : numpy.ndarray of float64, shape (n, 3)
         In the unit of the file or of the caller.
-    polygons, lines : pair of numpy.ndarray of int64, shapes (k + 1,) and (p,)
+    polygons, lines, verts : pair of numpy.ndarray of int64, shapes (k + 1,) and (p,)
         Offsets and corners.
     point_data, cell_data, field_data : dict of str to numpy.ndarray
         Arrays of numbers by name.
@@ -69,6 +70,7 @@ class Mesh:
         *,
         polygons: Optional[Tuple[ArrayLike, ArrayLike]] = None,
         lines: Optional[Tuple[ArrayLike, ArrayLike]] = None,
+        verts: Optional[Tuple[ArrayLike, ArrayLike]] = None,
         point_data: Optional[Dict[str, ArrayLike]] = None,
         cell_data: Optional[Dict[str, ArrayLike]] = None,
         field_data: Optional[Dict[str, ArrayLike]] = None,
@@ -82,10 +84,11 @@ class Mesh:
             polygons = _polygons([] if triangles is None else triangles)
         self.polygons: Cells = _cells(polygons, name, len(self.points))
         self.lines: Cells = _cells(lines or ([0], []), "lines", len(self.points))
+        self.verts: Cells = _cells(verts or ([0], []), "verts", len(self.points))
         self.point_data: Dict[str, NDArray[Any]] = _arrays(
             point_data, "point_data", len(self.points)
         )
-        count = len(self.lines[0]) + len(self.polygons[0]) - 2
+        count = sum(len(offsets) - 1 for offsets, _ in (self.verts, self.lines, self.polygons))
         self.cell_data: Dict[str, NDArray[Any]] = _arrays(cell_data, "cell_data", count)
         self.field_data: Dict[str, NDArray[Any]] = _arrays(field_data, "field_data", None)
         # For as_polydata(): names of the active arrays by attribute type of VTK, and True if the
@@ -128,7 +131,7 @@ def _cells(pair, name, number_of_points):
         raise ValueError(
             f"{name}: offsets must rise from 0 to the number of corners, which is {len(corners)}"
         )
-    kind, least = ("line", 2) if name == "lines" else ("polygon", 3)
+    kind, least = {"verts": ("vert", 1), "lines": ("line", 2)}.get(name, ("polygon", 3))
     if len(sizes) and sizes.min() < least:
         raise ValueError(f"{name}: a {kind} has {sizes.min()} corners; expected at least {least}")
     return offsets, corners
@@ -138,6 +141,8 @@ def _arrays(arrays, name, count):
     """Checks and copies named arrays; `count` is the number of rows, None for any number."""
     found = {}
     for key, values in (arrays or {}).items():
+        if np.asarray(values).dtype == bool:  # a mask
+            values = np.asarray(values, dtype=np.uint8)
         values = np.array(numbers(values, f"{name}[{key!r}]"))
         if values.ndim not in (1, 2) or count not in (None, len(values)):
             expected = "rows" if count is None else f"{count} rows"

@@ -36,21 +36,21 @@ def copy_surface(polydata):
 
 
 def mesh_of(polydata):
-    """Returns the vtkPolyData as a Mesh. Strips become triangles; verts and texts are skipped."""
+    """Returns the vtkPolyData as a Mesh. Strips become triangles; texts are skipped."""
     if polydata.GetNumberOfStrips() > 0:
         triangulate = vtkTriangleFilter()
         triangulate.SetInputData(polydata)
         polydata = check(triangulate)
-    first = polydata.GetNumberOfVerts()  # arrays of cells begin with verts
     points = polydata.GetPoints()
-    data, field_data = polydata.GetPointData(), polydata.GetFieldData()
+    data = polydata.GetPointData()
     mesh = Mesh(
         vtk_to_numpy(points.GetData()) if points else [],
         polygons=_ids_of(polydata.GetPolys()),
         lines=_ids_of(polydata.GetLines()),
+        verts=_ids_of(polydata.GetVerts()),
         point_data=_named(data),
-        cell_data={key: rows[first:] for key, rows in _named(polydata.GetCellData()).items()},
-        field_data=_named(field_data),
+        cell_data=_named(polydata.GetCellData()),
+        field_data=_named(polydata.GetFieldData()),
     )
     mesh._is_single = points is not None and points.GetDataType() == VTK_FLOAT
     for kind in range(vtkDataSetAttributes.NUM_ATTRIBUTES):
@@ -61,9 +61,10 @@ def mesh_of(polydata):
 
 
 def polydata_of(mesh):
-    """Returns the Mesh as a new vtkPolyData. Clouds get verts, which renderers draw."""
+    """Returns the Mesh as a new vtkPolyData. Without cells it gets verts, which renderers draw."""
     result = vtkPolyData()
     result.SetPoints(_points_of(mesh))
+    result.SetVerts(_cells_of(*mesh.verts))
     result.SetLines(_cells_of(*mesh.lines))
     result.SetPolys(_cells_of(*mesh.polygons))
     if result.GetNumberOfCells() == 0:
@@ -71,8 +72,6 @@ def polydata_of(mesh):
         result.SetVerts(_cells_of(np.arange(len(ids) + 1), ids))
     for kind, arrays in zip(DATA, (mesh.point_data, mesh.cell_data, mesh.field_data)):
         data = getattr(result, f"Get{kind}")()
-        if kind == "CellData" and result.GetNumberOfVerts() > 0:
-            continue
         for name, values in arrays.items():
             array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
             array.SetName(name)
