@@ -369,9 +369,8 @@ private:
       if (!(value >= 0.0 && value <= (this->Rest[i].IsFraction ? 1.0 : 255.0)))
       {
         this->Fail(Malformed, "the color component ", value,
-          " is out of range: fractions must be in [0, 1], integers in [0, 255]. If these numbers "
-          "are "
-          "normals, the keyword must be NOFF.");
+          " is out of range: fractions must be in [0, 1], integers in [0, 255]. If these "
+          "numbers are normals, the keyword must be NOFF.");
       }
     }
     colors.Add(this->Rest, count, this->GetLocation());
