@@ -5,7 +5,6 @@
 #include "dggBarycentric.h"
 
 #include "vtkCellArray.h"
-#include "vtkMath.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -19,23 +18,9 @@ namespace
 constexpr double UnitsOfRounding = 8.0;
 
 using Vector = std::array<double, 3>;
-
-Vector operator-(const Vector& a, const Vector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return vtkMath::Dot(a.data(), b.data());
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  Vector c;
-  vtkMath::Cross(a.data(), b.data(), c.data());
-  return c;
-}
+using dgg::Cross;
+using dgg::Dot;
+using dgg::operator-;
 }
 
 //------------------------------------------------------------------------------

@@ -211,7 +211,17 @@ void ExpectLocalWork(int side)
   };
   ASSERT_TRUE(c.GetSearch().Many(sources, many, nullptr, nullptr, count, &labels).IsOk());
   EXPECT_LE(labels, static_cast<std::size_t>(n) + 2 * entries);
-  // From ten points to a point beside them.
+  // The first source reaches itself only, which must not make tasks larger.
+  sources[0][0].Distance = many.MaximumDistance;
+  dgg::Offset tasks = 0;
+  const dgg::ParallelFor inTasks = [&](dgg::Offset size, dgg::Offset grain, const auto& body) {
+    tasks += (size + grain - 1) / grain;
+    body(0, size);
+  };
+  ASSERT_TRUE(c.GetSearch().Many(sources, many, inTasks, nullptr, count).IsOk());
+  EXPECT_GE(tasks, 8 * 64); // steps times tasks
+  sources[0][0].Distance = 0.0;
+  // From ten points to an adjacent point.
   sources.resize(10);
   many.MaximumDistance = dgg::Infinity;
   many.Targets = { n / 2 };
@@ -221,7 +231,7 @@ void ExpectLocalWork(int side)
   }
   labels = 0;
   ASSERT_TRUE(c.GetSearch().Many(sources, many, nullptr, nullptr, count, &labels).IsOk());
-  EXPECT_LE(labels, 2500u);
+  EXPECT_LE(labels, sources.size() * 250);
 }
 }
 

@@ -23,9 +23,9 @@ DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh,
   const std::vector<GeodesicSource>& sources, const ExactResult& result, VirtualSources& found,
   const ParallelFor& parallel = ParallelFor());
 
-/// The virtual sources of a search, with relays merged: for distances inside of faces. Offsets and
-/// lengths add up to `distances`, the labels or the corrected ones of the result. The virtual
-/// sources in the result itself are for what is reached over further edges.
+/// Finds the virtual sources of a search, with relays merged, for distances inside faces. Offset
+/// plus length equals `distances`, which are the labels or the corrected distances of the result.
+/// The virtual sources of the result are for vertices reached over further edges.
 DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
   const std::vector<double>& distances, VirtualSources& found,
   const ParallelFor& parallel = ParallelFor());

@@ -48,7 +48,7 @@ public:
     {
       return false;
     }
-    this->Targets = nullptr; // by now the limit is as low as it can be
+    this->Targets = nullptr; // The limit already excludes all vertices beyond the targets.
     this->Queue.Reset(NearestOf(seeds), width);
     this->Certify();
     return this->Propagate<false>();
@@ -269,7 +269,7 @@ private:
       }
       return;
     }
-    // In the same order, which rounding depends on.
+    // Ascending ids, as above: rounding depends on the order.
     std::vector<Id> waiting = touched;
     const auto isAfter = std::greater<Id>();
     std::make_heap(waiting.begin(), waiting.end(), isAfter);
@@ -281,7 +281,9 @@ private:
       const std::size_t count = touched.size();
       if (this->Labels.IsReached(v))
       {
-        this->LowerNeighbors(v); // most rows end at vertices without a label
+        // Most rows end at vertices without a label, so a scan would not save work.
+        this->CountRow(v);
+        this->LowerNeighbors(v);
       }
       for (std::size_t i = count; i < touched.size(); ++i)
       {
@@ -294,12 +296,18 @@ private:
     }
   }
 
+  void CountRow(Id v)
+  {
+    this->Effort.Relaxations +=
+      static_cast<std::size_t>(this->Graph.Offsets[v + 1] - this->Graph.Offsets[v]);
+  }
+
   void CertifyRow(Id v)
   {
-    const Offset begin = this->Graph.Offsets[v];
-    const Offset end = this->Graph.Offsets[v + 1];
-    this->Effort.Relaxations += static_cast<std::size_t>(end - begin);
-    if (this->LargestDifference(begin, end) > this->LabelWithSlack(v))
+    this->CountRow(v);
+    const double largest =
+      this->LargestDifference(this->Graph.Offsets[v], this->Graph.Offsets[v + 1]);
+    if (largest > this->LabelWithSlack(v))
     {
       this->LowerNeighbors(v);
     }
@@ -374,9 +382,9 @@ private:
   SearchLabels& Labels;
   SearchEffort& Effort;
   std::vector<Id>* Order = nullptr; ///< receives the vertices taken from the queue
-  const std::vector<Id>* Targets;   ///< the search stops behind them; null: it does not
-  std::size_t Passed = 0;           ///< the number of targets that are behind the queue
-  double Largest = -Infinity;       ///< distance of one of these
+  const std::vector<Id>* Targets;   ///< targets that end the search; null: none
+  std::size_t Passed = 0;           ///< number of leading targets with final labels
+  double Largest = -Infinity;       ///< largest distance of these
   std::size_t PopsSinceReport = 0;
 };
 }

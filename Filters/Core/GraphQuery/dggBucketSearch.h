@@ -14,7 +14,7 @@ namespace dgg
 /// Make labels that have been started final. With fans (or null), a path first goes on only over
 /// the fan of the edge on which it came; that leaves a few labels too large, so then all edges are
 /// certified one after the other, and what is found wrong is mended over all edges. The result is
-/// that of Dijkstra's algorithm, up to rounding. `width` is that of the buckets of the queue. With
+/// that of Dijkstra's algorithm, up to rounding. `width` is the bucket width of the queue. With
 /// targets, the limit of the labels drops to the largest distance of a target. The cost is
 /// proportional to the number of vertices within the limit. False when aborted.
 bool RunBucketSearch(const GraphView& graph, const GraphFans* fans,

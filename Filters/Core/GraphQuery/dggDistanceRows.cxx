@@ -26,6 +26,7 @@ constexpr std::size_t BytesPerEntry = sizeof(Entry) + sizeof(Id) + sizeof(double
 void FillRow(const double* distances, const std::vector<Id>& reached,
   const DistanceRowsOptions& options, Row& row)
 {
+  row.reserve(reached.size());
   for (const Id vertex : reached)
   {
     const bool isNear = distances[vertex] <= options.MaximumDistance;
@@ -70,16 +71,16 @@ Status FindDistanceRows(const GraphSearch& search,
   std::vector<Row> found(sources.size());
   std::atomic<std::size_t> count{ 0 };
   const auto bytes = [&] { return static_cast<double>(count) * BytesPerEntry; };
-  const auto goes = [&](double done) {
+  const auto shouldContinue = [&](double done) {
     return bytes() <= options.MemoryLimit && Goes(progress, done);
   };
-  const Status status = search.Many(sources, many, parallel, goes,
+  const Status status = search.Many(sources, many, parallel, shouldContinue,
     [&](std::size_t source, const double* distances, const std::vector<Id>& reached) {
       FillRow(distances, reached, options, found[source]);
       count += found[source].size();
     });
-  DGG_RETURN_IF_ERROR(CheckMemory("the sparse matrix so far", bytes(), options.MemoryLimit,
-    "use fewer rows at a time or a smaller MaximumDistance"));
+  DGG_RETURN_IF_ERROR(CheckMemory("the rows found so far", bytes(), options.MemoryLimit,
+    "use fewer rows at a time or a smaller maximum distance"));
   DGG_RETURN_IF_ERROR(status);
   Compress(found, count, rows);
   return status;

@@ -27,8 +27,8 @@ struct DistanceRowsOptions
   double SearchRadius = Infinity;    ///< not below MaximumDistance; farther points are not searched
   bool Correct = false;              ///< see ManyOptions
   double MemoryLimit = Infinity;     ///< bytes that the rows may take
-  /// Where several points share a vertex, per point the next point of its vertex, or NoId. The
-  /// first of them has the id of the vertex. Empty: every vertex is one point.
+  /// Next point that is merged into the same vertex, per point; NoId after the last. The first
+  /// point has the id of the vertex. Empty if no points are merged.
   std::vector<Id> NextPoints;
 };
 

@@ -66,8 +66,10 @@ constexpr double NearFieldReach = 2.0;
 constexpr Offset FewestReports = 8;
 constexpr Offset VerticesPerReport = Offset(1) << 21;
 constexpr Offset FewestGroups = 4;
-/// A thread searches about this many vertices before it takes the next sources.
+/// A thread searches about this many vertices before it takes the next sources; but there are at
+/// least so many tasks between two reports, if there are so many groups.
 constexpr Offset VerticesPerTask = Offset(1) << 12;
+constexpr Offset FewestTasks = 64;
 /// Part of the preparation of landmarks that their choice takes.
 constexpr double ChoiceShare = 0.2;
 /// Sources with a larger part of the surface than this as near field are better searched one by
@@ -104,7 +106,7 @@ void ResetTree(std::size_t n, bool withTree, bool withEstimates, SearchResult& r
   reset(withEstimates, result.Virtual.Angles, 0.0);
 }
 
-/// Write what the labels say into a result whose distances they share: edges, tails and seeds.
+/// Writes edges, tails and seeds of the labels into a result that shares their distances.
 /// `steps` receives the reached vertices, every one after its tail.
 void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<TreeStep>& steps)
 {
@@ -281,7 +283,7 @@ public:
     return isDone;
   }
 
-  /// Places of sources in groups that are searched together.
+  /// Indices of sources, grouped for common searches.
   std::vector<std::vector<std::size_t>> GroupByPlace(
     const std::vector<Id>& sources, bool areLocal) const
   {
@@ -297,8 +299,8 @@ public:
     return groups;
   }
 
-  /// Distances from each source of a group, given by their places, as long as it `goes` on. Returns
-  /// the number of labels that were written.
+  /// Finds distances from each source of a group, given by their indices, until `goes` returns
+  /// false. Returns the number of labels that were written.
   std::size_t ConsumeGroup(const std::vector<std::vector<GraphSeed>>& sources,
     const std::vector<std::size_t>& group, const ManyOptions& options,
     const std::function<bool()>& goes, const FieldConsumer& consume) const
@@ -341,8 +343,8 @@ public:
     return labels;
   }
 
-  /// The number of vertices that a search from one of the sources reaches, judged by the first one.
-  /// That search is given up where it becomes too large.
+  /// Returns the largest number of vertices that a search from the first, the middle or the last
+  /// source reaches: the number of all vertices if one of these searches is not local.
   std::size_t FindReach(
     const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options) const
   {
@@ -356,9 +358,18 @@ public:
     SearchOptions probe;
     probe.MaximumDistance = options.MaximumDistance;
     probe.Progress = [](double share) { return share < LargestLocalPart; };
-    const bool isDone = this->RunSingle(
-      sources.front(), probe, GetTargets(options), false, *workspace, workspace->Result);
-    return isDone ? workspace->Result.Reached.size() : n;
+    std::size_t reach = 0;
+    for (const std::size_t i : { std::size_t(0), sources.size() / 2, sources.size() - 1 })
+    {
+      const bool isDone = this->RunSingle(
+        sources[i], probe, GetTargets(options), false, *workspace, workspace->Result);
+      if (!isDone)
+      {
+        return n;
+      }
+      reach = std::max(reach, workspace->Result.Reached.size());
+    }
+    return reach;
   }
 
   /// False when a group is better searched one by one: its sources are far apart, or few vertices
@@ -368,7 +379,7 @@ public:
   {
     const auto workspace = this->Workspaces.Borrow();
     const std::vector<GraphSeed>& middle = *group[group.size() / 2];
-    ResetTree(0, false, false, workspace->Result); // it would belong to other labels
+    ResetTree(0, false, false, workspace->Result); // The tree would belong to other labels.
     SearchLabels labels(workspace->Result.Distances, workspace->Origins, workspace->Result.Reached,
       options.MaximumDistance);
     labels.Targets = GetTargets(options);
@@ -497,7 +508,8 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
   const auto verticesPerGroup = static_cast<Offset>(std::max<std::size_t>(1, reach));
   const Offset step = std::max(
     FewestGroups, std::min(numberOfGroups / FewestReports, VerticesPerReport / verticesPerGroup));
-  const Offset grain = std::max<Offset>(1, VerticesPerTask / verticesPerGroup);
+  const Offset grain = std::max<Offset>(
+    1, std::min(VerticesPerTask / verticesPerGroup, std::min(step, numberOfGroups) / FewestTasks));
   std::atomic<bool> isStopped{ false };
   std::atomic<std::size_t> labels{ 0 };
   for (Offset first = 0; first < numberOfGroups; first += step)
@@ -526,6 +538,11 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
     *numberOfLabels += labels;
   }
   return Status::Success();
+}
+
+bool SearchResult::IsLocal() const
+{
+  return AreFew(this->Reached, this->Distances.size());
 }
 
 std::size_t GraphSearch::GetMemorySize() const

@@ -74,9 +74,11 @@ struct SearchResult
 
   /// The vertices that are reached, each once, in no particular order.
   std::vector<Id> Reached;
+  /// Returns true if visiting these alone is cheaper than visiting all vertices.
+  DGG_CORE_EXPORT bool IsLocal() const;
 
   std::size_t NumberOfPops = 0;        ///< vertices taken from the queue
-  std::size_t NumberOfRelaxations = 0; ///< edges looked at
+  std::size_t NumberOfRelaxations = 0; ///< edges relaxed or certified
   std::size_t NumberOfLabels = 0;      ///< entries of Distances written, initial values included
 };
 
@@ -99,13 +101,14 @@ struct ManyOptions
   /// Vertices whose distances are asked for; empty: all. Vertices that are farther from a source
   /// than all of these may be left unreached.
   std::vector<Id> Targets;
-  /// Whether the consumer receives the estimates of SearchResult::Corrected instead of labels.
+  /// If true, the consumer receives the estimates of SearchResult::Corrected, otherwise labels.
   bool Correct = false;
 };
 
 /// Receives the distances of all vertices from source number `source`, Infinity where unreached,
 /// and the vertices that are reached, each once, in no particular order. The arrays must not be
-/// used after the call. Called in any order, by several threads at once.
+/// used after the call. Called in any order, by several threads
+/// simultaneously.
 using FieldConsumer =
   std::function<void(std::size_t source, const double* distances, const std::vector<Id>& reached)>;
 
@@ -122,8 +125,9 @@ public:
 
   /// Distances from the nearest of the seeds: the same, up to rounding, by every method. Fails when
   /// there is no seed, or one does not exist or starts with a distance that is not finite; then
-  /// `result` is empty. If `result` is that of an earlier call, from which arrays may have been
-  /// moved, the cost is proportional to the number of vertices within the radii of both searches.
+  /// `result` is empty. If `result` is that of an earlier call, from which any array but `Reached`
+  /// may have been moved, the cost is proportional to the number of vertices within the radii of
+  /// both searches.
   Status Run(
     const std::vector<GraphSeed>& seeds, const SearchOptions& options, SearchResult& result) const;
 
@@ -140,11 +144,10 @@ public:
   bool HasLandmarks() const;
 
   /// Distances from each of many sources, a set of seeds, on its own; `consume` receives them.
-  /// Where most of the surface is searched, sources close together are searched together, which
-  /// takes about half of the time of single searches, or less, where there are hundreds of them on
-  /// the surface. The cost of other searches is proportional to the number of vertices within the
-  /// radius, or nearer than the farthest target. Adds the number of labels (see SearchResult) to
-  /// `numberOfLabels` unless that is null.
+  /// Where most of the surface is searched, sources close together are searched together. Hundreds
+  /// of sources then take half the time of single searches, or less. The cost of other searches is
+  /// proportional to the number of vertices within the radius, or nearer than the farthest target.
+  /// Adds the number of labels (see SearchResult) to `numberOfLabels` unless that is null.
   Status Many(const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options,
     const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume,
     std::size_t* numberOfLabels = nullptr) const;

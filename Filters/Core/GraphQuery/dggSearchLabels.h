@@ -25,8 +25,7 @@ struct LabelOrigin
   bool IsSeed() const { return this->Edge < 0; }
 };
 
-/// Returns true if the vertices are few enough to be visited one by one, in any order, rather than
-/// with all `numberOfVertices` from front to back.
+/// Returns true if visiting the listed vertices is cheaper than visiting all vertices in order.
 inline bool AreFew(const std::vector<Id>& vertices, std::size_t numberOfVertices)
 {
   return vertices.size() < numberOfVertices / 8;
@@ -49,8 +48,7 @@ void ResetTouched(std::vector<Value>& values, std::size_t numberOfVertices,
   }
 }
 
-/// Calls `use(v)` for vertices that include all touched ones: these alone where they are few, else
-/// all vertices from front to back.
+/// Calls `use(v)` for the touched vertices if they are few, otherwise for all vertices in order.
 template <typename Use>
 void ForEachTouched(const std::vector<Id>& touched, std::size_t numberOfVertices, const Use& use)
 {

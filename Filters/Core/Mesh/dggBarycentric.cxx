@@ -15,21 +15,6 @@ namespace
 constexpr double CoordinateTolerance = 1e-6;
 
 using Vector = std::array<double, 3>;
-
-Vector operator-(const Vector& a, const Vector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
 }
 
 bool AreBarycentric(const std::array<double, 3>& b)

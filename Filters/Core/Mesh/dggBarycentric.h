@@ -14,11 +14,28 @@ namespace dgg
 /// Three corners of a triangle, in space or as barycentric coordinates in a larger triangle.
 using TriangleCorners = std::array<std::array<double, 3>, 3>;
 
+///@{
+/// Vectors in space.
+inline std::array<double, 3> operator-(
+  const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+inline double Dot(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline std::array<double, 3> Cross(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+///@}
+
 /// Returns true if coordinates are finite, not negative and sum to 1, up to 1e-6.
 DGG_CORE_EXPORT bool AreBarycentric(const std::array<double, 3>& coordinates);
 
 /// Returns the barycentric coordinates of the point of a triangle in space that is closest to
-/// `position`. A triangle without area is its edges; on a tie the point is on an edge.
+/// `position`. For a triangle without area the edges alone count; on a tie the point is on an edge.
 DGG_CORE_EXPORT std::array<double, 3> FindClosestInTriangle(
   const TriangleCorners& corners, const std::array<double, 3>& position, double& squaredDistance);
 
