@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 //------------------------------------------------------------------------------
 DGGCellCoordinates::DGGCellCoordinates(vtkPolyData* input, const DGGPreparedMesh& mesh)
@@ -35,21 +34,25 @@ std::string DGGCellCoordinates::Check(double cell, const Coordinates& coordinate
 {
   if (this->Mesh.IsCloud())
   {
-    return "has FaceId and Barycentric, but a point cloud has no faces: remove these arrays";
+    return "has FaceId and Barycentric, but the input is a point cloud. Remove these arrays.";
   }
   const vtkIdType count = this->Input->GetNumberOfCells();
-  if (!(cell >= 0.0 && cell < static_cast<double>(count) && cell == std::floor(cell)))
+  if (cell != std::floor(cell))
   {
     return dgg::JoinText(
-      "has FaceId ", cell, ", which is out of range: ids of cells must be in [0, ", count - 1, "]");
+      "has FaceId ", cell, ", which is not an integer. Correct the array FaceId.");
+  }
+  if (!(cell >= 0.0 && cell < static_cast<double>(count)))
+  {
+    return dgg::JoinText(
+      "has FaceId ", cell, ", which is out of range: the input has ", count, " cells.");
   }
   const vtkIdType polygon = static_cast<vtkIdType>(cell) - this->FirstPolygon;
   if (polygon < 0 || polygon >= this->Input->GetNumberOfPolys() ||
     this->Input->GetPolys()->GetCellSize(polygon) != 3)
   {
     return dgg::JoinText("has FaceId ", cell,
-      ", which is no triangle, but Barycentric refers to the corners of one: triangulate the "
-      "surface, or remove the array Barycentric");
+      ", which is not a triangle. Triangulate the surface, or remove the array Barycentric.");
   }
   if (!dgg::AreBarycentric(coordinates))
   {
@@ -68,7 +71,7 @@ DGGCellCoordinates::Coordinates DGGCellCoordinates::GetPosition(
 
 //------------------------------------------------------------------------------
 bool DGGCellCoordinates::IsAt(
-  vtkIdType cell, const Coordinates& coordinates, const double position[3]) const
+  vtkIdType cell, const Coordinates& coordinates, const double position[3], double rounding) const
 {
   const Corners corners = this->GetCorners(cell);
   Corners merged;
@@ -88,7 +91,7 @@ bool DGGCellCoordinates::IsAt(
       largest = std::max(largest, std::abs(corner[i]));
     }
   }
-  return farthest <= std::numeric_limits<float>::epsilon() * largest;
+  return farthest <= rounding * largest;
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +128,7 @@ DGGCellCoordinates::Coordinates DGGCellCoordinates::GetCoordinates(
 //------------------------------------------------------------------------------
 DGGCellCoordinates::Corners DGGCellCoordinates::GetCorners(vtkIdType cell) const
 {
-  // Unlike with pointers, other threads may read the same cells.
+  // A copy of the ids is safe while other threads read cells; the pointer version is not.
   this->Input->GetPolys()->GetCellAtId(cell - this->FirstPolygon, this->Cell);
   return { { this->Cell->GetId(0), this->Cell->GetId(1), this->Cell->GetId(2) } };
 }

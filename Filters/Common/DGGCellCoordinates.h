@@ -32,16 +32,17 @@ public:
   /// Returns true if all polygons of the input are triangles and there are no strips.
   static bool AreAllTriangles(vtkPolyData* input);
 
-  /// Returns what is wrong with a pair, as the end of a sentence whose subject is the point; empty
-  /// if it names a point.
+  /// Returns a predicate that completes "<point> ..." and describes the error; empty if the pair is
+  /// valid.
   std::string Check(double cell, const Coordinates& coordinates) const;
 
   /// Position in space of a pair that Check() accepts.
   Coordinates GetPosition(vtkIdType cell, const Coordinates& coordinates) const;
 
-  /// Returns true if a pair that Check() accepts is at a position, up to single precision and to
-  /// the distances by which corners were merged.
-  bool IsAt(vtkIdType cell, const Coordinates& coordinates, const double position[3]) const;
+  /// Returns true if a pair that Check() accepts is at a position, up to the distances by which
+  /// corners were merged and to `rounding` times the largest coordinate of a corner.
+  bool IsAt(vtkIdType cell, const Coordinates& coordinates, const double position[3],
+    double rounding) const;
 
   /// Finds the point of the mesh for a pair that Check() accepts. Returns false if the mesh has no
   /// face for the cell, because the cell has no area.
@@ -54,9 +55,9 @@ private:
   using Corners = std::array<vtkIdType, 3>;
 
   Corners GetCorners(vtkIdType cell) const;
-  /// Coordinates in the cell with these corners of the corners of a face.
+  /// Returns the coordinates of the corners of a face with respect to a cell with these corners.
   dgg::TriangleCorners GetPart(const Corners& corners, dgg::Id face) const;
-  /// Coordinates of points.
+  /// Returns the positions in space of these points.
   dgg::TriangleCorners GetPositions(const Corners& corners) const;
 
   vtkPolyData* Input;

@@ -5,7 +5,7 @@
 #ifndef DGGMakeArray_h
 #define DGGMakeArray_h
 
-#include "dggBuffer.h" // for what arrays take over
+#include "dggBuffer.h" // for Buffer
 
 #include "vtkFieldData.h"    // for where they go
 #include "vtkSmartPointer.h" // for the arrays
@@ -38,7 +38,7 @@ vtkSmartPointer<ArrayType> DGGAdoptArray(
   const auto size = static_cast<vtkIdType>(buffer.Size());
   if (size > 0)
   {
-    // 64-bit integers have two names, of which VTK uses either.
+    // VTK has two types for 64-bit integers; the values have the same layout.
     auto* values = reinterpret_cast<typename ArrayType::ValueType*>(buffer.Release());
     array->SetArray(values, size, 0, ArrayType::VTK_DATA_ARRAY_FREE);
   }

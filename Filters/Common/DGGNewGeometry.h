@@ -68,13 +68,14 @@ public:
 
 private:
   const DGGPreparedMesh* Mesh = nullptr;
-  std::unique_ptr<DGGCellCoordinates> Coordinates; // null for surfaces with other cells, and clouds
+  std::unique_ptr<DGGCellCoordinates>
+    Coordinates; // null for clouds and for surfaces with other cells than triangles
   vtkNew<vtkFieldData> Fields;
   int DataType;
 };
 
-/// Make an output of surface points: points with verts, and the point arrays `vtkOriginalPointIds`,
-/// `FaceId` and `Barycentric`.
+/// Makes an output of surface points: points with verts, and the point arrays
+/// `vtkOriginalPointIds`, `FaceId` and `Barycentric`.
 VTKDGGFILTERSCOMMON_EXPORT void DGGFillSurfacePoints(const std::vector<dgg::SurfacePoint>& places,
   const DGGNewGeometry& geometry, vtkPolyData* output);
 

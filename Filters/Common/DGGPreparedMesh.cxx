@@ -35,7 +35,7 @@ namespace
 constexpr double SuspectGap = 1e-6;
 
 /// Largest spacing of coordinates in single precision, in mean edge lengths, without a warning.
-constexpr double MostSpacing = 1e-4;
+constexpr double LargestFloatSpacing = 1e-4;
 
 /// Lexicographic order by coordinates; -0 equals +0 in comparisons.
 struct ByCoordinates
@@ -428,7 +428,8 @@ void DGGPreparedMesh::CountCoincidentBoundaryPoints(const double* points)
 }
 
 //------------------------------------------------------------------------------
-/// Adds a warning when single precision rounds coordinates by too much of an edge.
+/// Adds a warning if the spacing of floats at the largest coordinate exceeds LargestFloatSpacing
+/// mean edge lengths.
 void DGGPreparedMesh::CheckPrecision(const double* points)
 {
   float largest = 0.0F;
@@ -445,11 +446,11 @@ void DGGPreparedMesh::CheckPrecision(const double* points)
   }
   const double spacing = std::nextafter(largest, std::numeric_limits<float>::max()) - largest;
   const double edge = this->Mesh.GetMeanEdgeLength();
-  if (spacing > MostSpacing * edge)
+  if (spacing > LargestFloatSpacing * edge)
   {
     this->Warnings.push_back(dgg::JoinText("coordinates are stored in single precision, where "
                                            "numbers around ",
-      largest, " are ", spacing, " apart, more than ", MostSpacing,
+      largest, " are ", spacing, " apart, more than ", LargestFloatSpacing,
       " of the mean edge length, which is ", edge,
       ". Translate the mesh to the origin before it is "
       "written, or read it with a reader that keeps doubles, such as vtkDGGPLYReader or "

@@ -77,7 +77,7 @@ public:
   }
   /// The cell of the input that a face of the mesh is a part of.
   vtkIdType GetCell(dgg::Id face) const { return this->Cells[face]; }
-  /// The faces that are parts of a cell of the input; none for a cell that was left out.
+  /// Returns the faces that are parts of a cell of the input; empty for an excluded cell.
   std::vector<dgg::Id> GetFaces(vtkIdType cell) const;
 
   /// Polygons left out because fewer than three of their points are distinct.

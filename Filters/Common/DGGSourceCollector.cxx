@@ -47,12 +47,26 @@ vtkIdType GetPointId(const DGGSourceSet& set, vtkIdType i)
   return set.PointIds ? (*set.PointIds)[i] : i;
 }
 
+/// "source point 3 of input port 1"
+std::string Describe(const DGGSourceSet& set, vtkIdType index)
+{
+  const bool isPoint = set.Role.find("point") != std::string::npos;
+  return dgg::JoinText(set.Role, isPoint ? " " : " point ", index, " of input port ", set.Port);
+}
+
 /// "source point 3 of input port 1, at (x, y, z),"
 std::string Describe(const DGGSourceSet& set, vtkIdType index, const double p[3])
 {
-  const bool isPoint = set.Role.find("point") != std::string::npos;
-  return dgg::JoinText(set.Role, isPoint ? " " : " point ", index, " of input port ", set.Port,
-    ", at (", p[0], ", ", p[1], ", ", p[2], "),");
+  return dgg::JoinText(Describe(set, index), ", at (", p[0], ", ", p[1], ", ", p[2], "),");
+}
+
+/// Returns the rounding error of coordinates, relative to the largest one. Outputs of filters,
+/// which identify points of inputs in double precision, may be in single precision.
+double GetRounding(vtkPoints* points)
+{
+  constexpr double ulps = 8.0;
+  return points->GetDataType() == VTK_DOUBLE ? ulps * std::numeric_limits<double>::epsilon()
+                                             : std::numeric_limits<float>::epsilon();
 }
 
 /// That of the i-th id.
@@ -92,6 +106,7 @@ public:
     , Ids(this->Find("vtkOriginalPointIds", 1))
     , Faces(this->Find("FaceId", 1))
     , Weights(this->Find("Barycentric", 3))
+    , Rounding(GetRounding(set.Points->GetPoints()))
   {
   }
 
@@ -102,13 +117,14 @@ public:
     const bool isMeant = !this->Ids && data->HasArray("FaceId") && data->HasArray("Barycentric");
     return isMeant && !(this->Faces && this->Weights)
       ? dgg::InvalidInput("the point arrays FaceId and Barycentric of input port ", this->Set.Port,
-          " must have 1 and 3 components: correct or remove Barycentric")
+          " must be numeric, with 1 and 3 components and one tuple per point. Correct the arrays "
+          "or remove Barycentric.")
       : dgg::Status::Success();
   }
 
-  /// Finds the point of the surface that is identified by the arrays, and sets `isFound`. Moves
-  /// `position` to a point of a cell that has no area. In outputs of filters, which have all
-  /// arrays, an array counts where the point lies there: they may be of another surface.
+  /// Finds the surface point that the arrays identify and sets `isFound`. If the cell has no area,
+  /// moves `position` to the point in the cell. With all three arrays, which may belong to another
+  /// surface, an array counts only if the point lies there.
   dgg::Status Resolve(
     vtkIdType index, double position[3], dgg::SurfacePoint& point, bool& isFound) const
   {
@@ -124,7 +140,8 @@ public:
         return dgg::Status::Invalid(Describe(this->Set, index, position) + " " + problem);
       }
       const auto id = static_cast<vtkIdType>(problem.empty() ? cell : 0.0);
-      if (problem.empty() && (!this->Ids || this->Cells.IsAt(id, weights, position)))
+      if (problem.empty() &&
+        (!this->Ids || this->Cells.IsAt(id, weights, position, this->Rounding)))
       {
         isFound = this->Cells.FindPoint(id, weights, point);
         const std::array<double, 3> found = this->Cells.GetPosition(id, weights);
@@ -142,7 +159,7 @@ public:
   }
 
 private:
-  /// The array, if it has the right size.
+  /// Returns the array of this name; null if its size is wrong.
   vtkDataArray* Find(const char* name, int components) const
   {
     vtkDataArray* array = this->Set.Points->GetPointData()->GetArray(name);
@@ -163,9 +180,9 @@ private:
     }
     double q[3];
     coordinates->GetPoint(static_cast<vtkIdType>(id), q);
-    const bool isThere = std::equal(p, p + 3, q, [](double a, double b) {
-      return static_cast<float>(a) == static_cast<float>(b); // outputs may be in single precision
-    });
+    const double largest = std::max({ std::abs(q[0]), std::abs(q[1]), std::abs(q[2]) });
+    const bool isThere = std::equal(
+      p, p + 3, q, [&](double a, double b) { return std::abs(a - b) <= this->Rounding * largest; });
     return isThere ? static_cast<vtkIdType>(id) : -1;
   }
 
@@ -175,6 +192,7 @@ private:
   vtkDataArray* Ids;
   vtkDataArray* Faces;
   vtkDataArray* Weights;
+  double Rounding;
 };
 
 /// Finds the point of the surface that is closest to the position of a point of the set.
@@ -323,7 +341,7 @@ void DGGSourceCollector::PassArrays(
   {
     vtkAbstractArray* values = data->GetAbstractArray(k);
     const std::string name = values->GetName() ? values->GetName() : "";
-    // Ghosts among the sources, and the identity of sources, do not hold for other points.
+    // Ghost flags and identities describe the source, not the points nearest to it.
     if (name.empty() || name == vtkDataSetAttributes::GhostArrayName() ||
       name == "vtkOriginalPointIds" || name == "Barycentric" || output->HasArray(name.c_str()) ||
       values->GetNumberOfTuples() != set.Points->GetNumberOfPoints())
@@ -359,8 +377,8 @@ void DGGSourceCollector::PassArrays(
 }
 
 //------------------------------------------------------------------------------
-void DGGSourceCollector::WarnAboutIsolated(const DGGContext& context,
-  const std::vector<dgg::GeodesicSource>& sources, const std::string& role, vtkObject* filter)
+void DGGSourceCollector::WarnAboutIsolated(const DGGContext& context, const DGGSourceSet& set,
+  const std::vector<dgg::GeodesicSource>& sources, vtkObject* filter)
 {
   const DGGPreparedMesh& mesh = context.Surface;
   const double* positions = mesh.IsCloud() ? mesh.GetPositions() : nullptr;
@@ -376,21 +394,26 @@ void DGGSourceCollector::WarnAboutIsolated(const DGGContext& context,
     const double* p = positions + 3 * static_cast<std::size_t>(point.Vertex);
     return !std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]);
   };
-  vtkIdType count = 0;
-  vtkIdType example = 0;
-  for (const dgg::GeodesicSource& source : sources)
+  std::size_t count = 0;
+  std::string first;
+  for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    if (isIsolated(source.Point))
+    if (isIsolated(sources[i].Point) && ++count == 1)
     {
-      example = count == 0 ? source.Point.Vertex : example;
-      ++count;
+      const std::size_t numberOfIds = set.Ids.size();
+      first = i < numberOfIds
+        ? dgg::JoinText(set.Role, " id ", set.Ids[i])
+        : Describe(set, GetPointId(set, static_cast<vtkIdType>(i - numberOfIds)));
     }
   }
   if (count > 0)
   {
+    const std::string all = count == 1
+      ? first + " is a point"
+      : dgg::JoinText(first, " and ", count - 1, " more are points");
     vtkWarningWithObjectMacro(filter,
-      << count << " of the " << role << " ids, the first of them " << example
-      << (positions ? ", are points that are not finite" : ", are points that no polygon uses")
-      << ". They reach no other point.");
+      << all << (positions ? " with coordinates that are not finite" : " that no polygon uses")
+      << ". Such points reach no other point. Choose points "
+      << (positions ? "with finite coordinates." : "of polygons."));
   }
 }

@@ -51,14 +51,13 @@ public:
 
   /// The points on the surface, or near those of a cloud, after Check(). Point arrays identify them
   /// where several layers of the surface coincide, in this order:
-  ///  - `FaceId` and `Barycentric` (3 components) together: a triangle of the input, and
-  ///  coordinates
-  ///    with respect to its corners, whatever the position of the point is;
+  ///  - `FaceId` and `Barycentric` (3 components) together: a triangle of the input and coordinates
+  ///    with respect to its corners. The position of the point is ignored;
   ///  - `vtkOriginalPointIds`: a point of the input, where the point lies there.
   /// Outputs of filters have all three; then the first two count only where the point lies there.
   /// Other points are moved to the closest point of the surface. `tolerance` is how far from the
   /// surface a point may be, as a fraction of the diagonal. Where a cloud is sparser than that,
-  /// places between its points are close enough.
+  /// positions between its points are accepted.
   static dgg::Status Collect(const DGGContext& context, const DGGSourceSet& set, double tolerance,
     std::vector<dgg::GeodesicSource>& sources);
 
@@ -68,10 +67,10 @@ public:
   static void PassArrays(
     const DGGSourceSet& set, const std::vector<dgg::Id>& nearest, vtkDataSetAttributes* output);
 
-  /// Makes a filter warn of collected points that no polygon uses; in clouds, of points that are
-  /// not finite. `role` is what the message calls them.
-  static void WarnAboutIsolated(const DGGContext& context,
-    const std::vector<dgg::GeodesicSource>& sources, const std::string& role, vtkObject* filter);
+  /// Makes a filter warn of points collected from `set` that no polygon uses; in clouds, of points
+  /// that are not finite.
+  static void WarnAboutIsolated(const DGGContext& context, const DGGSourceSet& set,
+    const std::vector<dgg::GeodesicSource>& sources, vtkObject* filter);
 };
 
 #endif

@@ -266,9 +266,10 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
                                 "has not: turn GenerateVirtualSource off");
   }
   std::vector<dgg::GeodesicSource> sources;
-  DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
-    context, this->GetSources(inputVector), this->ProjectionTolerance, sources));
-  DGGSourceCollector::WarnAboutIsolated(context, sources, "source", this);
+  const DGGSourceSet set = this->GetSources(inputVector);
+  DGG_RETURN_IF_ERROR(
+    DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, sources));
+  DGGSourceCollector::WarnAboutIsolated(context, set, sources, this);
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;

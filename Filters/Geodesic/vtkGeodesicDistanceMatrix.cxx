@@ -58,7 +58,7 @@ vtkSmartPointer<vtkDoubleArray> MakeMatrix(std::size_t rows, std::size_t columns
   return MakeArray(rows, columns, "GeodesicDistance");
 }
 
-/// See dgg::DistanceRowsOptions.
+/// Returns DistanceRowsOptions::NextPoints for the merged points of a surface.
 std::vector<dgg::Id> FindNextPoints(const DGGPreparedMesh& surface, vtkIdType numberOfPoints)
 {
   std::vector<dgg::Id> next;
@@ -228,8 +228,8 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckInputs(
   const DGGSourceSet columns = this->GetColumns(inputVector);
   if (this->CompressedRows && !IsEmpty(columns))
   {
-    return dgg::Status::Invalid("the columns of CompressedRows are all points of the input: remove "
-                                "the chosen columns, or turn CompressedRows off");
+    return dgg::Status::Invalid("CompressedRows is on, but columns are chosen. Remove the columns "
+                                "or turn CompressedRows off.");
   }
   return IsEmpty(columns) ? dgg::Status::Success() : DGGSourceCollector::Check(columns, n);
 }
@@ -292,8 +292,8 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
     DGG_RETURN_IF_ERROR(
       DGGSourceCollector::Collect(context, columnSet, this->ProjectionTolerance, others));
   }
-  DGGSourceCollector::WarnAboutIsolated(context, sources, "row", this);
-  DGGSourceCollector::WarnAboutIsolated(context, others, "column", this);
+  DGGSourceCollector::WarnAboutIsolated(context, this->GetRows(inputVector), sources, this);
+  DGGSourceCollector::WarnAboutIsolated(context, columnSet, others, this);
   if (this->CompressedRows)
   {
     return this->FillCompressedRows(context, sources, vtkTable::GetData(outputVector));

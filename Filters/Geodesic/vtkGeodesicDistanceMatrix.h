@@ -23,7 +23,8 @@
  * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
  *  - no rows; an id out of range; a point that is not finite, or farther from the surface than
  *    ProjectionTolerance; a ProjectionTolerance or MaximumDistance that is negative or NaN;
- *  - an Accuracy outside [1e-6, 0.5]; a graph or matrix that takes more than MemoryLimit.
+ *  - an Accuracy outside [1e-6, 0.5]; chosen columns with CompressedRows; a graph or matrix, or
+ *    compressed rows, that take more than MemoryLimit.
  *
  * @code
  * vtkNew<vtkGeodesicDistanceMatrix> matrix;
@@ -123,11 +124,12 @@ public:
   ///@{
   /**
    * If on, the output is a sparse matrix, and GetMatrix() is empty. Its columns are all points of
-   * the input; none may be chosen. The table has a row for each pair within MaximumDistance, a
-   * point and itself included: "Column" (int, the id of the point; ascending in each row of the
-   * matrix) and "GeodesicDistance". The field data array "RowOffsets" (64-bit integers) has one
-   * tuple more than the matrix has rows: row i is [RowOffsets[i], RowOffsets[i + 1]). The
-   * cost is proportional to the number of pairs. Default off.
+   * the input; none may be chosen. The table has a row for each pair within MaximumDistance,
+   * including the pair of a point with itself: "Column" (int, the id of the point; ascending in
+   * each row of the matrix) and "GeodesicDistance". The field data array "RowOffsets" (64-bit
+   * integers) has one tuple more than the matrix has rows: row i is [RowOffsets[i],
+   * RowOffsets[i + 1]). The cost is proportional to the number of pairs. GenerateTable has no
+   * effect. Set MaximumDistance: without it every reached point is stored. Default off.
    */
   vtkSetMacro(CompressedRows, bool);
   vtkGetMacro(CompressedRows, bool);

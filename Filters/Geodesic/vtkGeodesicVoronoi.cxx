@@ -453,7 +453,7 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
   result.Moving.NumberOfIterations = this->NumberOfIterations;
   result.Moving.Tolerance = this->Tolerance;
-  DGGSourceCollector::WarnAboutIsolated(context, result.Sites, "site", this);
+  DGGSourceCollector::WarnAboutIsolated(context, set, result.Sites, this);
   if (this->Preview)
   {
     DGG_RETURN_IF_ERROR(this->ComputePreview(context, result));

@@ -325,19 +325,19 @@ TEST_F(GeodesicDistanceMatrix, PairsThatAreNotConnected)
     { { 0, 1, 2 }, { 3, 4, 5 } });
   this->Filter->SetInputData(surface);
   this->Filter->SetRowIds({ 1, 3, 6 });
-  ExpectWarning(this->Filter, { "1 of the row ids", "first of them 6", "no polygon uses" });
+  ExpectWarning(this->Filter, { "row id 6 is a point that no polygon uses" });
   Rows matrix = GetRows(this->Filter);
   EXPECT_TRUE(std::isnan(matrix[0][1]));
   EXPECT_TRUE(std::isnan(matrix[2][0]));
   EXPECT_EQ(matrix[2][2], 0.0);
   this->Filter->SetUnreachedValue(-1.0);
-  ExpectWarning(this->Filter, { "1 of the row ids" });
+  ExpectWarning(this->Filter, { "row id 6 is a point" });
   matrix = GetRows(this->Filter);
   EXPECT_EQ(matrix[1][0], -1.0);
   EXPECT_EQ(matrix[1][2], -1.0);
   this->Filter->SetRowIds({ 1 });
   this->Filter->SetColumnIds({ 6, 0, 6 });
-  ExpectWarning(this->Filter, { "2 of the column ids", "first of them 6" });
+  ExpectWarning(this->Filter, { "column id 6 and 1 more are points that no polygon uses" });
 }
 
 TEST_F(GeodesicDistanceMatrix, TakesTheGraphOnItsInputOrBuildsOnce)
@@ -428,7 +428,7 @@ TEST_F(GeodesicDistanceMatrix, CompressedRowsAreThePairsWithinTheDistance)
 {
   double p[3];
   this->Terrain->GetPoint(40, p);
-  // Point 400 has the place of point 40.
+  // Point 400 coincides with point 40.
   this->Terrain->GetPoints()->InsertNextPoint(p);
   const vtkIdType n = this->Terrain->GetNumberOfPoints();
   this->Filter->MergeCoincidentPointsOn();
@@ -446,7 +446,7 @@ TEST_F(GeodesicDistanceMatrix, CompressedRowsAreThePairsWithinTheDistance)
 
   this->Filter->CompressedRowsOn();
   this->Filter->SetMaximumDistance(radius);
-  ExpectError(this->Filter, { "columns of CompressedRows", "turn CompressedRows off" });
+  ExpectError(this->Filter, { "CompressedRows is on, but columns are chosen" });
   this->Filter->SetColumnIds(nullptr);
   for (const bool correct : { false, true })
   {
@@ -485,7 +485,7 @@ TEST_F(GeodesicDistanceMatrix, CompressedRowsAreThePairsWithinTheDistance)
   }
   this->Filter->SetMaximumDistance(VTK_DOUBLE_MAX);
   this->Filter->SetMemoryLimit(20000);
-  ExpectError(this->Filter, { "the sparse matrix", "fewer rows", "MemoryLimit" });
+  ExpectError(this->Filter, { "the rows found so far", "fewer rows", "MemoryLimit" });
 }
 
 TEST_F(GeodesicDistanceMatrix, ReportsTheGraph)

@@ -52,7 +52,7 @@ struct Place
   Weights Coordinates;
 };
 
-/// How points name their places.
+/// Arrays that identify the points.
 enum Naming
 {
   ByPosition,
@@ -276,8 +276,8 @@ const std::vector<PortCase> Ports = {
   { "Graphics", MakeGraphics },
 };
 
-/// All numbers that a filter puts out, but for the arrays that identify points.
-std::vector<double> GetNumbers(vtkAlgorithm* filter)
+/// All numbers that a filter puts out, but for the arrays that identify points; FaceId on request.
+std::vector<double> GetNumbers(vtkAlgorithm* filter, bool withFaces)
 {
   const Listener listener(filter);
   filter->Update();
@@ -294,8 +294,8 @@ std::vector<double> GetNumbers(vtkAlgorithm* filter)
       {
         const std::string name = data->GetArrayName(a);
         vtkDataArray* array = data->GetArray(a);
-        const bool isIdentity =
-          name == "FaceId" || name == "Barycentric" || name == "vtkOriginalPointIds";
+        const bool isIdentity = (name == "FaceId" && !withFaces) || name == "Barycentric" ||
+          name == "vtkOriginalPointIds";
         for (vtkIdType i = 0; array && !isIdentity && i < array->GetNumberOfTuples(); ++i)
         {
           for (int c = 0; c < array->GetNumberOfComponents(); ++c)
@@ -309,17 +309,18 @@ std::vector<double> GetNumbers(vtkAlgorithm* filter)
   return numbers;
 }
 
-std::vector<double> RunPort(
-  const PortCase& port, vtkPolyData* surface, const std::vector<Place>& places, Naming naming)
+std::vector<double> RunPort(const PortCase& port, vtkPolyData* surface,
+  const std::vector<Place>& places, Naming naming, bool withFaces = false)
 {
-  return GetNumbers(port.Make(surface, [&](const std::vector<int>& which) {
+  const PointMaker make = [&](const std::vector<int>& which) {
     std::vector<Place> some;
     for (const int i : which)
     {
       some.push_back(places[i]);
     }
     return MakePoints(surface, some, naming);
-  }));
+  };
+  return GetNumbers(port.Make(surface, make), withFaces);
 }
 
 bool AreSame(const std::vector<double>& a, const std::vector<double>& b, double tolerance)
@@ -366,33 +367,78 @@ TEST_P(SourceIdentity, FacesNamePointsAsPositionsDo)
   }
 }
 
-TEST_P(SourceIdentity, LayersInTheSamePositionAreTold)
+TEST_P(SourceIdentity, CoincidentLayersAreDistinguished)
 {
   const auto terrain = MakeTerrain(9);
   const auto twice = Beside(terrain, terrain, 0.0);
+  // Other numbers of these filters do not depend on the layer.
+  const std::string name = this->GetParam().Name;
+  const bool withFaces =
+    name == "Path" || name == "Loop" || name == "PatchBoundaries" || name == "Sampler";
   std::vector<double> expected[2];
   for (int layer = 0; layer < 2; ++layer)
   {
     const std::vector<Place> places =
       MakePlaces(terrain, { { 1.0, 0.0, 0.0 } }, layer * terrain->GetNumberOfCells());
-    expected[layer] = RunPort(this->GetParam(), twice, places, ByPointId);
+    expected[layer] = RunPort(this->GetParam(), twice, places, ByPointId, withFaces);
     for (const Naming naming : { ByFace, ByAllArrays })
     {
-      EXPECT_TRUE(AreSame(expected[layer], RunPort(this->GetParam(), twice, places, naming), 0.0))
-        << layer << naming;
+      const auto numbers = RunPort(this->GetParam(), twice, places, naming, withFaces);
+      EXPECT_TRUE(AreSame(expected[layer], numbers, 0.0)) << layer << naming;
     }
   }
-  // All but lengths and other numbers that do not name a layer.
-  const std::string name = this->GetParam().Name;
-  if (name != "Path" && name != "Loop" && name != "Matrix" && name != "PatchBoundaries" &&
-    name != "Sampler")
-  {
-    EXPECT_FALSE(AreSame(expected[0], expected[1], 1e-9));
-  }
+  EXPECT_EQ(AreSame(expected[0], expected[1], 1e-9), name == "Matrix"); // see below
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, SourceIdentity, ::testing::ValuesIn(Ports),
   [](const auto& info) { return std::string(info.param.Name); });
+
+TEST(SourceFaces, RowsAndColumnsAreOnTheirLayers)
+{
+  const auto terrain = MakeTerrain(9);
+  const auto twice = Beside(terrain, terrain, 0.0);
+  const Weights corner = { { 1.0, 0.0, 0.0 } };
+  const auto upper = MakePlaces(terrain, corner, terrain->GetNumberOfCells());
+  for (const Naming naming : { ByPointId, ByFace, ByAllArrays })
+  {
+    vtkNew<vtkGeodesicDistanceMatrix> filter;
+    filter->SetInputData(twice);
+    filter->SetRowData(MakePoints(twice, upper, naming));
+    filter->SetColumnData(MakePoints(twice, MakePlaces(terrain, corner), naming));
+    for (const double distance : GetNumbers(filter, false))
+    {
+      EXPECT_TRUE(std::isnan(distance)) << naming;
+    }
+  }
+}
+
+TEST(SourceFaces, DoublesIdentifyPointsInUTM)
+{
+  const auto surface = MakeGrid(20, 20, GridCells::Triangles, 0.5);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    surface->GetPoints()->SetPoint(i, 512345.678 + p[0], 5403210.987 + p[1], 0.0);
+  }
+  const vtkIdType cell = 420;
+  const vtkIdType id = surface->GetCell(cell)->GetPointId(0);
+  for (const Naming naming : { ByPointId, ByAllArrays })
+  {
+    for (const double offset : { 0.0, 0.1 })
+    {
+      const auto points = MakePoints(surface, { { cell, { { 1.0, 0.0, 0.0 } } } }, naming);
+      double p[3];
+      points->GetPoint(0, p);
+      points->GetPoints()->SetPoint(0, p[0] + offset, p[1], p[2]);
+      vtkNew<vtkExactGeodesicDistance> filter;
+      filter->SetInputData(surface);
+      filter->SetSourceData(points);
+      ExpectSuccess(filter);
+      EXPECT_NEAR(GetDistances(filter)[id], offset, 1e-8) << naming;
+    }
+  }
+}
 
 TEST(SourceFaces, AreCellsOfTheInput)
 {
@@ -466,10 +512,10 @@ TEST(SourceFaces, WrongOnesAreRefused)
     Weights Coordinates;
     const char* Message;
   } const cases[] = {
-    { 3, { { 1, 0, 0 } }, "FaceId 3, which is out of range" },
+    { 3, { { 1, 0, 0 } }, "FaceId 3, which is out of range: the input has 3 cells" },
     { -1, { { 1, 0, 0 } }, "FaceId -1, which is out of range" },
-    { 0, { { 1, 0, 0 } }, "FaceId 0, which is no triangle" },
-    { 1, { { 1, 0, 0 } }, "FaceId 1, which is no triangle" },
+    { 0, { { 1, 0, 0 } }, "FaceId 0, which is not a triangle" },
+    { 1, { { 1, 0, 0 } }, "FaceId 1, which is not a triangle" },
     { 2, { { 1.1, -0.1, 0 } }, "not negative, and sum to 1" },
     { 2, { { 0.5, 0.5, 0.5 } }, "not negative, and sum to 1" },
     { 2, { { nan, 0.5, 0.5 } }, "must be finite" },
@@ -509,7 +555,7 @@ TEST(SourceFaces, PointsWithoutCellsStayThemselves)
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(surface);
   filter->SetSourceData(points);
-  ExpectWarning(filter, { "1 of the source ids", "the first of them 3", "no polygon uses" });
+  ExpectWarning(filter, { "source point 0 of input port 1 is a point that no polygon uses" });
   EXPECT_EQ(GetDistances(filter)[3], 0.0);
   EXPECT_TRUE(std::isnan(GetDistances(filter)[0]));
 }
@@ -526,7 +572,8 @@ TEST(SourceFaces, ThreeCoordinatesAreNeeded)
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(surface);
   filter->SetSourceData(points);
-  ExpectError(filter, { "FaceId and Barycentric of input port 1 must have 1 and 3 components" });
+  ExpectError(
+    filter, { "FaceId and Barycentric of input port 1 must be numeric, with 1 and 3 components" });
 }
 
 TEST(SourceFaces, OutputsIdentifyTheirPoints)
