@@ -40,9 +40,9 @@ struct DGGDistanceTask
   /// filled.
   std::vector<DGGPointArray> Arrays;
 
-  /// Whether results may be sparse. Set where points and vertices are the same.
+  /// True if results may be sparse, which requires that points and vertices coincide.
   bool MayBeSparse = false;
-  /// Of sparse results: the arrays above have one value for each of Vertices, not per vertex.
+  /// True if the arrays above have one value per entry of Vertices instead of one per vertex.
   bool IsSparse = false;
   std::vector<dgg::Id> Vertices{}; ///< vertices that may be reached, each once; all others are not
 };

@@ -18,9 +18,6 @@ vtkDGGGraphUserMacro(vtkDGGDistance);
 
 namespace
 {
-/// Results are sparse if less than this part of all vertices is reached, as a divisor.
-constexpr std::size_t SparsePart = 8;
-
 void ReplaceBySources(const std::vector<dgg::GraphSeed>& seeds, std::vector<dgg::Id>& indices)
 {
   std::transform(indices.begin(), indices.end(), indices.begin(),
@@ -38,12 +35,6 @@ std::vector<Value> Select(const std::vector<Value>& values, const std::vector<dg
 }
 }
 
-struct vtkDGGDistance::vtkInternals
-{
-  /// Kept after searches that reach few vertices: the next search resets these alone.
-  dgg::SearchResult Result;
-};
-
 //------------------------------------------------------------------------------
 vtkDGGDistance::vtkDGGDistance()
   : Correction(true)
@@ -51,7 +42,6 @@ vtkDGGDistance::vtkDGGDistance()
   , GenerateUpperBound(false)
   , UpperBoundArrayName("GeodesicUpperBound")
   , GraphUser(new DGGGraphUser)
-  , Internals(new vtkInternals)
 {
 }
 
@@ -125,15 +115,14 @@ dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
   options.MaximumDistance =
     correct ? graph.WidenLimit(task.MaximumDistance, task.Sources) : task.MaximumDistance;
   options.Progress = graph.GetRemainingProgress(context);
-  dgg::SearchResult& result = this->Internals->Result;
+  dgg::SearchResult& result = graph.GetResult();
   DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));
   if (task.WantVirtualSource)
   {
     dgg::FindVirtualSources(context.Surface.GetMesh(), result,
       correct ? result.Corrected : result.Distances, task.VirtualSource, context.Parallel);
   }
-  task.IsSparse = task.MayBeSparse && !task.WantVirtualSource &&
-    result.Reached.size() < result.Distances.size() / SparsePart;
+  task.IsSparse = task.MayBeSparse && !task.WantVirtualSource && result.IsLocal();
   if (task.IsSparse)
   {
     task.Vertices = result.Reached;

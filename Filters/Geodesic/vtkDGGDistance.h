@@ -140,9 +140,6 @@ private:
   bool GenerateUpperBound;
   std::string UpperBoundArrayName;
   std::unique_ptr<DGGGraphUser> GraphUser;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -21,11 +21,10 @@
  *
  * On a cloud, `GraphLength` is the distance in its graph and `FaceId` is -1. Straighten smooths
  * paths along the sampled surface; they need not be shortest. Points of a smooth path are within
- * one spacing of a point of the cloud (a spacing is the radius of its ball, `DGG.Radii`, by 1.5),
- * between two of them a path crosses no wider gap than edges of the graph do, and at rims and holes
- * it stays among the points. Where a smooth path is longer than `GraphLength` by more than 1 %,
- * that from point to point is kept, unless it is longer still, and `Straightened` is 0. Method
- * Exact is an error.
+ * one spacing of a point of the cloud. A spacing is `DGG.Radii` divided by 1.5. Between two of them
+ * a path crosses no wider gap than edges of the graph do. At rims and holes it stays among the
+ * points. Where a smooth path is longer than `GraphLength` by more than 1 %, that from point to
+ * point is kept, unless it is longer still, and `Straightened` is 0. Method Exact is an error.
  *
  * <b>Guarantee and cost</b>. On surfaces, exact distance <= `Length` <= `GraphLength`, which is at
  * most (1 + accuracy) * exact distance up to rounding (1e-6), if the rule of the graph has a

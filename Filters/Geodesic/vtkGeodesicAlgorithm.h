@@ -29,8 +29,8 @@
  * <b>Points of further inputs</b> (sources, sites, ends of paths) are moved to the closest point of
  * the surface, within ProjectionTolerance, unless point arrays identify them, which is necessary
  * where parts of the surface coincide, as at a slit:
- *  - `FaceId` and `Barycentric` together, wherever the point is. An error for cells other than
- *    triangles, and for coordinates that are negative, not finite, or do not sum to 1 (by 1e-6);
+ *  - `FaceId` and `Barycentric` together, wherever the point is. Cells other than triangles, and
+ *    coordinates that are negative, not finite or do not sum to 1 (within 1e-6), are errors;
  *  - `vtkOriginalPointIds`, if the point lies at that point of the surface.
  * With all three, as in new geometry, which may be that of another surface, `FaceId` and
  * `Barycentric` count only if the point lies there, and are never an error.

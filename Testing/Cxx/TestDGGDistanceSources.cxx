@@ -186,6 +186,21 @@ TEST_F(DGGDistance, ManySourcesAnywhere)
   EXPECT_EQ(GetDistances(this->Filter), expected);
 }
 
+TEST_F(DGGDistance, MemoryOfLocalSearches)
+{
+  ExpectSuccess(this->Filter);
+  const vtkTypeUInt64 before = this->Filter->GetMemorySize();
+  this->Filter->SetMaximumDistance(0.1);
+  ExpectSuccess(this->Filter);
+  EXPECT_GE(this->Filter->GetMemorySize(), before + 56 * this->Terrain->GetNumberOfPoints());
+  this->Filter->SetInputData(MakeTerrain(30));
+  ExpectSuccess(this->Filter);
+  this->Filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+  this->Filter->SetInputData(this->Terrain);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetMemorySize(), before);
+}
+
 TEST_F(DGGDistance, MemoryOfLinks)
 {
   this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain, 0.05));
@@ -200,7 +215,16 @@ TEST_F(DGGDistance, MemoryOfLinks)
   this->Filter->SetSourceData(nullptr);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetMemorySize(), linked); // kept for the next point
-  this->Filter->SetMemoryLimit(10000);
+  vtkNew<vtkDGGDistance> other;
+  other->SetInputData(this->Filter->GetInput());
+  other->SetProjectionTolerance(1.0);
+  for (vtkDGGDistance* filter : { this->Filter.Get(), other.Get() })
+  {
+    filter->SetMemoryLimit(10000); // also applies to a builder that exists
+    filter->SetSourceData(MakeSourcePoints({ { { 0.61, 0.53, 0.1 } } }));
+    ExpectError(filter, { "linking points that are not vertices", "9.766 KiB", "MemoryLimit" });
+  }
+  this->Filter->SetSourceData(nullptr);
   ExpectSuccess(this->Filter);
   EXPECT_LT(this->Filter->GetMemorySize(), before + 64 * 3 * 1058); // the limit does not allow it
   this->Filter->SetSourceData(MakeSourcePoints({ { { 0.61, 0.53, 0.1 } } }));

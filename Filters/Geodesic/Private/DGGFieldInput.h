@@ -56,7 +56,7 @@ public:
   /// Arrays that were there and could not be used, distances that are too steep; empty when all is
   /// well.
   const std::string& GetWarning() const { return this->Warning; }
-  /// Why distances inside triangles may be far off; empty without a reason.
+  /// Returns a warning if distances inside triangles may be far off, otherwise an empty text.
   std::string DescribeQuality(const DGGPreparedMesh& surface) const;
 
 private:

@@ -34,6 +34,8 @@ constexpr double LandmarkShare = 0.3;
 
 /// Bytes per vertex of what finds paths, about.
 constexpr std::size_t BytesOfPaths = 40;
+/// Bytes per vertex of a search result, about.
+constexpr std::size_t BytesOfResult = 60;
 
 /// Links that a thread makes between two looks at the progress.
 constexpr std::size_t LinkBlock = 4;
@@ -153,6 +155,7 @@ void DGGGraphUser::FollowMesh(const DGGPreparedMesh& mesh)
   this->Mesh = mesh.GetBuildTime();
   this->ReleaseBuilder();
   this->Store = LinkStore();
+  this->Result = dgg::SearchResult();
   const bool isOwn = this->OwnAccuracy > 0.0 &&
     this->Graph->GetSurface().GetDomain() == mesh.GetDomain() &&
     this->Graph->GetSurface().GetSignature() == mesh.GetSignature();
@@ -277,29 +280,37 @@ dgg::Status DGGGraphUser::PrepareForPairs(const DGGContext& context, std::size_t
 //------------------------------------------------------------------------------
 dgg::Status DGGGraphUser::PrepareBuilder(const DGGContext& context, bool isNeeded)
 {
+  const bool isLimited = context.MemoryLimit > 0;
   if (!isNeeded)
   {
-    if (this->BuilderSize > DGGGetMemoryLimit(context.MemoryLimit))
+    const std::size_t size = isLimited ? this->GetMemorySize() : this->BuilderSize;
+    if (this->Builder && size > DGGGetMemoryLimit(context.MemoryLimit))
     {
       this->ReleaseBuilder();
     }
     return dgg::Status::Success();
   }
-  if (this->Builder || context.Surface.IsCloud())
+  if (context.Surface.IsCloud())
   {
     return dgg::Status::Success();
   }
   const std::size_t size = DGGEstimateBuilder(context.Surface);
   const vtkMTimeType key = context.Surface.GetBuildTime();
   std::shared_ptr<const dgg::GraphBuilder> builder = GetBuildersInUse().Find(key);
-  if (!builder)
+  if (!builder || isLimited) // free memory is not needed for a builder that exists
   {
     DGG_RETURN_IF_ERROR(DGGCheckMemory(
       "linking points that are not vertices", size, context.MemoryLimit, "use vertices only"));
+  }
+  if (!builder)
+  {
     builder = GetBuildersInUse().Add(
       key, std::make_shared<const dgg::GraphBuilder>(context.Surface.GetMesh()));
   }
-  this->Finder.reset(); // it has none
+  if (this->Builder != builder)
+  {
+    this->Finder.reset(); // The finder was made without a builder.
+  }
   this->Builder = builder;
   this->BuilderSize = size;
   return dgg::Status::Success();
@@ -466,7 +477,7 @@ std::size_t DGGGraphUser::GetMemorySize() const
     links += list.size();
   }
   return this->GetSummary().MemorySize + this->Search->GetMemorySize() + this->BuilderSize +
-    links * sizeof(dgg::GraphLink) +
+    links * sizeof(dgg::GraphLink) + this->Result.Distances.size() * BytesOfResult +
     (this->Finder ? BytesOfPaths * static_cast<std::size_t>(this->GetSummary().NumberOfVertices)
                   : 0);
 }

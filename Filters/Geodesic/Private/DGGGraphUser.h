@@ -59,6 +59,8 @@ public:
 
   /// Only right after a successful Update().
   const dgg::GraphSearch& GetSearch() const { return *this->Search; }
+  /// Kept after local searches, so that the next search resets only reached vertices.
+  dgg::SearchResult& GetResult() { return this->Result; }
   /// The accuracy that links have to have: that of the graph, or that asked for when it has none.
   double GetLinkAccuracy() const;
   /// How far to search so that every point closer than `maximum` is reached through the graph.
@@ -85,7 +87,7 @@ public:
   /// For paths in the graph, with links when there is a builder. Its memory is as large as the
   /// mesh, whose positions have been made; it is kept as long as graph and builder are the same.
   const dgg::PathFinder& GetPathFinder();
-  /// Returns what makes paths on a cloud smooth. It uses the graph, which must outlive it.
+  /// Returns the shortener of paths on a cloud. It uses the graph, which must outlive it.
   dgg::BandPathShortener MakeShortener(const DGGPreparedMesh& cloud) const;
 
   ///@{
@@ -134,6 +136,7 @@ private:
   DGGPreparedGraph::Pointer Graph;
   std::optional<dgg::GraphSearch> Search; // that of Graph, with landmarks when there are enough
   std::size_t NumberOfPairs = 0;          // that it has been asked for
+  dgg::SearchResult Result;
   std::shared_ptr<const dgg::GraphBuilder> Builder;
   std::size_t BuilderSize = 0;             // bytes, about
   std::unique_ptr<dgg::PathFinder> Finder; // in Search, with Builder

@@ -45,15 +45,6 @@ void LinkVertices(const DGGMatrixSearch::Points& points, DGGMatrixSearch::Links&
     }
   }
 }
-
-DGGMatrixSearch::Points Select(
-  const DGGMatrixSearch::Points& points, const std::vector<std::size_t>& indices)
-{
-  DGGMatrixSearch::Points selected(indices.size());
-  std::transform(
-    indices.begin(), indices.end(), selected.begin(), [&](std::size_t i) { return points[i]; });
-  return selected;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +73,11 @@ dgg::Status DGGMatrixSearch::LinkPoints(
     return dgg::Status::Success();
   }
   const std::vector<std::size_t> aims = FindPoints(others, false);
-  const Points aimPoints = Select(others, aims);
+  Points aimPoints;
+  for (const std::size_t i : aims)
+  {
+    aimPoints.push_back(others[i]);
+  }
   const double start = this->Done;
   this->Done = end;
   return DGGForEach(unlinked.size(), LinkBlock, dgg::ProgressPart(this->Progress, start, end),
