@@ -40,7 +40,7 @@ IN_OPTIONS = {
     r", or turn InFaces on": "",
     r'method="exact" or "graph"': "--method exact or --method graph",
     r"\bGetMeanAnisotropy\(\)": "the mean anisotropy",
-    r"Call GenerateWindowsOn\(\) of vtkExactGeodesicDistance for exact ones": "Use --method exact",
+    r"Use vtkExactGeodesicDistance with GenerateWindowsOn\(\)": "Use --method exact",
     r", or Radius too small": "",
     r", or set Radius": "",
     r"\buse Neumann conditions": "use --boundary Neumann",
