@@ -359,8 +359,11 @@ class WrongInput(unittest.TestCase):
     def test_accuracy(self):
         for accuracy in (0.0, 1e-7, 0.51, -1.0, np.nan, np.inf):
             with self.subTest(accuracy=accuracy):
-                with self.assertRaisesRegex(vtkdgg.VTKError, "accuracy.*1e-06, 0.5"):
+                pattern = rf"accuracy: expected a number in \[1e-6, 0.5\], got {accuracy:g}"
+                with self.assertRaisesRegex(ValueError, pattern):
                     vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
+        with self.assertRaisesRegex(ValueError, "accuracy is a keyword argument: accuracy=0.01"):
+            vtkdgg.Graph(support.polydata(self.points, self.triangles), 0.01)
         for accuracy in ("fine", [0.1, 0.2]):
             with self.assertRaisesRegex(ValueError, "accuracy: expected a number"):
                 vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
@@ -405,7 +408,9 @@ class WrongInput(unittest.TestCase):
             (6, {}, "sources: point id 6"),
             ([0, -1], {}, r"sources: point id -1 \(entry 1\)"),
             (2**70, {}, "sources: 1180591620717411303424 does not fit into 64 bits"),
+            (None, {}, "sources: missing"),
             (True, {}, "sources: expected numbers, got bool"),
+            ((True, (1.0, 0.0, 0.0)), {}, r"sources\[0\]: expected a face id .* got True"),
             (np.array([True, False]), {}, "sources: expected numbers, got bool"),
             (np.ma.masked_equal([0, 1], 1), {}, "sources: has masked entries"),
             (0.5, {}, "sources: expected point ids"),

@@ -108,11 +108,19 @@ class OfAMesh(unittest.TestCase):
             ValueError, r"out: expected the shape \(40, 3\), got \(3, 40\)"
         ):
             self.graph.matrix(rows, columns, out=np.empty((3, 40)))
-        for out in (np.zeros((40, 3), dtype=int), [[0.0] * 3] * 40):
-            with self.assertRaisesRegex(ValueError, "out: expected"):
-                self.graph.matrix(rows, columns, out=out)
-        with self.assertRaisesRegex(ValueError, "dtype: expected a floating-point type, got int32"):
-            self.graph.matrix(rows, dtype=np.int32)
+        read_only = np.zeros((40, 3))
+        read_only.flags.writeable = False
+        for given, pattern in (
+            ({"out": np.zeros((40, 3), dtype=int)}, "out: expected a floating-point type, got int"),
+            ({"out": [[0.0] * 3] * 40}, "out: expected an array, got list"),
+            ({"out": "x.npy"}, "out: expected an array, got str"),
+            ({"out": read_only}, "out: the array is read-only"),
+            ({"out": np.zeros((40, 3)), "dtype": "f4"}, "dtype: expected float64, .* got float32"),
+            ({"dtype": np.int32}, "dtype: expected a floating-point type, got int32"),
+            ({"dtype": "x"}, "dtype: expected a floating-point type, got 'x'"),
+        ):
+            with self.subTest(given=given), self.assertRaisesRegex(ValueError, pattern):
+                self.graph.matrix(rows, columns, **given)
 
     def test_neighborhood(self):
         radius = 0.2 * self.size
@@ -203,8 +211,15 @@ class OfAMesh(unittest.TestCase):
         self.assertEqual(drawn.GetNumberOfLines(), len(lines))
         # A query afterwards is what it was before.
         self.assertLess(np.abs(self.graph.distance(5) - exact).max(), 0.02 * exact.max())
-        for wrong in ("x", [np.nan], None, -3):
-            with self.assertRaisesRegex(ValueError, "values"):
+        for wrong, pattern in (
+            ("x", "values"),
+            ([np.nan], "values"),
+            (None, "values"),
+            (-3, "values: must not be negative, is -3"),
+            ([], "values: expected at least one, got none"),
+            (10**9, "values: expected at most 10000, got 1000000000"),
+        ):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(ValueError, pattern):
                 self.graph.isolines(5, wrong)
 
     def test_loop(self):

@@ -114,6 +114,8 @@ class SurfacePoints:
 def surface_points(values, name, surface, is_cloud=False):
     """Returns points of a surface as `SurfacePoints`: ids (integers), coordinates (floats), pairs
     (face, barycentric coordinates), or a sequence that mixes them."""
+    if values is None:
+        raise ValueError(f"{name}: missing")
     if isinstance(values, tuple) and _is_in_face(values):
         values = [values]
     if is_mixed(values):
@@ -181,6 +183,8 @@ def _set(points, i, value, name):
             raise ValueError(
                 f"{name}: expected three barycentric coordinates, got shape {weights.shape}"
             )
+        if isinstance(value[0], (bool, np.bool_)):
+            raise ValueError(f"{name}: expected a face id (an integer), got {value[0]}")
         points.faces[i] = integer(value[0], name)
         points.barycentric[i] = weights
         return
@@ -255,6 +259,14 @@ def number(value, name):
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name}: expected a number, got {value!r}") from None
+
+
+def accuracy(value):
+    """Returns the accuracy of the graph of a mesh."""
+    result = number(value, "accuracy")
+    if not 1e-6 <= result <= 0.5:
+        raise ValueError(f"accuracy: expected a number in [1e-6, 0.5], got {result:g}")
+    return result
 
 
 def integer(value, name):

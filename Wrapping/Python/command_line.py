@@ -113,7 +113,7 @@ def make_parser():
     commands = parser.add_subparsers(dest="command", metavar="command", required=True)
     parser.commands = commands.choices
 
-    def add(run, *shared, out="cells", keeps=KEEPS, needs_out=False, example=""):
+    def add(run, *shared, out="values at points", keeps=KEEPS, needs_out=False, example=""):
         name = run.__name__
         command = commands.add_parser(
             name,
@@ -184,9 +184,14 @@ def make_parser():
     )
     which = command.add_mutually_exclusive_group()
     which.add_argument("--values", type=numbers, metavar="D,D,...", help="the distances")
-    which.add_argument("--every", type=float, metavar="D", help="or the multiples of one distance")
+    which.add_argument("--every", type=float, metavar="D", help="or its multiples (at most 10,000)")
     which.add_argument("--count", type=int, help="or their number (default: 10)")
-    command = add(answers.voronoi, *placed, example="--number 50 --iterations 10 --out cells.vtp")
+    cells = "--number 50 --iterations 10 --out cells.vtp"
+    command = add(answers.voronoi, *placed, example=cells)
+    command.epilog += (
+        "\n\n.csv, .npy and files of clouds contain the nearest site of each point; .ply, .vtk and "
+        ".vtp\nfiles of meshes contain the cells. Cells do not fit into .pcd."
+    )
     which = command.add_mutually_exclusive_group()
     which.add_argument("--site", action="append", metavar=places.POINT, help="a site")
     which.add_argument("--number", type=int, help="or how many, spread evenly (default: 20)")

@@ -142,7 +142,7 @@ def distance(
         return (np.empty(0), np.empty(0, dtype=np.intp)) if return_source else np.empty(0)
 
     if accuracy is not None:
-        distance_filter.SetAccuracy(arguments.number(accuracy, "accuracy"))
+        distance_filter.SetAccuracy(arguments.accuracy(accuracy))
     distance_filter.SetInputData(surface)
     distance_filter.SetGenerateNearestSource(bool(return_source))
     set_merging(distance_filter, merge_coincident_points, merge_tolerance, info)

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Graph"]
 
+# Largest number of values of isolines.
+MOST_VALUES = 10_000
+
 
 class Graph(Queries):
     """Geodesic distances and paths on one triangle mesh, for many queries.
@@ -62,11 +65,11 @@ class Graph(Queries):
     ------
     ValueError
         When an array has the wrong shape or type, a number is not finite, or an id does not exist;
-        when another argument is not of the type above (`number_of_neighbors` is an integer of 32
+        when an accuracy is out of range; when another argument is not of the type above (`number_of_neighbors` is an integer of 32
         bits); when the graph on the mesh is damaged and none of its parameters is given.
     VTKError
-        When the filter refuses the input: an accuracy out of range, a mesh without triangles, a
-        graph that would take more memory than `memory_limit`.
+        When the filter refuses the input: a mesh without triangles, a graph that would take more
+        memory than `memory_limit`.
 
     See Also
     --------
@@ -97,6 +100,11 @@ class Graph(Queries):
         merge_coincident_points: bool = False,
         merge_tolerance: float = 0.0,
     ) -> None:
+        if isinstance(triangles, float):
+            raise ValueError(
+                f"triangles: expected cells, got {triangles}; accuracy is a keyword argument: "
+                f"accuracy={triangles}"
+            )
         surface, _ = meshes.take(points, triangles)
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("points: expected at least one, got none")
@@ -111,7 +119,7 @@ class Graph(Queries):
             raise ValueError(f"construction: expected one of {known}, got {construction!r}")
         builder = vtkDiscreteGeodesicGraph()
         if accuracy is not None:
-            builder.SetAccuracy(arguments.number(accuracy, "accuracy"))
+            builder.SetAccuracy(arguments.accuracy(accuracy))
         if construction is not None:
             builder.SetConstruction(CONSTRUCTIONS.index(construction))
         if number_of_neighbors is not None:
@@ -174,8 +182,8 @@ class Graph(Queries):
         sources, initial_distances, projection_tolerance
             As for `distance`.
         values : float, or sequence of float, or int
-            The distances. An integer is a number of distances with even spacing between 0 and the
-            largest distance, both excluded.
+            The distances, at most 10,000. An integer is a number of distances with even spacing
+            between 0 and the largest distance, both excluded.
         as_polydata : bool, optional
             Return a vtkPolyData with polylines and the arrays of vtkApolloniusIsolines.
 
@@ -192,7 +200,12 @@ class Graph(Queries):
         array = arguments.numbers(values, "values")
         is_number = array.ndim == 0 and array.dtype.kind in "iu"
         if is_number and array < 0:
-            raise ValueError(f"values: a number of them must not be negative, is {array}")
+            raise ValueError(f"values: must not be negative, is {array}")
+        if array.size == 0:
+            raise ValueError("values: expected at least one, got none")
+        count = int(array) if is_number else array.size
+        if count > MOST_VALUES:
+            raise ValueError(f"values: expected at most {MOST_VALUES}, got {count}")
         if not is_number:
             array = arguments.finite_numbers(values, "values", array.size)
         search = self._search(sources, True, None, initial_distances, projection_tolerance)
@@ -204,7 +217,7 @@ class Graph(Queries):
         if is_number:
             distances = array_of(field.GetPointData(), search.GetDistanceArrayName())
             largest = np.nanmax(distances) if np.isfinite(distances).any() else 0.0
-            array = largest * np.arange(1, int(array) + 1) / (int(array) + 1)
+            array = largest * np.arange(1, count + 1) / (count + 1)
         output = find_isolines(field, array, False, self._info, self._heard)
         return output if as_polydata else lines_of(output, Isoline, value="IsoValue")
 

@@ -105,6 +105,11 @@ def choose_method(method, accuracy, surface, methods):
         raise ValueError(f"method: expected one of {', '.join(map(repr, methods))}, got {method!r}")
     if accuracy is not None and method != "graph":
         raise ValueError(f"accuracy: applies to the method 'graph' only, not to {method!r}")
+    if accuracy is not None and info is not None and info.is_cloud:
+        raise ValueError(
+            "accuracy: applies to meshes, not to point clouds; vtkdgg.CloudGraph(points, "
+            "accuracy=...) builds a graph with less pruning"
+        )
     return method, info if method == "graph" else None
 
 

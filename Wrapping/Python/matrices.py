@@ -51,8 +51,8 @@ class Matrices(GraphData):
             Is filled with the distances block by block, and returned. Any object with a shape works
             if slices can be assigned to it. The matrix need not fit into memory.
         dtype : floating-point numpy.dtype, optional
-            Type of the new array if there is no `out`; one of another type than float64 is filled
-            block by block. Default: float64.
+            Type of the new array; one of another type than float64 is filled block by block. With
+            `out` it must be the type of `out`. Default: float64, or the type of `out`.
         unreached : float, optional
             Distance given to pairs that are not connected. Default: NaN.
         projection_tolerance : float, optional
@@ -73,15 +73,10 @@ class Matrices(GraphData):
         rows = self._points(rows, "rows")
         columns = None if columns is None else self._points(columns, "columns")
         shape = len(rows), len(rows if columns is None else columns)
+        dtype = None if dtype is None else _floating_point(dtype)
         if out is not None:
-            given = tuple(getattr(out, "shape", ()))
-            if given != shape:
-                raise ValueError(f"out: expected the shape {shape}, got {given}")
-            if getattr(getattr(out, "dtype", None), "kind", "f") != "f":
-                raise ValueError(f"out: expected a floating-point type, got {out.dtype}")
+            _check_out(out, shape, dtype)
         dtype = np.dtype(np.float64 if dtype is None else dtype)
-        if dtype.kind != "f":
-            raise ValueError(f"dtype: expected a floating-point type, got {dtype}")
         tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
         tabulate.CompressedRowsOff()
         tabulate.GenerateTableOff()
@@ -231,3 +226,29 @@ class Matrices(GraphData):
         ]
         tabulate.ReleaseMatrix()
         return arrays
+
+
+def _floating_point(dtype):
+    """Returns the argument as a floating-point numpy.dtype."""
+    try:
+        found = np.dtype(dtype)
+    except TypeError:
+        raise ValueError(f"dtype: expected a floating-point type, got {dtype!r}") from None
+    if found.kind != "f":
+        raise ValueError(f"dtype: expected a floating-point type, got {found}")
+    return found
+
+
+def _check_out(out, shape, dtype):
+    """Raises an error if `out` cannot be filled with distances."""
+    if not hasattr(out, "shape"):
+        raise ValueError(f"out: expected an array, got {type(out).__name__}")
+    if tuple(out.shape) != shape:
+        raise ValueError(f"out: expected the shape {shape}, got {tuple(out.shape)}")
+    given = getattr(out, "dtype", None)
+    if getattr(given, "kind", "f") != "f":
+        raise ValueError(f"out: expected a floating-point type, got {given}")
+    if dtype is not None and given != dtype:
+        raise ValueError(f"dtype: expected {given}, the type of out, got {dtype}; omit dtype")
+    if isinstance(out, np.ndarray) and not out.flags.writeable:
+        raise ValueError("out: the array is read-only")

@@ -99,7 +99,7 @@ def path(
     if method == "exact":
         finder.SetMethodToExact()
     elif accuracy is not None:
-        finder.SetAccuracy(arguments.number(accuracy, "accuracy"))
+        finder.SetAccuracy(arguments.accuracy(accuracy))
     finder.SetInputData(surface)
     set_merging(finder, merge_coincident_points, merge_tolerance, info)
     finder.SetProjectionTolerance(tolerance)

@@ -35,7 +35,7 @@ TABLES = (".csv", ".npy")
 # Formats that can hold an answer, by its kind.
 FORMATS = {
     "values at points": (".csv", ".npy", ".pcd", ".ply", ".vtk", ".vtp"),
-    "cells": (".pcd", ".ply", ".vtk", ".vtp"),
+    "cells of a mesh": (".csv", ".npy", ".ply", ".vtk", ".vtp"),
     "curves": (".csv", ".npy", ".obj", ".vtk", ".vtp"),
     "points": (".csv", ".npy", ".obj", ".off", ".pcd", ".ply", ".vtk", ".vtp", ".xyz"),
     "a graph": (".vtk", ".vtp"),

@@ -15,14 +15,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from .. import arguments, writing
 from ..distances import set_sources
 from ..errors import run
-from ..graph import find_isolines
+from ..graph import MOST_VALUES, find_isolines
 from ..graph_info import GraphInfo, choose_method
 from . import files, places, sizes
+from .output import with_arrays
 
 # Methods of distances on a mesh.
 METHODS = ("exact", "graph", "fast", "marching")
-# Largest number of values of isolines.
-MOST_VALUES = 10_000
 
 
 class Negative(Exception):
@@ -388,6 +387,8 @@ def values_of(options, distances):
 def voronoi(options):
     """Voronoi cells of sites."""
     contents, is_cloud = read(options)
+    if options.out and not is_cloud:
+        files.check_format(options.out, "cells of a mesh")
     made = graph_of(options, contents, is_cloud)
     if options.site:
         sites = several(options.site, contents, "--site")
@@ -400,8 +401,13 @@ def voronoi(options):
     if cells.areas is not None:
         found["areas"] = cells.areas.tolist()
     if options.out:
-        output = made.voronoi(sites, as_polydata=True, **choices)
-        answer = "GeodesicSource" if made.is_cloud else "SiteId"
+        if made.is_cloud or writing.extension_of(options.out) in writing.TABLES:
+            answer = "GeodesicSource"
+            fields = {answer: cells.nearest, "GeodesicDistance": cells.distances}
+            output = with_arrays(made.polydata, fields)
+        else:
+            answer = "SiteId"
+            output = made.voronoi(sites, as_polydata=True, **choices)
         found.update(written(options, without_graph(output, contents), answer))
     return found
 

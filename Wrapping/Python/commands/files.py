@@ -3,6 +3,7 @@
 """Kinds of contents of files: surfaces, curves and clouds."""
 
 import argparse
+import os
 
 import numpy as np
 import vtkdgg
@@ -70,13 +71,24 @@ def finite_points(contents, path):
     return contents if finite.all() else arguments.polydata(points[finite].astype(float))
 
 
-def writable(path, kind):
-    """Returns the path, after a check that its format holds this kind of writing.FORMATS."""
+def check_format(path, kind):
+    """Raises an error if the format of the file does not hold this kind of writing.FORMATS."""
     extension = writing.extension_of(path)
     if extension not in writing.FORMATS[kind]:
         known = " ".join(writing.FORMATS[kind])
         name = repr(extension) if extension else "a file without extension"
-        raise argparse.ArgumentTypeError(f"{path}: {name} cannot hold {kind}; expected {known}")
+        raise MeshFileError(f"{path}: {name} cannot hold {kind}; expected {known}")
+
+
+def writable(path, kind):
+    """Returns the path of an output file of a kind of writing.FORMATS, after a check of both."""
+    try:
+        check_format(path, kind)
+    except MeshFileError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    folder = os.path.dirname(path)
+    if folder and not os.path.isdir(folder):
+        raise argparse.ArgumentTypeError(f"{path}: the folder {folder} does not exist")
     return path
 
 

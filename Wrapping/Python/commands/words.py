@@ -62,7 +62,12 @@ OPTIONS = {
     "projection_tolerance": "--tolerance",
 }
 # Arguments that are also common words; replaced at the beginning of a message only.
-FIRST_WORDS = {"first": "--first", "iterations": "--iterations", "values": "--values"}
+FIRST_WORDS = {
+    "accuracy": "--accuracy",
+    "first": "--first",
+    "iterations": "--iterations",
+    "values": "--values",
+}
 
 
 def in_options(text):
