@@ -56,6 +56,7 @@ class Parser(argparse.ArgumentParser):
     """Reports errors as the rest of the program does: one line, exit code 2."""
 
     def error(self, message):
+        message = message.removeprefix("argument ")
         raise compare.UsageError(f"{message} (--help explains)")
 
 
@@ -184,7 +185,7 @@ def make_parser():
     )
     which = command.add_mutually_exclusive_group()
     which.add_argument("--values", type=numbers, metavar="D,D,...", help="the distances")
-    which.add_argument("--every", type=float, metavar="D", help="or its multiples (at most 10,000)")
+    which.add_argument("--every", type=float, metavar="D", help="or multiples of one distance")
     which.add_argument("--count", type=int, help="or their number (default: 10)")
     cells = "--number 50 --iterations 10 --out cells.vtp"
     command = add(answers.voronoi, *placed, example=cells)

@@ -92,8 +92,12 @@ def read(file: Any) -> Mesh:
     """
     path = os.fspath(file)
     extension = extension_of(path)
-    if not os.path.isfile(path):
+    if not os.path.exists(path):
         raise FileNotFoundError(f"{path}: no such file")
+    if os.path.isdir(path):
+        raise IsADirectoryError(f"{path}: expected a file, got a folder")
+    if not os.path.isfile(path):
+        raise OSError(f"{path}: expected a file, got a device or pipe")
     try:
         if extension in OWN:
             mesh = mesh_of(_update(OWN[extension](), path))

@@ -100,25 +100,37 @@ def named(graph):
     }
 
 
-def several(texts, contents, name):
+def several(texts, contents, name, only_ids=False):
     """Returns surface points as functions take them."""
-    return [places.choose(text, contents, name) for text in texts]
+    return [places.choose(text, contents, name, only_ids) for text in texts]
 
 
 def sources_of(options, contents):
     """Returns the sources of all options that name them."""
-    texts = [("--source", text) for text in options.source or []]
+    sources = several(options.source or [], contents, "--source")
     if options.sources is not None:
-        texts += [("--sources", text) for text in options.sources.split(",")]
+        sources += several(options.sources.split(","), contents, "--sources", True)
     if options.source_file is not None:
-        with open(options.source_file, encoding="utf-8") as file:
+        sources += from_file(options.source_file, contents)
+    if not sources:
+        raise places.SourceError("there are no sources; give --source, --sources or --source-file")
+    return sources
+
+
+def from_file(path, contents):
+    """Returns the sources of a text file."""
+    sources = []
+    try:
+        with open(path, encoding="utf-8") as file:
             for number, line in enumerate(file, 1):
                 words = line.partition("#")[0].replace(",", " ").split()
                 if words:
-                    texts.append((f"{options.source_file}, line {number}:", ",".join(words)))
-    if not texts:
-        raise places.SourceError("there are no sources; give --source, --sources or --source-file")
-    return [places.choose(text, contents, name) for name, text in texts]
+                    name = f"--source-file {path}, line {number}:"
+                    sources.append(places.choose(",".join(words), contents, name))
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or "not a text file"
+        raise places.SourceError(f"--source-file {path}: {reason}") from None
+    return sources
 
 
 def written(options, data, answer=None):
@@ -246,7 +258,7 @@ def matrix(options):
     rows = sources_of(options, contents)
     columns = None
     if options.targets is not None:
-        columns = several(options.targets.split(","), contents, "--targets")
+        columns = several(options.targets.split(","), contents, "--targets", True)
     made = graph_of(options, contents, is_cloud)
     values = None
     is_mapped = writing.extension_of(options.out) == ".npy"
@@ -462,9 +474,12 @@ def render(options):
     array = contents.GetPointData().GetArray(options.array)
     if array is None or array.GetNumberOfComponents() > 1:
         known = ", ".join(files.names_of(contents.GetPointData())) or "none"
+        remedy = "give another --array"
+        if source is None:
+            remedy = "give a --source, or a file that 'vtkdgg distance' has written"
         raise files.MeshFileError(
             f"{options.file}: there is no point array {options.array!r} with one component (found: "
-            f"{known}); give a --source, or a file that 'vtkdgg distance' has written"
+            f"{known}); {remedy}"
         )
     mesh = files.triangles_of(contents, options.file)
     values = vtk_to_numpy(mesh.GetPointData().GetArray(options.array))

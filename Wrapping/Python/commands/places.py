@@ -21,13 +21,18 @@ class SourceError(Exception):
     """The surface point does not exist; the text states the reason."""
 
 
-def choose(text, mesh, name="--source"):
+def choose(text, mesh, name="--source", only_ids=False):
     """Returns a point id (int), coordinates (list of 3 floats) or a pair (face, barycentric
-    coordinates) for a text, and None for None."""
+    coordinates) for a text, and None for None.
+
+    With `only_ids` other texts than point ids are an error.
+    """
     if text is None:
         return None
     try:
-        if text.startswith("face:"):
+        if only_ids:
+            source = int(text)
+        elif text.startswith("face:"):
             _, face, weights = text.split(":")
             source = int(face), [float(word) for word in weights.split(",")]
             if len(source[1]) != 3:
@@ -39,11 +44,10 @@ def choose(text, mesh, name="--source"):
             if len(source) != 3 or not all(math.isfinite(x) for x in source):
                 raise ValueError
     except ValueError:
-        raise SourceError(
-            f"{name} {text}: expected a point id, X,Y,Z or face:ID:B0,B1,B2"
-        ) from None
+        known = "" if only_ids else ", X,Y,Z or face:ID:B0,B1,B2"
+        raise SourceError(f"{name} {text}: expected a point id{known}") from None
     if isinstance(source, tuple):
-        arguments.surface_point(source, name, mesh)
+        arguments.surface_point(source, f"{name} {text}", mesh)
     count = mesh.GetNumberOfPoints()
     if isinstance(source, int) and not 0 <= source < count:
         raise SourceError(f"{name} {source}: expected a point id from 0 to {count - 1}")

@@ -36,7 +36,7 @@ IN_OPTIONS = {
     r"(?:turn|call Set)?\s*MergeCoincidentPoints(?:On\(\))? on": "add --merge",
     r"\bmerge_coincident_points may join them": "--merge may join them",
     r"\bgive an accuracy\b": "give an --accuracy",
-    r"\bthe accuracy is\b|\b[Aa]ccuracy(?=:)": "--accuracy",
+    r"\bthe accuracy is\b|(?<!-)\b[Aa]ccuracy(?=:)": "--accuracy",
     r", or turn InFaces on": "",
     r'method="exact" or "graph"': "--method exact or --method graph",
     r"\bGetMeanAnisotropy\(\)": "the mean anisotropy",
@@ -62,12 +62,7 @@ OPTIONS = {
     "projection_tolerance": "--tolerance",
 }
 # Arguments that are also common words; replaced at the beginning of a message only.
-FIRST_WORDS = {
-    "accuracy": "--accuracy",
-    "first": "--first",
-    "iterations": "--iterations",
-    "values": "--values",
-}
+FIRST_WORDS = {"first": "--first", "iterations": "--iterations", "values": "--values"}
 
 
 def in_options(text):
