@@ -232,6 +232,11 @@ class Command(unittest.TestCase):
                     self.assertIn("--accuracy 0.002 is finer than the graph", found["warnings"][-1])
         for asked in (("distance", path, *source), ("path", path, 5, 100)):
             self.assertEqual(self.answer(*asked, "--method", "exact")["method"], "exact")
+        self.assertEqual(self.answer("info", path)["graph"], "Guaranteed, accuracy 0.003, current")
+        stale, moved = out("stale.vtp"), vtkdgg.read(path)
+        moved.points[7] *= 1.01
+        vtkdgg.write(stale, moved)
+        self.assertIn("accuracy 0.003, stale: ", self.answer("info", stale)["graph"])
         damaged = vtkdgg.read(path)
         damaged.field_data["DGG.Lengths"][100] = 7.0
         vtkdgg.write(path, damaged)

@@ -16,7 +16,7 @@ from .. import arguments, writing
 from ..distances import set_sources
 from ..errors import run
 from ..graph import MOST_VALUES, find_isolines
-from ..graph_info import GraphInfo, choose_method
+from ..graph_info import CONSTRUCTIONS, GraphInfo, choose_method
 from . import files, places, sizes
 from .output import with_arrays
 
@@ -180,6 +180,8 @@ def info(options):
         "diagonal": contents.GetLength(),
     }
     found["point arrays"] = files.names_of(contents.GetPointData())
+    if GraphInfo.find(contents):
+        found["graph"] = state_of_graph(contents)
     if kind == "curves":
         found["lines"] = contents.GetNumberOfLines()
         warnings.warn("there is no surface; --cloud uses the points only", stacklevel=2)
@@ -198,6 +200,24 @@ def info(options):
         spacing = sizes.spacing_of(cloud)
         found.update({"spacing": spacing, "components": sizes.components_of(cloud, spacing)})
     return found
+
+
+def state_of_graph(contents):
+    """Returns what the graph of the contents promises, and if it belongs to them."""
+    graph = GraphInfo(contents)
+    kind = vtkdgg.CloudGraph if graph.is_cloud else vtkdgg.Graph
+    state = "current"
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            kind(contents, memory_limit=1)  # too little to build another one
+        except vtkdgg.VTKError:
+            state = "stale: it belongs to other points or cells"
+        except (ImportError, ValueError) as error:
+            state = str(error)
+    name = CONSTRUCTIONS[graph.construction]
+    accuracy = "" if graph.accuracy is None else f", accuracy {graph.accuracy:g}"
+    return f"{'scheme ' * graph.is_cloud}{name}{accuracy}, {state}"
 
 
 def number_of(text):
