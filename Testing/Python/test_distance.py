@@ -133,7 +133,7 @@ class Distance(unittest.TestCase):
         points, triangles = support.grid(1, 1)
         points = np.vstack([points, points + [1.0, 0.0, 0.0]])
         triangles = np.vstack([triangles, triangles + 4])
-        with self.assertWarnsRegex(RuntimeWarning, "MergeCoincidentPoints"):
+        with self.assertWarnsRegex(RuntimeWarning, "set merge_coincident_points=True"):
             self.assertTrue(np.isnan(vtkdgg.distance(points, triangles, 0)[7]))
         for accuracy, delta in ((None, 1e-12), (0.01, 1e-5)):
             distances = vtkdgg.distance(
@@ -145,7 +145,7 @@ class Distance(unittest.TestCase):
         points, triangles = support.grid(1, 1)
         points = np.vstack([points, points + [1.0 + 1e-7, 0.0, 0.0], points + [2.0, 1e-7, 0.0]])
         triangles = np.vstack([triangles, triangles + 4, triangles + 8])
-        pattern = "only 4 of 12 points .* with a MergeTolerance of 1e-06"
+        pattern = "only 4 of 12 points .* set merge_coincident_points=True, and a merge_tolerance of 1e-06"
         with self.assertWarnsRegex(RuntimeWarning, pattern):
             self.assertTrue(np.isnan(vtkdgg.distance(points, triangles, 0)[4]))
         merged = {"merge_coincident_points": True, "merge_tolerance": 1e-6}
@@ -158,7 +158,7 @@ class Distance(unittest.TestCase):
     def test_projection_tolerance(self):
         above = [[2.0, 1.0, 0.5]]
         for accuracy in (None, 0.01):
-            with self.assertRaisesRegex(vtkdgg.VTKError, "ProjectionTolerance 0.01 "):
+            with self.assertRaisesRegex(vtkdgg.VTKError, "projection_tolerance 0.01 .* or raise projection_tolerance"):
                 vtkdgg.distance(self.points, self.triangles, above, accuracy=accuracy)
             distances = vtkdgg.distance(
                 self.points, self.triangles, above, accuracy=accuracy, projection_tolerance=0.1

@@ -429,7 +429,7 @@ class Surface(unittest.TestCase):
         hand.scene.move(np.array([0.0, 9.0, 0.0]))
         hand.window.draw()
         self.assertIsNone(hand.scene.values)
-        self.assertIn("ProjectionTolerance", hand.window._status.GetInput())
+        self.assertIn("projection_tolerance", hand.window._status.GetInput())
         # Nothing is held.
         hand.scene.places = [np.zeros(3)]
         hand.scene.held = None

@@ -215,7 +215,7 @@ class Mesh(unittest.TestCase):
         points, triangles = support.grid(1, 1)
         points = np.vstack([points, points + [1.0, 0.0, 0.0]])
         triangles = np.vstack([triangles, triangles + 4])
-        with self.assertWarnsRegex(RuntimeWarning, "MergeCoincidentPoints"):
+        with self.assertWarnsRegex(RuntimeWarning, "set merge_coincident_points=True"):
             graph = vtkdgg.Graph(points, triangles)
         self.assertTrue(np.isnan(graph.distance(0)[7]))
         with warnings.catch_warnings():
@@ -387,7 +387,7 @@ class WrongInput(unittest.TestCase):
         for limit in (0, -5, np.nan, np.inf, "much"):
             with self.subTest(limit=limit), self.assertRaisesRegex(ValueError, "memory_limit"):
                 vtkdgg.Graph(self.points, self.triangles, memory_limit=limit)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "MemoryLimit"):
+        with self.assertRaisesRegex(vtkdgg.VTKError, "memory_limit"):
             vtkdgg.Graph(*support.bumpy(), memory_limit=1000)
         graph = vtkdgg.Graph(*support.bumpy(), memory_limit=1e9)
         self.assertEqual(graph.number_of_points, 642)
@@ -432,9 +432,9 @@ class WrongInput(unittest.TestCase):
 
     def test_far_from_the_surface(self):
         for _ in range(2):
-            with self.assertRaisesRegex(vtkdgg.VTKError, "source point 1.*ProjectionTolerance"):
+            with self.assertRaisesRegex(vtkdgg.VTKError, "source point 1.*projection_tolerance"):
                 self.graph.distance([[0.0, 0.0, 0.0], [0.0, 5.0, 5.0]])
-            with self.assertRaisesRegex(vtkdgg.VTKError, "row point 0.*ProjectionTolerance"):
+            with self.assertRaisesRegex(vtkdgg.VTKError, "row point 0.*projection_tolerance"):
                 self.graph.matrix([[0.0, 5.0, 5.0]])
             far = [[0.0, 0.0, 0.0], [0.0, 3.0, 0.0]]  # above point 2
             np.testing.assert_allclose(

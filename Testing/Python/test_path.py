@@ -195,9 +195,9 @@ class Small(unittest.TestCase):
                     graph.path(start, end)
                 with self.assertRaisesRegex(ValueError, pattern):
                     vtkdgg.path(self.POINTS, [[0, 1, 2]], start, end)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "end, at .*ProjectionTolerance"):
+        with self.assertRaisesRegex(vtkdgg.VTKError, "end, at .*projection_tolerance"):
             graph.path(0, [1.0, 1.0, 1.0])
-        with self.assertRaisesRegex(vtkdgg.VTKError, "start 1, at .*ProjectionTolerance"):
+        with self.assertRaisesRegex(vtkdgg.VTKError, "start 1, at .*projection_tolerance"):
             graph.paths([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]], 0)
         self.assertEqual(graph.path(0, [1.0, 1.0, 1.0], projection_tolerance=1).points[-1, 2], 0.0)
         with self.assertRaisesRegex(ValueError, "projection_tolerance"):

@@ -81,14 +81,13 @@ def distance(
         another method than "graph" is an error.
     merge_coincident_points : bool, optional
         Treat points with equal coordinates as one, as along the seams of a textured mesh or in a
-        triangle soup. (MergeCoincidentPoints in messages of filters.)
+        triangle soup.
     merge_tolerance : float, optional
         Largest distance of merged points, as a fraction of the diagonal of the bounding box of all
         points. Default: 0, equal coordinates. Only used with `merge_coincident_points`.
-        (MergeTolerance in messages of filters.)
     projection_tolerance : float, optional
         Largest distance of the coordinates of a source from the surface, as a fraction of the
-        diagonal of its bounding box. Default: 0.01. (ProjectionTolerance in messages of filters.)
+        diagonal of its bounding box. Default: 0.01.
     as_polydata : bool, optional
         Return the surface with the point array "GeodesicDistance", and with `return_source` also
         "GeodesicSource".

@@ -31,6 +31,18 @@ _IN_ARGUMENTS = {
     "vtkPointCloudDGG makes,": "vtkPointCloudDGG makes (vtkdgg.CloudGraph),",
     "build it so by vtkDiscreteGeodesicGraph, remove it, or turn AcceptCoarserGraph on": "build it "
     'so by vtkdgg.Graph(mesh, accuracy=...), or choose method="exact"',
+    "turn MergeCoincidentPoints on, with a MergeTolerance": "set merge_coincident_points=True, and "
+    "a merge_tolerance",
+    "turn MergeCoincidentPoints on": "set merge_coincident_points=True",
+    "Accuracy 0": "accuracy 0",
+    "larger Accuracy": "larger accuracy",
+    "FirstSample": "first",
+    "MaximumDistance": "maximum_distance",
+    "MemoryLimit": "memory_limit",
+    "MergeTolerance": "merge_tolerance",
+    "NumberOfNeighbors": "number_of_neighbors",
+    "NumberOfSamples": "number_of_samples",
+    "ProjectionTolerance": "projection_tolerance",
 }
 # The end of a path that a function was given: its filter has starts and ends on a port, by turns.
 _END = re.compile(r"path end point (\d+) of input port 1")

@@ -55,11 +55,10 @@ class Graph(Queries):
         Default: 70 % of the memory that is free at that time.
     merge_coincident_points : bool, optional
         Treat points with equal coordinates as one, as along the seams of a textured mesh or in a
-        triangle soup. (MergeCoincidentPoints in messages of filters.)
+        triangle soup.
     merge_tolerance : float, optional
         Largest distance of merged points, as a fraction of the diagonal of the bounding box of all
         points. Default: 0, equal coordinates. Only used with `merge_coincident_points`.
-        (MergeTolerance in messages of filters.)
 
     Raises
     ------

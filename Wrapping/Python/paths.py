@@ -55,14 +55,13 @@ def path(
         "exact".
     merge_coincident_points : bool, optional
         Treat points with equal coordinates as one, as along the seams of a textured mesh or in a
-        triangle soup. (MergeCoincidentPoints in messages of filters.)
+        triangle soup.
     merge_tolerance : float, optional
         Largest distance of merged points, as a fraction of the diagonal of the bounding box of all
         points. Default: 0, equal coordinates. Only used with `merge_coincident_points`.
-        (MergeTolerance in messages of filters.)
     projection_tolerance : float, optional
         Largest distance of coordinates from the surface, as a fraction of the diagonal of its
-        bounding box. Default: 0.01. (ProjectionTolerance in messages of filters.)
+        bounding box. Default: 0.01.
     as_polydata : bool, optional
         Return a vtkPolyData with one polyline.
 

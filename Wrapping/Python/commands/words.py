@@ -33,7 +33,7 @@ IN_OPTIONS = {
     r"\bvtk(?!dgg)\w+: ": "",
     r"\Apoints: a rope needs some": "--through: a rope needs some points",
     r": it has to be in \[(.*), (.*)\]": r" is out of range: expected \1 to \2",
-    r"(?:turn|call Set)?\s*MergeCoincidentPoints(?:On\(\))? on": "add --merge",
+    r"\bset merge_coincident_points=True(?:, and a merge_tolerance of [\d.e-]*\d)?": "add --merge",
     r"\bmerge_coincident_points may join them": "--merge may join them",
     r"\bgive an accuracy\b": "give an --accuracy",
     r"\bthe accuracy is\b|(?<!-)\b[Aa]ccuracy(?=:)": "--accuracy",
@@ -45,18 +45,14 @@ IN_OPTIONS = {
     r", or set Radius": "",
     r"\buse Neumann conditions": "use --boundary Neumann",
     r"\bthe method 'graph'": "--method graph",
-    r", or set a higher MemoryLimit": "",
+    r", or set a higher memory_limit": "",
     r"\bcall Set(\w+)\(\) with": r"set \1 to",
 }
 # Properties of filters and arguments of functions, and the options that set them.
 OPTIONS = {
     "Accuracy": "--accuracy",
-    "FirstSample": "--first",
-    "MaximumDistance": "--maximum",
     "MergeCoincidentPoints": "--merge",
     "NumberOfIterations": "--iterations",
-    "NumberOfSamples": "--number",
-    "ProjectionTolerance": "--tolerance",
     "maximum_distance": "--maximum",
     "number_of_samples": "--number",
     "projection_tolerance": "--tolerance",
