@@ -14,6 +14,7 @@ import vtkdgg
 from vtkmodules.vtkCommonDataModel import (
     VTK_QUADRATIC_TETRA,
     vtkImageData,
+    vtkMultiBlockDataSet,
     vtkStructuredGrid,
     vtkUnstructuredGrid,
 )
@@ -112,12 +113,18 @@ class Meshes(unittest.TestCase):
                 vtkdgg.distance(POINTS, cells, 0)
 
     def test_wrong_meshes(self):
-        with self.assertRaisesRegex(ValueError, "vtkDataSetSurfaceFilter"):
-            vtkdgg.distance(vtkImageData(), 0)
+        for data, remedy in (
+            (vtkImageData(), "got a vtkImageData; vtkDataSetSurfaceFilter extracts one"),
+            (vtkMultiBlockDataSet(), "pass one block, or .* vtkCompositeDataGeometryFilter"),
+        ):
+            with self.assertRaisesRegex(ValueError, remedy):
+                vtkdgg.distance(data, 0)
         for mesh in (None, object()):
             pattern = f"type {type(mesh).__name__} without .*vertices and faces; .*points and cells"
             with self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.distance(mesh, 0)
+        with self.assertRaisesRegex(ValueError, "points: .* got elements of unequal lengths"):
+            vtkdgg.distance((POINTS, TRIANGLES, 0), 0)
         solid = Mesh(points=POINTS, cells=[Block("tetra", [[0, 1, 5, 6]])])
         with self.assertRaisesRegex(ValueError, "'tetra'"):
             vtkdgg.Graph(solid)

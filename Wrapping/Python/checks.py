@@ -11,8 +11,10 @@ def numbers(values, name, kind="number"):
         raise ValueError(f"{name}: has masked entries; remove or fill them")
     try:
         array = np.asarray(values)
-    except ValueError as error:  # rows of unequal length
-        raise ValueError(f"{name}: not an array of numbers ({error})") from None
+    except ValueError:
+        raise ValueError(
+            f"{name}: expected an array of numbers, got elements of unequal lengths"
+        ) from None
     if array.dtype == object and all(isinstance(value, int) for value in array.flat):
         largest = max(array.flat, key=abs)  # NumPy has no type for such integers
         raise ValueError(f"{name}: {largest} does not fit into 64 bits")

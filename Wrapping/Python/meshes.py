@@ -10,7 +10,7 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPointSet, vtkPolyData
 
 from . import arguments
 from .mesh import Mesh
@@ -75,7 +75,7 @@ def opened(mesh):
     if isinstance(mesh, np.ndarray):
         return None
     if isinstance(mesh, (list, tuple)):
-        return tuple(mesh) if len(mesh) == 2 and np.ndim(mesh[0]) == 2 else None
+        return tuple(mesh) if len(mesh) == 2 and _is_table(mesh[0]) else None
     if hasattr(mesh, "to_mesh"):  # a scene of trimesh
         return opened(mesh.to_mesh())
     if isinstance(getattr(mesh, "dataset", None), vtkDataObject):  # vedo
@@ -91,6 +91,11 @@ def opened(mesh):
             f"{type(mesh).__name__} without any of these sets of attributes: {known}"
         )
     return None
+
+
+def _is_table(points):
+    """Returns true for a sequence of points, which may be empty."""
+    return np.ndim(points) == 2 or np.ndim(points) == 1 and len(points) == 0
 
 
 def cloud_of(mesh, name="points"):
@@ -141,10 +146,10 @@ def _surface(found):
         return copy_surface(found)
     if isinstance(found, vtkPointSet):
         return copy_surface(surface_of(found, f"The {found.GetClassName()}"))
-    raise ValueError(
-        f"points: expected a surface, got a {found.GetClassName()}; vtkDataSetSurfaceFilter makes "
-        "one"
-    )
+    remedy = "vtkDataSetSurfaceFilter extracts one"
+    if isinstance(found, vtkCompositeDataSet):
+        remedy = "pass one block, or merge all blocks by vtkCompositeDataGeometryFilter"
+    raise ValueError(f"points: expected a surface, got a {found.GetClassName()}; {remedy}")
 
 
 def _attribute(mesh, path):
