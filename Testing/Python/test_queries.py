@@ -308,6 +308,10 @@ class OfACloud(unittest.TestCase):
             (lambda: vtkdgg.CloudGraph(self.points, normals=[[0, 0, 1]]), "normals: expected 861"),
             (lambda: vtkdgg.CloudGraph(self.points, scheme="D"), "scheme"),
             (lambda: vtkdgg.Graph.from_polydata(self.cloud.polydata), "CloudGraph"),
+            (
+                lambda: vtkdgg.distance(self.cloud.polydata, 0, accuracy=0.001),
+                "accuracy: applies to meshes, not to point clouds",
+            ),
             (lambda: vtkdgg.CloudGraph.from_polydata(vtkPolyData()), "no graph"),
         ):
             with self.assertRaisesRegex(ValueError, pattern):

@@ -78,7 +78,7 @@ def distance(
         "exact". The default accuracy of "graph" is 0.01. "fast" (virtual sources) takes
         milliseconds. "marching" (fast marching) takes point clouds as well: a mesh without
         polygons, or [] for the triangles. Errors of these two have no bound. An `accuracy` with
-        another method than "graph" is an error.
+        another method than "graph", or on a cloud, is an error.
     merge_coincident_points : bool, optional
         Treat points with equal coordinates as one, as along the seams of a textured mesh or in a
         triangle soup.
