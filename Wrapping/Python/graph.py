@@ -64,8 +64,9 @@ class Graph(Queries):
     ------
     ValueError
         When an array has the wrong shape or type, a number is not finite, or an id does not exist;
-        when an accuracy is out of range; when another argument is not of the type above (`number_of_neighbors` is an integer of 32
-        bits); when the graph on the mesh is damaged and none of its parameters is given.
+        when an accuracy is out of range; when another argument is not of the type above
+        (`number_of_neighbors` is an integer of 32 bits); when the graph on the mesh is damaged
+        and none of its parameters is given.
     VTKError
         When the filter refuses the input: a mesh without triangles, a graph that would take more
         memory than `memory_limit`.

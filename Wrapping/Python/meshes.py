@@ -10,7 +10,12 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkPointSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet,
+    vtkDataObject,
+    vtkPointSet,
+    vtkPolyData,
+)
 
 from . import arguments
 from .mesh import Mesh

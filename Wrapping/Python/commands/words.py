@@ -45,7 +45,8 @@ IN_OPTIONS = {
     r", or set Radius": "",
     r"\buse Neumann conditions": "use --boundary Neumann",
     r"\bthe method 'graph'": "--method graph",
-    r", or set a higher memory_limit": "",
+    r", or (?:set )?a higher memory_limit": "",
+    r"\b(larger|and) accuracy\b": r"\1 --accuracy",
     r"\bcall Set(\w+)\(\) with": r"set \1 to",
 }
 # Properties of filters and arguments of functions, and the options that set them.
