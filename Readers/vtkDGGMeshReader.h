@@ -42,6 +42,9 @@ public:
   vtkAbstractTypeMacro(vtkDGGMeshReader, vtkAbstractPolyDataReader);
 
 protected:
+  /**
+   * Constructs a reader of one format.
+   */
   explicit vtkDGGMeshReader(dgg::FileFormat format);
   ~vtkDGGMeshReader() override = default;
 

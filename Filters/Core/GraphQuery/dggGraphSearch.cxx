@@ -61,13 +61,14 @@ constexpr std::size_t SmallestGroup = 4;
 /// How far the near field of a group of sources reaches, in units of the distance from one in the
 /// middle to the farthest. Beyond, they see the surface in about the same order.
 constexpr double NearFieldReach = 2.0;
-/// Reports of a search from many sources: so many, or more if there are more than so many vertices
-/// to be searched between two of them; but so many groups at least, to keep the threads busy.
+/// Progress of a search from many sources is reported at least this many times, more often if more
+/// than VerticesPerReport vertices are searched between two reports. FewestGroups groups between
+/// two reports keep the threads busy.
 constexpr Offset FewestReports = 8;
 constexpr Offset VerticesPerReport = Offset(1) << 21;
 constexpr Offset FewestGroups = 4;
-/// A thread searches about this many vertices before it takes the next sources; but there are at
-/// least so many tasks between two reports, if there are so many groups.
+/// A task searches about this many vertices, fewer if there are not FewestTasks tasks between two
+/// reports.
 constexpr Offset VerticesPerTask = Offset(1) << 12;
 constexpr Offset FewestTasks = 64;
 /// Part of the preparation of landmarks that their choice takes.

@@ -93,7 +93,7 @@ struct GraphPath
   std::vector<Offset> Edges; ///< Edges[i] leads from Vertices[i] to Vertices[i + 1]
 };
 
-/// What a search from many sources computes.
+/// Options of a search from many sources
 struct ManyOptions
 {
   /// Vertices farther than this from a source are left unreached.
