@@ -49,7 +49,7 @@ TEST_F(PointCloudDGG, PointsThatAreNotFinite)
     EXPECT_EQ(std::isnan(distances[i]), i == 7 || i == 100) << i;
   }
   distance->SetSourceIds({ 7 });
-  ExpectWarning(distance, { "first of them 7", "not finite", "reach no other point" });
+  ExpectWarning(distance, { "source id 7", "not finite", "reach no other point" });
   const std::vector<double> nowhere = GetDistances(distance);
   EXPECT_EQ(nowhere[7], 0.0);
   EXPECT_TRUE(std::isnan(nowhere[8]));
