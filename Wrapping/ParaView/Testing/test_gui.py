@@ -8,6 +8,7 @@ from xml.sax.saxutils import quoteattr
 
 import support
 from paraview import servermanager as sm
+from paraview import simple
 from support import unittest
 
 WINDOW = "pqClientMainWindow"
@@ -48,6 +49,9 @@ def event(place, name=""):
 class Window(unittest.TestCase):
     def play(self, events, picture):
         """Open a surface, do what `events` say, and take a picture of the view."""
+        # For .ply files ParaView asks which of two readers to use.
+        surface = support.OUTPUT / "bumpy.vtp"
+        simple.SaveData(str(surface), proxy=support.bumpy())
         script = support.OUTPUT / "window.xml"
         script.write_text("<?xml version='1.0' ?><pqevents>" + "".join(events) + "</pqevents>")
         picture.unlink(missing_ok=True)  # where there is none to compare with, it is written
@@ -55,7 +59,7 @@ class Window(unittest.TestCase):
             [
                 "paraview",
                 "--dr",
-                f"--data={support.DATA / 'bumpy.ply'}",
+                f"--data={surface}",
                 f"--test-script={script}",
                 f"--test-baseline={picture}",
                 f"--test-directory={support.OUTPUT}",
