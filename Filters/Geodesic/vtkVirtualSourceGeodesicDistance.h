@@ -16,13 +16,13 @@
  * models the mean error is 0.6 to 6 %, and single distances are up to 55 % too short or 60 % too
  * long, or several times too long on rough sides (see QualityWarning); there
  * vtkExactGeodesicDistance is fast enough. Triangles may be so irregular that distances do not
- * settle: the search then ends with the shortest ones found so far, and a warning. Of a thousand
- * sources at once the mean is smaller, but where there are about as many sources as triangles, or
- * these are long, single distances may be several times too long, and the mean 3 %: no triangle
- * keeps more than one of them. Five million points take a second on one thread, and less on
- * several; several sources a third longer. Single precision: about six digits of the largest
- * distance, initial distances included; along strips of ten thousand triangles rounding adds up to
- * 1e-4 of it.
+ * settle: the search then ends with the shortest ones found so far, and a warning. With a thousand
+ * sources the mean error is smaller. With about as many sources as triangles, or on long triangles,
+ * single distances may be several times too long and the mean error is 3 %, because a triangle
+ * stores one source only. Five million points take a second on one thread, and less on several;
+ * several sources take a third longer. Results have single precision: about six digits of the
+ * largest distance, initial distances included. Along strips of ten thousand triangles, rounding
+ * errors add up to 1e-4 of that distance.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; initial distances that differ by more than
  * 1e30 mean edges.

@@ -46,7 +46,7 @@ template <typename... Parts>
 /// Number of records of a file between two reports of progress.
 constexpr std::size_t ProgressInterval = 1 << 14;
 
-/// Reports the finished fraction; throws if the callback asks to stop.
+/// Reports the finished fraction; throws if the callback returns false.
 class ProgressReport
 {
 public:

@@ -88,7 +88,7 @@ public:
   {
   }
 
-  /// Reads [ST][C][N][4][n]OFF, the prefixes in any order. 4 and n stand for points of other
+  /// Reads [ST][C][N][4][n]OFF, the prefixes in any order. 4 and n declare points of other
   /// dimensions than three. Lower case, a missing keyword and a count that follows without a blank
   /// are tolerated. Returns true if there is a keyword.
   bool ReadKeyword()

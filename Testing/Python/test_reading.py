@@ -251,6 +251,19 @@ class Meshes(unittest.TestCase):
                 np.testing.assert_array_equal(found[key], array)
         self.assertEqual(mesh.as_polydata().GetPointData().GetNormals().GetName(), "Normals")
 
+    def test_texture_coordinates(self):
+        points, triangles, _ = formats.surface()
+        mesh = vtkdgg.Mesh(points, triangles, point_data={"TCoords": points[:, :2]})
+        surface = mesh.as_polydata()
+        surface.GetPointData().SetActiveTCoords("TCoords")
+        for name in ("texture.obj", "texture.off"):
+            path = os.path.join(FOLDER, name)
+            with self.subTest(name), warnings.catch_warnings():
+                warnings.simplefilter("error")
+                vtkdgg.write(path, surface)
+                found = vtkdgg.read(path).point_data["TCoords"]
+                np.testing.assert_allclose(found, points[:, :2], rtol=1e-6)
+
     def test_polygons(self):
         cells = [[0, 1, 3, 2], [0, 1, 3]]
         mesh = vtkdgg.Mesh(support.grid(1, 1)[0], cells)

@@ -294,7 +294,7 @@ def projection_tolerance(value):
 
 
 def number_of_bytes(value, name):
-    """Returns a number of bytes; 0 for None, which stands for the default of the filters."""
+    """Returns a number of bytes; 0, the default of the filters, for None."""
     if value is None:
         return 0
     if not 1.0 <= number(value, name) < 2.0**63:

@@ -179,8 +179,8 @@ def left_out(path, data):
         in_points = []
         in_cells = [n for n, values in arrays_of(cells) if not is_plain or values.ndim > 1]
     elif extension in (".obj", ".off"):
-        active = [points.GetNormals()] + [points.GetTCoords()] * (extension == ".obj")
-        kept = [array.GetName() for array in active if array] + ["RGB", "RGBA"]
+        active = filter(None, (points.GetNormals(), points.GetTCoords()))
+        kept = [array.GetName() for array in active] + ["RGB", "RGBA"]
         in_points = [name for name in in_points if name not in kept]
     lost = ["polygons"] if has_polygons and extension in (".pcd", ".xyz") else []
     return [*lost, *in_cells, *in_points]

@@ -49,7 +49,7 @@ def event(place, name=""):
 class Window(unittest.TestCase):
     def play(self, events, picture):
         """Open a surface, do what `events` say, and take a picture of the view."""
-        # For .ply files ParaView asks which of two readers to use.
+        # ParaView opens a dialog for .ply files, which two readers support.
         surface = support.OUTPUT / "bumpy.vtp"
         simple.SaveData(str(surface), proxy=support.bumpy())
         script = support.OUTPUT / "window.xml"
