@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tests of meshes with the real packages of PyPI, in a virtual environment beside the VTK that
-the package was built with."""
+"""The tests of meshes with the real packages of PyPI, and mypy on the stubs, in a virtual
+environment beside the VTK that the package was built with."""
 
 import os
 import re
@@ -11,6 +11,7 @@ import unittest
 import venv
 
 import numpy as np
+import vtkdgg
 
 # PyVista 0.45 and newer needs a newer VTK than 9.1. None brings a VTK of its own.
 PACKAGES = (
@@ -64,6 +65,21 @@ class OtherPackages(unittest.TestCase):
                 check=False,
             )
             self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
+        install(python, "mypy")
+        package = os.path.dirname(vtkdgg.__file__)
+        stubs = [name for name in os.listdir(package) if name.endswith(".pyi")]
+        found = subprocess.run(
+            [python, "-m", "mypy", "--strict", "--follow-imports=silent", *stubs],
+            cwd=package,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        # VTK 9.1 has no stubs: its modules are skipped, and its classes are Any.
+        known = "Skipping analyzing|Cannot find implementation|Class cannot subclass"
+        errors = re.findall(rf'^.* error: (?!(?:{known}).* "vtk).*', found.stdout, re.M)
+        self.assertIn("checked", found.stdout)
+        self.assertEqual(errors, [])
 
 
 if __name__ == "__main__":

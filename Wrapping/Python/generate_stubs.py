@@ -68,25 +68,33 @@ class Stub:
         return f"{kind.__name__}.{own}" if isinstance(vars(kind).get(own), type) else "int"
 
     def of_method(self, name, method):
-        """The lines of a method, one for each of its signatures."""
+        """Returns the lines of a method, one for each of its signatures.
+
+        Signatures that differ only in types are combined: where VTK has no stubs, its classes are
+        Any, and the second of two such overloads would never match.
+        """
         text = re.sub(r"\n\s+", " ", method.__doc__ or "")
         found = re.findall(rf"^{name}\((.*?)\)(?: -> (.+))?\nC\+\+:", text, re.M)
-        lines = []
-        for arguments, result in found or [("self, *args", "Any")]:
-            if len(found) > 1:
-                lines.append("    @overload")
-            if not arguments.startswith("self"):
-                lines.append("    @staticmethod")
-            given = ", ".join(self.of_argument(*part) for part in ARGUMENT.findall(arguments))
-            given = given or arguments
+        signatures = defaultdict(list)  # types of arguments by names, defaults and result
+        for arguments, result in found or [("self", "Any")]:
+            names, types, defaults = zip(*(ARGUMENT.findall(arguments) or [("", "", "")]))
             returned = self.of_type(result, "Tuple") if result else "None"
+            signatures[names, defaults, returned].append(types)
+        lines = []
+        for (names, defaults, returned), types in signatures.items():
+            if len(signatures) > 1:
+                lines.append("    @overload")
+            if names[0] != "self":
+                lines.append("    @staticmethod")
+            given = ", ".join(map(self.of_argument, names, zip(*types), defaults))
             lines.append(f"    def {name}({given}) -> {returned}: ...")
         return lines
 
-    def of_argument(self, name, kind, default):
-        """One argument."""
+    def of_argument(self, name, kinds, default):
+        """Returns one argument, which has one of these types."""
         name += "_" if keyword.iskeyword(name) else ""
-        annotation = f": {self.of_type(kind, 'Sequence')}" if kind else ""
+        known = dict.fromkeys(self.of_type(kind, "Sequence") for kind in kinds if kind)
+        annotation = f": {' | '.join(known)}" if known else ""
         return name + annotation + (" = ..." if default else "")
 
     def of_type(self, text, sequence):
@@ -125,7 +133,7 @@ class Overloads(ast.NodeTransformer):
     def visit_Module(self, node):
         """Adds imports to the stub of a module."""
         self.generic_visit(node)
-        typing = ast.parse("from typing import Literal, overload").body
+        typing = ast.parse("from typing import Any, Literal, overload").body
         future = [i for i, part in enumerate(node.body) if isinstance(part, ast.ImportFrom)][0]
         node.body[future + 1 : future + 1] = typing
         return node
@@ -140,11 +148,21 @@ class Overloads(ast.NodeTransformer):
 
     visit_Expr = visit_Assign  # removes docstrings
 
+    def visit_ClassDef(self, node):
+        """Gives a class that has only a docstring a body."""
+        self.generic_visit(node)
+        node.body = node.body or [ast.Expr(ast.Constant(...))]
+        return node
+
     def visit_FunctionDef(self, node):
         """Returns the signature, or one for each type that is returned."""
         if node.name.startswith("_") and not node.name.startswith("__"):
             return None
         node.body = [ast.Expr(ast.Constant(...))]
+        for argument in [*node.args.args, *node.args.kwonlyargs]:
+            if argument.arg not in ("self", "cls"):
+                argument.annotation = argument.annotation or ast.Name("Any")
+        node.returns = node.returns or ast.Name("Any")
         names = [argument.arg for argument in node.args.kwonlyargs]
         if "as_polydata" not in names:
             return node
