@@ -202,7 +202,7 @@ class Small(unittest.TestCase):
         self.assertEqual(graph.path(0, [1.0, 1.0, 1.0], projection_tolerance=1).points[-1, 2], 0.0)
         with self.assertRaisesRegex(ValueError, "projection_tolerance"):
             graph.path(0, 1, projection_tolerance=-1)
-        with self.assertRaisesRegex(ValueError, "start: .* got elements of unequal lengths"):
+        with self.assertRaisesRegex(ValueError, "start: expected .* got a list"):
             vtkdgg.path(self.POINTS, [[0, 1, 2]], [(0, (0.2, 0.3, 0.5))], 1)
         with self.assertRaisesRegex(ValueError, "accuracy: expected a number"):
             vtkdgg.path(self.POINTS, [[0, 1, 2]], 0, 1, accuracy=0.7)

@@ -305,7 +305,6 @@ class Slit(unittest.TestCase):
         self.assertEqual(code, 0)
         self.assertEqual(vtkdgg.read(out).point_data["GeodesicDistance"][212], 0.0)
 
-
     def test_explorer(self):
         scene = Scene(support.polydata(*self.mesh))
         scene.press(int(self.left[2]))
@@ -378,10 +377,18 @@ class Mistakes(unittest.TestCase):
             ([0, "a"], r"sources\[1\]: "),
             ([0, [1, 2, 3]], r"sources\[1\]: expected a point id"),
             ([0, [1.0, 2.0]], r"sources\[1\]: expected a point id"),
+            ([[0, inside]], r"sources\[0\]: expected .* a tuple \(face, .*, got a list"),
         ):
             with self.subTest(sources=sources):
                 with self.assertRaisesRegex(ValueError, pattern):
                     vtkdgg.distance(*mesh, sources)
+        # A list is a list of points.
+        near = tuple(points[4])
+        np.testing.assert_array_equal(
+            vtkdgg.distance(*mesh, [0, near]), vtkdgg.distance(*mesh, [0, 4])
+        )
+        with self.assertRaisesRegex(ValueError, "start: expected .* a tuple .*, got a list"):
+            vtkdgg.path(*mesh, [0, inside], 4)
         with self.assertRaisesRegex(ValueError, "face 0"):
             vtkdgg.distance(points, [], (0, inside), method="marching")
         if hasattr(vtkdgg, "vtkPointCloudDGG"):

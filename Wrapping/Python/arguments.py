@@ -18,7 +18,8 @@ from .checks import check_ids, coordinates, numbers  # noqa: F401
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    #: A point id, coordinates, or a face and barycentric coordinates.
+    #: A point id, coordinates, or a tuple (face, (b0, b1, b2)). A list is never one such tuple: it
+    #: is three coordinates or a list of points.
     SurfacePointLike = Union[int, ArrayLike, Tuple[int, ArrayLike]]
     #: One or several of them.
     SurfacePointsLike = Union[SurfacePointLike, Sequence[SurfacePointLike]]
@@ -112,11 +113,11 @@ class SurfacePoints:
 
 
 def surface_points(values, name, surface, is_cloud=False):
-    """Returns points of a surface as `SurfacePoints`: ids (integers), coordinates (floats), pairs
+    """Returns points of a surface as `SurfacePoints`: ids (integers), coordinates (floats), tuples
     (face, barycentric coordinates), or a sequence that mixes them."""
     if values is None:
         raise ValueError(f"{name}: missing")
-    if isinstance(values, tuple) and _is_in_face(values):
+    if _is_in_face(values):
         values = [values]
     if is_mixed(values):
         result = SurfacePoints(surface, len(values))
@@ -130,7 +131,7 @@ def surface_points(values, name, surface, is_cloud=False):
         if array.shape != (3,) and array.ndim != 2 if is_float else array.ndim > 1:
             raise ValueError(
                 f"{name}: expected point ids (an integer or a sequence of integers), coordinates "
-                "(floats of shape (3,) or (k, 3)) or pairs (face, barycentric coordinates), got "
+                "(floats of shape (3,) or (k, 3)) or tuples (face, (b0, b1, b2)), got "
                 f"{array.dtype} of shape {array.shape}"
             )
         array = coordinates(np.atleast_2d(array), name) if is_float else np.atleast_1d(array)
@@ -148,27 +149,30 @@ def surface_points(values, name, surface, is_cloud=False):
 def surface_point(value, name, surface, is_cloud=False):
     """Returns one point of a surface, as `SurfacePoints` of length 1."""
     if not _is_in_face(value):
-        array = numbers(value, name)
-        if array.shape != ((3,) if array.dtype.kind == "f" else ()):
+        array = None if is_mixed(value) else numbers(value, name)
+        if array is None or array.shape != ((3,) if array.dtype.kind == "f" else ()):
+            kind = type(value).__name__
             raise ValueError(
                 f"{name}: expected a point id (an integer), coordinates (floats of shape (3,)) or a "
-                f"pair (face, barycentric coordinates), got {array.dtype} of shape {array.shape}"
+                "tuple (face, (b0, b1, b2)), got "
+                + (f"a {kind}" if array is None else f"{array.dtype} of shape {array.shape}")
             )
-    return surface_points(tuple(value) if _is_in_face(value) else value, name, surface, is_cloud)
+    return surface_points(value, name, surface, is_cloud)
 
 
 def is_mixed(values):
-    """Returns true for a sequence that contains pairs (face, barycentric coordinates), or both
-    ids and coordinates."""
+    """Returns true for a sequence that is not an array: of tuples (face, barycentric coordinates),
+    of ids and coordinates, or of such sequences."""
     return isinstance(values, (list, tuple)) and (
-        any(map(_is_in_face, values)) or len({hasattr(value, "__len__") for value in values}) > 1
+        any(_is_in_face(value) or is_mixed(value) for value in values)
+        or len({hasattr(value, "__len__") for value in values}) > 1
     )
 
 
 def _is_in_face(value):
-    """Returns true for a pair of a number and a sequence."""
+    """Returns true for a tuple of a number and a sequence. A list is a list of points."""
     return (
-        isinstance(value, (list, tuple))
+        isinstance(value, tuple)
         and len(value) == 2
         and not hasattr(value[0], "__len__")
         and isinstance(value[1], (list, tuple, np.ndarray))

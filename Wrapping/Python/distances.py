@@ -60,7 +60,9 @@ def distance(
         Integers are point ids. Floats, shape (3,) or (k, 3), are coordinates anywhere on the
         surface, which are moved to its closest point. A tuple (face, (b0, b1, b2)) is a point in a
         triangle: an index into `triangles`, or a cell id of a vtkPolyData or Mesh, and barycentric
-        coordinates with respect to the corners of the triangle. A list may mix all three.
+        coordinates with respect to the corners of the triangle. A list may mix all three; it is
+        never itself such a tuple: [5, (x, y, z)] is the point with id 5 and a second point with
+        these coordinates.
     maximum_distance : float, optional
         Points farther than this are not reached. Default: no limit.
     initial_distances : float or sequence of float, optional
