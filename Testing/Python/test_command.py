@@ -187,9 +187,17 @@ class Command(unittest.TestCase):
         result = command("matrix", BUMPY, "--sources", "0", "--targets", "642", "--out", path)
         self.assertEqual(result.returncode, 2)
         self.assertIn("--targets 642", result.stderr)
-        result = command("matrix", BUMPY, "--source", "9,9,9", "--out", path)
-        self.assertEqual(result.returncode, 2)
-        self.assertFalse(os.path.exists(path))
+        for name in ("old.npy", "old.csv"):
+            older = out(name)
+            command("matrix", BUMPY, "--source", "9", "--out", older)
+            with open(older, "rb") as file:
+                before = file.read()
+            for source in ("9,9,9", "642"):
+                result = command("matrix", BUMPY, "--source", source, "--out", older)
+                self.assertEqual(result.returncode, 2)
+            with open(older, "rb") as file:
+                self.assertEqual(file.read(), before)
+        self.assertEqual([name for name in os.listdir(FOLDER) if ".part" in name], [])
 
     def test_distance(self):
         path = out("distance.vtp")
@@ -632,7 +640,7 @@ class Command(unittest.TestCase):
                 ("render", BUMPY, "--source", "0", "--array", "foo", "--out", "a.png"),
                 "give another --array",
             ),
-            (("distance", BUMPY, "--source-file", "none.txt"), "--source-file none.txt: No such"),
+            (("distance", BUMPY, "--source-file", "none.txt"), "error: none.txt: no such file$"),
             (("distance", BUMPY, "--source-file", wrong), r"wrong.txt, line 2: 1,2: expected a"),
             (("render", BUMPY, "--source", "0", "--out", "a.png", "--view=up"), "--view: expected"),
             (("graph", BUMPY, "--cloud", "--merge"), "--merge applies to meshes"),

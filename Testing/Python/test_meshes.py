@@ -125,9 +125,12 @@ class Meshes(unittest.TestCase):
                 vtkdgg.distance(mesh, 0)
         with self.assertRaisesRegex(ValueError, "points: .* got elements of unequal lengths"):
             vtkdgg.distance((POINTS, TRIANGLES, 0), 0)
-        solid = Mesh(points=POINTS, cells=[Block("tetra", [[0, 1, 5, 6]])])
-        with self.assertRaisesRegex(ValueError, "'tetra'"):
-            vtkdgg.Graph(solid)
+        for block, pattern in (
+            (Block("polyhedron4", [[0, 1, 5, 6]]), "expected cells of triangle, .* 'polyhedron4'"),
+            (Block("tetra", [[0, 1, 5, 99]]), "triangles: point id 99"),
+        ):
+            with self.assertRaisesRegex(ValueError, pattern):
+                vtkdgg.Graph(Mesh(points=POINTS, cells=[block]))
         with self.assertRaisesRegex(ValueError, "triangles: missing"):
             vtkdgg.distance(POINTS, sources=0)
         for given in ((POINTS, 0), (POINTS, [0, 1]), (POINTS,), (POINTS, None, 0)):
@@ -167,7 +170,10 @@ class Meshes(unittest.TestCase):
         writer.SetFileName(path)
         writer.SetInputData(vtkdgg.check(append))
         vtkdgg.check(writer)
-        for mesh in (solid, vtkdgg.check(append), path):
+        first = np.array([1, 4, 16]) @ np.indices((3, 3, 3)).reshape(3, 27)
+        cubes = Block("hexahedron", first[:, None] + [0, 1, 5, 4, 16, 17, 21, 20])
+        meshio = Mesh(points=points, cells=[Block("line", [[0, 1]]), cubes])
+        for mesh in (solid, vtkdgg.check(append), path, meshio):
             with self.assertWarnsRegex(RuntimeWarning, "volume cells: .* surface of 54 faces"):
                 distances = vtkdgg.distance(mesh, 0)
             inside = ((points > 0.5) & (points < 2.5)).all(axis=1)
@@ -181,9 +187,10 @@ class Meshes(unittest.TestCase):
         grid = vtkUnstructuredGrid()
         grid.SetPoints(support.polydata(cell, TRIANGLES).GetPoints())
         grid.InsertNextCell(VTK_QUADRATIC_TETRA, 10, range(10))
-        with self.assertWarnsRegex(RuntimeWarning, "volume cells"):
-            distances = vtkdgg.distance(grid, 0)
-        np.testing.assert_allclose(distances[[3, 4, 5, 6]], [2.0, 1.0, np.sqrt(2.0), 1.0])
+        for mesh in (grid, Mesh(points=np.array(cell), cells=[Block("tetra10", [range(10)])])):
+            with self.assertWarnsRegex(RuntimeWarning, "volume cells"):
+                distances = vtkdgg.distance(mesh, 0)
+            np.testing.assert_allclose(distances[[3, 4, 5, 6]], [2.0, 1.0, np.sqrt(2.0), 1.0])
 
     def test_missing_points(self):
         """Points with NaN that no triangle uses get the value of unreached points."""
@@ -260,10 +267,12 @@ class Places(unittest.TestCase):
             for places in (
                 2, [2, 7], np.array([2, 7], dtype=np.uint8), [1.5, 1.0, 0.0], [[1.5, 1.0, 0.0]],
                 np.float32([[1.5, 1.0, 0.0], [0.0, 0.5, 0.0]]), [0, 0, 1],
+                (3, (0.5, 0.25, 0.25)), [2, (1.5, 1.0, 0.0)], [(3, (0.5, 0.25, 0.25)), 2],
             ):  # fmt: skip
                 with self.subTest(name, places=places):
                     ask(places)
-            for places in ([[0, 0, 1]], [[0, 0]], [0.5, 1.0], 1.5, [], "x", [True], [0, 99], None):
+            for places in ([[0, 0, 1]], [[0, 0]], [0.5, 1.0], 1.5, [], "x", [True], [0, 99], None,
+                           (2, (1.5, 1.0, 0.0)), [2, [3, (0.5, 0.25, 0.25)]]):  # fmt: skip
                 with self.subTest(name, places=places), self.assertRaises(ValueError):
                     if name == "Graph.sample" and places is None:
                         raise ValueError("its default")
@@ -274,7 +283,9 @@ class Places(unittest.TestCase):
         for ask in (lambda place: vtkdgg.path(mesh, place, 7), lambda p: graph.path(7, p)):
             for place in (2, np.int8(2), [1.5, 1.0, 0.0]):
                 ask(place)
-            for place in ([0, 0, 1], [2], [[1.5, 1.0, 0.0]], 1.5, None, True, "x", 99):
+            for place in (
+                [0, 0, 1], [2], [[1.5, 1.0, 0.0]], 1.5, None, True, "x", 99, [2, (1.5, 1.0, 0.0)],
+            ):  # fmt: skip
                 with self.subTest(place=place), self.assertRaises(ValueError):
                     ask(place)
 

@@ -8,6 +8,7 @@ interrupted.
 
 import argparse
 import difflib
+import errno
 import functools
 import json
 import math
@@ -303,6 +304,14 @@ def with_display(arguments):
     )
 
 
+def reason_of(problem):
+    """Returns the text of an exception; for an error of the system, file and reason."""
+    if not isinstance(problem, OSError) or problem.errno is None:
+        return str(problem)
+    is_missing = problem.errno == errno.ENOENT
+    return f"{problem.filename}: {'no such file' if is_missing else problem.strerror}"
+
+
 def main(arguments=None):
     """Runs the command, and returns its exit code."""
     arguments = sys.argv[1:] if arguments is None else list(map(str, arguments))
@@ -335,7 +344,7 @@ def main(arguments=None):
         ImportError,
         OSError,
     ) as problem:
-        print(f"error: {in_options(' '.join(str(problem).split()))}", file=sys.stderr)
+        print(f"error: {in_options(' '.join(reason_of(problem).split()))}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)

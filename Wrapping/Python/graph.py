@@ -208,14 +208,9 @@ class Graph(Queries):
             raise ValueError(f"values: expected at most {MOST_VALUES}, got {count}")
         if not is_number:
             array = arguments.finite_numbers(values, "values", array.size)
-        search = self._search(sources, True, None, initial_distances, projection_tolerance)
-        search.SetUnreachedValue(np.nan)
-        search.GenerateVirtualSourceOn()
-        # The next query replaces the output of the filter.
-        field = vtkPolyData()
-        field.ShallowCopy(run(search, self._heard))
+        field = self._field(sources, initial_distances, projection_tolerance)
         if is_number:
-            distances = array_of(field.GetPointData(), search.GetDistanceArrayName())
+            distances = array_of(field.GetPointData(), "GeodesicDistance")
             largest = np.nanmax(distances) if np.isfinite(distances).any() else 0.0
             array = largest * np.arange(1, count + 1) / (count + 1)
         output = find_isolines(field, array, False, self._info, self._heard)
@@ -272,6 +267,17 @@ class Graph(Queries):
         if as_polydata:
             return self._given_away(tie)
         return lines_of(output, Loop, length="Length", angle="Angle")
+
+
+    def _field(self, sources, initial_distances, projection_tolerance):
+        """Returns the surface with distances and what find_isolines() needs."""
+        search = self._search(sources, True, None, initial_distances, projection_tolerance)
+        search.SetUnreachedValue(np.nan)
+        search.GenerateVirtualSourceOn()
+        # The next query replaces the output of the filter.
+        field = vtkPolyData()
+        field.ShallowCopy(run(search, self._heard))
+        return field
 
 
 def find_isolines(field, values, merge_coincident_points, info=None, heard=None):

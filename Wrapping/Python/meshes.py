@@ -9,18 +9,20 @@ what is computed.
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules import vtkCommonDataModel as vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkDataObject,
     vtkPointSet,
     vtkPolyData,
+    vtkUnstructuredGrid,
 )
 
 from . import arguments
 from .mesh import Mesh
 from .reading import read
-from .surface import copy_surface, surface_of
+from .surface import cells_of, copy_surface, surface_of
 
 # Attributes of points and cells; the first pair that an object has is used.
 LAYOUTS = (
@@ -36,6 +38,22 @@ LAYOUTS = (
 )
 
 
+# Names of meshio and types of VTK for cells of two and three dimensions.
+CELL_TYPES = {
+    "triangle": vtk.VTK_TRIANGLE,
+    "triangle6": vtk.VTK_QUADRATIC_TRIANGLE,
+    "quad": vtk.VTK_QUAD,
+    "quad8": vtk.VTK_QUADRATIC_QUAD,
+    "polygon": vtk.VTK_POLYGON,
+    "tetra": vtk.VTK_TETRA,
+    "tetra10": vtk.VTK_QUADRATIC_TETRA,
+    "pyramid": vtk.VTK_PYRAMID,
+    "wedge": vtk.VTK_WEDGE,
+    "hexahedron": vtk.VTK_HEXAHEDRON,
+    "hexahedron20": vtk.VTK_QUADRATIC_HEXAHEDRON,
+}
+
+
 def take(mesh, cells=None, **named):
     """Returns the surface as a new vtkPolyData, and the arguments that follow the mesh.
 
@@ -45,14 +63,14 @@ def take(mesh, cells=None, **named):
     others = list(named.values())
     found = opened(mesh)
     if found is None:
+        points = arguments.coordinates(mesh, "points", is_finite=False)
         try:
             if cells is None:
                 raise ValueError("triangles: missing, and the points have no cells")
-            surface = from_arrays(mesh, cells)
+            surface = from_arrays(points, cells)
         except ValueError as error:
             # Calls with points and sources alone may refer to a cloud.
-            is_short = cells is None or any(other is None for other in others)
-            if not (is_short and str(error).startswith("triangles: ")):
+            if cells is not None and all(other is not None for other in others):
                 raise
             raise ValueError(
                 f"{error}; points without triangles are a cloud: see vtkdgg.CloudGraph"
@@ -88,6 +106,8 @@ def opened(mesh):
     for layout in LAYOUTS:
         points, cells = (None if path is None else _attribute(mesh, path) for path in layout)
         if points is not None and (cells is not None or layout[1] is None):
+            if isinstance(cells, list) and cells and hasattr(cells[0], "type"):
+                return _grid(points, cells)
             return points, [] if cells is None else cells
     if np.asarray(mesh).dtype == object:
         known = "; ".join(" and ".join(filter(None, layout)) for layout in LAYOUTS)
@@ -129,7 +149,7 @@ def points_of(mesh, name="points"):
 
 def from_arrays(points, cells):
     """Returns a new vtkPolyData of points and polygons. Points of polygons must be finite."""
-    mesh = Mesh(points, **_cells(cells))
+    mesh = Mesh(points, cells)
     offsets, corners = mesh.polygons
     bad = np.flatnonzero(~np.isfinite(mesh.points[corners]).all(axis=1))
     if len(bad):
@@ -150,7 +170,7 @@ def _surface(found):
     if isinstance(found, vtkPolyData):
         return copy_surface(found)
     if isinstance(found, vtkPointSet):
-        return copy_surface(surface_of(found, f"The {found.GetClassName()}"))
+        return copy_surface(surface_of(found, "The mesh"))
     remedy = "vtkDataSetSurfaceFilter extracts one"
     if isinstance(found, vtkCompositeDataSet):
         remedy = "pass one block, or merge all blocks by vtkCompositeDataGeometryFilter"
@@ -167,26 +187,28 @@ def _attribute(mesh, path):
     return mesh.numpy() if hasattr(mesh, "numpy") else mesh
 
 
-def _cells(cells):
-    """Returns cells as arguments of Mesh. Cells of meshio are blocks of one type each."""
-    if not (isinstance(cells, list) and cells and hasattr(cells[0], "type")):
-        return {"triangles": cells}
-    blocks = [np.asarray(block.data) for block in cells if _is_polygonal(block.type)]
-    sizes = [np.full(len(block), block.shape[1]) for block in blocks]
-    empty = [np.empty(0, dtype=np.int64)]
-    return {
-        "polygons": (
-            np.concatenate([[0], np.cumsum(np.concatenate(sizes + empty))]),
-            np.concatenate([block.ravel() for block in blocks] + empty),
+def _grid(points, blocks):
+    """Returns a vtkUnstructuredGrid of the blocks of meshio, of which each has cells of one type.
+    Points and lines are skipped."""
+    points = arguments.coordinates(points, "points", is_finite=False)
+    types, sizes, corners = [], [0], []
+    for block in blocks:
+        if block.type in ("vertex", "line"):
+            continue
+        kind = "polygon" if block.type.startswith("polygon") else block.type
+        if kind not in CELL_TYPES:
+            known = ", ".join(CELL_TYPES)
+            raise ValueError(f"triangles: expected cells of {known}, got {block.type!r}")
+        ids = arguments.numbers(block.data, "triangles", "integer")
+        arguments.check_ids(ids, len(points), "triangles")
+        types += [CELL_TYPES[kind]] * len(ids)
+        sizes += [ids.shape[1]] * len(ids)
+        corners.append(ids.ravel())
+    result = vtkUnstructuredGrid()
+    result.SetPoints(arguments.polydata(points).GetPoints())
+    if types:
+        result.SetCells(
+            numpy_to_vtk(np.array(types, dtype=np.uint8), deep=True),
+            cells_of(np.cumsum(sizes), np.concatenate(corners)),
         )
-    }
-
-
-def _is_polygonal(kind):
-    """Returns true for polygons, false for points and lines. Other cells are an error."""
-    letters = "".join(letter for letter in kind if letter.isalpha())
-    if letters in ("vertex", "line"):
-        return False
-    if kind not in ("triangle", "quad") and letters != "polygon":
-        raise ValueError(f"triangles: expected polygons, got cells of the type {kind!r}")
-    return True
+    return result

@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 __all__ = ["path"]
 
 
+class NotConnectedError(ValueError):
+    """No path exists, since the surface does not connect start and end."""
+
+
 def path(
     points: Any,
     triangles: Optional[ArrayLike] = None,
@@ -117,7 +121,7 @@ def find(finder, starts, ends, heard=None):
     except VTKError:
         if not (is_alone and _is_unconnected(finder)):
             raise
-        raise ValueError(
+        raise NotConnectedError(
             "start and end are not connected by the surface; if its components "
             "have points with equal coordinates, merge_coincident_points may join them"
         ) from None

@@ -14,7 +14,7 @@ from .distances import field_of, set_sources
 from .errors import run
 from .matrices import Matrices
 from .paths import find
-from .results import Path, Samples, Voronoi, array_of, surface_points_of
+from .results import Path, Samples, Voronoi, array_of, surface_points_of, voronoi_of
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
     vtkDGGPath,
@@ -49,8 +49,8 @@ class Queries(Matrices):
         Parameters
         ----------
         sources : surface points
-            As for the function `vtkdgg.distance`: point ids, coordinates, or pairs (face,
-            barycentric coordinates).
+            As for the function `vtkdgg.distance`: point ids, coordinates, or tuples (face,
+            (b0, b1, b2)).
         correction : bool, optional
             True: the best estimate within the promised error. False: the length of a path in the
             graph, which is never shorter than the exact distance; these are a metric.
@@ -276,6 +276,13 @@ class Queries(Matrices):
         ValueError, VTKError
             As for `distance`.
         """
+        divide = self._divide(sites, iterations, projection_tolerance)
+        if as_polydata:
+            return self._given_away(divide, 0 if self.is_cloud else 2)
+        return voronoi_of(divide)
+
+    def _divide(self, sites, iterations, projection_tolerance):
+        """Returns the filter with the Voronoi cells as output, until the next query."""
         sites = self._points(sites, "sites")
         iterations = arguments.integer(iterations, "iterations")
         if iterations < 0:
@@ -285,18 +292,8 @@ class Queries(Matrices):
         divide.SetSiteData(sites.data)
         divide.SetCentroidal(iterations > 0)
         divide.SetNumberOfIterations(iterations)
-        output = run(divide, self._heard)
-        if as_polydata:
-            return self._given_away(divide, 0 if self.is_cloud else 2)
-        data, moved = output.GetPointData(), divide.GetOutput(3)
-        areas = None if self.is_cloud else array_of(moved.GetPointData(), "CellArea")
-        return Voronoi(
-            nearest=vtk_to_numpy(data.GetArray("GeodesicSource")).astype(np.intp),
-            distances=array_of(data, "GeodesicDistance"),
-            sites=np.array(vtk_to_numpy(moved.GetPoints().GetData()), dtype=np.float64),
-            **surface_points_of(moved.GetPointData()),
-            areas=areas,
-        )
+        run(divide, self._heard)
+        return divide
 
     def _search(self, sources, correction, maximum_distance, initial_distances, tolerance):
         """Returns the filter with its sources, before its update."""

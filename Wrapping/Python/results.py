@@ -208,6 +208,19 @@ def surface_points_of(data):
     }
 
 
+def voronoi_of(divide):
+    """Returns the Voronoi cells that a vtkGeodesicVoronoi has computed."""
+    data, moved = divide.GetOutput().GetPointData(), divide.GetOutput(3)
+    arrays = moved.GetPointData()
+    return Voronoi(
+        nearest=vtk_to_numpy(data.GetArray("GeodesicSource")).astype(np.intp),
+        distances=array_of(data, "GeodesicDistance"),
+        sites=np.array(vtk_to_numpy(moved.GetPoints().GetData()), dtype=np.float64),
+        **surface_points_of(arrays),
+        areas=array_of(arrays, "CellArea") if arrays.HasArray("CellArea") else None,
+    )
+
+
 def lines_of(output, kind, **names):
     """Returns the polylines of a filter as objects of the class `kind`. `names` are the cell arrays
     of its further attributes."""

@@ -48,9 +48,9 @@ def mesh_of(polydata):
         polygons=_ids_of(polydata.GetPolys()),
         lines=_ids_of(polydata.GetLines()),
         verts=_ids_of(polydata.GetVerts()),
-        point_data=_named(data),
-        cell_data=_named(polydata.GetCellData()),
-        field_data=_named(polydata.GetFieldData()),
+        point_data=named_arrays(data),
+        cell_data=named_arrays(polydata.GetCellData()),
+        field_data=named_arrays(polydata.GetFieldData()),
     )
     mesh._is_single = points is not None and points.GetDataType() == VTK_FLOAT
     for kind in range(vtkDataSetAttributes.NUM_ATTRIBUTES):
@@ -64,12 +64,12 @@ def polydata_of(mesh):
     """Returns the Mesh as a new vtkPolyData. Without cells it gets verts, which renderers draw."""
     result = vtkPolyData()
     result.SetPoints(_points_of(mesh))
-    result.SetVerts(_cells_of(*mesh.verts))
-    result.SetLines(_cells_of(*mesh.lines))
-    result.SetPolys(_cells_of(*mesh.polygons))
+    result.SetVerts(cells_of(*mesh.verts))
+    result.SetLines(cells_of(*mesh.lines))
+    result.SetPolys(cells_of(*mesh.polygons))
     if result.GetNumberOfCells() == 0:
         ids = np.flatnonzero(np.isfinite(mesh.points).all(axis=1))
-        result.SetVerts(_cells_of(np.arange(len(ids) + 1), ids))
+        result.SetVerts(cells_of(np.arange(len(ids) + 1), ids))
     for kind, arrays in zip(DATA, (mesh.point_data, mesh.cell_data, mesh.field_data)):
         data = getattr(result, f"Get{kind}")()
         for name, values in arrays.items():
@@ -109,11 +109,23 @@ def surface_of(data, name):
     for kind in CELLS:
         offsets, corners = _ids_of(getattr(found, f"Get{kind}")())
         if len(corners):
-            getattr(result, f"Set{kind}")(_cells_of(offsets, vtk_to_numpy(ids)[corners]))
+            getattr(result, f"Set{kind}")(cells_of(offsets, vtk_to_numpy(ids)[corners]))
     result.GetPointData().ShallowCopy(data.GetPointData())
     result.GetCellData().ShallowCopy(found.GetCellData())
     result.GetFieldData().ShallowCopy(data.GetFieldData())
     return result
+
+
+def named_arrays(data):
+    """Returns the arrays of numbers that have a name, as NumPy arrays by name."""
+    return {a.GetName(): vtk_to_numpy(a) for a in _numeric(data) if a.GetName()}
+
+
+def cells_of(*arrays):
+    """Returns a vtkCellArray of offsets and corners."""
+    cells = vtkCellArray()
+    cells.SetData(*(numpy_to_vtkIdTypeArray(ids.astype(np.int64), deep=True) for ids in arrays))
+    return cells
 
 
 def to_arrays(polydata):
@@ -136,7 +148,7 @@ def from_arrays(arrays):
     points.SetData(numpy_to_vtk(arrays["Points"], deep=True))
     result.SetPoints(points)
     for kind in CELLS:
-        getattr(result, f"Set{kind}")(_cells_of(*arrays[kind]))
+        getattr(result, f"Set{kind}")(cells_of(*arrays[kind]))
     for kind in DATA:
         for name, data_type, values in arrays[kind]:
             array = numpy_to_vtk(values, deep=True, array_type=data_type)
@@ -162,22 +174,10 @@ def _ids_of(cells):
     )
 
 
-def _cells_of(*arrays):
-    """Returns a vtkCellArray of offsets and corners."""
-    cells = vtkCellArray()
-    cells.SetData(*(numpy_to_vtkIdTypeArray(ids.astype(np.int64), deep=True) for ids in arrays))
-    return cells
-
-
 def _numeric(data):
     """Returns the arrays of numbers, without those of bits."""
     arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
     return [a for a in arrays if a is not None and a.GetDataType() != VTK_BIT]
-
-
-def _named(data):
-    """Returns the arrays of numbers by name."""
-    return {a.GetName(): vtk_to_numpy(a) for a in _numeric(data) if a.GetName()}
 
 
 def _one_of_each_type(data):

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import warnings
 from typing import Any
@@ -17,6 +18,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from . import meshes
 from .errors import VTKError, check, depth_of_package
 from .reading import reason_of
+from .surface import named_arrays
 from .vtkDGGReaders import vtkDGGMeshWriter, vtkPCDWriter
 
 __all__ = ["write"]
@@ -55,7 +57,7 @@ def write(file: Any, mesh: Any) -> None:
     file : str or os.PathLike
         ``.ply .obj .stl .off .pcd .xyz .vtp .vtk .csv .npy``; .vtp and .vtk hold everything. A .csv
         file has a header line and a row for each point, a .npy file the same rows as a structured
-        array. An existing file is replaced.
+        array. An existing file is replaced when the new one is complete.
     mesh : Mesh, vtkPolyData, or a mesh of another package
         As for `distance`.
 
@@ -90,26 +92,53 @@ def write(file: Any, mesh: Any) -> None:
     if extension in TABLES:
         write_numbers(path, table_of(data))
         return
-    writer = WRITERS[extension]()
+    write_by(WRITERS[extension](), path, data)
+
+
+def write_by(writer, path, data):
+    """Writes data to a file by a writer of VTK."""
     if hasattr(writer, "SetFileTypeToBinary"):
         writer.SetFileTypeToBinary()  # exact, and VTK does not read every NaN in a text
-    writer.SetFileName(path)
     writer.SetInputData(data)
+    with replacing(path) as part:
+        writer.SetFileName(part)
+        try:
+            check(writer)
+        except VTKError as error:
+            is_system_error = error.code < vtkErrorCode.FirstVTKErrorCode or error.code in (
+                vtkErrorCode.CannotOpenFileError,
+                vtkErrorCode.OutOfDiskSpaceError,
+            )
+            kind = OSError if is_system_error else ValueError
+            text = error.messages[0].replace(part, path)
+            raise kind(f"{path}: {reason_of(text, path)}") from None
+
+
+@contextlib.contextmanager
+def replacing(path):
+    """Yields the name of a new file in the same folder, which replaces `path` at the end. After an
+    error, an older file at `path` is unchanged."""
+    target = os.path.realpath(path)
+    part = "{}.part{}".format(*os.path.splitext(target))
+    if os.path.exists(target) and not os.path.isfile(target):
+        part = target  # a device or pipe
     try:
-        check(writer)
-    except VTKError as error:
-        is_system_error = error.code < vtkErrorCode.FirstVTKErrorCode or error.code in (
-            vtkErrorCode.CannotOpenFileError,
-            vtkErrorCode.OutOfDiskSpaceError,
-        )
-        kind = OSError if is_system_error else ValueError
-        raise kind(f"{path}: {reason_of(error, path)}") from None
+        yield part
+        os.replace(part, target)
+    except BaseException as error:
+        if part != target:
+            with contextlib.suppress(OSError):
+                os.remove(part)
+        if isinstance(error, OSError) and error.filename == part:
+            error.filename = path
+        raise
 
 
 def write_numbers(path, values):
     """Writes an array to a .csv or .npy file. CSV files of structured arrays have a header line."""
     if extension_of(path) == ".npy":
-        with open(path, "wb") as file:  # np.save() adds an extension to names such as x.NPY
+        # np.save() adds an extension to names such as x.NPY
+        with replacing(path) as part, open(part, "wb") as file:
             np.save(file, values)
         return
     names = values.dtype.names
@@ -117,7 +146,8 @@ def write_numbers(path, values):
     formats = ["%d" if kind in "iub" else "%.17g" for kind in kinds]
     formats = formats if names else formats[0]
     header = ",".join(names or ())
-    np.savetxt(path, values, fmt=formats, delimiter=",", header=header, comments="")
+    with replacing(path) as part:
+        np.savetxt(part, values, fmt=formats, delimiter=",", header=header, comments="")
 
 
 def table_of(data):
@@ -133,11 +163,11 @@ def table_of(data):
         rows = vtk_to_numpy(data.GetLines().GetConnectivityArray())
         columns["line"] = np.repeat(np.arange(len(sizes)), sizes)
     columns.update(zip("xyz", points[rows].T))
-    for name, values in arrays_of(data.GetPointData()):
+    for name, values in named_arrays(data.GetPointData()).items():
         columns.update(_columns(name, values[rows]))
     if data.GetNumberOfLines() > 0:
         cells = data.GetNumberOfVerts() + columns["line"]
-        for name, values in arrays_of(data.GetCellData()):
+        for name, values in named_arrays(data.GetCellData()).items():
             columns.update(_columns(name, values[cells]))
     table = np.empty(len(columns["x"]), dtype=[(key, v.dtype) for key, v in columns.items()])
     for key, values in columns.items():
@@ -156,20 +186,14 @@ def extension_of(path):
     return os.path.splitext(path)[1].lower()
 
 
-def arrays_of(data):
-    """Returns names and values of the arrays of numbers, without those that have no name."""
-    arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
-    return [(a.GetName(), vtk_to_numpy(a)) for a in arrays if a is not None and a.GetName()]
-
-
 def left_out(path, data):
     """Returns the names of arrays and cells of the data that the format does not hold."""
     extension = extension_of(path)
     if extension in (".vtk", ".vtp"):
         return []
-    points, cells = data.GetPointData(), data.GetCellData()
-    in_points = [name for name, _ in arrays_of(points)]
-    in_cells = [name for name, _ in arrays_of(cells)]
+    points, cells = data.GetPointData(), named_arrays(data.GetCellData())
+    in_points = list(named_arrays(points))
+    in_cells = list(cells)
     has_polygons = data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
     if extension in (".pcd", *TABLES):
         in_points = []
@@ -177,7 +201,7 @@ def left_out(path, data):
     elif extension == ".ply":
         is_plain = data.GetNumberOfPolys() == data.GetNumberOfCells()
         in_points = []
-        in_cells = [n for n, values in arrays_of(cells) if not is_plain or values.ndim > 1]
+        in_cells = [n for n, values in cells.items() if not is_plain or values.ndim > 1]
     elif extension in (".obj", ".off"):
         active = filter(None, (points.GetNormals(), points.GetTCoords()))
         kept = [array.GetName() for array in active] + ["RGB", "RGBA"]

@@ -4,7 +4,6 @@
 is one, and returns the answer as a dict."""
 
 import contextlib
-import os
 import time
 import warnings
 
@@ -17,6 +16,9 @@ from ..distances import set_sources
 from ..errors import run
 from ..graph import MOST_VALUES, find_isolines
 from ..graph_info import CONSTRUCTIONS, GraphInfo, choose_method
+from ..paths import NotConnectedError
+from ..results import voronoi_of
+from ..surface import named_arrays
 from . import files, places, sizes
 from .output import with_arrays
 
@@ -122,14 +124,14 @@ def from_file(path, contents):
     sources = []
     try:
         with open(path, encoding="utf-8") as file:
-            for number, line in enumerate(file, 1):
-                words = line.partition("#")[0].replace(",", " ").split()
-                if words:
-                    name = f"--source-file {path}, line {number}:"
-                    sources.append(places.choose(",".join(words), contents, name))
-    except (OSError, UnicodeDecodeError) as error:
-        reason = getattr(error, "strerror", None) or "not a text file"
-        raise places.SourceError(f"--source-file {path}: {reason}") from None
+            lines = file.readlines()
+    except UnicodeDecodeError:
+        raise places.SourceError(f"{path}: expected a text file") from None
+    for number, line in enumerate(lines, 1):
+        words = line.partition("#")[0].replace(",", " ").split()
+        if words:
+            name = f"--source-file {path}, line {number}:"
+            sources.append(places.choose(",".join(words), contents, name))
     return sources
 
 
@@ -155,7 +157,7 @@ def without_graph(data, contents):
     """Removes the graph, which is far larger than the data, unless the file had one."""
     fields = data.GetFieldData()
     if not contents.GetFieldData().HasArray("DGG.Info"):
-        for name in files.names_of(fields):
+        for name in named_arrays(fields):
             if name.startswith("DGG."):
                 fields.RemoveArray(name)
     return data
@@ -179,7 +181,7 @@ def info(options):
         "bounds": list(contents.GetBounds()),
         "diagonal": contents.GetLength(),
     }
-    found["point arrays"] = files.names_of(contents.GetPointData())
+    found["point arrays"] = list(named_arrays(contents.GetPointData()))
     if GraphInfo.find(contents):
         found["graph"] = state_of_graph(contents)
     if kind == "curves":
@@ -280,24 +282,18 @@ def matrix(options):
     if options.targets is not None:
         columns = several(options.targets.split(","), contents, "--targets", True)
     made = graph_of(options, contents, is_cloud)
-    values = None
-    is_mapped = writing.extension_of(options.out) == ".npy"
-    if is_mapped:  # block by block: the matrix need not fit into memory
-        shape = len(rows), len(rows if columns is None else columns)
-        values = np.lib.format.open_memmap(options.out, "w+", np.float64, shape=shape)
-    try:
-        values = made.matrix(rows, columns, out=values, projection_tolerance=options.tolerance)
-    except BaseException:
-        if is_mapped:
-            os.remove(options.out)
-        raise
-    if not is_mapped:
-        writing.write_numbers(options.out, values)
-    largest = float(np.fmax.reduce(values, axis=None))
+    with writing.replacing(options.out) as part:
+        values = None
+        if writing.extension_of(part) == ".npy":  # block by block: need not fit into memory
+            shape = len(rows), len(rows if columns is None else columns)
+            values = np.lib.format.open_memmap(part, "w+", np.float64, shape=shape)
+        found = made.matrix(rows, columns, out=values, projection_tolerance=options.tolerance)
+        if values is None:
+            writing.write_numbers(part, found)
     return {
-        "rows": values.shape[0],
-        "columns": values.shape[1],
-        "largest": largest,
+        "rows": found.shape[0],
+        "columns": found.shape[1],
+        "largest": float(np.fmax.reduce(found, axis=None)),
         **named(made),
         "written": options.out,
     }
@@ -323,9 +319,7 @@ def path(options):
                 projection_tolerance=tolerance,
                 as_polydata=True,
             )
-    except ValueError as error:
-        if "not connected" not in str(error):
-            raise
+    except NotConnectedError as error:
         raise Negative(str(error)) from None
     length = output.GetCellData().GetArray("Length").GetValue(0)
     points = vtk_to_numpy(output.GetPoints().GetData())
@@ -363,16 +357,14 @@ def isolines(options):
     method = options.method or "graph"
     choose_method(method, options.accuracy, contents, METHODS[:2])
     if method == "exact":
-        used = {"method": method}
+        used, graph_info = {"method": method}, None
         field = exact_windows(options, contents, sources)
-        distances = vtk_to_numpy(field.GetPointData().GetArray("GeodesicDistance"))
-        output = find_isolines(field, values_of(options, distances), options.merge)
     else:
         made = graph_of(options, contents)
-        used = named(made)
-        choices = {"projection_tolerance": options.tolerance}
-        values = values_of(options, made.distance(sources, **choices))
-        output = made.isolines(sources, values, as_polydata=True, **choices)
+        used, graph_info = named(made), GraphInfo(made.polydata)
+        field = made._field(sources, None, options.tolerance)
+    distances = vtk_to_numpy(field.GetPointData().GetArray("GeodesicDistance"))
+    output = find_isolines(field, values_of(options, distances), options.merge, graph_info)
     found = vtk_to_numpy(output.GetCellData().GetArray("IsoValue"))
     return {
         **used,
@@ -426,8 +418,8 @@ def voronoi(options):
         sites = several(options.site, contents, "--site")
     else:
         sites = made.sample(20 if options.number is None else options.number).point_ids
-    choices = {"iterations": options.iterations, "projection_tolerance": options.tolerance}
-    cells = made.voronoi(sites, **choices)
+    divide = made._divide(sites, options.iterations, options.tolerance)
+    cells = voronoi_of(divide)
     radius = spread(cells.distances)["largest"]
     found = {**named(made), "sites": len(cells.sites), "covering radius": radius}
     if cells.areas is not None:
@@ -439,7 +431,7 @@ def voronoi(options):
             output = with_arrays(made.polydata, fields)
         else:
             answer = "SiteId"
-            output = made.voronoi(sites, as_polydata=True, **choices)
+            output = divide.GetCells()
         found.update(written(options, without_graph(output, contents), answer))
     return found
 
@@ -493,7 +485,7 @@ def render(options):
         source, _ = places.locate(contents, sources_of(options, contents)[0])
     array = contents.GetPointData().GetArray(options.array)
     if array is None or array.GetNumberOfComponents() > 1:
-        known = ", ".join(files.names_of(contents.GetPointData())) or "none"
+        known = ", ".join(named_arrays(contents.GetPointData())) or "none"
         remedy = "give another --array"
         if source is None:
             remedy = "give a --source, or a file that 'vtkdgg distance' has written"

@@ -90,8 +90,3 @@ def writable(path, kind):
     if folder and not os.path.isdir(folder):
         raise argparse.ArgumentTypeError(f"{path}: the folder {folder} does not exist")
     return path
-
-
-def names_of(data):
-    """Returns the names of arrays, without those that have none."""
-    return list(filter(None, map(data.GetArrayName, range(data.GetNumberOfArrays()))))

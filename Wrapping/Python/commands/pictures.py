@@ -37,6 +37,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
+from .. import writing
+
 SIZE = (1600, 1200)
 # From near to far; light enough at the far end for dark lines to be seen.
 DISTANCE_COLOURS = (
@@ -166,10 +168,7 @@ def write_png(path, window):
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
     grabber.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    writing.write_by(vtkPNGWriter(), path, vtkdgg.check(grabber))
 
 
 def lookup_table(colours, low, high, unreached):
