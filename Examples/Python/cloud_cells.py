@@ -13,8 +13,7 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
-from vtkdgg.commands import files
-from vtkdgg.commands.discs import disc_radii, discs, spacings_of
+from vtkdgg.pictures import disc_radii, discs, spacings_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -45,7 +44,8 @@ UNREACHED = (0.75, 0.75, 0.75)
 def main(cloud_path, number_of_cells, picture_path):
     """Run the pipeline."""
     # The graph of the points: built once, for both filters.
-    graph = files.make_graph(vtkdgg.read(cloud_path).as_polydata())
+    graph = vtkdgg.vtkPointCloudDGG()
+    graph.SetInputData(vtkdgg.read(cloud_path).as_polydata())
 
     # Points that are far from each other, ...
     sampler = vtkdgg.vtkGeodesicSampler()

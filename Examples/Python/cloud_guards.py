@@ -13,8 +13,7 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkdgg.commands.discs import disc_radii, discs, spacings_of
-from vtkdgg.commands.pictures import DISTANCE_COLOURS, INK, marker
+from vtkdgg.pictures import DISTANCE_COLORS, INK, disc_radii, discs, marker, spacings_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -85,8 +84,8 @@ def band_table(high):
     """One colour for each band of distance, lighter and darker ones in turn."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(BANDS)
-    place = np.linspace(0.0, 1.0, len(DISTANCE_COLOURS))
-    channels = np.array(DISTANCE_COLOURS).T
+    place = np.linspace(0.0, 1.0, len(DISTANCE_COLORS))
+    channels = np.array(DISTANCE_COLORS).T
     for i in range(BANDS):
         colour = np.array([np.interp(i / (BANDS - 1.0), place, c) for c in channels])
         table.SetTableValue(i, *(colour * (SHADE if i % 2 else 1.0)), 1.0)

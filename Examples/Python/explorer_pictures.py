@@ -11,7 +11,6 @@ import os
 import sys
 
 import vtkdgg
-from vtkdgg.commands import files
 from vtkdgg.explorer import Explorer, Scene
 
 SIZE = (1000, 750)
@@ -49,10 +48,10 @@ def play(window, act):
 def main(path, folder, names):
     """Draw the pictures."""
     contents = vtkdgg.read(path).as_polydata()
-    is_cloud = files.is_cloud(contents)
+    is_cloud = contents.GetNumberOfPolys() == 0
     for name in names or (ON_CLOUDS if is_cloud else PICTURES):
         if name not in PICTURES:
-            raise files.MeshFileError(f"'{name}' is none of the pictures {', '.join(PICTURES)}")
+            raise ValueError(f"'{name}' is none of the pictures {', '.join(PICTURES)}")
         window = Explorer(Scene(contents, is_cloud), size=SIZE)
         window.window.Render()
         for act in PICTURES[name]:

@@ -15,8 +15,7 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkdgg.commands.files import MeshFileError, triangles_of
-from vtkdgg.commands.pictures import DISTANCE_COLOURS, ERROR_COLOURS, INK, lookup_table, marker
+from vtkdgg.pictures import DISTANCE_COLORS, ERROR_COLORS, INK, lookup_table, marker
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -95,7 +94,7 @@ def tubes(data, radius, colour):
     return actor
 
 
-def coloured(mesh, values, low, high, colours=DISTANCE_COLOURS, is_log=False):
+def coloured(mesh, values, low, high, colours=DISTANCE_COLORS, is_log=False):
     """The surface coloured by values."""
     actor = actor_of(with_values(mesh, values))
     table = lookup_table(colours, low, high, PLAIN)
@@ -124,7 +123,7 @@ def bands_between(mesh, values, low, high):
     actor = actor_of(vtkdgg.check(bands))
     mapper = actor.GetMapper()
     mapper.SetScalarModeToUseCellData()
-    mapper.SetLookupTable(lookup_table(DISTANCE_COLOURS, low, high, PLAIN))
+    mapper.SetLookupTable(lookup_table(DISTANCE_COLORS, low, high, PLAIN))
     mapper.UseLookupTableScalarRangeOn()
     contour = vtkContourFilter()
     contour.SetInputData(surface)
@@ -212,7 +211,7 @@ def approximate(mesh, source):
     ):
         found = array_of(distances(kind, mesh, source), "GeodesicDistance")
         error = 100.0 * np.abs(found - exact) / np.where(exact > 0.0, exact, 1.0)
-        actor = coloured(mesh, np.maximum(error, 1e-3), 1e-3, 10.0, ERROR_COLOURS, True)
+        actor = coloured(mesh, np.maximum(error, 1e-3), 1e-3, 10.0, ERROR_COLORS, True)
         panels.append((f"{title}: mean error {np.nanmean(error):.2g} %", [actor]))
     return panels
 
@@ -250,7 +249,7 @@ def matrix(mesh, source):
         glyphs.ScalingOff()
         mapper = vtkPolyDataMapper()
         mapper.SetInputData(vtkdgg.check(glyphs))
-        table = lookup_table(DISTANCE_COLOURS, 0.0, float(to_source.max()), PLAIN)
+        table = lookup_table(DISTANCE_COLORS, 0.0, float(to_source.max()), PLAIN)
         mapper.SetLookupTable(table)
         mapper.UseLookupTableScalarRangeOn()
         actor = vtkActor()
@@ -366,7 +365,7 @@ def b_spline(mesh, source):
     order = np.argsort(-basis[:, first] @ basis)
     panels = []
     for site in [first, *[int(i) for i in order if i != first][:2]]:
-        actor = coloured(mesh, basis[:, site], 0.0, 0.8, ERROR_COLOURS)
+        actor = coloured(mesh, basis[:, site], 0.0, 0.8, ERROR_COLORS)
         panels.append((f"function of site {site}", [actor]))
     return panels
 
@@ -385,7 +384,7 @@ def interpolation(mesh, source):
     spline.GenerateBasisOff()
     found = array_of(vtkdgg.check(spline), "Interpolation")
     off = np.sqrt(np.mean((found - truth) ** 2)) / (high - low)
-    table = lookup_table(DISTANCE_COLOURS, low, high, PLAIN)
+    table = lookup_table(DISTANCE_COLORS, low, high, PLAIN)
     balls = []
     for i in range(spline.GetNumberOfUsedSites()):
         site, colour = spline.GetUsedSite(i), [0.0] * 3
@@ -413,12 +412,12 @@ PICTURES = {
 
 def main(mesh_path, folder, names):
     """Draw the pictures."""
-    mesh = triangles_of(vtkdgg.read(mesh_path).as_polydata(), mesh_path)
+    mesh = vtkdgg.read(mesh_path).as_polydata()
     z = vtk_to_numpy(mesh.GetPoints().GetData())[:, 2]
     source = int(np.argmax(z))  # closest to the viewer
     for name in names or PICTURES:
         if name not in PICTURES:
-            raise MeshFileError(f"'{name}' is none of the pictures {', '.join(PICTURES)}")
+            raise ValueError(f"'{name}' is none of the pictures {', '.join(PICTURES)}")
         path = os.path.join(folder, f"{name}.png")
         draw(path, PICTURES[name](mesh, source))
         print("Written:", path)

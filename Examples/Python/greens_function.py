@@ -13,7 +13,7 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
-from vtkdgg.commands.pictures import DISTANCE_COLOURS
+from vtkdgg.pictures import DISTANCE_COLORS
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
@@ -97,8 +97,8 @@ def exact(cosine):
 def make_panel(values):
     """An image of bands."""
     dark = (np.floor(BANDS * values).astype(int) % 2)[:, None]
-    stops = np.linspace(HIGH, LOW, len(DISTANCE_COLOURS))[::-1]
-    table = np.array(DISTANCE_COLOURS)[::-1]
+    stops = np.linspace(HIGH, LOW, len(DISTANCE_COLORS))[::-1]
+    table = np.array(DISTANCE_COLORS)[::-1]
     colours = np.stack([np.interp(values, stops, channel) for channel in table.T], axis=1)
     colours = colours * (1.0 - 0.15 * dark)
     image = vtkImageData()

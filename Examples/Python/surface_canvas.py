@@ -4,7 +4,6 @@
 
 import numpy as np
 import vtkdgg
-from vtkdgg.commands.files import MeshFileError
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import mutable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStaticCellLocator, vtkStaticPointLocator
@@ -130,7 +129,7 @@ class Canvas:
                 point + far, point - far, 1e-9, t, hit, inside, part, cell
             ):
                 where = "{:.3g}, {:.3g}".format(*drawn[k])
-                raise MeshFileError(f"a curve is drawn at {where}, but no surface is there")
+                raise ValueError(f"a curve is drawn at {where}, but no surface is there")
             result[k] = hit
         return result
 

@@ -28,7 +28,6 @@ from vector_graphics import (
     make_shaded,
     write_picture,
 )
-from vtkdgg.commands.files import MeshFileError, triangles_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkWindowedSincPolyDataFilter
@@ -107,7 +106,7 @@ def mix(first, second, t):
 def make_bunny(path):
     """The mesh, 2 long, around the origin, smooth as if under a glaze, with smooth normals."""
     surface = vtkWindowedSincPolyDataFilter()
-    surface.SetInputData(triangles_of(vtkdgg.read(path).as_polydata(), path))
+    surface.SetInputData(vtkdgg.read(path).as_polydata())
     surface.SetNumberOfIterations(30)
     surface.SetPassBand(0.025)
     surface.NormalizeCoordinatesOn()
@@ -200,7 +199,7 @@ def add_ribbon(painter):
     for width, above, below, inside in ((0.150, CREAM, SKY, GOLD), (0.112, GOLD, GOLD, CORAL)):
         rope.SetTapeWidth(width)
         if vtkdgg.check(rope).GetNumberOfLines() != 1:
-            raise MeshFileError("a ribbon slips off: this is no bunny")
+            raise ValueError("a ribbon slips off: this is no bunny")
         (middle,) = lines_of(rope.GetOutput())
         for rim in lines_of(rope.GetTape()):
             is_upper = (rim.mean(axis=0) - middle.mean(axis=0)) @ TOWARDS_HEAD > 0.0

@@ -64,7 +64,7 @@ class Demo(unittest.TestCase):
         self.check_errors(result, arrays, 0.01)
         self.assertGreater(np.abs(arrays["RelativeError"]).max(), 1e-6)
         for row, pattern in (
-            ("first", r"\Aanswer +after \d+\.\d ms, by virtual sources: \S+ % off on average"),
+            ("first", r"\Aanswer +after \d+\.\d ms, by virtual sources: mean error \S+ %, "),
             ("build", r"\A\d+\.\d+ s on \d+ threads?\Z"),
             ("graph", r"\Adegree \d+\.\d, \d+ edges, \d+\.\d MB"),
             ("query", r"\A\d+\.\d ms "),

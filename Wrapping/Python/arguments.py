@@ -153,8 +153,8 @@ def surface_point(value, name, surface, is_cloud=False):
         if array is None or array.shape != ((3,) if array.dtype.kind == "f" else ()):
             kind = type(value).__name__
             raise ValueError(
-                f"{name}: expected a point id (an integer), coordinates (floats of shape (3,)) or a "
-                "tuple (face, (b0, b1, b2)), got "
+                f"{name}: expected a point id (an integer), coordinates (floats of shape (3,)) or "
+                "a tuple (face, (b0, b1, b2)), got "
                 + (f"a {kind}" if array is None else f"{array.dtype} of shape {array.shape}")
             )
     return surface_points(value, name, surface, is_cloud)

@@ -226,7 +226,7 @@ def make_parser():
     command.add_argument("--source", metavar=places.POINT, help="where to begin (default: far out)")
     command = commands.add_parser(
         "compare",
-        help="Our methods beside each other, with their errors and pictures",
+        help="Compare methods: their errors, times and pictures",
         description=compare.__doc__,
     )
     compare.add_arguments(command)

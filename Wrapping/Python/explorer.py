@@ -14,8 +14,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
 
-from . import writing
-from .commands import cloud_pictures, pictures, places
+from . import pictures, writing
+from .commands import cloud_pictures, places
 from .commands.words import HELP
 from .errors import VTKError
 from .explorer_props import CloudSkin, Skin, bar_of, lines_actor, table_of
@@ -25,8 +25,8 @@ __all__ = ["Explorer", "Scene", "explore"]
 
 # Colors of source, end and corner.
 MARKERS = ((0.86, 0.12, 0.16), pictures.INK, (0.10, 0.35, 0.75))
-PATH_COLOUR = (0.86, 0.12, 0.16)
-LOOP_COLOUR = (0.10, 0.35, 0.75)
+PATH_COLOR = (0.86, 0.12, 0.16)
+LOOP_COLOR = (0.10, 0.35, 0.75)
 # Distance at which a click grabs a marker, and thickness of curves, as fractions of the diagonal.
 REACH = 0.02
 WIDTH = 0.0028
@@ -150,10 +150,10 @@ class Explorer:
             )
         else:
             direction = pictures.best_direction(surface, place, up)
-        centre = np.array(surface.GetCenter())
+        center = np.array(surface.GetCenter())
         camera = self.renderer.GetActiveCamera()
-        camera.SetFocalPoint(*centre)
-        camera.SetPosition(*(centre + direction * pictures.size_of(surface)))
+        camera.SetFocalPoint(*center)
+        camera.SetPosition(*(center + direction * pictures.size_of(surface)))
         camera.SetViewUp(*up)
         camera.SetWindowCenter(0.12, -0.10)  # beside the legend, above the text
         self.renderer.ResetCamera()
@@ -215,15 +215,15 @@ class Explorer:
     def _markers(self):
         size = pictures.size_of(self.scene.surface)
         for i, place in enumerate(self.scene.places):
-            colour = MARKERS[0 if self.scene.view == "voronoi" else i]
-            yield pictures.marker(self._where(place), size, colour)
+            color = MARKERS[0 if self.scene.view == "voronoi" else i]
+            yield pictures.marker(self._where(place), size, color)
 
     def _curves(self):
         size = pictures.size_of(self.scene.surface)
-        curves = ((self.scene.loop, LOOP_COLOUR, 0.8), (self.scene.path, PATH_COLOUR, 1.0))
-        for curve, colour, width in curves:
+        curves = ((self.scene.loop, LOOP_COLOR, 0.8), (self.scene.path, PATH_COLOR, 1.0))
+        for curve, color, width in curves:
             if curve and len(curve.points) > 1:
-                yield cloud_pictures.tube(curve.points, width * WIDTH * size, colour)
+                yield cloud_pictures.tube(curve.points, width * WIDTH * size, color)
 
     def _say(self, lines):
         if self.seconds and self.scene.held is not None:

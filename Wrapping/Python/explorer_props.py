@@ -19,20 +19,21 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from .commands.cloud_pictures import make_bands
-from .commands.discs import RADIUS, discs
-from .commands.pictures import (
-    DISTANCE_COLOURS,
-    ERROR_COLOURS,
+from .commands.sizes import spacing_of
+from .pictures import (
+    DISC_RADIUS,
+    DISTANCE_COLORS,
+    ERROR_COLORS,
     INK,
     UNREACHED_DISTANCE,
     UNREACHED_ERROR,
+    discs,
     labels,
     lookup_table,
     scalar_bar,
     shaded,
     unreached,
 )
-from .commands.sizes import spacing_of
 
 # Lightness of the cells of sources, in turns.
 LIGHTNESS = (0.95, 0.80)
@@ -107,7 +108,7 @@ class CloudSkin:
         self._count = cloud.GetNumberOfPoints()
         self.spacing = spacing_of(cloud)
         plain = lookup_table((UNREACHED_DISTANCE,) * 2, 0.0, 1.0, UNREACHED_DISTANCE)
-        radii = np.full(self._count, RADIUS * self.spacing)
+        radii = np.full(self._count, DISC_RADIUS * self.spacing)
         self.actor = discs(cloud, radii, np.zeros(self._count), plain)
         self._plain = plain
         dots = vtkVertexGlyphFilter()  # points without cells have no bounds for pickers
@@ -164,11 +165,11 @@ def table_of(scene):
         table.SetNanColor(*UNREACHED_DISTANCE, 1.0)
         return table
     if scene.shown == "error":
-        table = lookup_table(ERROR_COLOURS, low, high, UNREACHED_ERROR)
+        table = lookup_table(ERROR_COLORS, low, high, UNREACHED_ERROR)
         table.SetScaleToLog10()
         return table
-    colours = DISTANCE_COLOURS if scene.shown == "distance" else DISTANCE_COLOURS[::-1]
-    table = lookup_table(colours, low, high, UNREACHED_DISTANCE)
+    colors = DISTANCE_COLORS if scene.shown == "distance" else DISTANCE_COLORS[::-1]
+    table = lookup_table(colors, low, high, UNREACHED_DISTANCE)
     make_bands(table, scene.step / (high - low))
     return table
 

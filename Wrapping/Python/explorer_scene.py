@@ -16,11 +16,11 @@ from .cloud_graph import CloudGraph
 from .commands import files
 from .commands.measured import Errors
 from .commands.output import with_arrays
-from .commands.pictures import nice_step
 from .commands.sizes import floor_of
 from .errors import VTKError, run
 from .graph import Graph
 from .graph_info import GraphInfo, set_merging
+from .pictures import nice_step
 from .results import array_of
 from .vtkDGGFiltersGeodesic import (
     vtkApolloniusIsolines,
@@ -66,10 +66,10 @@ class Scene:
     method : {"graph", "exact", "fast"}
         For distances at rest. `used` is the one of the results.
     distances, values : numpy.ndarray of float64, shape (n,), or None
-        Distances of the points, and what is coloured: distances, sizes of errors in percent,
+        Distances of the points, and what is colored: distances, sizes of errors in percent,
         numbers of cells, or a Green's function.
     limits, step : tuple of float, float
-        The range of the colours, and the width of bands.
+        The range of the colors, and the width of bands.
     lines, cells : vtkPolyData or None
         Isolines; the surface in bands or cells, whose cell array "Shown" is in place of the values.
     path, loop : Path or None, Loop or None

@@ -69,7 +69,7 @@ class GraphInfo:
         if has_accuracy and not self.is_cloud and not 1e-6 <= self.accuracy <= 0.5:
             raise damaged(f"its accuracy is {self.accuracy}")
         if not (has_accuracy or 1 <= self.number_of_neighbors < 2**31):
-            raise damaged(f"its number of neighbours is {self.number_of_neighbors}")
+            raise damaged(f"its number of neighbors is {self.number_of_neighbors}")
         self.is_merged = bool(values[5])
         self.merge_tolerance = float(values[9:10].view(np.float64)[0])
         if not self.merge_tolerance >= 0.0:

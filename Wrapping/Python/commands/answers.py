@@ -476,7 +476,7 @@ def greens(options):
 
 def render(options):
     """Picture of a surface with distances and isolines, or with another array."""
-    from . import pictures
+    from .. import pictures  # rendering takes long to import
 
     contents = surface_of(options)
     source = None

@@ -1,20 +1,21 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bounds that any geodesic distance must respect, from methods that share no code with ours."""
+"""Bounds of geodesic distances, from methods that share no code with the filters."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
-# Rounding of sums of many lengths, relative.
+# Relative rounding error of sums of many lengths.
 TOLERANCE = 1e-9
 
 
 def upper_bound(mesh, location, corners):
-    """Shortest way along mesh edges (VTK's Dijkstra); infinite where there is none.
+    """Returns the lengths of shortest paths along mesh edges (VTK's Dijkstra); infinity if
+    unreached.
 
-    From a source inside a triangle the way starts straight to one of the corners.
+    From a source inside a triangle, paths start with a straight segment to a corner.
     """
     bound = np.full(mesh.GetNumberOfPoints(), np.inf)
     for corner in corners:
@@ -33,13 +34,14 @@ def upper_bound(mesh, location, corners):
 
 
 def lower_bound(mesh, location):
-    """Straight distance through space."""
+    """Returns Euclidean distances."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     return np.linalg.norm(points - location, axis=1)
 
 
 def compare(distances, upper, lower):
-    """Points compared, violations and mean ratio for both bounds, over the reached points."""
+    """Returns the number of compared points, the number of violations and the mean ratio for both
+    bounds, over the reached points."""
     slack = TOLERANCE * np.nanmax(np.append(distances, 0.0))
     reached = np.isfinite(distances)
     result = {}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture of a point cloud: a disc at each point, in bands of distance, and a path."""
+"""Picture of a point cloud: a disc at each point, colored in bands of distance, and a path."""
 
 import math
 
@@ -12,12 +12,14 @@ from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from .. import arguments
-from .discs import RADIUS, disc_radii, discs
-from .pictures import (
-    DISTANCE_COLOURS,
+from ..pictures import (
+    DISC_RADIUS,
+    DISTANCE_COLORS,
     INK,
     SIZE,
     directions,
+    disc_radii,
+    discs,
     labels,
     lookup_table,
     marker,
@@ -30,60 +32,61 @@ from .pictures import (
     up_of,
 )
 
-# A disc has no fewer pixels than this across.
+# Smallest diameter of a disc in pixels.
 PIXELS = 3.0
-# Every other band is darker by this factor.
+# Factor by which every other band is darker.
 SHADE = 0.82
-# Radius of the path, of the diagonal.
+# Radius of the path, as a fraction of the diagonal.
 WIDTH = 0.0035
-# Where the source does not reach; darker than the background, also in full light.
+# Color of unreached points, which is darker than the background in full light.
 UNREACHED = (0.58, 0.58, 0.58)
 
 
-def save_distances(path, points, distances, spacings, way, lines):
-    """Render the cloud with its distances and the way from the source, and write the PNG.
+def save_distances(path, points, distances, spacings, curve, lines):
+    """Writes a PNG of the cloud with its distances and a path from the source.
 
-    `spacings` tell how far points are from each other around each of them, `lines` what is said
-    below the scalar bar.
+    `spacings` is the spacing around each point, `curve` the points of the path, and `lines` the
+    text below the scalar bar.
     """
     cloud = arguments.polydata(np.asarray(points, dtype=float))
     size = size_of(cloud)
     high = float(np.nanmax(distances)) or 1.0
-    table = lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED)
+    table = lookup_table(DISTANCE_COLORS, 0.0, high, UNREACHED)
     make_bands(table, nice_step(high) / high)
     bar = scalar_bar(table, "Geodesic distance\n(model units)", labels(0.0, high), "%-.6g", 0.3)
     spacing = float(np.median(spacings))
     radii = np.maximum(disc_radii(spacings), 0.5 * PIXELS * size / SIZE[1])
     props = [
         discs(cloud, radii, distances, table),
-        tube(way, max(WIDTH * size, 0.5 * RADIUS * spacing)),
-        marker(way[-1], size, INK),
+        tube(curve, max(WIDTH * size, 0.5 * DISC_RADIUS * spacing)),
+        marker(curve[-1], size, INK),
         bar,
         *unreached(bar, distances),
         *note(lines, 0.24),
     ]
-    save(path, cloud, way[0], props, best_direction(points, way, up_of(cloud), spacing))
+    save(path, cloud, curve[0], props, best_direction(points, curve, up_of(cloud), spacing))
 
 
 def make_bands(table, width):
-    """One colour for each band, the lighter and the darker ones in turn; of the whole range."""
-    colours = [np.array(table.GetTableValue(i)) for i in range(table.GetNumberOfTableValues())]
+    """Divides the colors of a table into bands, alternately lighter and darker. `width` is the
+    fraction of the range in a band."""
+    colors = [np.array(table.GetTableValue(i)) for i in range(table.GetNumberOfTableValues())]
     count = 2048
     table.SetNumberOfTableValues(count)
     for i in range(count):
         band = int((i + 0.5) / count / width)
         middle = min((band + 0.5) * width, 1.0)
-        colour = colours[round(middle * (len(colours) - 1))].copy()
-        colour[:3] *= SHADE if band % 2 else 1.0
-        table.SetTableValue(i, *colour)
+        color = colors[round(middle * (len(colors) - 1))].copy()
+        color[:3] *= SHADE if band % 2 else 1.0
+        table.SetTableValue(i, *color)
 
 
-def tube(way, radius, colour=(0.86, 0.12, 0.16)):
-    """A curve through these points, drawn with this radius."""
+def tube(curve, radius, color=(0.86, 0.12, 0.16)):
+    """Returns an actor of a tube along a polyline."""
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(way), deep=True))
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(curve), deep=True))
     lines = vtkCellArray()
-    lines.InsertNextCell(len(way), range(len(way)))
+    lines.InsertNextCell(len(curve), range(len(curve)))
     line = vtkPolyData()
     line.SetPoints(points)
     line.SetLines(lines)
@@ -97,13 +100,14 @@ def tube(way, radius, colour=(0.86, 0.12, 0.16)):
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetColor(*color)
     actor.GetProperty().SetSpecular(0.3)
     return actor
 
 
-def best_direction(points, way, up, spacing):
-    """Where the cloud covers much of the view, and most of the way is in front of it."""
+def best_direction(points, curve, up, spacing):
+    """Returns the viewing direction in which the cloud covers much of the view and hides little of
+    the path."""
     if not spacing > 0.0:
         return next(directions(up))
     extent = float(np.ptp(points, axis=0).max())
@@ -118,12 +122,13 @@ def best_direction(points, way, up, spacing):
         count = [math.ceil(side) + 1 for side in (stop - start) / cell]
         front = np.full(count[0] * count[1], -np.inf)
 
-        def cells(places):
-            place = np.clip(((places @ axes - start) / cell).astype(int), 0, np.array(count) - 1)
-            return place[:, 0] * count[1] + place[:, 1]
+        def cells(positions):
+            cell_2d = ((positions @ axes - start) / cell).astype(int)
+            i, j = np.clip(cell_2d, 0, np.array(count) - 1).T
+            return i * count[1] + j
 
         np.maximum.at(front, cells(points), points @ direction)
-        hidden = way @ direction < front[cells(way)] - 2.0 * cell
+        hidden = curve @ direction < front[cells(curve)] - 2.0 * cell
         return np.isfinite(front).sum() * (0.1 + np.mean(~hidden)) * (0.5 if hidden[0] else 1.0)
 
     return max(directions(up), key=score)

@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Geodesic distances on a mesh file within a promised error: builds a graph, queries it, and
-measures the error against the exact solver. Prints a table; writes distance.vtp, distance.png,
-error.png. A file that holds points and no polygons is a point cloud: then there are distances, and
-the path to the farthest point."""
+"""Computes distances on a mesh within an accuracy by a graph, and measures their errors against
+exact distances. Prints a table, and writes distance.vtp, distance.png and error.png. For a point
+cloud, computes distances and the path to the farthest point."""
 
 import os
 import sys
@@ -26,16 +25,16 @@ from .words import counted
 DEFAULT_MESH = "/usr/share/glmark2/models/bunny.obj"
 DEFAULT_ACCURACY = 0.01
 ERROR_COLUMNS = "{:<10} {:<10} {}".format
-# What the option --method of the command distance calls them.
+# Names of methods in `vtkdgg distance --method`.
 METHODS = {"virtual sources": "fast", "fast marching": "marching"}
 
 
 class UsageError(Exception):
-    """A wrong argument; the text says which."""
+    """An argument is wrong; the text states which."""
 
 
 def add_arguments(parser):
-    """What the command takes."""
+    """Adds the arguments of the command to a parser."""
     parser.add_argument(
         "mesh",
         nargs="?",
@@ -46,14 +45,14 @@ def add_arguments(parser):
         "--source",
         metavar=places.POINT,
         help="where distances start: a point id, coordinates on the surface, or a face with "
-        "barycentric coordinates (default: the point farthest from the centre of the mesh)",
+        "barycentric coordinates (default: the point farthest from the center of the mesh)",
     )
     parser.add_argument(
         "--tolerance",
         type=float,
         default=0.01,
         metavar="T",
-        help="how far X,Y,Z may be from the surface, as a fraction of the diagonal of the mesh "
+        help="largest distance of X,Y,Z from the surface, as a fraction of the diagonal "
         "(default: %(default)s)",
     )
     parser.add_argument(
@@ -71,12 +70,12 @@ def add_arguments(parser):
     parser.add_argument(
         "--cloud",
         action="store_true",
-        help="look at points only, also where the file has polygons",
+        help="use the points only, also of a mesh",
     )
     parser.add_argument(
         "--methods",
         action="store_true",
-        help="all methods beside each other: their errors, and methods.png with maps and histograms",
+        help="compare the errors of all methods: a table, and methods.png with maps and histograms",
     )
     parser.add_argument(
         "--out", metavar="DIR", default="out", help="folder of the results (default: ./%(default)s)"
@@ -84,7 +83,7 @@ def add_arguments(parser):
 
 
 def defects(distance):
-    """One line on what is wrong with the mesh."""
+    """Returns a line that counts the defects of the mesh."""
     counts = (
         (distance.GetNumberOfNonManifoldEdges(), "non-manifold edge"),
         (distance.GetNumberOfNonManifoldVertices(), "non-manifold vertex", "non-manifold vertices"),
@@ -105,7 +104,7 @@ def defects(distance):
 
 
 def topology(distance):
-    """One line on components, boundary and genus."""
+    """Returns a line on components, boundary and genus."""
     genus = distance.GetGenus()
     return (
         f"components {distance.GetNumberOfComponents()}, "
@@ -115,7 +114,7 @@ def topology(distance):
 
 
 def bound_line(bound, name):
-    """One line on the agreement with a bound."""
+    """Returns a line on the violations of a bound."""
     return (
         f"{counted(bound['violations'], 'violation')} at {counted(bound['points'], 'point')}, "
         f"mean distance / {name} = {bound['ratio']:.4f}"
@@ -123,12 +122,12 @@ def bound_line(bound, name):
 
 
 def percent(value):
-    """An error as text."""
+    """Returns a relative error as text."""
     return f"{100.0 * value:.2g} %"
 
 
 def error_rows(raw, corrected, accuracy):
-    """The errors beside the promise, as lines of the table."""
+    """Returns rows of the table: the errors, and the promised accuracy."""
     return (
         ("error", ERROR_COLUMNS("mean", "99.9 %", "largest")),
         ("raw", sizes_of(raw)),
@@ -138,12 +137,12 @@ def error_rows(raw, corrected, accuracy):
 
 
 def sizes_of(errors):
-    """Three columns."""
+    """Returns the mean, the 99.9th percentile and the maximum of errors as text."""
     return ERROR_COLUMNS(*map(percent, (errors.mean, errors.percentile, errors.largest)))
 
 
 def method_rows(measured):
-    """The errors of all methods, as lines of the table."""
+    """Returns rows of the table: the errors of all methods."""
     names = {title: f"{title} ({name})" for title, name in METHODS.items()}
     lines = [
         f"{names.get(title, title):<26} {sizes_of(errors)}" for title, errors in measured.items()
@@ -152,7 +151,7 @@ def method_rows(measured):
 
 
 def near_rows(errors, floor):
-    """How many points are too near to the source for a relative error, as a line of the table."""
+    """Returns a row of the table: the number of points too near the source for a relative error."""
     if not errors.number_near:
         return ()
     points = counted(errors.number_near, "point")
@@ -160,7 +159,7 @@ def near_rows(errors, floor):
 
 
 def graph_rows(graph, query, exact):
-    """What the graph is and costs, as lines of the table."""
+    """Returns rows of the table: size and times of the graph."""
     size = graph.filter.GetMemorySize() / 1e6
     search = query.filter.GetMemorySize() / 1e6 - size
     threads = vtkSMPTools.GetEstimatedNumberOfThreads()
@@ -169,20 +168,20 @@ def graph_rows(graph, query, exact):
         (
             "graph",
             f"degree {graph.filter.GetMeanDegree():.1f}, {graph.filter.GetNumberOfGraphEdges()} "
-            f"edges, {size:.1f} MB ({search:.1f} MB more to search it)",
+            f"edges, {size:.1f} MB ({search:.1f} MB more for searches)",
         ),
         (
             "query",
             f"{1e3 * query.time:.1f} ms for all distances "
             f"(the first: {1e3 * query.first_time:.1f} ms)",
         ),
-        ("exact", f"{1e3 * exact.time:.1f} ms, the solver to compare with"),
+        ("exact", f"{1e3 * exact.time:.1f} ms for exact distances"),
     )
 
 
 def write(folder, mesh, source, query, exact, errors, accuracy):
-    """The data file and both pictures; returns their paths and the step of the isolines."""
-    from . import pictures  # rendering takes long to import
+    """Writes the data and both pictures. Returns their paths and the distance between isolines."""
+    from .. import pictures  # rendering takes long to import
 
     os.makedirs(folder, exist_ok=True)
     paths = [os.path.join(folder, name) for name in ("distance.vtp", "distance.png", "error.png")]
@@ -208,7 +207,7 @@ def write(folder, mesh, source, query, exact, errors, accuracy):
 
 
 def run(options):
-    """Compare; returns the exit code."""
+    """Runs the command, and returns its exit code."""
     start = time.perf_counter()
     contents = vtkdgg.read(options.mesh).as_polydata()
     read_time = time.perf_counter() - start
@@ -227,7 +226,7 @@ def run(options):
 
 
 def on_mesh(options, contents, read_time):
-    """Compare on a mesh; returns the exit code."""
+    """Runs the command on a mesh, and returns its exit code."""
     start = time.perf_counter()
     mesh = triangles_of(contents, options.mesh)
     read_time += time.perf_counter() - start
@@ -265,14 +264,14 @@ def on_mesh(options, contents, read_time):
         paths.append(os.path.join(options.out, "methods.png"))
         compare_methods.save(paths[-1], mesh, location, measured)
 
-    place = ", ".join(f"{x:.6g}" for x in location)
+    position = ", ".join(f"{x:.6g}" for x in location)
     which = f"point {source} at " if isinstance(source, int) else ""
     reached = np.isfinite(query.distances)
     rows = (
         (
             "first answer",
-            f"after {1e3 * first.time:.1f} ms, by virtual sources: {percent(sooner.mean)} off on "
-            f"average, {percent(sooner.largest)} at most",
+            f"after {1e3 * first.time:.1f} ms, by virtual sources: mean error "
+            f"{percent(sooner.mean)}, largest {percent(sooner.largest)}",
         ),
         ("mesh", options.mesh),
         ("vertices", mesh.GetNumberOfPoints()),
@@ -280,7 +279,7 @@ def on_mesh(options, contents, read_time):
         ("topology", topology(query.filter)),
         ("defects", defects(query.filter)),
         ("reading", f"{read_time:.3f} s"),
-        ("source", f"{which}({place})"),
+        ("source", f"{which}({position})"),
         *graph_rows(graph, query, exact),
         *error_rows(raw, corrected, accuracy),
         *near_rows(corrected, floor),
@@ -297,11 +296,11 @@ def on_mesh(options, contents, read_time):
 
 
 def verdict(raw, corrected, accuracy, agreement):
-    """The exit code: 1, with the reason, when a promise is broken."""
+    """Returns the exit code: 1, with a message, if a bound or the accuracy is violated."""
     broken = agreement["upper"]["violations"] + agreement["lower"]["violations"]
     if broken:
-        print(f"error: {broken} exact distances break a bound", file=sys.stderr)
+        print(f"error: {broken} exact distances violate a bound", file=sys.stderr)
     kept = raw.keeps(accuracy) and corrected.keeps(accuracy) and raw.is_upper_bound
     if not kept:
-        print("error: an error is larger than promised", file=sys.stderr)
+        print("error: an error exceeds the promised accuracy", file=sys.stderr)
     return 0 if kept and not broken else 1

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The comparison on a point cloud: distances, and the path to the farthest point."""
+"""`vtkdgg compare` on a point cloud: distances, and the path to the farthest point."""
 
 import os
 import sys
@@ -11,31 +11,31 @@ import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
+from ..pictures import spacings_of
 from . import cloud_pictures, places
-from .discs import spacings_of
 from .files import MeshFileError, points_of
 from .output import print_table, with_arrays
 from .solve import CloudGraph, Path, Query
 from .words import counted
 
-# Rounding of the lengths of edges, relative.
+# Relative rounding error of edge lengths.
 ROUNDING = 1e-6
 
 
 def far_point(points, component):
-    """The point of the largest component that is farthest from the middle of it."""
+    """Returns the id of the point of the largest component that is farthest from its center."""
     ids = np.flatnonzero(component == 0)
     offset = points[ids] - 0.5 * (points[ids].min(axis=0) + points[ids].max(axis=0))
     return int(ids[np.argmax((offset * offset).sum(axis=1))])
 
 
-def place(location):
-    """Coordinates as text."""
+def coordinates(location):
+    """Returns coordinates as text."""
     return "(" + ", ".join(f"{x:.6g}" for x in location) + ")"
 
 
 def run(options, contents, read_time):
-    """Compare on the points of this data; returns the exit code."""
+    """Runs the command on a cloud, and returns its exit code."""
     cloud = points_of(contents)
     points = vtk_to_numpy(cloud.GetPoints().GetData()).astype(float)
     finite = np.isfinite(points).all(axis=1)
@@ -81,29 +81,29 @@ def run(options, contents, read_time):
         ("points", len(points)),
         ("defects", defects(graph.filter)),
         ("reading", f"{read_time:.3f} s"),
-        ("source", which + place(location)),
+        ("source", which + coordinates(location)),
         *graph_rows(graph, query),
         ("components", component_text(graph.filter)),
         ("reached", f"{reached.sum()} of {reached.size} points"),
         ("range", f"0 to {query.distances[farthest]:.6g} model units"),
         (
             "lower bound",
-            "not compared: lengths are those between points freed of noise"
+            "not compared: lengths refer to points without noise"
             if noise > 0.0
             else f"{counted(shorter, 'violation')} at {counted(reached.sum(), 'point')}",
         ),
-        ("farthest", f"point {farthest} at {place(points[farthest])}"),
+        ("farthest", f"point {farthest} at {coordinates(points[farthest])}"),
         ("path", f"{path.length:.6g} model units long, found in {1e3 * path.time:.1f} ms"),
         ("written", ", ".join(paths)),
     )
     print_table(rows, [], caught)
     if shorter:
-        print(f"error: {shorter} distances are shorter than a straight line", file=sys.stderr)
+        print(f"error: {shorter} distances are shorter than straight lines", file=sys.stderr)
     return 1 if shorter else 0
 
 
 def number_too_short(distances, points, location):
-    """How many distances are shorter than the straight line, up to rounding."""
+    """Returns the number of distances below the Euclidean distance, up to rounding errors."""
     straight = np.linalg.norm(points - location, axis=1)
     slack = ROUNDING * np.nanmax(distances)
     with np.errstate(invalid="ignore"):
@@ -111,7 +111,7 @@ def number_too_short(distances, points, location):
 
 
 def defects(graph):
-    """One line on points that are not as they should be."""
+    """Returns a line that counts the defects of the cloud."""
     counts = (
         (graph.GetNumberOfUnusedPoints(), "point that is not finite", "points that are not finite"),
         (graph.GetNumberOfOutliers(), "stray point"),
@@ -121,7 +121,7 @@ def defects(graph):
 
 
 def component_text(graph):
-    """How many components there are, and how large the largest are."""
+    """Returns the number of components and the sizes of the largest ones as text."""
     count = graph.GetNumberOfComponents()
     sizes = [str(graph.GetComponentSize(i)) for i in range(min(count, 4))]
     more = ", ..." if count > len(sizes) else ""
@@ -129,7 +129,7 @@ def component_text(graph):
 
 
 def graph_rows(graph, query):
-    """What was found of the cloud, and what the graph is and costs, as lines of the table."""
+    """Returns rows of the table: sampling of the cloud, size and times of the graph."""
     size = graph.filter.GetMemorySize() / 1e6
     threads = vtkSMPTools.GetEstimatedNumberOfThreads()
     return (
@@ -153,7 +153,7 @@ def graph_rows(graph, query):
 
 
 def note(graph, query, path):
-    """What the picture says of them, as lines."""
+    """Returns the lines of text of the picture."""
     return (
         counted(graph.output.GetNumberOfPoints(), "point"),
         counted(graph.filter.GetNumberOfGraphEdges(), "edge"),

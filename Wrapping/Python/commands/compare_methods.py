@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The errors of all methods on one mesh: a map and a histogram of each, on one scale, in one
-picture."""
+"""Errors of all methods on a mesh, in one picture: a map and a histogram of each, with a common
+scale."""
 
 import math
 
@@ -12,26 +12,26 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
-from . import pictures
+from .. import pictures
 from .measured import Errors
 from .methods import field, methods
 from .output import with_arrays
 from .sizes import floor_of
 
-COLUMNS = 4  # at most
-CELL = (460, 620)  # pixels of a method
-FOOT = 46  # pixels of the last line
-# Of the height of a cell, from below: the histogram, the map, and what is left for the text.
+COLUMNS = 4  # largest number
+CELL = (460, 620)  # size of the panel of a method, pixels
+FOOT = 46  # height of the last line, pixels
+# Heights of the histogram and of the map as fractions of a panel, from below. The rest is text.
 BARS, MAP = 0.31, 0.55
-# Of the height of the histogram, from below: numbers, the scale of colours, bars.
-NUMBERS, COLOURS = 0.2, 0.1
-SIDE = 0.07  # of its width, on either side of it
+# Heights of the numbers and of the color scale as fractions of the histogram, from below.
+NUMBERS, COLORS = 0.2, 0.1
+SIDE = 0.07  # margin on both sides of the histogram, as a fraction of its width
 DECADES = 4
 BINS = 40
 
 
 def measure(mesh, source, accuracy, merge=False, tolerance=0.01):
-    """The Errors of each method, by its title, and the exact distances."""
+    """Returns the exact distances, and the Errors of each method by its title."""
     exact = field(vtkdgg.vtkExactGeodesicDistance, mesh, source, merge, tolerance)
     floor = floor_of(mesh)
     return exact, {
@@ -41,15 +41,15 @@ def measure(mesh, source, accuracy, merge=False, tolerance=0.01):
 
 
 def scale(measured):
-    """Errors in percent between which colours are spread: whole powers of ten."""
+    """Returns the range of the colors in percent: two powers of ten."""
     largest = max(errors.percentile for errors in measured.values())
     high = math.ceil(math.log10(100.0 * largest)) if largest > 0.0 else 0
     return 10.0 ** (high - DECADES), 10.0**high
 
 
 def histogram(errors, low, high):
-    """Share of the vertices by the decimal logarithm of errors in percent; those beyond the range
-    are counted at its ends."""
+    """Returns fractions of the vertices by the decimal logarithm of errors in percent. Errors
+    outside the range are counted in the first and last bin."""
     sizes = np.abs(errors.signed[np.isfinite(errors.signed)])
     logarithms = np.log10(np.clip(100.0 * sizes, low, high))
     counts, _ = np.histogram(logarithms, BINS, (math.log10(low), math.log10(high)))
@@ -57,18 +57,18 @@ def histogram(errors, low, high):
 
 
 def save(path, mesh, source, measured, part=1.0):
-    """Write the picture; `source` is a place, `part` makes it smaller."""
+    """Writes the picture. `source` is a position; `part` scales the picture."""
     low, high = scale(measured)
-    table = pictures.lookup_table(pictures.ERROR_COLOURS, low, high, pictures.UNREACHED_ERROR)
+    table = pictures.lookup_table(pictures.ERROR_COLORS, low, high, pictures.UNREACHED_ERROR)
     table.SetScaleToLog10()
     rows = math.ceil(len(measured) / COLUMNS)
     columns = math.ceil(len(measured) / rows)
     size = [columns * CELL[0], rows * CELL[1] + FOOT]
     width, height = CELL[0] / size[0], CELL[1] / size[1]
     bars = {title: histogram(errors, low, high) for title, errors in measured.items()}
-    # The ends count all that is beyond: they do not make the others small.
+    # Without the first and last bin, which include all errors outside the range.
     tallest = max(shares[1:-1].max() for shares in bars.values()) or 1.0
-    renderers = [_viewport((0.0, 0.0, 1.0, 1.0))]  # where there is nothing
+    renderers = [_viewport((0.0, 0.0, 1.0, 1.0))]  # background
     for i, (title, errors) in enumerate(measured.items()):
         left, bottom = i % columns * width, 1.0 - (i // columns + 1) * height
         levels = [bottom + height * share for share in (0.0, BARS, BARS + MAP, 1.0)]
@@ -82,23 +82,23 @@ def save(path, mesh, source, measured, part=1.0):
         ]
     legend = _viewport((0.0, 0.0, 1.0, FOOT / size[1]))
     line = (
-        "Above: mean / 99.9 % / largest relative error. Below: share of points by error in percent; "
-        "the ends count all beyond."
+        "Above: mean / 99.9 % / largest relative error. Below: fraction of points by error in "
+        "percent; the first and last bin include all errors outside the range."
     )
     legend.AddActor(pictures.text(line, 0.04 / columns, 0.3, round(24 * part)))
     pictures.write(path, [*renderers, legend], [round(part * pixels) for pixels in size])
 
 
-def _viewport(place):
+def _viewport(bounds):
     renderer = vtkRenderer()
-    renderer.SetViewport(*place)
+    renderer.SetViewport(*bounds)
     renderer.SetBackground(1.0, 1.0, 1.0)
     return renderer
 
 
-def _title(place, title, errors, part):
-    """The method and the figures of its errors."""
-    renderer = _viewport(place)
+def _title(bounds, title, errors, part):
+    """Returns a renderer of the name of a method and its errors."""
+    renderer = _viewport(bounds)
     renderer.AddActor(pictures.text(title, 0.04, 0.48, round(28 * part)))
     figures = (errors.mean, errors.percentile, errors.largest)
     line = " / ".join(f"{100.0 * error:.2g}" for error in figures)
@@ -106,22 +106,22 @@ def _title(place, title, errors, part):
     return renderer
 
 
-def _map(place, mesh, source, errors, table):
-    """The mesh in the colours of its errors."""
-    coloured = with_arrays(mesh, {"Error": 100.0 * np.abs(errors.signed)})
-    renderer = _viewport(place)
-    renderer.AddActor(pictures.surface(coloured, "Error", table, shine=0.0))
+def _map(bounds, mesh, source, errors, table):
+    """Returns a renderer of the mesh, colored by errors."""
+    colored = with_arrays(mesh, {"Error": 100.0 * np.abs(errors.signed)})
+    renderer = _viewport(bounds)
+    renderer.AddActor(pictures.surface(colored, "Error", table, shine=0.0))
     renderer.AddActor(pictures.marker(source, pictures.size_of(mesh)))
     pictures.light(renderer)
     pictures.aim(renderer, mesh, source, aspect=CELL[0] / (MAP * CELL[1]), room=0.0)
     return renderer
 
 
-def _bars(place, heights, table, part):
-    """A histogram in the colours of the errors that are counted, above these colours and numbers."""
+def _bars(bounds, heights, table, part):
+    """Returns a renderer of a histogram with bars in the colors of their errors, above a scale."""
     low, high = map(math.log10, table.GetRange())
     count = len(heights)
-    top = NUMBERS + COLOURS
+    top = NUMBERS + COLORS
     points, cells, errors = vtkPoints(), vtkCellArray(), []
     for bottom, tops in ((NUMBERS, np.full(count, top)), (top, top + (0.98 - top) * heights)):
         for i, end in enumerate(tops):
@@ -143,8 +143,8 @@ def _bars(place, heights, table, part):
     actor.GetProperty().LightingOff()
     actor.GetProperty().EdgeVisibilityOn()
     actor.GetProperty().SetEdgeColor(*pictures.INK)
-    actor.SetScale(CELL[0] / (BARS * CELL[1]), 1.0, 1.0)  # as wide as the viewport
-    renderer = _viewport(place)
+    actor.SetScale(CELL[0] / (BARS * CELL[1]), 1.0, 1.0)  # fills the width of the viewport
+    renderer = _viewport(bounds)
     renderer.AddActor(actor)
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""All ways to a distance field, ours and others, to be measured beside each other."""
+"""The methods that `vtkdgg compare --methods` compares."""
 
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -9,7 +9,7 @@ from .places import add_source
 
 
 def graph(accuracy, correction=True):
-    """A filter that builds a graph of its own."""
+    """Returns a function that makes a vtkDGGDistance, which builds its own graph."""
 
     def make():
         distance = vtkdgg.vtkDGGDistance()
@@ -21,7 +21,7 @@ def graph(accuracy, correction=True):
 
 
 def propagation(quality):
-    """Virtual sources of one quality."""
+    """Returns a function that makes a vtkVirtualSourceGeodesicDistance of this quality."""
 
     def make():
         distance = vtkdgg.vtkVirtualSourceGeodesicDistance()
@@ -32,14 +32,14 @@ def propagation(quality):
 
 
 def heat():
-    """On the triangles as they are; by default it is on an intrinsic Delaunay triangulation."""
+    """Returns the heat method on the triangles of the mesh, without intrinsic Delaunay flips."""
     distance = vtkdgg.vtkHeatGeodesicDistance()
     distance.IntrinsicDelaunayOff()
     return distance
 
 
 def on_graph(graph_filter, correction=False):
-    """Distances in a graph of another construction."""
+    """Returns a function that makes a vtkDGGDistance on the graph of a filter."""
 
     def make():
         distance = vtkdgg.vtkDGGDistance()
@@ -51,7 +51,7 @@ def on_graph(graph_filter, correction=False):
 
 
 def build(mesh, construction, accuracy=0.01, neighbors=30, merge=False):
-    """The filter of a graph, updated."""
+    """Returns a vtkDiscreteGeodesicGraph of this construction after its update."""
     graph_filter = vtkdgg.vtkDiscreteGeodesicGraph()
     graph_filter.SetInputData(mesh)
     graph_filter.SetConstruction(getattr(graph_filter, construction))
@@ -63,7 +63,7 @@ def build(mesh, construction, accuracy=0.01, neighbors=30, merge=False):
 
 
 def methods(mesh, accuracy, merge=False, neighbors=30):
-    """Title and maker of the filter, for each of them."""
+    """Returns functions that make the filters, by the title of the method."""
     one_relay = build(mesh, "OneRelay", accuracy, merge=merge)
     svg = build(mesh, "SaddleVertexGraph", neighbors=neighbors, merge=merge)
     return {
@@ -79,7 +79,7 @@ def methods(mesh, accuracy, merge=False, neighbors=30):
 
 
 def field(make, mesh, source, merge=False, tolerance=0.01):
-    """Distances from a surface point."""
+    """Returns the distances that a filter computes from a surface point."""
     distance = make()
     if distance.GetNumberOfInputConnections(0) == 0:
         distance.SetInputData(mesh)

@@ -69,7 +69,7 @@ def add_source(algorithm, mesh, source):
 
 
 def far_point(mesh):
-    """The point of the largest piece that is farthest from the centre: an ear, a foot, a nose."""
+    """Returns the id of the point of the largest component that is farthest from the center."""
     ids = vtkIdTypeArray()
     ids.SetName("Id")
     ids.SetNumberOfValues(mesh.GetNumberOfPoints())

@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sizes of the triangles of a mesh, on which errors and pictures depend, and the spacing of a point
-cloud."""
+"""Lengths and areas of a mesh; spacing and components of a point cloud."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -9,17 +8,18 @@ from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
 from vtkmodules.vtkFiltersPoints import vtkConnectedPointsFilter
 
-# Of the mean edge. Distances below consist of rounding and of the length added to triangles
-# without area.
+# Fraction of the mean edge length. Shorter distances consist of rounding errors and of the length
+# that is added to triangles without area.
 FLOOR = 1e-6
 # Width of gaps that separate the components of a cloud, in spacings.
 GAP = 5.0
-# Of the diagonal. Isolines are drawn as if distances were linear in a triangle.
+# Fraction of the diagonal. Pictures interpolate distances linearly in triangles, which is
+# inaccurate in larger ones.
 LARGE = 0.05
 
 
 def edge_lengths(mesh):
-    """The lengths of the sides of all triangles."""
+    """Returns the edge lengths of all triangles; shared edges are repeated."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     ends = points[np.roll(triangles, -1, axis=1)]
@@ -35,18 +35,18 @@ def area(mesh):
 
 
 def floor_of(mesh):
-    """The distance below which relative errors mean nothing."""
+    """Returns the distance below which relative errors are meaningless."""
     return FLOOR * float(edge_lengths(mesh).mean())
 
 
 def notes(mesh):
-    """What there is to say of pictures of the mesh."""
+    """Returns remarks on pictures of the mesh."""
     share = float(np.median(edge_lengths(mesh))) / mesh.GetLength() if mesh.GetLength() > 0 else 0.0
     if share <= LARGE:
         return []
     return [
         f"triangles are large (half of the edges are longer than {100 * share:.0f} % of the "
-        "diagonal): isolines and colours are right at points, and only roughly between them"
+        "diagonal): isolines and colors are accurate at points, and approximate between them"
     ]
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filters of a comparison: graphs, queries of them, and the exact solver to compare with."""
+"""Timed updates of the filters that a comparison needs: graphs, queries and the exact solver."""
 
 import statistics
 import time
@@ -17,14 +17,14 @@ NUMBER_OF_QUERIES = 9
 
 
 def update(algorithm):
-    """Its output, and the seconds on the wall that it took."""
+    """Updates a filter, and returns its output and the elapsed time in seconds."""
     start = time.perf_counter()
     output = vtkdgg.check(algorithm)
     return output, time.perf_counter() - start
 
 
 class Graph:
-    """A mesh with its graph."""
+    """The graph of a mesh."""
 
     def __init__(self, mesh, accuracy, merge):
         self.filter = vtkdgg.vtkDiscreteGeodesicGraph()
@@ -35,7 +35,7 @@ class Graph:
 
 
 class CloudGraph:
-    """A point cloud with its graph; all parameters are automatic."""
+    """The graph of a point cloud, with automatic parameters."""
 
     def __init__(self, cloud):
         self.filter = make_graph(cloud)
@@ -43,7 +43,8 @@ class CloudGraph:
 
 
 class Query:
-    """Distances from a source by a graph: the first query prepares the search, others do not."""
+    """Distances from a source in a graph. The first query includes the preparation of the search;
+    `time` is the median of later ones."""
 
     def __init__(self, graph, source, merge, tolerance):
         self.filter = vtkdgg.vtkDGGDistance()
@@ -66,7 +67,7 @@ class Query:
 
 
 class Direct:
-    """Distances from the same source by a filter that needs no graph."""
+    """Distances from a source by a filter without a graph."""
 
     def __init__(self, kind, mesh, source, merge, tolerance):
         self.filter = kind()
@@ -80,7 +81,7 @@ class Direct:
 
 
 class Path:
-    """The shortest path in the graph of a cloud, smoothed, from the source to one of its points."""
+    """The smoothed shortest path in the graph of a cloud from the source to a point."""
 
     def __init__(self, graph, source, point, tolerance):
         self.filter = vtkdgg.vtkDGGPath()

@@ -1,10 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures: a surface coloured by distance or by error, with isolines of distance,
-the source, and a scalar bar."""
+"""Pictures of distances and errors: actors of surfaces, clouds, isolines and sources, a scalar bar,
+and a camera that shows them."""
+
+from __future__ import annotations
 
 import math
 import re
+from typing import TYPE_CHECKING, Sequence
 
 import numpy as np
 import vtkdgg
@@ -24,11 +27,13 @@ from vtkmodules.vtkFiltersCore import (
     vtkStripper,
     vtkTubeFilter,
 )
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersPoints import vtkPCANormalEstimation
+from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkGlyph3DMapper,
     vtkLightKit,
     vtkPolyDataMapper,
     vtkRenderer,
@@ -37,11 +42,27 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from .. import writing
+from . import writing
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from .vtkDGGFiltersPointCloud import vtkPointCloudDGG
+
+__all__ = [
+    "DISTANCE_COLORS",
+    "ERROR_COLORS",
+    "INK",
+    "disc_radii",
+    "discs",
+    "lookup_table",
+    "marker",
+    "spacings_of",
+]
 
 SIZE = (1600, 1200)
-# From near to far; light enough at the far end for dark lines to be seen.
-DISTANCE_COLOURS = (
+#: RGB from 0 to 1, from near to far. Dark lines are visible on all of them.
+DISTANCE_COLORS = (
     (0.993, 0.906, 0.144),
     (0.565, 0.843, 0.263),
     (0.208, 0.718, 0.473),
@@ -50,8 +71,8 @@ DISTANCE_COLOURS = (
     (0.370, 0.330, 0.680),
     (0.480, 0.220, 0.600),
 )
-# From negligible to as large as promised.
-ERROR_COLOURS = (
+#: RGB from 0 to 1, from negligible errors to the promised error.
+ERROR_COLORS = (
     (0.955, 0.955, 0.935),
     (0.985, 0.870, 0.600),
     (0.960, 0.620, 0.360),
@@ -59,14 +80,21 @@ ERROR_COLOURS = (
     (0.580, 0.100, 0.400),
     (0.270, 0.030, 0.330),
 )
-# Where no source reaches, a colour far from those of the distances, of the errors.
+# Colors of points that no source reaches; they differ from those of distances and of errors.
 UNREACHED_DISTANCE = (0.72, 0.72, 0.72)
 UNREACHED_ERROR = (0.42, 0.62, 0.80)
+#: Color of lines and text.
 INK = (0.12, 0.12, 0.14)
+
+# Radius of discs, as a fraction of the local spacing. Neighboring discs overlap, without gaps.
+DISC_RADIUS = 0.85
+# Largest ratio of the spacing of a disc to the median, and of the median to it.
+LARGEST_RATIO = 2.5
 
 
 def nice_step(span, wanted=20):
-    """The step 1, 2, 2.5 or 5 times a power of ten that gives about `wanted` intervals."""
+    """Returns 1, 2, 2.5 or 5 times a power of ten, which divides a span into about `wanted`
+    intervals."""
     if not span > 0:
         return 1.0
     power = 10.0 ** math.floor(math.log10(span / wanted))
@@ -75,12 +103,12 @@ def nice_step(span, wanted=20):
 
 
 def save_distances(path, mesh, array_name, source, unit="model units", view=None):
-    """Render the mesh with its distances and write the PNG; returns the step of the isolines."""
+    """Writes a PNG of the mesh with its distances. Returns the distance between isolines."""
     distances = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
     finite = distances[np.isfinite(distances)]
     high = float(finite.max()) if finite.size and finite.max() > 0 else 1.0
     step = nice_step(high)
-    table = lookup_table(DISTANCE_COLOURS, 0.0, high, UNREACHED_DISTANCE)
+    table = lookup_table(DISTANCE_COLORS, 0.0, high, UNREACHED_DISTANCE)
     title = "Geodesic distance" if array_name == "GeodesicDistance" else array_name
     bar = scalar_bar(table, f"{title}\n({unit})", labels(0.0, high), "%-.6g")
     props = [
@@ -94,13 +122,13 @@ def save_distances(path, mesh, array_name, source, unit="model units", view=None
 
 
 def save_array(path, mesh, array_name, source=None, view=None):
-    """Render the mesh in the colours of any array, and a source if there is one."""
+    """Writes a PNG of the mesh colored by a point array, with a marker at the source, if any."""
     values = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
     finite = values[np.isfinite(values)]
     low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
     high = high if high > low else low + 1.0
-    table = lookup_table(DISTANCE_COLOURS, low, high, UNREACHED_DISTANCE)
-    # A long name goes on in the next line.
+    table = lookup_table(DISTANCE_COLORS, low, high, UNREACHED_DISTANCE)
+    # A long name continues on the next line.
     name = re.sub(r"(?<=[a-z])(?=[A-Z])", "\n", array_name) if len(array_name) > 17 else array_name
     bar = scalar_bar(table, name, labels(low, high), "%-.6g")
     props = [surface(mesh, array_name, table), bar, *unreached(bar, values)]
@@ -108,10 +136,10 @@ def save_array(path, mesh, array_name, source=None, view=None):
 
 
 def save_errors(path, mesh, array_name, promised, isolines, source, lines):
-    """Render the mesh with the sizes of its relative errors and write the PNG.
+    """Writes a PNG of the mesh colored by the absolute value of its relative errors.
 
-    The colours span three powers of ten up to what is promised; `isolines` are the name of the
-    array of distances and the step, `lines` what is said below the scalar bar.
+    The colors span three powers of ten up to the promised error. `isolines` is the name of the
+    array of distances and the distance between isolines; `lines` is the text below the scalar bar.
     """
     name = "Size of " + array_name
     sized = vtkPolyData()
@@ -122,7 +150,7 @@ def save_errors(path, mesh, array_name, promised, isolines, source, lines):
     sizes.SetName(name)
     sized.GetPointData().AddArray(sizes)
     powers = [100.0 * promised * 10.0**power for power in range(-3, 1)]
-    table = lookup_table(ERROR_COLOURS, powers[0], powers[-1], UNREACHED_ERROR)
+    table = lookup_table(ERROR_COLORS, powers[0], powers[-1], UNREACHED_ERROR)
     table.SetScaleToLog10()
     bar = scalar_bar(table, "Relative error\n(%)", powers, "%-.4g")
     props = [
@@ -136,8 +164,8 @@ def save_errors(path, mesh, array_name, promised, isolines, source, lines):
 
 
 def save(path, mesh, source, props, direction=None):
-    """Render these and the source, if any, and write the PNG; looks from the best or a given
-    direction."""
+    """Writes a PNG of the props and of a marker at the source, if any, seen from `direction` or
+    from the best direction."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetBackground2(0.86, 0.89, 0.93)
@@ -152,7 +180,7 @@ def save(path, mesh, source, props, direction=None):
 
 
 def write(path, renderers, size=SIZE):
-    """Draw them in one picture and write the PNG."""
+    """Draws the renderers in one window and writes a PNG of it."""
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)
@@ -164,28 +192,31 @@ def write(path, renderers, size=SIZE):
 
 
 def write_png(path, window):
-    """Write what the window shows."""
+    """Writes a PNG of a rendered window."""
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
     grabber.ReadFrontBufferOff()
     writing.write_by(vtkPNGWriter(), path, vtkdgg.check(grabber))
 
 
-def lookup_table(colours, low, high, unreached):
-    """Colours of equal widths in between."""
+def lookup_table(
+    colors: Sequence[ArrayLike], low: float, high: float, unreached: ArrayLike
+) -> vtkLookupTable:
+    """Returns a lookup table that interpolates colors, in equal intervals, from `low` to `high`.
+    NaN has the color `unreached`."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
-    place = np.linspace(0.0, 1.0, len(colours))
-    channels = np.array(colours).T
+    positions = np.linspace(0.0, 1.0, len(colors))
+    channels = np.array(colors).T
     for i in range(256):
-        table.SetTableValue(i, *(float(np.interp(i / 255.0, place, c)) for c in channels), 1.0)
+        table.SetTableValue(i, *(float(np.interp(i / 255.0, positions, c)) for c in channels), 1.0)
     table.SetRange(low, high)
     table.SetNanColor(*unreached, 1.0)
     return table
 
 
 def shaded(mesh):
-    """The mesh with normals, for shading only; sharp edges stay sharp."""
+    """Returns the mesh with normals for shading, split at sharp edges."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(mesh)
     normals.SetFeatureAngle(50.0)
@@ -195,7 +226,7 @@ def shaded(mesh):
 
 
 def surface(mesh, array_name, table, shine=0.12):
-    """An actor of the mesh in the colours of an array."""
+    """Returns an actor of the mesh colored by a point array."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(shaded(mesh))
     mapper.SetScalarModeToUsePointFieldData()
@@ -215,7 +246,8 @@ def surface(mesh, array_name, table, shine=0.12):
 
 
 def _isolines(mesh, array_name, step, radius):
-    """Lines at multiples of a distance; the radius is a fraction of the size of the mesh."""
+    """Returns an actor of isolines at multiples of `step`, as tubes. `radius` is a fraction of the
+    diagonal of the mesh."""
     reached = _reached_part(mesh, array_name)
     high = np.nanmax(np.append(vtk_to_numpy(mesh.GetPointData().GetArray(array_name)), 0.0))
     contour = vtkContourFilter()
@@ -239,7 +271,7 @@ def _isolines(mesh, array_name, step, radius):
 
 
 def _reached_part(mesh, array_name):
-    """The triangles all of whose corners have a distance."""
+    """Returns the triangles of which all corners have a finite distance."""
     distances = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     triangles = triangles[np.isfinite(distances[triangles]).all(axis=1)].astype(np.int64)
@@ -256,8 +288,9 @@ def _reached_part(mesh, array_name):
     return part
 
 
-def marker(source, size, colour=(0.86, 0.12, 0.16)):
-    """A ball; the size is that of all that is drawn."""
+def marker(source: ArrayLike, size: float, color: ArrayLike = (0.86, 0.12, 0.16)) -> vtkActor:
+    """Returns an actor of a ball at a point. Its radius is a fraction of `size`, the diagonal of the
+    scene."""
     ball = vtkSphereSource()
     ball.SetCenter(*source)
     ball.SetRadius(0.011 * size)
@@ -267,21 +300,82 @@ def marker(source, size, colour=(0.86, 0.12, 0.16)):
     mapper.SetInputConnection(ball.GetOutputPort())
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetColor(*color)
     actor.GetProperty().SetSpecular(0.5)
     actor.GetProperty().SetSpecularPower(40.0)
     return actor
 
 
+def spacings_of(graph: vtkPointCloudDGG) -> NDArray[np.float64]:
+    """Returns the spacing of the cloud around each point, which a vtkPointCloudDGG has computed."""
+    radii = vtk_to_numpy(graph.GetOutput().GetFieldData().GetArray("DGG.Radii")).astype(float)
+    median = float(np.median(radii[radii > 0.0])) if (radii > 0.0).any() else 1.0
+    return radii * (graph.GetSpacing() / median)
+
+
+def disc_radii(spacings: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Returns radii with which neighboring discs overlap."""
+    spacing = float(np.median(spacings))
+    return DISC_RADIUS * np.clip(spacings, spacing / LARGEST_RATIO, spacing * LARGEST_RATIO)
+
+
+def discs(
+    cloud: vtkPolyData, radii: ArrayLike, values: ArrayLike, table: vtkLookupTable
+) -> vtkActor:
+    """Returns an actor of a cloud: a disc at each point, in the tangent plane, colored by its
+    value."""
+    # The sign of the normals has no effect, since discs are lit on both sides.
+    estimate = vtkPCANormalEstimation()
+    estimate.SetInputData(cloud)
+    estimate.SetSampleSize(min(16, cloud.GetNumberOfPoints()))
+    estimate.SetNormalOrientationToPoint()
+    estimate.Update()
+    oriented = vtkPolyData()
+    oriented.ShallowCopy(estimate.GetOutput())
+    for name, numbers in (("Value", values), ("Radius", radii)):
+        array = numpy_to_vtk(numbers, deep=True)
+        array.SetName(name)
+        oriented.GetPointData().AddArray(array)
+
+    disc = vtkRegularPolygonSource()
+    disc.SetNumberOfSides(10)
+    disc.SetRadius(1.0)
+    disc.SetNormal(1.0, 0.0, 0.0)  # glyphs rotate the x axis to the normal
+    disc.GeneratePolylineOff()
+    mapper = vtkGlyph3DMapper()
+    mapper.SetInputData(oriented)
+    mapper.SetSourceConnection(disc.GetOutputPort())
+    mapper.OrientOn()
+    mapper.SetOrientationArray(oriented.GetPointData().GetNormals().GetName())
+    mapper.SetOrientationModeToDirection()
+    mapper.ScalingOn()
+    mapper.SetScaleModeToScaleByMagnitude()
+    mapper.SetScaleArray("Radius")
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("Value")
+    mapper.SetLookupTable(table)
+    mapper.SetScalarRange(*table.GetRange())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetInterpolationToFlat()
+    look.SetAmbient(0.18)
+    look.SetDiffuse(0.85)
+    look.SetSpecular(0.1)
+    look.SetSpecularPower(25.0)
+    return actor
+
+
 def labels(low, high):
-    """Round numbers for a scalar bar."""
+    """Returns round numbers between `low` and `high` for a scalar bar."""
     step = nice_step(high - low, wanted=6)
     slack = 1e-9 * (high - low) / step
     return [i * step for i in range(math.ceil(low / step - slack), int(high / step + slack) + 1)]
 
 
 def scalar_bar(table, title, values, form, bottom=0.18):
-    """The legend of colours, from this height up to a fixed one."""
+    """Returns a scalar bar on the right. `bottom` is the height of its lower end as a fraction of
+    the height of the viewport."""
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
     bar.SetTitle(title)
@@ -304,22 +398,23 @@ def scalar_bar(table, title, values, form, bottom=0.18):
 
 
 def unreached(bar, values):
-    """The colour of points without a value in the legend, and its name, when there are some."""
+    """Adds the color of NaN to a scalar bar if any value is NaN, and yields the text beside it."""
     if np.isnan(values).any():
         bar.DrawNanAnnotationOn()
-        bar.SetNanAnnotation("")  # it would be on the left, where the mesh is
-        place = bar.GetPositionCoordinate().GetValue()
-        yield text("unreached", 0.879, place[1] + 0.005)
+        bar.SetNanAnnotation("")  # VTK draws it on the left, over the mesh
+        bottom = bar.GetPositionCoordinate().GetValue()[1]
+        yield text("unreached", 0.879, bottom + 0.005)
 
 
 def note(lines, top=0.12):
-    """Text below the scalar bar, one actor per line, from this height down."""
+    """Yields actors of lines of text below the scalar bar, downwards from the height `top`."""
     for i, line in enumerate(lines):
         yield text(line, 0.815, top - 0.032 * i)
 
 
 def text(line, x, y, size=24):
-    """An actor of a line of text, from this place in its viewport on."""
+    """Returns an actor of a line of text that starts at (x, y) in normalized viewport
+    coordinates."""
     actor = vtkTextActor()
     actor.SetInput(line)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
@@ -338,7 +433,7 @@ def _style(text, size):
 
 
 def light(renderer):
-    """Lights from above, aside and behind."""
+    """Adds a light kit to a renderer, with a key light from above."""
     kit = vtkLightKit()
     kit.SetKeyLightIntensity(0.95)
     kit.SetKeyLightWarmth(0.55)
@@ -349,33 +444,32 @@ def light(renderer):
 
 
 def aim(renderer, mesh, source, direction=None, aspect=SIZE[0] / SIZE[1], room=0.18):
-    """Look from this direction, or from where much of the surface is seen and the source with it;
-    a part of the width is kept free on the right."""
-    centre = np.array(mesh.GetCenter())
+    """Points the camera at the mesh from `direction`, or from the best direction. `room` is the
+    fraction of the width that stays free on the right."""
+    center = np.array(mesh.GetCenter())
     up = up_of(mesh)
     if direction is None:
         direction = best_direction(mesh, source, up)
     away = 2.0 * size_of(mesh)
-    if abs(up @ direction) > 0.999:  # from the top or the bottom: the front is below or above
+    if abs(up @ direction) > 0.999:  # view from the top or the bottom: the front is below or above
         up = -(up @ direction) * front_of(up)
     right = np.cross(up, direction)
     right /= np.linalg.norm(right)
     top = np.cross(direction, right)
 
-    # Where the points are in the view, as tangents of angles; the source's ball comes along.
+    # Positions of the points and of the marker in the view, as tangents of angles.
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     if source is not None:
         points = np.vstack([points, np.array(source) + 0.02 * size_of(mesh) * direction])
-    points -= centre
+    points -= center
     depth = away - points @ direction
     x, y = points @ right / depth, points @ top / depth
-    # The picture leaves a margin, and room for the scalar bar on the right.
-    # Points all in one place are looked at from far enough for the ball.
+    # The minimum shows the marker where all points have the same position.
     tangent = 0.5 * max(np.ptp(y) / 0.92, np.ptp(x) / ((0.95 - room) * aspect), 0.05)
 
     camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(*centre)
-    camera.SetPosition(*(centre + direction * away))
+    camera.SetFocalPoint(*center)
+    camera.SetPosition(*(center + direction * away))
     camera.SetViewUp(*up)
     camera.SetViewAngle(2.0 * math.degrees(math.atan(tangent)))
     camera.SetWindowCenter(
@@ -385,24 +479,25 @@ def aim(renderer, mesh, source, direction=None, aspect=SIZE[0] / SIZE[1], room=0
 
 
 def size_of(mesh):
-    """The diagonal; 1 for points that are all in the same place."""
+    """Returns the diagonal of the bounding box; 1 if all points have the same position."""
     return mesh.GetLength() or 1.0
 
 
 def up_of(mesh):
-    """The y axis, as most models have it; the z axis for flat ones, such as terrain."""
+    """Returns the direction that points up: the y axis, and the z axis for flat surfaces such as
+    terrain."""
     bounds = np.array(mesh.GetBounds()).reshape(3, 2)
     x, y, z = bounds[:, 1] - bounds[:, 0]
     return np.array((0.0, 0.0, 1.0) if z < 0.4 * min(x, y) else (0.0, 1.0, 0.0))
 
 
 def front_of(up):
-    """Returns the direction from which the x axis points to the right."""
+    """Returns the viewing direction in which the x axis points to the right."""
     return np.cross((1.0, 0.0, 0.0), up)
 
 
 def view_of(mesh, text):
-    """Returns the direction to look from that a name or coordinates stand for."""
+    """Returns the viewing direction of a name such as "front" or of coordinates "X,Y,Z"."""
     up = up_of(mesh)
     front, right = front_of(up), np.array((1.0, 0.0, 0.0))
     names = {"front": front, "right": right, "top": up}
@@ -420,7 +515,8 @@ def view_of(mesh, text):
 
 
 def best_direction(mesh, source, up):
-    """Where to look from, to see much of the surface and the source, if there is one."""
+    """Returns the viewing direction with the largest projected area; directions in which the source
+    is hidden count less."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     a, b, c = (points[triangles[:, i]] for i in range(3))
@@ -439,7 +535,7 @@ def best_direction(mesh, source, up):
 
 
 def directions(up):
-    """Where to look from: all around, from a little above to far above."""
+    """Yields viewing directions all around, at three elevations."""
     side = np.cross(up, (1.0, 0.0, 0.0) if abs(up[0]) < 0.5 else (0.0, 1.0, 0.0))
     front = np.cross(side, up)
     for elevation in (12.0, 25.0, 40.0):
@@ -449,7 +545,7 @@ def directions(up):
 
 
 def _is_seen(locator, source, direction, size):
-    """Whether nothing is between the source, lifted a little, and the viewer."""
+    """Returns true if nothing is between the source, slightly lifted, and the camera."""
     start = source + 0.012 * size * direction
     hit = [0.0, 0.0, 0.0]
     t, sub = reference(0.0), reference(0)
