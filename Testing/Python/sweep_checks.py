@@ -6,24 +6,20 @@ A check takes a Trial, runs its filter by Trial.update() and reports what does n
 Trial.expect(). What it returns is there for the checks after it, in Trial.results.
 """
 
+import functools
 import os
 
 import numpy as np
 import support
 import vtkdgg
-from sweep_trial import EXACT, ON_SURFACE
+from sweep_spectral import biharmonic, graphics, greens, movers, splines
+from sweep_trial import EXACT, ON_SURFACE, ROUNDING
 from sweep_trial import pieces_of, polygon_areas, to_triangles, with_points
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 ACCURACY = 0.05  # of the graph
-ROUNDING = 1e-6  # relative error of lengths in the graph, beside its accuracy
 CHORD = 2e-3  # how far pieces of isolines may be from their curves, relative to the mean edge
-ZERO_MEAN = 2e-2  # mean of a Green's function, relative to its range
-SYMMETRY = {"Interpolated": 1e-3, "SingularitySubtraction": 3e-2}  # the same
-METRIC = 1e-6  # of biharmonic distances
-UNITY = 1e-3  # sum of splines
-EIGENVALUES = 40
 SLOW = 1000  # points, for what takes much longer
 LEVELS = np.linspace(0.05, 0.95, 10)
 
@@ -194,6 +190,52 @@ def local(trial):
         (fields[1] == expected) | (np.isnan(fields[1]) & np.isnan(expected)),
         "bounded distance is not the near part of the unbounded one",
     )
+
+
+def naming(trial):
+    """Functions give the same answers for sources by id and as corners of triangles."""
+    surface = trial.surface
+    exact = functools.partial(vtkdgg.distance, trial.mesh, merge_coincident_points=surface.merge)
+    ids = surface.sources[:2].tolist()
+    pairs = []
+    for i in ids:
+        faces, corners = np.nonzero((surface.triangles == i) & surface.proper[:, None])
+        pairs.append((int(faces[-1]), np.eye(3)[corners[-1]]))
+    graph = vtkdgg.Graph(trial.graph())
+    radius = np.nanquantile(graph.distance(ids), 0.1) * (1.0 + 1e-9)
+    for name, answer in (
+        ("exact distance", exact),
+        ("bounded exact distance", functools.partial(exact, maximum_distance=radius)),
+        ("distance", graph.distance),
+        ("bounded distance", functools.partial(graph.distance, maximum_distance=radius)),
+        ("matrix", lambda points: graph.matrix(points, surface.sources)),
+        ("sparse_matrix", lambda points: graph.sparse_matrix(radius, points).toarray()),
+        ("paths", lambda points: [p.length for p in graph.paths(points[:1], points) if p]),
+        ("neighborhood", lambda points: graph.neighborhood(points[0], radius)[1]),
+    ):
+        with trial.timer:
+            expected, found = np.array(answer(ids)), np.array(answer(pairs))
+        trial.expect(np.isnan(found) == np.isnan(expected), f"{name}: other points are reached")
+        reached = np.isfinite(expected)
+        difference, slack = np.abs(found - expected)[reached], trial.slack(expected[reached])
+        trial.expect_most(difference, slack, f"{name} of corners of triangles is not that of ids")
+
+
+def files(trial):
+    """A mesh that was written and read is the same, and its ids give the same distances."""
+    surface, source = trial.surface, int(trial.surface.sources[0])
+    for extension in (".vtp", ".vtk", ".ply", ".obj", ".off"):
+        path = os.path.join(trial.folder, f"mesh{extension}")
+        with trial.timer:
+            vtkdgg.write(path, trial.mesh)
+            mesh = vtkdgg.read(path)
+            found = vtkdgg.distance(mesh, source, merge_coincident_points=surface.merge)
+        trial.expect(mesh.points == surface.points, f"{extension}: other points")
+        trial.expect(mesh.triangles == surface.cells, f"{extension}: other triangles")
+        true = trial.results["exact"][0] if "exact" in trial.results else found
+        reached = np.isfinite(true)
+        difference = np.abs(found - true)[reached]
+        trial.expect_most(difference, trial.slack(true[reached]), f"{extension}: other distances")
 
 
 def approximate(make):
@@ -472,93 +514,7 @@ def sampler(trial):
     trial.expect(np.isfinite(radius[-1]) == (len(ids) >= pieces), "a component without a sample")
 
 
-# --- Spectral filters ----------------------------------------------------------------------------
-
-
-def greens(method):
-    def check(trial):
-        surface, sources = trial.surface, trial.surface.inner
-        algorithm = vtkdgg.vtkDiscreteGreensFunction()
-        algorithm.SetInputData(trial.mesh)
-        algorithm.SetSourceIds(sources.tolist())
-        getattr(algorithm, f"SetMethodTo{method}")()
-        values = support.point_array(trial.update(algorithm), "GreensFunction")
-        values = values.reshape(len(surface.points), len(sources))
-        trial.expect(np.isfinite(values), "not finite")
-        spread = np.ptp(values)
-        pairs = values[sources]
-        off = np.abs(pairs - pairs.T).max()
-        trial.expect_most(off / spread, SYMMETRY[method], "not symmetric, relative to the range")
-        thirds = np.repeat(surface.areas[surface.once] / 3, 3)
-        mass = np.bincount(surface.triangles[surface.once].ravel(), thirds, len(surface.points))
-        own = surface.component == surface.component[sources[0]]
-        mean = np.abs(mass[own] @ values[own]).max() / mass[own].sum()
-        trial.expect_most(mean / spread, ZERO_MEAN, "mean is not 0, relative to the range")
-
-    return check
-
-
-def biharmonic(trial):
-    sources = trial.surface.inner
-    algorithm = vtkdgg.vtkBiharmonicDistance()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetSourceIds(sources.tolist())
-    algorithm.SetNumberOfEigenvalues(EIGENVALUES)
-    values = support.point_array(trial.update(algorithm), "BiharmonicDistance")
-    values = values.reshape(len(trial.surface.points), -1)
-    own = trial.surface.component == trial.surface.component[sources[0]]
-    trial.expect(np.isfinite(values) == own[:, None], "reached is not what is connected")
-    pairs = values[sources]
-    slack = METRIC * np.nanmax(values)
-    trial.expect_most(np.abs(pairs - pairs.T), slack, "not symmetric")
-    trial.expect_most(np.diag(pairs), slack, "not 0 at the source")
-    detour = (pairs[:, :, None] + pairs[None]).min(axis=1)
-    trial.expect_most(pairs, detour + slack, "longer than a detour")
-
-
-def splines(trial):
-    algorithm = vtkdgg.vtkHarmonicBSpline()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetNumberOfSites(10)
-    values = support.point_array(trial.update(algorithm), "HarmonicBSpline")
-    used = trial.surface.component >= 0
-    sums = values.reshape(len(used), -1).sum(axis=1)[used]
-    trial.expect_most(np.abs(sums - 1.0), UNITY, "functions do not sum to 1")
-
-
-def movers(trial):
-    surface = trial.surface
-    start, end = surface.inner[:2]
-    algorithm = vtkdgg.vtkSurfaceEarthMoversDistance()
-    mass = np.zeros((2, len(surface.points)))
-    mass[0, start] = mass[1, end] = 1.0
-    for name, values in zip(("From", "To"), mass):
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        trial.mesh.GetPointData().AddArray(array)
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetFromArrayName("From")
-    algorithm.SetToArrayName("To")
-    algorithm.SetArrayMeaningToMass()
-    trial.update(algorithm)
-    cost, low = algorithm.GetDistance(), algorithm.GetLowerBound()
-    trial.expect(np.isfinite([cost, low]), "not finite")
-    trial.expect_most(low, cost * (1 + ROUNDING), "lower bound above the distance")
-
-
-def graphics(trial):
-    surface = trial.surface
-    ends = surface.inner[:2]
-    curve = support.polyline(surface.points[ends])
-    for name, color in (("LeftColor", [1.0, 0.0, 0.0]), ("RightColor", [0.0, 0.0, 1.0])):
-        array = numpy_to_vtk(np.array([color]), deep=True)
-        array.SetName(name)
-        curve.GetCellData().AddArray(array)
-    algorithm = vtkdgg.vtkPoissonVectorGraphics()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetCurveData(curve)
-    colors = support.point_array(trial.update(algorithm), "Colors")
-    trial.expect(np.isfinite(colors), "colours are not finite")
+# --- Correspondence ------------------------------------------------------------------------------
 
 
 def patches(trial):
@@ -615,6 +571,8 @@ CHECKS = {
     "sampler": sampler,
     "matrix": matrix,
     "local": local,
+    "naming": naming,
+    "files": files,
     "loop": loops,
     "patches": patches,
     "heat": approximate(vtkdgg.vtkHeatGeodesicDistance),
@@ -639,5 +597,7 @@ NEEDS = {
     "sampler": ["graph"],
     "matrix": ["exact", "graph"],
     "local": ["graph"],
+    "naming": ["graph"],
+    "files": ["exact"],
     "loop": ["graph"],
 }

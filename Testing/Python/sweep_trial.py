@@ -11,6 +11,7 @@ import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+ROUNDING = 1e-6  # relative error of lengths in the graph, beside its accuracy
 EXACT = 1e-9  # relative error of exact distances, lengths and areas
 LENGTH = 1e-15  # relative rounding error of the lengths of edges
 ON_SURFACE = 1e-9  # how far points may be from their triangle, relative to its longest side

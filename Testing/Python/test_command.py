@@ -15,13 +15,14 @@ import sys
 import time
 import types
 import unittest
+from unittest import mock
 
 import numpy as np
 import support
 import vtkdgg
 from support import BUMPY, TETRAHEDRON
+from vtkdgg import graph, queries
 from vtkdgg.command_line import main, make_parser
-from vtkdgg.commands import files
 from vtkdgg.commands.output import with_arrays
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkStripper
@@ -291,6 +292,9 @@ class Command(unittest.TestCase):
         )
         self.assertEqual(found["values"], [0.5, 1.0])
         self.assertEqual(len(self.answer("isolines", BUMPY, "--source", 5)["values"]), 10)
+        with mock.patch.object(graph, "run", wraps=graph.run) as run:
+            command("isolines", BUMPY, "--source", "5")
+        self.assertEqual(run.call_count, 2)  # distances and isolines
         tube = out("tube.ply")
         vtkdgg.write(tube, support.polydata(*support.prism(9, 6)))
         found = self.answer("loop", tube, "--out", out("loop.vtp"))
@@ -307,6 +311,10 @@ class Command(unittest.TestCase):
         found = self.answer("voronoi", BUMPY, "--site", 5, "--site", 100, "--out", cells)
         self.assertEqual(len(found["areas"]), 2)
         self.assertTrue(vtkdgg.read(cells).as_polydata().GetCellData().HasArray("SiteId"))
+        x, y, z = self.mesh.GetPoint(5)
+        with mock.patch.object(queries, "run", wraps=queries.run) as run:
+            command("voronoi", BUMPY, "--site", f"{x},{y},{z}", "--site", 100, "--out", cells)
+        self.assertEqual(run.call_count, 1)
         even = self.answer("voronoi", BUMPY, "--number", 6, "--iterations", 5)
         self.assertEqual(even["sites"], 6)
 

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Surface points by id, by coordinates and by face: the same answers from all functions and
-commands, on slits, seams and coincident layers too."""
+commands, on slits, seams and coincident layers too, and on meshes that were written and read."""
 
 import contextlib
+import gzip
 import io
 import json
 import os
@@ -20,6 +21,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray
 FOLDER = support.output_folder("surface_points")
 SEEDS = range(0, int(os.environ.get("DGG_TEST_SEEDS", 4)), 3)
 SIDE = 9  # points of a layer along each side
+# Formats that keep ids; the first two keep lines as well.
+FORMATS = (".vtp", ".vtk", ".ply", ".obj", ".off", ".ply.gz", ".off.gz")
 
 
 def slit_grid():
@@ -88,6 +91,18 @@ class Surface:
         result.SetLines(line)
         return result
 
+    def write(self, path):
+        """Writes the surface, with the line if the format keeps it. Returns the id of the first
+        triangle."""
+        keeps_lines = path.endswith(FORMATS[:2])
+        plain = path.removesuffix(".gz")
+        mesh = self.polydata() if keeps_lines else support.polydata(self.points, self.triangles)
+        vtkdgg.write(plain, mesh)
+        if path != plain:
+            with open(plain, "rb") as file, gzip.open(path, "wb") as target:
+                target.write(file.read())
+        return int(keeps_lines)
+
     def faces_of(self, ids):
         """Points as pairs of a triangle around each and coordinates of its corner."""
         found = []
@@ -105,9 +120,9 @@ class Surface:
         return list(zip(faces, weights)), (weights[:, :, None] * corners).sum(axis=1)
 
 
-def shifted(pairs):
-    """The same with ids of cells of Surface.polydata()."""
-    return [(face + 1, weights) for face, weights in pairs]
+def shifted(pairs, first=1):
+    """Returns the pairs with ids of cells of a surface with this id of the first triangle."""
+    return [(face + first, weights) for face, weights in pairs]
 
 
 def mixed(*namings):
@@ -139,11 +154,13 @@ def functions(mesh, merge):
     pair, rest = slice(2), slice(2, 5)
     return {
         "exact": function(vtkdgg.distance, pair, return_source=True),
+        "bounded": function(vtkdgg.distance, pair, maximum_distance=2.5),
         "initial": function(vtkdgg.distance, pair, initial_distances=[0.5, 0.25]),
         "graph": function(vtkdgg.distance, pair, method="graph"),
         "fast": function(vtkdgg.distance, pair, method="fast"),
         "marching": function(vtkdgg.distance, pair, method="marching"),
         "path": function(vtkdgg.path, 0, 1),
+        "path in graph": function(vtkdgg.path, 0, 1, accuracy=0.1),
         "greens": function(vtkdgg.greens_function, pair),
         "greens at": lambda p: function(vtkdgg.greens_function, pair, at=p[rest])(p),
         "biharmonic": function(vtkdgg.biharmonic, pair, method="Exact"),
@@ -155,13 +172,16 @@ def functions(mesh, merge):
             *mesh, p[:3], [1.0, 4.0, 2.0], at=p[rest], **options
         ),
         "Graph.distance": lambda p: graph.distance(p, initial_distances=0.5, return_source=True),
+        "Graph.distance, bounded": lambda p: graph.distance(p[pair], maximum_distance=2.5),
         "matrix": lambda p: graph.matrix(p[pair], p[rest]),
+        "filled matrix": lambda p: graph.matrix(p[pair], p[rest], out=np.empty((2, 3))),
         "symmetric matrix": graph.matrix,
         "sparse_matrix": lambda p: graph.sparse_matrix(3.0, p[pair]),
         "Graph.path": lambda p: graph.path(p[0], p[1]),
         "paths": lambda p: graph.paths(p[pair], p[2:4]),
         "paths from one": lambda p: graph.paths(p[:1], p[1:]),
         "sample": lambda p: graph.sample(7, start=p[pair]),
+        "sample in faces": lambda p: graph.sample(7, start=p[pair], in_faces=True),
         "voronoi": graph.voronoi,
         "moved": lambda p: graph.voronoi(p, iterations=2),
         "isolines": lambda p: graph.isolines(p[pair], [0.7, 2.0]),
@@ -170,8 +190,10 @@ def functions(mesh, merge):
     }
 
 
+#: Commands that write curves.
+CURVES = ("isolines", "loop", "path")
 #: Functions whose answers depend on other parts than those of the points.
-ALL_PARTS = ("earth_movers", "fast", "interpolate", "sample")
+ALL_PARTS = ("earth_movers", "fast", "interpolate", "sample", "sample in faces")
 
 
 class Functions(unittest.TestCase):
@@ -217,6 +239,25 @@ class Functions(unittest.TestCase):
                 left_out=() if surface.part.all() else ALL_PARTS,
             )
 
+    def test_files(self):
+        for seed in SEEDS:
+            surface = Surface(seed)
+            faces = surface.faces_of(surface.ids)
+            namings = []
+            for extension in FORMATS:
+                path = os.path.join(FOLDER, f"file{extension}")
+                first = surface.write(path)
+                again = vtkdgg.read(path)
+                np.testing.assert_array_equal(again.points, surface.points)
+                np.testing.assert_array_equal(again.triangles, surface.triangles)
+                namings.append(((again,), mixed(surface.ids, shifted(faces, first))))
+            self.agree(
+                (surface.points, surface.triangles),
+                surface.ids,
+                namings,
+                left_out=() if surface.part.all() else ("interpolate",),
+            )
+
     def test_merged(self):
         for seed in SEEDS:
             surface = Surface(seed)
@@ -237,37 +278,88 @@ class Commands(unittest.TestCase):
         found = json.loads(said.getvalue())
         return {key: found[key] for key in found if key not in ("seconds", "written", "warnings")}
 
+    def answers(self, path, words_of):
+        """Returns the answers of commands, with the numbers of the files that they write.
+        `words_of` returns the options for some of five points."""
+        pair, rest, graph = slice(2), slice(2, 5), ("--accuracy", 0.1)
+        source = words_of("--source", pair)
+        found = {}
+        for name, *words in (
+            ("distance", *source),
+            ("distance", *source, *graph),
+            ("distance", *source, "--maximum", 2.5),
+            ("distance", *source, *graph, "--maximum", 2.5),
+            ("distance", *source, "--method", "fast"),
+            ("distance", *source, "--method", "marching"),
+            ("matrix", *words_of("--source", slice(5))),
+            ("matrix", *source, "--targets", "3,1,4,1,5"),
+            ("path", *words_of(None, pair)),
+            ("path", *words_of(None, pair), *graph),
+            ("isolines", *source, "--count", 3),
+            ("isolines", *source, "--values", "0.7,2", "--method", "exact"),
+            ("loop", *words_of("--through", slice(3)), "--rope"),
+            ("voronoi", *words_of("--site", slice(5)), "--iterations", 2),
+            ("voronoi", *words_of("--site", rest), "--accuracy", 0.1),
+            ("greens", *source),
+        ):
+            out = os.path.join(FOLDER, "answer.csv")
+            answer = self.answer(name, path, *words, "--out", out)
+            with open(out, encoding="utf-8") as file:
+                has_header = file.readline()[0].isalpha()
+            numbers = np.loadtxt(out, delimiter=",", skiprows=int(has_header), ndmin=2)
+            # Points of curves on edges have several faces: coordinates only.
+            found[name, *words[-2:]] = answer, numbers[:, : 4 if name in CURVES else None]
+        picture = os.path.join(FOLDER, "a.png")
+        found["render"] = self.answer("render", path, *source, "--out", picture), np.empty(0)
+        return found
+
+    def agree(self, found, expected):
+        for (name, (answer, numbers)), (known, others) in zip(found.items(), expected.values()):
+            with self.subTest(command=name):
+                self.assertEqual(answer.keys(), known.keys())
+                for key, value in answer.items():
+                    if isinstance(value, (str, type(None))):
+                        self.assertEqual(value, known[key])
+                    else:
+                        np.testing.assert_allclose(value, known[key], rtol=0.0, atol=1e-6)
+                # Isolines move far where the distance has a small slope.
+                tolerance = 1e-4 if name[0] == "isolines" else 1e-6
+                np.testing.assert_allclose(numbers, others, rtol=0.0, atol=tolerance)
+
     def test_same_answers(self):
         for seed in SEEDS:
             surface = Surface(seed)
-            path = os.path.join(FOLDER, f"surface_{seed}.vtp")
-            vtkdgg.write(path, surface.polydata())
-            picture, matrix = (os.path.join(FOLDER, name) for name in ("a.png", "a.npy"))
-            faces = [
-                f"face:{face}:" + ",".join(map(repr, weights))
-                for face, weights in shifted(surface.faces_of(surface.ids))
-            ]
+            path = os.path.join(FOLDER, f"surface{FORMATS[seed // 3 % len(FORMATS)]}")
+            first = surface.write(path)
 
-            def options(name, points):
-                return [word for point in points for word in (f"--{name}", point)]
+            def named(points):
+                """Returns a function for the options of some of the points."""
+                texts = [
+                    "face:{}:{},{},{}".format(p[0], *p[1]) if isinstance(p, tuple)
+                    else ",".join(map(repr, p)) if np.ndim(p) else str(p)
+                    for p in points
+                ]  # fmt: skip
+                return lambda option, part: [
+                    word for text in texts[part] for word in (option, text) if word
+                ]
 
-            for name, words in (
-                ("distance", lambda p: options("source", p[:2])),
-                ("distance", lambda p: [*options("source", p[:2]), "--accuracy", 0.1]),
-                ("matrix", lambda p: [*options("source", p), "--out", matrix]),
-                ("path", lambda p: p[:2]),
-                ("path", lambda p: [*p[:2], "--accuracy", 0.01]),
-                ("isolines", lambda p: [*options("source", p[:2]), "--count", 3]),
-                ("loop", lambda p: [*options("through", p[:3]), "--rope"]),
-                ("voronoi", lambda p: [*options("site", p), "--iterations", 2]),
-                ("greens", lambda p: options("source", p[:2])),
-                ("render", lambda p: [*options("source", p[:2]), "--out", picture]),
-            ):
-                with self.subTest(command=name, seed=seed):
-                    expected = self.answer(name, path, *words(surface.ids))
-                    self.assertEqual(self.answer(name, path, *words(faces)), expected)
-                    both = mixed(surface.ids, faces)
-                    self.assertEqual(self.answer(name, path, *words(both)), expected)
+            def listed(option, part):
+                """Returns options of ids, which are in --sources and in a file where possible."""
+                if option != "--source":
+                    return named(surface.ids)(option, part)
+                name = os.path.join(FOLDER, f"sources_{part.stop}.txt")
+                with open(name, "w", encoding="utf-8") as file:
+                    file.writelines(f"{i}\n" for i in surface.ids[part][1:])
+                return ["--sources", surface.ids[part][0], "--source-file", name]
+
+            faces = shifted(surface.faces_of(surface.ids), first)
+            expected = self.answers(path, named(surface.ids))
+            for words_of in (named(faces), named(mixed(surface.ids, faces)), listed):
+                self.agree(self.answers(path, words_of), expected)
+            if seed % 4 < 2:  # where no other layer is in the same position
+                faces, positions = surface.points_in_faces()
+                expected = self.answers(path, named(shifted(faces, first)))
+                self.agree(self.answers(path, named(positions.tolist())), expected)
 
 
 class Slit(unittest.TestCase):
