@@ -5,6 +5,7 @@
 import contextlib
 import gzip
 import io
+import itertools
 import json
 import os
 import re
@@ -21,8 +22,22 @@ import numpy as np
 import support
 import vtkdgg
 from vtkdgg.command_line import main
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkStringArray
-from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkIdList, vtkStringArray
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_POLYHEDRON,
+    vtkCellArray,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkIOLegacy import (
+    vtkPolyDataWriter,
+    vtkStructuredGridWriter,
+    vtkUnstructuredGridWriter,
+)
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
 
 FOLDER = support.output_folder("reading")
 NORMALS = """v 0 0 0
@@ -136,7 +151,16 @@ class Formats(unittest.TestCase):
             (start + "POLYGONS 1 4\n3 0 1 9\n", "point id 9"),
             (start + "POLYG", "'POLYG': the keyword is unknown"),
             (start + "POLYGONS 1\n", "'POLYGONS 1': the line is damaged"),
-            (start.replace("float", "real"), "data type: real"),
+            (start + "POLYGONS 1 4\n3 0 1 999999999999\n", "999999999999 does not fit into int32"),
+            (start + f"POLYGONS 1 4\n3 0 1 {'9' * 25}\n", f"{'9' * 25} does not fit into int32"),
+            (start + f"POLYGONS 1 {'9' * 25}\n3 0 1 2\n", "the file ends too early"),
+            (start + "POLYGONS 1 4\n3 0 1 -2\n", "point id -2"),
+            (start + "POINT_DATA 4\n", "the number of points is 3"),
+            (start + "CELL_DATA 0\n", "arrays are missing"),
+            (start + "METADATA\nINFORMATION 0\n", "the file ends too early"),
+            (start + "METAD", "'METAD': the keyword is unknown"),
+            (start.replace("3.0", "999999999.0"), "version 999999999 is unknown"),
+            (start.replace("float", "real"), "the type 'real' is unknown"),
             ("# vtk DataFile", "header"),
             (start.replace("POLYDATA", "STRUCTURED_POINTS"), "has no surface"),
         ):
@@ -144,6 +168,143 @@ class Formats(unittest.TestCase):
                 vtkdgg.read(path_of("damaged.vtk", text))
         with self.assertWarnsRegex(RuntimeWarning, "cut.vtk: the last line has no end"):
             vtkdgg.read(path_of("cut.vtk", start + "POLYGONS 1 4\n3 0 1 2"))
+
+    def test_damaged_vtk_files(self):
+        """Bytes missing or added and wrong numbers, with which VTK's readers end the process."""
+        points, triangles, values = formats.surface()
+        mesh = vtkdgg.Mesh(points, triangles, point_data={"value": values}).as_polydata()
+        append = vtkAppendFilter()
+        append.AddInputData(mesh)
+        for writer, data, extension in (
+            (vtkXMLPolyDataWriter, mesh, ".vtp"),
+            (vtkXMLUnstructuredGridWriter, vtkdgg.check(append), ".vtu"),
+        ):
+            for compressor, header, is_base64 in itertools.product(
+                ("None", "ZLib", "LZMA", "LZ4"), (32, 64), (False, True)
+            ):
+                settings = {f"SetCompressorTypeTo{compressor}": ()}
+                settings[f"SetHeaderTypeToUInt{header}"] = ()
+                settings["SetEncodeAppendedData"] = (is_base64,)
+                whole = formats.of_vtk(writer(), data, **settings)
+                start, end = whole.index(b"   _") + 4, whole.index(b"\n  </AppendedData>")
+                for at in np.linspace(start, end - 1, 9).astype(int):
+                    self.refuse(extension, whole[:at] + whole[at + 1 :])
+                    self.refuse(extension, whole[:at] + b"U" + whole[at:])
+            for match in re.finditer(rb'(?<=NumberOf)\w+="(\d+)|offset="(\d+)', whole):
+                for number in (b"999999999999", b"9" * 25, b"-1", b"2"):
+                    first, last = match.span(match.lastindex)
+                    self.refuse(extension, whole[:first] + number + whole[last:])
+            text = formats.of_vtk(writer(), data, SetDataModeToAscii=())
+            for match in re.finditer(rb'"(?:connectivity|offsets|types)"[^>]*>\s*(\d+)', text):
+                for number in (b"200", b"-1", b"9" * 12, b"9" * 25):
+                    first, last = match.span(1)
+                    self.refuse(extension, text[:first] + number + text[last:])
+        for version, word in ((42, b"POLYGONS"), (51, b"CONNECTIVITY")):
+            settings = {"SetFileTypeToBinary": (), "SetFileVersion": (version,)}
+            whole = formats.of_vtk(vtkPolyDataWriter(), mesh, **settings)
+            ids = whole.index(b"\n", whole.index(word)) + 1
+            for at in (ids - 200, ids + 200, len(whole) - 20):
+                self.refuse(".vtk", whole[:at] + whole[at + 1 :])
+                self.refuse(".vtk", whole[:at] + b"U" + whole[at:])
+            for number in (b"\xff" * 8, b"\x7f" + b"\xff" * 7):
+                self.refuse(".vtk", whole[:ids] + number + whole[ids + 8 :])
+
+    def refuse(self, extension, contents):
+        """Expects an error that names the file."""
+        path = path_of(f"damaged{extension}", contents)
+        with self.assertRaisesRegex(ValueError, re.escape(path)):
+            self.fail(f"{vtkdgg.read(path)} of a damaged file")
+
+    def test_kinds_of_vtk_files(self):
+        """Cells and arrays of all types, in all encodings."""
+        points = support.grid(4, 4)[0]
+        mesh = support.polydata(points, [])
+        for kind, cells in (
+            ("Verts", [[3], [4, 5]]),
+            ("Lines", [[0, 1, 6]]),
+            ("Polys", [[5, 6, 11, 10], [6, 7, 12]]),
+            ("Strips", [[0, 5, 1, 6, 2], [2, 7, 3]]),
+        ):
+            array = vtkCellArray()
+            for cell in cells:
+                array.InsertNextCell(len(cell), cell)
+            getattr(mesh, f"Set{kind}")(array)
+        arrays = {
+            f"%a {kind}{shape[1:]}": (90.0 * np.random.default_rng(4).random(shape)).astype(kind)
+            for kind in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8")
+            for shape in ((25,), (25, 2))
+        }
+        for data, rows in (("Point", 25), ("Cell", 7), ("Field", 3)):
+            for name, values in arrays.items():
+                array = numpy_to_vtk(np.ascontiguousarray(values[:rows]), deep=True)
+                array.SetName(name)
+                getattr(mesh, f"Get{data}Data")().AddArray(array)
+        mesh.GetPointData().SetActiveScalars("%a f4()")
+        files = [(".vtk", {"SetFileTypeToBinary": (), "SetFileVersion": (v,)}) for v in (42, 51)]
+        for compressor, header, order, mode in itertools.product(
+            ("None", "ZLib", "LZMA", "LZ4"), (32, 64), ("Little", "Big"), ("Binary", "Appended")
+        ):
+            names = f"CompressorTypeTo{compressor}", f"HeaderTypeToUInt{header}"
+            names += f"ByteOrderTo{order}Endian", f"DataModeTo{mode}"
+            files.append((".vtp", {"SetBlockSize": (64,), **{f"Set{name}": () for name in names}}))
+        files.append((".vtp", {"SetNumberOfPieces": (2,)}))
+        for extension, settings in files:
+            writer = vtkPolyDataWriter() if extension == ".vtk" else vtkXMLPolyDataWriter()
+            path = path_of("all" + extension, formats.of_vtk(writer, mesh, **settings))
+            found = vtkdgg.read(path)
+            # Each piece is a copy. The triangles of strips follow the polygons of all pieces.
+            copies = settings.get("SetNumberOfPieces", (1,))[0]
+            starts = 25 * np.arange(copies)[:, None]
+            strips = [0, 5, 1, 1, 5, 6, 1, 6, 2, 2, 7, 3]
+            corners = [(starts + part).ravel() for part in ([5, 6, 11, 10, 6, 7, 12], strips)]
+            rows = [np.tile(part, copies) for part in ([0, 1], [2], [3, 4], [5, 5, 5, 6])]
+            with self.subTest(settings):
+                np.testing.assert_array_equal(found.points, np.tile(points, (copies, 1)))
+                np.testing.assert_array_equal(found.lines[1], (starts + [0, 1, 6]).ravel())
+                np.testing.assert_array_equal(found.polygons[1], np.concatenate(corners))
+                for data, chosen in (
+                    (found.point_data, np.tile(np.arange(25), copies)),
+                    (found.cell_data, np.concatenate(rows)),
+                    (found.field_data, np.arange(3)),
+                ):
+                    self.assertEqual(data.keys(), arrays.keys())
+                    for name, values in data.items():
+                        self.assertEqual(values.dtype, arrays[name].dtype)
+                        np.testing.assert_array_equal(values, arrays[name][chosen])
+                active = found.as_polydata().GetPointData().GetScalars()
+                self.assertEqual(active.GetName(), "%a f4()")
+
+    def test_grids_of_vtk_files(self):
+        """A hexahedron, a polyhedron and a structured grid of the same shape."""
+        z, y, x = np.meshgrid(*[[0.0, 1.0]] * 3, indexing="ij")
+        points = np.column_stack([x.ravel(), y.ravel(), z.ravel()])
+        block = vtkStructuredGrid()
+        block.SetDimensions(2, 2, 2)
+        ids = [0, 1, 3, 2, 4, 5, 7, 6]
+        sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
+        faces = [6, *(i for side in sides for i in (4, *side))]
+        grids = [vtkUnstructuredGrid(), vtkUnstructuredGrid()]
+        for grid, kind, row in zip(grids, (VTK_HEXAHEDRON, VTK_POLYHEDRON), (ids, faces)):
+            cell = vtkIdList()
+            for i in row:
+                cell.InsertNextId(i)
+            grid.InsertNextCell(kind, cell)
+        for grid in (block, *grids):
+            grid.SetPoints(support.polydata(points, []).GetPoints())
+            writers = [(".vtk", vtkStructuredGridWriter, (42, 51))]
+            if grid is not block:
+                writers = [
+                    (".vtk", vtkUnstructuredGridWriter, (42, 51)),
+                    (".vtu", vtkXMLUnstructuredGridWriter, (None,)),
+                ]
+            for extension, writer, versions in writers:
+                for version in versions:
+                    settings = {"SetFileVersion": (version,)} if version else {}
+                    path = path_of("grid" + extension, formats.of_vtk(writer(), grid, **settings))
+                    with self.assertWarnsRegex(RuntimeWarning, "of 6 faces"):
+                        offsets, corners = vtkdgg.read(path).polygons
+                    found = sorted(tuple(sorted(row)) for row in corners.reshape(6, 4).tolist())
+                    self.assertEqual(found, sorted(tuple(sorted(side)) for side in sides))
 
     def test_text_arrays(self):
         """Arrays of text are skipped."""

@@ -1,27 +1,38 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A check of legacy VTK files, because VTK's readers return a part of a truncated file without an
-error, or end the process."""
+"""Legacy VTK files of polygons, unstructured and structured grids.
 
-import itertools
+VTK's own readers are not used: they return a part of a truncated file without an error, or end the
+process.
+"""
+
 import re
+from urllib.parse import unquote_to_bytes
 
 import numpy as np
 
+from .data_set import ATTRIBUTES, POLYHEDRON, DataSet, faces_of, parsed
 from .mesh import unpacked
 
-_WORD = re.compile(rb"\S+")
-# Bytes of a value in a binary file.
-_SIZES = {
-    "bit": 0.125, "char": 1, "signed_char": 1, "unsigned_char": 1, "short": 2, "unsigned_short": 2,
-    "int": 4, "unsigned_int": 4, "vtkidtype": 4, "float": 4, "double": 8, "long": 8,
-    "unsigned_long": 8, "vtktypeint64": 8, "vtktypeuint64": 8,
+_KINDS = ("POLYDATA", "UNSTRUCTURED_GRID", "STRUCTURED_GRID")
+# Types in binary files.
+_TYPES = {
+    "char": "i1", "signed_char": "i1", "unsigned_char": "u1", "short": "i2", "unsigned_short": "u2",
+    "int": "i4", "unsigned_int": "u4", "vtkidtype": "i4", "float": "f4", "double": "f8",
+    "long": "i8", "unsigned_long": "u8", "vtktypeint64": "i8", "vtktypeuint64": "u8",
 }  # fmt: skip
+_TEXTS = ("string", "utf8_string", "variant")
+# Sections of one array with a fixed number of components, and the kind of active array.
 _COMPONENTS = {
-    "vectors": 3, "normals": 3, "tensors": 9, "tensors6": 6, "global_ids": 1, "pedigree_ids": 1,
-    "edge_flags": 1,
+    "vectors": (3, "vectors"), "normals": (3, "normals"), "tensors": (9, "tensors"),
+    "tensors6": (6, "tensors"), "global_ids": (1, "globalids"),
+    "pedigree_ids": (1, "pedigreeids"), "edge_flags": (1, "edgeflag"),
 }  # fmt: skip
-_CELLS = ("vertices", "lines", "polygons", "triangle_strips", "cells")
+_CELLS = {
+    "vertices": "verts", "lines": "lines", "polygons": "polygons", "triangle_strips": "strips",
+    "cells": "cells",
+}  # fmt: skip
+_DATA = ("point_data", "cell_data")
 
 
 class LegacyFile:
@@ -30,123 +41,238 @@ class LegacyFile:
     Parameters
     ----------
     data : bytes
-
-    Attributes
-    ----------
-    kind : str
-        The word after DATASET, such as "POLYDATA".
-    may_be_cut : bool
-        True if the file ends with a number without a line end, which may have lost digits. Set by
-        `check`.
     """
 
     def __init__(self, data):
         self._data = data
         self._at = 0
-        first, _, self._mode, dataset = (self._line() for _ in range(4))
+        first, _, mode, dataset = (self._line() for _ in range(4))
         version = re.match(rb"# vtk DataFile Version (\d+)\.", first)
-        words = dataset.split()
-        if not version or len(words) != 2 or words[0].upper() != b"DATASET":
+        words = dataset.decode("latin-1").upper().split()
+        if not version or len(words) != 2 or words[0] != "DATASET":
             raise ValueError("the header of a legacy VTK file is missing or incomplete")
-        self._is_new = int(version[1]) >= 5
-        self._is_binary = self._mode.strip().upper() == b"BINARY"
-        self.kind = words[1].decode("latin-1").upper()
-        self.may_be_cut = False
+        if len(version[1]) > 1 or version[1] > b"5":
+            raise ValueError(f"version {version[1][:20].decode()} is unknown; expected at most 5.1")
+        if words[1] not in _KINDS:
+            raise ValueError(
+                f"a DATASET {words[1]} has no surface; expected one of {', '.join(_KINDS)}"
+            )
+        if mode.strip().upper() not in (b"ASCII", b"BINARY"):
+            raise ValueError(f"expected ASCII or BINARY in line 3, got {mode[:20]}")
+        self._is_new = version[1] == b"5"
+        self._is_binary = mode.strip().upper() == b"BINARY"
+        self._line_ends = set()
+        self._result = DataSet(words[1])
+        # Arrays that are being read, and their number of rows.
+        self._arrays, self._rows = self._result.field_data, None
 
-    def check(self):
-        """Raises a ValueError if data are missing or contradict their counts."""
-        rows = None
+    def read(self):
+        """Returns a DataSet. Raises a ValueError if data are missing or contradict their counts."""
+        key = None
         while True:
             line = self._next_line()
+            if line is None and key in _DATA:
+                raise ValueError(f"{self._end()}: arrays are missing")
             if line is None:
-                return
-            words = line.decode("latin-1").lower().split()
+                return self._result
+            words = line.split()
+            key = words[0].decode("latin-1").lower()
             try:
-                if words[0] in ("point_data", "cell_data"):
-                    rows = int(words[1])
-                else:
-                    self._section(words, rows)
-            except (IndexError, KeyError, TypeError, ValueError) as error:
+                self._section(key, words)
+            except (AttributeError, IndexError, TypeError, ValueError) as error:
                 reason = str(error) if type(error) is ValueError else "the line is damaged"
                 text = line.decode("latin-1")[:40]
                 raise ValueError(f"in the section {text!r}: {reason}") from None
 
-    def _section(self, words, rows):
-        """Skips the data that follow a line of keywords."""
-        key = words[0]
-        if key == "points":
-            self._skip(3 * int(words[1]), words[2])
-        elif key in _CELLS:
-            self._cells(int(words[1]), int(words[2]))
-        elif key == "cell_types":
-            self._skip(int(words[1]), "int")
+    def _section(self, key, words):
+        """Reads the data that follow a line of keywords."""
+        data = self._result
+        rows = self._rows
+        if key == "metadata":
+            self._metadata()
+        elif key == "field":
+            self._fields(_count(words[2]))
+        elif key in _DATA:
+            number = len(data.points) if key == "point_data" else data.number_of_cells()
+            if _count(words[1]) != number:
+                raise ValueError(f"the number of {key[:-5]}s is {number}")
+            self._arrays, self._rows = getattr(data, key), number
+        elif rows is None:
+            self._geometry(key, words)
         elif key == "scalars":
             self._keyword("lookup_table")
-            self._skip(rows * int(words[3] if len(words) > 3 else 1), words[2])
-        elif key == "lookup_table":
-            self._skip(4 * int(words[2]), "unsigned_char")
+            self._add(words, words[2], _count(words[3]) if len(words) > 3 else 1, "scalars")
         elif key == "color_scalars":
-            self._skip(rows * int(words[2]), "unsigned_char")
+            self._add(words, None, _count(words[2]), "scalars")
         elif key == "texture_coordinates":
-            self._skip(rows * int(words[2]), words[3])
+            self._add(words, words[3], _count(words[2]), "tcoords")
+        elif key == "lookup_table":
+            self._colors(4 * _count(words[2]))
         elif key in _COMPONENTS:
-            self._skip(rows * _COMPONENTS[key], words[2])
-        elif key == "field":
-            self._field(int(words[2]))
-        elif key == "metadata":
-            while self._line().strip():
-                pass
-        elif key != "dimensions":
+            self._add(words, words[2], *_COMPONENTS[key])
+        else:
             raise ValueError("the keyword is unknown")
 
-    def _field(self, count):
-        while count > 0:
-            words = self._keyword().decode("latin-1").split()
-            if words[0].upper() == "METADATA":
-                self._section(["metadata"], None)
+    def _geometry(self, key, words):
+        data = self._result
+        if key == "dimensions":
+            data.dimensions = [_count(word) for word in words[1:4]]
+        elif key == "points":
+            values = self._values(3 * _count(words[1]), words[2])
+            data.points = values.reshape(-1, 3)
+        elif key == "cell_types":
+            data.types = self._ids(_count(words[1]), b"int")
+            self._split_polyhedra()
+        elif _CELLS.get(key) in data.cells:
+            data.cells[_CELLS[key]] = self._cells(_count(words[1]), _count(words[2]))
+        else:
+            raise ValueError("the keyword is unknown")
+
+    def _add(self, words, kind, components, attribute):
+        """Adds an array. The first of its kind becomes active."""
+        name = _name(words[1])
+        if kind is None:
+            values = self._colors(self._rows * components)
+        else:
+            values = self._values(self._rows * components, kind)
+        if values is None:
+            return
+        self._arrays[name] = values if components == 1 else values.reshape(-1, components)
+        if self._arrays is self._result.point_data:
+            self._result.active.setdefault(ATTRIBUTES.index(attribute), name)
+
+    def _fields(self, number):
+        """Reads the arrays of a field."""
+        while number > 0:
+            words = self._keyword().split()
+            if words[0].upper() == b"METADATA":
+                self._metadata()
                 continue
-            self._skip(int(words[1]) * int(words[2]), words[3].lower())
-            count -= 1
+            components, rows = _count(words[1]), _count(words[2])
+            if self._rows not in (None, rows):
+                raise ValueError(f"array {_name(words[0])!r} has {rows} rows, not {self._rows}")
+            values = self._values(components * rows, words[3])
+            if values is not None:
+                values = values if components == 1 else values.reshape(rows, components)
+                self._arrays[_name(words[0])] = values
+            number -= 1
+
+    def _metadata(self):
+        """Skips lines up to a blank one."""
+        line = b"-"
+        while line.strip():
+            line = self._line()
+        if not line:
+            raise ValueError(self._end())
 
     def _cells(self, first, second):
+        """Returns offsets and corners."""
         if not self._is_new:
-            row = self._ids(second, "int")
+            row = self._ids(second, b"int")
             try:
-                sizes, _ = unpacked(row) if second else ([], None)
+                sizes, corners = unpacked(row) if second else ([], row)
             except ValueError:
                 raise ValueError("the sizes of cells contradict the number of entries") from None
             if len(sizes) != first:
                 raise ValueError(f"it contains {len(sizes)} cells")
-            return
+            return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64), corners
         if first == 0:
-            return
-        offsets = self._ids(first, self._keyword("offsets").split()[1].decode().lower())
-        self._skip(second, self._keyword("connectivity").split()[1].decode().lower())
+            return np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.int64)
+        offsets = self._ids(first, self._keyword("offsets").split()[1])
+        corners = self._ids(second, self._keyword("connectivity").split()[1])
         if offsets[0] != 0 or offsets[-1] != second or (np.diff(offsets) < 0).any():
             raise ValueError(f"offsets must rise from 0 to {second}")
+        return offsets, corners
+
+    def _split_polyhedra(self):
+        """Replaces the rows of faces, by which a file describes polyhedra, by their corners."""
+        data = self._result
+        polyhedra = np.flatnonzero(data.types == POLYHEDRON).tolist()
+        if not polyhedra:
+            return
+        offsets, corners = data.cells["cells"]
+        parts = np.split(corners, offsets[1:-1])
+        for i in polyhedra:
+            data.set_faces(i, faces_of(parts[i]))
+            parts[i] = np.unique(np.concatenate(data.faces[i]))
+        ends = np.cumsum([0] + [len(part) for part in parts])
+        data.cells["cells"] = (ends, np.concatenate(parts))
 
     def _ids(self, count, kind):
-        """Returns the next integers."""
-        data = self._skip(count, kind)
-        if self._is_binary:
-            return np.frombuffer(data, dtype=f">i{_SIZES[kind]}").astype(np.int64)
-        return np.array(data.split()).astype(np.int64)
+        """Returns the next integers as int64."""
+        values = self._values(count, kind)
+        if values.dtype.kind == "f":
+            raise ValueError(f"expected integers, got {values.dtype}")
+        return values.astype(np.int64)
 
-    def _skip(self, count, kind):
-        """Moves behind values of a type, and returns their bytes."""
+    def _values(self, count, kind):
+        """Returns the next numbers; None for texts and bits, which are skipped."""
+        kind = kind.decode("latin-1").lower()
+        if kind in _TEXTS:
+            self._skip_texts(count, kind)
+            return None
+        if kind == "bit":
+            self._words(count) if not self._is_binary else self._bytes((count + 7) // 8)
+            return None
+        if kind not in _TYPES:
+            raise ValueError(f"the type {kind[:20]!r} is unknown")
+        dtype = np.dtype(_TYPES[kind])
+        if self._is_binary:
+            values = np.frombuffer(self._bytes(count * dtype.itemsize), dtype.newbyteorder(">"))
+            values = values.astype(dtype, copy=False)
+            # A line ends behind each array, in some files behind none. Where bytes are missing, an
+            # array swallows the line end.
+            if count:
+                self._line_ends.add(self._data[self._at : self._at + 1] == b"\n")
+            if len(self._line_ends) > 1:
+                raise ValueError("bytes are missing or superfluous here or in an earlier section")
+        else:
+            values = parsed(self._words(count), dtype)
+        return values.astype(np.int64) if kind == "vtkidtype" else values
+
+    def _colors(self, count):
+        """Returns the next colors, which are numbers between 0 and 1 in a text."""
+        if self._is_binary:
+            return self._values(count, b"unsigned_char")
+        values = self._values(count, b"float")
+        if not ((values >= 0.0) & (values <= 1.0)).all():
+            raise ValueError("colors must lie between 0 and 1")
+        return (255.0 * values.astype(np.float64) + 0.5).astype(np.uint8)
+
+    def _skip_texts(self, count, kind):
+        """Skips texts: lines, in binary files each behind its length; variants are always words."""
+        if kind == "variant":
+            self._words(2 * count)
+        for _ in range(count if kind != "variant" else 0):
+            if self._at >= len(self._data):
+                raise ValueError(self._end())
+            if self._is_binary:
+                # The first two bits tell the number of bytes of the length.
+                width = 8 >> (self._data[self._at] >> 6)
+                length = int.from_bytes(self._bytes(width), "big") & (1 << 8 * width - 2) - 1
+                self._bytes(length)
+            else:
+                self._line()
+
+    def _bytes(self, count):
+        """Returns the next bytes."""
         start = self._at
-        if kind not in _SIZES:  # text; the rest of the file is not checked
-            self._at = len(self._data)
-        elif self._is_binary:
-            self._at += -int(-count * _SIZES[kind] // 1)
-            if self._at > len(self._data):
-                raise ValueError(self._end())
-        elif count > 0:
-            last = next(itertools.islice(_WORD.finditer(self._data, start), count - 1, None), None)
-            if last is None:
-                raise ValueError(self._end())
-            self._at = last.end()
-            self.may_be_cut = self._at == len(self._data)
+        self._at += count
+        if self._at > len(self._data):
+            raise ValueError(self._end())
+        return self._data[start : self._at]
+
+    def _words(self, count):
+        """Returns the next words, as one text."""
+        if count == 0:
+            return b""
+        start = self._at
+        words = self._data[start:].split(None, count) if count < len(self._data) else []
+        rest = words.pop() if len(words) > count else b""
+        if len(words) < count:
+            raise ValueError(self._end())
+        self._at = len(self._data) - len(rest)
+        self._result.may_be_cut = not rest and not self._data[-1:].isspace()
         return self._data[start : self._at]
 
     def _keyword(self, word=None):
@@ -173,3 +299,15 @@ class LegacyFile:
 
     def _end(self):
         return f"the file ends too early, after {len(self._data)} bytes"
+
+
+def _count(word):
+    """Returns a count."""
+    if not word.isdigit():
+        raise ValueError(f"{word[:20].decode('latin-1')!r} is not a count")
+    return int(word)
+
+
+def _name(word):
+    """Returns a name in which special characters are written as %20 and the like."""
+    return unquote_to_bytes(word).decode("utf-8", "replace")

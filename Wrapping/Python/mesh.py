@@ -82,9 +82,9 @@ class Mesh:
         if polygons is None:
             name = "triangles"
             polygons = _polygons([] if triangles is None else triangles)
-        self.polygons: Cells = _cells(polygons, name, len(self.points))
-        self.lines: Cells = _cells(lines or ([0], []), "lines", len(self.points))
-        self.verts: Cells = _cells(verts or ([0], []), "verts", len(self.points))
+        self.polygons: Cells = checked_cells(polygons, name, len(self.points))
+        self.lines: Cells = checked_cells(lines or ([0], []), "lines", len(self.points))
+        self.verts: Cells = checked_cells(verts or ([0], []), "verts", len(self.points))
         self.point_data: Dict[str, NDArray[Any]] = _arrays(
             point_data, "point_data", len(self.points)
         )
@@ -120,7 +120,7 @@ class Mesh:
         return f"<vtkdgg.Mesh: {', '.join([f'{len(self.points)} points', *parts])}>"
 
 
-def _cells(pair, name, number_of_points):
+def checked_cells(pair, name, number_of_points):
     """Checks offsets and corners, and returns them as int64."""
     offsets, corners = (numbers(part, name, "integer") for part in pair)
     check_ids(corners, number_of_points, name)
@@ -131,8 +131,9 @@ def _cells(pair, name, number_of_points):
         raise ValueError(
             f"{name}: offsets must rise from 0 to the number of corners, which is {len(corners)}"
         )
-    kind, least = {"verts": ("vert", 1), "lines": ("line", 2)}.get(name, ("polygon", 3))
+    least = {"verts": 1, "lines": 2, "cells": 0}.get(name, 3)
     if len(sizes) and sizes.min() < least:
+        kind = "polygon" if name == "triangles" else name[:-1]
         raise ValueError(f"{name}: a {kind} has {sizes.min()} corners; expected at least {least}")
     return offsets, corners
 

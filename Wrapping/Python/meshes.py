@@ -10,19 +10,19 @@ import os
 
 import numpy as np
 from vtkmodules import vtkCommonDataModel as vtk
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkDataObject,
     vtkPointSet,
     vtkPolyData,
-    vtkUnstructuredGrid,
 )
 
 from . import arguments
+from .data_set import DataSet
 from .mesh import Mesh
 from .reading import read
-from .surface import cells_of, copy_surface, surface_of
+from .surface import copy_surface, grid_of, surface_of
 
 # Attributes of points and cells; the first pair that an object has is used.
 LAYOUTS = (
@@ -204,11 +204,9 @@ def _grid(points, blocks):
         types += [CELL_TYPES[kind]] * len(ids)
         sizes += [ids.shape[1]] * len(ids)
         corners.append(ids.ravel())
-    result = vtkUnstructuredGrid()
-    result.SetPoints(arguments.polydata(points).GetPoints())
+    result = DataSet("UNSTRUCTURED_GRID")
+    result.points = points
     if types:
-        result.SetCells(
-            numpy_to_vtk(np.array(types, dtype=np.uint8), deep=True),
-            cells_of(np.cumsum(sizes), np.concatenate(corners)),
-        )
-    return result
+        result.types = np.array(types)
+        result.cells["cells"] = np.cumsum(sizes), np.concatenate(corners)
+    return grid_of(result)

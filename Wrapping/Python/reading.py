@@ -14,17 +14,10 @@ import warnings
 import zlib
 from typing import Any
 
-from vtkmodules.vtkIOLegacy import (
-    vtkPolyDataReader,
-    vtkStructuredGridReader,
-    vtkUnstructuredGridReader,
-)
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
-
 from .errors import VTKError, check, depth_of_package
 from .legacy_format import LegacyFile
 from .mesh import Mesh
-from .surface import mesh_of, surface_of
+from .surface import grid_of, mesh_of, surface_of
 from .vtkDGGReaders import (
     vtkDGGOBJReader,
     vtkDGGOFFReader,
@@ -33,6 +26,7 @@ from .vtkDGGReaders import (
     vtkDGGXYZReader,
     vtkPCDReader,
 )
+from .xml_format import XMLFile
 
 __all__ = ["read"]
 
@@ -44,13 +38,8 @@ OWN = {
     ".stl": vtkDGGSTLReader,
     ".xyz": vtkDGGXYZReader,
 }
-XML = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader}
-LEGACY = {
-    "POLYDATA": vtkPolyDataReader,
-    "STRUCTURED_GRID": vtkStructuredGridReader,
-    "UNSTRUCTURED_GRID": vtkUnstructuredGridReader,
-}
-EXTENSIONS = sorted([*OWN, *XML, ".gii", ".vtk"])
+VTK = {".vtk": LegacyFile, ".vtp": XMLFile, ".vtu": XMLFile}
+EXTENSIONS = sorted([*OWN, *VTK, ".gii"])
 _FREESURFER = b"\xff\xff\xfe"  # first bytes of a file with triangles
 
 
@@ -100,10 +89,14 @@ def read(file: Any) -> Mesh:
         raise OSError(f"{path}: expected a file, got a device or pipe")
     try:
         if extension in OWN:
-            mesh = mesh_of(_update(OWN[extension](), path))
+            reader = OWN[extension]()
+            reader.SetFileName(path)
+            mesh = mesh_of(check(reader))
+        elif extension in VTK:
+            mesh = _read_vtk(path, extension)
         else:
             with _decompressed(path, extension) as plain:
-                mesh = _read_others(plain, extension, path)
+                mesh = _read_by_nibabel(plain, extension, path)
     except (ValueError, VTKError, EOFError, gzip.BadGzipFile, zlib.error) as error:
         raise ValueError(f"{path}: {reason_of(error, path)}") from None
     if len(mesh.points) == 0:
@@ -117,52 +110,19 @@ def extension_of(path):
     return os.path.splitext(stem)[1] if extension == ".gz" else extension
 
 
-def _read_others(path, extension, name):
-    """Reads a file by VTK or nibabel. `name` is the name before decompression, for messages."""
-    with open(path, "rb") as file:
-        start = file.read(len(_FREESURFER))
-        if extension in XML:
-            file.seek(max(0, os.path.getsize(path) - 100))
-            if not file.read().rstrip().endswith(b"</VTKFile>"):
-                raise ValueError("the file ends before </VTKFile>: it is truncated")
-            return _mesh_of_vtk(_update(XML[extension](), path), name)
-    if extension == ".vtk":
-        return _mesh_of_vtk(_read_legacy(path, name), name)
-    if extension == ".gii" or start == _FREESURFER:
-        return Mesh(*_read_by_nibabel(path, extension, name))
-    known = " ".join(EXTENSIONS)
-    raise ValueError(f"unknown extension '{extension}'; known are {known}, and .gz after these")
-
-
-def _read_legacy(path, name):
-    with open(path, "rb") as file:
-        contents = LegacyFile(file.read())
-    if contents.kind not in LEGACY:
-        raise ValueError(
-            f"a DATASET {contents.kind} has no surface; expected one of {', '.join(LEGACY)}"
-        )
-    contents.check()
-    if contents.may_be_cut:
+def _read_vtk(path, extension):
+    """Returns the Mesh of a VTK file."""
+    with gzip.open(path) if path.lower().endswith(".gz") else open(path, "rb") as file:
+        data = VTK[extension](file.read()).read()
+    if data.may_be_cut:
         warnings.warn(
-            f"{name}: the last line has no end; the file may be truncated",
+            f"{path}: the last line has no end; the file may be truncated",
             RuntimeWarning,
             stacklevel=depth_of_package(),
         )
-    return _update(LEGACY[contents.kind](), path)
-
-
-def _mesh_of_vtk(data, name):
-    return mesh_of(data if data.IsA("vtkPolyData") else surface_of(data, name))
-
-
-def _update(reader, path):
-    """Returns the output of a reader, with all arrays of the file."""
-    reader.SetFileName(path)
-    for name in ("ReadAllScalarsOn", "ReadAllVectorsOn", "ReadAllNormalsOn", "ReadAllTCoordsOn",
-                 "ReadAllTensorsOn", "ReadAllFieldsOn", "ReadAllColorScalarsOn"):  # fmt: skip
-        if hasattr(reader, name):  # legacy readers read the first array of a kind by default
-            getattr(reader, name)()
-    return check(reader)
+    if data.kind == "POLYDATA":
+        return data.mesh()
+    return mesh_of(surface_of(grid_of(data), path))
 
 
 @contextlib.contextmanager
@@ -179,7 +139,13 @@ def _decompressed(path, extension):
 
 
 def _read_by_nibabel(path, extension, name):
-    """Returns points and triangles of a GIFTI or FreeSurfer surface."""
+    """Returns the Mesh of a GIFTI or FreeSurfer surface. `name` is the name for messages."""
+    with open(path, "rb") as file:
+        if extension != ".gii" and file.read(len(_FREESURFER)) != _FREESURFER:
+            known = " ".join(EXTENSIONS)
+            raise ValueError(
+                f"unknown extension '{extension}'; known are {known}, and .gz after these"
+            )
     try:
         import nibabel
     except ImportError:
@@ -190,8 +156,8 @@ def _read_by_nibabel(path, extension, name):
     try:
         if extension == ".gii":
             image = nibabel.load(path)
-            return image.agg_data("pointset"), image.agg_data("triangle")
-        return nibabel.freesurfer.read_geometry(path)
+            return Mesh(image.agg_data("pointset"), image.agg_data("triangle"))
+        return Mesh(*nibabel.freesurfer.read_geometry(path))
     except Exception as error:  # of its parsers, which have no common class
         raise ValueError(f"nibabel cannot read the file ({error})") from None
 

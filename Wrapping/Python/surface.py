@@ -6,16 +6,40 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_BIT, VTK_FLOAT, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkCommonCore import VTK_BIT, vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_CONVEX_POINT_SET,
+    VTK_NUMBER_OF_CELL_TYPES,
+    vtkCellArray,
+    vtkDataSetAttributes,
+    vtkGenericCell,
+    vtkPolyData,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
+from .data_set import POLYHEDRON, DataSet
 from .errors import check, depth_of_package
-from .mesh import Mesh
+from .mesh import checked_cells
 
 CELLS = ("Verts", "Lines", "Polys", "Strips")
 DATA = ("PointData", "CellData", "FieldData")
+# Least number of corners of cell types that can have more.
+_LEAST = {2: 1, 4: 2, 6: 3, 7: 3, 36: 6, POLYHEDRON: 4}
+# Number of corners of Lagrange and Bézier cells with n points along each edge.
+_OF_ORDER = {
+    kind: size
+    for kinds, size in (
+        ((68, 75), lambda n: n),
+        ((69, 76), lambda n: n * (n + 1) // 2),
+        ((70, 77), lambda n: n * n),
+        ((71, 78), lambda n: n * (n + 1) * (n + 2) // 6),
+        ((72, 79), lambda n: n**3),
+        ((73, 80), lambda n: n * n * (n + 1) // 2),
+    )
+    for kind in kinds
+}
 
 
 def copy_surface(polydata):
@@ -37,27 +61,41 @@ def copy_surface(polydata):
 
 def mesh_of(polydata):
     """Returns the vtkPolyData as a Mesh. Strips become triangles; texts are skipped."""
-    if polydata.GetNumberOfStrips() > 0:
-        triangulate = vtkTriangleFilter()
-        triangulate.SetInputData(polydata)
-        polydata = check(triangulate)
-    points = polydata.GetPoints()
-    data = polydata.GetPointData()
-    mesh = Mesh(
-        vtk_to_numpy(points.GetData()) if points else [],
-        polygons=_ids_of(polydata.GetPolys()),
-        lines=_ids_of(polydata.GetLines()),
-        verts=_ids_of(polydata.GetVerts()),
-        point_data=named_arrays(data),
-        cell_data=named_arrays(polydata.GetCellData()),
-        field_data=named_arrays(polydata.GetFieldData()),
-    )
-    mesh._is_single = points is not None and points.GetDataType() == VTK_FLOAT
+    data = DataSet("POLYDATA")
+    if polydata.GetPoints():
+        data.points = vtk_to_numpy(polydata.GetPoints().GetData())
+    for name, kind in zip(data.cells, CELLS):
+        data.cells[name] = _ids_of(getattr(polydata, f"Get{kind}")())
+    data.point_data = named_arrays(polydata.GetPointData())
+    data.cell_data = named_arrays(polydata.GetCellData())
+    data.field_data = named_arrays(polydata.GetFieldData())
     for kind in range(vtkDataSetAttributes.NUM_ATTRIBUTES):
-        array = data.GetAbstractAttribute(kind)
+        array = polydata.GetPointData().GetAbstractAttribute(kind)
         if array is not None:
-            mesh._active[kind] = array.GetName()
-    return mesh
+            data.active[kind] = array.GetName()
+    return data.mesh()
+
+
+def grid_of(data):
+    """Returns a DataSet of an unstructured or structured grid as a vtkPointSet.
+
+    Inconsistent cells, with which VTK ends the process, are an error.
+    """
+    if data.kind == "STRUCTURED_GRID":
+        if np.prod(data.dimensions, dtype=object) != len(data.points):
+            raise ValueError(f"dimensions {data.dimensions} contradict {len(data.points)} points")
+        grid = vtkStructuredGrid()
+        grid.SetDimensions(data.dimensions)
+    else:
+        grid = vtkUnstructuredGrid()
+        _add_cells(grid, data)
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(data.points), deep=True))
+    grid.SetPoints(points)
+    _add_arrays(grid, data)
+    for kind, name in data.active.items():
+        grid.GetPointData().SetActiveAttribute(name, kind)
+    return grid
 
 
 def polydata_of(mesh):
@@ -70,12 +108,7 @@ def polydata_of(mesh):
     if result.GetNumberOfCells() == 0:
         ids = np.flatnonzero(np.isfinite(mesh.points).all(axis=1))
         result.SetVerts(cells_of(np.arange(len(ids) + 1), ids))
-    for kind, arrays in zip(DATA, (mesh.point_data, mesh.cell_data, mesh.field_data)):
-        data = getattr(result, f"Get{kind}")()
-        for name, values in arrays.items():
-            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
-            array.SetName(name)
-            data.AddArray(array)
+    _add_arrays(result, mesh)
     for kind, name in {vtkDataSetAttributes.NORMALS: "Normals", **mesh._active}.items():
         result.GetPointData().SetActiveAttribute(name, kind)
     return result
@@ -165,6 +198,52 @@ def _points_of(mesh):
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(values), deep=True))
     return points
+
+
+def _add_cells(grid, data):
+    """Checks the cells of a DataSet and adds them to a vtkUnstructuredGrid."""
+    offsets, corners = checked_cells(data.cells["cells"], "cells", len(data.points))
+    sizes = np.diff(offsets)
+    if len(sizes) != len(data.types):
+        raise ValueError(f"there are {len(sizes)} cells, but {len(data.types)} cell types")
+    for kind in np.unique(data.types).tolist():
+        for size in np.unique(sizes[data.types == kind]).tolist():
+            if not _is_size(kind, size):
+                raise ValueError(f"cells of type {kind} with {size} corners have no surface")
+    if POLYHEDRON not in data.types:
+        types = numpy_to_vtk(data.types.astype(np.uint8), deep=True)
+        grid.SetCells(types, cells_of(offsets, corners))
+        return
+    for i, kind in enumerate(data.types.tolist()):
+        row = corners[offsets[i] : offsets[i + 1]].tolist()
+        if kind == POLYHEDRON:
+            row = [len(data.faces[i])]
+            for face in data.faces[i]:
+                row += [len(face), *face.tolist()]
+        ids = vtkIdList()
+        for k in row:
+            ids.InsertNextId(k)
+        grid.InsertNextCell(kind, ids)
+
+
+def _add_arrays(result, mesh):
+    """Adds the arrays of a Mesh or DataSet to a vtkDataSet."""
+    for kind, arrays in zip(DATA, (mesh.point_data, mesh.cell_data, mesh.field_data)):
+        data = getattr(result, f"Get{kind}")()
+        for name, values in arrays.items():
+            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+            array.SetName(name)
+            data.AddArray(array)
+
+
+def _is_size(kind, size):
+    """Returns true if cells of a type of VTK can have this number of corners."""
+    if kind in _LEAST:
+        return size >= _LEAST[kind]
+    if kind in _OF_ORDER:
+        return any(_OF_ORDER[kind](n) == size for n in range(2, 12))
+    cell = vtkGenericCell.InstantiateCell(kind) if 0 <= kind < VTK_NUMBER_OF_CELL_TYPES else None
+    return cell is not None and kind != VTK_CONVEX_POINT_SET and size == cell.GetNumberOfPoints()
 
 
 def _ids_of(cells):

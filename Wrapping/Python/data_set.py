@@ -1,0 +1,176 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The contents of a VTK file in NumPy arrays. This module imports no VTK."""
+
+import numpy as np
+
+from .checks import check_ids
+from .mesh import Mesh, checked_cells, unpacked
+
+POLYHEDRON = 42  # VTK_POLYHEDRON
+# Kinds of active arrays, by their index in vtkDataSetAttributes.
+ATTRIBUTES = (
+    "scalars", "vectors", "normals", "tcoords", "tensors", "globalids", "pedigreeids", "edgeflag",
+    "tangents", "rationalweights", "higherorderdegrees",
+)  # fmt: skip
+
+
+class DataSet:
+    """Points, cells and arrays of numbers.
+
+    Parameters
+    ----------
+    kind : str
+        "POLYDATA", "UNSTRUCTURED_GRID" or "STRUCTURED_GRID".
+
+    Attributes
+    ----------
+    points : numpy.ndarray, shape (n, 3)
+        In the precision of the file.
+    cells : dict of str to pair of numpy.ndarray
+        Offsets and corners: "verts", "lines", "polygons" and "strips" of POLYDATA in the order of
+        cell ids, "cells" of an UNSTRUCTURED_GRID.
+    types : numpy.ndarray
+        Cell types of an UNSTRUCTURED_GRID.
+    faces : dict of int to list of numpy.ndarray
+        Point ids of the faces of polyhedra, by cell id.
+    dimensions : list of int
+        Number of points of a STRUCTURED_GRID along each axis.
+    point_data, cell_data, field_data : dict of str to numpy.ndarray
+        Arrays by name.
+    active : dict of int to str
+        Names of the active point arrays, by index in ATTRIBUTES.
+    may_be_cut : bool
+        True if the file ends with a number without a line end, which may have lost digits.
+    """
+
+    def __init__(self, kind):
+        self.kind = kind
+        self.points = np.zeros((0, 3))
+        names = ("verts", "lines", "polygons", "strips") if kind == "POLYDATA" else ("cells",)
+        self.cells = dict.fromkeys(names, (np.zeros(1, dtype=int), np.zeros(0, dtype=int)))
+        self.types = np.zeros(0, dtype=int)
+        self.faces = {}
+        self.dimensions = [0, 0, 0]
+        self.point_data, self.cell_data, self.field_data = {}, {}, {}
+        self.active = {}
+        self.may_be_cut = False
+
+    def number_of_cells(self):
+        """Returns the number of cells of all kinds."""
+        if self.kind == "STRUCTURED_GRID":
+            return int(np.prod([max(n - 1, 1) for n in self.dimensions], dtype=object))
+        return sum(len(offsets) - 1 for offsets, _ in self.cells.values())
+
+    def set_faces(self, cell, faces):
+        """Sets the faces of a polyhedron."""
+        if len(faces) < 4 or min(map(len, faces)) < 3:
+            raise ValueError(f"cell {cell}: expected at least 4 faces with 3 corners")
+        check_ids(np.concatenate(faces), len(self.points), f"faces of cell {cell}")
+        self.faces[cell] = faces
+
+    def mesh(self):
+        """Returns POLYDATA as a Mesh. Strips become triangles."""
+        cells = dict(self.cells)
+        cell_data = self.cell_data
+        strips = checked_cells(cells.pop("strips"), "strips", len(self.points))
+        if len(strips[1]):
+            triangles, strip = _triangles_of(*strips)
+            offsets, corners = cells["polygons"]
+            ends = offsets[-1] + 3 * np.arange(1, len(triangles) + 1)
+            cells["polygons"] = (
+                np.concatenate([offsets, ends]), np.concatenate([corners, triangles.ravel()])
+            )  # fmt: skip
+            first = self.number_of_cells() - len(strips[0]) + 1
+            rows = np.concatenate([np.arange(first), first + strip])
+            cell_data = {name: values[rows] for name, values in cell_data.items()}
+        mesh = Mesh(
+            self.points,
+            **cells,
+            point_data=self.point_data,
+            cell_data=cell_data,
+            field_data=self.field_data,
+        )
+        mesh._is_single = self.points.dtype == np.float32
+        mesh._active = self.active
+        return mesh
+
+
+def faces_of(stream):
+    """Returns the faces of a polyhedron in one row [number of faces, size, ids, size, ids, ...]."""
+    try:
+        sizes, ids = unpacked(stream[1:])
+    except (IndexError, ValueError):
+        sizes = []
+    if len(sizes) == 0 or len(sizes) != stream[0]:
+        raise ValueError("the sizes of faces contradict the number of entries of a polyhedron")
+    return np.split(ids, np.cumsum(sizes)[:-1])
+
+
+def parsed(text, dtype):
+    """Returns the numbers of a text as an array."""
+    dtype = np.dtype(dtype)
+    in_word = np.frombuffer(text, np.uint8) > 32
+    number = np.count_nonzero(in_word[1:] & ~in_word[:-1]) + in_word[:1].sum()
+    if number == 0:
+        return np.zeros(0, dtype)
+    try:
+        values = np.fromstring(text, np.float64 if dtype.kind == "f" else np.int64, sep=" ")
+    except (DeprecationWarning, ValueError):  # which depends on NumPy; others stop there
+        values = ()
+    if len(values) != number:
+        words = b" ".join(text.split()[max(0, len(values) - 1) : len(values) + 1])
+        raise ValueError(f"expected numbers, got {words[:60].decode('latin-1')!r}")
+    with np.errstate(over="ignore"):  # numbers beyond single precision become infinite
+        found = values.astype(dtype)
+    if dtype.kind != "f":
+        limits = np.iinfo(np.int64)  # larger numbers become one of them
+        wrong = (found != values) | (values == limits.min) | (values == limits.max)
+        if wrong.any():
+            word = text.split()[int(np.argmax(wrong))][:30].decode("latin-1")
+            raise ValueError(f"{word} does not fit into {dtype}")
+    return found
+
+
+def merged(pieces):
+    """Returns several pieces as one DataSet, without their field data."""
+    result = DataSet(pieces[0].kind)
+    result.active = pieces[0].active
+    result.points = np.concatenate([piece.points for piece in pieces])
+    result.types = np.concatenate([piece.types for piece in pieces])
+    starts = np.cumsum([0] + [len(piece.points) for piece in pieces])
+    for name in result.cells:
+        sizes = np.concatenate([np.diff(piece.cells[name][0]) for piece in pieces])
+        corners = [piece.cells[name][1] + start for piece, start in zip(pieces, starts)]
+        offsets = np.concatenate([[0], np.cumsum(sizes)])
+        result.cells[name] = (offsets, np.concatenate(corners))
+    cell = 0
+    for piece, start in zip(pieces, starts):
+        for i, faces in piece.faces.items():
+            result.faces[cell + i] = [ids + start for ids in faces]
+        cell += piece.number_of_cells()
+    result.point_data = _joined([piece.point_data for piece in pieces])
+    # Cells are sorted by their kinds in each piece, and so they are in the result.
+    numbers = [[len(offsets) - 1 for offsets, _ in piece.cells.values()] for piece in pieces]
+    kinds = np.concatenate([np.repeat(np.arange(len(row)), row) for row in numbers])
+    order = np.argsort(kinds, kind="stable")
+    cell_data = _joined([piece.cell_data for piece in pieces])
+    result.cell_data = {name: values[order] for name, values in cell_data.items()}
+    return result
+
+
+def _joined(parts):
+    """Returns the arrays of all pieces."""
+    if any(part.keys() != parts[0].keys() for part in parts):
+        raise ValueError(f"not all pieces have the same arrays ({', '.join(parts[0])})")
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+def _triangles_of(offsets, corners):
+    """Returns the triangles of strips, shape (m, 3), and the index of the strip of each."""
+    sizes = np.diff(offsets) - 2
+    strip = np.repeat(np.arange(len(sizes)), sizes)
+    step = np.arange(len(strip)) - np.repeat(np.cumsum(sizes) - sizes, sizes)
+    at = offsets[strip] + step
+    odd = step % 2  # every second triangle has the opposite orientation
+    return corners[np.column_stack([at + odd, at + 1 - odd, at + 2])], strip
