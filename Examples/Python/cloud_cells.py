@@ -13,18 +13,11 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
-from vtkdgg.pictures import disc_radii, discs, spacings_of
+from vtkdgg.pictures import disc_radii, discs, spacings_of, write_png
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkGlyph3DMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer, vtkRenderWindow
 
 COLOURS = (
     (0.90, 0.47, 0.42),
@@ -134,12 +127,7 @@ def render(graph, voronoi, colours, picture_path):
     renderer.GetActiveCamera().Zoom(1.3)
     renderer.ResetCameraClippingRange()
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetFileName(picture_path)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    write_png(picture_path, window)
 
 
 if __name__ == "__main__":

@@ -13,17 +13,10 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkdgg.pictures import DISTANCE_COLORS, INK, disc_radii, discs, marker, spacings_of
+from vtkdgg.pictures import DISTANCE_COLORS, INK, disc_radii, discs, marker, spacings_of, write_png
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkLightKit,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkTextActor,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer, vtkRenderWindow, vtkTextActor
 
 SIZE = (1600, 1200)
 UNREACHED = (0.62, 0.62, 0.62)
@@ -171,13 +164,7 @@ def main(picture, share=1.0):
         renderer.SetViewport(left, bottom, left + 0.5, bottom + 0.5)
         window.AddRenderer(renderer)
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(picture)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    write_png(picture, window)
 
 
 if __name__ == "__main__":

@@ -12,14 +12,8 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from vtkdgg.pictures import write_png
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 
 def main(mesh_path, source_id, picture_path):
@@ -55,12 +49,7 @@ def main(mesh_path, source_id, picture_path):
     window.Render()
 
     # Save.
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetFileName(picture_path)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    write_png(picture_path, window)
 
     low, high = array.GetRange()
     print(f"{mesh.GetNumberOfPoints()} points, distances {low:g} to {high:g}, {picture_path}")

@@ -15,7 +15,7 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkdgg.pictures import DISTANCE_COLORS, ERROR_COLORS, INK, lookup_table, marker
+from vtkdgg.pictures import DISTANCE_COLORS, ERROR_COLORS, INK, lookup_table, marker, write_png
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -29,14 +29,12 @@ from vtkmodules.vtkFiltersCore import (
 )
 from vtkmodules.vtkFiltersModeling import vtkBandedPolyDataContourFilter, vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
     vtkTextActor,
-    vtkWindowToImageFilter,
 )
 
 PANEL = (480, 480)
@@ -156,13 +154,7 @@ def draw(path, panels):
         renderer.GetActiveCamera().Zoom(1.0 if is_flat else 1.35)
         renderer.ResetCameraClippingRange()
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    write_png(path, window)
 
 
 def distances(kind, mesh, source, **properties):

@@ -14,19 +14,13 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import triple
+from vtkdgg.pictures import write_png
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFlyingEdges3D, vtkTubeFilter
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 # Around the waist between the two rings.
 WAIST = ((0.9, 0.33, 0.0), (1.1, 0.0, 0.12), (0.9, -0.33, 0.0), (1.1, 0.0, -0.12))
@@ -147,12 +141,7 @@ def render(actors, view, up, picture_path):
     renderer.ResetCamera()
     camera.Zoom(1.3)
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetFileName(picture_path)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    write_png(picture_path, window)
 
 
 def main(options):

@@ -14,19 +14,13 @@ import numpy as np
 import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkdgg.pictures import write_png
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkPolyDataNormals, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 AXES = np.vstack([np.eye(3), -np.eye(3)])  # landmarks: +x +y +z -x -y -z
 PATCHES = [
@@ -142,12 +136,7 @@ def main(first_path, second_path, picture_path):
         viewport = (0.5 * side, 0.0, 0.5 * (side + 1), 1.0)
         window.AddRenderer(make_renderer(meshes[side], curves[side], landmarks[side], viewport))
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetFileName(picture_path)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    write_png(picture_path, window)
 
     print("landmarks   first surface  second surface")
     edges = vtk_to_numpy(curves[0].GetCellData().GetArray("LayoutEdge"))

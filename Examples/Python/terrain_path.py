@@ -13,13 +13,13 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkdgg.pictures import write_png
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals, vtkTubeFilter
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
@@ -27,7 +27,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
     vtkRenderWindow,
     vtkTextActor,
-    vtkWindowToImageFilter,
 )
 
 SIDE = 150  # points
@@ -242,13 +241,7 @@ def render(props, picture_path):
     window.SetSize(1000, 780)
     window.AddRenderer(renderer)
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(picture_path)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    write_png(picture_path, window)
 
 
 def main(picture_path):
@@ -281,5 +274,5 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     try:
         main(sys.argv[1])
-    except vtkdgg.VTKError as problem:
+    except (OSError, vtkdgg.VTKError) as problem:
         sys.exit(f"error: {problem}")

@@ -13,15 +13,9 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer
+from vtkdgg.pictures import write_png
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 
 def main(mesh_path, number_of_sites, picture_path):
@@ -111,12 +105,7 @@ def render(voronoi, picture_path):
     renderer.ResetCamera()
     renderer.GetActiveCamera().Zoom(1.4)
     window.Render()
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetFileName(picture_path)
-    writer.SetInputConnection(grabber.GetOutputPort())
-    vtkdgg.check(writer)
+    write_png(picture_path, window)
 
 
 if __name__ == "__main__":

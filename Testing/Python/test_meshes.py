@@ -127,7 +127,7 @@ class Meshes(unittest.TestCase):
             vtkdgg.distance((POINTS, TRIANGLES, 0), 0)
         for block, pattern in (
             (Block("polyhedron4", [[0, 1, 5, 6]]), "expected cells of triangle, .* 'polyhedron4'"),
-            (Block("tetra", [[0, 1, 5, 99]]), "triangles: point id 99"),
+            (Block("tetra", [[0, 1, 5, 99]]), "point id 99"),
         ):
             with self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.Graph(Mesh(points=POINTS, cells=[block]))

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .checks import check_ids, coordinates, numbers  # noqa: F401
+from .surface import add_array
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -100,15 +101,11 @@ class SurfacePoints:
     def polydata(self):
         """The points as a vtkPolyData, with the point arrays by which filters identify them."""
         result = polydata(self.positions())
-        arrays = []
         if (self.faces < 0).any():
-            arrays.append(("vtkOriginalPointIds", self.point_ids))
+            add_array(result.GetPointData(), "vtkOriginalPointIds", self.point_ids)
         if (self.faces >= 0).any():
-            arrays += [("FaceId", self.faces), ("Barycentric", self.barycentric)]
-        for array_name, values in arrays:
-            array = numpy_to_vtk(values, deep=True)
-            array.SetName(array_name)
-            result.GetPointData().AddArray(array)
+            add_array(result.GetPointData(), "FaceId", self.faces)
+            add_array(result.GetPointData(), "Barycentric", self.barycentric)
         return result
 
 

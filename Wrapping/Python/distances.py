@@ -7,12 +7,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import arguments, meshes
 from .errors import run
 from .graph_info import choose_method, set_merging
 from .results import array_of
+from .surface import add_array
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
     vtkDGGFastMarchingDistance,
@@ -165,9 +166,7 @@ def set_sources(solve, sources, initial_distances):
     ids, data = sources.ids, sources.data
     solve.SetSourceIds(ids, offsets[: len(ids)])
     if data is not None and initial_distances is not None:
-        array = numpy_to_vtk(offsets, deep=True)
-        array.SetName(solve.GetInitialDistanceArrayName())
-        data.GetPointData().AddArray(array)
+        add_array(data.GetPointData(), solve.GetInitialDistanceArrayName(), offsets)
     solve.SetSourceData(data)
 
 

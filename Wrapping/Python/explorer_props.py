@@ -7,7 +7,7 @@ from __future__ import annotations
 from colorsys import hsv_to_rgb
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
@@ -34,6 +34,7 @@ from .pictures import (
     shaded,
     unreached,
 )
+from .surface import add_array
 
 # Lightness of the cells of sources, in turns.
 LIGHTNESS = (0.95, 0.80)
@@ -45,9 +46,7 @@ class Skin:
     def __init__(self, surface, locator):
         numbered = vtkPolyData()
         numbered.CopyStructure(surface)
-        ids = numpy_to_vtkIdTypeArray(np.arange(surface.GetNumberOfPoints()), deep=True)
-        ids.SetName("Id")
-        numbered.GetPointData().AddArray(ids)
+        add_array(numbered.GetPointData(), "Id", np.arange(surface.GetNumberOfPoints()))
         self._points = shaded(numbered)
         self._ids = np.array(vtk_to_numpy(self._points.GetPointData().GetArray("Id")))
         self._mapper = vtkPolyDataMapper()

@@ -7,7 +7,7 @@ from __future__ import annotations
 import time
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 
@@ -22,6 +22,7 @@ from .graph import Graph
 from .graph_info import GraphInfo, set_merging
 from .pictures import nice_step
 from .results import array_of
+from .surface import add_array
 from .vtkDGGFiltersGeodesic import (
     vtkApolloniusIsolines,
     vtkDGGDistance,
@@ -400,9 +401,7 @@ class Scene:
         self.times["isolines"] = time.perf_counter() - start
 
     def _add_to_cells(self, values):
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName("Shown")
-        self.cells.GetCellData().AddArray(array)
+        add_array(self.cells.GetCellData(), "Shown", values)
         self.cells.GetCellData().SetActiveScalars("Shown")
 
     def _measure(self):

@@ -200,7 +200,6 @@ def _grid(points, blocks):
             known = ", ".join(CELL_TYPES)
             raise ValueError(f"triangles: expected cells of {known}, got {block.type!r}")
         ids = arguments.numbers(block.data, "triangles", "integer")
-        arguments.check_ids(ids, len(points), "triangles")
         types += [CELL_TYPES[kind]] * len(ids)
         sizes += [ids.shape[1]] * len(ids)
         corners.append(ids.ravel())

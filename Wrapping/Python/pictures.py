@@ -14,13 +14,9 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import (
-    numpy_to_vtk,
-    numpy_to_vtkIdTypeArray,
-    vtk_to_numpy,
-)
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkDoubleArray, vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import (
     vtkContourFilter,
     vtkPolyDataNormals,
@@ -43,6 +39,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from . import writing
+from .surface import add_array, cells_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -58,6 +55,7 @@ __all__ = [
     "lookup_table",
     "marker",
     "spacings_of",
+    "write_png",
 ]
 
 SIZE = (1600, 1200)
@@ -144,11 +142,8 @@ def save_errors(path, mesh, array_name, promised, isolines, source, lines):
     name = "Size of " + array_name
     sized = vtkPolyData()
     sized.ShallowCopy(mesh)
-    sizes = numpy_to_vtk(
-        100.0 * np.abs(vtk_to_numpy(mesh.GetPointData().GetArray(array_name))), deep=True
-    )
-    sizes.SetName(name)
-    sized.GetPointData().AddArray(sizes)
+    sizes = 100.0 * np.abs(vtk_to_numpy(mesh.GetPointData().GetArray(array_name)))
+    add_array(sized.GetPointData(), name, sizes)
     powers = [100.0 * promised * 10.0**power for power in range(-3, 1)]
     table = lookup_table(ERROR_COLORS, powers[0], powers[-1], UNREACHED_ERROR)
     table.SetScaleToLog10()
@@ -157,7 +152,7 @@ def save_errors(path, mesh, array_name, promised, isolines, source, lines):
         surface(sized, name, table, shine=0.0),
         _isolines(mesh, *isolines, 0.0006),
         bar,
-        *unreached(bar, vtk_to_numpy(sizes)),
+        *unreached(bar, sizes),
         *note(lines),
     ]
     save(path, mesh, source, props)
@@ -191,7 +186,7 @@ def write(path, renderers, size=SIZE):
     write_png(path, window)
 
 
-def write_png(path, window):
+def write_png(path: str, window: vtkRenderWindow) -> None:
     """Writes a PNG of a rendered window."""
     grabber = vtkWindowToImageFilter()
     grabber.SetInput(window)
@@ -274,16 +269,10 @@ def _reached_part(mesh, array_name):
     """Returns the triangles of which all corners have a finite distance."""
     distances = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    triangles = triangles[np.isfinite(distances[triangles]).all(axis=1)].astype(np.int64)
-    cells = vtkCellArray()
-    offsets = np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64)
-    cells.SetData(
-        numpy_to_vtkIdTypeArray(offsets, deep=True),
-        numpy_to_vtkIdTypeArray(triangles.ravel(), deep=True),
-    )
+    triangles = triangles[np.isfinite(distances[triangles]).all(axis=1)]
     part = vtkPolyData()
     part.SetPoints(mesh.GetPoints())
-    part.SetPolys(cells)
+    part.SetPolys(cells_of(3 * np.arange(len(triangles) + 1), triangles.ravel()))
     part.GetPointData().AddArray(mesh.GetPointData().GetArray(array_name))
     return part
 
@@ -332,10 +321,8 @@ def discs(
     estimate.Update()
     oriented = vtkPolyData()
     oriented.ShallowCopy(estimate.GetOutput())
-    for name, numbers in (("Value", values), ("Radius", radii)):
-        array = numpy_to_vtk(numbers, deep=True)
-        array.SetName(name)
-        oriented.GetPointData().AddArray(array)
+    add_array(oriented.GetPointData(), "Value", values)
+    add_array(oriented.GetPointData(), "Radius", radii)
 
     disc = vtkRegularPolygonSource()
     disc.SetNumberOfSides(10)

@@ -8,11 +8,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
 
 from . import arguments, meshes
 from .errors import run
 from .results import EarthMovers, array_of
+from .surface import add_array
 from .vtkDGGFiltersSpectral import (
     vtkBiharmonicDistance,
     vtkDiscreteGreensFunction,
@@ -328,9 +328,7 @@ def interpolate(
             f"values: expected one row for each of {len(sites)} sites, got shape {numbers.shape}"
         )
     data = sites.polydata()
-    array = numpy_to_vtk(np.ascontiguousarray(numbers), deep=True)
-    array.SetName(_SITE_VALUES)
-    data.GetPointData().AddArray(array)
+    add_array(data.GetPointData(), _SITE_VALUES, numbers)
     spline.SetSourceData(data)
     output = _evaluate(spline, at)
     output.GetPointData().RemoveArray(_SITE_VALUES)
@@ -399,9 +397,7 @@ def _set_distribution(surface, values, name, set_array, set_points):
             raise ValueError(f"{name}: three numbers may be masses of the points or coordinates")
         if not np.isfinite(array).all():
             raise ValueError(f"{name}: entry {int(np.argmin(np.isfinite(array)))} is not finite")
-        numbers = numpy_to_vtk(np.ascontiguousarray(array, dtype=np.float64), deep=True)
-        numbers.SetName(name)
-        surface.GetPointData().AddArray(numbers)
+        add_array(surface.GetPointData(), name, array.astype(np.float64))
         set_array(name)
         return
     set_points(arguments.surface_points(values, name, surface).polydata())

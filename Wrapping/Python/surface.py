@@ -119,11 +119,10 @@ def surface_of(data, name):
 
     A warning about volume cells begins with `name`.
     """
-    ids = numpy_to_vtkIdTypeArray(np.arange(data.GetNumberOfPoints()), deep=True)
-    ids.SetName("vtkdgg ids")  # PassThroughPointIds of VTK 9.1 is wrong on quadratic cells
+    name_of_ids = "vtkdgg ids"  # PassThroughPointIds of VTK 9.1 is wrong on quadratic cells
     numbered = data.NewInstance()
     numbered.CopyStructure(data)
-    numbered.GetPointData().AddArray(ids)
+    add_array(numbered.GetPointData(), name_of_ids, np.arange(data.GetNumberOfPoints()))
     numbered.GetCellData().ShallowCopy(data.GetCellData())
     extract = vtkDataSetSurfaceFilter()
     extract.SetInputData(numbered)
@@ -138,7 +137,7 @@ def surface_of(data, name):
         )
     result = vtkPolyData()
     result.SetPoints(data.GetPoints())
-    ids = found.GetPointData().GetArray(ids.GetName())
+    ids = found.GetPointData().GetArray(name_of_ids)
     for kind in CELLS:
         offsets, corners = _ids_of(getattr(found, f"Get{kind}")())
         if len(corners):
@@ -147,6 +146,13 @@ def surface_of(data, name):
     result.GetCellData().ShallowCopy(found.GetCellData())
     result.GetFieldData().ShallowCopy(data.GetFieldData())
     return result
+
+
+def add_array(data, name, values, data_type=None):
+    """Adds a copy of an array to point, cell or field data."""
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True, array_type=data_type)
+    array.SetName(name)
+    data.AddArray(array)
 
 
 def named_arrays(data):
@@ -184,9 +190,7 @@ def from_arrays(arrays):
         getattr(result, f"Set{kind}")(cells_of(*arrays[kind]))
     for kind in DATA:
         for name, data_type, values in arrays[kind]:
-            array = numpy_to_vtk(values, deep=True, array_type=data_type)
-            array.SetName(name)
-            getattr(result, f"Get{kind}")().AddArray(array)
+            add_array(getattr(result, f"Get{kind}")(), name, values, data_type)
     return result
 
 
@@ -231,9 +235,7 @@ def _add_arrays(result, mesh):
     for kind, arrays in zip(DATA, (mesh.point_data, mesh.cell_data, mesh.field_data)):
         data = getattr(result, f"Get{kind}")()
         for name, values in arrays.items():
-            array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
-            array.SetName(name)
-            data.AddArray(array)
+            add_array(data, name, values)
 
 
 def _is_size(kind, size):

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Output of commands: arrays, files and tables."""
 
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from ..surface import add_array
 from .words import notes_of
 
 
@@ -13,9 +13,7 @@ def with_arrays(data, arrays):
     result = vtkPolyData()
     result.ShallowCopy(data)
     for name, values in arrays.items():
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        result.GetPointData().AddArray(array)
+        add_array(result.GetPointData(), name, values)
     result.GetPointData().SetActiveScalars(next(iter(arrays)))
     return result
 

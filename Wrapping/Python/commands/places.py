@@ -7,11 +7,12 @@ import math
 import numpy as np
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import reference, vtkIdTypeArray
+from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
 from .. import arguments
+from ..surface import add_array
 
 #: Syntax of a surface point.
 POINT = "ID|X,Y,Z|face:ID:B0,B1,B2"
@@ -70,14 +71,10 @@ def add_source(algorithm, mesh, source):
 
 def far_point(mesh):
     """Returns the id of the point of the largest component that is farthest from the center."""
-    ids = vtkIdTypeArray()
-    ids.SetName("Id")
-    ids.SetNumberOfValues(mesh.GetNumberOfPoints())
-    vtk_to_numpy(ids)[:] = np.arange(mesh.GetNumberOfPoints())
     numbered = vtkPolyData()
     numbered.SetPoints(mesh.GetPoints())
     numbered.SetPolys(mesh.GetPolys())
-    numbered.GetPointData().AddArray(ids)
+    add_array(numbered.GetPointData(), "Id", np.arange(mesh.GetNumberOfPoints()))
     largest = vtkPolyDataConnectivityFilter()
     largest.SetInputData(numbered)
     largest.SetExtractionModeToLargestRegion()
