@@ -154,6 +154,7 @@ class Formats(unittest.TestCase):
             (start + "POLYGONS 1 4\n3 0 1 999999999999\n", "999999999999 does not fit into int32"),
             (start + f"POLYGONS 1 4\n3 0 1 {'9' * 25}\n", f"{'9' * 25} does not fit into int32"),
             (start + f"POLYGONS 1 {'9' * 25}\n3 0 1 2\n", "the file ends too early"),
+            (start + "POLYGONS 1 4\n3 0 1 2x\n", "expected numbers, got '2x'"),
             (start + "POLYGONS 1 4\n3 0 1 -2\n", "point id -2"),
             (start + "POINT_DATA 4\n", "the number of points is 3"),
             (start + "CELL_DATA 0\n", "arrays are missing"),
@@ -199,6 +200,8 @@ class Formats(unittest.TestCase):
                 for number in (b"200", b"-1", b"9" * 12, b"9" * 25):
                     first, last = match.span(1)
                     self.refuse(extension, text[:first] + number + text[last:])
+            for word in (b"<PointData", b"<Points", b"<DataArray", b" Name", b" type", b"Float64"):
+                self.refuse(extension, text.replace(word, word + b"x", 1))
         for version, word in ((42, b"POLYGONS"), (51, b"CONNECTIVITY")):
             settings = {"SetFileTypeToBinary": (), "SetFileVersion": (version,)}
             whole = formats.of_vtk(vtkPolyDataWriter(), mesh, **settings)

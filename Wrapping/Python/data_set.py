@@ -114,13 +114,16 @@ def parsed(text, dtype):
     number = np.count_nonzero(in_word[1:] & ~in_word[:-1]) + in_word[:1].sum()
     if number == 0:
         return np.zeros(0, dtype)
+    kind, widest = (float, np.float64) if dtype.kind == "f" else (int, np.int64)
     try:
-        values = np.fromstring(text, np.float64 if dtype.kind == "f" else np.int64, sep=" ")
-    except (DeprecationWarning, ValueError):  # which depends on NumPy; others stop there
+        values = np.fromstring(text, widest, sep=" ")
+    except (DeprecationWarning, ValueError):
         values = ()
-    if len(values) != number:
-        words = b" ".join(text.split()[max(0, len(values) - 1) : len(values) + 1])
-        raise ValueError(f"expected numbers, got {words[:60].decode('latin-1')!r}")
+    # Some versions of NumPy return the numbers before a wrong word, and the digits that it begins
+    # with.
+    if len(values) != number or not _is_number(text.rsplit(None, 1)[-1], kind):
+        word = next((word for word in text.split() if not _is_number(word, kind)), text)
+        raise ValueError(f"expected numbers, got {word[:30].decode('latin-1')!r}")
     with np.errstate(over="ignore"):  # numbers beyond single precision become infinite
         found = values.astype(dtype)
     if dtype.kind != "f":
@@ -130,6 +133,14 @@ def parsed(text, dtype):
             word = text.split()[int(np.argmax(wrong))][:30].decode("latin-1")
             raise ValueError(f"{word} does not fit into {dtype}")
     return found
+
+
+def _is_number(word, kind):
+    try:
+        kind(word.replace(b"_", b"?"))  # Python allows 1_000
+    except ValueError:
+        return False
+    return True
 
 
 def merged(pieces):

@@ -63,7 +63,7 @@ class LegacyFile:
         self._is_binary = mode.strip().upper() == b"BINARY"
         self._line_ends = set()
         self._result = DataSet(words[1])
-        # Arrays that are being read, and their number of rows.
+        # Arrays of the current section, and their number of rows.
         self._arrays, self._rows = self._result.field_data, None
 
     def read(self):
@@ -220,8 +220,8 @@ class LegacyFile:
         if self._is_binary:
             values = np.frombuffer(self._bytes(count * dtype.itemsize), dtype.newbyteorder(">"))
             values = values.astype(dtype, copy=False)
-            # A line ends behind each array, in some files behind none. Where bytes are missing, an
-            # array swallows the line end.
+            # A line end follows each array of a file, or none. It becomes part of an array that
+            # lacks a byte.
             if count:
                 self._line_ends.add(self._data[self._at : self._at + 1] == b"\n")
             if len(self._line_ends) > 1:
@@ -240,7 +240,8 @@ class LegacyFile:
         return (255.0 * values.astype(np.float64) + 0.5).astype(np.uint8)
 
     def _skip_texts(self, count, kind):
-        """Skips texts: lines, in binary files each behind its length; variants are always words."""
+        """Skips texts. Each is a line; in binary files its length precedes it. Variants are pairs
+        of words in both."""
         if kind == "variant":
             self._words(2 * count)
         for _ in range(count if kind != "variant" else 0):

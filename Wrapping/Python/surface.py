@@ -92,9 +92,7 @@ def grid_of(data):
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(data.points), deep=True))
     grid.SetPoints(points)
-    _add_arrays(grid, data)
-    for kind, name in data.active.items():
-        grid.GetPointData().SetActiveAttribute(name, kind)
+    _add_arrays(grid, data, data.active)
     return grid
 
 
@@ -108,9 +106,7 @@ def polydata_of(mesh):
     if result.GetNumberOfCells() == 0:
         ids = np.flatnonzero(np.isfinite(mesh.points).all(axis=1))
         result.SetVerts(cells_of(np.arange(len(ids) + 1), ids))
-    _add_arrays(result, mesh)
-    for kind, name in {vtkDataSetAttributes.NORMALS: "Normals", **mesh._active}.items():
-        result.GetPointData().SetActiveAttribute(name, kind)
+    _add_arrays(result, mesh, {vtkDataSetAttributes.NORMALS: "Normals", **mesh._active})
     return result
 
 
@@ -230,12 +226,18 @@ def _add_cells(grid, data):
         grid.InsertNextCell(kind, ids)
 
 
-def _add_arrays(result, mesh):
-    """Adds the arrays of a Mesh or DataSet to a vtkDataSet."""
+def _add_arrays(result, mesh, active):
+    """Adds the arrays of a Mesh or DataSet to a vtkDataSet. `active` has names of point arrays by
+    attribute type; those with a wrong number of components do not become active."""
     for kind, arrays in zip(DATA, (mesh.point_data, mesh.cell_data, mesh.field_data)):
         data = getattr(result, f"Get{kind}")()
         for name, values in arrays.items():
             add_array(data, name, values)
+    data = result.GetPointData()
+    silence = data.AddObserver("WarningEvent", lambda *_: None)
+    for kind, name in active.items():
+        data.SetActiveAttribute(name, kind)
+    data.RemoveObserver(silence)
 
 
 def _is_size(kind, size):

@@ -21,6 +21,7 @@ _TYPES = {
     "Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
     "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8",
 }  # fmt: skip
+_ARRAYS = ("Array", "DataArray")
 _ORDERS = {"LittleEndian": "<", "BigEndian": ">"}
 # Elements of cells and their names in a DataSet.
 _CELLS = {
@@ -63,6 +64,7 @@ class XMLFile:
 
     def read(self):
         """Returns a DataSet. Raises a ValueError if data are missing or contradict their counts."""
+        _check_children(self._contents, ("FieldData", "Piece"))
         pieces = [self._piece(piece) for piece in self._contents.findall("Piece")]
         pieces = [piece for piece in pieces if len(piece.points) or piece.number_of_cells()]
         if len(pieces) > 1:
@@ -72,6 +74,7 @@ class XMLFile:
         return result
 
     def _piece(self, piece):
+        _check_children(piece, ("Points", "PointData", "CellData", *_CELLS[self._type]))
         result = DataSet(_KINDS[self._type])
         count = _count(piece, "NumberOfPoints")
         if count or piece.find("Points/DataArray") is not None:
@@ -95,7 +98,7 @@ class XMLFile:
         return result
 
     def _cells(self, parent, offsets, connectivity, number):
-        """Returns offsets, with the 0 that files lack, and corners."""
+        """Returns offsets and corners. Files omit the first offset, which is 0."""
         ends = np.concatenate([[0], self._ids(parent, offsets, number)])
         return ends, self._ids(parent, connectivity, int(ends[-1]))
 
@@ -121,14 +124,16 @@ class XMLFile:
             result.set_faces(i, [corners[offsets[k] : offsets[k + 1]] for k in chosen])
 
     def _data(self, parent, tag, rows):
-        """Returns named arrays of numbers; `rows` None if each states its own number.
-
-        Of several time steps the first is returned.
-        """
+        """Returns arrays of numbers by name, of the first time step. `rows` is None if each array
+        has its own number of rows."""
         found = {}
+        for element in parent.findall(tag):
+            _check_children(element, _ARRAYS)
         for array in parent.findall(f"{tag}/DataArray"):
             name = array.get("Name")
-            if name and name not in found and array.get("type") not in ("Bit", "String"):
+            if not name:
+                raise ValueError(f"{tag} has an array without a name")
+            if name not in found and array.get("type") not in ("Bit", "String"):
                 number = _count(array, "NumberOfTuples") if rows is None else rows
                 found[name] = self._values(array, number, tag)
         return found
@@ -145,6 +150,7 @@ class XMLFile:
     def _values(self, array, rows, tag):
         """Returns the values of a DataArray, in rows if they have several components."""
         try:
+            _check_children(array, ("InformationKey",))
             kind = _TYPES[_choice(array, "type", _TYPES)]
             components = _count(array, "NumberOfComponents", 1)
             if _choice(array, "format", ("ascii", "appended", "binary"), "ascii") == "ascii":
@@ -186,8 +192,8 @@ class XMLFile:
         return b"".join(blocks)
 
     def _layout(self, stream, at):
-        """Returns where the data of an array begin, the size of a header there, sizes of the blocks
-        compressed and not compressed, and where the array ends."""
+        """Returns the layout of an array: position of its data, size of the header there, sizes of
+        its blocks in the file and after decompression, position of its end."""
         width = self._word.itemsize
         if self._unpack is None:
             size = self._words(stream, at, 1)
@@ -228,7 +234,7 @@ class XMLFile:
 
 
 class _Stream:
-    """Arrays one after another, raw or in base64."""
+    """Text that contains arrays one after another, raw or in base64."""
 
     def __init__(self, text, is_base64):
         self.text = text
@@ -247,12 +253,12 @@ class _Stream:
         return found
 
     def end(self, at, count):
-        """Returns the position behind `count` bytes."""
+        """Returns the position after `count` bytes."""
         return at + (-(-count // 3) * 4 if self.is_base64 else count)
 
 
 def _appended(data, start):
-    """Returns what lies between the underscore and </AppendedData>."""
+    """Returns the bytes between the underscore and </AppendedData>."""
     end = re.search(rb"</AppendedData>\s*</VTKFile>\s*\Z", data[-1000:])
     mark = data.find(b"_", start)
     if mark < 0 or data[start:mark].strip() or not end:
@@ -271,6 +277,13 @@ def _text(array):
     """Returns the text of an element without that of elements inside."""
     texts = [array.text, *(element.tail for element in array)]
     return b"".join(text.encode() for text in texts if text)
+
+
+def _check_children(parent, known):
+    """Raises an error if an element contains others than the known ones."""
+    for child in parent:
+        if child.tag not in known:
+            raise ValueError(f"{parent.tag} has an unknown element {child.tag}")
 
 
 def _child(parent, path):
@@ -314,7 +327,7 @@ def _unpack_lz4(data, size):
     return b"" if found is None else bytes(memoryview(found))
 
 
-# Each returns data of at most the given size; no data if they are damaged.
+# Functions that decompress a block of a known size. The result is empty if the block is damaged.
 _COMPRESSORS = {
     "": None,
     "vtkZLibDataCompressor": lambda *block: _unpack(zlib.decompressobj(), *block),
