@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGCellCoordinates.h"
 
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggInvalidInput.h"
 #include "dggSurfacePath.h"
@@ -15,7 +15,7 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-DGGCellCoordinates::DGGCellCoordinates(vtkPolyData* input, const DGGPreparedMesh& mesh)
+DGGCellCoordinates::DGGCellCoordinates(vtkPolyData* input, const dgg::PreparedSurface& mesh)
   : Input(input)
   , Mesh(mesh)
   , FirstPolygon(input->GetNumberOfVerts() + input->GetNumberOfLines())

@@ -16,7 +16,10 @@
 #include <array>  // for the coordinates
 #include <string> // for messages
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 class vtkPolyData;
 
 /// Converts between points of a prepared mesh and pairs of a cell of the input and barycentric
@@ -27,7 +30,7 @@ class VTKDGGFILTERSCOMMON_EXPORT DGGCellCoordinates
 public:
   using Coordinates = std::array<double, 3>;
 
-  DGGCellCoordinates(vtkPolyData* input, const DGGPreparedMesh& mesh);
+  DGGCellCoordinates(vtkPolyData* input, const dgg::PreparedSurface& mesh);
 
   /// Returns true if all polygons of the input are triangles and there are no strips.
   static bool AreAllTriangles(vtkPolyData* input);
@@ -61,7 +64,7 @@ private:
   dgg::TriangleCorners GetPositions(const Corners& corners) const;
 
   vtkPolyData* Input;
-  const DGGPreparedMesh& Mesh;
+  const dgg::PreparedSurface& Mesh;
   vtkIdType FirstPolygon;
   vtkNew<vtkIdList> Cell; // workspace
 };

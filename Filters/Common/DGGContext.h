@@ -12,16 +12,19 @@
 
 #include "vtkType.h" // For the limit
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 class vtkPolyData;
 
 /// Made once at the start of an update, and handed on to all that has a part in it. Inputs are
 /// constant during an update, as everywhere in VTK, so nothing of this changes.
 struct DGGContext
 {
-  vtkPolyData* Input;             ///< the surface as it came
-  const DGGPreparedMesh& Surface; ///< as the kernel sees it
-  vtkTypeUInt64 MemoryLimit;      ///< bytes; 0 for a part of what is free
+  vtkPolyData* Input;                  ///< the surface as it came
+  const dgg::PreparedSurface& Surface; ///< as the kernel sees it
+  vtkTypeUInt64 MemoryLimit;           ///< bytes; 0 for a part of what is free
   /// Of the update; any thread may report. False means stop.
   dgg::ProgressCallback Progress;
   /// On the threads of VTK, with Progress.

@@ -4,7 +4,7 @@
 
 #include "DGGIsInteger.h"
 #include "DGGMakeArray.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGThreads.h"
 
 #include "dggBitHash.h"
@@ -125,14 +125,14 @@ void DGGGraphArrays::Clear()
 }
 
 //------------------------------------------------------------------------------
-void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const DGGPreparedMesh& mesh)
+void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const dgg::PreparedSurface& mesh)
 {
   this->Adopt(graph, {}, 0.0, mesh);
 }
 
 //------------------------------------------------------------------------------
 void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii,
-  double voxelSize, const DGGPreparedMesh& mesh)
+  double voxelSize, const dgg::PreparedSurface& mesh)
 {
   this->Clear();
   dgg::Buffer<double> ownRadii(radii.size());
@@ -149,7 +149,7 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
   slots[Construction] = static_cast<std::int64_t>(graph.Info.Construction);
   slots[Accuracy] = CopyBits<std::int64_t>(graph.Info.Accuracy);
   slots[NumberOfNeighbors] = graph.Info.NumberOfNeighbors;
-  slots[Merged] = mesh.GetDomain().Kind == DGGDomain::MergedSurface ? 1 : 0;
+  slots[Merged] = mesh.GetDomain().Kind == dgg::Domain::MergedSurface ? 1 : 0;
   slots[MergeTolerance] = CopyBits<std::int64_t>(mesh.GetDomain().MergeTolerance);
   slots[FirstSignature] = CopyBits<std::int64_t>(graph.Info.Surface[0]);
   slots[SecondSignature] = CopyBits<std::int64_t>(graph.Info.Surface[1]);
@@ -179,7 +179,7 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
     }
   }
   slots[Checksum] = this->Seal();
-  this->Mesh = mesh.GetBuildTime();
+  this->Mesh = mesh.GetBuildNumber();
   this->IsGraph = true;
   this->Time.Modified();
 }
@@ -255,7 +255,8 @@ DGGGraphArrays::Key DGGGraphArrays::GetKey() const
 }
 
 //------------------------------------------------------------------------------
-bool DGGGraphArrays::Find(vtkFieldData* data, const DGGPreparedMesh& mesh, std::string& complaint)
+bool DGGGraphArrays::Find(
+  vtkFieldData* data, const dgg::PreparedSurface& mesh, std::string& complaint)
 {
   complaint.clear();
   if (this->IsSame(data, mesh))
@@ -266,12 +267,12 @@ bool DGGGraphArrays::Find(vtkFieldData* data, const DGGPreparedMesh& mesh, std::
   this->Arrays = MakeEntries(data);
   if (this->Arrays == Entries())
   {
-    this->Mesh = mesh.GetBuildTime();
+    this->Mesh = mesh.GetBuildNumber();
     return false;
   }
   const dgg::Status status = this->Check(mesh);
   // Only now: when the check throws, it has to be made again.
-  this->Mesh = mesh.GetBuildTime();
+  this->Mesh = mesh.GetBuildNumber();
   this->IsGraph = status.IsOk();
   this->Time.Modified();
   if (!this->IsGraph)
@@ -284,9 +285,9 @@ bool DGGGraphArrays::Find(vtkFieldData* data, const DGGPreparedMesh& mesh, std::
 }
 
 //------------------------------------------------------------------------------
-bool DGGGraphArrays::IsSame(vtkFieldData* data, const DGGPreparedMesh& mesh) const
+bool DGGGraphArrays::IsSame(vtkFieldData* data, const dgg::PreparedSurface& mesh) const
 {
-  return this->Mesh == mesh.GetBuildTime() && this->Arrays == MakeEntries(data);
+  return this->Mesh == mesh.GetBuildNumber() && this->Arrays == MakeEntries(data);
 }
 
 //------------------------------------------------------------------------------
@@ -297,7 +298,7 @@ dgg::Status DGGGraphArrays::Damaged(const std::string& what)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGGraphArrays::Check(const DGGPreparedMesh& mesh)
+dgg::Status DGGGraphArrays::Check(const dgg::PreparedSurface& mesh)
 {
   this->View.Info.Kind =
     SaysCloud(this->Arrays[Info].Array) ? dgg::GraphKind::Cloud : dgg::GraphKind::Mesh;
@@ -433,7 +434,7 @@ dgg::Status DGGGraphArrays::ReadSizes(vtkIdType numberOfPoints)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGGraphArrays::CheckSurface(const DGGPreparedMesh& mesh) const
+dgg::Status DGGGraphArrays::CheckSurface(const dgg::PreparedSurface& mesh) const
 {
   if (this->View.Info.Surface == mesh.GetSignature())
   {
@@ -441,7 +442,7 @@ dgg::Status DGGGraphArrays::CheckSurface(const DGGPreparedMesh& mesh) const
   }
   const std::int64_t* info = this->GetValues<std::int64_t>(Info);
   const bool merged = info[Merged] != 0;
-  if (merged != (mesh.GetDomain().Kind == DGGDomain::MergedSurface))
+  if (merged != (mesh.GetDomain().Kind == dgg::Domain::MergedSurface))
   {
     return dgg::Status::Invalid(std::string("was built with MergeCoincidentPoints ") +
       (merged ? "on, but it is off here" : "off, but it is on here"));

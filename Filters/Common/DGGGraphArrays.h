@@ -19,7 +19,10 @@
 #include <string>  // for what is wrong
 #include <vector>  // for radii and keys
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 class vtkFieldData;
 
 /// The band around a cloud that its graph was built in: the space within a radius of each point,
@@ -60,10 +63,10 @@ class VTKDGGFILTERSCOMMON_EXPORT DGGGraphArrays
 {
 public:
   /// Make arrays of the memory of `graph`, which is empty afterwards.
-  void Adopt(dgg::GeodesicGraph& graph, const DGGPreparedMesh& mesh);
+  void Adopt(dgg::GeodesicGraph& graph, const dgg::PreparedSurface& mesh);
   /// The same for the graph of a cloud, and of the radii of its band, one per point.
   void Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii, double voxelSize,
-    const DGGPreparedMesh& cloud);
+    const dgg::PreparedSurface& cloud);
 
   /// Whether field data, which may be null, say that they have the graph of a cloud.
   static bool AreOfCloud(vtkFieldData* data);
@@ -71,11 +74,11 @@ public:
   /// Look for a graph of the mesh or cloud in `data`, which may be null. Returns whether there is
   /// one. `complaint` is what is wrong with arrays that are there but are not a graph of the mesh;
   /// it is empty when they were complained about before.
-  bool Find(vtkFieldData* data, const DGGPreparedMesh& mesh, std::string& complaint);
+  bool Find(vtkFieldData* data, const dgg::PreparedSurface& mesh, std::string& complaint);
 
   /// Whether Find() would give the same answer as the last time, without a new look at the arrays.
   /// Otherwise it lets go of the arrays that it knows.
-  bool IsSame(vtkFieldData* data, const DGGPreparedMesh& mesh) const;
+  bool IsSame(vtkFieldData* data, const dgg::PreparedSurface& mesh) const;
 
   /// Whether there is a graph and its arrays have not been changed since.
   bool IsValid() const;
@@ -131,13 +134,13 @@ private:
   static Entry MakeEntry(vtkAbstractArray* array);
   static Entries MakeEntries(vtkFieldData* data);
 
-  dgg::Status Check(const DGGPreparedMesh& mesh);
+  dgg::Status Check(const dgg::PreparedSurface& mesh);
   bool HasRole(Role role) const;
   dgg::Status Damaged(const std::string& what);
   dgg::Status CheckTypes();
   dgg::Status ReadInfo(vtkIdType numberOfPoints, bool isCloud);
   dgg::Status ReadSizes(vtkIdType numberOfPoints);
-  dgg::Status CheckSurface(const DGGPreparedMesh& mesh) const;
+  dgg::Status CheckSurface(const dgg::PreparedSurface& mesh) const;
   dgg::Status CheckContents();
   dgg::Status CheckBand();
   std::int64_t Seal() const;

@@ -6,7 +6,7 @@
 #include "DGGContext.h"
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGWindowArrays.h"
 
 #include "dggInvalidInput.h"
@@ -67,7 +67,7 @@ DGGNewGeometry::~DGGNewGeometry() = default;
 //------------------------------------------------------------------------------
 dgg::Status DGGNewGeometry::Take(const DGGContext& context, int precision)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   vtkPoints* points = context.Input->GetPoints();
   this->Fields->Initialize();
   this->Fields->PassData(context.Input->GetFieldData());
@@ -79,7 +79,7 @@ dgg::Status DGGNewGeometry::Take(const DGGContext& context, int precision)
   this->Coordinates = mesh.IsCloud() || !DGGCellCoordinates::AreAllTriangles(context.Input)
     ? nullptr
     : std::make_unique<DGGCellCoordinates>(context.Input, mesh);
-  const double* positions = mesh.GetPositions(points);
+  const double* positions = mesh.GetPositions();
   const std::size_t size = 3 * static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
   return precision == vtkAlgorithm::SINGLE_PRECISION ? CheckRange(positions, positions + size)
                                                      : dgg::Status::Success();

@@ -23,7 +23,10 @@
 #include <vector>  // for the positions
 
 class DGGCellCoordinates;
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 class vtkFieldData;
 class vtkPolyData;
 struct DGGContext;
@@ -67,7 +70,7 @@ public:
     vtkDoubleArray* array, vtkIdType i, const dgg::SurfacePoint& point, dgg::Id face) const;
 
 private:
-  const DGGPreparedMesh* Mesh = nullptr;
+  const dgg::PreparedSurface* Mesh = nullptr;
   std::unique_ptr<DGGCellCoordinates>
     Coordinates; // null for clouds and for surfaces with other cells than triangles
   vtkNew<vtkFieldData> Fields;

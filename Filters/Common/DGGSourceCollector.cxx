@@ -4,9 +4,10 @@
 
 #include "DGGCellCoordinates.h"
 #include "DGGContext.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggInvalidInput.h"
+#include "dggLocator.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -21,11 +22,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 namespace
 {
-bool IsIsolated(const DGGPreparedMesh& surface, dgg::Id vertex)
+bool IsIsolated(const dgg::PreparedSurface& surface, dgg::Id vertex)
 {
   const dgg::SurfaceMesh& mesh = surface.GetMeshWithoutAngles();
   return mesh.FanBegin(vertex) == mesh.FanEnd(vertex);
@@ -199,9 +199,8 @@ private:
 dgg::Status FindClosest(const DGGContext& context, const DGGSourceSet& set, vtkIdType id,
   const double p[3], double tolerance, dgg::SurfacePoint& point)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
-  DGGLocator& locator = mesh.GetLocator(context.Input->GetPoints());
-  const std::lock_guard<std::mutex> lock(locator.GetMutex());
+  const dgg::PreparedSurface& mesh = context.Surface;
+  const dgg::Locator& locator = mesh.GetLocator();
   const double farthest = tolerance * locator.GetDiagonal();
   double distance = dgg::Infinity;
   if (!locator.FindClosestPoint(p, point, distance) || !locator.IsClose(point, distance, farthest))
@@ -292,7 +291,7 @@ dgg::Status DGGSourceCollector::Check(const DGGSourceSet& set, vtkIdType numberO
 dgg::Status DGGSourceCollector::Collect(const DGGContext& context, const DGGSourceSet& set,
   double tolerance, std::vector<dgg::GeodesicSource>& sources)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   sources.clear();
   for (std::size_t i = 0; i < set.Ids.size(); ++i)
   {
@@ -380,7 +379,7 @@ void DGGSourceCollector::PassArrays(
 void DGGSourceCollector::WarnAboutIsolated(const DGGContext& context, const DGGSourceSet& set,
   const std::vector<dgg::GeodesicSource>& sources, vtkObject* filter)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   const double* positions = mesh.IsCloud() ? mesh.GetPositions() : nullptr;
   const auto isIsolated = [&](const dgg::SurfacePoint& point) {
     if (!dgg::IsVertex(point))

@@ -3,7 +3,7 @@
 #include "DGGWindowArrays.h"
 
 #include "DGGIsInteger.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggBitHash.h"
 
@@ -97,7 +97,7 @@ void Add(dgg::BitHash& hash, vtkDoubleArray* array)
 
 /// What the windows belong to, and what they are.
 std::array<std::int64_t, InfoSize> MakeInfo(
-  vtkDoubleArray* distances, const DGGPreparedMesh& mesh, const Tables& tables)
+  vtkDoubleArray* distances, const dgg::PreparedSurface& mesh, const Tables& tables)
 {
   dgg::BitHash ofDistances;
   Add(ofDistances, distances);
@@ -135,7 +135,7 @@ void ReadTables(const Tables& tables, dgg::EdgeWindows& found)
 
 //------------------------------------------------------------------------------
 void DGGWindowArrays::AddTo(vtkFieldData* data, vtkDoubleArray* distances,
-  const DGGPreparedMesh& mesh, const dgg::EdgeWindows& windows)
+  const dgg::PreparedSurface& mesh, const dgg::EdgeWindows& windows)
 {
   const std::string name = distances->GetName();
   vtkNew<vtkTypeInt64Array> offsets;
@@ -205,8 +205,8 @@ void DGGWindowArrays::RemoveAllFrom(vtkFieldData* data)
 }
 
 //------------------------------------------------------------------------------
-bool DGGWindowArrays::Find(vtkFieldData* data, vtkDataArray* distances, const DGGPreparedMesh& mesh,
-  dgg::EdgeWindows& windows, std::string& complaint)
+bool DGGWindowArrays::Find(vtkFieldData* data, vtkDataArray* distances,
+  const dgg::PreparedSurface& mesh, dgg::EdgeWindows& windows, std::string& complaint)
 {
   windows = dgg::EdgeWindows();
   complaint.clear();

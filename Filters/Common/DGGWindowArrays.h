@@ -10,7 +10,10 @@
 
 #include <string> // for the name
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 class vtkDataArray;
 class vtkDoubleArray;
 class vtkFieldData;
@@ -31,7 +34,7 @@ class vtkFieldData;
 class VTKDGGFILTERSCOMMON_EXPORT DGGWindowArrays
 {
 public:
-  static void AddTo(vtkFieldData* data, vtkDoubleArray* distances, const DGGPreparedMesh& mesh,
+  static void AddTo(vtkFieldData* data, vtkDoubleArray* distances, const dgg::PreparedSurface& mesh,
     const dgg::EdgeWindows& windows);
 
   static void RemoveFrom(vtkFieldData* data, const std::string& distances);
@@ -41,7 +44,7 @@ public:
 
   /// Look for the windows of `distances`. `complaint` is what is wrong with arrays that are there
   /// but cannot be used; empty when there are none.
-  static bool Find(vtkFieldData* data, vtkDataArray* distances, const DGGPreparedMesh& mesh,
+  static bool Find(vtkFieldData* data, vtkDataArray* distances, const dgg::PreparedSurface& mesh,
     dgg::EdgeWindows& windows, std::string& complaint);
 };
 

@@ -5,8 +5,8 @@
 #ifndef DGGDistanceTask_h
 #define DGGDistanceTask_h
 
-#include "DGGContext.h"      // for the update
-#include "DGGPreparedMesh.h" // for the surface
+#include "DGGContext.h"         // for the update
+#include "dggPreparedSurface.h" // for the surface
 
 #include "dggExactGeodesics.h" // for GeodesicSource
 #include "dggVirtualSources.h" // for VirtualSources

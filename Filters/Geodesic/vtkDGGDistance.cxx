@@ -4,7 +4,7 @@
 
 #include "DGGDistanceTask.h"
 #include "DGGGraphUser.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggSourceFinding.h"
 

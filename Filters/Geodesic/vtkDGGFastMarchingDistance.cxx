@@ -124,13 +124,13 @@ dgg::Status vtkDGGFastMarchingDistance::MarchOnMesh(DGGDistanceTask& task)
   options.WantVirtualSource = task.WantVirtualSource;
   options.Progress = task.Context.Progress;
 
-  const DGGPreparedMesh& mesh = task.Context.Surface;
-  if (!this->Prepared || this->Prepared->MeshTime != mesh.GetBuildTime())
+  const dgg::PreparedSurface& mesh = task.Context.Surface;
+  if (!this->Prepared || this->Prepared->MeshTime != mesh.GetBuildNumber())
   {
     this->Prepared.reset(); // before there are two
     auto solver = std::make_unique<dgg::FastMarching>(mesh.GetMesh());
     this->Prepared.reset(
-      new Preparation{ mesh.GetBuildTime(), std::move(solver), nullptr, 0.0, 0 });
+      new Preparation{ mesh.GetBuildNumber(), std::move(solver), nullptr, 0.0, 0 });
   }
   this->QualityWarning =
     this->WarnAboutQuality(DGGDescribeLongTriangles(mesh, DGGLongTrianglesMislead));
@@ -147,7 +147,7 @@ dgg::Status vtkDGGFastMarchingDistance::MarchOnCloud(DGGDistanceTask& task)
 {
   const DGGContext& context = task.Context;
   const bool isKept = this->Prepared &&
-    this->Prepared->MeshTime == context.Surface.GetBuildTime() &&
+    this->Prepared->MeshTime == context.Surface.GetBuildNumber() &&
     this->Prepared->BandRadius == this->BandRadius &&
     this->Prepared->Resolution == this->Resolution;
   this->QualityWarning = false;
@@ -160,7 +160,7 @@ dgg::Status vtkDGGFastMarchingDistance::MarchOnCloud(DGGDistanceTask& task)
     auto marching = std::make_unique<DGGCloudMarching>();
     DGG_RETURN_IF_ERROR(
       marching->Prepare(context, options, dgg::ProgressPart(context.Progress, 0.0, BandShare)));
-    this->Prepared.reset(new Preparation{ context.Surface.GetBuildTime(), nullptr,
+    this->Prepared.reset(new Preparation{ context.Surface.GetBuildNumber(), nullptr,
       std::move(marching), this->BandRadius, this->Resolution });
   }
   return this->Prepared->OnCloud->Run(

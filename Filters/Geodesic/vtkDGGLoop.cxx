@@ -6,7 +6,7 @@
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGThreads.h"
@@ -86,8 +86,8 @@ dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, boo
 }
 
 /// The rims of tapes along all loops that are not too long.
-dgg::Status AddTapes(
-  const DGGPreparedMesh& mesh, double width, const dgg::ProgressCallback& progress, DGGLoopSet& set)
+dgg::Status AddTapes(const dgg::PreparedSurface& mesh, double width,
+  const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
   const std::size_t count = set.Loops.size();
   set.Rims.resize(count);
@@ -310,7 +310,7 @@ std::string vtkDGGLoop::GetMemoryRemedy() const
 dgg::Status vtkDGGLoop::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   std::vector<dgg::GeodesicSource> sources;
   if (this->Mode != AroundHandles)
   {

@@ -6,7 +6,7 @@
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
 #include "DGGPathSearch.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
@@ -336,7 +336,7 @@ dgg::Status vtkDGGPath::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->NumberOfFallbacks = 0;
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   if (mesh.IsCloud() && this->Method == Exact)
   {
     return dgg::Status::Invalid("there is no exact path on a point cloud: call SetMethodToGraph()");

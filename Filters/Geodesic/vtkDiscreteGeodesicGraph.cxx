@@ -6,7 +6,7 @@
 #include "DGGFreeMemory.h"
 #include "DGGGraphArrays.h"
 #include "DGGGraphBuild.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggProgressPart.h"
 
@@ -45,7 +45,7 @@ struct vtkDiscreteGeodesicGraph::vtkInternals
 {
   DGGGraphArrays OnInput;
   DGGGraphArrays Built;
-  DGGDomain BuiltDomain;
+  dgg::Domain BuiltDomain;
   DGGGraphSummary Current; // of the graph of the last update
   dgg::GraphEstimate Estimate;
   vtkTimeStamp BuildTime;
@@ -265,7 +265,7 @@ bool vtkDiscreteGeodesicGraph::FindOnInput(const DGGContext& context)
 dgg::Status vtkDiscreteGeodesicGraph::Build(const DGGContext& context)
 {
   vtkInternals& internals = *this->Internals;
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   dgg::GraphOptions options = this->MakeOptions();
   const dgg::GraphInfo& built = internals.Built.GetView().Info;
   const bool isKept = internals.Built.IsValid() && built.Surface == mesh.GetSignature() &&

@@ -36,7 +36,7 @@ namespace
 /// Share of the progress that goes to the preparation of the mesh.
 constexpr double PreparationShare = 0.1;
 
-void WriteReport(std::ostream& os, const DGGPreparedMesh& mesh)
+void WriteReport(std::ostream& os, const dgg::PreparedSurface& mesh)
 {
   const dgg::MeshReport& report = mesh.GetReport();
   os << "points: " << report.Vertices << "\n";
@@ -424,7 +424,7 @@ dgg::Status vtkGeodesicAlgorithm::Compute(
   if (input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
   {
     // Before all else: other remedies would not help.
-    const dgg::Status status = DGGPreparedMesh::CheckSurface(input);
+    const dgg::Status status = DGGMeshAdapter::CheckSurface(input);
     if (!status.IsOk())
     {
       this->Adapter->Clear(); // the report is not that of another surface
@@ -505,18 +505,19 @@ DGGContext vtkGeodesicAlgorithm::MakeContext(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-DGGDomain vtkGeodesicAlgorithm::GetDomain(vtkPolyData* surface) const
+dgg::Domain vtkGeodesicAlgorithm::GetDomain(vtkPolyData* surface) const
 {
   if (this->IsCloud(surface))
   {
-    return { DGGDomain::Cloud, 0.0 };
+    return { dgg::Domain::Cloud, 0.0 };
   }
-  return this->MergeCoincidentPoints ? DGGDomain{ DGGDomain::MergedSurface, this->MergeTolerance }
-                                     : DGGDomain{ DGGDomain::Surface, 0.0 };
+  return this->MergeCoincidentPoints
+    ? dgg::Domain{ dgg::Domain::MergedSurface, this->MergeTolerance }
+    : dgg::Domain{ dgg::Domain::Surface, 0.0 };
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached)
+void vtkGeodesicAlgorithm::WarnAboutGaps(const std::vector<bool>& isReached)
 {
   if (this->GapsBuildTime == this->GetMeshBuildTime() ||
     2 * std::count(isReached.begin(), isReached.end(), true) >
@@ -525,7 +526,7 @@ void vtkGeodesicAlgorithm::WarnAboutGaps(vtkPolyData* surface, const std::vector
     return;
   }
   this->GapsBuildTime = this->GetMeshBuildTime();
-  const std::string warning = this->Adapter->Get().DescribeGaps(surface, isReached);
+  const std::string warning = this->Adapter->Get().DescribeGaps(isReached);
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning << ".");

@@ -111,7 +111,10 @@ class Status;
 class DGGMeshAdapter;
 class DGGPartedUpdate;
 struct DGGContext;
-struct DGGDomain;
+namespace dgg
+{
+struct Domain;
+}
 class vtkMultiProcessController;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
@@ -308,13 +311,13 @@ protected:
   /**
    * What a surface is treated as.
    */
-  DGGDomain GetDomain(vtkPolyData* surface) const;
+  dgg::Domain GetDomain(vtkPolyData* surface) const;
 
   /**
    * After a distance: warn, once for each mesh, when most of the surface is not connected with the
    * vertices that are reached, though its parts nearly touch.
    */
-  void WarnAboutGaps(vtkPolyData* surface, const std::vector<bool>& isReached);
+  void WarnAboutGaps(const std::vector<bool>& isReached);
 
   /**
    * Reports a reason for inaccurate results once per mesh. Returns true if there is a reason.

@@ -4,7 +4,7 @@
 
 #include "DGGDistanceTask.h"
 #include "DGGMakeArray.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGUnreachedArray.h"
@@ -50,7 +50,7 @@ std::vector<bool> FindReached(const DGGDistanceTask& task)
 struct PointArrayMaker
 {
   const DGGDistanceTask& Task;
-  const DGGPreparedMesh& Surface;
+  const dgg::PreparedSurface& Surface;
   const std::vector<bool>& IsReached; // per vertex
   vtkIdType NumberOfPoints;
 
@@ -308,7 +308,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
     DGGSourceCollector::PassArrays(this->GetSources(inputVector), nearest, output->GetPointData());
   }
   this->AddResults(task, isReached, output);
-  this->WarnAboutGaps(context.Input, isReached);
+  this->WarnAboutGaps(isReached);
   return dgg::Status::Success();
 }
 

@@ -59,7 +59,7 @@ vtkSmartPointer<vtkDoubleArray> MakeMatrix(std::size_t rows, std::size_t columns
 }
 
 /// Returns DistanceRowsOptions::NextPoints for the merged points of a surface.
-std::vector<dgg::Id> FindNextPoints(const DGGPreparedMesh& surface, vtkIdType numberOfPoints)
+std::vector<dgg::Id> FindNextPoints(const dgg::PreparedSurface& surface, vtkIdType numberOfPoints)
 {
   std::vector<dgg::Id> next;
   if (surface.GetNumberOfMergedPoints() > 0)

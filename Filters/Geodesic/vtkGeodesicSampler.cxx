@@ -5,7 +5,7 @@
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
@@ -128,7 +128,7 @@ std::string vtkGeodesicSampler::GetMemoryRemedy() const
 dgg::Status vtkGeodesicSampler::MakeOptions(
   const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   options.NumberOfSamples = this->NumberOfSamples;
   options.CoveringRadius = this->CoveringRadius;
   options.InFaces = this->InFaces && !mesh.IsCloud();
@@ -173,7 +173,7 @@ void vtkGeodesicSampler::WarnAboutNumber(
 dgg::Status vtkGeodesicSampler::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   dgg::SamplerOptions options;
   DGG_RETURN_IF_ERROR(this->MakeOptions(context, inputVector, options));
   DGGNewGeometry geometry;

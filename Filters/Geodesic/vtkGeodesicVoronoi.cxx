@@ -5,7 +5,7 @@
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGPropagation.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
@@ -65,7 +65,7 @@ constexpr double MovingShare = 0.9;
 struct VoronoiOutputs
 {
   const DGGVoronoiResult& Result;
-  const DGGPreparedMesh& Mesh;
+  const dgg::PreparedSurface& Mesh;
   const DGGNewGeometry& Geometry;
   const std::string& DistanceName;
   double UnreachedValue;
@@ -402,7 +402,7 @@ dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVor
 /// From the sites of the result to the rest of it; the graph is there.
 dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiResult& result)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   DGGGraphUser& graph = *this->GraphUser;
   const dgg::ProgressCallback progress = graph.GetRemainingProgress(context);
   double start = 0.0;
@@ -441,7 +441,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiRes
 dgg::Status vtkGeodesicVoronoi::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   const DGGSourceSet set = this->GetSiteSet(inputVector);
   DGGVoronoiResult result;
   DGG_RETURN_IF_ERROR(

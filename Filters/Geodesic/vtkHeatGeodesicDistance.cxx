@@ -29,7 +29,7 @@ namespace
 constexpr double FactorizedAt = 0.9;
 
 /// Returns the reasons why distances may be far off; empty without one.
-std::string DescribeQuality(const DGGPreparedMesh& surface, double factor, dgg::Id triangles)
+std::string DescribeQuality(const dgg::PreparedSurface& surface, double factor, dgg::Id triangles)
 {
   return DGGJoinReasons({ DGGDescribeLongTriangles(surface, DGGLongTrianglesMislead),
     triangles < dgg::FewestUsefulTriangles
@@ -121,12 +121,12 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.Boundary = boundaries[this->Boundary];
 
-  if (!this->Prepared || this->Prepared->MeshTime != task.Context.Surface.GetBuildTime())
+  if (!this->Prepared || this->Prepared->MeshTime != task.Context.Surface.GetBuildNumber())
   {
     this->NumberOfFactorizations = this->GetNumberOfFactorizations();
     this->Prepared.reset(); // before there are two
     this->Prepared.reset(new Preparation{
-      task.Context.Surface.GetBuildTime(), dgg::HeatMethod(task.Context.Surface.GetMesh()) });
+      task.Context.Surface.GetBuildNumber(), dgg::HeatMethod(task.Context.Surface.GetMesh()) });
   }
   dgg::HeatMethod& method = this->Prepared->Method;
   bool isTooMuch = false;

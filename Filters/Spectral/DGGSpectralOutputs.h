@@ -17,7 +17,10 @@
 #include <string>  // for the name
 #include <vector>  // for values
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 struct DGGContext;
 struct DGGSourceSet;
 
@@ -30,7 +33,7 @@ public:
     std::size_t numberOfPoints, std::size_t numberOfTargets, std::size_t numberOfSources);
 
   /// Without sources there are no arrays of results.
-  DGGSpectralOutputs(const DGGPreparedMesh& mesh, std::size_t numberOfPoints,
+  DGGSpectralOutputs(const dgg::PreparedSurface& mesh, std::size_t numberOfPoints,
     std::size_t numberOfTargets, std::size_t numberOfSources, const std::string& name);
   ~DGGSpectralOutputs();
   DGGSpectralOutputs(const DGGSpectralOutputs&) = delete;
@@ -64,7 +67,7 @@ private:
   void SetComponents(vtkDoubleArray* atPoints, vtkDoubleArray* atTargets, std::size_t component,
     const std::vector<double>& values, const std::vector<double>& targetValues) const;
 
-  const DGGPreparedMesh& Mesh;
+  const dgg::PreparedSurface& Mesh;
   std::size_t NumberOfPoints;
   vtkSmartPointer<vtkDoubleArray> AtPoints;
   vtkSmartPointer<vtkDoubleArray> AtTargets;

@@ -3,7 +3,7 @@
 #include "vtkBiharmonicDistance.h"
 
 #include "DGGContext.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGSpectralOutputs.h"
 
 #include "dggInvalidInput.h"

@@ -3,7 +3,7 @@
 #include "vtkDiscreteGreensFunction.h"
 
 #include "DGGContext.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGSpectralOutputs.h"
 #include "DGGThreads.h"
 

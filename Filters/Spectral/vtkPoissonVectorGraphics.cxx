@@ -6,7 +6,7 @@
 #include "DGGFreeMemory.h"
 #include "DGGGraphicsInput.h"
 #include "DGGGraphicsOutput.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
@@ -302,7 +302,7 @@ std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 dgg::Status vtkPoissonVectorGraphics::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const DGGPreparedMesh& prepared = context.Surface;
+  const dgg::PreparedSurface& prepared = context.Surface;
   vtkInternals& internals = *this->Internals;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   DGGGraphicsNames names = this->GetNames();
@@ -315,7 +315,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   DGG_RETURN_IF_ERROR(input.Read(lines, context.Input, names));
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
   Drawing drawing;
-  drawing.MeshTime = prepared.GetBuildTime();
+  drawing.MeshTime = prepared.GetBuildNumber();
   drawing.Curves = curves;
   drawing.Places.resize(curves.size());
   static const std::vector<vtkIdType> none;

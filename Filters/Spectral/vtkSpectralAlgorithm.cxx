@@ -5,7 +5,7 @@
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
 #include "DGGPoissonCache.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGSpectralOutputs.h"
@@ -200,7 +200,7 @@ DGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVector
 dgg::Status vtkSpectralAlgorithm::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   DGGPoissonCache& cache = *this->Cache;
   const DGGSourceSet targetSet = GetTargets(inputVector);
   const DGGSourceSet sourceSet = this->GetSources(inputVector);

@@ -6,7 +6,7 @@
 #include "DGGDistribution.h"
 #include "DGGMakeArray.h"
 #include "DGGPoissonCache.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 
 #include "dggEarthMovers.h"
@@ -67,7 +67,7 @@ std::array<double, 3> InSpace(
 }
 
 /// Per cell, the mean of its triangles.
-vtkSmartPointer<vtkDoubleArray> MakeFlow(const DGGPreparedMesh& prepared, vtkPolyData* surface,
+vtkSmartPointer<vtkDoubleArray> MakeFlow(const dgg::PreparedSurface& prepared, vtkPolyData* surface,
   const std::vector<dgg::Point2>& flow, double total)
 {
   const auto n = static_cast<std::size_t>(surface->GetNumberOfCells());
@@ -100,8 +100,8 @@ vtkSmartPointer<vtkDoubleArray> MakeFlow(const DGGPreparedMesh& prepared, vtkPol
   return array;
 }
 
-vtkSmartPointer<vtkDoubleArray> MakePotential(
-  const DGGPreparedMesh& prepared, vtkIdType numberOfPoints, const std::vector<double>& potential)
+vtkSmartPointer<vtkDoubleArray> MakePotential(const dgg::PreparedSurface& prepared,
+  vtkIdType numberOfPoints, const std::vector<double>& potential)
 {
   auto array =
     DGGMakeArray<vtkDoubleArray>(PotentialName, static_cast<std::size_t>(numberOfPoints));
@@ -249,7 +249,7 @@ std::string vtkSurfaceEarthMoversDistance::GetMemoryRemedy() const
 dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   DGGPoissonCache& cache = *this->Cache;
   DGGDistribution distributions[2];
   for (int k = 0; k < 2; ++k)

@@ -123,6 +123,20 @@ TEST(Cells, NonConvexPolygon)
   EXPECT_NEAR(distances[5], std::sqrt(5.0), 1e-12);
 }
 
+TEST(Cells, PolygonWithAHole)
+{
+  // A square around a square hole, as one polygon with a bridge from corner 3 to corner 4 and back.
+  auto surface = MakeSurface({ { { 3, 0, 0 } }, { { 3, 3, 0 } }, { { 0, 3, 0 } }, { { 0, 0, 0 } },
+                               { { 1, 1, 0 } }, { { 1, 2, 0 } }, { { 2, 2, 0 } }, { { 2, 1, 0 } } },
+    { { 0, 1, 2, 3, 4, 5, 6, 7, 4, 3 } });
+  vtkNew<vtkExactGeodesicDistance> filter;
+  filter->SetInputData(surface);
+  filter->AddSourceId(3);
+  ExpectSuccess(filter);
+  EXPECT_NEAR(GetDistances(filter)[6], 1.0 + std::sqrt(5.0), 1e-12);
+  EXPECT_NEAR(GetDistances(filter)[1], 2.0 * std::sqrt(5.0), 1e-12);
+}
+
 TEST(Cells, NonConvexQuad)
 {
   // An arrow head; only the diagonal from the notch (point 2) lies inside. Whichever point the cell

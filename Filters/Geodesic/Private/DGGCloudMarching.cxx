@@ -124,7 +124,7 @@ Point3 OffsetOf(const dgg::SurfacePoint& point)
 dgg::Status DGGCloudMarching::Prepare(
   const DGGContext& context, const dgg::BandOptions& options, const dgg::ProgressCallback& progress)
 {
-  const DGGPreparedMesh& cloud = context.Surface;
+  const dgg::PreparedSurface& cloud = context.Surface;
   const Id n = cloud.GetMeshWithoutAngles().GetNumberOfVertices();
   const double bytes = BytesPerPoint * n;
   DGG_RETURN_IF_ERROR(DGGCheckMemory(

@@ -4,7 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGMeshQuality.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 #include "DGGThreads.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
@@ -166,7 +166,7 @@ dgg::Status DGGFieldInput::FindDistances(vtkInformation* filter, const std::stri
 dgg::Status DGGFieldInput::ReadDistances(const DGGContext& context, vtkDataArray* distances)
 {
   vtkPolyData* surface = context.Input;
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   this->Warning.clear();
   this->IsFitted = false;
   this->Windows = dgg::EdgeWindows();
@@ -225,7 +225,7 @@ void DGGFieldInput::ReadWindows(const DGGContext& context, vtkDataArray* distanc
 void DGGFieldInput::ReadSources(const DGGContext& context, const std::string& name)
 {
   vtkPolyData* surface = context.Input;
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
   if (!array)
   {
@@ -276,7 +276,7 @@ dgg::Status DGGFieldInput::FitSources(
 }
 
 //------------------------------------------------------------------------------
-std::string DGGFieldInput::DescribeQuality(const DGGPreparedMesh& surface) const
+std::string DGGFieldInput::DescribeQuality(const dgg::PreparedSurface& surface) const
 {
   return this->Field.HasSources() ? DGGDescribeLongTriangles(surface, DGGLongTrianglesHideSources)
                                   : std::string();

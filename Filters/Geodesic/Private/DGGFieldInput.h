@@ -14,7 +14,10 @@
 class vtkDataArray;
 class vtkInformation;
 class vtkPolyData;
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 struct DGGContext;
 
 /// Reads a point array of distances, and what there is beside it that gives the distance inside of
@@ -57,7 +60,7 @@ public:
   /// well.
   const std::string& GetWarning() const { return this->Warning; }
   /// Returns a warning if distances inside triangles may be far off, otherwise an empty text.
-  std::string DescribeQuality(const DGGPreparedMesh& surface) const;
+  std::string DescribeQuality(const dgg::PreparedSurface& surface) const;
 
 private:
   void ReadWindows(const DGGContext& context, vtkDataArray* distances);

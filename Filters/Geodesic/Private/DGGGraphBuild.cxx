@@ -4,7 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
@@ -53,7 +53,7 @@ dgg::Status DGGBuildGraph(const DGGContext& context, const dgg::GraphBuilder& bu
 }
 
 //------------------------------------------------------------------------------
-std::size_t DGGEstimateBuilder(const DGGPreparedMesh& mesh)
+std::size_t DGGEstimateBuilder(const dgg::PreparedSurface& mesh)
 {
   // The table of all crossings of faces; twice where faces cannot be oriented consistently.
   const dgg::MeshReport& report = mesh.GetReport();

@@ -9,7 +9,10 @@
 
 #include <cstddef> // for std::size_t
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 struct DGGContext;
 
 /// Have a graph built, or its memory estimated, with the threads of VTK.
@@ -21,6 +24,6 @@ dgg::Status DGGBuildGraph(const DGGContext& context, const dgg::GraphBuilder& bu
   dgg::GraphOptions options, dgg::GeodesicGraph& graph, dgg::GraphEstimate& estimate);
 
 /// Bytes that a builder of the mesh takes, about.
-std::size_t DGGEstimateBuilder(const DGGPreparedMesh& mesh);
+std::size_t DGGEstimateBuilder(const dgg::PreparedSurface& mesh);
 
 #endif

@@ -5,7 +5,7 @@
 #include "DGGCloudLinks.h"
 #include "DGGFreeMemory.h"
 #include "DGGGraphBuild.h"
-#include "DGGSharedTable.h"
+#include "dggSharedTable.h"
 #include "DGGThreads.h"
 
 #include "dggInvalidInput.h"
@@ -41,9 +41,9 @@ constexpr std::size_t BytesOfResult = 60;
 constexpr std::size_t LinkBlock = 4;
 
 /// Builders that filters hold, by the build time of the mesh.
-DGGSharedTable<vtkMTimeType, dgg::GraphBuilder>& GetBuildersInUse()
+dgg::SharedTable<vtkMTimeType, dgg::GraphBuilder>& GetBuildersInUse()
 {
-  static DGGSharedTable<vtkMTimeType, dgg::GraphBuilder> builders;
+  static dgg::SharedTable<vtkMTimeType, dgg::GraphBuilder> builders;
   return builders;
 }
 
@@ -146,13 +146,13 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
 }
 
 //------------------------------------------------------------------------------
-void DGGGraphUser::FollowMesh(const DGGPreparedMesh& mesh)
+void DGGGraphUser::FollowMesh(const dgg::PreparedSurface& mesh)
 {
-  if (this->Mesh == mesh.GetBuildTime())
+  if (this->Mesh == mesh.GetBuildNumber())
   {
     return;
   }
-  this->Mesh = mesh.GetBuildTime();
+  this->Mesh = mesh.GetBuildNumber();
   this->ReleaseBuilder();
   this->Store = LinkStore();
   this->Result = dgg::SearchResult();
@@ -181,7 +181,7 @@ void DGGGraphUser::ForgetGraph()
 }
 
 //------------------------------------------------------------------------------
-void DGGGraphUser::SearchIn(const DGGGraphArrays& arrays, const DGGPreparedMesh& mesh)
+void DGGGraphUser::SearchIn(const DGGGraphArrays& arrays, const dgg::PreparedSurface& mesh)
 {
   this->Finder.reset();
   this->Search.reset();
@@ -295,7 +295,7 @@ dgg::Status DGGGraphUser::PrepareBuilder(const DGGContext& context, bool isNeede
     return dgg::Status::Success();
   }
   const std::size_t size = DGGEstimateBuilder(context.Surface);
-  const vtkMTimeType key = context.Surface.GetBuildTime();
+  const vtkMTimeType key = context.Surface.GetBuildNumber();
   std::shared_ptr<const dgg::GraphBuilder> builder = GetBuildersInUse().Find(key);
   if (!builder || isLimited) // free memory is not needed for a builder that exists
   {
@@ -331,7 +331,7 @@ void DGGGraphUser::ReleaseBuilder()
 dgg::Status DGGGraphUser::Link(const dgg::SurfacePoint& place, const Points& aims,
   std::vector<dgg::GraphLink>& links, std::vector<double>& direct) const
 {
-  const DGGPreparedMesh& mesh = this->Graph->GetSurface();
+  const dgg::PreparedSurface& mesh = this->Graph->GetSurface();
   if (!mesh.IsCloud())
   {
     return this->Builder->Link(place, this->GetLinkAccuracy(), aims, links, direct);
@@ -382,7 +382,7 @@ dgg::Status DGGGraphUser::MakeSeeds(const DGGContext& context,
 //------------------------------------------------------------------------------
 dgg::Status DGGGraphUser::LinkPlaces(const DGGContext& context, const Points& places)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   LinkStore& store = this->Store;
   if (places.empty())
   {
@@ -390,7 +390,7 @@ dgg::Status DGGGraphUser::LinkPlaces(const DGGContext& context, const Points& pl
   }
   const double accuracy = this->GetLinkAccuracy();
   // Those of a cloud depend on its graph, and are found at once.
-  if (!mesh.IsCloud() && store.Mesh == mesh.GetBuildTime() && store.Accuracy == accuracy &&
+  if (!mesh.IsCloud() && store.Mesh == mesh.GetBuildNumber() && store.Accuracy == accuracy &&
     std::equal(
       places.begin(), places.end(), store.Places.begin(), store.Places.end(), dgg::IsSamePoint))
   {
@@ -409,7 +409,7 @@ dgg::Status DGGGraphUser::LinkPlaces(const DGGContext& context, const Points& pl
     store = LinkStore();
     return status;
   }
-  store.Mesh = mesh.GetBuildTime();
+  store.Mesh = mesh.GetBuildNumber();
   store.Accuracy = accuracy;
   store.Places = places;
   return status;
@@ -420,7 +420,7 @@ const dgg::PathFinder& DGGGraphUser::GetPathFinder()
 {
   if (!this->Finder)
   {
-    const DGGPreparedMesh& mesh = this->Graph->GetSurface();
+    const dgg::PreparedSurface& mesh = this->Graph->GetSurface();
     this->Finder = std::make_unique<dgg::PathFinder>(
       mesh.GetMesh(), *this->Search, this->Builder.get(), mesh.GetPositions());
   }
@@ -428,7 +428,7 @@ const dgg::PathFinder& DGGGraphUser::GetPathFinder()
 }
 
 //------------------------------------------------------------------------------
-dgg::BandPathShortener DGGGraphUser::MakeShortener(const DGGPreparedMesh& cloud) const
+dgg::BandPathShortener DGGGraphUser::MakeShortener(const dgg::PreparedSurface& cloud) const
 {
   return { cloud.GetPositions(), this->Search->GetGraph(),
     this->Graph->GetArrays().GetBand().Radii };

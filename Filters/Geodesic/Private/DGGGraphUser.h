@@ -88,7 +88,7 @@ public:
   /// mesh, whose positions have been made; it is kept as long as graph and builder are the same.
   const dgg::PathFinder& GetPathFinder();
   /// Returns the shortener of paths on a cloud. It uses the graph, which must outlive it.
-  dgg::BandPathShortener MakeShortener(const DGGPreparedMesh& cloud) const;
+  dgg::BandPathShortener MakeShortener(const dgg::PreparedSurface& cloud) const;
 
   ///@{
   /// What getters of filters report: whether the graph is that on the input, its numbers, all zero
@@ -113,11 +113,11 @@ private:
     std::vector<std::vector<dgg::GraphLink>> Links; // per place
   };
 
-  void FollowMesh(const DGGPreparedMesh& mesh);
+  void FollowMesh(const dgg::PreparedSurface& mesh);
   void ReleaseBuilder();
   void UseInput(const DGGContext& context, vtkObject* filter);
   dgg::Status UseOwn(const DGGContext& context, dgg::GraphOptions options);
-  void SearchIn(const DGGGraphArrays& arrays, const DGGPreparedMesh& mesh);
+  void SearchIn(const DGGGraphArrays& arrays, const dgg::PreparedSurface& mesh);
   void WarnAboutAccuracy(vtkObject* filter);
   dgg::Status LinkPlaces(const DGGContext& context, const Points& places);
   void ForgetGraph();

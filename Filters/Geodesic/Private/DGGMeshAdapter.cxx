@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGMeshAdapter.h"
 
+#include "DGGSurfaceArrays.h"
+
+#include "dggInvalidInput.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
@@ -26,9 +30,9 @@ vtkMTimeType AddressOf(const void* object)
 }
 
 /// A mesh without anything, so that there always is one.
-const DGGPreparedMesh::Pointer& GetNothing()
+const dgg::PreparedSurface::Pointer& GetNothing()
 {
-  static const auto nothing = std::make_shared<const DGGPreparedMesh>();
+  static const auto nothing = std::make_shared<const dgg::PreparedSurface>();
   return nothing;
 }
 }
@@ -40,14 +44,28 @@ DGGMeshAdapter::DGGMeshAdapter()
 }
 
 //------------------------------------------------------------------------------
-DGGMeshAdapter::Key DGGMeshAdapter::MakeKey(vtkPolyData* input, const DGGDomain& domain)
+DGGMeshAdapter::Key DGGMeshAdapter::MakeKey(vtkPolyData* input, const dgg::Domain& domain)
 {
   vtkPoints* points = input->GetPoints();
-  const bool isCloud = domain.Kind == DGGDomain::Cloud;
+  const bool isCloud = domain.Kind == dgg::Domain::Cloud;
   vtkCellArray* polygons = isCloud ? nullptr : input->GetPolys();
   vtkCellArray* strips = isCloud ? nullptr : input->GetStrips();
   return { { AddressOf(points), points ? points->GetMTime() : 0, AddressOf(polygons),
     TimeOf(polygons), AddressOf(strips), TimeOf(strips) } };
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGMeshAdapter::CheckSurface(vtkPolyData* input)
+{
+  if (input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0)
+  {
+    return dgg::Status::Success();
+  }
+  const vtkIdType n = input->GetNumberOfPoints();
+  return dgg::InvalidInput("the input has ", n, n == 1 ? " point" : " points",
+    " but no polygons or triangle strips: connect a surface mesh. Distances on a point cloud need "
+    "the graph that vtkPointCloudDGG makes, and a filter that searches it, as vtkDGGDistance or "
+    "vtkDGGPath; vtkDGGFastMarchingDistance gives rough ones without");
 }
 
 //------------------------------------------------------------------------------
@@ -58,7 +76,7 @@ void DGGMeshAdapter::Clear()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGMeshAdapter::Update(vtkPolyData* input, const DGGDomain& domain)
+dgg::Status DGGMeshAdapter::Update(vtkPolyData* input, const dgg::Domain& domain)
 {
   // After a change in place Modified() is often called on the data object alone. Another object
   // with the very same points and polygons is no change.
@@ -74,15 +92,21 @@ dgg::Status DGGMeshAdapter::Update(vtkPolyData* input, const DGGDomain& domain)
   }
   // Time stamps say that something may have changed, as after any update upstream. Look whether it
   // has.
-  const dgg::Signature fingerprint = DGGPreparedMesh::ComputeFingerprint(input, domain);
+  const bool isCloud = domain.Kind == dgg::Domain::Cloud;
+  const DGGSurfaceArrays arrays(input, isCloud);
+  const dgg::Signature fingerprint = dgg::PreparedSurface::ComputeFingerprint(arrays.Get(), domain);
   if (this->IsBuilt && this->Fingerprint == fingerprint)
   {
     this->BuiltFrom = key;
     return dgg::Status::Success();
   }
   this->Clear();
-  DGGPreparedMesh::Pointer prepared;
-  DGG_RETURN_IF_ERROR(DGGPreparedMesh::Make(input, domain, fingerprint, prepared));
+  dgg::PreparedSurface::Pointer prepared;
+  if (!isCloud)
+  {
+    DGG_RETURN_IF_ERROR(CheckSurface(input));
+  }
+  DGG_RETURN_IF_ERROR(dgg::PreparedSurface::Make(arrays.Get(), domain, fingerprint, prepared));
   this->Prepared = prepared;
   this->Fingerprint = fingerprint;
   this->BuiltFrom = key;

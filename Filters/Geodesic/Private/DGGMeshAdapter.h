@@ -5,9 +5,14 @@
 #ifndef DGGMeshAdapter_h
 #define DGGMeshAdapter_h
 
-#include "DGGPreparedMesh.h" // for the surface
+#include "dggPreparedSurface.h" // for the surface
+
+#include "vtkTimeStamp.h" // for the time
+#include "vtkType.h"      // for vtkMTimeType
 
 #include <array> // for the key
+
+class vtkPolyData;
 
 /// The surface of a vtkPolyData, kept until points, polygons or strips change.
 class DGGMeshAdapter
@@ -17,23 +22,26 @@ public:
 
   /// Prepare the surface, or share that of another filter; not when it would be the same again: by
   /// time stamps, and where these have changed by the bits of points and cells. Fails as
-  /// DGGPreparedMesh::Make(); then it is empty.
-  dgg::Status Update(vtkPolyData* input, const DGGDomain& domain);
+  /// dgg::PreparedSurface::Make(); then it is empty.
+  dgg::Status Update(vtkPolyData* input, const dgg::Domain& domain);
+
+  /// Fails if the input has no cell that a surface could be made of.
+  static dgg::Status CheckSurface(vtkPolyData* input);
 
   /// Forget the surface.
   void Clear();
 
-  const DGGPreparedMesh& Get() const { return *this->Prepared; }
+  const dgg::PreparedSurface& Get() const { return *this->Prepared; }
   /// When another surface was last taken.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
 private:
   /// Identity and age of points, polygons and strips. Time stamps are unique in VTK.
   using Key = std::array<vtkMTimeType, 6>;
-  static Key MakeKey(vtkPolyData* input, const DGGDomain& domain);
+  static Key MakeKey(vtkPolyData* input, const dgg::Domain& domain);
 
-  DGGPreparedMesh::Pointer Prepared; // never null
-  dgg::Signature Fingerprint{};      // of what it was made from
+  dgg::PreparedSurface::Pointer Prepared; // never null
+  dgg::Signature Fingerprint{};           // of what it was made from
   vtkTimeStamp BuildTime;
   Key BuiltFrom{};
   vtkMTimeType Object = 0; // the vtkPolyData last seen, and its own time

@@ -5,7 +5,7 @@
 #ifndef DGGMeshQuality_h
 #define DGGMeshQuality_h
 
-#include "DGGPreparedMesh.h" // for the mesh
+#include "dggPreparedSurface.h" // for the mesh
 
 #include "dggInvalidInput.h" // for JoinText
 
@@ -18,7 +18,7 @@
 /// 2.
 constexpr double DGGMostAnisotropy = 2.0;
 
-inline bool DGGHasLongTriangles(const DGGPreparedMesh& surface)
+inline bool DGGHasLongTriangles(const dgg::PreparedSurface& surface)
 {
   return surface.GetAnisotropy().Mean > DGGMostAnisotropy;
 }
@@ -26,7 +26,7 @@ inline bool DGGHasLongTriangles(const DGGPreparedMesh& surface)
 /// Returns a warning with the consequence and the remedy if much of the surface is covered by long
 /// triangles, otherwise an empty text.
 inline std::string DGGDescribeLongTriangles(
-  const DGGPreparedMesh& surface, const std::string& consequence)
+  const dgg::PreparedSurface& surface, const std::string& consequence)
 {
   return DGGHasLongTriangles(surface)
     ? dgg::JoinText("Much of the surface is covered by long triangles (GetMeanAnisotropy() is ",

@@ -69,7 +69,7 @@ std::vector<dgg::GraphSeed> MakeSeeds(const std::vector<dgg::GraphLink>& links)
 }
 
 /// Length of a polyline through points of a cloud, or near them.
-double MeasurePolyline(const dgg::SurfacePath& path, const DGGPreparedMesh& cloud)
+double MeasurePolyline(const dgg::SurfacePath& path, const dgg::PreparedSurface& cloud)
 {
   double length = 0.0;
   for (std::size_t i = 0; i + 1 < path.Points.size(); ++i)
@@ -81,7 +81,7 @@ double MeasurePolyline(const dgg::SurfacePath& path, const DGGPreparedMesh& clou
   return length;
 }
 
-dgg::Point3 GetPosition(const dgg::SurfacePoint& place, const DGGPreparedMesh& cloud)
+dgg::Point3 GetPosition(const dgg::SurfacePoint& place, const dgg::PreparedSurface& cloud)
 {
   const auto p = dgg::PositionOf(cloud.GetMesh(), place, cloud.GetPositions());
   return { p[0], p[1], p[2] };
@@ -109,7 +109,7 @@ std::vector<dgg::SurfacePoint> MakePlaces(
 
 /// A smooth path; its points beside those of the cloud as seen from a point of it, no matter which.
 std::vector<dgg::SurfacePoint> MakePlaces(
-  const dgg::BandPath& path, dgg::Id from, const DGGPreparedMesh& cloud)
+  const dgg::BandPath& path, dgg::Id from, const dgg::PreparedSurface& cloud)
 {
   const dgg::Point3 origin = GetPosition(dgg::SurfacePoint::AtVertex(from), cloud);
   std::vector<dgg::SurfacePoint> places;

@@ -11,7 +11,10 @@
 #include <vector> // for the pairs
 
 class DGGGraphUser;
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 struct DGGContext;
 
 /// Points between which a path is wanted.
@@ -44,7 +47,7 @@ private:
     const dgg::ProgressCallback& progress, dgg::FoundPath& found) const;
 
   const DGGContext& Context;
-  const DGGPreparedMesh& Mesh;
+  const dgg::PreparedSurface& Mesh;
   const Pairs& PointPairs;
 };
 

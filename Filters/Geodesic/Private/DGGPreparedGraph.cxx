@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGPreparedGraph.h"
 
-#include "DGGSharedTable.h"
+#include "dggSharedTable.h"
 
 #include <utility>
 
@@ -12,15 +12,16 @@ namespace
 using GraphKey = std::pair<DGGGraphArrays::Key, vtkMTimeType>;
 
 /// The graphs that filters hold.
-DGGSharedTable<GraphKey, DGGPreparedGraph>& GetGraphsInUse()
+dgg::SharedTable<GraphKey, DGGPreparedGraph>& GetGraphsInUse()
 {
-  static DGGSharedTable<GraphKey, DGGPreparedGraph> graphs;
+  static dgg::SharedTable<GraphKey, DGGPreparedGraph> graphs;
   return graphs;
 }
 }
 
 //------------------------------------------------------------------------------
-DGGPreparedGraph::DGGPreparedGraph(const DGGGraphArrays& arrays, const DGGPreparedMesh& surface)
+DGGPreparedGraph::DGGPreparedGraph(
+  const DGGGraphArrays& arrays, const dgg::PreparedSurface& surface)
   : Arrays(arrays)
   , Surface(surface.shared_from_this())
   , Summary(arrays.GetView())
@@ -30,9 +31,9 @@ DGGPreparedGraph::DGGPreparedGraph(const DGGGraphArrays& arrays, const DGGPrepar
 
 //------------------------------------------------------------------------------
 DGGPreparedGraph::Pointer DGGPreparedGraph::Make(
-  const DGGGraphArrays& arrays, const DGGPreparedMesh& surface)
+  const DGGGraphArrays& arrays, const dgg::PreparedSurface& surface)
 {
-  const GraphKey key(arrays.GetKey(), surface.GetBuildTime());
+  const GraphKey key(arrays.GetKey(), surface.GetBuildNumber());
   Pointer graph = GetGraphsInUse().Find(key);
   if (!graph)
   {

@@ -5,8 +5,8 @@
 #ifndef DGGPreparedGraph_h
 #define DGGPreparedGraph_h
 
-#include "DGGGraphArrays.h"  // for the arrays
-#include "DGGPreparedMesh.h" // for the surface
+#include "DGGGraphArrays.h"     // for the arrays
+#include "dggPreparedSurface.h" // for the surface
 
 #include "dggGraphSearch.h" // for GraphSearch
 
@@ -22,13 +22,13 @@ public:
 
   /// For the valid graph of a surface: one that is in use already, or else a new one. It keeps both
   /// of them alive.
-  static Pointer Make(const DGGGraphArrays& arrays, const DGGPreparedMesh& surface);
+  static Pointer Make(const DGGGraphArrays& arrays, const dgg::PreparedSurface& surface);
 
   /// Use Make().
-  DGGPreparedGraph(const DGGGraphArrays& arrays, const DGGPreparedMesh& surface);
+  DGGPreparedGraph(const DGGGraphArrays& arrays, const dgg::PreparedSurface& surface);
 
   const DGGGraphArrays& GetArrays() const { return this->Arrays; }
-  const DGGPreparedMesh& GetSurface() const { return *this->Surface; }
+  const dgg::PreparedSurface& GetSurface() const { return *this->Surface; }
   /// Its numbers, also when somebody has emptied the arrays.
   const DGGGraphSummary& GetSummary() const { return this->Summary; }
   /// To be copied by those who use landmarks.
@@ -36,7 +36,7 @@ public:
 
 private:
   DGGGraphArrays Arrays;
-  DGGPreparedMesh::Pointer Surface;
+  dgg::PreparedSurface::Pointer Surface;
   DGGGraphSummary Summary;
   dgg::GraphSearch Search;
 };

@@ -7,9 +7,9 @@
 #ifndef DGGPropagation_h
 #define DGGPropagation_h
 
-#include "DGGContext.h"      // For the mesh
-#include "DGGMeshQuality.h"  // For the anisotropy
-#include "DGGPreparedMesh.h" // For the mesh
+#include "DGGContext.h"         // For the mesh
+#include "DGGMeshQuality.h"     // For the anisotropy
+#include "dggPreparedSurface.h" // For the mesh
 
 #include "dggSourcePropagation.h" // For the solver
 
@@ -21,7 +21,7 @@ class DGGPropagation
 {
 public:
   /// Which quality is right for the mesh.
-  static dgg::PropagationQuality Choose(const DGGPreparedMesh& surface)
+  static dgg::PropagationQuality Choose(const dgg::PreparedSurface& surface)
   {
     return DGGHasLongTriangles(surface) ? dgg::PropagationQuality::High
                                         : dgg::PropagationQuality::Fast;
@@ -31,14 +31,14 @@ public:
   dgg::Status Run(const DGGContext& context, const std::vector<dgg::GeodesicSource>& sources,
     dgg::PropagationOptions options, dgg::PropagationResult& result)
   {
-    const DGGPreparedMesh& surface = context.Surface;
+    const dgg::PreparedSurface& surface = context.Surface;
     const dgg::SurfaceMesh& mesh =
       options.WantVirtualSource ? surface.GetMesh() : surface.GetMeshWithoutAngles();
-    if (!this->Solver || this->MeshTime != surface.GetBuildTime())
+    if (!this->Solver || this->MeshTime != surface.GetBuildNumber())
     {
       this->Solver.reset(); // before there are two
       this->Solver.reset(new dgg::SourcePropagation(mesh));
-      this->MeshTime = surface.GetBuildTime();
+      this->MeshTime = surface.GetBuildNumber();
     }
     options.Parallel = context.Parallel;
     options.Progress = context.Progress;

@@ -6,7 +6,7 @@
 #include "DGGCloudNormals.h"
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggBitHash.h"
 #include "dggProgressPart.h"
@@ -70,7 +70,7 @@ dgg::Status vtkPointCloudDGG::Estimate()
   const DGGContext context = this->MakeContext(cloud);
   DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 0.0));
   DGG_RETURN_IF_ERROR(this->FindNormals(context, source, normals, done));
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   options.Normals = normals ? normals->data() : nullptr;
   options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
   options.Parallel = context.Parallel;
@@ -111,7 +111,7 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   const DGGContext& context, const NormalsSource& source, Normals& normals, double& done)
 {
   vtkInternals& internals = *this->Internals;
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   normals.reset();
   done = 0.0;
   const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
@@ -133,7 +133,7 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   }
   const bool isKept = internals.PlaneNormals &&
     internals.NormalsNeighbors == source.NumberOfNeighbors &&
-    internals.NormalsMesh == mesh.GetBuildTime();
+    internals.NormalsMesh == mesh.GetBuildNumber();
   if (!isKept)
   {
     DGG_RETURN_IF_ERROR(DGGCheckMemory("finding normals", BytesPerNormal * points,
@@ -143,7 +143,7 @@ dgg::Status vtkPointCloudDGG::FindNormals(
       dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found));
     internals.PlaneNormals = found;
     internals.NormalsNeighbors = source.NumberOfNeighbors;
-    internals.NormalsMesh = mesh.GetBuildTime();
+    internals.NormalsMesh = mesh.GetBuildNumber();
     done = NormalsShare;
   }
   normals = internals.PlaneNormals;
@@ -156,7 +156,7 @@ dgg::Status vtkPointCloudDGG::Build(
   const DGGContext& context, dgg::CloudGraphOptions options, double done)
 {
   vtkInternals& internals = *this->Internals;
-  const DGGPreparedMesh& mesh = context.Surface;
+  const dgg::PreparedSurface& mesh = context.Surface;
   const dgg::Id n = mesh.GetMesh().GetNumberOfVertices();
   const dgg::Signature key = MakeKey(options, n);
   const bool isKept = internals.Built.IsValid() && internals.BuiltBy == key &&

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGDistribution.h"
 
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggEarthMovers.h"
 #include "dggInvalidInput.h"
@@ -104,8 +104,8 @@ dgg::Status DGGDistribution::Collect(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGDistribution::Integrate(
-  const DGGPreparedMesh& mesh, const std::vector<double>* areas, std::vector<double>& masses) const
+dgg::Status DGGDistribution::Integrate(const dgg::PreparedSurface& mesh,
+  const std::vector<double>* areas, std::vector<double>& masses) const
 {
   masses.assign(static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices()), 0.0);
   for (std::size_t i = 0; i < this->Values.size(); ++i)

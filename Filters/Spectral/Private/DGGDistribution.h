@@ -10,7 +10,10 @@
 #include <string> // for names
 #include <vector> // for masses
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 class vtkPolyData;
 
 /// Read a point array of one number per point, each of them finite, masses not negative. `where` is
@@ -41,7 +44,7 @@ public:
   dgg::Status Collect(const DGGContext& context, const DGGMassOrigin& origin, double tolerance);
 
   /// Masses per vertex. `areas`, per vertex, is null when the numbers are masses themselves.
-  dgg::Status Integrate(const DGGPreparedMesh& mesh, const std::vector<double>* areas,
+  dgg::Status Integrate(const dgg::PreparedSurface& mesh, const std::vector<double>* areas,
     std::vector<double>& masses) const;
 
 private:

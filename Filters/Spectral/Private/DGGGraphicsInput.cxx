@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGGraphicsInput.h"
 
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggInvalidInput.h"
 
@@ -391,7 +391,8 @@ void DGGGraphicsInput::ReadRegions(vtkPolyData* surface, const DGGGraphicsNames&
 }
 
 //------------------------------------------------------------------------------
-std::vector<dgg::GraphicsRegion> DGGGraphicsInput::MakeRegions(const DGGPreparedMesh& mesh) const
+std::vector<dgg::GraphicsRegion> DGGGraphicsInput::MakeRegions(
+  const dgg::PreparedSurface& mesh) const
 {
   std::vector<dgg::GraphicsRegion> regions;
   for (const std::vector<double>& strength : this->RegionStrengths)
@@ -436,7 +437,7 @@ dgg::Status DGGGraphicsInput::CheckRefinement(vtkPolyData* surface, const DGGGra
 
 //------------------------------------------------------------------------------
 std::vector<dgg::Id> DGGGraphicsInput::FindRefinedFaces(
-  vtkPolyData* surface, const DGGGraphicsNames& names, const DGGPreparedMesh& mesh)
+  vtkPolyData* surface, const DGGGraphicsNames& names, const dgg::PreparedSurface& mesh)
 {
   std::vector<dgg::Id> faces;
   vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());

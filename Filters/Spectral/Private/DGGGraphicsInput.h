@@ -12,7 +12,10 @@
 #include <string> // for names
 #include <vector> // for curves
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 class vtkPolyData;
 
 /// Names of arrays, and what counts where there is none.
@@ -39,13 +42,13 @@ public:
   dgg::Status Read(vtkPolyData* curves, vtkPolyData* surface, const DGGGraphicsNames& names);
 
   /// The cells of regions as faces of the mesh.
-  std::vector<dgg::GraphicsRegion> MakeRegions(const DGGPreparedMesh& mesh) const;
+  std::vector<dgg::GraphicsRegion> MakeRegions(const dgg::PreparedSurface& mesh) const;
 
   /// Fails when there is no array that says which cells are refined, or a number of it is not one.
   static dgg::Status CheckRefinement(vtkPolyData* surface, const DGGGraphicsNames& names);
   /// The faces of these cells, after CheckRefinement().
   static std::vector<dgg::Id> FindRefinedFaces(
-    vtkPolyData* surface, const DGGGraphicsNames& names, const DGGPreparedMesh& mesh);
+    vtkPolyData* surface, const DGGGraphicsNames& names, const dgg::PreparedSurface& mesh);
 
   int GetNumberOfChannels() const { return this->NumberOfChannels; }
   const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }

@@ -4,7 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 //------------------------------------------------------------------------------
 int DGGPoissonCache::GetNumberOfFactorizations() const
@@ -15,9 +15,9 @@ int DGGPoissonCache::GetNumberOfFactorizations() const
 
 //------------------------------------------------------------------------------
 bool DGGPoissonCache::IsPrepared(
-  const DGGPreparedMesh& mesh, const dgg::PoissonOptions& options) const
+  const dgg::PreparedSurface& mesh, const dgg::PoissonOptions& options) const
 {
-  return this->Solver && this->MeshTime == mesh.GetBuildTime() && this->Solver->IsReady() &&
+  return this->Solver && this->MeshTime == mesh.GetBuildNumber() && this->Solver->IsReady() &&
     this->Solver->GetOptions().Boundary == options.Boundary &&
     this->Solver->GetOptions().DirichletVertices == options.DirichletVertices &&
     this->Solver->GetOptions().IntrinsicDelaunay == options.IntrinsicDelaunay;
@@ -27,14 +27,14 @@ bool DGGPoissonCache::IsPrepared(
 dgg::Status DGGPoissonCache::Prepare(const DGGContext& context, const dgg::PoissonOptions& options,
   const OtherMemory& others, const std::string& remedy, const dgg::ProgressCallback& progress)
 {
-  const DGGPreparedMesh& mesh = context.Surface;
-  if (!this->Solver || this->MeshTime != mesh.GetBuildTime())
+  const dgg::PreparedSurface& mesh = context.Surface;
+  if (!this->Solver || this->MeshTime != mesh.GetBuildNumber())
   {
     this->EarlierFactorizations = this->GetNumberOfFactorizations();
     this->Solver.reset(); // before there are two
     this->Solver = std::make_unique<dgg::PoissonSolver>(mesh.GetMesh());
     this->SolverTime.Modified();
-    this->MeshTime = mesh.GetBuildTime();
+    this->MeshTime = mesh.GetBuildNumber();
   }
   return this->Solver->Prepare(options, progress, [&](double bytes, double missing) {
     // What is held already is not free any more, so it must not count against what is free.

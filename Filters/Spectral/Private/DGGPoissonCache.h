@@ -14,7 +14,10 @@
 #include <memory>     // for the solver
 #include <string>     // for advice
 
-class DGGPreparedMesh;
+namespace dgg
+{
+class PreparedSurface;
+}
 struct DGGContext;
 
 /// Keeps a dgg::PoissonSolver until the mesh changes, or an option that matters to its matrix.
@@ -31,7 +34,7 @@ public:
     const OtherMemory& others, const std::string& remedy, const dgg::ProgressCallback& progress);
 
   /// Whether Prepare() would have nothing to factorize.
-  bool IsPrepared(const DGGPreparedMesh& mesh, const dgg::PoissonOptions& options) const;
+  bool IsPrepared(const dgg::PreparedSurface& mesh, const dgg::PoissonOptions& options) const;
 
   /// After Prepare().
   const dgg::PoissonSolver& GetSolver() const { return *this->Solver; }

@@ -3,7 +3,7 @@
 #include "DGGSpectralOutputs.h"
 
 #include "DGGMakeArray.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggBuffer.h"
 
@@ -39,7 +39,7 @@ double DGGSpectralOutputs::EstimateMemory(
 }
 
 //------------------------------------------------------------------------------
-DGGSpectralOutputs::DGGSpectralOutputs(const DGGPreparedMesh& mesh, std::size_t numberOfPoints,
+DGGSpectralOutputs::DGGSpectralOutputs(const dgg::PreparedSurface& mesh, std::size_t numberOfPoints,
   std::size_t numberOfTargets, std::size_t numberOfSources, const std::string& name)
   : Mesh(mesh)
   , NumberOfPoints(numberOfPoints)

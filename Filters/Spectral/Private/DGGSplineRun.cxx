@@ -4,7 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGDistribution.h"
-#include "DGGPreparedMesh.h"
+#include "dggPreparedSurface.h"
 
 #include "dggGeodesicSource.h"
 #include "dggInvalidInput.h"
@@ -38,8 +38,9 @@ std::vector<double> Interpolate(const dgg::SurfaceMesh& mesh,
 }
 
 /// Sources per vertex from numbers per point; none where values are given.
-std::vector<double> Integrate(const DGGPreparedMesh& prepared, const dgg::PoissonSolver& solver,
-  const std::vector<double>& numbers, bool isDensity, double& imbalance)
+std::vector<double> Integrate(const dgg::PreparedSurface& prepared,
+  const dgg::PoissonSolver& solver, const std::vector<double>& numbers, bool isDensity,
+  double& imbalance)
 {
   const std::size_t n = solver.GetAreas().size();
   std::vector<double> sources(n, 0.0);

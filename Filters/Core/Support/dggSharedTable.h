@@ -1,24 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What filters share. Internal.
-#ifndef DGGSharedTable_h
-#define DGGSharedTable_h
+/// Objects that several users share. Internal.
+#ifndef dggSharedTable_h
+#define dggSharedTable_h
 
 #include <iterator> // for std::next
 #include <map>      // for the table
 #include <memory>   // for sharing
 #include <mutex>    // for threads
 
-/// What is in use, by a key that identifies it. The table owns nothing: a value is released with
-/// the last filter that has it.
+namespace dgg
+{
+/// Objects in use, by a key that identifies them. The table owns nothing: an object is released
+/// with its last user.
 template <typename Key, typename Value>
-class DGGSharedTable
+class SharedTable
 {
 public:
   using Pointer = std::shared_ptr<const Value>;
 
-  /// Null when there is none.
+  /// Returns the object in use by this key, or null.
   Pointer Find(const Key& key)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -26,7 +28,7 @@ public:
     return found == this->Values.end() ? nullptr : found->second.lock();
   }
 
-  /// What is in use by this key: the value, unless another thread has added one before.
+  /// Returns the object in use by this key: `value` unless another thread has added one before.
   Pointer Add(const Key& key, const Pointer& value)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -48,5 +50,6 @@ private:
   std::mutex Mutex;
   std::map<Key, std::weak_ptr<const Value>> Values;
 };
+}
 
 #endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGSurfaceArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+DGGSurfaceArrays::DGGSurfaceArrays(vtkPolyData* input, bool isCloud)
+{
+  this->Arrays.NumberOfPoints = input->GetNumberOfPoints();
+  if (this->Arrays.NumberOfPoints > 0)
+  {
+    vtkDataArray* points = input->GetPoints()->GetData();
+    this->Arrays.Points = this->ConvertPoints(points);
+    this->Arrays.AreFromFloats = points->GetDataType() == VTK_FLOAT;
+  }
+  if (!isCloud)
+  {
+    this->Arrays.Polygons = this->ConvertCells(input->GetPolys());
+    this->Arrays.Strips = this->ConvertCells(input->GetStrips());
+    this->Arrays.FirstCell = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  }
+}
+
+//------------------------------------------------------------------------------
+const double* DGGSurfaceArrays::ConvertPoints(vtkDataArray* points)
+{
+  if (auto* doubles = vtkDoubleArray::FastDownCast(points))
+  {
+    return doubles->GetPointer(0);
+  }
+  this->Points.resize(static_cast<std::size_t>(points->GetNumberOfValues()));
+  if (auto* floats = vtkFloatArray::FastDownCast(points))
+  {
+    std::copy_n(floats->GetPointer(0), this->Points.size(), this->Points.begin());
+    return this->Points.data();
+  }
+  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+  {
+    points->GetTuple(i, this->Points.data() + 3 * i);
+  }
+  return this->Points.data();
+}
+
+//------------------------------------------------------------------------------
+dgg::CellArrays DGGSurfaceArrays::ConvertCells(vtkCellArray* cells)
+{
+  if (!cells || cells->GetNumberOfCells() <= 0)
+  {
+    return {};
+  }
+  vtkDataArray* ids = cells->GetConnectivityArray();
+  return { cells->GetNumberOfCells(), this->ConvertIds(cells->GetOffsetsArray()),
+    this->ConvertIds(ids), ids->GetNumberOfValues() };
+}
+
+//------------------------------------------------------------------------------
+const dgg::Offset* DGGSurfaceArrays::ConvertIds(vtkDataArray* ids)
+{
+  static_assert(sizeof(vtkTypeInt64) == sizeof(dgg::Offset));
+  if (auto* values = vtkTypeInt64Array::FastDownCast(ids))
+  {
+    return static_cast<const dgg::Offset*>(values->GetVoidPointer(0));
+  }
+  auto& copy = this->Ids.emplace_back(static_cast<std::size_t>(ids->GetNumberOfValues()));
+  if (auto* values = vtkTypeInt32Array::FastDownCast(ids))
+  {
+    std::copy_n(values->GetPointer(0), copy.size(), copy.begin());
+    return copy.data();
+  }
+  for (std::size_t i = 0; i < copy.size(); ++i)
+  {
+    copy[i] = static_cast<dgg::Offset>(ids->GetComponent(static_cast<vtkIdType>(i), 0));
+  }
+  return copy.data();
+}

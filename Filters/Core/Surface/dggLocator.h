@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The point of a surface or a cloud that is closest to a point in space. Internal.
+#ifndef dggLocator_h
+#define dggLocator_h
+
+#include "dggBoxTree.h"      // for BoxTree
+#include "dggCloudFrame.h"   // for CloudFrame
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include <array>  // for the coordinates
+#include <vector> // for the map
+
+namespace dgg
+{
+/// Finds closest points. Several threads may search at the same time.
+class Locator
+{
+public:
+  virtual ~Locator() = default;
+
+  /// Finds the closest point, and its distance in the units of the points. Returns false if there
+  /// is none.
+  virtual bool FindClosestPoint(
+    const double position[3], SurfacePoint& closest, double& distance) const = 0;
+
+  /// Diagonal of the bounding box.
+  virtual double GetDiagonal() const = 0;
+
+  /// Returns true if a position at this distance from its closest point counts as a point of the
+  /// surface. Positions no farther away than `farthest` always do.
+  virtual bool IsClose(const SurfacePoint& closest, double distance, double farthest) const = 0;
+};
+
+/// Finds closest points on a mesh. Coordinates are scaled by a power of two for the search, so that
+/// the result is the same at any scale, bit by bit. Of several closest faces, the one with the
+/// smallest id is used.
+class DGG_CORE_EXPORT SurfaceLocator : public Locator
+{
+public:
+  /// `mesh` and `positions` (x y z per vertex) must outlive the locator; the mesh has a face.
+  SurfaceLocator(const SurfaceMesh& mesh, const double* positions);
+
+  bool FindClosestPoint(
+    const double position[3], SurfacePoint& closest, double& distance) const override;
+  double GetDiagonal() const override { return this->Diagonal; }
+  bool IsClose(const SurfacePoint&, double distance, double farthest) const override
+  {
+    return distance <= farthest + this->Rounding;
+  }
+
+private:
+  using Vector = std::array<double, 3>;
+
+  Vector GetScaled(const double* position) const;
+  /// Returns barycentric coordinates, in the order of the input, of the closest point of a face.
+  Vector Project(const Vector& p, Id face, double& squaredDistance) const;
+  std::array<Id, 3> GetInputTriangle(Id face) const;
+
+  const SurfaceMesh& Mesh;
+  const double* Positions;
+  double Diagonal = 0.0;
+  double Rounding = 0.0; // a few units in the last place of the largest coordinate
+  double Scale = 1.0;    // power of two
+  BoxTree Tree;          // of faces
+};
+
+/// Finds closest points of a cloud among those that are finite. Coordinates are taken from the
+/// middle of the cloud and scaled by a power of two for the search, so that the result is the same
+/// at any scale, bit by bit. The few points that are far off all others (dggOutliers.h) are
+/// examined one by one: in the frame of all points the others would lose digits.
+class DGG_CORE_EXPORT CloudLocator : public Locator
+{
+public:
+  /// `positions`, x y z per point, must outlive the locator.
+  CloudLocator(const double* positions, Id numberOfPoints);
+
+  /// The result is the position as seen from the closest point of the cloud, of several the one
+  /// with the smallest id. Returns false also if no distance is in the range of double.
+  bool FindClosestPoint(
+    const double position[3], SurfacePoint& closest, double& distance) const override;
+
+  /// Of the finite points, without those far off all others.
+  double GetDiagonal() const override { return this->Frame.GetDiagonal(); }
+
+  /// Positions that are among the points of the cloud are close as well.
+  bool IsClose(const SurfacePoint& closest, double distance, double farthest) const override
+  {
+    return distance <= farthest || distance <= this->GetReach(closest);
+  }
+
+private:
+  double GetDistance(Id point, const double position[3]) const;
+  /// Square of a distance in the units of the points, in those of the search, rounded up.
+  double GetSquaredLimit(double distance) const;
+  /// Returns the distance from the point that `closest` refers to to its sixth neighbor: a triangle
+  /// mesh has that many. 0 when there are too few. Points far off all others have only each other
+  /// as neighbors.
+  double GetReach(const SurfacePoint& closest) const;
+
+  const double* Positions;
+  CloudFrame Frame;    // of the points in Tree
+  std::vector<Id> Ids; // of the cloud, per element of Tree
+  std::vector<Id> Far; // of the cloud, one per position
+  BoxTree Tree;
+};
+}
+
+#endif

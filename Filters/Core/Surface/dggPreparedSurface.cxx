@@ -1,0 +1,527 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPreparedSurface.h"
+
+#include "dggBitHash.h"
+#include "dggBoxTree.h"
+#include "dggCoincidentPoints.h"
+#include "dggInvalidInput.h"
+#include "dggLocator.h"
+#include "dggPolygonTriangulator.h"
+#include "dggSharedTable.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace dgg
+{
+namespace
+{
+/// Parts of a surface that are closer to each other than this fraction of the diagonal of the
+/// bounding box are probably meant to be one.
+constexpr double SuspectGap = 1e-6;
+
+/// Largest spacing of coordinates in single precision, in mean edge lengths, without a warning.
+constexpr double LargestFloatSpacing = 1e-4;
+
+const double* At(const double* points, Offset i)
+{
+  return points + 3 * i;
+}
+
+bool IsFinite(const double* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Returns the ids of points with finite coordinates.
+std::vector<Id> CollectFinite(const std::vector<double>& points)
+{
+  std::vector<Id> ids;
+  for (Offset i = 0; i < static_cast<Offset>(points.size() / 3); ++i)
+  {
+    if (IsFinite(At(points.data(), i)))
+    {
+      ids.push_back(static_cast<Id>(i));
+    }
+  }
+  return ids;
+}
+
+double GetDiagonal(const std::vector<double>& points, const std::vector<Id>& ids)
+{
+  Box box;
+  for (const Id id : ids)
+  {
+    box.Add(At(points.data(), id));
+  }
+  return box.GetDiagonal();
+}
+
+Status CheckOffsets(const CellArrays& cells)
+{
+  bool isValid = cells.Offsets[0] == 0 && cells.Offsets[cells.NumberOfCells] == cells.NumberOfIds;
+  for (Offset i = 0; i < cells.NumberOfCells; ++i)
+  {
+    isValid = isValid && cells.Offsets[i] <= cells.Offsets[i + 1];
+  }
+  return isValid ? Status::Success()
+                 : Status::Invalid("the offsets and the connectivity of the input's polygons or "
+                                   "strips contradict each other: build the cell array anew");
+}
+
+void AddCells(BitHash& hash, const CellArrays& cells)
+{
+  if (cells.NumberOfCells > 0)
+  {
+    hash.Add(cells.Offsets, static_cast<std::size_t>(cells.NumberOfCells) + 1);
+    hash.Add(cells.Ids, static_cast<std::size_t>(cells.NumberOfIds));
+  }
+}
+
+/// The surfaces in use, by fingerprint.
+SharedTable<Signature, PreparedSurface>& GetSurfacesInUse()
+{
+  static SharedTable<Signature, PreparedSurface> surfaces;
+  return surfaces;
+}
+}
+
+//------------------------------------------------------------------------------
+PreparedSurface::PreparedSurface() = default;
+PreparedSurface::~PreparedSurface() = default;
+
+//------------------------------------------------------------------------------
+Signature PreparedSurface::ComputeFingerprint(const SurfaceArrays& input, const Domain& domain)
+{
+  BitHash hash;
+  const std::array<Offset, 6> sizes{ { input.NumberOfPoints, input.Polygons.NumberOfCells,
+    input.Strips.NumberOfCells, input.FirstCell, static_cast<Offset>(domain.Kind),
+    input.AreFromFloats ? 1 : 0 } };
+  hash.Add(sizes.data(), sizes.size());
+  hash.Add(&domain.MergeTolerance, 1);
+  hash.Add(input.Points, 3 * static_cast<std::size_t>(input.NumberOfPoints));
+  AddCells(hash, input.Polygons);
+  AddCells(hash, input.Strips);
+  return hash.Finish();
+}
+
+//------------------------------------------------------------------------------
+Status PreparedSurface::Make(
+  const SurfaceArrays& input, const Domain& domain, const Signature& fingerprint, Pointer& prepared)
+{
+  static std::atomic<std::uint64_t> numberOfBuilds{ 0 };
+  prepared = GetSurfacesInUse().Find(fingerprint);
+  if (prepared)
+  {
+    return Status::Success();
+  }
+  const auto made = std::make_shared<PreparedSurface>();
+  made->InputDomain = domain;
+  DGG_RETURN_IF_ERROR(made->Build(input));
+  made->BuildNumber = ++numberOfBuilds;
+  prepared = GetSurfacesInUse().Add(fingerprint, made);
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+Status PreparedSurface::Build(const SurfaceArrays& input)
+{
+  const Offset n = input.NumberOfPoints;
+  if (n > std::numeric_limits<Id>::max())
+  {
+    return InvalidInput("the input has ", n, " points; at most ", std::numeric_limits<Id>::max(),
+      " are supported: decimate or split it");
+  }
+  this->Positions.assign(input.Points, input.Points + 3 * n);
+  const double* points = this->Positions.data();
+  if (this->IsCloud())
+  {
+    this->MeshSignature = ComputeSignature(points, n, nullptr, 0);
+    return SurfaceMesh::FromPointsWithoutAngles(points, n, nullptr, 0, this->Mesh);
+  }
+  if (this->InputDomain.Kind == Domain::MergedSurface)
+  {
+    this->MergeCoincidentPoints();
+  }
+  std::vector<Id> triangles;
+  DGG_RETURN_IF_ERROR(this->Triangulate(input, triangles));
+  std::vector<Id> parents;
+  this->Caps = SplitCaps(points, triangles, parents);
+  if (this->Caps.NumberOfCaps > 0)
+  {
+    std::vector<Offset> cells(parents.size());
+    std::transform(parents.begin(), parents.end(), cells.begin(),
+      [this](Id triangle) { return this->Cells[triangle]; });
+    this->Cells.swap(cells);
+  }
+  this->NumberOfOrderedFaces = static_cast<std::size_t>(
+    std::is_sorted_until(this->Cells.begin(), this->Cells.end()) - this->Cells.begin());
+  const auto numberOfTriangles = static_cast<Offset>(triangles.size() / 3);
+  DGG_RETURN_IF_ERROR(SurfaceMesh::FromPointsWithoutAngles(
+    points, n, triangles.data(), numberOfTriangles, this->Mesh));
+  this->MeshSignature = ComputeSignature(points, n, triangles.data(), numberOfTriangles);
+  this->NumberOfCoincidentPoints = CountCoincidentPoints(points, n);
+  if (this->InputDomain.Kind == Domain::Surface)
+  {
+    this->CountCoincidentBoundaryPoints();
+  }
+  this->CollectWarnings();
+  if (input.AreFromFloats)
+  {
+    this->CheckPrecision();
+  }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell) const
+{
+  DGG_RETURN_IF_ERROR(CheckOffsets(cells));
+  const auto n = static_cast<Offset>(this->Positions.size() / 3);
+  for (Offset i = 0; i < cells.NumberOfCells; ++i)
+  {
+    for (Offset k = cells.Offsets[i]; k < cells.Offsets[i + 1]; ++k)
+    {
+      const Offset id = cells.Ids[k];
+      if (id < 0 || id >= n)
+      {
+        return InvalidInput("cell ", firstCell + i, " names point ", id, ", but the input has ", n,
+          n == 1 ? " point" : " points", ": repair the cell");
+      }
+      const double* p = At(this->Positions.data(), id);
+      if (!IsFinite(p))
+      {
+        return InvalidInput("point ", id, " of cell ", firstCell + i, " has the coordinates (",
+          p[0], ", ", p[1], ", ", p[2],
+          "), which are not finite: repair the point or remove the cell");
+      }
+    }
+  }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+Status PreparedSurface::Triangulate(const SurfaceArrays& input, std::vector<Id>& triangles)
+{
+  triangles.reserve(3 * static_cast<std::size_t>(input.Polygons.NumberOfCells));
+  this->Cells.reserve(static_cast<std::size_t>(input.Polygons.NumberOfCells));
+  DGG_RETURN_IF_ERROR(this->TriangulateCells(input.Polygons, false, input.FirstCell, triangles));
+  DGG_RETURN_IF_ERROR(this->TriangulateCells(
+    input.Strips, true, input.FirstCell + input.Polygons.NumberOfCells, triangles));
+  if (!triangles.empty())
+  {
+    return Status::Success();
+  }
+  if (this->InputDomain.MergeTolerance > 0.0 && this->NumberOfMergedPoints > 0)
+  {
+    return InvalidInput("no polygon is left with three distinct points: MergeTolerance is ",
+      this->InputDomain.MergeTolerance, ", which has merged ", this->NumberOfMergedPoints,
+      " points with others; make it smaller");
+  }
+  return InvalidInput("none of the ", this->NumberOfDroppedCells,
+    " polygons and strips of the input has three distinct points: connect a surface mesh");
+}
+
+//------------------------------------------------------------------------------
+Status PreparedSurface::TriangulateCells(
+  const CellArrays& cells, bool areStrips, Offset firstCell, std::vector<Id>& triangles)
+{
+  if (cells.NumberOfCells == 0)
+  {
+    return Status::Success();
+  }
+  DGG_RETURN_IF_ERROR(this->CheckCells(cells, firstCell));
+  PolygonTriangulator triangulator(this->Positions.data());
+  std::vector<Id> corners;
+  for (Offset i = 0; i < cells.NumberOfCells; ++i)
+  {
+    const Offset* ids = cells.Ids + cells.Offsets[i];
+    const Offset size = cells.Offsets[i + 1] - cells.Offsets[i];
+    const std::size_t before = triangles.size();
+    if (areStrips || size == 3)
+    {
+      for (Offset k = 0; k + 2 < size; ++k)
+      {
+        const Offset odd = k % 2; // every second triangle of a strip is turned over
+        PolygonTriangulator::Append(this->GetVertex(ids[k]), this->GetVertex(ids[k + 1 + odd]),
+          this->GetVertex(ids[k + 2 - odd]), triangles);
+      }
+    }
+    else
+    {
+      corners.resize(static_cast<std::size_t>(size));
+      std::transform(
+        ids, ids + size, corners.begin(), [this](Offset id) { return this->GetVertex(id); });
+      triangulator.Triangulate(corners, triangles);
+    }
+    this->NumberOfDroppedCells += triangles.size() == before ? 1 : 0;
+    this->Cells.resize(triangles.size() / 3, firstCell + i);
+  }
+  this->NumberOfFans += triangulator.GetNumberOfFans();
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void PreparedSurface::MergeCoincidentPoints()
+{
+  const std::vector<Id> ids = CollectFinite(this->Positions);
+  const double tolerance = this->InputDomain.MergeTolerance * GetDiagonal(this->Positions, ids);
+  const std::vector<Id> representatives =
+    FindRepresentatives(this->Positions.data(), ids, tolerance);
+  this->Vertices.resize(this->Positions.size() / 3);
+  std::iota(this->Vertices.begin(), this->Vertices.end(), 0);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    this->Vertices[ids[i]] = representatives[i];
+    this->NumberOfMergedPoints += representatives[i] != ids[i] ? 1 : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<Id> PreparedSurface::CollectBoundary() const
+{
+  std::vector<Id> ids;
+  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    if (this->Mesh.Twin(h) == NoId && !this->Mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      ids.push_back(this->Mesh.Origin(h));
+      ids.push_back(this->Mesh.Destination(h));
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+void PreparedSurface::CountCoincidentBoundaryPoints()
+{
+  if (this->NumberOfCoincidentPoints == 0)
+  {
+    return;
+  }
+  const std::vector<Id> boundary = this->CollectBoundary();
+  std::vector<Id> first = FindRepresentatives(this->Positions.data(), boundary, 0.0);
+  std::sort(first.begin(), first.end());
+  for (auto begin = first.begin(); begin != first.end();)
+  {
+    const auto end = std::upper_bound(begin, first.end(), *begin);
+    this->NumberOfCoincidentBoundaryPoints += end - begin > 1 ? end - begin : 0;
+    begin = end;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds a warning if the spacing of floats at the largest coordinate exceeds LargestFloatSpacing
+/// mean edge lengths.
+void PreparedSurface::CheckPrecision()
+{
+  float largest = 0.0F;
+  for (Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+  {
+    if (this->Mesh.FanBegin(v) != this->Mesh.FanEnd(v))
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        largest =
+          std::max(largest, static_cast<float>(std::abs(At(this->Positions.data(), v)[axis])));
+      }
+    }
+  }
+  const double spacing = std::nextafter(largest, std::numeric_limits<float>::max()) - largest;
+  const double edge = this->Mesh.GetMeanEdgeLength();
+  if (spacing > LargestFloatSpacing * edge)
+  {
+    this->Warnings.push_back(JoinText("coordinates are stored in single precision, where "
+                                      "numbers around ",
+      largest, " are ", spacing, " apart, more than ", LargestFloatSpacing,
+      " of the mean edge length, which is ", edge,
+      ". Translate the mesh to the origin before it is "
+      "written, or read it with a reader that keeps doubles, such as vtkDGGPLYReader or "
+      "vtkdgg.read"));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Returns true if no vertex is irregular and no face was left out.
+bool PreparedSurface::IsPlain() const
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (mesh.IsIrregular(v))
+    {
+      return false;
+    }
+  }
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (mesh.IsDropped(f))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void PreparedSurface::CollectWarnings()
+{
+  // A plain mesh has none of what a report would warn of.
+  const MeshReport report = this->IsPlain() ? MeshReport() : this->GetReport();
+  auto warn = [this](Offset count, const std::string& what) {
+    if (count > 0)
+    {
+      this->Warnings.push_back("the mesh has " + std::to_string(count) + " " + what);
+    }
+  };
+  warn(report.NonManifoldEdges,
+    "edges with more than two triangles, each of which is connected with every other one there");
+  warn(report.NonManifoldVertices, "points where separate sheets touch, which are connected there");
+  warn(report.InconsistentEdges,
+    "edges across which no choice of orientation is consistent, as on a Moebius strip. Distances "
+    "do not depend on orientation");
+  warn(this->NumberOfDroppedCells,
+    "polygons with fewer than three distinct points, which are left out");
+  warn(this->NumberOfFans,
+    "polygons that cross or touch themselves. They are cut into fans around their first points, "
+    "which need not be what they are meant to be: triangulate them first");
+  warn(report.DuplicateFaces,
+    "triangles on the same three points as an earlier one, which are left out");
+  warn(this->Caps.NumberOfCaps,
+    JoinText("triangles without area, no higher than ", this->Caps.LargestHeight,
+      ", that are left out: their neighbours are split where they meet"));
+  warn(this->Mesh.GetNumberOfDegenerateFaces(),
+    JoinText("triangles without area, whose edges are taken to be longer by ",
+      this->Mesh.GetMollification()));
+  warn(this->NumberOfCoincidentBoundaryPoints,
+    "points of the boundary with the same coordinates as another one. If they are the two sides of "
+    "a seam rather than of a slit, turn MergeCoincidentPoints on");
+}
+
+//------------------------------------------------------------------------------
+const SurfaceMesh& PreparedSurface::GetMesh() const
+{
+  std::call_once(this->AnglesOnce, [this] { this->Mesh.MeasureAngles(); });
+  return this->Mesh;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Id> PreparedSurface::GetFaces(Offset cell) const
+{
+  std::vector<Id> faces;
+  const auto end = this->Cells.begin() + static_cast<std::ptrdiff_t>(this->NumberOfOrderedFaces);
+  const auto range = std::equal_range(this->Cells.begin(), end, cell);
+  for (auto face = range.first; face != range.second; ++face)
+  {
+    faces.push_back(static_cast<Id>(face - this->Cells.begin()));
+  }
+  for (std::size_t face = this->NumberOfOrderedFaces; face < this->Cells.size(); ++face)
+  {
+    if (this->Cells[face] == cell)
+    {
+      faces.push_back(static_cast<Id>(face));
+    }
+  }
+  return faces;
+}
+
+//------------------------------------------------------------------------------
+const MeshReport& PreparedSurface::GetReport() const
+{
+  std::call_once(this->ReportOnce, [this] {
+    this->Report = InspectMesh(this->Mesh);
+    this->Report.CoincidentPoints = this->NumberOfCoincidentPoints;
+    this->Report.DegenerateFaces += this->Caps.NumberOfCaps;
+  });
+  return this->Report;
+}
+
+//------------------------------------------------------------------------------
+const Anisotropy& PreparedSurface::GetAnisotropy() const
+{
+  std::call_once(
+    this->AnisotropyOnce, [this] { this->MeshAnisotropy = MeasureAnisotropy(this->Mesh); });
+  return this->MeshAnisotropy;
+}
+
+//------------------------------------------------------------------------------
+const Locator& PreparedSurface::GetLocator() const
+{
+  std::call_once(this->LocatorOnce, [this] {
+    if (this->IsCloud())
+    {
+      this->ClosestPoints =
+        std::make_unique<CloudLocator>(this->GetPositions(), this->Mesh.GetNumberOfVertices());
+    }
+    else
+    {
+      this->ClosestPoints = std::make_unique<SurfaceLocator>(this->Mesh, this->GetPositions());
+    }
+  });
+  return *this->ClosestPoints;
+}
+
+//------------------------------------------------------------------------------
+std::string PreparedSurface::DescribeGaps(const std::vector<bool>& isReached) const
+{
+  if (this->NumberOfCoincidentBoundaryPoints > 0 || this->GetReport().Components < 2)
+  {
+    return std::string(); // a warning of the mesh has named the remedy, or there are no parts
+  }
+  Id count = 0;
+  const std::vector<Id> components = this->Mesh.ComputeComponents(count);
+  std::vector<bool> isConnected(static_cast<std::size_t>(count));
+  for (std::size_t v = 0; v < isReached.size(); ++v)
+  {
+    isConnected[components[v]] = isConnected[components[v]] || isReached[v];
+  }
+  Offset used = 0;
+  Offset connected = 0;
+  for (Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
+  {
+    if (this->Mesh.FanBegin(v) != this->Mesh.FanEnd(v))
+    {
+      ++used;
+      connected += isConnected[components[v]] ? 1 : 0;
+    }
+  }
+  if (2 * connected >= used)
+  {
+    return std::string();
+  }
+  const double* points = this->Positions.data();
+  const std::vector<Id> boundary = this->CollectBoundary();
+  const std::vector<Id> close = FindRepresentatives(
+    points, boundary, SuspectGap * GetDiagonal(this->Positions, CollectFinite(this->Positions)));
+  Offset numberOfPoints = 0;
+  double gap = 0.0;
+  for (std::size_t i = 0; i < boundary.size(); ++i)
+  {
+    if (components[boundary[i]] != components[close[i]])
+    {
+      const double* p = At(points, boundary[i]);
+      const double* q = At(points, close[i]);
+      gap = std::max(gap, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+      ++numberOfPoints;
+    }
+  }
+  if (numberOfPoints == 0)
+  {
+    return std::string();
+  }
+  return JoinText("only ", connected, " of ", used, " points are connected with a source, but ",
+    numberOfPoints, " points of the boundary are no more than ", gap,
+    " away from one of another part of the surface. If the parts belong together, ",
+    this->InputDomain.Kind == Domain::MergedSurface
+      ? "raise MergeTolerance to "
+      : "turn MergeCoincidentPoints on, with a MergeTolerance of ",
+    SuspectGap);
+}
+}

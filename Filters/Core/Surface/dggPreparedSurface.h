@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The surface or cloud that tasks compute on, made from points and cells.
+#ifndef dggPreparedSurface_h
+#define dggPreparedSurface_h
+
+#include "dggCapSplitting.h"  // for CapSplitting
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
+#include "dggGeodesicGraph.h" // for Signature
+#include "dggMeshReport.h"    // for MeshReport
+#include "dggSurfaceMesh.h"   // for SurfaceMesh
+
+#include <cstdint> // for the build number
+#include <memory>  // for sharing
+#include <mutex>   // for std::once_flag
+#include <string>  // for the warnings
+#include <vector>  // for the maps
+
+namespace dgg
+{
+class Locator;
+
+/// Cells as flat arrays: cell i has the point ids `Ids[Offsets[i]]` to `Ids[Offsets[i+1]-1]`.
+struct CellArrays
+{
+  Offset NumberOfCells = 0;
+  const Offset* Offsets = nullptr; ///< NumberOfCells + 1
+  const Offset* Ids = nullptr;
+  Offset NumberOfIds = 0;
+};
+
+/// Points and cells as a front has them.
+struct SurfaceArrays
+{
+  const double* Points = nullptr; ///< x y z each
+  Offset NumberOfPoints = 0;
+  CellArrays Polygons;
+  CellArrays Strips;          ///< triangle strips
+  Offset FirstCell = 0;       ///< id of the first polygon; strips follow the polygons
+  bool AreFromFloats = false; ///< the points were stored in single precision
+};
+
+/// What distances are measured along.
+struct Domain
+{
+  enum KindType
+  {
+    Surface,       ///< the polygons and strips, connected where they share point ids
+    MergedSurface, ///< the same, with coincident points taken as one
+    Cloud          ///< the points alone; cells are ignored
+  };
+
+  KindType Kind = Surface;
+  double MergeTolerance = 0.0; ///< of a MergedSurface, as a fraction of the diagonal; else 0
+
+  bool operator==(const Domain& other) const
+  {
+    return this->Kind == other.Kind && this->MergeTolerance == other.MergeTolerance;
+  }
+};
+
+/// A surface, or a cloud, as the kernel sees it. Every point of the input is a vertex of the mesh,
+/// with the same id. Polygons and strips are triangulated. The mesh of a cloud has no faces; a
+/// graph connects its points.
+///
+/// It is immutable, so that tasks on the same surface share it, from any thread: in a chain of
+/// filters the surface is prepared once, and so are the parts that are made on demand.
+class DGG_CORE_EXPORT PreparedSurface : public std::enable_shared_from_this<PreparedSurface>
+{
+public:
+  using Pointer = std::shared_ptr<const PreparedSurface>;
+
+  /// An empty surface. Use Make() for others.
+  PreparedSurface();
+  ~PreparedSurface();
+
+  /// Returns 128 bits that identify the domain, its points and its cells. Equal ones give equal
+  /// surfaces. Much cheaper than to prepare one.
+  static Signature ComputeFingerprint(const SurfaceArrays& input, const Domain& domain);
+
+  /// Makes a surface, or returns the one in use with this fingerprint. Fails with a message that
+  /// names the point or cell at fault.
+  ///
+  /// Triangles of a MergedSurface use the first one of all points that are merged; the others
+  /// become vertices without faces, and GetVertex() returns the vertex that they share.
+  static Status Make(const SurfaceArrays& input, const Domain& domain, const Signature& fingerprint,
+    Pointer& prepared);
+
+  /// Returns the mesh. Angles are measured at the first call.
+  const SurfaceMesh& GetMesh() const;
+  /// The same for users that need no angles: see SurfaceMesh::FromPointsWithoutAngles().
+  const SurfaceMesh& GetMeshWithoutAngles() const { return this->Mesh; }
+  ///@{
+  /// Made at the first call.
+  const MeshReport& GetReport() const;
+  const Anisotropy& GetAnisotropy() const;
+  const Locator& GetLocator() const;
+  ///@}
+  /// x y z per vertex.
+  const double* GetPositions() const { return this->Positions.data(); }
+  /// Of the points and the triangles made of the cells.
+  const Signature& GetSignature() const { return this->MeshSignature; }
+  const Domain& GetDomain() const { return this->InputDomain; }
+  bool IsCloud() const { return this->InputDomain.Kind == Domain::Cloud; }
+  /// Unlike that of any other surface; 0 for an empty one.
+  std::uint64_t GetBuildNumber() const { return this->BuildNumber; }
+
+  /// The vertex that represents a point of the input.
+  Id GetVertex(Offset point) const
+  {
+    return this->Vertices.empty() ? static_cast<Id>(point) : this->Vertices[point];
+  }
+  /// The cell of the input that a face of the mesh is a part of.
+  Offset GetCell(Id face) const { return this->Cells[face]; }
+  /// Returns the faces that are parts of a cell of the input; empty for an excluded cell.
+  std::vector<Id> GetFaces(Offset cell) const;
+
+  /// Polygons that were left out because fewer than three of their points are distinct.
+  Offset GetNumberOfDroppedCells() const { return this->NumberOfDroppedCells; }
+  /// Of triangles without area that were left out.
+  double GetLargestCapHeight() const { return this->Caps.LargestHeight; }
+  /// Points that share the vertex of an earlier point.
+  Offset GetNumberOfMergedPoints() const { return this->NumberOfMergedPoints; }
+  /// Points without a face.
+  Offset GetNumberOfIsolatedPoints() const
+  {
+    return this->GetReport().IsolatedVertices - this->NumberOfMergedPoints;
+  }
+  /// Points on the boundary with exactly the coordinates of another point on the boundary.
+  Offset GetNumberOfCoincidentBoundaryPoints() const
+  {
+    return this->NumberOfCoincidentBoundaryPoints;
+  }
+  /// Warnings about the mesh, one topic each.
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+
+  /// Returns a warning if most of the surface is not connected with a vertex that is reached,
+  /// although its parts almost touch; else an empty text.
+  std::string DescribeGaps(const std::vector<bool>& isReached) const;
+
+private:
+  Status Build(const SurfaceArrays& input);
+  Status Triangulate(const SurfaceArrays& input, std::vector<Id>& triangles);
+  Status TriangulateCells(
+    const CellArrays& cells, bool areStrips, Offset firstCell, std::vector<Id>& triangles);
+  Status CheckCells(const CellArrays& cells, Offset firstCell) const;
+  void MergeCoincidentPoints();
+  std::vector<Id> CollectBoundary() const;
+  void CountCoincidentBoundaryPoints();
+  void CheckPrecision();
+  bool IsPlain() const;
+  void CollectWarnings();
+
+  Domain InputDomain;
+  std::uint64_t BuildNumber = 0;
+  std::vector<double> Positions;
+
+  mutable std::once_flag AnglesOnce;
+  mutable SurfaceMesh Mesh;
+  Signature MeshSignature{};
+  std::vector<Id> Vertices;             // per point; empty unless coincident points are merged
+  std::vector<Offset> Cells;            // per face
+  std::size_t NumberOfOrderedFaces = 0; // before the pieces of split triangles
+  Offset NumberOfDroppedCells = 0;
+  CapSplitting Caps;       // triangles without area that were left out
+  Offset NumberOfFans = 0; // polygons that cross or touch themselves
+  Offset NumberOfMergedPoints = 0;
+  Offset NumberOfCoincidentPoints = 0;
+  Offset NumberOfCoincidentBoundaryPoints = 0;
+  std::vector<std::string> Warnings;
+
+  mutable std::once_flag ReportOnce;
+  mutable MeshReport Report;
+  mutable std::once_flag AnisotropyOnce;
+  mutable Anisotropy MeshAnisotropy;
+  mutable std::once_flag LocatorOnce;
+  mutable std::unique_ptr<Locator> ClosestPoints;
+};
+}
+
+#endif
