@@ -17,11 +17,4 @@
 #define vtkDGGClearAbortMacro(algorithm)
 #endif
 
-/// Cuts a vtkPolygon into triangles of local ids; true on success.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
-#define vtkDGGTriangulateMacro(polygon, ids) ((polygon)->TriangulateLocalIds(0, ids) != 0)
-#else
-#define vtkDGGTriangulateMacro(polygon, ids) ((polygon)->Triangulate(ids) != 0)
-#endif
-
 #endif

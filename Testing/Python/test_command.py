@@ -673,7 +673,8 @@ class Command(unittest.TestCase):
                 result = start(*arguments)
                 self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
                 self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
-                self.assertNotRegex(result.stderr, CPLUSPLUS)
+                # Folders may have any names.
+                self.assertNotRegex(re.sub(r"/\S+/", "", result.stderr), CPLUSPLUS)
                 self.assertRegex(result.stderr, pattern)
 
     def test_interrupted(self):

@@ -70,8 +70,36 @@ public:
   template <typename Visitor>
   void Search(const std::array<double, 3>& point, double squaredLimit, Visitor&& visit) const;
 
+  /// Calls `visit(element)` for the elements of all leaves for which, and for the boxes above them,
+  /// `isRelevant(box)` is true.
+  template <typename Test, typename Visitor>
+  void ForEach(Test&& isRelevant, Visitor&& visit, std::size_t node = 0) const
+  {
+    if (node >= this->Nodes.size() || !isRelevant(this->Nodes[node]))
+    {
+      return;
+    }
+    if (node < this->GetFirstLeaf())
+    {
+      this->ForEach(isRelevant, visit, 2 * node + 1);
+      this->ForEach(isRelevant, visit, 2 * node + 2);
+      return;
+    }
+    this->VisitLeaf(node, visit);
+  }
+
 private:
   static constexpr std::size_t LeafSize = 4;
+
+  template <typename Visitor>
+  void VisitLeaf(std::size_t node, Visitor&& visit) const
+  {
+    const std::size_t begin = LeafSize * (node - this->GetFirstLeaf());
+    for (std::size_t i = begin; i < begin + LeafSize && i < this->Elements.size(); ++i)
+    {
+      visit(this->Elements[i]);
+    }
+  }
 
   std::size_t GetFirstLeaf() const { return this->Nodes.size() / 2; }
 
@@ -114,11 +142,7 @@ void BoxTree::Search(const std::array<double, 3>& point, double squaredLimit, Vi
       stack[size++] = near;
       continue;
     }
-    const std::size_t begin = LeafSize * (entry.Node - this->GetFirstLeaf());
-    for (std::size_t i = begin; i < begin + LeafSize && i < this->Elements.size(); ++i)
-    {
-      squaredLimit = visit(this->Elements[i]);
-    }
+    this->VisitLeaf(entry.Node, [&](Id element) { squaredLimit = visit(element); });
   }
 }
 }

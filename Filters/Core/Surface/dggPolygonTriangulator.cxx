@@ -3,6 +3,7 @@
 #include "dggPolygonTriangulator.h"
 
 #include "dggBarycentric.h"
+#include "dggBoxTree.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -40,6 +41,7 @@ public:
       return false;
     }
     const auto n = static_cast<Id>(this->Points.size());
+    this->CollectReflex();
     for (Id i = 0; i < n; ++i)
     {
       this->Push(i);
@@ -145,29 +147,66 @@ private:
     }
   }
 
+  /// Finds the corners that are not convex: only these can be in the triangle of another corner of
+  /// a simple polygon.
+  void CollectReflex()
+  {
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    {
+      const auto corner = static_cast<Id>(i);
+      const auto [before, after] = this->Links[i];
+      if (!(this->GetArea(before, corner, after) > 0.0))
+      {
+        const std::array<double, 3> point{ { this->Points[i].X, this->Points[i].Y, 0.0 } };
+        boxes.push_back({ point, point });
+        this->Reflex.push_back(corner);
+      }
+    }
+    this->ReflexTree = BoxTree(boxes);
+  }
+
   /// Returns true if no other corner is in the triangle of a corner. Those at the same point as one
   /// of its own do not count: bridges to holes pass there twice.
   bool IsEmpty(Id i) const
   {
     const auto [a, c] = this->Links[i];
-    const auto isAt = [this](Id p, Id q) {
-      return this->Points[p].X == this->Points[q].X && this->Points[p].Y == this->Points[q].Y;
-    };
-    for (Id k = this->Links[c].second; k != a; k = this->Links[k].second)
-    {
-      if (this->GetArea(a, i, k) >= 0.0 && this->GetArea(i, c, k) >= 0.0 &&
-        this->GetArea(c, a, k) >= 0.0 && !isAt(k, a) && !isAt(k, i) && !isAt(k, c))
+    const std::array<Id, 3> corners{ { a, i, c } };
+    bool isEmpty = true;
+    // True if part of a box may be on the inner side of all edges.
+    const auto isRelevant = [&](const Box& box) {
+      for (int k = 0; k < 3 && isEmpty; ++k)
       {
-        return false;
+        const Point2& p = this->Points[corners[k]];
+        const Point2 edge = Difference(this->Points[corners[(k + 1) % 3]], p);
+        const Point2 innermost{ edge.Y < 0.0 ? box.High[0] : box.Low[0],
+          edge.X > 0.0 ? box.High[1] : box.Low[1] };
+        if (Cross(edge, Difference(innermost, p)) < 0.0)
+        {
+          return false;
+        }
       }
-    }
-    return true;
+      return isEmpty;
+    };
+    this->ReflexTree.ForEach(isRelevant, [&](Id element) {
+      const Id k = this->Reflex[element];
+      const bool isCorner = std::any_of(corners.begin(), corners.end(),
+        [&](Id corner) { return Distance(this->Points[corner], this->Points[k]) == 0.0; });
+      if (this->Versions[k] != Removed && !isCorner && this->GetArea(a, i, k) >= 0.0 &&
+        this->GetArea(i, c, k) >= 0.0 && this->GetArea(c, a, k) >= 0.0)
+      {
+        isEmpty = false;
+      }
+    });
+    return isEmpty;
   }
 
   const std::vector<Point2>& Points;
   std::vector<std::pair<Id, Id>> Links; // corner before and after
   std::vector<Id> Versions;             // of the triangle of a corner
   std::priority_queue<Entry> Queue;
+  std::vector<Id> Reflex;
+  BoxTree ReflexTree; // over Reflex
 };
 }
 
