@@ -220,7 +220,7 @@ class Demo(unittest.TestCase):
         for arguments, pattern in (
             (("missing.ply",), "missing.ply: no such file"),
             ((__file__,), "unknown extension '.py'"),
-            ((text,), "holds no points|empty"),
+            ((text,), "contains no points|empty"),
             ((garbage,), "line"),
             ((TETRAHEDRON, "--source", "4"), "point id from 0 to 3"),
             ((TETRAHEDRON, "--source", "-1"), "point id from 0 to 3"),

@@ -568,7 +568,7 @@ class Command(unittest.TestCase):
         empty = os.path.join(support.output_folder("explorer"), "empty.vtp")
         vtkdgg.write(empty, vtkdgg.Mesh(np.empty((0, 3))))
         for arguments, pattern in (
-            ((empty,), "holds no points"),
+            ((empty,), "contains no points"),
             (("missing.ply",), "no such file"),
             ((BUMPY, "--accuracy", "2"), r"accuracy: must be in \[1e-6, 0.5\]"),
             ((BUMPY, "--source", "642"), "expected a point id from 0 to 641"),

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkdgg.read, vtkdgg.write and vtkdgg.Mesh; the command with files of all formats."""
 
+import base64
 import contextlib
 import gzip
 import io
@@ -142,11 +143,11 @@ class Formats(unittest.TestCase):
 
     def test_damaged_legacy_files(self):
         """Files that VTK's reader accepts in part, or that end its process."""
-        start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+        start = "# vtk DataFile Version 3.0\ntitle\nASCII\n\nDATASET POLYDATA\nPOINTS 3 float\n"
         start += "0 0 0 1 0 0 0 1 0\n"
         for text, pattern in (
             (start + "POLYGONS 1 4\n3 0 1\n", "'POLYGONS 1 4': the file ends too early"),
-            (start + "POLYGONS 2 4\n3 0 1 2\n", "it contains 1 cells"),
+            (start + "POLYGONS 2 4\n3 0 1 2\n", "expected 2 cells, got 1"),
             (start + "POLYGONS 1 4\n7 0 1 2\n", "'POLYGONS 1 4': the sizes of cells contradict"),
             (start + "POLYGONS 1 4\n3 0 1 9\n", "point id 9"),
             (start + "POLYG", "'POLYG': the keyword is unknown"),
@@ -156,7 +157,11 @@ class Formats(unittest.TestCase):
             (start + f"POLYGONS 1 {'9' * 25}\n3 0 1 2\n", "the file ends too early"),
             (start + "POLYGONS 1 4\n3 0 1 2x\n", "expected numbers, got '2x'"),
             (start + "POLYGONS 1 4\n3 0 1 -2\n", "point id -2"),
+            (start + "CELL_TYPES 1\n42\n", "'CELL_TYPES 1': the line is damaged"),
             (start + "POINT_DATA 4\n", "the number of points is 3"),
+            (start + "POINT_DATA 3\nNORMALS a float\n" + "0 " * 8, "the file ends too early"),
+            (start + "FIELD f 1\na 0 3 float\n", "expected at least 1 component"),
+            (start.replace("POLYDATA", "STRUCTURED_GRID\nDIMENSIONS 3 1"), "three positive"),
             (start + "CELL_DATA 0\n", "arrays are missing"),
             (start + "METADATA\nINFORMATION 0\n", "the file ends too early"),
             (start + "METAD", "'METAD': the keyword is unknown"),
@@ -211,6 +216,16 @@ class Formats(unittest.TestCase):
                 self.refuse(".vtk", whole[:at] + b"U" + whole[at:])
             for number in (b"\xff" * 8, b"\x7f" + b"\xff" * 7):
                 self.refuse(".vtk", whole[:ids] + number + whole[ids + 8 :])
+
+        for compressor, size in (("ZLib", 2**63), ("LZ4", 2**50)):
+            header = base64.b64encode(struct.pack("<4Q", 1, size, 0, 4)).decode()
+            self.refuse(
+                ".vtp",
+                '<VTKFile type="PolyData" header_type="UInt64" '
+                f'compressor="vtk{compressor}DataCompressor"><PolyData><FieldData>'
+                f'<DataArray type="UInt8" Name="a" NumberOfTuples="{size}" format="binary">'
+                f"{header}AAAAAA==</DataArray></FieldData></PolyData></VTKFile>",
+            )
 
     def refuse(self, extension, contents):
         """Expects an error that names the file."""

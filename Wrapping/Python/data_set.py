@@ -26,7 +26,7 @@ class DataSet:
     Attributes
     ----------
     points : numpy.ndarray, shape (n, 3)
-        In the precision of the file.
+        Coordinates in the precision of the file.
     cells : dict of str to pair of numpy.ndarray
         Offsets and corners: "verts", "lines", "polygons" and "strips" of POLYDATA in the order of
         cell ids, "cells" of an UNSTRUCTURED_GRID.
@@ -107,6 +107,13 @@ def faces_of(stream):
     return np.split(ids, np.cumsum(sizes)[:-1])
 
 
+def in_rows(values, components):
+    """Returns the values of an array, in rows if they have several components."""
+    if components == 0:
+        raise ValueError("expected at least 1 component, got 0")
+    return values if components == 1 else values.reshape(-1, components)
+
+
 def parsed(text, dtype):
     """Returns the numbers of a text as an array."""
     dtype = np.dtype(dtype)
@@ -125,7 +132,7 @@ def parsed(text, dtype):
         word = next((word for word in text.split() if not _is_number(word, kind)), text)
         raise ValueError(f"expected numbers, got {word[:30].decode('latin-1')!r}")
     with np.errstate(over="ignore"):  # numbers beyond single precision become infinite
-        found = values.astype(dtype)
+        found = values.astype(dtype, copy=False)
     if dtype.kind != "f":
         limits = np.iinfo(np.int64)  # larger numbers become one of them
         wrong = (found != values) | (values == limits.min) | (values == limits.max)

@@ -6,12 +6,13 @@ VTK's own readers are not used: they return a part of a truncated file without a
 process.
 """
 
+import itertools
 import re
 from urllib.parse import unquote_to_bytes
 
 import numpy as np
 
-from .data_set import ATTRIBUTES, POLYHEDRON, DataSet, faces_of, parsed
+from .data_set import ATTRIBUTES, POLYHEDRON, DataSet, faces_of, in_rows, parsed
 from .mesh import unpacked
 
 _KINDS = ("POLYDATA", "UNSTRUCTURED_GRID", "STRUCTURED_GRID")
@@ -33,6 +34,7 @@ _CELLS = {
     "cells": "cells",
 }  # fmt: skip
 _DATA = ("point_data", "cell_data")
+_WORD = re.compile(rb"\S+")
 
 
 class LegacyFile:
@@ -46,7 +48,8 @@ class LegacyFile:
     def __init__(self, data):
         self._data = data
         self._at = 0
-        first, _, mode, dataset = (self._line() for _ in range(4))
+        first, _ = self._line(), self._line()
+        mode, dataset = (self._next_line() or b"" for _ in range(2))
         version = re.match(rb"# vtk DataFile Version (\d+)\.", first)
         words = dataset.decode("latin-1").upper().split()
         if not version or len(words) != 2 or words[0] != "DATASET":
@@ -57,10 +60,10 @@ class LegacyFile:
             raise ValueError(
                 f"a DATASET {words[1]} has no surface; expected one of {', '.join(_KINDS)}"
             )
-        if mode.strip().upper() not in (b"ASCII", b"BINARY"):
+        if mode.upper() not in (b"ASCII", b"BINARY"):
             raise ValueError(f"expected ASCII or BINARY in line 3, got {mode[:20]}")
         self._is_new = version[1] == b"5"
-        self._is_binary = mode.strip().upper() == b"BINARY"
+        self._is_binary = mode.upper() == b"BINARY"
         self._line_ends = set()
         self._result = DataSet(words[1])
         # Arrays of the current section, and their number of rows.
@@ -79,7 +82,7 @@ class LegacyFile:
             key = words[0].decode("latin-1").lower()
             try:
                 self._section(key, words)
-            except (AttributeError, IndexError, TypeError, ValueError) as error:
+            except (AttributeError, LookupError, TypeError, ValueError) as error:
                 reason = str(error) if type(error) is ValueError else "the line is damaged"
                 text = line.decode("latin-1")[:40]
                 raise ValueError(f"in the section {text!r}: {reason}") from None
@@ -117,6 +120,8 @@ class LegacyFile:
         data = self._result
         if key == "dimensions":
             data.dimensions = [_count(word) for word in words[1:4]]
+            if len(data.dimensions) < 3 or 0 in data.dimensions:
+                raise ValueError("expected three positive numbers")
         elif key == "points":
             values = self._values(3 * _count(words[1]), words[2])
             data.points = values.reshape(-1, 3)
@@ -137,7 +142,7 @@ class LegacyFile:
             values = self._values(self._rows * components, kind)
         if values is None:
             return
-        self._arrays[name] = values if components == 1 else values.reshape(-1, components)
+        self._arrays[name] = in_rows(values, components)
         if self._arrays is self._result.point_data:
             self._result.active.setdefault(ATTRIBUTES.index(attribute), name)
 
@@ -150,11 +155,11 @@ class LegacyFile:
                 continue
             components, rows = _count(words[1]), _count(words[2])
             if self._rows not in (None, rows):
-                raise ValueError(f"array {_name(words[0])!r} has {rows} rows, not {self._rows}")
+                name = _name(words[0])
+                raise ValueError(f"expected {self._rows} rows, got array {name!r} of {rows}")
             values = self._values(components * rows, words[3])
             if values is not None:
-                values = values if components == 1 else values.reshape(rows, components)
-                self._arrays[_name(words[0])] = values
+                self._arrays[_name(words[0])] = in_rows(values, components)
             number -= 1
 
     def _metadata(self):
@@ -174,7 +179,7 @@ class LegacyFile:
             except ValueError:
                 raise ValueError("the sizes of cells contradict the number of entries") from None
             if len(sizes) != first:
-                raise ValueError(f"it contains {len(sizes)} cells")
+                raise ValueError(f"expected {first} cells, got {len(sizes)}")
             return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64), corners
         if first == 0:
             return np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.int64)
@@ -248,7 +253,7 @@ class LegacyFile:
             if self._at >= len(self._data):
                 raise ValueError(self._end())
             if self._is_binary:
-                # The first two bits tell the number of bytes of the length.
+                # The first two bits encode the number of bytes of the length.
                 width = 8 >> (self._data[self._at] >> 6)
                 length = int.from_bytes(self._bytes(width), "big") & (1 << 8 * width - 2) - 1
                 self._bytes(length)
@@ -268,16 +273,16 @@ class LegacyFile:
         if count == 0:
             return b""
         start = self._at
-        words = self._data[start:].split(None, count) if count < len(self._data) else []
-        rest = words.pop() if len(words) > count else b""
-        if len(words) < count:
+        words = _WORD.finditer(self._data, start)
+        last = next(itertools.islice(words, min(count, len(self._data)) - 1, None), None)
+        if last is None:
             raise ValueError(self._end())
-        self._at = len(self._data) - len(rest)
-        self._result.may_be_cut = not rest and not self._data[-1:].isspace()
+        self._at = last.end()
+        self._result.may_be_cut = self._at == len(self._data)
         return self._data[start : self._at]
 
     def _keyword(self, word=None):
-        """Returns the next line; an error unless its first word is the given one."""
+        """Returns the next line. Raises an error if it does not begin with `word`."""
         line = self._next_line()
         if line is None:
             raise ValueError(self._end())

@@ -145,7 +145,8 @@ def _arrays(arrays, name, count):
         if np.asarray(values).dtype == bool:  # a mask
             values = np.asarray(values, dtype=np.uint8)
         values = np.array(numbers(values, f"{name}[{key!r}]"))
-        if values.ndim not in (1, 2) or count not in (None, len(values)):
+        is_table = values.ndim == 1 or values.ndim == 2 and values.shape[1] > 0
+        if not is_table or count not in (None, len(values)):
             expected = "rows" if count is None else f"{count} rows"
             raise ValueError(f"{name}[{key!r}]: expected {expected}, got shape {values.shape}")
         found[key] = values

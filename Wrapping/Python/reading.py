@@ -100,7 +100,7 @@ def read(file: Any) -> Mesh:
     except (ValueError, VTKError, EOFError, gzip.BadGzipFile, zlib.error) as error:
         raise ValueError(f"{path}: {reason_of(error, path)}") from None
     if len(mesh.points) == 0:
-        raise ValueError(f"{path}: holds no points")
+        raise ValueError(f"{path}: contains no points")
     return mesh
 
 

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from .data_set import ATTRIBUTES, POLYHEDRON, DataSet, faces_of, merged, parsed
+from .data_set import ATTRIBUTES, POLYHEDRON, DataSet, faces_of, in_rows, merged, parsed
 from .mesh import checked_cells
 
 _KINDS = {"PolyData": "POLYDATA", "UnstructuredGrid": "UNSTRUCTURED_GRID"}
@@ -160,9 +160,9 @@ class XMLFile:
                 kind = np.dtype(self._order + kind)
                 contents = self._bytes(array, rows, components, kind.itemsize)
                 values = np.frombuffer(contents, kind).astype(kind.newbyteorder("="), copy=False)
+            return in_rows(values, components)
         except ValueError as error:
             raise ValueError(f"{tag}, array {array.get('Name')!r}: {error}") from None
-        return values if components == 1 else values.reshape(rows, components)
 
     def _bytes(self, array, rows, components, size):
         """Returns the bytes of an array in base64 or appended."""
@@ -313,7 +313,7 @@ def _count(element, key, default=0):
 def _unpack(unpacker, data, size):
     try:
         found = unpacker.decompress(data, size + 1)
-    except (EOFError, lzma.LZMAError, zlib.error):
+    except (EOFError, OverflowError, lzma.LZMAError, zlib.error):
         return b""
     return found if unpacker.eof and not unpacker.unused_data else b""
 
@@ -321,6 +321,8 @@ def _unpack(unpacker, data, size):
 def _unpack_lz4(data, size):
     from vtkmodules.vtkIOCore import vtkLZ4DataCompressor  # Python has no LZ4
 
+    if size > 255 * len(data):  # beyond the limit of the format; VTK would allocate it
+        return b""
     compressor = vtkLZ4DataCompressor()
     compressor.AddObserver("ErrorEvent", lambda *_: None)
     found = compressor.Uncompress(bytes(data), len(data), size)
