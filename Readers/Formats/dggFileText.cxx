@@ -27,14 +27,17 @@ std::vector<char> Decompress(const std::string& name, std::size_t limit)
     dgg::Fail(dgg::FileCode::CannotOpen, "the file cannot be opened");
   }
   std::vector<char> bytes;
-  int count = 1;
-  while (count > 0 && bytes.size() < limit)
+  // An error follows a short read. Since zlib 1.3.2, the next read would clear it.
+  int count = 0;
+  int wanted = 0;
+  do
   {
     const std::size_t begin = bytes.size();
-    bytes.resize(begin + std::min(BlockBytes, limit - begin));
-    count = gzread(file.get(), bytes.data() + begin, static_cast<unsigned>(bytes.size() - begin));
+    wanted = static_cast<int>(std::min(BlockBytes, limit - begin));
+    bytes.resize(begin + static_cast<std::size_t>(wanted));
+    count = gzread(file.get(), bytes.data() + begin, static_cast<unsigned>(wanted));
     bytes.resize(begin + static_cast<std::size_t>(std::max(count, 0)));
-  }
+  } while (count == wanted && bytes.size() < limit);
   int error = Z_OK;
   const char* message = gzerror(file.get(), &error);
   if (count < 0 || error != Z_OK)
