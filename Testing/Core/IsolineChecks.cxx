@@ -220,22 +220,4 @@ double MeanErrorOfPieces(const SurfaceMesh& mesh, const std::vector<GeodesicSour
   }
   return sum / std::accumulate(lengths.begin(), lengths.end(), 0.0);
 }
-
-void ExpectSameLines(const Isolines& a, const Isolines& b, const std::string& what)
-{
-  ASSERT_EQ(a.Lines.size(), b.Lines.size()) << what;
-  EXPECT_EQ(a.Levels, b.Levels) << what;
-  EXPECT_EQ(a.IsClosed, b.IsClosed) << what;
-  EXPECT_EQ(a.Fallbacks, b.Fallbacks) << what;
-  for (std::size_t i = 0; i < a.Lines.size(); ++i)
-  {
-    EXPECT_EQ(a.Lines[i].Faces, b.Lines[i].Faces) << what;
-    ASSERT_EQ(a.Lines[i].Points.size(), b.Lines[i].Points.size()) << what;
-    for (std::size_t p = 0; p < a.Lines[i].Points.size(); ++p)
-    {
-      EXPECT_EQ(a.Lines[i].Points[p].Barycentric, b.Lines[i].Points[p].Barycentric) << what;
-      EXPECT_TRUE(IsSamePoint(a.Lines[i].Points[p], b.Lines[i].Points[p])) << what;
-    }
-  }
-}
 }

@@ -85,8 +85,6 @@ dgg::GeodesicSource FaceSourceAt(
 double MeanErrorOfPieces(const dgg::SurfaceMesh& mesh,
   const std::vector<dgg::GeodesicSource>& sources, const std::vector<double>& levels,
   const dgg::Isolines& lines);
-
-void ExpectSameLines(const dgg::Isolines& a, const dgg::Isolines& b, const std::string& what);
 }
 
 #endif

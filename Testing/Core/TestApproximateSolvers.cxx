@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
 namespace dggtest
@@ -409,22 +408,4 @@ TEST(FastMarching, VirtualSourcesInThePlane)
   }
 }
 
-TEST(FastMarching, WrongInputAndAbort)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(4));
-  const dgg::FastMarching marching(mesh);
-  dgg::MarchingOptions options;
-  dgg::MarchingResult result;
-  EXPECT_FALSE(marching.Run({}, options, result).IsOk());
-  EXPECT_FALSE(marching.Run({ VertexSource(-1) }, options, result).IsOk());
-  EXPECT_FALSE(marching.Run({ VertexSource(0, dgg::Infinity) }, options, result).IsOk());
-  options.MaximumDistance = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(marching.Run({ VertexSource(0) }, options, result).IsOk());
-  options.MaximumDistance = dgg::Infinity;
-  ProgressListener listener(2);
-  options.Progress = std::ref(listener);
-  EXPECT_TRUE(marching.Run({ VertexSource(0) }, options, result).IsAborted());
-  EXPECT_EQ(listener.Calls, 2);
-  EXPECT_TRUE(result.Distances.empty());
-}
 }

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 using namespace dgg;
@@ -255,103 +254,6 @@ TEST(Bands, DefectsAreSurvived)
   }
 }
 
-TEST(Bands, NoLevelsIsOneBand)
-{
-  const SurfaceMesh mesh = Build(Icosphere(1));
-  const ExactField field(mesh, { VertexSource(0) });
-  for (const std::vector<double>& levels : { std::vector<double>{}, std::vector<double>{ 99.0 } })
-  {
-    const BandCase test(field.Exact, levels);
-    EXPECT_EQ(test.Found.Surface.GetNumberOfFaces(), mesh.GetNumberOfFaces());
-    EXPECT_EQ(
-      std::count(test.Found.BandOf.begin(), test.Found.BandOf.end(), 0), mesh.GetNumberOfFaces());
-  }
-}
-
-/// Progress is reported now and then while faces are cut, and a stop soon ends it.
-void ExpectProgress(
-  const BandCase& test, const std::vector<double>& levels, int reports, double limit)
-{
-  int early = 0;
-  ProgressListener listener;
-  Bands bands;
-  const auto watch = [&](double done) {
-    early += done > 0.0 && done < 0.5 ? 1 : 0;
-    return listener(done);
-  };
-  ASSERT_TRUE(MakeBands(test.Field, levels, test.Lines, watch, bands).IsOk());
-  EXPECT_GT(early, reports);
-  EXPECT_EQ(listener.Done, 1.0);
-  double last = 0.0;
-  const auto stop = [&](double done) {
-    last = done;
-    return done < limit;
-  };
-  EXPECT_TRUE(MakeBands(test.Field, levels, test.Lines, stop, bands).IsAborted());
-  EXPECT_LT(last, limit + 0.15);
-  EXPECT_EQ(bands.Surface.GetNumberOfFaces(), 0);
-  EXPECT_TRUE(bands.BandOf.empty());
-}
-
-TEST(Bands, ReportProgressWhileTheyAreCut)
-{
-  const SurfaceMesh mesh = Build(Icosphere(5)); // 20480 faces
-  const ExactField field(mesh, { VertexSource(0) });
-  const std::vector<double> levels{ 0.5, 1.0 };
-  ExpectProgress(BandCase(field.Exact, levels), levels, 9, 0.3);
-}
-
-TEST(Bands, ManyLevelsInOneFace)
-{
-  const SurfaceMesh mesh = Build(Plane(1, 1, 0.0)); // two faces
-  const ExactField field(mesh, { { SurfacePoint::InFace(mesh, 0, { { 0.3, 0.3, 0.4 } }), 0.0 } });
-  for (const DistanceField* f : { &field.Exact, &field.Linear })
-  {
-    const std::vector<double> levels = LevelsOf(*f, 1000);
-    const BandCase test(*f, levels, 1e-4); // chords of neighbours must not cross
-    ExpectSound(test, "many levels");
-    EXPECT_GT(test.Found.Surface.GetNumberOfFaces(), 1999);
-    // No band is lost.
-    for (Id band = 0; band < static_cast<Id>(test.Found.Levels.size()); ++band)
-    {
-      EXPECT_GT(test.AreaOfBand(band), 0.0) << band;
-    }
-    ExpectProgress(test, levels, 3, 0.2);
-  }
-}
-
-TEST(Bands, RepeatedLevelsChangeNothing)
-{
-  const SurfaceMesh mesh = Build(Plane(6, 6, 0.3));
-  const ExactField field(mesh, { VertexSource(0) });
-  const BandCase once(field.Exact, { 3.0, 0.0, 1.5 });
-  const BandCase often(field.Exact, { 3.0, 0.0, -0.0, 1.5, 3.0, 1.5, 3.0 });
-  EXPECT_GT(often.Lines.Lines.size(), once.Lines.Lines.size());
-  EXPECT_EQ(often.Found.Levels, once.Found.Levels);
-  EXPECT_EQ(often.Found.BandOf, once.Found.BandOf);
-  EXPECT_EQ(often.Found.Distances, once.Found.Distances);
-  EXPECT_EQ(often.Found.Surface.Triangles, once.Found.Surface.Triangles);
-  EXPECT_EQ(often.Found.Surface.Paths, once.Found.Surface.Paths) << "each is cut along once";
-}
-
-TEST(Bands, CanBeStoppedAndRefuseBadArguments)
-{
-  const SurfaceMesh mesh = Build(Icosphere(1));
-  const ExactField field(mesh, { VertexSource(0) });
-  const std::vector<double> levels{ 0.5, 1.0 };
-  const BandCase test(field.Exact, levels);
-  Bands bands;
-  const ProgressListener whole = ExpectStops(
-    [&](const ProgressCallback& progress) {
-      return MakeBands(field.Exact, levels, test.Lines, progress, bands);
-    },
-    [&] { EXPECT_TRUE(bands.BandOf.empty()); });
-  EXPECT_GE(whole.Calls, 4);
-  EXPECT_FALSE(MakeBands({}, levels, test.Lines, {}, bands).IsOk());
-  EXPECT_FALSE(MakeBands(field.Exact, { 0.5 }, test.Lines, {}, bands).IsOk());
-  EXPECT_FALSE(MakeBands(field.Exact, { 0.5, Infinity }, test.Lines, {}, bands).IsOk());
-}
-
 namespace
 {
 using dgg::BandMarching;
@@ -447,31 +349,6 @@ TEST(BandMarching, OffsetsAndTheNearestSource)
     EXPECT_NEAR(both[i], std::min(first[i], second[i]), 0.03) << i;
   }
   EXPECT_EQ(first[0], 0.25);
-}
-
-TEST(BandMarching, RefusesBadSources)
-{
-  Cloud cloud;
-  AddSquare(cloud, 10, 0.0, 0.1);
-  VoxelBand band;
-  ASSERT_TRUE(band.Build(cloud.Points, cloud.Radii, 0.05, 0, {}).IsOk());
-  const BandMarching marching(band);
-  BandMarchingResult result;
-  result.Distances = { 1.0 };
-  EXPECT_FALSE(marching.Run({}, cloud.Points, {}, result).IsOk());
-  EXPECT_TRUE(result.Distances.empty());
-  EXPECT_FALSE(marching.Run({ { { 0.5, 0.4, 5.0 }, 0.0 } }, cloud.Points, {}, result).IsOk());
-  EXPECT_FALSE(
-    marching.Run({ { { std::nan(""), 0.0, 0.0 }, 0.0 } }, cloud.Points, {}, result).IsOk());
-  BandMarchingOptions options;
-  options.Progress = [](double) { return false; };
-  const std::vector<BandSource> sources = { { cloud.Points[0], 0.0 } };
-  EXPECT_TRUE(marching.Run(sources, cloud.Points, options, result).IsAborted());
-  // Places off the band are not reached.
-  const std::vector<Point3> off = { { 9.0, 9.0, 9.0 }, { std::nan(""), 0.0, 0.0 } };
-  ASSERT_TRUE(marching.Run(sources, off, {}, result).IsOk());
-  EXPECT_EQ(result.Distances, (std::vector<double>{ dgg::Infinity, dgg::Infinity }));
-  EXPECT_EQ(result.NearestSource, (std::vector<Id>{ dgg::NoId, dgg::NoId }));
 }
 
 // A strip that turns back below itself, about as close as two sheets can be.

@@ -253,27 +253,6 @@ TEST(BiharmonicGreens, SolvesTheBiLaplaceEquation)
   EXPECT_FALSE(dgg::PoissonSolver(mesh).SolveBiLaplace(columns).IsOk());
 }
 
-TEST(BiharmonicGreens, ScalesLikeAnAreaWhateverTheSign)
-{
-  const dgg::SurfaceMesh meshes[] = { Build(Icosphere(3)), Build(Scaled(Icosphere(3), 10.0)) };
-  const dgg::SurfacePoint pole = dgg::SurfacePoint::InFace(meshes[0], 70, { { 0.2, 0.5, 0.3 } });
-  for (const dgg::GreensMethod method : Methods)
-  {
-    dgg::GreensQuery query = Twofold(method);
-    const dgg::GreensResult one = Greens(meshes[0]).Run(pole, query);
-    query.Sign = dgg::GreensSign::Negative;
-    query.Pole = dgg::GreensPole::Infinite;
-    const dgg::GreensResult ten = Greens(meshes[1]).Run(pole, query);
-    EXPECT_EQ(one.Method, method);
-    const double largest = *std::max_element(one.Values.begin(), one.Values.end());
-    EXPECT_NEAR(largest, 1.0 / (4.0 * dgg::Pi), 2e-3);
-    for (std::size_t v = 0; v < one.Values.size(); ++v)
-    {
-      ASSERT_NEAR(ten.Values[v], 100.0 * one.Values[v], 1e-9 * 100.0 * largest);
-    }
-  }
-}
-
 TEST(BiharmonicGreens, InterpolationIsCloseToASolvePerPoint)
 {
   const TestMesh sphere = Icosphere(4);
@@ -343,20 +322,4 @@ TEST(BiharmonicGreens, BoundariesHaveTheirConditions)
   }
 }
 
-TEST(BiharmonicGreens, StopsWhenAsked)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(3));
-  const Greens greens(mesh);
-  const std::vector<dgg::SurfacePoint> poles(3, dgg::SurfacePoint::AtVertex(5));
-  std::vector<dgg::GreensResult> results;
-  const auto run = [&](const dgg::ProgressCallback& progress) {
-    dgg::GreensQuery query = Twofold();
-    query.Progress = progress;
-    return greens.Function.Run(poles, query, results);
-  };
-  EXPECT_EQ(ExpectStops(
-              run, [&] { EXPECT_TRUE(results.empty()); }, 3)
-              .Done,
-    1.0);
-}
 }

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -339,31 +338,6 @@ TEST(BiharmonicSplines, LinearFunctionsInThePlane)
   EXPECT_LT(previous, 2e-3);
 }
 
-TEST(BiharmonicSplines, ValuesBeyondTheLargestNumber)
-{
-  // Between two sites that are close the slope is steep: values rise beyond those of sites.
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
-  Biharmonic spline(mesh);
-  spline.PrepareSome(9);
-  std::vector<dgg::SurfacePoint> sites = spline.Sites;
-  Id edge = 0;
-  while (mesh.Origin(edge) != sites[0].Vertex)
-  {
-    ++edge;
-  }
-  sites.push_back(dgg::SurfacePoint::AtVertex(mesh.Destination(edge)));
-  ASSERT_TRUE(Ok(spline.Prepare(sites)));
-  std::vector<double> values(sites.size(), 1.0);
-  values[0] = 0.0;
-  const std::vector<double> function = spline.Interpolate(values);
-  EXPECT_GT(*std::max_element(function.begin(), function.end()), 1.1);
-  std::fill(values.begin() + 1, values.end(), 1.7e308);
-  Columns functions;
-  EXPECT_TRUE(
-    Says(spline.Splines.Interpolate({ values }, nullptr, nullptr, functions), "too large"));
-  EXPECT_TRUE(functions.empty());
-}
-
 TEST(BiharmonicSplines, ComponentsDoNotKnowOfEachOther)
 {
   const dgg::SurfaceMesh mesh = Build(SeveralComponents());
@@ -381,131 +355,6 @@ TEST(BiharmonicSplines, ComponentsDoNotKnowOfEachOther)
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     ASSERT_NEAR(after[v], before[v] + (system.GetComponent(v) == moved ? 7.0 : 0.0), 1e-11);
-  }
-}
-
-TEST(BiharmonicSplines, ThreadsDoNotMatter)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
-  Biharmonic alone(mesh);
-  alone.PrepareSome(30);
-  dgg::BiharmonicSplines together(*alone.Solver);
-  ASSERT_TRUE(Ok(together.Prepare(alone.Sites, WithThreads(3), nullptr)));
-  const Columns values(20, RandomValues(30, 2)); // several blocks
-  Columns functions;
-  Columns expected;
-  ASSERT_TRUE(Ok(together.Interpolate(values, WithThreads(3), nullptr, functions)));
-  ASSERT_TRUE(Ok(alone.Splines.Interpolate(values, nullptr, nullptr, expected)));
-  EXPECT_EQ(functions, expected);
-}
-
-TEST(BiharmonicSplines, RefusesWhatMakesNoSense)
-{
-  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  dgg::PoissonSolver solver(mesh);
-  dgg::BiharmonicSplines splines(solver);
-  const auto prepare = [&](const std::vector<dgg::SurfacePoint>& sites) {
-    return splines.Prepare(sites, nullptr, nullptr);
-  };
-  const auto interpolate = [&](const Columns& values) {
-    Columns functions{ { 1.0 } };
-    const dgg::Status status = splines.Interpolate(values, nullptr, nullptr, functions);
-    EXPECT_EQ(functions.empty(), !status.IsOk());
-    return status;
-  };
-  EXPECT_TRUE(Says(prepare(AtVertices({ 0 })), "has not been prepared"));
-  ASSERT_TRUE(Ok(solver.Prepare({}, nullptr)));
-  EXPECT_TRUE(Says(interpolate({ { 1.0 } }), "no sites"));
-  EXPECT_TRUE(Says(prepare({}), "there is no site"));
-  EXPECT_TRUE(Says(prepare(AtVertices({ 0, -1 })), "site 1: vertex -1 does not exist"));
-  EXPECT_TRUE(Says(prepare(AtVertices({ 5, 7, 5 })), "site 2 (vertex 5) is the same as site 0"));
-  EXPECT_TRUE(Says(prepare(AtVertices({ 0 })), "has no site"));
-  std::vector<Id> vertices;
-  ASSERT_TRUE(Ok(dgg::ChooseSplineSites(solver, 6, nullptr, vertices)));
-  const std::vector<dgg::SurfacePoint> sites = AtVertices(vertices);
-  // The same place twice, and more sites than corners: of one face, of two, of an edge.
-  std::vector<dgg::SurfacePoint> more = sites;
-  more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.2, 0.5, 0.3 } }));
-  more.push_back(more.back());
-  EXPECT_TRUE(Says(prepare(more), "site 7 is in the same place as site 6"));
-  more.back() = dgg::SurfacePoint::InFace(mesh, 3, { { 0.3, 0.4, 0.3 } });
-  more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.3, 0.2, 0.5 } }));
-  EXPECT_TRUE(Ok(prepare(more)));
-  more.push_back(dgg::SurfacePoint::InFace(mesh, 3, { { 0.1, 0.1, 0.8 } }));
-  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
-  Id edge = 0;
-  while (mesh.Origin(edge) != vertices[0] || mesh.Twin(edge) == dgg::NoId)
-  {
-    ++edge;
-  }
-  more = sites;
-  for (const Id face : { mesh.Face(edge), mesh.Face(mesh.Twin(edge)) })
-  {
-    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.6, 0.2, 0.2 } }));
-    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.2, 0.6, 0.2 } }));
-    more.push_back(dgg::SurfacePoint::InFace(mesh, face, { { 0.2, 0.2, 0.6 } }));
-  }
-  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
-  more = AtVertices({ vertices.begin() + 1, vertices.end() });
-  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.25));
-  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.5));
-  EXPECT_TRUE(Ok(prepare(more)));
-  more.push_back(dgg::SurfacePoint::OnEdge(mesh, edge, 0.75));
-  EXPECT_TRUE(Says(prepare(more), "more sites than corners"));
-  EXPECT_TRUE(Says(interpolate({ { 1.0 } }), "no sites")); // not those of before
-
-  ASSERT_TRUE(Ok(prepare(sites)));
-  std::vector<double> values(6, 1.0);
-  EXPECT_TRUE(Says(interpolate({ values, { 1.0 } }), "1 values for 6 sites"));
-  for (const double wrong : { NaN, dgg::Infinity })
-  {
-    values[4] = wrong;
-    EXPECT_TRUE(Says(interpolate({ values }), "site 4 is not finite"));
-  }
-  values[4] = 1.7e308;
-  values[0] = values[1] = values[2] = values[3] = values[5] = -1.7e308;
-  EXPECT_TRUE(Says(interpolate({ values }), "too large"));
-  // Another system.
-  ASSERT_TRUE(Ok(solver.Prepare(With(dgg::PoissonBoundary::Dirichlet), nullptr)));
-  EXPECT_TRUE(Says(interpolate({ values }), "anew"));
-  EXPECT_TRUE(Says(splines.FindBasis(nullptr, nullptr, [](Id, const auto&) {}), "anew"));
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    if (mesh.Twin(h) == dgg::NoId)
-    {
-      EXPECT_TRUE(
-        Says(prepare({ dgg::SurfacePoint::OnEdge(mesh, h, 0.4) }), "lies on the boundary"));
-      break;
-    }
-  }
-}
-
-TEST(BiharmonicSplines, StopsWhenAsked)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
-  Biharmonic spline(mesh);
-  spline.PrepareSome(40);
-  using Progress = const dgg::ProgressCallback&;
-  const std::vector<std::function<dgg::Status(Progress)>> steps = {
-    [&](Progress progress) { return spline.Splines.Prepare(spline.Sites, nullptr, progress); },
-    [&](Progress progress) {
-      return spline.Splines.FindBasis(nullptr, progress, [](Id, const auto&) {});
-    },
-    [&](Progress progress) {
-      Columns functions{ { 1.0 } };
-      const Columns values(20, RandomValues(40, 2));
-      const dgg::Status status = spline.Splines.Interpolate(values, nullptr, progress, functions);
-      EXPECT_EQ(functions.size(), status.IsOk() ? 20u : 0u);
-      return status;
-    }
-  };
-  for (const auto& step : steps)
-  {
-    EXPECT_EQ(ExpectStops(
-                step, [] {}, 9)
-                .Done,
-      1.0);
-    EXPECT_TRUE(Ok(step(nullptr)));
   }
 }
 

@@ -201,27 +201,4 @@ TEST(Centroidal, DuplicatesPart)
   EXPECT_LT(energies.back(), 0.8 * energies.front());
 }
 
-TEST(Centroidal, BadInputAndAbort)
-{
-  const SearchCase c("plane", Plane(10, 10), 0.02);
-  const dgg::GraphBuilder builder(c.GetMesh());
-  std::vector<double> energies;
-  const auto move = [&](Sites& sites, const CentroidalOptions& options) {
-    return dgg::MoveToCenters(c.GetSearch(), c.GetMesh(), builder, 0.02, options, sites, energies);
-  };
-  Sites none;
-  EXPECT_FALSE(move(none, {}).IsOk());
-  Sites sites{ SurfacePoint::AtVertex(5), SurfacePoint::AtVertex(100000) };
-  EXPECT_FALSE(move(sites, {}).IsOk());
-  sites.pop_back();
-  CentroidalOptions options;
-  options.Progress = ProgressListener(1);
-  EXPECT_TRUE(move(sites, options).IsAborted());
-  EXPECT_EQ(sites[0].Vertex, 5);
-  EXPECT_TRUE(energies.empty());
-  dgg::LinkedSites linked;
-  const auto inner = SurfacePoint::InFace(c.GetMesh(), 7, { { 0.2, 0.3, 0.5 } });
-  EXPECT_FALSE(dgg::LinkSites({ inner }, nullptr, 0.02, linked).IsOk());
-  EXPECT_TRUE(dgg::LinkSites({ SurfacePoint::AtVertex(3) }, nullptr, 0.02, linked).IsOk());
-}
 }

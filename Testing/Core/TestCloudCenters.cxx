@@ -137,36 +137,6 @@ TEST(CloudCenters, ScaleDoesNotMatter)
   }
 }
 
-TEST(CloudCenters, IterationsAndAbort)
-{
-  CloudCase c(Plane(20, 14), 0.01);
-  Sites sites = AtVertices({ 0, 1 });
-  CentroidalOptions options;
-  options.NumberOfIterations = 0;
-  ASSERT_TRUE(c.Move(options, sites).IsOk());
-  EXPECT_EQ(c.Energies.size(), 1u);
-  EXPECT_EQ(sites[0].Vertex, 0);
-
-  options.NumberOfIterations = 3;
-  ASSERT_TRUE(c.Move(options, sites).IsOk());
-  EXPECT_LE(c.Energies.size(), 4u);
-  EXPECT_NE(sites[0].Vertex, 0);
-
-  options.NumberOfIterations = 50;
-  const ProgressListener whole = ExpectStops(
-    [&](const dgg::ProgressCallback& progress) {
-      sites = AtVertices({ 0, 1, 2, 3, 4 });
-      options.Progress = progress;
-      return c.Move(options, sites);
-    },
-    [&] {
-      EXPECT_EQ(sites[0].Vertex, 0);
-      EXPECT_TRUE(c.Energies.empty());
-    },
-    7);
-  EXPECT_GT(whole.Calls, 10);
-}
-
 TEST(CloudCenters, SitesWithoutACell)
 {
   CloudCase c(Plane(12, 9), 0.05);

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <set>
 
 namespace dggtest
@@ -78,16 +77,6 @@ double SideInPlane(const TestMesh& input, const dgg::SurfaceMesh& mesh, const Cu
   return sum;
 }
 
-dgg::Status ErrorOf(const RefinedSurface& surface)
-{
-  CurveCut cut;
-  const dgg::Status status = dgg::CutAlongCurves(surface, surface.Paths, cut);
-  EXPECT_FALSE(status.IsOk());
-  EXPECT_TRUE(cut.Surface.Points.empty());
-  EXPECT_TRUE(cut.Sides.empty());
-  return status;
-}
-
 CurveCut SoundCut(const RefinedSurface& surface)
 {
   CurveCut cut = CutOpen(surface);
@@ -101,16 +90,6 @@ void ExpectTopology(const CurveCut& cut, Id parts, Id characteristic, Id boundar
   EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), characteristic);
   EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), boundaryLoops);
 }
-}
-
-TEST(CurveCut, NothingToCut)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  const std::vector<SurfaceCurve> curves{ Curve(mesh, {}), Curve(mesh, AtVertices({ 4 })),
-    Curve(mesh, AtVertices({ 4, 4 }), true) };
-  const RefinedSurface surface = Embed(mesh, curves);
-  const CurveCut cut = SoundCut(surface);
-  EXPECT_EQ(cut.Surface.Triangles, surface.Triangles);
 }
 
 TEST(CurveCut, SlitHasOneRim)
@@ -132,67 +111,6 @@ TEST(CurveCut, SlitHasOneRim)
   EXPECT_EQ(left[0], left[1]);
   EXPECT_EQ(right[0], right[1]);
   EXPECT_NE(left[0], right[0]);
-}
-
-TEST(CurveCut, SingleEdgeOpens)
-{
-  // Along an edge, and inside a face; the third curve starts at the end of the second one.
-  const TestMesh input = Plane(4, 4);
-  const dgg::SurfaceMesh mesh = Build(input);
-  const auto at = [&](double b, double c) { return PointIn(mesh, 20, { { 1.0 - b - c, b, c } }); };
-  std::vector<SurfaceCurve> curves{ Curve(mesh, AtVertices({ 6, 7 })),
-    Curve(mesh, { at(0.25, 0.25), at(0.5, 0.25) }) };
-  RefinedSurface surface = Embed(mesh, curves);
-  ExpectSoundEmbedding(input, mesh, curves, surface);
-  CurveCut cut = SoundCut(surface);
-  for (std::size_t c = 0; c < curves.size(); ++c)
-  {
-    const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, c);
-    EXPECT_EQ(chain.Parameters, (std::vector<double>{ 0.0, 0.5, 1.0 }));
-    EXPECT_EQ(chain.GivenPoints, (std::vector<dgg::Offset>{ 0, 2 }));
-    EXPECT_EQ(CountCopies(cut, chain.Vertices[1]), 2);
-  }
-  curves.push_back(Curve(mesh, { at(0.5, 0.25), at(0.5, 0.375) }));
-  surface = Embed(mesh, curves);
-  for (const std::vector<Id>& path : surface.Paths) // each may be cut along without the others
-  {
-    EXPECT_EQ(path.size(), 3u);
-  }
-  cut = SoundCut(surface);
-  EXPECT_EQ(CountCopies(cut, surface.Paths[2][0]), 2);
-}
-
-TEST(CurveCut, FromTheRim)
-{
-  // From the middle to the rim: no new loop. From rim to rim: two parts.
-  const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
-  RefinedSurface surface = EmbedVertices(mesh, { { 12, 13, 14 } });
-  CurveCut cut = SoundCut(surface);
-  EXPECT_EQ(CountCopies(cut, 14), 2);
-  EXPECT_EQ(CountBoundaryLoops(cut.Surface.Triangles), 1);
-  EXPECT_EQ(EulerCharacteristic(cut.Surface.Triangles), 1);
-  surface = EmbedVertices(mesh, { { 10, 11, 12, 13, 14 } });
-  cut = SoundCut(surface);
-  ExpectTopology(cut, 2, 2, 2);
-}
-
-TEST(CurveCut, AlongTheRim)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
-  const RefinedSurface surface = EmbedVertices(mesh, { { 0, 1, 2, 3, 7 }, { 7, 3 } });
-  const CurveCut cut = SoundCut(surface);
-  EXPECT_EQ(cut.Surface.Triangles, surface.Triangles);
-  for (const dgg::EdgeSide& right : cut.Sides[0].Right)
-  {
-    EXPECT_EQ(right.Face, NoId);
-    EXPECT_EQ(right.From, NoId);
-    EXPECT_EQ(right.To, NoId);
-  }
-  EXPECT_EQ(cut.Sides[0].Left[0].From, 0);
-  EXPECT_EQ(cut.Sides[0].Left[0].To, 1);
-  EXPECT_EQ(cut.Sides[1].Left[0].Face, NoId);
-  EXPECT_EQ(cut.Sides[1].Right[0].Face, cut.Sides[0].Left[3].Face);
-  EXPECT_EQ(cut.Sides[1].Right[0].From, 7);
 }
 
 TEST(CurveCut, CrossingHasFourCopies)
@@ -218,22 +136,6 @@ TEST(CurveCut, CrossingHasFourCopies)
   // Ahead of it and on the left of the first curve is what is ahead and right of the second one.
   EXPECT_EQ(
     FindCopies(cut.Sides[0].Left, 1, false)[1], FindCopies(cut.Sides[1].Right, 1, false)[1]);
-}
-
-TEST(CurveCut, EndOnACurve)
-{
-  // A T: the end has a copy on each side of the curve that comes in, and one beyond.
-  const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
-  const RefinedSurface surface = EmbedVertices(mesh, { { 11, 12, 13 }, { 7, 12 } });
-  const CurveCut cut = SoundCut(surface);
-  EXPECT_EQ(CountCopies(cut, 12), 3);
-  const std::array<Id, 2> left = FindCopies(cut.Sides[0].Left, 1, false);
-  EXPECT_EQ(left[0], left[1]);
-  const std::array<Id, 2> right = FindCopies(cut.Sides[0].Right, 1, false);
-  EXPECT_NE(right[0], right[1]);
-  ASSERT_EQ(surface.Paths[1].size(), 3u); // with a middle
-  EXPECT_EQ(right[0], FindCopies(cut.Sides[1].Left, 2, false)[0]);
-  EXPECT_EQ(right[1], FindCopies(cut.Sides[1].Right, 2, false)[0]);
 }
 
 TEST(CurveCut, ClosedCurves)
@@ -354,50 +256,4 @@ TEST(CurveCut, SheetsThatTouchInAPoint)
   EXPECT_EQ(CountParts(cut.Surface.Triangles), 2);
 }
 
-TEST(CurveCut, RefusesWhatHasNoSides)
-{
-  // Across the line in which sheets meet, along it, and up to it; elsewhere is no matter.
-  std::vector<Id> sheetOf;
-  const dgg::SurfaceMesh book = Build(Book(3, 4, sheetOf));
-  const Id spine = static_cast<Id>(std::find(sheetOf.begin(), sheetOf.end(), -1) - sheetOf.begin());
-  Id inside = NoId;
-  for (Id v = 0; v < book.GetNumberOfVertices(); ++v)
-  {
-    inside = book.Kind(v) != dgg::VertexKind::Boundary && sheetOf[v] >= 0 ? v : inside;
-  }
-  ASSERT_NE(inside, NoId);
-  EXPECT_TRUE(Says(ErrorOf(EmbedVertices(book, { { spine, inside } })),
-    "edges of more than two faces and 0 edges"));
-  const RefinedSurface beside = Embed(book,
-    { Curve(book,
-      { SurfacePoint::InFace(book, 0, { { 0.3, 0.3, 0.4 } }),
-        SurfacePoint::InFace(book, 0, { { 0.4, 0.4, 0.2 } }) }) });
-  CurveCut cut;
-  EXPECT_TRUE(dgg::CutAlongCurves(beside, beside.Paths, cut).IsOk());
-  // Edges of the mesh are counted, not the parts that they were split into.
-  RefinedSurface along = EmbedVertices(book, { { spine, inside } });
-  const std::string message = ErrorOf(along).GetMessage();
-  std::vector<Id> parents;
-  std::vector<Id> all(along.Faces.size());
-  std::iota(all.begin(), all.end(), 0);
-  along.Paths.push_back({ spine, spine + 1, spine + 2 });
-  const std::string whole = ErrorOf(along).GetMessage();
-  EXPECT_NE(whole, message);
-  along.Places.push_back({ 0.0, 1.0, 2.0 });
-  ASSERT_TRUE(dgg::RefineFaces(book, all, 2, nullptr, along, parents).IsOk());
-  EXPECT_EQ(ErrorOf(along).GetMessage(), whole);
-  // Once around a strip with one side: left becomes right somewhere.
-  const dgg::SurfaceMesh strip = Build(MoebiusStrip(6, 4));
-  std::vector<Id> around;
-  for (Id i = 0; i < 6; ++i)
-  {
-    around.push_back(2 * 6 + i);
-  }
-  EXPECT_TRUE(
-    Says(ErrorOf(EmbedVertices(strip, { around }, true)), "0 edges of more than two faces and"));
-  // A path that is no chain.
-  RefinedSurface broken = EmbedVertices(Build(Plane(3, 3)), { { 0, 1 } });
-  broken.Paths[0] = { 0, 15 };
-  EXPECT_TRUE(Says(ErrorOf(broken), "not neighbours"));
-}
 }

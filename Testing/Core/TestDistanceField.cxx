@@ -100,38 +100,6 @@ TEST(DistanceField, WindowsGiveTheExactDistanceInFaces)
   }
 }
 
-TEST(DistanceField, NegativeInitialDistancesAndLimitsAreKept)
-{
-  const SurfaceMesh mesh = Build(Icosphere(2));
-  std::vector<GeodesicSource> sources = VertexAndFaceSources(mesh);
-  sources[0].InitialDistance = -1.0;
-  ExpectExact(mesh, sources, ExactEngine::Triangle, 1e-11, "negative");
-
-  ExactOptions options;
-  options.KeepWindows = true;
-  options.MaximumDistance = 1.0;
-  ExactResult limited;
-  ASSERT_TRUE(ExactGeodesics(mesh).Run({ VertexSource(0) }, options, limited).IsOk());
-  ExactResult whole;
-  options.MaximumDistance = Infinity;
-  ASSERT_TRUE(ExactGeodesics(mesh).Run({ VertexSource(0) }, options, whole).IsOk());
-  const DistanceField a{ &mesh, limited.Distances.data(), &limited.Windows, nullptr };
-  const DistanceField b{ &mesh, whole.Distances.data(), &whole.Windows, nullptr };
-  FaceProfile inA(a);
-  FaceProfile inB(b);
-  int faces = 0;
-  for (const SurfacePoint& point : PointsInside(mesh, 500, 3))
-  {
-    if (a.IsReached(point.Face))
-    {
-      EXPECT_NEAR(DistanceAt(inA, point), DistanceAt(inB, point), 1e-12);
-      ++faces;
-    }
-  }
-  EXPECT_GT(faces, 20);
-  EXPECT_LT(limited.Windows.Windows.size(), whole.Windows.Windows.size());
-}
-
 TEST(DistanceField, EdgesAndFacesAgree)
 {
   for (const TestMesh& test : { Icosphere(3), Terrain(14, 0.6, 3), Torus(16, 10) })
@@ -251,24 +219,6 @@ TEST(DistanceField, NoCrossingOfSteepModelsIsLost)
   }
 }
 
-TEST(CornerModel, AnglesAreReducedByWholeTurns)
-{
-  const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    for (int i = -40; i <= 40; ++i)
-    {
-      for (const double phi : { 0.0, 0.1 * mesh.TotalAngle(v), 1.0 })
-      {
-        const CornerModel model(mesh, v, 0.0, 1.0, 0.125 * i * mesh.TotalAngle(v));
-        const double angle = model.Angle - phi;
-        EXPECT_EQ(
-          model.AngleFrom(phi), model.IsOpen ? angle : std::remainder(angle, mesh.TotalAngle(v)));
-      }
-    }
-  }
-}
-
 /// Behind ridges, light from one end of an edge meets that from the other one somewhere inside.
 TEST(DistanceField, NoExtremumIsBetweenBreaks)
 {
@@ -327,22 +277,6 @@ TEST(DistanceField, ModelsBeatLinearInterpolation)
   }
 }
 
-TEST(DistanceField, FieldsInterpolateTheVertices)
-{
-  const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
-  const ExactField field(mesh, VertexAndFaceSources(mesh));
-  for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
-  {
-    FaceProfile profile(*f);
-    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-    {
-      profile.Enter(SurfaceMesh::Face(h));
-      EXPECT_NEAR(
-        profile.At(profile.GetCorners()[h % 3]), field.Result.Distances[mesh.Origin(h)], 1e-12);
-    }
-  }
-}
-
 TEST(DistanceField, GradientsAreThoseOfTheDistance)
 {
   const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
@@ -369,39 +303,4 @@ TEST(DistanceField, GradientsAreThoseOfTheDistance)
     }
     EXPECT_GT(2 * smooth, static_cast<int>(points.size()));
   }
-}
-
-TEST(EdgeWindows, DamageIsNoticed)
-{
-  const SurfaceMesh mesh = Build(Icosphere(1));
-  const ExactField field(mesh, VertexAndFaceSources(mesh));
-  const EdgeWindows& good = field.Result.Windows;
-  ASSERT_TRUE(good.Check(mesh).IsOk());
-  EdgeWindows bad = good;
-  bad.Offsets.pop_back();
-  EXPECT_FALSE(bad.Check(mesh).IsOk());
-  bad = good;
-  bad.Windows[5].Image.X = std::nan("");
-  EXPECT_FALSE(bad.Check(mesh).IsOk());
-  bad = good;
-  bad.Windows[5].End = 1e9;
-  EXPECT_FALSE(bad.Check(mesh).IsOk());
-  bad = good;
-  bad.Sources[0].Face = 4000;
-  EXPECT_FALSE(bad.Check(mesh).IsOk());
-  bad = good;
-  std::swap(bad.Offsets[4], bad.Offsets[40]);
-  EXPECT_FALSE(bad.Check(mesh).IsOk());
-}
-
-TEST(EdgeWindows, AreNotKeptUnlessAskedFor)
-{
-  const SurfaceMesh mesh = Build(Icosphere(1));
-  ExactResult result;
-  ASSERT_TRUE(ExactGeodesics(mesh).Run({ VertexSource(0) }, {}, result).IsOk());
-  EXPECT_TRUE(result.Windows.IsEmpty());
-  ExactOptions options;
-  options.KeepWindows = true;
-  options.StopAtTargets = true;
-  EXPECT_FALSE(ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result).IsOk());
 }

@@ -8,7 +8,6 @@
 #include "dggEarthMovers.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace dggtest
 {
@@ -195,24 +194,4 @@ TEST(EarthMovers, AnyTriangles)
   }
 }
 
-TEST(EarthMovers, SaysWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  const auto solver = Ready(mesh);
-  const Id n = mesh.GetNumberOfVertices();
-  dgg::EarthMoversResult result;
-  const dgg::EarthMovers movers(*solver);
-  const auto first = PointMass(mesh, dgg::SurfacePoint::AtVertex(0));
-  dgg::EarthMoversOptions options;
-  options.Progress = [](double) { return false; };
-  EXPECT_TRUE(movers.Run(first, PointMass(mesh, dgg::SurfacePoint::AtVertex(9)), options, result)
-                .IsAborted());
-  std::vector<double> masses(n, 0.0);
-  EXPECT_FALSE(dgg::AddPointMass(mesh, dgg::SurfacePoint::AtVertex(n), 1.0, masses).IsOk());
-  dgg::PoissonOptions dirichlet;
-  dirichlet.Boundary = dgg::PoissonBoundary::Dirichlet;
-  const auto given = Ready(mesh, dirichlet);
-  EXPECT_NE(dgg::EarthMovers(*given).Run(first, first, {}, result).GetMessage().find("Neumann"),
-    std::string::npos);
-}
 }

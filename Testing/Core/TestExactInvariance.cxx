@@ -5,7 +5,6 @@
 #include "GeodesicChecks.h"
 #include "TestMeshes.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace dggtest

@@ -244,33 +244,6 @@ TEST(ExactPath, ToItself)
   EXPECT_EQ(FindPaths(mesh, onEdge, { otherSide })[0].Points.size(), 1u);
 }
 
-TEST(ExactPath, SayWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  dgg::ExactPathFinder finder(mesh);
-  std::vector<SurfacePath> paths(3);
-  const SurfacePoint good = SurfacePoint::AtVertex(0);
-  dgg::Status status = finder.Find(SurfacePoint::AtVertex(-4), { good }, nullptr, paths);
-  EXPECT_TRUE(Says(status, "vertex -4"));
-  EXPECT_TRUE(paths.empty());
-  status = finder.Find(good, { good, SurfacePoint::AtVertex(99999) }, nullptr, paths);
-  EXPECT_TRUE(Says(status, "target 1"));
-  EXPECT_TRUE(finder.Find(good, {}, nullptr, paths).IsOk());
-  EXPECT_TRUE(paths.empty());
-  EXPECT_TRUE(finder.Find(good, { SurfacePoint::AtVertex(5) }, nullptr, paths).IsOk());
-  EXPECT_EQ(paths.size(), 1u);
-}
-
-TEST(ExactPath, FacesNeedThreeVertices)
-{
-  const dgg::SurfaceMesh mesh = Build(FlatTorus(1.0, 0.3, 0.8, 1, 1, true));
-  dgg::ExactPathFinder finder(mesh);
-  std::vector<SurfacePath> paths;
-  const dgg::Status status =
-    finder.Find(SurfacePoint::AtVertex(0), { SurfacePoint::OnEdge(mesh, 1, 0.3) }, nullptr, paths);
-  EXPECT_TRUE(Says(status, "face 0 has vertices"));
-}
-
 TEST(ExactPath, TargetsKnowTheirPredecessors)
 {
   const dgg::SurfaceMesh mesh = Build(SeveralComponents());
@@ -306,17 +279,6 @@ TEST(ExactPath, TargetsKnowTheirPredecessors)
       }
     }
   }
-}
-
-TEST(ExactPath, StopsWhenAsked)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(5));
-  dgg::ExactPathFinder finder(mesh);
-  std::vector<SurfacePath> paths;
-  const dgg::Status status = finder.Find(
-    SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) }, [](double) { return false; }, paths);
-  EXPECT_TRUE(status.IsAborted());
-  EXPECT_TRUE(paths.empty());
 }
 
 /// What a finder has done before makes no difference.
@@ -373,15 +335,4 @@ TEST(ExactPath, MayBeAskedAgain)
   }
 }
 
-TEST(ExactPath, NearbyTargetsTakeFewWindows)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(5));
-  const Id center = 5000;
-  const Id neighbour = mesh.Destination(*mesh.FanBegin(center));
-  dgg::ExactPathFinder finder(mesh);
-  std::vector<dgg::SurfacePath> paths;
-  ASSERT_TRUE(Ok(finder.Find(dgg::SurfacePoint::AtVertex(center),
-    { dgg::SurfacePoint::AtVertex(neighbour) }, nullptr, paths)));
-  EXPECT_LT(finder.GetNumberOfWindows(), 500u);
-}
 }

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <string>
 
 namespace dggtest
 {
@@ -151,77 +150,6 @@ TEST_P(ExactResults, RootsAreWherePathsBend)
   EXPECT_EQ(v, source);
 }
 
-TEST_P(ExactResults, CountsWork)
-{
-  const dgg::SurfaceMesh small = Build(NoisySphere(2, 0.3, 3));
-  const dgg::SurfaceMesh large = Build(NoisySphere(4, 0.3, 3));
-  const dgg::ExactResult one = Solve(small, this->Engine(), { VertexSource(0) });
-  const dgg::ExactResult other = Solve(large, this->Engine(), { VertexSource(0) });
-  EXPECT_GT(one.NumberOfWindows, 300u);
-  EXPECT_GT(other.NumberOfWindows, 10 * one.NumberOfWindows);
-  EXPECT_GT(one.PeakMemory, 1000u);
-  EXPECT_GT(other.PeakMemory, one.PeakMemory);
-}
-
-TEST_P(ExactResults, MemoryOfWindowsIsCountedAndLimited)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(4, 0.3, 3));
-  dgg::ExactOptions options;
-  options.Engine = this->Engine();
-  const auto run = [&](dgg::ExactResult& result) {
-    return dgg::ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result);
-  };
-  dgg::ExactResult without;
-  dgg::ExactResult with;
-  ASSERT_TRUE(run(without).IsOk());
-  options.KeepWindows = true;
-  ASSERT_TRUE(run(with).IsOk());
-  EXPECT_GT(with.PeakMemory, without.PeakMemory);
-  // Both the lists and the result, when one is moved to the other.
-  EXPECT_GT(with.PeakMemory, 2 * with.Windows.Windows.size() * sizeof(dgg::EdgeWindow));
-
-  dgg::ExactResult result;
-  options.MemoryLimit = with.PeakMemory;
-  ASSERT_TRUE(run(result).IsOk());
-  EXPECT_EQ(result.Distances, with.Distances);
-  for (const std::size_t limit : { with.PeakMemory / 2, std::size_t(1) })
-  {
-    options.MemoryLimit = limit;
-    dgg::ExactGeodesics solver(mesh);
-    const dgg::Status status = solver.Run({ VertexSource(0) }, options, result);
-    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
-    for (const std::string& text : { std::to_string(limit) + " bytes", std::string("fewer points"),
-           std::string("MaximumDistance"), std::string("GenerateWindows off") })
-    {
-      EXPECT_TRUE(Says(status, text));
-    }
-    EXPECT_TRUE(result.Distances.empty());
-    EXPECT_TRUE(result.Windows.IsEmpty());
-    options.MemoryLimit = 0; // the same engine goes on
-    ASSERT_TRUE(solver.Run({ VertexSource(0) }, options, result).IsOk());
-    EXPECT_EQ(result.Distances, with.Distances);
-    EXPECT_EQ(result.Windows.Offsets, with.Windows.Offsets);
-  }
-}
-
-TEST_P(ExactResults, MemoryLimitEndsARunEarly)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(5, 0.3, 3));
-  dgg::ExactOptions options;
-  options.Engine = this->Engine();
-  options.KeepWindows = true;
-  ProgressListener whole;
-  options.Progress = std::ref(whole);
-  dgg::ExactResult result;
-  ASSERT_TRUE(dgg::ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result).IsOk());
-  EXPECT_GT(whole.Done, 0.7);
-  ProgressListener limited;
-  options.Progress = std::ref(limited);
-  options.MemoryLimit = result.PeakMemory / 3;
-  EXPECT_FALSE(dgg::ExactGeodesics(mesh).Run({ VertexSource(0) }, options, result).IsOk());
-  EXPECT_LT(limited.Done, 0.7);
-}
-
 TEST(EdgeGraph, AddsUpEdges)
 {
   const TestMesh input = Plane(4, 4); // diagonals from lower left to upper right
@@ -348,74 +276,6 @@ TEST_P(ExactLimits, EarlyExitGivesTheFullAnswer)
         }
       }
     }
-  }
-}
-
-TEST_P(ExactLimits, EarlyExitSavesWork)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(5, 0.3, 3));
-  // A target in a face of the source, and one at a neighbouring vertex.
-  const Id h = *mesh.FanBegin(0);
-  for (const dgg::SurfacePoint& target :
-    { dgg::SurfacePoint::InFace(mesh, h / 3, { { 0.3, 0.3, 0.4 } }),
-      dgg::SurfacePoint::AtVertex(mesh.Destination(h)) })
-  {
-    auto run = [&](bool stop) {
-      return Solve(mesh, this->Engine(), { VertexSource(0) }, [&](dgg::ExactOptions& options) {
-        options.Targets = { target };
-        options.StopAtTargets = stop;
-      });
-    };
-    EXPECT_LT(run(true).NumberOfWindows, run(false).NumberOfWindows / 4);
-  }
-}
-
-TEST_P(ExactLimits, UnreachableTargetsStopNothing)
-{
-  const TestMesh input = SeveralComponents();
-  const dgg::SurfaceMesh mesh = Build(input);
-  const dgg::ExactResult result =
-    Solve(mesh, this->Engine(), { VertexSource(0) }, [&](dgg::ExactOptions& options) {
-      options.Targets = { dgg::SurfacePoint::AtVertex(3),
-        dgg::SurfacePoint::AtVertex(mesh.GetNumberOfVertices() - 1) };
-      options.StopAtTargets = true;
-    });
-  EXPECT_EQ(result.TargetDistances[0], DistancesFrom(mesh, this->Engine(), 0)[3]);
-  EXPECT_EQ(result.TargetDistances[1], dgg::Infinity);
-  EXPECT_EQ(result.TargetNearestSource[1], dgg::NoId);
-}
-
-TEST_P(ExactLimits, ProgressRisesToTheEnd)
-{
-  ProgressListener listener;
-  Solve(Build(NoisySphere(5, 0.3, 3)), this->Engine(), { VertexSource(0) },
-    [&](dgg::ExactOptions& options) { options.Progress = std::ref(listener); });
-  EXPECT_GE(listener.Calls, 5);
-  EXPECT_GT(listener.Done, 0.7);
-}
-
-TEST_P(ExactLimits, AbortLeavesNothingAndDoesNoHarm)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(5, 0.3, 3));
-  dgg::ExactGeodesics solver(mesh);
-  dgg::ExactOptions options;
-  options.Engine = this->Engine();
-  dgg::ExactResult whole;
-  ASSERT_TRUE(solver.Run({ VertexSource(0) }, options, whole).IsOk());
-  for (const int after : { 1, 3 })
-  {
-    ProgressListener listener(after);
-    options.Progress = std::ref(listener);
-    dgg::ExactResult result = whole;
-    const dgg::Status status = solver.Run({ VertexSource(0) }, options, result);
-    EXPECT_TRUE(status.IsAborted());
-    EXPECT_FALSE(status.IsOk());
-    EXPECT_EQ(listener.Calls, after);
-    EXPECT_TRUE(result.Distances.empty());
-    EXPECT_TRUE(result.Predecessors.empty());
-    options.Progress = nullptr;
-    ASSERT_TRUE(solver.Run({ VertexSource(0) }, options, result).IsOk());
-    EXPECT_EQ(result.Distances, whole.Distances);
   }
 }
 

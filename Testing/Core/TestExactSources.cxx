@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace dggtest
 {
@@ -242,68 +241,4 @@ TEST_P(ExactSources, DuplicatesKeepTheSmallestOffset)
     Solve(mesh, this->Engine(), { { point, 0.5 }, { point, 0.0 } }).Distances, 1e-14, "face");
 }
 
-TEST_P(ExactSources, DominatedOnesNeverWin)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(6, 6, 0.2, 3));
-  const auto plain = DistancesFrom(mesh, this->Engine(), 0);
-  // The far corner would have to start with less than its own distance to win.
-  const dgg::ExactResult result =
-    Solve(mesh, this->Engine(), { VertexSource(48, 9.0), VertexSource(0) });
-  ExpectSameField(plain, result.Distances, 1e-14, "field");
-  EXPECT_EQ(std::count(result.NearestSource.begin(), result.NearestSource.end(), 1), 49);
-}
-
-TEST_P(ExactSources, IsolatedVerticesReachThemselvesOnly)
-{
-  const dgg::SurfaceMesh mesh = Build(SphereWithIsolatedPoints(1));
-  const dgg::ExactResult result = Solve(mesh, this->Engine(), { VertexSource(0, 2.5) });
-  EXPECT_EQ(result.Distances[0], 2.5);
-  EXPECT_EQ(result.NearestSource[0], 0);
-  EXPECT_EQ(std::count(result.Distances.begin(), result.Distances.end(), dgg::Infinity),
-    mesh.GetNumberOfVertices() - 1);
-}
-
-TEST_P(ExactSources, BadOnesAreNamed)
-{
-  const dgg::SurfaceMesh mesh = Build(RepeatedVertexPlane(2));
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::array<double, 3> centre{ { 0.3, 0.3, 0.4 } };
-  dgg::ExactGeodesics solver(mesh);
-  dgg::ExactResult result = Solve(mesh, this->Engine(), { VertexSource(0) });
-  auto expect = [&](const std::vector<dgg::GeodesicSource>& sources,
-                  const std::vector<dgg::SurfacePoint>& targets, double radius,
-                  const std::string& message) {
-    dgg::ExactOptions options;
-    options.Engine = this->Engine();
-    options.Targets = targets;
-    options.MaximumDistance = radius;
-    const dgg::Status status = solver.Run(sources, options, result);
-    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
-    EXPECT_TRUE(Says(status, message));
-    EXPECT_TRUE(result.Distances.empty());
-    EXPECT_TRUE(result.NearestSource.empty());
-    EXPECT_TRUE(result.TargetDistances.empty());
-    // A later correct call works.
-    options = dgg::ExactOptions();
-    options.Engine = this->Engine();
-    EXPECT_TRUE(solver.Run({ VertexSource(0) }, options, result).IsOk());
-    EXPECT_EQ(result.Distances[0], 0.0);
-  };
-  const double infinity = dgg::Infinity;
-  expect({}, {}, infinity, "there is no source");
-  expect({ VertexSource(0), VertexSource(9) }, {}, infinity, "source 1: vertex 9 does not exist");
-  expect({ VertexSource(-1) }, {}, infinity, "source 0: vertex -1 does not exist");
-  expect({ VertexSource(0, nan) }, {}, infinity, "source 0: the initial distance");
-  expect({ VertexSource(0, infinity) }, {}, infinity, "not finite");
-  expect({ VertexSource(0), VertexSource(1, -infinity) }, {}, infinity, "source 1");
-  expect({ { dgg::SurfacePoint::InFace(mesh, 11, centre), 0.0 } }, {}, infinity, "face 11");
-  expect({ { dgg::SurfacePoint::InFace(mesh, 8, centre), 0.0 } }, {}, infinity, "has no area");
-  expect({ { dgg::SurfacePoint::InFace(mesh, 0, { { 1.0, 1.0, 1.0 } }), 0.0 } }, {}, infinity,
-    "not within the face");
-  expect({ VertexSource(0) }, { dgg::SurfacePoint::AtVertex(1), dgg::SurfacePoint::AtVertex(9) },
-    infinity, "target 1: vertex 9 does not exist");
-  expect({ VertexSource(0) }, { dgg::SurfacePoint::InFace(mesh, -5, centre) }, infinity,
-    "target 0: face -5");
-  expect({ VertexSource(0) }, {}, nan, "the maximum distance is not a number");
-}
 }

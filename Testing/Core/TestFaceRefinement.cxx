@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -98,19 +97,6 @@ double SmallestAngle(const RefinedSurface& surface)
   }
   return smallest;
 }
-}
-
-TEST(FaceRefinement, NothingToDo)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  const RefinedSurface before = Embed(mesh, {});
-  RefinedSurface surface = before;
-  std::vector<Id> all(before.Faces.size());
-  std::iota(all.begin(), all.end(), 0);
-  EXPECT_EQ(Refine(mesh, {}, 3, surface), all);
-  EXPECT_EQ(surface.Triangles, before.Triangles);
-  EXPECT_EQ(Refine(mesh, { 3, 4 }, 0, surface), all);
-  EXPECT_EQ(surface.Triangles, before.Triangles);
 }
 
 TEST(FaceRefinement, AllFaces)
@@ -210,28 +196,6 @@ TEST(FaceRefinement, ParametersBetweenPointsInOnePlace)
   EXPECT_EQ(chain.GivenPoints, (std::vector<dgg::Offset>{ 0, 2, 2, 2, 4 }));
 }
 
-TEST(FaceRefinement, SaysWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  const RefinedSurface before = Embed(mesh, {});
-  RefinedSurface surface = before;
-  std::vector<Id> parents{ 1, 2, 3 };
-  auto errorOf = [&](const std::vector<Id>& faces, int levels) {
-    const dgg::Status status = dgg::RefineFaces(mesh, faces, levels, nullptr, surface, parents);
-    EXPECT_FALSE(status.IsOk());
-    EXPECT_EQ(surface.Triangles, before.Triangles);
-    EXPECT_TRUE(parents.empty());
-    return status;
-  };
-  EXPECT_TRUE(Says(errorOf({ 80 }, 1), "face 80 does not exist"));
-  EXPECT_TRUE(Says(errorOf({ 0, -1 }, 1), "face -1 does not exist"));
-  EXPECT_TRUE(Says(errorOf({ 0 }, -1), "negative"));
-  ProgressListener listener(3);
-  EXPECT_TRUE(dgg::RefineFaces(mesh, { 0 }, 3, std::ref(listener), surface, parents).IsAborted());
-  EXPECT_EQ(listener.Calls, 3);
-  EXPECT_EQ(surface.Triangles, before.Triangles);
-}
-
 // Triangles of zero area are taken out, and the surface stays what it is.
 
 namespace
@@ -329,20 +293,6 @@ TestMesh Seam(Id points, bool isFan, std::uint64_t seed)
   }
   return mesh;
 }
-}
-
-TEST(CapSplitting, LeavesOthersAlone)
-{
-  for (const TestMesh& mesh : { Cube(3, 0.2, 1), DuplicateFaceCube(2), TwoTriangles(0.5) })
-  {
-    const Split split = SplitMesh(mesh);
-    EXPECT_EQ(split.Caps, 0);
-    EXPECT_EQ(split.Mesh.Triangles, mesh.Triangles);
-    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-    {
-      EXPECT_EQ(split.Parents[f], f);
-    }
-  }
 }
 
 TEST(CapSplitting, SeamsOfAPlaneVanish)

@@ -6,11 +6,7 @@
 
 #include "dggFarthestPoints.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace dggtest
@@ -146,17 +142,6 @@ TEST(FarthestPoints, CloudsAndMeshesGiveTheSame)
   EXPECT_EQ(Sample(onMesh, 5, 50), Sample(onCloud, 5, 50));
 }
 
-TEST(FarthestPoints, ResetForgetsTheSamples)
-{
-  const SearchCase c("plane", Plane(12, 9, 0.2), 0.05);
-  FarthestPoints points(c.GetGraph(), &c.GetMesh());
-  const std::vector<Id> first = Sample(points, 7, 30);
-  points.Reset();
-  EXPECT_EQ(points.Find().Distance, dgg::Infinity);
-  EXPECT_EQ(points.Find().Vertex, 0);
-  EXPECT_EQ(Sample(points, 7, 30), first);
-}
-
 TEST(FarthestPoints, SurfacePointsAreSamplesByTheirLinks)
 {
   const SearchCase c("plane", Plane(10, 10, 0.2), 0.01);
@@ -170,28 +155,4 @@ TEST(FarthestPoints, SurfacePointsAreSamplesByTheirLinks)
   ExpectSameDistances(ReferenceDistances(c.GetGraph(), seeds), points.GetDistances(), "links");
 }
 
-TEST(FarthestPoints, BadSeedsChangeNothing)
-{
-  const SearchCase c("plane", Plane(5, 5), 0.05);
-  FarthestPoints points(c.GetGraph(), &c.GetMesh());
-  AddVertex(points, 3);
-  const std::vector<double> before = points.GetDistances();
-  EXPECT_FALSE(points.Add({}, nullptr).IsOk());
-  EXPECT_FALSE(points.Add({ SeedAt(0), SeedAt(c.GetNumberOfVertices()) }, nullptr).IsOk());
-  EXPECT_FALSE(points.Add({ SeedAt(0, std::numeric_limits<double>::quiet_NaN()) }, nullptr).IsOk());
-  EXPECT_EQ(points.GetDistances(), before);
-}
-
-TEST(FarthestPoints, CanBeAborted)
-{
-  const SearchCase c("plane", Plane(150, 150), 0.1);
-  FarthestPoints points(c.GetGraph(), &c.GetMesh());
-  ProgressListener listener(1);
-  EXPECT_TRUE(points.Add({ SeedAt(0) }, std::ref(listener)).IsAborted());
-  EXPECT_EQ(listener.Calls, 1);
-  points.Reset();
-  AddVertex(points, 0);
-  ExpectSameDistances(
-    ReferenceDistances(c.GetGraph(), { SeedAt(0) }), points.GetDistances(), "after an abort");
-}
 }

@@ -6,7 +6,6 @@
 #include "TestMeshes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,50 +17,6 @@ namespace
 {
 using dgg::GraphConstruction;
 
-dgg::Status TryBuild(const dgg::SurfaceMesh& mesh, const dgg::GraphOptions& options)
-{
-  dgg::GeodesicGraph graph = BuildGraph(mesh, 0.1); // is not to survive a failure
-  const dgg::Status status = dgg::GraphBuilder(mesh).Build(options, graph);
-  if (!status.IsOk())
-  {
-    EXPECT_EQ(graph.GetMemorySize(), 0u);
-    EXPECT_EQ(graph.GetNumberOfVertices(), 0);
-  }
-  return status;
-}
-
-/// Expect every call with these options to be refused, in words that name what is wrong.
-void ExpectRefused(const dgg::GraphOptions& options, const std::string& what)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  const dgg::GraphBuilder builder(mesh);
-  dgg::GraphEstimate estimate;
-  for (const dgg::Status& status : { dgg::GraphBuilder::Check(options), TryBuild(mesh, options),
-         builder.Estimate(options, estimate) })
-  {
-    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
-    EXPECT_TRUE(Says(status, what));
-  }
-  EXPECT_EQ(estimate.Edges, 0.0);
-}
-}
-
-TEST(GraphBuilderOptions, AccuracyOutOfRange)
-{
-  for (const auto construction :
-    { GraphConstruction::Guaranteed, GraphConstruction::OneRelay, GraphConstruction::Indirect })
-  {
-    for (const double accuracy : { 0.0, -0.01, 9e-7, 0.51, 1.0, 1e300, dgg::Infinity,
-           -dgg::Infinity, std::numeric_limits<double>::quiet_NaN() })
-    {
-      SCOPED_TRACE(accuracy);
-      dgg::GraphOptions options;
-      options.Construction = construction;
-      options.Accuracy = accuracy;
-      ExpectRefused(options, "accuracy");
-      ExpectRefused(options, "1e-06, 0.5]");
-    }
-  }
 }
 
 TEST(GraphBuilderOptions, AccuracyAtTheLimits)
@@ -71,69 +26,6 @@ TEST(GraphBuilderOptions, AccuracyAtTheLimits)
   {
     const dgg::GeodesicGraph graph = BuildGraph(mesh, accuracy);
     EXPECT_EQ(graph.Info.Accuracy, accuracy);
-  }
-}
-
-TEST(GraphBuilderOptions, NumberOfNeighbors)
-{
-  dgg::GraphOptions options;
-  options.Construction = GraphConstruction::SaddleVertexGraph;
-  for (const Id count : { 0, -1, std::numeric_limits<Id>::min() })
-  {
-    options.NumberOfNeighbors = count;
-    ExpectRefused(options, "neighbours");
-  }
-  // Only the options of the construction in use matter.
-  options.NumberOfNeighbors = 5;
-  options.Accuracy = -1.0;
-  EXPECT_TRUE(dgg::GraphBuilder::Check(options).IsOk());
-  options.Construction = GraphConstruction::Guaranteed;
-  options.NumberOfNeighbors = 0;
-  options.Accuracy = 0.1;
-  EXPECT_TRUE(dgg::GraphBuilder::Check(options).IsOk());
-}
-
-TEST(GraphBuilderOptions, InfoSaysWhatWasBuilt)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  for (const auto construction : AllConstructions())
-  {
-    const dgg::GraphInfo info = BuildGraph(mesh, 0.07, [&](dgg::GraphOptions& options) {
-      options.Construction = construction;
-      options.NumberOfNeighbors = 9;
-    }).Info;
-    const bool isByNumber = construction == GraphConstruction::SaddleVertexGraph;
-    EXPECT_EQ(info.Kind, dgg::GraphKind::Mesh);
-    EXPECT_EQ(info.Construction, construction);
-    EXPECT_EQ(info.Accuracy, isByNumber ? 0.0 : 0.07);
-    EXPECT_EQ(info.NumberOfNeighbors, isByNumber ? 9 : 0);
-    EXPECT_EQ(info.IsGuaranteed(), construction == GraphConstruction::Guaranteed);
-  }
-}
-
-TEST(GraphBuilderOptions, EmptyMeshes)
-{
-  for (const auto construction : AllConstructions())
-  {
-    SCOPED_TRACE(static_cast<int>(construction));
-    for (const Id count : { 0, 1, 3000 })
-    {
-      // Points without any face.
-      const std::vector<double> points(3 * static_cast<std::size_t>(count), 1.0);
-      dgg::SurfaceMesh mesh;
-      ASSERT_TRUE(dgg::SurfaceMesh::FromPoints(points.data(), count, nullptr, 0, mesh).IsOk());
-      const dgg::GeodesicGraph graph = BuildGraph(mesh, 0.01, construction);
-      ASSERT_EQ(graph.Offsets.Size(), static_cast<std::size_t>(count) + 1);
-      EXPECT_EQ(graph.View().GetNumberOfEdges(), 0);
-      dgg::GraphOptions options;
-      options.Construction = construction;
-      dgg::GraphEstimate estimate;
-      EXPECT_TRUE(dgg::GraphBuilder(mesh).Estimate(options, estimate).IsOk());
-      EXPECT_EQ(estimate.Edges, 0.0);
-    }
-    // Every vertex of one triangle sees the two others.
-    const dgg::GeodesicGraph graph = BuildGraph(Build(SingleTriangle()), 0.01, construction);
-    EXPECT_EQ(graph.View().GetNumberOfEdges(), 6);
   }
 }
 
@@ -178,60 +70,6 @@ TEST(GraphBuilderOptions, WideLengthsWhereFloatsEnd)
   }
 }
 
-TEST(GraphBuilderOptions, ProgressAscendsFromZeroToOne)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(60, 60, 0.2));
-  for (const auto construction : AllConstructions())
-  {
-    ProgressListener listener;
-    BuildGraph(mesh, 0.02, [&](dgg::GraphOptions& options) {
-      options.Construction = construction;
-      options.Progress = std::ref(listener);
-    });
-    EXPECT_GE(listener.Calls, 100); // within waves as well
-    EXPECT_EQ(listener.First, 0.0);
-    EXPECT_EQ(listener.Done, 1.0);
-  }
-}
-
-TEST(GraphBuilderOptions, AbortAtAnyReport)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(60, 60, 0.2));
-  const dgg::GraphBuilder builder(mesh);
-  for (const auto construction : { GraphConstruction::Guaranteed, GraphConstruction::Indirect })
-  {
-    SCOPED_TRACE(static_cast<int>(construction));
-    dgg::GraphOptions options;
-    options.Accuracy = 0.1;
-    options.Construction = construction;
-    const dgg::GeodesicGraph expected = BuildGraph(mesh, options.Accuracy, construction);
-    int aborted = 0;
-    for (int last = 1; last < 1000; last += 3)
-    {
-      ProgressListener listener(last);
-      options.Progress = std::ref(listener);
-      dgg::GeodesicGraph graph = BuildGraph(Build(Icosphere(0)), 0.1);
-      const dgg::Status status = builder.Build(options, graph);
-      if (status.IsOk())
-      {
-        ExpectSameGraph(expected, graph); // those given up before left no trace
-        break;
-      }
-      EXPECT_TRUE(status.IsAborted());
-      EXPECT_EQ(listener.Calls, last) << "reports went on";
-      EXPECT_EQ(graph.GetMemorySize(), 0u);
-      ++aborted;
-    }
-    EXPECT_GE(aborted, 5); // two waves of rows at least, three steps of assembly
-    EXPECT_LT(aborted, 300);
-    // Also when all is done. How many reports there are before depends on the time.
-    options.Progress = [](double done) { return done < 1.0; };
-    dgg::GeodesicGraph graph;
-    EXPECT_TRUE(builder.Build(options, graph).IsAborted());
-    EXPECT_EQ(graph.GetMemorySize(), 0u);
-  }
-}
-
 TEST(GraphBuilderOptions, EstimateIsClose)
 {
   for (const NamedMesh& named : { NamedMesh{ "Plane", Plane(60, 50, 0.25, 1) },
@@ -269,20 +107,6 @@ TEST(GraphBuilderOptions, EstimateIsClose)
       }
     }
   }
-}
-
-TEST(GraphBuilderOptions, Statistics)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.3, 1));
-  dgg::GraphStatistics coarse;
-  dgg::GraphStatistics fine;
-  const auto edges = BuildGraph(mesh, 0.1, nullptr, &coarse).View().GetNumberOfEdges();
-  BuildGraph(mesh, 0.001, nullptr, &fine);
-  EXPECT_GT(fine.Windows, 5 * coarse.Windows);
-  EXPECT_GT(fine.OutEdges, 3 * coarse.OutEdges);
-  // The union of both directions.
-  EXPECT_LE(static_cast<double>(coarse.OutEdges), static_cast<double>(edges));
-  EXPECT_GE(2.0 * static_cast<double>(coarse.OutEdges), static_cast<double>(edges));
 }
 
 TEST(GraphBuilderOptions, DegreeFollowsTheLaw)
@@ -372,17 +196,6 @@ TEST(GraphBuilderThreads, SameGraph)
   {
     SCOPED_TRACE(named.Name);
     ExpectSameForAllLoops(named.Mesh, 0.03, guaranteed);
-  }
-}
-
-TEST(GraphBuilderThreads, SameGraphOfOtherConstructions)
-{
-  for (const auto rule : { dgg::GraphConstruction::OneRelay, dgg::GraphConstruction::Indirect,
-         dgg::GraphConstruction::SaddleVertexGraph })
-  {
-    SCOPED_TRACE(static_cast<int>(rule));
-    ExpectSameForAllLoops(NoisySphere(3, 0.4, 3), 0.05, rule);
-    ExpectSameForAllLoops(Plane(36, 36), 0.1, rule);
   }
 }
 

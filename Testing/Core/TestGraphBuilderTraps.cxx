@@ -10,7 +10,6 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace dggtest

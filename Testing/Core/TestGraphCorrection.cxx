@@ -5,7 +5,6 @@
 #include "SearchChecks.h"
 #include "TestMeshes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

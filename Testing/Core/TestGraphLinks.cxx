@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -247,68 +246,4 @@ TEST(GraphLinks, LengthsAndAnglesOnPlane)
   }
 }
 
-TEST(GraphLinks, BadPointsAreRefused)
-{
-  const SurfaceMesh mesh = Build(Icosphere(1));
-  const dgg::GraphBuilder builder(mesh);
-  const SurfacePoint good = SurfacePoint::InFace(mesh, 3, { { 0.2, 0.3, 0.5 } });
-  SurfacePoint noFace = good;
-  noFace.Face = mesh.GetNumberOfFaces();
-  std::vector<GraphLink> links(3);
-  std::vector<double> direct(3, 1.0);
-  const auto expectRefused = [&](const SurfacePoint& point, double accuracy,
-                               const std::vector<SurfacePoint>& targets) {
-    links.resize(3);
-    direct.assign(3, 1.0);
-    const dgg::Status status = builder.Link(point, accuracy, targets, links, direct);
-    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
-    EXPECT_FALSE(status.GetMessage().empty());
-    EXPECT_TRUE(links.empty());
-    EXPECT_TRUE(direct.empty());
-  };
-  expectRefused(SurfacePoint::AtVertex(mesh.GetNumberOfVertices()), 0.1, {});
-  expectRefused(SurfacePoint::AtVertex(-1), 0.1, {});
-  expectRefused(noFace, 0.1, {});
-  expectRefused(good, 0.1, { good, noFace });
-  expectRefused(good, 0.0, {});
-  expectRefused(good, std::nan(""), {});
-  EXPECT_TRUE(builder.Link(good, 0.1, { good }, links, direct).IsOk());
-  EXPECT_GE(links.size(), 3u);
-  EXPECT_EQ(direct, std::vector<double>{ 0.0 });
-}
-
-TEST(GraphLinks, FromSeveralThreads)
-{
-  const SurfaceMesh mesh = Build(NoisySphere(2, 0.3, 3));
-  const dgg::GraphBuilder builder(mesh);
-  const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 80, 9);
-  std::vector<Linked> expected;
-  for (const SurfacePoint& point : points)
-  {
-    expected.push_back(LinksOf(builder, point, 0.01, points));
-  }
-  std::vector<std::vector<Linked>> actual(4);
-  InThreads(4, [&](int thread) {
-    for (const SurfacePoint& point : points)
-    {
-      Linked linked;
-      builder.Link(point, 0.01, points, linked.Links, linked.Direct);
-      actual[thread].push_back(linked);
-    }
-  });
-  for (const std::vector<Linked>& mine : actual)
-  {
-    for (std::size_t p = 0; p < points.size(); ++p)
-    {
-      EXPECT_EQ(mine[p].Direct, expected[p].Direct);
-      ASSERT_EQ(mine[p].Links.size(), expected[p].Links.size());
-      for (std::size_t i = 0; i < mine[p].Links.size(); ++i)
-      {
-        EXPECT_EQ(mine[p].Links[i].Vertex, expected[p].Links[i].Vertex);
-        EXPECT_EQ(mine[p].Links[i].Length, expected[p].Links[i].Length);
-        EXPECT_EQ(mine[p].Links[i].ArrivalAngle, expected[p].Links[i].ArrivalAngle);
-      }
-    }
-  }
-}
 }

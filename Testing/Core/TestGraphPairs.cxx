@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -135,21 +134,6 @@ TEST(GraphPairs, ManySetsOfSeeds)
   EXPECT_EQ(visits, std::vector<int>(sources.size(), 1));
 }
 
-TEST(GraphPairs, ManyCanBeAborted)
-{
-  const SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
-  const std::vector<std::vector<GraphSeed>> sources(500, { SeedAt(3) });
-  std::size_t visits = 0;
-  int reports = 0;
-  const dgg::Status status = c.GetSearch().Many(
-    sources, dgg::ManyOptions(), [&](Offset size, Offset, const auto& body) { body(0, size); },
-    [&](double) { return ++reports < 40; },
-    [&](std::size_t, const double*, const std::vector<Id>&) { ++visits; });
-  EXPECT_TRUE(status.IsAborted());
-  EXPECT_GT(visits, 0u);
-  EXPECT_LT(visits, sources.size());
-}
-
 TEST(GraphPairs, GroupsOfSourcesAreCloseTogether)
 {
   const SearchCase c("plane", Plane(40, 40), 0.1);
@@ -180,57 +164,6 @@ TEST(GraphPairs, GroupsOfSourcesAreCloseTogether)
   EXPECT_LE(groups.size(), sources.size() / 8 + 3);
 }
 
-TEST(GraphPairs, ManyInThreadsAreTheSame)
-{
-  const SearchCase c("terrain", Terrain(20, 0.4, 2), 0.02);
-  const std::vector<Id> sources = RandomPermutation(c.GetNumberOfVertices(), 4);
-  std::vector<double> rows[2];
-  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, nullptr, rows[0]).IsOk());
-  ASSERT_TRUE(FindRows(c, sources, dgg::Infinity, WithThreads(2), rows[1]).IsOk());
-  EXPECT_EQ(rows[0], rows[1]);
-}
-
-TEST(GraphPairs, SparseRowsInThreadsAreTheSame)
-{
-  const SearchCase c("terrain", Terrain(20, 0.4, 2), 0.02);
-  std::vector<std::vector<GraphSeed>> sources;
-  for (const Id source : RandomPermutation(c.GetNumberOfVertices(), 4))
-  {
-    sources.push_back({ SeedAt(source) });
-  }
-  dgg::DistanceRowsOptions options;
-  options.MaximumDistance = 2.5;
-  options.SearchRadius = 2.5;
-  dgg::DistanceRows rows[2];
-  for (int k = 0; k < 2; ++k)
-  {
-    const dgg::ParallelFor parallel = k == 0 ? dgg::ParallelFor() : WithThreads(2);
-    ASSERT_TRUE(
-      dgg::FindDistanceRows(c.GetSearch(), sources, options, parallel, nullptr, rows[k]).IsOk());
-  }
-  EXPECT_GT(rows[0].Columns.Size(), 5 * sources.size());
-  EXPECT_TRUE(std::equal(rows[0].Offsets.begin(), rows[0].Offsets.end(), rows[1].Offsets.begin(),
-    rows[1].Offsets.end()));
-  EXPECT_TRUE(std::equal(rows[0].Columns.begin(), rows[0].Columns.end(), rows[1].Columns.begin(),
-    rows[1].Columns.end()));
-  EXPECT_TRUE(std::equal(rows[0].Distances.begin(), rows[0].Distances.end(),
-    rows[1].Distances.begin(), rows[1].Distances.end()));
-}
-
-TEST(GraphPairs, BadSourcesAreNamed)
-{
-  const SearchCase c("plane", Plane(3, 3), 0.1);
-  std::vector<double> rows;
-  EXPECT_TRUE(
-    Says(FindRows(c, { 0, 16 }, 1.0, nullptr, rows), "set 1 of sources: source 0: vertex 16"));
-  EXPECT_TRUE(
-    Says(FindRows(c, { -1 }, 1.0, nullptr, rows), "set 0 of sources: source 0: vertex -1"));
-  EXPECT_TRUE(Says(FindRows(c, { 0 }, std::nan(""), nullptr, rows), "not a number"));
-  EXPECT_FALSE(c.GetSearch().Many({ {} }, dgg::ManyOptions(), nullptr, nullptr, nullptr).IsOk());
-  EXPECT_TRUE(FindRows(c, { 0, 15 }, 1.0, nullptr, rows).IsOk());
-  EXPECT_TRUE(FindRows(c, {}, 1.0, nullptr, rows).IsOk());
-}
-
 TEST(SearchQueues, HeapSorts)
 {
   Random random(1);
@@ -255,26 +188,6 @@ TEST(SearchQueues, HeapSorts)
     EXPECT_EQ(heap.Pop().Key, key);
   }
   EXPECT_TRUE(heap.IsEmpty());
-}
-
-TEST(SearchQueues, BucketsTakeAnyDistance)
-{
-  for (double huge : { 1e20, 1e39, 1e300, std::numeric_limits<double>::max() })
-  {
-    dgg::BucketQueue queue;
-    queue.Reset(-huge, 1e-3);
-    for (Id i = 0; i < 300; ++i)
-    {
-      queue.Push(i % 2 == 0 ? i : huge / (1 + i), i);
-    }
-    std::size_t seen = 0;
-    while (queue.Advance())
-    {
-      seen += queue.Current().size();
-      queue.ClearCurrent();
-    }
-    EXPECT_EQ(seen, 300u) << huge;
-  }
 }
 
 TEST(SearchQueues, BucketsGiveEverythingBackRoughlySorted)

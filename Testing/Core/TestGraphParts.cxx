@@ -11,13 +11,9 @@
 #include "dggSurfaceOrder.h"
 #include "dggUnfoldingTable.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <set>
-#include <string>
 #include <vector>
 
 namespace dggtest
@@ -27,7 +23,6 @@ namespace
 using dgg::Offset;
 using dgg::RowEdge;
 using dgg::RowStore;
-using dgg::SurfaceMesh;
 
 void Append(RowStore& rows, const std::vector<RowEdge>& edges)
 {
@@ -62,108 +57,6 @@ TEST(GraphParts, RoundedUp)
     ASSERT_EQ(dgg::RoundedUp(static_cast<double>(up)), up);
   }
   EXPECT_GT(dgg::RoundedUp(1e-60), 0.0F);
-}
-
-TEST(GraphParts, RowStoreKeepsRows)
-{
-  for (const bool wide : { false, true })
-  {
-    RowStore rows(wide);
-    EXPECT_EQ(rows.GetNumberOfRows(), 0);
-    Random random(2);
-    std::vector<std::vector<RowEdge>> expected;
-    for (Id row = 0; row < 500; ++row)
-    {
-      std::vector<RowEdge> edges;
-      for (Id k = random.Index(40); k > 0; --k)
-      {
-        edges.push_back(
-          { random.Index(1000) + 1000 * static_cast<Id>(edges.size()), random.Uniform(0.5, 2.0),
-            static_cast<float>(random.Uniform()), static_cast<float>(random.Uniform()) });
-      }
-      Append(rows, edges);
-      expected.push_back(edges);
-    }
-    // Every third edge is removed from the rows from 200 on.
-    std::vector<unsigned char> flags;
-    for (std::size_t row = 200; row < expected.size(); ++row)
-    {
-      std::vector<RowEdge> kept;
-      for (const RowEdge& edge : expected[row])
-      {
-        flags.push_back(flags.size() % 3 == 0 ? 1 : 0);
-        if (flags.back() == 0)
-        {
-          kept.push_back(edge);
-        }
-      }
-      expected[row] = kept;
-    }
-    rows.Remove(200, flags);
-    ASSERT_EQ(rows.GetNumberOfRows(), 500);
-    Offset next = 0;
-    for (Id row = 0; row < 500; ++row)
-    {
-      ASSERT_EQ(rows.Begin(row), next);
-      ASSERT_EQ(rows.End(row) - rows.Begin(row), static_cast<Offset>(expected[row].size()));
-      for (const RowEdge& edge : expected[row])
-      {
-        const RowEdge stored = rows.Get(next);
-        ASSERT_EQ(stored.Target, edge.Target);
-        ASSERT_EQ(
-          stored.Length, wide ? edge.Length : static_cast<double>(dgg::RoundedUp(edge.Length)));
-        ASSERT_EQ(stored.Departure, edge.Departure);
-        ASSERT_EQ(stored.Arrival, edge.Arrival);
-        ++next;
-      }
-    }
-    EXPECT_EQ(rows.GetNumberOfEdges(), next);
-  }
-}
-
-TEST(GraphParts, UniteDirections)
-{
-  // 0-1 and 1-0, the latter shorter; 0-2 only from 0, 2-1 only from 2; 3-0 of equal lengths.
-  RowStore rows(true);
-  Append(rows, { { 1, 2.0, 0.1F, 0.2F }, { 2, 3.0, 0.3F, 0.4F }, { 3, 5.0, 0.5F, 0.6F } });
-  Append(rows, { { 0, 1.5, 0.7F, 0.8F } });
-  dgg::DirectionUnion directions;
-  directions.Unite(rows, 0, nullptr);
-  // Further rows come later, as the builder has them.
-  Append(rows, { { 1, 4.0, 0.9F, 1.0F } });
-  Append(rows, { { 0, 5.0, 1.1F, 1.2F } });
-  directions.Unite(rows, 2, nullptr);
-  EXPECT_EQ(TargetsOf(rows, 0), (std::vector<Id>{ 1, 2, 3 }));
-  EXPECT_EQ(TargetsOf(rows, 1), (std::vector<Id>{}));
-  EXPECT_EQ(TargetsOf(rows, 2), (std::vector<Id>{ 1 }));
-  EXPECT_EQ(TargetsOf(rows, 3), (std::vector<Id>{}));
-  const RowEdge shorter = rows.Get(0);
-  EXPECT_EQ(shorter.Length, 1.5);
-  EXPECT_EQ(shorter.Departure, 0.8F); // the way back, taken over
-  EXPECT_EQ(shorter.Arrival, 0.7F);
-  EXPECT_EQ(rows.Get(2).Departure, 0.5F); // of equal ones, the first
-
-  // Rows are those of other vertices in the end: 0 1 2 3 become 2 0 3 1.
-  dgg::GeodesicGraph graph;
-  ASSERT_TRUE(dgg::AssembleGraph(rows, { 2, 0, 3, 1 }, true, nullptr, nullptr, graph).IsOk());
-  EXPECT_TRUE(dgg::CheckGraph(graph.View(), 8).IsOk());
-  const dgg::GraphView view = graph.View();
-  EXPECT_EQ(view.GetNumberOfEdges(), 8);
-  const auto expectEdge = [&](Id from, Id to, double length, float departure, float arrival) {
-    const Offset e = FindEdge(view, from, to);
-    ASSERT_GE(e, 0) << from << " to " << to;
-    EXPECT_EQ(view.Length(e), length);
-    EXPECT_EQ(view.Angles[e], departure);
-    EXPECT_EQ(view.ArrivalAngles[e], arrival);
-  };
-  expectEdge(2, 0, 1.5, 0.8F, 0.7F);
-  expectEdge(0, 2, 1.5, 0.7F, 0.8F);
-  expectEdge(2, 3, 3.0, 0.3F, 0.4F);
-  expectEdge(3, 2, 3.0, 0.4F, 0.3F);
-  expectEdge(3, 0, 4.0, 0.9F, 1.0F);
-  expectEdge(0, 3, 4.0, 1.0F, 0.9F);
-  expectEdge(2, 1, 5.0, 0.5F, 0.6F);
-  expectEdge(1, 2, 5.0, 0.6F, 0.5F);
 }
 
 TEST(GraphParts, UniteDirectionsOfLongRows)
@@ -263,148 +156,6 @@ TEST(GraphParts, PrunedCandidatesAreNoRelays)
   Append(rows, {});
   Prune(rows, 0.25);
   EXPECT_EQ(TargetsOf(rows, 0), (std::vector<Id>{ 1, 3 }));
-}
-
-TEST(GraphParts, PruningCanBeStopped)
-{
-  // More rows than one wave; what is stopped leaves the rows alone.
-  constexpr Id count = 2000;
-  RowStore rows(true);
-  const auto prune = [&](const dgg::ProgressCallback& progress) {
-    rows = RowStore(true);
-    for (Id row = 0; row < count; ++row)
-    {
-      Append(
-        rows, { { (row + 1) % count, 1.0, 0.0F, 0.0F }, { (row + 2) % count, 2.0, 0.0F, 0.0F } });
-    }
-    return dgg::PruneCandidates(rows, 0.25, nullptr, progress);
-  };
-  const ProgressListener whole =
-    ExpectStops(prune, [&] { EXPECT_EQ(rows.GetNumberOfEdges(), 2 * count); });
-  EXPECT_GT(whole.Calls, 1);
-  EXPECT_EQ(whole.Done, 1.0);
-  EXPECT_TRUE(prune(nullptr).IsOk());
-  EXPECT_EQ(rows.GetNumberOfEdges(), count);
-  EXPECT_EQ(TargetsOf(rows, 7), std::vector<Id>{ 8 });
-}
-
-TEST(GraphParts, PatchOrderIsAPermutationOfPatches)
-{
-  for (const NamedMesh& named :
-    { NamedMesh{ "Sphere", Icosphere(4) }, NamedMesh{ "Components", SeveralComponents() },
-      NamedMesh{ "Isolated", SphereWithIsolatedPoints(3) },
-      NamedMesh{ "Plates", PinchedPlates(12) }, NamedMesh{ "Repeated", RepeatedVertexPlane(9) } })
-  {
-    SCOPED_TRACE(named.Name);
-    const SurfaceMesh mesh = Build(named.Mesh);
-    const std::vector<Id> order = dgg::ComputePatchOrder(mesh, 64);
-    std::vector<Id> sorted = order;
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<Id> all(mesh.GetNumberOfVertices());
-    std::iota(all.begin(), all.end(), 0);
-    EXPECT_EQ(sorted, all);
-    EXPECT_EQ(dgg::ComputePatchOrder(mesh, 64), order);
-  }
-  // Vertices next to each other in the order are close on the surface, whatever the numbering of
-  // the mesh.
-  const TestMesh input = Plane(60, 60, 0.2);
-  const SurfaceMesh mesh =
-    Build(Renumbered(input, RandomPermutation(input.GetNumberOfVertices(), 3), 3));
-  const std::vector<Id> order = dgg::ComputePatchOrder(mesh, 64);
-  std::vector<Id> rank(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    rank[order[i]] = static_cast<Id>(i);
-  }
-  Offset samePatch = 0;
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    samePatch += rank[mesh.Origin(h)] / 64 == rank[mesh.Destination(h)] / 64 ? 1 : 0;
-  }
-  EXPECT_GT(samePatch, mesh.GetNumberOfHalfEdges() / 2);
-}
-
-TEST(GraphParts, UnfoldingTable)
-{
-  for (const NamedMesh& named :
-    { NamedMesh{ "Terrain", Terrain(8, 2.0, 1) }, NamedMesh{ "Moebius", MoebiusStrip(9, 4) },
-      NamedMesh{ "Misoriented", MisorientedSphere(2, 4) },
-      NamedMesh{ "Cubes", VoxelSurface(2, 2, 1, [](Id i, Id j, Id) { return i == j; }) } })
-  {
-    SCOPED_TRACE(named.Name);
-    const SurfaceMesh mesh = Build(named.Mesh);
-    const dgg::UnfoldingTable table(mesh, dgg::ComputePatchOrder(mesh, 50));
-    ASSERT_EQ(table.GetNumberOfVertices(), mesh.GetNumberOfVertices());
-    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-    {
-      ASSERT_EQ(table.NewVertex(table.OldVertex(v)), v);
-    }
-    for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-    {
-      const dgg::FaceCrossing& crossing = table[table.EntryOf(h)];
-      ASSERT_EQ(crossing.HalfEdge, h);
-      ASSERT_EQ(table.OldVertex(crossing.ApexVertex), mesh.Apex(h));
-      ASSERT_EQ(crossing.Apex.X, mesh.ApexX(h));
-      ASSERT_EQ(crossing.Apex.Y, mesh.ApexY(h));
-
-      // Behind an edge come all other faces of it, each laid out next to the edge: walking from a
-      // crossing to the next, ends and lengths fit.
-      std::multiset<Id> behind;
-      table.ForEach(table.CodeBehind(h), [&](Id entry) {
-        const dgg::FaceCrossing& next = table[entry];
-        const bool isMirrored = next.HalfEdge < 0;
-        const Id e = isMirrored ? ~next.HalfEdge : next.HalfEdge;
-        behind.insert(e);
-        ASSERT_EQ(mesh.Origin(e) == mesh.Origin(h), isMirrored);
-        ASSERT_EQ(mesh.Length(e), mesh.Length(h));
-        // The apex is at the right distances of both ends; the ends of a mirrored crossing are
-        // exchanged.
-        const double toOrigin = std::hypot(next.Apex.X, next.Apex.Y);
-        const double toEnd = std::hypot(next.Apex.X - mesh.Length(e), next.Apex.Y);
-        const double first = mesh.Length(SurfaceMesh::Previous(e));
-        const double second = mesh.Length(SurfaceMesh::Next(e));
-        ASSERT_NEAR(toOrigin, isMirrored ? second : first, 1e-12 * mesh.Length(e));
-        ASSERT_NEAR(toEnd, isMirrored ? first : second, 1e-12 * mesh.Length(e));
-        for (const dgg::Point2& direction : next.Direction)
-        {
-          ASSERT_NEAR(std::hypot(direction.X, direction.Y), 1.0, 1e-14);
-        }
-      });
-      std::multiset<Id> expected;
-      for (Id e = mesh.Twin(h); e != dgg::NoId && e != h; e = mesh.Twin(e))
-      {
-        expected.insert(e);
-      }
-      ASSERT_EQ(behind, expected) << h;
-    }
-  }
-}
-
-TEST(GraphParts, UnfoldingTableOfManyPages)
-{
-  // Behind an edge of k faces come k - 1 faces, from each of the k: one list for all of them.
-  std::vector<Id> unused;
-  const SurfaceMesh mesh = Build(Book(3000, 1, unused));
-  const dgg::UnfoldingTable table(mesh, dgg::ComputePatchOrder(mesh, 256));
-  EXPECT_TRUE(table.Check().IsOk());
-  Id edges = 0;
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    const Id twin = mesh.Twin(h);
-    if (twin == dgg::NoId || mesh.Twin(twin) == h || ++edges % 100 != 1)
-    {
-      continue;
-    }
-    // In the order of the list of the mesh, from the next one on.
-    Id next = twin;
-    table.ForEach(table.CodeBehind(h), [&](Id entry) {
-      ASSERT_EQ(table[entry].GetHalfEdge(), next);
-      ASSERT_EQ(table[entry].IsMirrored(), mesh.Origin(next) == mesh.Origin(h));
-      next = mesh.Twin(next);
-    });
-    ASSERT_EQ(next, h);
-  }
-  EXPECT_EQ(edges, 3000);
 }
 
 TEST(GraphParts, UnfoldingTableSaysWhenTooLarge)

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -188,26 +187,6 @@ TEST(GraphPaths, PointsInFacesAgreeWithDijkstra)
   }
 }
 
-TEST(GraphPaths, FromAVertexToItself)
-{
-  SearchCase c("sphere", SphereWithIsolatedPoints(2), 0.05);
-  for (const bool withLandmarks : { false, true })
-  {
-    ASSERT_TRUE(!withLandmarks || c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
-    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
-    {
-      GraphPath path;
-      ASSERT_TRUE(
-        c.GetSearch().Between({ SeedAt(v, 2.5) }, { SeedAt(v, -1.0) }, nullptr, path).IsOk());
-      EXPECT_EQ(path.Length, 1.5);
-      EXPECT_EQ(path.Vertices, std::vector<Id>{ v });
-      EXPECT_TRUE(path.Edges.empty());
-      EXPECT_EQ(path.FromSeed, 0);
-      EXPECT_EQ(path.ToSeed, 0);
-    }
-  }
-}
-
 TEST(GraphPaths, BetweenComponentsThereAreNone)
 {
   SearchCase c("components", SeveralComponents(), 0.05);
@@ -243,24 +222,6 @@ TEST(GraphPaths, InCloudsAgreeWithDijkstra)
       }
     }
   }
-}
-
-TEST(GraphPaths, InGraphsWithoutEdges)
-{
-  const Offset zero[] = { 0, 0, 0 };
-  dgg::GraphView graph;
-  graph.Offsets = zero;
-  graph.NumberOfVertices = 2;
-  dgg::GraphSearch search(graph, nullptr);
-  ASSERT_TRUE(search.PrepareLandmarks(nullptr, nullptr).IsOk());
-  GraphPath path;
-  ASSERT_TRUE(search.Between({ SeedAt(1, -3.0) }, { SeedAt(1) }, nullptr, path).IsOk());
-  EXPECT_EQ(path.Length, -3.0);
-  ASSERT_TRUE(search.Between({ SeedAt(1) }, { SeedAt(0) }, nullptr, path).IsOk());
-  EXPECT_EQ(path.Length, dgg::Infinity);
-  dgg::GraphSearch nothing(dgg::GraphView(), nullptr);
-  EXPECT_TRUE(nothing.PrepareLandmarks(nullptr, nullptr).IsOk());
-  EXPECT_FALSE(nothing.Between({ SeedAt(0) }, { SeedAt(0) }, nullptr, path).IsOk());
 }
 
 TEST(GraphPaths, OverTheShorterOfTwoEdges)
@@ -312,98 +273,6 @@ TEST(GraphPaths, LargeOffsetsAndScales)
   }
 }
 
-TEST(GraphPaths, ThreadsFindTheSame)
-{
-  SearchCase c("terrain", Terrain(24, 0.4, 2), 0.02);
-  ASSERT_TRUE(c.GetSearch().PrepareLandmarks(WithThreads(3), nullptr).IsOk());
-  const Id n = c.GetNumberOfVertices();
-  const std::size_t count = 200;
-  const auto find = [&](std::size_t i) {
-    Random random(i + 1);
-    GraphPath path;
-    const Id a = random.Index(n);
-    const Id b = random.Index(n);
-    EXPECT_TRUE(c.GetSearch().Between({ SeedAt(a) }, { SeedAt(b) }, PositionsOf(c), path).IsOk());
-    return path;
-  };
-  // What was searched before plays no role: backwards.
-  std::vector<GraphPath> expected(count);
-  for (std::size_t i = count; i-- > 0;)
-  {
-    expected[i] = find(i);
-  }
-  std::vector<GraphPath> found(count);
-  InThreads(4, [&](int thread) {
-    for (std::size_t i = thread; i < count; i += 4)
-    {
-      found[i] = find(i);
-    }
-  });
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    EXPECT_EQ(expected[i].Length, found[i].Length);
-    EXPECT_EQ(expected[i].Vertices, found[i].Vertices);
-    EXPECT_EQ(expected[i].Edges, found[i].Edges);
-  }
-}
-
-/// Also while landmarks are being chosen: whenever that is, nothing has changed.
-TEST(GraphPaths, LandmarksCanBeAbortedAtAnyTime)
-{
-  SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
-  dgg::GraphSearch& search = c.GetSearch();
-  const Id n = c.GetNumberOfVertices();
-  const auto find = [&] {
-    dgg::GraphPath path;
-    EXPECT_TRUE(search.Between({ SeedAt(0) }, { SeedAt(n - 1) }, nullptr, path).IsOk());
-    return path;
-  };
-  const dgg::GraphPath expected = find();
-  const std::size_t before = search.GetMemorySize();
-  int whileChosen = 0;
-  std::unique_ptr<dgg::GraphSearch> other;
-  const auto prepare = [&](const dgg::ProgressCallback& progress) {
-    whileChosen = 0;
-    other = std::make_unique<dgg::GraphSearch>(c.GetGraph(), &c.GetMesh());
-    return other->PrepareLandmarks(nullptr, [&](double share) {
-      whileChosen += share < 0.2 ? 1 : 0;
-      return progress(share);
-    });
-  };
-  EXPECT_EQ(ExpectStops(prepare, [&] { EXPECT_FALSE(other->HasLandmarks()); }).Done, 1.0);
-  ASSERT_TRUE(prepare(ProgressListener()).IsOk());
-  EXPECT_GT(whileChosen, 20); // before most of the 32 landmarks
-  const auto stop = [](double) { return false; };
-  EXPECT_TRUE(search.PrepareLandmarks(nullptr, stop).IsAborted());
-  EXPECT_FALSE(search.HasLandmarks());
-  EXPECT_EQ(find().Edges, expected.Edges);
-  ASSERT_TRUE(search.PrepareLandmarks(nullptr, nullptr).IsOk());
-  EXPECT_TRUE(search.HasLandmarks());
-  EXPECT_GE(search.GetMemorySize(), before + 68u * n);
-  EXPECT_NEAR(find().Length, expected.Length, 1e-12 * expected.Length);
-}
-
-/// Found once for all copies, and used by those that ask for them.
-TEST(GraphPaths, CopiesShareLandmarks)
-{
-  SearchCase c("terrain", Terrain(9, 0.5, 6), 0.1);
-  const auto stop = [](double) { return false; };
-  dgg::GraphSearch copy = c.GetSearch();
-  {
-    dgg::GraphSearch first = c.GetSearch();
-    ASSERT_TRUE(first.PrepareLandmarks(nullptr, nullptr).IsOk());
-    EXPECT_FALSE(copy.HasLandmarks());
-    EXPECT_TRUE(copy.PrepareLandmarks(nullptr, stop).IsOk()); // there is nothing to stop
-    EXPECT_TRUE(copy.HasLandmarks());
-    EXPECT_FALSE(c.GetSearch().HasLandmarks());
-  }
-  dgg::GraphSearch another = c.GetSearch();
-  EXPECT_TRUE(another.PrepareLandmarks(nullptr, stop).IsOk());
-  copy = c.GetSearch();
-  another = c.GetSearch();
-  EXPECT_TRUE(another.PrepareLandmarks(nullptr, stop).IsAborted()); // gone with the last of them
-}
-
 TEST(Landmarks, BoundsAreBelowAndNear)
 {
   for (const TestMesh& mesh : { NoisySphere(3, 0.2, 3), Terrain(20, 0.4, 2), Torus(40, 12),
@@ -436,33 +305,6 @@ TEST(Landmarks, BoundsAreBelowAndNear)
     }
     EXPECT_GT(sumOfBounds, 0.8 * sum);
   }
-}
-
-TEST(Landmarks, AreInLargeComponentsAndFarApart)
-{
-  for (const NamedMesh& named : DefectMeshes())
-  {
-    const SearchCase c(named.Name, named.Mesh, 0.05);
-    const dgg::Landmarks marks = LandmarksOf(c);
-    std::vector<Id> vertices = marks.GetVertices();
-    EXPECT_LE(vertices.size(), 32u);
-    std::sort(vertices.begin(), vertices.end());
-    EXPECT_EQ(std::unique(vertices.begin(), vertices.end()), vertices.end()) << named.Name;
-    for (const Id v : vertices)
-    {
-      EXPECT_GT(c.GetGraph().Offsets[v + 1], c.GetGraph().Offsets[v]) << named.Name;
-    }
-    const std::vector<double> distances = ReferenceDistances(c.GetGraph(), { SeedAt(0) });
-    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
-    {
-      ASSERT_EQ(marks.AreConnected(0, v), distances[v] < dgg::Infinity) << named.Name;
-    }
-  }
-  const SearchCase plane("plane", Plane(20, 20), 0.1);
-  std::vector<Id> first = LandmarksOf(plane).GetVertices();
-  first.resize(4);
-  std::sort(first.begin(), first.end());
-  EXPECT_EQ(first, (std::vector<Id>{ 0, 20, 420, 440 })); // the corners
 }
 
 TEST(TurnLimits, NoShortestPathTurnsMore)
@@ -506,37 +348,6 @@ TEST(TurnLimits, NoShortestPathTurnsMore)
   EXPECT_GT(ruledOut, 100000);
 }
 
-TEST(TurnLimits, RuleOutMostOfARow)
-{
-  const SearchCase c("sphere", NoisySphere(4, 0.1, 3), 0.01);
-  const dgg::GraphView graph = c.GetGraph();
-  const dgg::GraphFans fans(graph, c.GetMesh());
-  const dgg::TurnLimits limits(graph, c.GetMesh());
-  Offset allowed = 0;
-  Offset all = 0;
-  for (Id v = 0; v < graph.NumberOfVertices; ++v)
-  {
-    for (Offset in = graph.Offsets[v]; in < graph.Offsets[v + 1]; ++in)
-    {
-      const Id u = graph.Targets[in];
-      all += graph.Offsets[u + 1] - graph.Offsets[u];
-      fans.ForEachBeyond(u, graph.ArrivalAngles[in],
-        limits.SmallestAngle(u, static_cast<float>(graph.Length(in))), [&](Offset) { ++allowed; });
-    }
-  }
-  EXPECT_LT(static_cast<double>(allowed), 0.5 * static_cast<double>(all));
-}
-
-TEST(TurnLimits, AreKnownForGuaranteedGraphsOnly)
-{
-  const TestMesh mesh = NoisySphere(2, 0.2, 3);
-  for (const auto construction : AllConstructions())
-  {
-    const SearchCase c("sphere", mesh, 0.05, construction);
-    EXPECT_EQ(dgg::TurnLimits::AreKnown(c.GetGraph()), c.GetGraph().Info.IsGuaranteed());
-    EXPECT_FALSE(dgg::TurnLimits::AreKnown(AsCloud(c.GetGraph())));
-  }
-}
 }
 
 //

@@ -74,17 +74,6 @@ TEST(GraphSearch, MethodsAgree)
   }
 }
 
-TEST(GraphSearch, FansSaveWork)
-{
-  // Otherwise the fans would be beside the paths, and the certification would do all the work.
-  const SearchCase c("sphere", NoisySphere(4, 0.2, 3), 0.01);
-  dgg::SearchEffort effort;
-  DistancesOverFans(c, { SeedAt(0) }, dgg::Infinity, effort);
-  EXPECT_LT(static_cast<double>(effort.Pops), 1.3 * c.GetNumberOfVertices());
-  const auto edges = static_cast<double>(c.GetGraph().GetNumberOfEdges());
-  EXPECT_LT(static_cast<double>(effort.Relaxations), 1.4 * edges);
-}
-
 TEST(GraphSearch, RadiusCutsOff)
 {
   for (const auto& c : SearchCases())
@@ -265,25 +254,6 @@ TEST(GraphSearch, NearestSourceWins)
   }
 }
 
-TEST(GraphSearch, GraphsWithoutEdges)
-{
-  const dgg::Offset zero[] = { 0, 0 };
-  dgg::GraphView graph;
-  graph.Offsets = zero;
-  graph.NumberOfVertices = 1;
-  const dgg::GraphSearch single(graph, nullptr);
-  SearchResult result;
-  ASSERT_TRUE(single.Run({ SeedAt(0, -3.0) }, SearchOptions(), result).IsOk());
-  EXPECT_EQ(result.Distances, std::vector<double>{ -3.0 });
-  graph.NumberOfVertices = 0;
-  const dgg::GraphSearch empty(graph, nullptr);
-  EXPECT_FALSE(empty.Run({ SeedAt(0) }, SearchOptions(), result).IsOk());
-  EXPECT_FALSE(empty.Run({}, SearchOptions(), result).IsOk());
-  EXPECT_TRUE(empty.Many({}, dgg::ManyOptions(), nullptr, nullptr, nullptr).IsOk());
-  const dgg::GraphSearch nothing(dgg::GraphView(), nullptr);
-  EXPECT_FALSE(nothing.Run({ SeedAt(0) }, SearchOptions(), result).IsOk());
-}
-
 TEST(GraphSearch, CloudsHaveNoDirections)
 {
   const SearchCase c("sphere", NoisySphere(3, 0.2, 2), 0.05);
@@ -324,27 +294,6 @@ TEST(GraphSearch, ResultsDoNotDependOnEarlierCalls)
   EXPECT_EQ(fresh.Virtual.Offsets, used.Virtual.Offsets);
   EXPECT_EQ(fresh.Virtual.Angles, used.Virtual.Angles);
   EXPECT_EQ(fresh.Virtual.Lengths, used.Virtual.Lengths);
-}
-
-TEST(GraphSearch, FromSeveralThreads)
-{
-  const SearchCase c("terrain", Terrain(14, 0.4, 5), 0.02);
-  const Id n = c.GetNumberOfVertices();
-  std::vector<SearchResult> results(8);
-  InThreads(8, [&](int k) {
-    for (int repeat = 0; repeat < 5; ++repeat)
-    {
-      SearchOptions options;
-      options.Method = AllMethods[k % 3];
-      options.Correct = true;
-      c.GetSearch().Run({ SeedAt(k * n / 8) }, options, results[k]);
-    }
-  });
-  for (std::size_t k = 0; k < results.size(); ++k)
-  {
-    ExpectSameDistances(ReferenceDistances(c.GetGraph(), { SeedAt(static_cast<Id>(k) * n / 8) }),
-      results[k].Distances, "thread " + std::to_string(k));
-  }
 }
 
 TEST(GraphSearch, HugeAndTinyScales)
@@ -429,64 +378,4 @@ TEST(GraphSearch, VeryUnequalEdges)
   }
 }
 
-TEST(GraphSearch, BadInputIsNamed)
-{
-  const SearchCase c("plane", Plane(4, 4), 0.05);
-  const double notANumber = std::nan("");
-  const auto expect = [&](const std::string& message, const std::vector<GraphSeed>& seeds,
-                        const std::function<void(SearchOptions&)>& change = nullptr) {
-    SearchOptions options;
-    if (change)
-    {
-      change(options);
-    }
-    SearchResult result = c.Run({ SeedAt(0) });
-    const dgg::Status status = c.GetSearch().Run(seeds, options, result);
-    EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput) << message;
-    EXPECT_TRUE(Says(status, message));
-    EXPECT_TRUE(result.Distances.empty()) << message;
-    if (!change)
-    {
-      dgg::GraphPath path;
-      path.Vertices = { 1, 2 };
-      path.Length = 0.0;
-      EXPECT_FALSE(c.GetSearch().Between(seeds, { SeedAt(0) }, nullptr, path).IsOk());
-      EXPECT_TRUE(path.Vertices.empty());
-      EXPECT_FALSE(c.GetSearch().Between({ SeedAt(0) }, seeds, nullptr, path).IsOk());
-      EXPECT_EQ(path.Length, dgg::Infinity);
-    }
-  };
-  expect("no source", {});
-  expect("source 1: vertex 25 does not exist", { SeedAt(0), SeedAt(25) });
-  expect("source 0: vertex -1 does not exist", { SeedAt(-1) });
-  expect("source 1: the distances nan", { SeedAt(0), SeedAt(1, notANumber) });
-  expect("source 0: the distances inf", { SeedAt(0, dgg::Infinity) });
-  expect("not finite", { { 0, 0.0, notANumber, 0, -1.0 } });
-  expect("arrival angle", { { 0, 0.0, 0.0, 0, notANumber } });
-  expect("below its initial distance", { { 0, 1.0, 2.0, 0, 0.5 } });
-  expect("maximum distance is not a number", { SeedAt(0) },
-    [=](SearchOptions& o) { o.MaximumDistance = notANumber; });
-  // A later correct call works.
-  EXPECT_EQ(c.Run({ SeedAt(0) }).Distances.size(), 25u);
-}
-
-TEST(GraphSearch, ProgressAndAbort)
-{
-  const SearchCase c("plane", Plane(200, 200), 0.5);
-  for (SearchMethod method : AllMethods)
-  {
-    ProgressListener listener;
-    SearchOptions options;
-    options.Method = method;
-    options.Progress = std::ref(listener);
-    SearchResult result;
-    EXPECT_TRUE(c.GetSearch().Run({ SeedAt(0) }, options, result).IsOk());
-    EXPECT_GE(listener.Calls, 2) << MethodName(method);
-    options.Progress = [&](double) { return false; };
-    EXPECT_TRUE(c.GetSearch().Run({ SeedAt(0) }, options, result).IsAborted());
-    EXPECT_TRUE(result.Distances.empty());
-    options.Progress = nullptr;
-    EXPECT_TRUE(c.GetSearch().Run({ SeedAt(0) }, options, result).IsOk());
-  }
-}
 }

@@ -390,55 +390,6 @@ TEST(GreensInterpolation, IsCloseToASolvePerPoint)
   EXPECT_LT(errors.Last, 1e-3);
 }
 
-TEST(GreensInterpolation, KeepsColumns)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(3));
-  const Greens greens(mesh);
-  const dgg::SurfacePoint inside = dgg::SurfacePoint::InFace(mesh, 8, { { 0.2, 0.3, 0.5 } });
-  const dgg::SurfacePoint beside = dgg::SurfacePoint::InFace(mesh, 8, { { 0.6, 0.3, 0.1 } });
-  const dgg::SurfacePoint away = dgg::SurfacePoint::InFace(mesh, 900, { { 0.6, 0.3, 0.1 } });
-  dgg::GreensInterpolation interpolation(greens.Solver);
-  dgg::GreensResult result;
-  const auto columnsAfter = [&](dgg::GreensInterpolation& any, const dgg::SurfacePoint& pole) {
-    EXPECT_TRUE(any.Run(pole, {}, result).IsOk());
-    return any.GetNumberOfColumns();
-  };
-  EXPECT_EQ(columnsAfter(interpolation, inside), 3);
-  const std::vector<double> first = result.Values;
-  EXPECT_EQ(columnsAfter(interpolation, beside), 3);
-  EXPECT_EQ(columnsAfter(interpolation, away), 6);
-  EXPECT_EQ(columnsAfter(interpolation, inside), 6);
-  EXPECT_EQ(result.Values, first);
-  EXPECT_EQ(interpolation.GetMemorySize(), 6u * 642u * sizeof(float));
-  // At a vertex it is the column itself, to the precision of floats.
-  EXPECT_EQ(columnsAfter(interpolation, dgg::SurfacePoint::AtVertex(mesh.Origin(24))), 6);
-  dgg::GreensQuery query;
-  query.Radius = result.Radius;
-  ExpectSameField(greens.Run(dgg::SurfacePoint::AtVertex(mesh.Origin(24)), query).Values,
-    result.Values, 1e-6, "vertex");
-  // Little memory: columns come and go, results are the same.
-  dgg::GreensInterpolation small(greens.Solver, 1);
-  EXPECT_EQ(columnsAfter(small, inside), 3);
-  EXPECT_EQ(columnsAfter(small, away), 6);
-  EXPECT_EQ(columnsAfter(small, inside), 9);
-  EXPECT_EQ(result.Values, first);
-  EXPECT_LE(small.GetMemorySize(), 3u * 642u * sizeof(float));
-  // Where columns will not do, it is the Green's function.
-  const dgg::SurfaceMesh coarse = Build(Icosahedron());
-  const Greens onCoarse(coarse);
-  dgg::GreensInterpolation other(onCoarse.Solver);
-  EXPECT_TRUE(
-    other.Run(dgg::SurfacePoint::InFace(coarse, 1, { { 0.2, 0.3, 0.5 } }), {}, result).IsOk());
-  EXPECT_EQ(result.Remark, dgg::GreensRemark::TooCoarse);
-  dgg::GreensQuery vertex; // whose method plays no part
-  vertex.Method = dgg::GreensMethod::Vertex;
-  EXPECT_TRUE(
-    other.Run(dgg::SurfacePoint::InFace(coarse, 1, { { 0.2, 0.3, 0.5 } }), vertex, result).IsOk());
-  EXPECT_EQ(result.Method, dgg::GreensMethod::Interpolated);
-  EXPECT_EQ(result.Remark, dgg::GreensRemark::TooCoarse);
-  EXPECT_FALSE(other.Run(dgg::SurfacePoint::AtVertex(99), {}, result).IsOk());
-}
-
 TEST(GreensInterpolation, ForgetsColumnsOfOtherSystems)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(30, 30, 0.28, 6));
@@ -464,19 +415,4 @@ TEST(GreensInterpolation, ForgetsColumnsOfOtherSystems)
   }
 }
 
-TEST(GreensInterpolation, ProgressGrowsAndStops)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(4));
-  const Greens greens(mesh);
-  dgg::GreensInterpolation interpolation(greens.Solver);
-  const auto pole = dgg::SurfacePoint::InFace(mesh, 930, { { 0.2, 0.3, 0.5 } });
-  dgg::GreensQuery query;
-  query.Progress = [](double done) { return done < 0.5; };
-  dgg::GreensResult result;
-  EXPECT_TRUE(interpolation.Run(pole, query, result).IsAborted());
-  ProgressListener listener;
-  query.Progress = std::ref(listener);
-  EXPECT_TRUE(interpolation.Run(pole, query, result).IsOk());
-  EXPECT_GT(listener.Calls, 2);
-}
 }

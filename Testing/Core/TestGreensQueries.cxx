@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
 
 namespace dggtest
 {
@@ -165,38 +163,6 @@ TEST(GreensFunction, ValueAtThePoleAndSigns)
   EXPECT_EQ(infinite.Values[4], negative.Values[4]);
 }
 
-TEST(GreensFunction, ProgressGrowsAndStops)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.1, 5));
-  const Greens greens(mesh);
-  const std::vector<dgg::SurfacePoint> poles = RandomSurfacePoints(mesh, 11, 6);
-  for (const dgg::GreensMethod method : Methods)
-  {
-    dgg::GreensQuery query;
-    query.Method = method;
-    std::vector<dgg::GreensResult> results;
-    dgg::GreensResult one;
-    ProgressListener together;
-    query.Progress = std::ref(together);
-    ASSERT_TRUE(greens.Function.Run(poles, query, results).IsOk());
-    EXPECT_EQ(together.Done, 1.0);
-    EXPECT_GE(together.Calls, 4);
-    ProgressListener single;
-    query.Progress = std::ref(single);
-    ASSERT_TRUE(greens.Function.Run(poles[0], query, one).IsOk());
-    EXPECT_EQ(single.Done, 1.0);
-    for (const double stop : { 0.1, 0.5, 0.9 })
-    {
-      query.Progress = [=](double done) { return done < stop; };
-      EXPECT_TRUE(greens.Function.Run(poles, query, results).IsAborted());
-      EXPECT_TRUE(results.empty());
-    }
-    query.Progress = [](double done) { return done < 0.5; };
-    EXPECT_TRUE(greens.Function.Run(poles[0], query, one).IsAborted());
-    EXPECT_TRUE(one.Values.empty());
-  }
-}
-
 TEST(GreensFunction, AnyTriangles)
 {
   int thin = 0;
@@ -259,40 +225,4 @@ TEST(GreensFunction, AnyTriangles)
   EXPECT_LT(thin, 10);
 }
 
-TEST(GreensFunction, SaysWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(SphereWithIsolatedPoints(2));
-  const Greens greens(mesh);
-  const auto at = [](Id v) { return dgg::SurfacePoint::AtVertex(v); };
-  const auto expect = [](const Greens& any, const dgg::SurfacePoint& pole, const char* message,
-                        const dgg::GreensQuery& query = {}) {
-    dgg::GreensResult result;
-    const dgg::Status status = any.Function.Run(pole, query, result);
-    EXPECT_FALSE(status.IsOk());
-    EXPECT_TRUE(Says(status, message));
-    EXPECT_FALSE(status.GetMessage().empty());
-    EXPECT_TRUE(result.Values.empty());
-  };
-  expect(greens, at(0), "has no face");
-  expect(greens, at(100000), "");
-  dgg::GreensQuery query;
-  query.Radius = std::numeric_limits<double>::quiet_NaN();
-  expect(greens, at(5), "", query);
-  query = {};
-  query.Targets = { at(-3) };
-  expect(greens, at(5), "target 0", query);
-  const Greens given(mesh, With(dgg::PoissonBoundary::Dirichlet));
-  expect(given, at(5), "without a boundary");
-  const dgg::SurfaceMesh plane = Build(Plane(6, 6));
-  const Greens onPlane(plane, With(dgg::PoissonBoundary::Dirichlet));
-  expect(onPlane, at(0), "boundary");
-  dgg::PoissonSolver raw(plane);
-  dgg::GreensResult result;
-  EXPECT_TRUE(Says(dgg::GreensFunction(raw).Run(at(0), {}, result), "Prepare()"));
-  std::vector<dgg::GreensResult> results;
-  EXPECT_TRUE(Says(onPlane.Function.Run({ at(10), at(0) }, {}, results), "pole 1"));
-  query = {};
-  query.Progress = [](double) { return false; };
-  EXPECT_TRUE(greens.Function.Run({ at(10) }, query, results).IsAborted());
-}
 }

@@ -11,11 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
-#include <set>
-#include <string>
 #include <vector>
 
 namespace dggtest
@@ -314,24 +310,6 @@ TEST(HarmonicSplines, AnyTrianglesWillDo)
   EXPECT_LT(thin, 10);
 }
 
-TEST(HarmonicSplines, UnitsDoNotMatter)
-{
-  const TestMesh bumpy = NoisySphere(2, 0.02, 3);
-  std::vector<std::vector<double>> first;
-  for (const double factor : { 1.0, 1e-6, 1e6 })
-  {
-    const dgg::SurfaceMesh mesh = Build(Scaled(bumpy, factor));
-    Splines splines(mesh);
-    splines.PrepareSome(10);
-    const auto basis = splines.Basis();
-    first = first.empty() ? basis : first;
-    for (std::size_t j = 0; j < basis.size(); ++j)
-    {
-      ExpectSameField(first[j], basis[j], 1e-9, std::to_string(factor));
-    }
-  }
-}
-
 TEST(HarmonicSplines, SmoothOnesHaveNoKinksAtEdges)
 {
   // Second differences across edges: of piecewise linear functions they are kinks alone.
@@ -368,107 +346,6 @@ TEST(HarmonicSplines, SmoothOnesHaveNoKinksAtEdges)
   EXPECT_LT(kinks[1], 0.2 * kinks[0]);
 }
 
-TEST(HarmonicSplines, ThreadsDoNotMatter)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
-  Splines alone(mesh);
-  alone.PrepareSome(30);
-  Splines together(mesh);
-  together.Prepare(alone.Sites, WithThreads(3));
-  EXPECT_EQ(alone.Functions.GetCells(), together.Functions.GetCells());
-  EXPECT_EQ(alone.Basis(), together.Basis(WithThreads(3)));
-  Random random(3);
-  const std::vector<dgg::SurfacePoint> points(20, InsideFace(mesh, random));
-  std::vector<double> values;
-  ASSERT_TRUE(
-    together.Functions
-      .Evaluate(points, dgg::GreensMethod::SingularitySubtraction, WithThreads(3), nullptr, values)
-      .IsOk());
-  EXPECT_EQ(alone.Evaluate(points, dgg::GreensMethod::SingularitySubtraction), values);
-}
-
 // Harmonic B-splines: wrong input, progress and abort.
 
-TEST(HarmonicSplines, RefusesWhatMakesNoSense)
-{
-  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  dgg::PoissonSolver solver(mesh);
-  dgg::HarmonicSplines splines(solver);
-  const auto prepare = [&](const std::vector<Id>& sites) {
-    return splines.Prepare(sites, nullptr, nullptr);
-  };
-  const auto ignore = [](Id, const std::vector<double>&) {};
-  EXPECT_TRUE(Says(prepare({ 0 }), "has not been prepared"));
-  std::vector<Id> sites{ 1 };
-  EXPECT_FALSE(dgg::ChooseSplineSites(solver, 3, nullptr, sites).IsOk());
-  EXPECT_TRUE(sites.empty());
-  ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
-  EXPECT_TRUE(Says(splines.FindBasis(nullptr, nullptr, ignore), "no sites"));
-  EXPECT_TRUE(Says(prepare({}), "there is no site"));
-  EXPECT_TRUE(Says(prepare({ 0, -1 }), "site 1: vertex -1 does not exist"));
-  EXPECT_TRUE(Says(prepare({ mesh.GetNumberOfVertices() }), "does not exist"));
-  EXPECT_TRUE(Says(prepare({ 5, 7, 5 }), "site 2 (vertex 5) is the same as site 0"));
-  EXPECT_TRUE(Says(prepare({ 0 }), "has no site"));
-  std::vector<double> values;
-  EXPECT_FALSE(splines.Solve({}, {}, values).IsOk());
-
-  ASSERT_TRUE(dgg::ChooseSplineSites(solver, 6, nullptr, sites).IsOk());
-  ASSERT_TRUE(Ok(prepare(sites)));
-  std::vector<double> sources(mesh.GetNumberOfVertices(), 0.0);
-  EXPECT_TRUE(Says(splines.Solve({ 1.0 }, {}, values), "1 values"));
-  EXPECT_FALSE(splines.Solve(sources, { 0 }, values).IsOk()); // no value for it
-  values.assign(6, 0.0);
-  EXPECT_FALSE(splines.Solve(sources, { 6 }, values).IsOk());
-  EXPECT_FALSE(splines.Solve(sources, { -1 }, values).IsOk());
-  sources[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(Says(splines.Solve(sources, {}, values), "vertex 3"));
-  EXPECT_FALSE(splines.Combine({ 1.0 }, {}, values).IsOk());
-  EXPECT_FALSE(splines.Combine(std::vector<double>(6, 0.0), sources, values).IsOk());
-  EXPECT_TRUE(Says(splines.Evaluate({ dgg::SurfacePoint::AtVertex(-3) },
-                     dgg::GreensMethod::Interpolated, nullptr, nullptr, values),
-    "point 0"));
-  // Another system.
-  ASSERT_TRUE(solver.Prepare(With(dgg::PoissonBoundary::Dirichlet), nullptr).IsOk());
-  EXPECT_TRUE(Says(splines.FindBasis(nullptr, nullptr, ignore), "anew"));
-  Id onBoundary = 0;
-  while (!solver.IsFixed(onBoundary))
-  {
-    ++onBoundary;
-  }
-  EXPECT_TRUE(Says(prepare({ onBoundary }), "lies on the boundary"));
-
-  const dgg::SurfaceMesh isolated = Build(SphereWithIsolatedPoints(1));
-  dgg::PoissonSolver other(isolated);
-  ASSERT_TRUE(other.Prepare({}, nullptr).IsOk());
-  for (Id v = 0; v < isolated.GetNumberOfVertices(); ++v)
-  {
-    if (isolated.FanBegin(v) == isolated.FanEnd(v))
-    {
-      EXPECT_TRUE(Says(dgg::CheckSplineSites(other, { v }), "has no face"));
-    }
-  }
-}
-
-TEST(HarmonicSplines, StopsWhenAsked)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.02, 3));
-  Splines splines(mesh);
-  std::vector<Id> sites;
-  using Progress = const dgg::ProgressCallback&;
-  const std::vector<std::function<dgg::Status(Progress)>> steps = {
-    [&](Progress progress) { return dgg::ChooseSplineSites(splines.Solver, 100, progress, sites); },
-    [&](Progress progress) { return splines.Functions.Prepare(sites, nullptr, progress); },
-    [&](Progress progress) {
-      return splines.Functions.FindBasis(nullptr, progress, [](Id, const auto&) {});
-    }
-  };
-  for (const auto& step : steps)
-  {
-    EXPECT_EQ(ExpectStops(
-                step, [] {}, 9)
-                .Done,
-      1.0);
-    EXPECT_TRUE(step(nullptr).IsOk());
-  }
-}
 }

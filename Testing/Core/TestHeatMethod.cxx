@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
 
 namespace dggtest
 {
@@ -259,18 +257,6 @@ TEST(HeatMethod, Boundaries)
     0.12);
 }
 
-TEST(HeatMethod, ClosedSurfacesHaveNoBoundary)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 9));
-  const auto base = Heat(mesh).Run({ VertexSource(5) }).Distances;
-  for (const dgg::HeatBoundary boundary :
-    { dgg::HeatBoundary::Dirichlet, dgg::HeatBoundary::Average })
-  {
-    ExpectSameField(
-      base, Heat(mesh, WithBoundary(boundary)).Run({ VertexSource(5) }).Distances, 1e-9, "field");
-  }
-}
-
 TEST(HeatMethod, VirtualSources)
 {
   const TestMesh plane = Plane(30, 30, 0.15, 5);
@@ -296,84 +282,4 @@ TEST(HeatMethod, VirtualSources)
   EXPECT_LT(worst, 0.4);
 }
 
-TEST(HeatMethod, KeepsWhatHasNotChanged)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(12, 12, 0.2, 3));
-  dgg::HeatMethod heat(mesh);
-  dgg::HeatOptions options;
-  // Memory is asked for where there is no factor whose place a new one takes.
-  const auto expectWork = [&](int factorizations, bool isAsked, const char* what) {
-    const int before = heat.GetNumberOfFactorizations();
-    bool wasAsked = false;
-    const auto check = [&](double bytes) {
-      wasAsked = bytes > 0.0;
-      return dgg::Status::Success();
-    };
-    ASSERT_TRUE(heat.Prepare(options, nullptr, check).IsOk()) << what;
-    EXPECT_EQ(heat.GetNumberOfFactorizations() - before, factorizations) << what;
-    EXPECT_EQ(wasAsked, isAsked) << what;
-    const auto again = Heat(mesh, options).Run({ VertexSource(40) }).Distances;
-    dgg::HeatResult result;
-    ASSERT_TRUE(heat.Run({ VertexSource(40) }, {}, result).IsOk()) << what;
-    EXPECT_EQ(result.Distances, again) << what;
-  };
-  expectWork(2, true, "a new mesh");
-  expectWork(0, false, "nothing");
-  options.TimeStepFactor = 4.0;
-  expectWork(1, false, "time");
-  options.Boundary = dgg::HeatBoundary::Average;
-  expectWork(1, true, "average");
-  options.Boundary = dgg::HeatBoundary::Dirichlet;
-  expectWork(0, false, "half of it");
-  options.TimeStepFactor = 2.0;
-  expectWork(1, false, "time");
-  options.Boundary = dgg::HeatBoundary::Neumann;
-  expectWork(1, true, "the other half");
-  options.IntrinsicDelaunay = false;
-  expectWork(2, true, "triangles");
-}
-
-TEST(HeatMethod, WrongInputAndAbort)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(3));
-  dgg::HeatMethod heat(mesh);
-  dgg::HeatResult result;
-  dgg::HeatQuery query;
-  EXPECT_FALSE(heat.Run({ VertexSource(0) }, query, result).IsOk()); // not prepared
-  dgg::HeatOptions options;
-  for (const double bad : { 0.0, -1.0, 1e-300, 0.99e-6, 1.01e6, 1e300, dgg::Infinity,
-         std::numeric_limits<double>::quiet_NaN() })
-  {
-    options.TimeStepFactor = bad;
-    EXPECT_FALSE(heat.Prepare(options, nullptr).IsOk()) << bad;
-  }
-  options.TimeStepFactor = 1.0;
-  // Stopped anywhere, it can be taken up again.
-  int steps = 0;
-  for (int stop = 1;; ++stop)
-  {
-    ProgressListener listener(stop);
-    const dgg::Status status = heat.Prepare(options, std::ref(listener));
-    if (status.IsOk())
-    {
-      steps = stop;
-      break;
-    }
-    EXPECT_TRUE(status.IsAborted());
-    ASSERT_LT(stop, 100);
-  }
-  EXPECT_GT(steps, 4);
-  EXPECT_FALSE(heat.Run({}, query, result).IsOk());
-  EXPECT_FALSE(heat.Run({ VertexSource(100000) }, query, result).IsOk());
-  EXPECT_FALSE(
-    heat.Run({ VertexSource(0, std::numeric_limits<double>::quiet_NaN()) }, query, result).IsOk());
-  query.MaximumDistance = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(heat.Run({ VertexSource(0) }, query, result).IsOk());
-  query.MaximumDistance = dgg::Infinity;
-  query.Progress = [](double) { return false; };
-  EXPECT_TRUE(heat.Run({ VertexSource(0) }, query, result).IsAborted());
-  EXPECT_TRUE(result.Distances.empty());
-  query.Progress = nullptr;
-  EXPECT_TRUE(heat.Run({ VertexSource(0) }, query, result).IsOk());
-}
 }

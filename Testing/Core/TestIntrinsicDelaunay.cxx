@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace dggtest
 {
@@ -98,41 +97,6 @@ std::vector<NamedMesh> FlipMeshes()
 }
 }
 
-TEST(IntrinsicDelaunay, OneFlip)
-{
-  // A flat kite: the long diagonal gives way to the short one.
-  TestMesh mesh;
-  mesh.AddPoint(0.0, 0.0, 0.0);
-  mesh.AddPoint(4.0, 0.0, 0.0);
-  mesh.AddPoint(1.0, 1.0, 0.0);
-  mesh.AddPoint(2.5, -0.5, 0.0);
-  mesh.AddTriangle(0, 1, 2);
-  mesh.AddTriangle(0, 3, 1);
-  const dgg::SurfaceMesh surface = Build(mesh);
-  {
-    dgg::IntrinsicTriangulation triangulation(surface);
-    EXPECT_LT(LeastCotangentSum(triangulation), 0.0);
-    EXPECT_EQ(Flip(triangulation), 1);
-    ExpectConsistent(triangulation);
-    Id inner = 0;
-    while (!triangulation.IsFlippable(inner))
-    {
-      ++inner;
-    }
-    EXPECT_NEAR(triangulation.Length(inner), std::hypot(1.5, 1.5), 1e-14);
-    EXPECT_GT(CotangentSum(triangulation, inner), 0.0);
-    // Flipped back it is what it was.
-    ASSERT_TRUE(triangulation.Flip(inner));
-    ExpectConsistent(triangulation);
-    inner = 0;
-    while (!triangulation.IsFlippable(inner))
-    {
-      ++inner;
-    }
-    EXPECT_NEAR(triangulation.Length(inner), 4.0, 1e-14);
-  }
-}
-
 TEST(IntrinsicDelaunay, CotangentsAddUpToNothingNegative)
 {
   dgg::Offset flips = 0;
@@ -182,14 +146,6 @@ TEST(IntrinsicDelaunay, AreasAnglesAndBoundariesStay)
       EXPECT_NEAR(after.Angles[v], before.Angles[v], tolerance) << v;
     }
   }
-}
-
-TEST(IntrinsicDelaunay, Abort)
-{
-  dgg::IntrinsicTriangulation triangulation(Build(NoisySphere(3, 0.3, 3)));
-  dgg::Offset flips = 0;
-  const auto stop = [](double) { return false; };
-  EXPECT_TRUE(dgg::MakeDelaunay(triangulation, stop, flips).IsAborted());
 }
 
 TEST(CotanLaplacian, Conventions)

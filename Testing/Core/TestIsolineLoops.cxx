@@ -133,43 +133,6 @@ TEST(Isolines, LoopsAroundManySourcesThatMeetInAFace)
   }
 }
 
-TEST(Isolines, LoopsAroundManySourcesInAFace)
-{
-  const TestMesh test = SingleTriangle();
-  const SurfaceMesh mesh = Build(test);
-  std::vector<GeodesicSource> sources;
-  double nearest = Infinity; // to one another
-  for (int i = 1; i < 20; ++i)
-  {
-    for (int j = 1; i + j < 20; ++j)
-    {
-      sources.push_back(FaceSourceAt(mesh, 0, { { i / 20.0, j / 20.0, (20 - i - j) / 20.0 } }));
-      // Starts too late to be nearest anywhere.
-      const std::array<double, 3> beside{ { (i + 0.1) / 20.0, j / 20.0, (19.9 - i - j) / 20.0 } };
-      sources.push_back(FaceSourceAt(mesh, 0, beside));
-      sources.back().InitialDistance = 0.2;
-    }
-  }
-  for (std::size_t i = 2; i < sources.size(); i += 2)
-  {
-    nearest = std::min(
-      nearest, DistanceInFace(mesh, 0, sources[0].Point.Barycentric, sources[i].Point.Barycentric));
-  }
-  sources.push_back(sources[0]); // again
-  const ExactField field(mesh, sources);
-  EXPECT_EQ(field.Result.Windows.Sources.size(), 171u);
-  const std::vector<double> levels{ 0.1 * nearest, 0.3 * nearest };
-  const Isolines lines = Trace(field.Exact, levels, 1e-5);
-  EXPECT_EQ(lines.Lines.size(), 2u * 171);
-  EXPECT_TRUE(AllClosed(lines));
-  EXPECT_EQ(lines.Fallbacks, 0);
-  for (std::size_t i = 0; i < lines.Lines.size(); ++i)
-  {
-    const double radius = levels[lines.Levels[i]];
-    EXPECT_NEAR(lines.Lines[i].Length, 2.0 * Pi * radius, 0.1 * radius);
-  }
-}
-
 TEST(Isolines, SmallLoopsAroundASourceInAFace)
 {
   const TestMesh test = SingleTriangle();
@@ -229,35 +192,6 @@ TEST(Isolines, SmallLoopsAroundAFarthestPoint)
     for (std::size_t i = 0; i < lines.Lines.size(); ++i)
     {
       EXPECT_EQ(lines.IsClosed[i], lines.Levels[i] >= 2);
-    }
-  }
-}
-
-TEST(Isolines, LoopsAroundFarthestPointsInFacesAreFound)
-{
-  // A third wave may be the last to come to the middle of a face of two others.
-  for (std::uint64_t seed = 0; seed < 40; ++seed)
-  {
-    const SurfaceMesh mesh = Build(WithNoise(Icosahedron(), 0.15, seed));
-    const ExactField field(mesh, { VertexSource(0) });
-    FaceProfile profile(field.Exact);
-    double farthest = 0.0;
-    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-    {
-      profile.Enter(f);
-      for (int i = 0; i <= 60; ++i)
-      {
-        for (int j = 0; i + j <= 60; ++j)
-        {
-          farthest = std::max(
-            farthest, profile.At(profile.PlaceOf({ { i / 60.0, j / 60.0, (60 - i - j) / 60.0 } })));
-        }
-      }
-    }
-    for (const double below : { 0.005, 0.02, 0.1 })
-    {
-      const Isolines lines = Trace(field.Exact, { farthest - below * mesh.GetMeanEdgeLength() });
-      EXPECT_GE(lines.Lines.size(), 1u) << seed << " " << below;
     }
   }
 }

@@ -16,7 +16,6 @@ namespace dggtest
 namespace
 {
 using dgg::FoundLoop;
-using dgg::SurfacePath;
 using dgg::SurfacePoint;
 
 /// A plate of height 1 with square holes, n in each direction, in unit squares.
@@ -278,29 +277,6 @@ TEST(LoopFinder, HandlesOfSheetsThatTouch)
   EXPECT_TRUE(pinned[0].Loop.IsEmpty());
 }
 
-TEST(LoopFinder, HandlesReportTheirProgress)
-{
-  const dgg::SurfaceMesh mesh = Build(TwoHoledBlock());
-  std::vector<FoundLoop> loops;
-  int late = 0; // while loops are compared
-  const auto find = [&](const dgg::ProgressCallback& progress) {
-    late = 0;
-    return dgg::FindHandleLoops(
-      mesh,
-      [&](double fraction) {
-        late += fraction > 0.9 && fraction < 1.0 ? 1 : 0;
-        return progress(fraction);
-      },
-      loops);
-  };
-  const ProgressListener whole = ExpectStops(find, [&] { EXPECT_TRUE(loops.empty()); });
-  EXPECT_GT(whole.Calls, 40); // several for each base
-  EXPECT_EQ(whole.Done, 1.0);
-  EXPECT_TRUE(find(ProgressListener()).IsOk());
-  EXPECT_GE(late, 3);
-  EXPECT_EQ(loops.size(), 4u);
-}
-
 /// More handles than a machine word has bits. Those loops are independent that a loop through a
 /// hole and one around it distinguish.
 TEST(LoopFinder, LoopsOfManyHandlesAreIndependent)
@@ -340,50 +316,6 @@ TEST(LoopFinder, LoopsOfManyHandlesAreIndependent)
     EXPECT_NE(std::find(row.begin(), row.end(), 1), row.end());
     rows.push_back(row);
   }
-}
-
-/// A component costs what it would cost alone, however many there are.
-TEST(LoopFinder, HandlesOfThousandsOfComponents)
-{
-  constexpr std::size_t Copies = 4000;
-  const TestMesh torus = Torus(5, 4);
-  TestMesh tori;
-  TestMesh tetrahedra;
-  for (std::size_t i = 0; i < Copies; ++i)
-  {
-    Append(tori, torus);
-    const Id first = tetrahedra.GetNumberOfVertices();
-    for (const std::array<double, 3>& p :
-      { std::array<double, 3>{ { 1.0, 1.0, 1.0 } }, std::array<double, 3>{ { -1.0, -1.0, 1.0 } },
-        std::array<double, 3>{ { -1.0, 1.0, -1.0 } },
-        std::array<double, 3>{ { 1.0, -1.0, -1.0 } } })
-    {
-      tetrahedra.AddPoint(p[0], p[1], p[2]);
-    }
-    tetrahedra.AddQuad(first, first + 1, first + 2, first + 3);
-    tetrahedra.AddTriangle(first, first + 3, first + 1);
-    tetrahedra.AddTriangle(first + 1, first + 3, first + 2);
-  }
-  const auto find = [](const TestMesh& input, std::vector<FoundLoop>& loops) {
-    std::size_t steps = 0;
-    EXPECT_TRUE(dgg::FindHandleLoops(Build(input), {}, loops, &steps).IsOk());
-    return steps;
-  };
-  std::vector<FoundLoop> expected;
-  std::vector<FoundLoop> loops;
-  const std::size_t alone = find(torus, expected);
-  ASSERT_EQ(expected.size(), 2u);
-  EXPECT_EQ(find(tori, loops), Copies * alone);
-  ASSERT_EQ(loops.size(), 2 * Copies);
-  for (std::size_t i = 0; i < loops.size(); ++i)
-  {
-    ASSERT_EQ(loops[i].Loop.Length, expected[i % 2].Loop.Length) << i;
-    ASSERT_EQ(loops[i].Loop.Faces.size(), expected[i % 2].Loop.Faces.size()) << i;
-    const auto faces = static_cast<Id>(i / 2) * torus.GetNumberOfFaces();
-    ASSERT_EQ(loops[i].Loop.Faces[0], faces + expected[i % 2].Loop.Faces[0]) << i;
-  }
-  EXPECT_EQ(find(tetrahedra, loops), 16 * Copies); // 4 vertices, 12 half-edges, and no loop
-  EXPECT_TRUE(loops.empty());
 }
 
 TEST(LoopFinder, GeodesicsOnSoundMeshes)
@@ -474,36 +406,6 @@ TEST(LoopFinder, Ropes)
   EXPECT_TRUE(several.Finder->Rope(apart, true, loop, isConnected).IsOk());
   EXPECT_TRUE(loop.Loop.IsEmpty());
   EXPECT_FALSE(isConnected);
-}
-
-/// Stopped between any two points, there is no rope; nor is anything else left behind.
-TEST(LoopFinder, RopesReportTheirProgress)
-{
-  const LoopWorld world(Torus(20, 10));
-  std::vector<SurfacePoint> points;
-  for (Id i = 0; i < 12; ++i)
-  {
-    points.push_back(At(i * world.Mesh.GetNumberOfVertices() / 12));
-  }
-  const FoundLoop expected = world.Rope(points, false);
-  ASSERT_FALSE(expected.Loop.IsEmpty());
-  for (const bool taut : { false, true })
-  {
-    FoundLoop loop = expected;
-    bool isConnected = false;
-    const ProgressListener whole = ExpectStops(
-      [&](const dgg::ProgressCallback& progress) {
-        return world.Finder->Rope(points, taut, loop, isConnected, progress);
-      },
-      [&] {
-        EXPECT_TRUE(loop.Loop.IsEmpty());
-        loop = expected;
-      });
-    EXPECT_EQ(whole.Calls, 13); // before each leg, and at the end
-    EXPECT_EQ(whole.Done, 1.0);
-    EXPECT_TRUE(world.Finder->Rope(points, taut, loop, isConnected).IsOk() && isConnected);
-  }
-  EXPECT_EQ(world.Rope(points, false).Loop.Length, expected.Loop.Length);
 }
 
 /// The angle of a rope that keeps to its points is the smallest one at any of them.

@@ -9,10 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dggtest

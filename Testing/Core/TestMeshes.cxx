@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestMeshes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 namespace dggtest
@@ -38,19 +36,6 @@ void TestMesh::AddQuad(Id a, Id b, Id c, Id d)
 {
   this->AddTriangle(a, b, c);
   this->AddTriangle(a, c, d);
-}
-
-void InThreads(int count, const std::function<void(int)>& body)
-{
-  std::vector<std::thread> threads;
-  for (int t = 0; t < count; ++t)
-  {
-    threads.emplace_back(body, t);
-  }
-  for (std::thread& thread : threads)
-  {
-    thread.join();
-  }
 }
 
 std::vector<NamedMesh> Joined(std::vector<NamedMesh> some, const std::vector<NamedMesh>& others)

@@ -89,44 +89,19 @@ inline testing::AssertionResult Says(const dgg::Status& status, const std::strin
 class ProgressListener
 {
 public:
-  explicit ProgressListener(int last = std::numeric_limits<int>::max())
-    : LastCall(last)
-  {
-  }
   bool operator()(double done)
   {
     EXPECT_GE(done, this->Done - 1e-12); // but for rounding
     EXPECT_LE(done, 1.0);
     this->First = this->Calls == 0 ? done : this->First;
     this->Done = done;
-    return ++this->Calls < this->LastCall;
+    ++this->Calls;
+    return true;
   }
   int Calls = 0;
   double First = 0.0; ///< what the first call said
   double Done = 0.0;  ///< what the latest call said
-
-private:
-  int LastCall;
 };
-
-/// Expect `run(progress)` to succeed, and to end where its progress is answered with false, at
-/// every `step`th report, with what `expectNothing` looks at. Returns who has listened to the whole
-/// run.
-template <typename Run, typename ExpectNothing>
-ProgressListener ExpectStops(Run run, ExpectNothing expectNothing, int step = 1)
-{
-  ProgressListener whole;
-  EXPECT_TRUE(Ok(run(std::ref(whole))));
-  for (int stop = 1; stop <= whole.Calls; stop += step)
-  {
-    SCOPED_TRACE("stopped at report " + std::to_string(stop));
-    ProgressListener listener(stop);
-    EXPECT_TRUE(run(std::ref(listener)).IsAborted());
-    EXPECT_EQ(listener.Calls, stop) << "went on";
-    expectNothing();
-  }
-  return whole;
-}
 
 /// Errors on ever finer meshes, which must fall at an order at least: each is to be that of half
 /// the edges of the one before.
@@ -150,9 +125,6 @@ public:
 private:
   double Order;
 };
-
-/// Run `body(thread)` in some threads at once.
-void InThreads(int count, const std::function<void(int)>& body);
 
 struct NamedMesh
 {

@@ -224,26 +224,6 @@ TEST(Tape, InTrianglesOfAnySize)
   }
 }
 
-TEST(Tape, ReportsProgress)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(1, 1));
-  const SurfacePath path = PathBetween(mesh, 0, 3);
-  std::vector<SurfacePath> rims;
-  const double width = 0.05;
-  ProgressListener whole;
-  ASSERT_TRUE(dgg::MakeOffsetCurves(mesh, path, width, std::ref(whole), rims).IsOk());
-  EXPECT_EQ(rims.size(), path.Faces.size() > 1 ? 1u : 2u);
-  EXPECT_GT(whole.Done, 0.7);
-  EXPECT_GT(whole.Calls, 10);
-  for (int stop = 0; stop < whole.Calls; stop += 7)
-  {
-    ProgressListener listener(stop);
-    EXPECT_TRUE(dgg::MakeOffsetCurves(mesh, path, width, std::ref(listener), rims).IsAborted())
-      << stop;
-    EXPECT_TRUE(rims.empty());
-  }
-}
-
 TEST(Tape, EndsAtTheBoundary)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(10, 10));
@@ -273,26 +253,4 @@ TEST(Tape, OnAllKindsOfMeshes)
   }
 }
 
-TEST(Tape, BadInput)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
-  const SurfacePath path = PathBetween(mesh, 6, 18);
-  std::vector<SurfacePath> rims;
-  for (const double width : { 0.0, -1.0, dgg::Infinity, std::nan("") })
-  {
-    EXPECT_FALSE(dgg::MakeOffsetCurves(mesh, path, width, nullptr, rims).IsOk());
-    EXPECT_TRUE(rims.empty());
-  }
-  // A hundred thousand points along the path are too many.
-  EXPECT_FALSE(dgg::MakeOffsetCurves(mesh, path, 1e-6, nullptr, rims).IsOk());
-  const double smallest = dgg::GetSmallestOffsetWidth(path);
-  EXPECT_NEAR(smallest, path.Length / 450.0, 1e-9);
-  EXPECT_FALSE(dgg::MakeOffsetCurves(mesh, path, 0.99 * smallest, nullptr, rims).IsOk());
-  EXPECT_TRUE(dgg::MakeOffsetCurves(mesh, path, 4.0 * smallest, nullptr, rims).IsOk());
-  EXPECT_FALSE(rims.empty());
-  SurfacePath off = path;
-  off.Faces[0] = 17;
-  off.Faces.back() = 0;
-  EXPECT_FALSE(dgg::MakeOffsetCurves(mesh, off, 1.0, nullptr, rims).IsOk());
-}
 }

@@ -177,22 +177,6 @@ void ExpectDisks(const dgg::SurfaceMesh& first, const Points& firstLandmarks,
   EXPECT_EQ(ExpectCurves(second, secondLandmarks, boundaries, 1), disks);
 }
 
-std::string Refusal(const dgg::SurfaceMesh& first, const Points& firstLandmarks,
-  const dgg::SurfaceMesh& second, const Points& secondLandmarks, const PatchLayout& layout)
-{
-  PatchBoundaries boundaries;
-  const dgg::Status status = dgg::TracePatchBoundaries(
-    { first, firstLandmarks }, { second, secondLandmarks }, layout, nullptr, boundaries);
-  EXPECT_FALSE(status.IsOk());
-  EXPECT_TRUE(boundaries.Edges.empty());
-  EXPECT_TRUE(boundaries.Curves[0].empty());
-  return status.GetMessage();
-}
-
-void ExpectRefusal(const std::string& message, const std::string& expected)
-{
-  EXPECT_NE(message.find(expected), std::string::npos) << message;
-}
 }
 
 TEST(PatchBoundaries, OctahedronOnSpheres)
@@ -364,50 +348,4 @@ TEST(PatchBoundaries, ManyIntoOne)
   ExpectCurves(surface, landmarks, boundaries, 1);
 }
 
-TEST(PatchBoundaries, SayWhatIsWrong)
-{
-  const TestMesh mesh = Icosphere(2);
-  const dgg::SurfaceMesh a = Build(mesh);
-  const Points six = AtVertices(AxisVertices(mesh));
-  const Points five(six.begin(), six.end() - 1);
-  const PatchLayout octahedron = Octahedral();
-  ExpectRefusal(Refusal(a, six, a, five, octahedron), "6 landmarks on the first surface and 5");
-  ExpectRefusal(Refusal(a, five, a, five, octahedron), "names landmark 5, but there are 5");
-  ExpectRefusal(Refusal(a, six, a, six, { { { { 0, -1 } } }, {} }), "names landmark -1");
-  ExpectRefusal(Refusal(a, six, a, six, { { { { 2, 2 } } }, {} }), "with itself");
-  ExpectRefusal(Refusal(a, six, a, six, { { { { 0, 2 } }, { { 2, 0 } } }, {} }), "occurs twice");
-  ExpectRefusal(Refusal(a, six, a, six, { {}, { { 0, 1 } } }), "fewer than three");
-  ExpectRefusal(Refusal(a, six, a, six, { {}, { { 0, 2, 4 }, { 0, 2, 5 } } }), "both go from");
-  ExpectRefusal(Refusal(a, six, a, six, {}), "the layout is empty");
-  Points twice = six;
-  twice[3] = twice[1];
-  ExpectRefusal(Refusal(a, six, a, twice, octahedron), "landmarks 1 and 3 of the second surface");
-  Points bad = six;
-  bad[2] = SurfacePoint::AtVertex(-7);
-  ExpectRefusal(Refusal(a, bad, a, six, octahedron), "landmark 2 of the first surface");
-  const dgg::SurfaceMesh several = Build(SeveralComponents());
-  Points apart = six;
-  apart[5] = SurfacePoint::AtVertex(several.GetNumberOfVertices() - 1);
-  ExpectRefusal(Refusal(a, six, several, apart, octahedron), "not connected");
-  std::vector<Id> sheetOf;
-  const dgg::SurfaceMesh book = Build(Book(3, 4, sheetOf));
-  ExpectRefusal(Refusal(book, six, a, six, octahedron), "more than two faces");
-  const dgg::SurfaceMesh strip = Build(MoebiusStrip(9, 4));
-  ExpectRefusal(Refusal(a, six, strip, six, octahedron), "cannot be oriented");
-  // Five landmarks, each joined with each other: not on a sphere.
-  PatchLayout complete;
-  for (Id i = 0; i < 5; ++i)
-  {
-    for (Id j = i + 1; j < 5; ++j)
-    {
-      complete.Edges.push_back({ { i, j } });
-    }
-  }
-  const std::string reason = Refusal(a, five, a, five, complete);
-  ExpectRefusal(reason, "cannot be drawn on the first surface");
-  // A hole that is not there: three sides of the octahedron as if they bounded a handle.
-  const dgg::SurfaceMesh torus = Build(Torus(16, 10));
-  const Points onTorus = AtVertices({ 0, 5, 11 });
-  ExpectRefusal(Refusal(torus, onTorus, torus, onTorus, { {}, { { 0, 1, 2 } } }), "not a disk");
-}
 }

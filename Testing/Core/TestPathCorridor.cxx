@@ -9,8 +9,6 @@
 #include "dggPathCorridor.h"
 #include "dggSurfaceRefinement.h"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>

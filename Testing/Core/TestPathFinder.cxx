@@ -12,7 +12,6 @@
 #include "dggPathFinder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace dggtest
@@ -215,45 +214,4 @@ TEST(PathFinder, SamePoint)
   }
 }
 
-TEST(PathFinder, MemoryOfWhatIsKept)
-{
-  const PathWorld world(Icosphere(3));
-  EXPECT_EQ(world.Finder->GetMemorySize(), 0u);
-  world.Find(SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(200), Straight(1e-3));
-  EXPECT_GT(world.Finder->GetMemorySize(), 8u * world.Mesh.GetNumberOfVertices());
-}
-
-TEST(PathFinder, NeedsABuilderForPointsInFaces)
-{
-  const PathWorld world(Icosphere(1));
-  const dgg::PathFinder finder(world.Mesh, *world.Search, nullptr, nullptr);
-  FoundPath found;
-  const SurfacePoint inside = SurfacePoint::InFace(world.Mesh, 3, { { 0.2, 0.3, 0.5 } });
-  EXPECT_FALSE(finder.Find(inside, SurfacePoint::AtVertex(0), Raw(), found).IsOk());
-  EXPECT_FALSE(finder.Find(SurfacePoint::AtVertex(0), inside, Raw(), found).IsOk());
-  EXPECT_TRUE(
-    finder.Find(SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(7), Raw(), found).IsOk());
-  EXPECT_FALSE(found.Path.IsEmpty());
-  EXPECT_FALSE(
-    finder.Find(SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(700000), Raw(), found).IsOk());
-  EXPECT_TRUE(found.Path.IsEmpty());
-}
-
-/// The same paths, bit by bit, by several threads at once.
-TEST(PathFinder, SeveralThreads)
-{
-  const PathWorld world(NoisySphere(3, 0.2, 1));
-  const std::vector<SurfacePoint> points = SomePoints(world.Mesh, 10, 10, 3);
-  std::vector<double> lengths[3];
-  const auto run = [&](std::vector<double>& found) {
-    for (const SurfacePoint& to : points)
-    {
-      found.push_back(world.Find(points[0], to, Straight(1e-3)).Path.Length);
-    }
-  };
-  run(lengths[0]);
-  InThreads(2, [&](int thread) { run(lengths[thread + 1]); });
-  EXPECT_EQ(lengths[0], lengths[1]);
-  EXPECT_EQ(lengths[0], lengths[2]);
-}
 }

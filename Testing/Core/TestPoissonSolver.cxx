@@ -254,31 +254,6 @@ TEST(PoissonSolver, OneGivenValueTakesInWhatFlows)
   EXPECT_EQ(poisson.Solve(values)[5], 7.0);
 }
 
-TEST(PoissonSolver, GivenVerticesAreCheckedAndRemembered)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  dgg::PoissonSolver solver(mesh);
-  dgg::PoissonOptions options;
-  for (const Id wrong : { -1, mesh.GetNumberOfVertices() })
-  {
-    options.DirichletVertices = { 0, wrong };
-    const dgg::Status status = solver.Prepare(options, nullptr);
-    EXPECT_FALSE(status.IsOk());
-    EXPECT_TRUE(Says(status, "vertex " + std::to_string(wrong)));
-  }
-  options.DirichletVertices = { 4 };
-  ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
-  ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
-  EXPECT_EQ(solver.GetNumberOfFactorizations(), 1);
-  EXPECT_FALSE(solver.CheckPole(dgg::SurfacePoint::AtVertex(4)).IsOk());
-  EXPECT_TRUE(solver.CheckPole(dgg::SurfacePoint::AtVertex(3)).IsOk());
-  options.DirichletVertices = { 3 };
-  ASSERT_TRUE(solver.Prepare(options, nullptr).IsOk());
-  EXPECT_EQ(solver.GetNumberOfFactorizations(), 2);
-  EXPECT_TRUE(solver.IsFixed(3));
-  EXPECT_FALSE(solver.IsFixed(4));
-}
-
 TEST(PoissonSolver, ChannelsAreSolvedForAsSingleOnesAre)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(6, 5, 0.2));
@@ -417,38 +392,4 @@ TEST(PoissonSolver, DelaunayKeepsTheMaximumPrinciple)
   EXPECT_GE(least[1], -1e-12);
 }
 
-TEST(PoissonSolver, IsFactorizedOnce)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(6, 6, 0.1));
-  Poisson poisson(mesh);
-  EXPECT_EQ(poisson.Solver.GetNumberOfFactorizations(), 1);
-  poisson.Solve(RandomValues(mesh.GetNumberOfVertices(), 1));
-  dgg::PoissonOptions uniform;
-  uniform.Weights = dgg::PoissonWeights::Uniform;
-  EXPECT_TRUE(poisson.Solver.Prepare(uniform, nullptr).IsOk());
-  EXPECT_EQ(poisson.Solver.GetNumberOfFactorizations(), 1);
-  EXPECT_TRUE(poisson.Solver.Prepare(With(dgg::PoissonBoundary::Dirichlet), nullptr).IsOk());
-  EXPECT_EQ(poisson.Solver.GetNumberOfFactorizations(), 2);
-  EXPECT_GT(poisson.Solver.GetEstimatedMemory(), 0.0);
-}
-
-TEST(PoissonSolver, SaysWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
-  dgg::PoissonSolver solver(mesh);
-  std::vector<double> values(mesh.GetNumberOfVertices(), 0.0);
-  EXPECT_NE(solver.Solve(values).GetMessage().find("Prepare()"), std::string::npos);
-  EXPECT_TRUE(solver.Prepare({}, nullptr).IsOk());
-  values[7] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(solver.Solve(values).GetMessage().find("vertex 7"), std::string::npos);
-  values.pop_back();
-  EXPECT_FALSE(solver.Solve(values).IsOk());
-  for (int step = 0; step < 6; ++step)
-  {
-    dgg::PoissonSolver stopped(mesh);
-    int calls = 0;
-    const dgg::Status status = stopped.Prepare({}, [&](double) { return calls++ < step; });
-    EXPECT_TRUE(status.IsAborted() || calls <= step) << step;
-  }
-}
 }

@@ -478,38 +478,3 @@ TEST(Ridges, OfRoundingAloneComeToAnEnd)
     }
   }
 }
-
-TEST(Ridges, DoNotDependOnThreadsAndCanBeStopped)
-{
-  const RidgeCase test(Torus(24, 14), { VertexSource(3) }, 5.0);
-  ProgressListener listener; // of one thread
-  Ridges again;
-  ASSERT_TRUE(FindRidges(test.Field, test.Options, {}, std::ref(listener), again).IsOk());
-  ASSERT_TRUE(FindRidges(test.Field, test.Options, WithThreads(3), {}, again).IsOk());
-  ASSERT_EQ(again.Lines.size(), test.Found.Lines.size());
-  for (std::size_t i = 0; i < again.Lines.size(); ++i)
-  {
-    EXPECT_EQ(again.Lines[i].Length, test.Found.Lines[i].Length);
-    EXPECT_EQ(again.Lines[i].Faces, test.Found.Lines[i].Faces);
-  }
-  EXPECT_EQ(listener.Done, 1.0);
-  const ProgressCallback stop = [](double) { return false; };
-  EXPECT_TRUE(FindRidges(test.Field, test.Options, WithThreads(3), stop, again).IsAborted());
-  EXPECT_TRUE(again.Lines.empty());
-}
-
-TEST(Ridges, BadArgumentsAreRefused)
-{
-  const RidgeCase test(Plane(3, 3), { VertexSource(0) });
-  Ridges ridges;
-  RidgeOptions options;
-  EXPECT_FALSE(FindRidges({}, options, {}, {}, ridges).IsOk());
-  DistanceField linear = test.Field;
-  linear.Windows = nullptr;
-  EXPECT_FALSE(FindRidges(linear, options, {}, {}, ridges).IsOk());
-  options.MinimumAngle = -1.0;
-  EXPECT_FALSE(FindRidges(test.Field, options, {}, {}, ridges).IsOk());
-  options = {};
-  options.ChordTolerance = std::nan("");
-  EXPECT_FALSE(FindRidges(test.Field, options, {}, {}, ridges).IsOk());
-}

@@ -6,7 +6,6 @@
 #include "dggRoundTeam.h"
 
 #include <atomic>
-#include <functional>
 #include <stdexcept>
 #include <thread>
 #include <vector>

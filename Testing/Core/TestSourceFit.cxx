@@ -217,34 +217,6 @@ TEST(SourceFit, AnySurfaceAndAnythingUnreached)
   }
 }
 
-TEST(SourceFit, ThreadsDoNotMatter)
-{
-  const SurfaceMesh mesh = Build(Icosphere(4));
-  const std::vector<double> distances = DistancesFrom(mesh, ExactEngine::Triangle, 0);
-  const VirtualSources one = Fit(mesh, distances);
-  VirtualSources other;
-  FitVirtualSources(mesh, distances.data(), WithThreads(4, 50), other);
-  EXPECT_EQ(one.Offsets, other.Offsets);
-  EXPECT_EQ(one.Lengths, other.Lengths);
-  EXPECT_EQ(one.Angles, other.Angles);
-}
-
-TEST(SourceFit, CanBeStopped)
-{
-  const SurfaceMesh mesh = Build(Icosphere(5)); // 10242 vertices
-  const std::vector<double> distances(static_cast<std::size_t>(mesh.GetNumberOfVertices()), 1.0);
-  VirtualSources found;
-  int calls = 0;
-  EXPECT_TRUE(FitVirtualSources(mesh, distances.data(), {}, found, [&](double) {
-    ++calls;
-    return true;
-  }));
-  EXPECT_GT(calls, 0);
-  EXPECT_EQ(found.Offsets.size(), distances.size());
-  EXPECT_FALSE(FitVirtualSources(mesh, distances.data(), {}, found, [](double) { return false; }));
-  EXPECT_TRUE(found.Offsets.empty());
-}
-
 namespace
 {
 using dgg::FitSurface;

@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -379,20 +378,6 @@ TEST_P(SourcePropagation, SheetsThatMeet)
   }
 }
 
-TEST_P(SourcePropagation, AnyScale)
-{
-  const TestMesh input = NoisySphere(3, 0.2, 9);
-  const auto base = this->From(Build(input), 5);
-  for (const double factor : { 1e-60, 1e60 })
-  {
-    const auto scaled = this->From(Build(Scaled(input, factor)), 5);
-    for (std::size_t v = 0; v < base.size(); ++v)
-    {
-      EXPECT_NEAR(scaled[v] / factor, base[v], 1e-4) << factor;
-    }
-  }
-}
-
 TEST_P(SourcePropagation, VirtualSources)
 {
   const TestMesh plane = Plane(20, 20, 0.2, 5);
@@ -451,40 +436,4 @@ TEST_P(SourcePropagation, SameBitsInAnyThreads)
   }
 }
 
-TEST_P(SourcePropagation, ProgressAndRefusals)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(7));
-  const dgg::SourcePropagation propagation(mesh);
-  dgg::PropagationOptions options;
-  options.Quality = this->GetParam();
-  dgg::PropagationResult result;
-  const auto expectNothing = [&] {
-    EXPECT_TRUE(result.Distances.empty());
-    EXPECT_TRUE(result.NearestSource.empty());
-    EXPECT_TRUE(result.Virtual.Offsets.empty());
-  };
-  for (const int threads : { 0, 3 })
-  {
-    options.Parallel = threads > 0 ? WithThreads(threads) : nullptr;
-    const auto run = [&](const dgg::ProgressCallback& progress) {
-      options.Progress = progress;
-      return propagation.Run({ VertexSource(0) }, options, result);
-    };
-    EXPECT_GT(ExpectStops(run, expectNothing).Calls, 2);
-  }
-  options.Progress = nullptr;
-  const auto refuse = [&](const Sources& sources) {
-    options.MaximumDistance = dgg::Infinity;
-    EXPECT_TRUE(Ok(propagation.Run({ VertexSource(0) }, options, result)));
-    options.MaximumDistance = sources.size() == 2 ? std::nan("") : 1.0;
-    EXPECT_FALSE(propagation.Run(sources, options, result).IsOk());
-    expectNothing();
-  };
-  refuse({});
-  refuse({ VertexSource(-1) });
-  refuse({ VertexSource(mesh.GetNumberOfVertices()) });
-  refuse({ VertexSource(0, dgg::Infinity) });
-  refuse({ VertexSource(0, 1e31), VertexSource(1), VertexSource(2) });
-  refuse({ VertexSource(0), VertexSource(1) });
-}
 }

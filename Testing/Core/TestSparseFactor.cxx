@@ -12,7 +12,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 
-#include <cmath>
 #include <vector>
 
 namespace dggtest
@@ -142,24 +141,6 @@ TEST(SparseFactor, CountsEigenvaluesBelowZero)
     ASSERT_TRUE(factor.Compute(dgg::EliminationOrder(shifted), shifted).IsOk());
     EXPECT_EQ(factor.CountNegative(), below) << k;
   }
-}
-
-TEST(SparseFactor, StopsInBetween)
-{
-  const Matrix grid = Grid(200, 1.0); // takes several reports
-  const dgg::EliminationOrder order(grid);
-  int reports = 0;
-  double last = 0.0;
-  dgg::SparseFactor factor;
-  const auto watch = [&](double done) {
-    EXPECT_GE(done, last);
-    last = done;
-    return ++reports < 3;
-  };
-  EXPECT_TRUE(factor.Compute(order, grid, {}, watch).IsAborted());
-  EXPECT_EQ(reports, 3);
-  EXPECT_FALSE(factor.IsComputed());
-  EXPECT_TRUE(factor.Compute(order, grid).IsOk());
 }
 
 TEST(SparseFactor, MeshesWithNeedles)

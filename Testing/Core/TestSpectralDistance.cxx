@@ -11,9 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <mutex>
-#include <set>
+#include <functional>
+#include <map>
 #include <string>
 
 namespace dggtest
@@ -173,25 +172,6 @@ TEST(Eigenpairs, OfAnySize)
   }
 }
 
-TEST(Eigenpairs, StopsWhenAsked)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.1, 4));
-  const auto solver = Ready(mesh);
-  for (const double stop : { 0.1, 0.3, 0.5 })
-  {
-    double last = 0.0;
-    std::vector<dgg::Eigenpairs> pairs;
-    const auto progress = [&](double done) {
-      EXPECT_LT(last, stop); // not called again
-      last = done;
-      return done < stop;
-    };
-    EXPECT_TRUE(dgg::FindEigenpairs(*solver, 20, progress, pairs).IsAborted());
-    EXPECT_TRUE(pairs.empty());
-    EXPECT_LT(last, stop + 0.1);
-  }
-}
-
 TEST(Eigenpairs, ComponentsAreIndependent)
 {
   TestMesh spheres;
@@ -216,73 +196,6 @@ TEST(Eigenpairs, ComponentsAreIndependent)
     }
     ExpectEigenpairs(*solver, pairs, "spheres");
   }
-}
-
-TEST(Eigenpairs, WorkGrowsWithTheNumberOfPartsOnly)
-{
-  int solved[2] = { 0, 0 };
-  int blocks[2] = { 0, 0 };
-  for (const int k : { 0, 1 })
-  {
-    TestMesh spheres;
-    for (int part = 0; part < (k == 0 ? 18 : 72); ++part)
-    {
-      Append(
-        spheres, Translated(NoisySphere(part % 9 == 0 ? 3 : 1, 0.1, part), 3.0 * part, 0.0, 0.0));
-    }
-    const dgg::SurfaceMesh mesh = Build(spheres);
-    const auto solver = Ready(mesh);
-    std::vector<dgg::Eigenpairs> parts;
-    const auto countSolved = [&](double) { return ++solved[k] > 0; };
-    ASSERT_TRUE(dgg::FindEigenpairs(*solver, 40, countSolved, parts).IsOk());
-    for (const dgg::Eigenpairs& pairs : parts)
-    {
-      EXPECT_EQ(pairs.GetCount(), 40);
-      EXPECT_TRUE(pairs.IsComplete);
-    }
-    // By solutions for all vertices: of all parts at the same time.
-    dgg::SpectralDistance distance(*solver);
-    const auto options = Options(dgg::SpectralKind::Biharmonic, dgg::SpectralMethod::Exact);
-    const auto countBlocks = [&](double) { return ++blocks[k] > 0; };
-    ASSERT_TRUE(distance.Prepare(options, nullptr, countBlocks).IsOk());
-  }
-  EXPECT_LT(solved[1], 4.4 * solved[0]);
-  EXPECT_EQ(blocks[1], blocks[0]);
-}
-
-TEST(SpectralDistance, EigenpairsOfComponentsWithSourcesOnly)
-{
-  TestMesh spheres;
-  for (const double shift : { 0.0, 3.0, 6.0 })
-  {
-    Append(spheres, Translated(NoisySphere(3, 0.1, 4), shift, 0.0, 0.0));
-  }
-  const dgg::SurfaceMesh mesh = Build(spheres);
-  const auto solver = Ready(mesh);
-  const Id n = mesh.GetNumberOfVertices() / 3;
-  const auto options = Options(dgg::SpectralKind::Biharmonic, dgg::SpectralMethod::Spectrum, 20);
-  dgg::SpectralDistance all(*solver);
-  ASSERT_TRUE(Ok(all.Prepare(options, nullptr, nullptr)));
-  dgg::SpectralDistance distance(*solver);
-  struct Case
-  {
-    Id Sphere;
-    int NumberOfSpectra;
-  };
-  for (const Case& tested : { Case{ 1, 1 }, Case{ 1, 1 }, Case{ 0, 2 }, Case{ 1, 2 } })
-  {
-    const auto source = dgg::SurfacePoint::AtVertex(tested.Sphere * n + 7);
-    ASSERT_TRUE(Ok(distance.Prepare(options, nullptr, nullptr, { source })));
-    EXPECT_EQ(distance.GetNumberOfSpectra(), tested.NumberOfSpectra);
-    EXPECT_LT(distance.GetMemorySize(), all.GetMemorySize());
-    std::vector<double> expected;
-    std::vector<double> found;
-    ASSERT_TRUE(Ok(all.FromPoint(source, expected)));
-    ASSERT_TRUE(Ok(distance.FromPoint(source, found)));
-    EXPECT_EQ(found, expected);
-  }
-  std::vector<double> found;
-  EXPECT_TRUE(Says(distance.FromPoint(dgg::SurfacePoint::AtVertex(2 * n), found), "Prepare()"));
 }
 
 TEST(Eigenpairs, GivenBoundaryAndAnyTriangles)
@@ -337,6 +250,38 @@ TEST(SpectralDistance, BiharmonicOnTheSphere)
   }
   EXPECT_LT(atPole.Last, 1e-4);
   EXPECT_LT(atAntipode.Last, 1e-4);
+}
+
+TEST(SpectralDistance, EachKindHasItsFilter)
+{
+  // Of antipodes on the sphere with the first 48 eigenvalues: only odd degrees differ there.
+  const TestMesh sphere = Icosphere(4);
+  const dgg::SurfaceMesh mesh = Build(sphere);
+  const auto solver = Ready(mesh);
+  const double* p = sphere.Point(0);
+  const std::vector<dgg::SurfacePoint> poles{ dgg::SurfacePoint::AtVertex(0),
+    dgg::SurfacePoint::AtVertex(VertexAt(sphere, -p[0], -p[1], -p[2])) };
+  constexpr double time = 0.05;
+  const std::map<dgg::SpectralKind, std::function<double(double)>> filters{
+    { dgg::SpectralKind::Biharmonic, [](double lambda) { return 1.0 / (lambda * lambda); } },
+    { dgg::SpectralKind::CommuteTime, [](double lambda) { return 1.0 / lambda; } },
+    { dgg::SpectralKind::Diffusion, [](double lambda) { return std::exp(-2.0 * time * lambda); } }
+  };
+  for (const auto& [kind, filter] : filters)
+  {
+    double square = 0.0;
+    for (int l = 1; l <= 6; l += 2)
+    {
+      square += (2 * l + 1) / dgg::Pi * filter(l * (l + 1.0));
+    }
+    dgg::SpectralOptions options = Options(kind, dgg::SpectralMethod::Spectrum, 48);
+    options.Time = time;
+    dgg::SpectralDistance distance(*solver);
+    ASSERT_TRUE(Ok(distance.Prepare(options, nullptr, nullptr)));
+    std::vector<double> d;
+    ASSERT_TRUE(Ok(distance.Between(poles, poles, nullptr, nullptr, d)));
+    EXPECT_NEAR(d[1], std::sqrt(square), 0.01 * std::sqrt(square));
+  }
 }
 
 TEST(SpectralDistance, MetricAxioms)
@@ -440,105 +385,4 @@ TEST(SpectralDistance, PartsAreInfinitelyFarApart)
   }
 }
 
-TEST(SpectralDistance, ProgressIsReportedForEachBlock)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(4, 0.03, 3));
-  const auto solver = Ready(mesh);
-  const std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 40, 5);
-  const std::vector<dgg::SurfacePoint> others = points; // another object
-  std::vector<double> expected[2];
-  for (const int threads : { 1, 3 })
-  {
-    dgg::SpectralDistance distance(*solver);
-    const auto options = Options(dgg::SpectralKind::Biharmonic, dgg::SpectralMethod::Exact);
-    for (const bool isBetween : { false, true })
-    {
-      SCOPED_TRACE(std::to_string(threads) + (isBetween ? " between" : " prepared"));
-      std::mutex mutex; // progress comes from any thread
-      std::set<double> reported;
-      double last = 0.0;
-      double stopAt = 0.3;
-      const auto progress = [&](double done) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        EXPECT_TRUE(done >= last || threads > 1);
-        last = std::max(last, done);
-        reported.insert(done);
-        return done < stopAt;
-      };
-      std::vector<double> d;
-      const auto run = [&] {
-        last = 0.0;
-        reported.clear();
-        return isBetween ? distance.Between(points, others, WithThreads(threads), progress, d)
-                         : distance.Prepare(options, WithThreads(threads), progress);
-      };
-      EXPECT_TRUE(run().IsAborted());
-      EXPECT_LT(last, threads == 1 ? 0.35 : 0.7); // others go on while one tells
-      EXPECT_TRUE(d.empty());
-      stopAt = 2.0;
-      ASSERT_TRUE(run().IsOk());
-      EXPECT_EQ(last, 1.0);
-      if (!isBetween)
-      {
-        ASSERT_TRUE(distance.FromPoint(points[0], d).IsOk());
-      }
-      // Eight vertices are solved for at once; a block of points is some milliseconds of work.
-      EXPECT_GE(static_cast<Id>(reported.size()), isBetween ? 10 : mesh.GetNumberOfVertices() / 8);
-      if (threads == 1)
-      {
-        expected[isBetween] = d;
-      }
-      EXPECT_EQ(d, expected[isBetween]);
-    }
-    // From one set to itself it is the same.
-    std::vector<double> same;
-    ASSERT_TRUE(distance.Between(points, points, nullptr, nullptr, same).IsOk());
-    EXPECT_EQ(same, expected[1]);
-  }
-}
-
-TEST(SpectralDistance, VerticesWithoutFacesAreNoSources)
-{
-  TestMesh plane = Plane(3, 3);
-  const auto isolated = static_cast<dgg::Id>(plane.Points.size() / 3);
-  plane.Points.insert(plane.Points.end(), { 0.5, 0.5, 2.0 });
-  const dgg::SurfaceMesh mesh = Build(plane);
-  const auto solver = Ready(mesh);
-  dgg::SpectralDistance distance(*solver);
-  ASSERT_TRUE(distance.Prepare({}, nullptr, nullptr).IsOk());
-  std::vector<double> d;
-  const dgg::SurfacePoint point = dgg::SurfacePoint::AtVertex(isolated);
-  EXPECT_TRUE(Says(distance.FromPoint(point, d), "has no face"));
-  EXPECT_TRUE(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), d).IsOk());
-}
-
-TEST(SpectralDistance, SaysWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
-  dgg::PoissonSolver raw(mesh);
-  std::vector<dgg::Eigenpairs> pairs;
-  EXPECT_FALSE(dgg::FindEigenpairs(raw, 3, nullptr, pairs).IsOk());
-  const auto solver = Ready(mesh);
-  EXPECT_FALSE(dgg::FindEigenpairs(*solver, 0, nullptr, pairs).IsOk());
-  EXPECT_TRUE(dgg::FindEigenpairs(*solver, 1000, nullptr, pairs).IsOk());
-  EXPECT_EQ(pairs.front().GetCount(), 15);
-  EXPECT_TRUE(dgg::FindEigenpairs(
-    *solver, 3, [](double) { return false; }, pairs)
-                .IsAborted());
-  dgg::SpectralDistance distance(*solver);
-  std::vector<double> d;
-  EXPECT_FALSE(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), d).IsOk());
-  ASSERT_TRUE(distance.Prepare({}, nullptr, nullptr).IsOk());
-  EXPECT_FALSE(distance.FromPoint(dgg::SurfacePoint::AtVertex(99), d).IsOk());
-  dgg::SpectralOptions options;
-  options.Time = -1.0;
-  EXPECT_FALSE(distance.Prepare(options, nullptr, nullptr).IsOk());
-  // Those of another system.
-  ASSERT_TRUE(distance.Prepare({}, nullptr, nullptr).IsOk());
-  EXPECT_EQ(distance.GetNumberOfSpectra(), 1); // still the first one
-  dgg::PoissonOptions other;
-  other.Weights = dgg::PoissonWeights::Uniform;
-  ASSERT_TRUE(solver->Prepare(other, nullptr).IsOk());
-  EXPECT_TRUE(Says(distance.FromPoint(dgg::SurfacePoint::AtVertex(0), d), "Prepare()"));
-}
 }

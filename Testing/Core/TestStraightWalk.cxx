@@ -12,8 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace dggtest
@@ -94,35 +92,6 @@ TEST(StraightWalk, IsALineInThePlane)
       }
     }
     EXPECT_GT(stopped, 5);
-  }
-}
-
-TEST(StraightWalk, GoesThroughVerticesOfARegularGrid)
-{
-  const TestMesh points = Plane(8, 8);
-  const SurfaceMesh mesh = Build(points);
-  // From a corner of the sheet, along both kinds of edges and along the diagonals of the squares
-  // that are no edges.
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    if (mesh.Kind(v) != dgg::VertexKind::Flat)
-    {
-      continue;
-    }
-    for (int k = 0; k < 8; ++k)
-    {
-      const double angle = 0.25 * k * dgg::Pi;
-      const SurfacePoint start = SurfacePoint::AtVertex(v);
-      const SurfacePath path = WalkFrom(mesh, start, angle, 100.0);
-      const double direction = AxisOf(mesh, points, start) + angle;
-      const std::array<double, 3> from = PlaceOf(mesh, points, start);
-      const std::array<double, 3> end = PlaceOf(mesh, points, path.Points.back());
-      const std::array<double, 3> expected{ { from[0] + path.Length * std::cos(direction),
-        from[1] + path.Length * std::sin(direction), 0.0 } };
-      EXPECT_LT(DistanceBetween(end, expected), 1e-9 * path.Length);
-      EXPECT_EQ(path.Points.back().On, SurfacePoint::Support::Vertex);
-      EXPECT_EQ(mesh.Kind(path.Points.back().Vertex), dgg::VertexKind::Boundary);
-    }
   }
 }
 
@@ -208,27 +177,6 @@ TEST(StraightWalk, FollowsLinksToTheirVertices)
   }
 }
 
-TEST(StraightWalk, FollowsEdgesOfTheGraph)
-{
-  for (const NamedMesh& named : SoundMeshes())
-  {
-    const SurfaceMesh mesh = Build(named.Mesh);
-    const dgg::GeodesicGraph graph = BuildGraph(mesh, 0.05);
-    const dgg::GraphView view = graph.View();
-    for (Id v = 0; v < view.NumberOfVertices; v += 7)
-    {
-      for (dgg::Offset e = view.Offsets[v]; e < view.Offsets[v + 1]; ++e)
-      {
-        const double length = view.Length(e);
-        const SurfacePath path = WalkFrom(mesh, SurfacePoint::AtVertex(v), view.Angles[e], length);
-        const double missed = DistanceBetween(PlaceOf(mesh, named.Mesh, path.Points.back()),
-          PlaceOf(mesh, named.Mesh, SurfacePoint::AtVertex(view.Targets[e])));
-        EXPECT_LT(missed, 1e-4 * length) << named.Name; // angles are floats
-      }
-    }
-  }
-}
-
 TEST(StraightWalk, OnAnySurface)
 {
   for (const NamedMesh& named :
@@ -249,39 +197,6 @@ TEST(StraightWalk, OnAnySurface)
       EXPECT_LE(path.Length, length * (1.0 + 1e-9)) << named.Name;
     }
   }
-}
-
-/// On a surface without an end a walk ends after a million edges.
-TEST(StraightWalk, IsBounded)
-{
-  const SurfaceMesh mesh = Build(FlatTorus(3.0, 0.7, 2.0, 4, 3, false));
-  const SurfacePoint start = SurfacePoint::InFace(mesh, 5, { { 0.2, 0.3, 0.5 } });
-  SurfacePath path;
-  ASSERT_TRUE(dgg::WalkStraight(mesh, start, 1.0, 1e9, path).IsOk());
-  EXPECT_EQ(path.Faces.size(), 1000001u);
-  EXPECT_GT(path.Length, 1e5);
-  EXPECT_LT(path.Length, 1e6);
-  EXPECT_TRUE(dgg::CheckPath(mesh, path).IsOk());
-  // As straight as ever: walking a shorter way is the beginning of it.
-  const SurfacePath shorter = WalkFrom(mesh, start, 1.0, 1000.0);
-  EXPECT_NEAR(shorter.Length, 1000.0, 1e-6);
-  ASSERT_LT(shorter.Faces.size(), path.Faces.size());
-  EXPECT_TRUE(std::equal(shorter.Faces.begin(), shorter.Faces.end(), path.Faces.begin()));
-}
-
-TEST(StraightWalk, BadInputIsNamed)
-{
-  const SurfaceMesh mesh = Build(Plane(3, 3));
-  const SurfacePoint start = SurfacePoint::AtVertex(4);
-  SurfacePath path;
-  EXPECT_FALSE(dgg::WalkStraight(mesh, SurfacePoint::AtVertex(99), 0.0, 1.0, path).IsOk());
-  EXPECT_FALSE(dgg::WalkStraight(mesh, start, dgg::Infinity, 1.0, path).IsOk());
-  EXPECT_FALSE(dgg::WalkStraight(mesh, start, 0.0, -1.0, path).IsOk());
-  EXPECT_FALSE(dgg::WalkStraight(mesh, start, 0.0, dgg::Infinity, path).IsOk());
-  EXPECT_TRUE(path.IsEmpty());
-  EXPECT_TRUE(dgg::WalkStraight(mesh, start, 0.0, 0.0, path).IsOk());
-  EXPECT_EQ(path.Points.size(), 1u);
-  EXPECT_EQ(path.Length, 0.0);
 }
 
 // Edges of a graph are followed over the mesh with little work, on thin triangles as well.
@@ -350,22 +265,5 @@ TEST(GraphEdgeTracer, WorkDoesNotGrowWithTheLengthOfTriangles)
   }
 }
 
-/// A tiny edge has the rounding errors of the long ones next to it.
-TEST(GraphEdgeTracer, FindsHeadsNextToLongEdges)
-{
-  TestMesh mesh = NoisySphere(2, 0.05, 2);
-  Random random(2);
-  for (int i = 0; i < 60; ++i)
-  {
-    const Id* corners = &mesh.Triangles[3 * random.Index(mesh.GetNumberOfFaces())];
-    const Id a = corners[0];
-    const Id b = corners[1];
-    if (EuclideanDistance(mesh, a, b) > 1e-4)
-    {
-      SplitEdge(mesh, a, b, 1e-11 * random.Uniform(0.5, 1.0));
-    }
-  }
-  EXPECT_EQ(TraceEdges(mesh, 7).Missed, 0u);
-}
 }
 }

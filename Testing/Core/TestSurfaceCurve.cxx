@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace dggtest
 {
@@ -18,19 +17,6 @@ using dgg::NoId;
 using dgg::SurfaceCurve;
 using dgg::SurfacePoint;
 
-dgg::Status ErrorOf(
-  const dgg::SurfaceMesh& mesh, const std::vector<SurfacePoint>& points, bool isClosed = false)
-{
-  SurfaceCurve curve;
-  curve.Path.Points.resize(2); // something to be cleared
-  curve.Parameters.resize(2);
-  const dgg::Status status = dgg::JoinPoints(mesh, points, isClosed, nullptr, curve);
-  EXPECT_FALSE(status.IsOk());
-  EXPECT_TRUE(curve.Path.IsEmpty());
-  EXPECT_TRUE(curve.Parameters.empty());
-  EXPECT_TRUE(curve.GivenPoints.empty());
-  return status;
-}
 }
 
 TEST(SurfaceCurve, IsStraightInThePlane)
@@ -86,45 +72,6 @@ TEST(SurfaceCurve, IsAsLongAsTheDistancesBetweenItsPoints)
   }
 }
 
-TEST(SurfaceCurve, DoesWhatIsAsked)
-{
-  Random random(17);
-  for (const TestMesh& input :
-    { Plane(3, 3), NoisySphere(1, 0.3, 3), Torus(8, 5), MisorientedSphere(1, 8) })
-  {
-    const dgg::SurfaceMesh mesh = Build(input);
-    for (int i = 0; i < 100; ++i)
-    {
-      const std::vector<SurfacePoint> points =
-        RandomCurvePoints(mesh, 1 + random.Index(12), random);
-      ExpectSoundCurve(mesh, points, Curve(mesh, points, i % 2 == 1));
-      ASSERT_FALSE(HasFailure()) << i;
-    }
-  }
-}
-
-TEST(SurfaceCurve, FewPoints)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  const SurfacePoint point = SurfacePoint::InFace(mesh, 7, { { 0.2, 0.3, 0.5 } });
-  for (const bool isClosed : { false, true })
-  {
-    EXPECT_TRUE(Curve(mesh, {}, isClosed).Path.IsEmpty());
-    const SurfaceCurve single = Curve(mesh, { point }, isClosed);
-    ExpectSoundCurve(mesh, { point }, single);
-    EXPECT_EQ(single.Path.Points.size(), 1u);
-    const SurfaceCurve twice = Curve(mesh, { point, point }, isClosed);
-    ExpectSoundCurve(mesh, { point, point }, twice);
-    EXPECT_EQ(twice.Path.Points.size(), isClosed ? 3u : 2u);
-    EXPECT_EQ(twice.Path.Length, 0.0);
-  }
-  // There and back.
-  const SurfacePoint other = SurfacePoint::AtVertex(3);
-  const SurfaceCurve open = Curve(mesh, { point, other });
-  const SurfaceCurve closed = Curve(mesh, { point, other }, true);
-  EXPECT_NEAR(closed.Path.Length, 2.0 * open.Path.Length, 1e-12);
-}
-
 TEST(SurfaceCurve, FindsCommonFaces)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(2, 1)); // faces 0 and 1 of the left cell, 2 and 3
@@ -152,45 +99,6 @@ TEST(SurfaceCurve, FindsCommonFaces)
     NoId);
 }
 
-TEST(SurfaceCurve, SaysWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  Id components = 0;
-  const std::vector<Id> componentOf = mesh.ComputeComponents(components);
-  ASSERT_EQ(components, 3);
-  const Id other = mesh.GetNumberOfVertices() - 1;
-  ASSERT_NE(componentOf[other], componentOf[0]);
-  const auto at = [](Id v) { return SurfacePoint::AtVertex(v); };
-  EXPECT_TRUE(Says(
-    ErrorOf(mesh, { at(0), at(1), at(other) }), "points 1 and 2 of the curve are not connected"));
-  EXPECT_TRUE(Says(ErrorOf(mesh, { at(0), at(1), at(mesh.GetNumberOfVertices()) }),
-    "point 2 of the curve: vertex"));
-  SurfacePoint outside = SurfacePoint::InFace(mesh, 0, { { 0.7, 0.7, -0.4 } });
-  EXPECT_TRUE(Says(ErrorOf(mesh, { outside, at(0) }), "point 0 of the curve: the barycentric"));
-  outside = SurfacePoint::InFace(mesh, 0, { { std::nan(""), 0.5, 0.5 } });
-  EXPECT_TRUE(Says(ErrorOf(mesh, { at(0), outside }, true), "point 1 of the curve"));
-  const dgg::SurfaceMesh isolated = Build(SphereWithIsolatedPoints(1));
-  Id alone = 0;
-  while (isolated.Kind(alone) != dgg::VertexKind::Isolated)
-  {
-    ++alone;
-  }
-  EXPECT_TRUE(Says(ErrorOf(isolated, { at(alone), at(alone + 1) }), "not connected"));
-}
-
-TEST(SurfaceCurve, StopsWhenAsked)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.3, 2));
-  const std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 10, 3);
-  SurfaceCurve curve;
-  const ProgressListener whole = ExpectStops(
-    [&](const dgg::ProgressCallback& progress) {
-      return dgg::JoinPoints(mesh, points, true, progress, curve);
-    },
-    [&] { EXPECT_TRUE(curve.Path.IsEmpty()); });
-  EXPECT_GT(whole.Calls, 1);
-}
-
 // Meshes in which curves are chains of edges.
 
 namespace
@@ -211,32 +119,6 @@ std::vector<SurfaceCurve> RandomCurves(
   }
   return curves;
 }
-}
-
-TEST(CurveEmbedding, NothingToDo)
-{
-  const TestMesh input = Icosphere(1);
-  const dgg::SurfaceMesh mesh = Build(input);
-  const RefinedSurface surface = Embed(mesh, {});
-  ExpectSoundEmbedding(input, mesh, {}, surface);
-  EXPECT_EQ(surface.Triangles, input.Triangles);
-  const std::vector<SurfaceCurve> curves{ Curve(mesh, {}), Curve(mesh, {}, true) };
-  EXPECT_TRUE(dgg::FollowCurve(Embed(mesh, curves), curves, 1).Vertices.empty());
-}
-
-TEST(CurveEmbedding, EdgesNeedNoVertices)
-{
-  // Around a cell, along its diagonal and back.
-  const TestMesh input = Plane(3, 3);
-  const dgg::SurfaceMesh mesh = Build(input);
-  const std::vector<SurfaceCurve> curves{ Curve(mesh, AtVertices({ 5, 6, 10, 9, 5, 10 }), true) };
-  const RefinedSurface surface = Embed(mesh, curves);
-  ExpectSoundEmbedding(input, mesh, curves, surface);
-  EXPECT_EQ(surface.Triangles, input.Triangles);
-  const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, 0);
-  EXPECT_EQ(chain.Vertices, (std::vector<Id>{ 5, 6, 10, 9, 5, 10, 5 }));
-  EXPECT_EQ(chain.Parameters, (std::vector<double>{ 0, 1, 2, 3, 4, 5, 6 }));
-  EXPECT_EQ(chain.GivenPoints, (std::vector<dgg::Offset>{ 0, 1, 2, 3, 4, 5 }));
 }
 
 TEST(CurveEmbedding, ParametersAreLengthsAlongTheCurve)
@@ -265,29 +147,6 @@ TEST(CurveEmbedding, ParametersAreLengthsAlongTheCurve)
     crossings += std::find(other.begin(), other.end(), chain.Vertices[i]) != other.end() ? 1 : 0;
   }
   EXPECT_EQ(crossings, 2);
-}
-
-TEST(CurveEmbedding, PointsInOnePlace)
-{
-  // Points 1 to 4 are one vertex: repeated, and closer together than vertices may be.
-  const TestMesh input = Plane(2, 2);
-  const dgg::SurfaceMesh mesh = Build(input);
-  const SurfacePoint middle = PointInPlane(input, mesh, 0.6, 0.3);
-  const std::vector<SurfaceCurve> curves{ Curve(mesh,
-    { PointInPlane(input, mesh, 0.5, 0.1), middle, middle,
-      PointInPlane(input, mesh, 0.6 + 1e-11, 0.3), middle, PointInPlane(input, mesh, 0.8, 0.3) }) };
-  const RefinedSurface surface = Embed(mesh, curves);
-  ExpectSoundEmbedding(input, mesh, curves, surface);
-  const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, 0);
-  EXPECT_EQ(chain.Vertices.size(), 3u);
-  EXPECT_EQ(chain.Parameters, (std::vector<double>{ 0.0, 1.0, 5.0 }));
-  EXPECT_EQ(chain.GivenPoints, (std::vector<dgg::Offset>{ 0, 1, 1, 1, 1, 2 }));
-  // All of it in one place.
-  const std::vector<SurfaceCurve> still{ Curve(mesh, { middle, middle }, true) };
-  const dgg::CurveChain single = dgg::FollowCurve(Embed(mesh, still), still, 0);
-  EXPECT_EQ(single.Vertices.size(), 1u);
-  EXPECT_EQ(single.Parameters, std::vector<double>{ 0.0 });
-  EXPECT_EQ(single.GivenPoints, (std::vector<dgg::Offset>{ 0, 0 }));
 }
 
 TEST(CurveEmbedding, CrossingsAndTouchesAreShared)
@@ -336,22 +195,6 @@ TEST(CurveEmbedding, CurvesThatPassVerticesClosely)
   EXPECT_EQ(around.GetNumberOfVertices(), 5);
   ASSERT_EQ(around.Paths[0].size(), 3u);
   EXPECT_EQ(around.Paths[0][1], mesh.Origin(0));
-}
-
-TEST(CurveEmbedding, SoundMeshes)
-{
-  for (const NamedMesh& named : SoundMeshes())
-  {
-    SCOPED_TRACE(named.Name);
-    if (named.Name == "SeveralComponents")
-    {
-      continue; // curves of random points are not connected
-    }
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    Random random(23);
-    const std::vector<SurfaceCurve> curves = RandomCurves(mesh, 6, 6, random);
-    ExpectSoundEmbedding(named.Mesh, mesh, curves, Embed(mesh, curves));
-  }
 }
 
 TEST(CurveEmbedding, MeshesWithDefects)
@@ -419,51 +262,4 @@ TEST(CurveEmbedding, Fuzz)
   EXPECT_GT(total, 2000);
 }
 
-TEST(CurveEmbedding, IsTheSameAtEveryScale)
-{
-  const TestMesh input = NoisySphere(1, 0.3, 4);
-  const dgg::SurfaceMesh mesh = Build(input);
-  Random random(5);
-  const std::vector<SurfaceCurve> curves = RandomCurves(mesh, 8, 8, random);
-  const RefinedSurface surface = Embed(mesh, curves);
-  for (const int exponent : { -220, -30, 30, 220 }) // 6e-67 to 2e66: meshes end at 1e70
-  {
-    const dgg::SurfaceMesh scaled = Build(Scaled(input, std::ldexp(1.0, exponent)));
-    std::vector<SurfaceCurve> same;
-    for (const SurfaceCurve& curve : curves)
-    {
-      std::vector<SurfacePoint> points;
-      for (const dgg::Offset place : curve.GivenPoints)
-      {
-        points.push_back(curve.Path.Points[place]);
-      }
-      same.push_back(Curve(scaled, points, curve.IsClosed));
-    }
-    const RefinedSurface other = Embed(scaled, same);
-    EXPECT_EQ(other.Triangles, surface.Triangles) << exponent;
-    EXPECT_EQ(other.Paths, surface.Paths) << exponent;
-    EXPECT_EQ(other.Places, surface.Places) << exponent;
-  }
-}
-
-TEST(CurveEmbedding, SaysWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(Icosphere(1));
-  std::vector<SurfaceCurve> curves{ Curve(
-    mesh, { SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(5) }) };
-  curves.push_back(curves[0]);
-  curves[1].Path.Faces[0] = 99999;
-  RefinedSurface surface;
-  dgg::Status status = dgg::EmbedCurves(mesh, curves, nullptr, surface);
-  EXPECT_TRUE(Says(status, "path 1"));
-  EXPECT_TRUE(surface.Points.empty());
-  curves[1] = curves[0];
-  curves[1].Parameters.pop_back();
-  status = dgg::EmbedCurves(mesh, curves, nullptr, surface);
-  EXPECT_TRUE(Says(status, "curve 1 has"));
-  status = dgg::EmbedCurves(
-    mesh, { curves[0] }, [](double) { return false; }, surface);
-  EXPECT_TRUE(status.IsAborted());
-  EXPECT_TRUE(surface.Points.empty());
-}
 }

@@ -141,58 +141,6 @@ TEST(SurfaceMesh, IsConsistent)
   }
 }
 
-TEST(SurfaceMesh, MayBeMeasuredLater)
-{
-  for (const NamedMesh& named : DefectMeshesAndSoups(10))
-  {
-    SCOPED_TRACE(named.Name);
-    const TestMesh& input = named.Mesh;
-    if (!input.Lengths.empty())
-    {
-      continue;
-    }
-    SurfaceMesh mesh;
-    ASSERT_TRUE(SurfaceMesh::FromPointsWithoutAngles(input.Points.data(),
-      input.GetNumberOfVertices(), input.Triangles.data(), input.GetNumberOfFaces(), mesh)
-                  .IsOk());
-    EXPECT_EQ(mesh.GetNumberOfVertices(), input.GetNumberOfVertices());
-    mesh.MeasureAngles();
-    ExpectConsistent(input, mesh);
-  }
-}
-
-TEST(SurfaceMesh, MayBeEmpty)
-{
-  const SurfaceMesh nothing = Build(TestMesh());
-  EXPECT_EQ(nothing.GetNumberOfVertices(), 0);
-  EXPECT_EQ(nothing.GetNumberOfFaces(), 0);
-  EXPECT_EQ(nothing.GetMeanEdgeLength(), 0.0);
-
-  TestMesh points;
-  points.AddPoint(1.0, 2.0, 3.0);
-  points.AddPoint(NAN, 0.0, 0.0); // nobody uses it
-  const SurfaceMesh isolated = Build(points);
-  EXPECT_EQ(isolated.Kind(1), VertexKind::Isolated);
-  Id components = 0;
-  EXPECT_EQ(isolated.ComputeComponents(components), (std::vector<Id>{ 0, 1 }));
-  EXPECT_EQ(components, 2);
-}
-
-TEST(SurfaceMesh, MeasuresOneTriangle)
-{
-  const SurfaceMesh mesh = Build(SingleTriangle()); // (0,0) (4,0) (1,3)
-  EXPECT_EQ(mesh.Length(0), 4.0);
-  EXPECT_DOUBLE_EQ(mesh.Length(1), std::sqrt(18.0));
-  EXPECT_DOUBLE_EQ(mesh.Length(2), std::sqrt(10.0));
-  EXPECT_DOUBLE_EQ(mesh.ApexX(0), 1.0);
-  EXPECT_DOUBLE_EQ(mesh.ApexY(0), 3.0);
-  EXPECT_DOUBLE_EQ(mesh.CornerAngle(0), std::atan2(3.0, 1.0));
-  EXPECT_DOUBLE_EQ(mesh.CornerAngle(1), 0.25 * dgg::Pi);
-  EXPECT_EQ(mesh.Kind(0), VertexKind::Boundary);
-  EXPECT_DOUBLE_EQ(mesh.GetMeanEdgeLength(), (4.0 + std::sqrt(18.0) + std::sqrt(10.0)) / 3.0);
-  EXPECT_DOUBLE_EQ(mesh.GetMaximumEdgeLength(), std::sqrt(18.0));
-}
-
 TEST(SurfaceMesh, ClassifiesVertices)
 {
   const SurfaceMesh cube = Build(Cube(3));
@@ -230,29 +178,6 @@ TEST(SurfaceMesh, KnowsWhereGeodesicsMayBend)
   const SurfaceMesh spheres = Build(TouchingSpheres(1));
   EXPECT_EQ(spheres.Kind(0), VertexKind::Irregular);
   EXPECT_TRUE(spheres.IsPassThrough(0));
-}
-
-TEST(SurfaceMesh, OrdersFans)
-{
-  // Around an interior vertex: counter-clockwise, from the half-edge of smallest id.
-  const TestMesh input = Plane(2, 2);
-  const SurfaceMesh mesh = Build(input);
-  const Id centre = 4;
-  const Id* begin = mesh.FanBegin(centre);
-  const Id* end = mesh.FanEnd(centre);
-  EXPECT_EQ(*begin, *std::min_element(begin, end));
-  for (const Id* h = begin; h != end; ++h)
-  {
-    const Id next = h + 1 == end ? *begin : *(h + 1);
-    EXPECT_EQ(mesh.Twin(SurfaceMesh::Previous(*h)), next);
-  }
-  // On the rim: from the clockwise-most half-edge on.
-  EXPECT_EQ(mesh.Twin(*mesh.FanBegin(1)), NoId);
-  EXPECT_EQ(mesh.Destination(*mesh.FanBegin(1)), 2);
-  // Fan after fan where several meet.
-  const SurfaceMesh chain = Build(PinchedPlates(2));
-  EXPECT_EQ(chain.Kind(15), VertexKind::Irregular);
-  EXPECT_NEAR(chain.TotalAngle(15), dgg::Pi, 1e-14);
 }
 
 TEST(SurfaceMesh, KeepsIrregularVerticesApart)
@@ -338,12 +263,4 @@ TEST(SurfaceMesh, ComputesComponents)
   EXPECT_EQ(count, 2);
 }
 
-TEST(SurfaceMesh, MayBeBuiltAgain)
-{
-  SurfaceMesh mesh = Build(Icosphere(2));
-  const TestMesh input = SingleTriangle();
-  ASSERT_TRUE(
-    SurfaceMesh::FromPoints(input.Points.data(), 3, input.Triangles.data(), 1, mesh).IsOk());
-  ExpectConsistent(input, mesh);
-}
 }

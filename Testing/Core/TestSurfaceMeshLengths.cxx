@@ -5,7 +5,6 @@
 
 #include "dggSurfaceMesh.h"
 
-#include <cmath>
 #include <limits>
 #include <string>
 
@@ -173,43 +172,6 @@ TEST(SurfaceMeshDegenerate, DropsRepeatedVertices)
   }
 }
 
-TEST(SurfaceMeshErrors, NameTheBadId)
-{
-  for (const Id bad : { 3, -1, std::numeric_limits<Id>::max(), std::numeric_limits<Id>::min() })
-  {
-    TestMesh input = SingleTriangle();
-    input.AddTriangle(0, bad, 1);
-    ExpectRefused(input,
-      "triangle 1 names point " + std::to_string(bad) +
-        ", which does not exist: ids must be in "
-        "[0, 2]");
-  }
-}
-
-TEST(SurfaceMeshErrors, NameTheBadPoint)
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double bad : { nan, dgg::Infinity, -dgg::Infinity })
-  {
-    TestMesh input = Plane(1, 1);
-    input.Points[3 * 3 + 1] = bad;
-    ExpectRefused(input, "point 3, used by triangle ");
-  }
-}
-
-TEST(SurfaceMeshErrors, RefuseExtremeScales)
-{
-  for (const double factor : { 1e-71, 1e71, 1e-200, 1e200, 0.0 })
-  {
-    ExpectRefused(Scaled(Icosphere(0), factor), "outside [1e-70, 1e+70]");
-    ExpectRefused(Scaled(FlatTorus(4.0, 0.0, 3.0, 4, 3, false), factor), "the longest edge is");
-  }
-  SurfaceMesh mesh;
-  ExpectRefused(Scaled(Icosphere(0), 0.0), "single points");
-  EXPECT_TRUE(Try(Scaled(Icosphere(0), 1e-69), mesh).IsOk());
-  EXPECT_TRUE(Try(Scaled(Icosphere(0), 1e69), mesh).IsOk());
-}
-
 TEST(SurfaceMeshErrors, RefuseTooManyTriangles)
 {
   // Nothing is read before the counts have been checked.
@@ -236,26 +198,6 @@ TEST(SurfaceMeshErrors, NameTheBadLength)
   TestMesh input = good;
   input.Lengths[7] *= 1.0 + 1e-8; // its twin has another length
   ExpectRefused(input, "equal on all halves of an edge");
-}
-
-TEST(SurfaceMeshErrors, RefuseTrianglesThatAreAllPoints)
-{
-  // Collapsed, but far from each other.
-  TestMesh input;
-  for (const double x : { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 })
-  {
-    input.AddPoint(x, 0.0, 0.0);
-  }
-  input.AddTriangle(0, 1, 2);
-  input.AddTriangle(3, 4, 5);
-  SurfaceMesh mesh;
-  ExpectRefused(input, "single points");
-  // One real triangle gives the others a scale.
-  input.AddPoint(0.0, 1.0, 0.0);
-  input.AddTriangle(0, 3, 6);
-  ASSERT_TRUE(Try(input, mesh).IsOk());
-  EXPECT_EQ(mesh.GetNumberOfDegenerateFaces(), 2);
-  EXPECT_TRUE(std::isfinite(mesh.TotalAngle(0)));
 }
 
 TEST(SurfaceMeshErrors, NameTheFaceThatIsNoTriangle)

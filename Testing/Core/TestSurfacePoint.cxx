@@ -7,7 +7,6 @@
 #include "dggSurfacePoint.h"
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -128,61 +127,6 @@ TEST(SurfacePoint, MeasuresWithinFaces)
     const dgg::Point2 place = dgg::PlaceInFrame(mesh, h, p);
     EXPECT_NEAR(std::hypot(place.X, place.Y), dgg::DistanceToCorner(mesh, 0, p, h), 1e-14);
   }
-}
-
-TEST(SurfacePoint, ChecksVertices)
-{
-  const dgg::SurfaceMesh mesh = Build(SingleTriangle());
-  EXPECT_TRUE(SurfacePoint::AtVertex(2).Check(mesh).IsOk());
-  ExpectBad(SurfacePoint::AtVertex(3), mesh, "vertex 3 does not exist: ids must be in [0, 2]");
-  ExpectBad(SurfacePoint::AtVertex(-1), mesh, "vertex -1 does not exist");
-  ExpectBad(SurfacePoint(), mesh, "vertex -1 does not exist");
-}
-
-TEST(SurfacePoint, ChecksFaces)
-{
-  const dgg::SurfaceMesh mesh = Build(RepeatedVertexPlane(2));
-  const std::array<double, 3> centre{ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } };
-  ExpectBad(SurfacePoint::InFace(mesh, 11, centre), mesh, "face 11 does not exist");
-  ExpectBad(SurfacePoint::InFace(mesh, -1, centre), mesh, "face -1 does not exist");
-  ExpectBad(SurfacePoint::InFace(mesh, 9, centre), mesh, "face 9 does not exist or has no area");
-  ExpectBad(SurfacePoint::OnEdge(mesh, -3, 0.5), mesh, "does not exist");
-  ExpectBad(SurfacePoint::OnEdge(mesh, 33, 0.5), mesh, "face 11 does not exist");
-}
-
-TEST(SurfacePoint, ChecksCoordinates)
-{
-  const dgg::SurfaceMesh mesh = Build(SingleTriangle());
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const std::array<double, 3>& b :
-    { std::array<double, 3>{ { 0.5, 0.5, 0.5 } }, std::array<double, 3>{ { 0.0, 0.0, 0.0 } },
-      std::array<double, 3>{ { 1.1, -0.1, 0.0 } }, std::array<double, 3>{ { nan, 0.5, 0.5 } },
-      std::array<double, 3>{ { dgg::Infinity, 0.0, 0.0 } },
-      std::array<double, 3>{ { dgg::Infinity, -dgg::Infinity, 1.0 } } })
-  {
-    ExpectBad(SurfacePoint::InFace(mesh, 0, b), mesh, "in face 0 are not within the face");
-  }
-  ExpectBad(SurfacePoint::OnEdge(mesh, 0, 1.5), mesh, "not within the face");
-  ExpectBad(SurfacePoint::OnEdge(mesh, 0, nan), mesh, "not within the face");
-}
-
-TEST(SurfacePoint, ChecksWhatItIsOn)
-{
-  // Filled in by hand, against InFace() and OnEdge().
-  const dgg::SurfaceMesh mesh = Build(TwoTriangles(0.5));
-  SurfacePoint point;
-  point.Face = 0;
-  point.Barycentric = { { 0.5, 0.5, 0.0 } };
-  point.On = Support::Face;
-  ExpectBad(point, mesh, "use SurfacePoint::InFace()");
-  point.On = Support::Edge;
-  ExpectBad(point, mesh, "use SurfacePoint::InFace()"); // no half-edge
-  point.HalfEdge = 1;
-  ExpectBad(point, mesh, "use SurfacePoint::InFace()"); // another edge
-  point.HalfEdge = 3;
-  ExpectBad(point, mesh, "use SurfacePoint::InFace()"); // another face
-  point.HalfEdge = 0;
-  EXPECT_TRUE(point.Check(mesh).IsOk());
 }
 
 TEST(SurfacePoint, SamePoints)

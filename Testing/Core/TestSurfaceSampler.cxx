@@ -9,8 +9,6 @@
 #include "dggSurfaceSampler.h"
 
 #include <algorithm>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace dggtest
@@ -203,22 +201,4 @@ TEST(SurfaceSampler, ComponentsComeFirst)
   EXPECT_NE(component[samples[0].Point.Vertex], component[samples[1].Point.Vertex]);
 }
 
-TEST(SurfaceSampler, BadInputIsNamed)
-{
-  const SearchCase c("plane", Plane(5, 5), Accuracy);
-  std::vector<SurfaceSample> samples(3);
-  SamplerOptions options;
-  options.FirstVertex = 25 * 25;
-  EXPECT_FALSE(
-    dgg::SampleSurface(c.GetGraph(), &c.GetMesh(), nullptr, Accuracy, options, samples).IsOk());
-  EXPECT_TRUE(samples.empty());
-  options.FirstVertex = 0;
-  options.CoveringRadius = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(
-    dgg::SampleSurface(c.GetGraph(), &c.GetMesh(), nullptr, Accuracy, options, samples).IsOk());
-  options.CoveringRadius = 0.0;
-  options.Given = { SurfacePoint::InFace(c.GetMesh(), 1, { { 0.2, 0.3, 0.5 } }) };
-  EXPECT_FALSE(
-    dgg::SampleSurface(c.GetGraph(), &c.GetMesh(), nullptr, Accuracy, options, samples).IsOk());
-}
 }

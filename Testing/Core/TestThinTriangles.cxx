@@ -337,27 +337,4 @@ TEST(MassBalance, SmallDifferencesOfPartsAreTakenOff)
   }
 }
 
-TEST(MassBalance, SaysWhatIsWrong)
-{
-  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
-  const std::vector<double> ones(mesh.GetNumberOfVertices(), 1.0);
-  const auto expect = [&](const char* part, bool normalize, std::vector<double> from,
-                        std::vector<double> to) {
-    double total = 0.0;
-    const dgg::Status status = dgg::BalanceMasses(mesh, normalize, from, to, total);
-    EXPECT_TRUE(Says(status, part));
-  };
-  std::vector<double> others(ones);
-  others[0] = 2.0;
-  expect("one mass for each vertex", true, ones, {});
-  expect("nothing can get there", true, ones, others);
-  expect("give both the same", false, ones, others);
-  expect("second distribution has no mass", true, ones, std::vector<double>(ones.size(), 0.0));
-  expect("first distribution has no mass", true, std::vector<double>(ones.size(), 0.0), ones);
-  expect("not finite", true, std::vector<double>(ones.size(), 1.7e308), ones);
-  others[0] = -1.0;
-  expect("vertex 0 is -1", true, ones, others);
-  others[0] = std::nan("");
-  expect("vertex 0 is nan", true, ones, others);
-}
 }

@@ -216,32 +216,6 @@ TEST(VectorGraphics, FarColorsStayWhereAPoissonCurveIsAdded)
   EXPECT_LT(largestFar, 1e-12);
 }
 
-TEST(VectorGraphics, PoissonCurveIsContinuousAroundItsEnds)
-{
-  // A highlight beside a shadow, and a glow: across edges that the curve does not cut, colours
-  // change by no more than the slope allows.
-  for (const double sign : { -1.0, 1.0 })
-  {
-    Drawing drawing(Plane(40, 40, 0.2));
-    drawing.AddLine(Poisson, { 11.0, 20.3 }, { 29.0, 20.3 }, 1.0, sign).Width = 8.0;
-    drawing.Run();
-    const dgg::CutSurface& surface = drawing.Graphics.GetSurface();
-    const double steepest = 1.54 / 8.0 * (sign < 0.0 ? 1.0 : 0.5) * 2.0; // of b, twice for l - r
-    for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
-    {
-      const Id a = surface.Triangles[h];
-      const Id b = surface.Triangles[SurfaceMesh::Next(static_cast<Id>(h))];
-      EXPECT_LE(
-        std::abs(drawing.Value(a) - drawing.Value(b)), 1.01 * steepest * surface.Lengths[h] + 0.01);
-    }
-    // In the middle of the curve all of it is there.
-    const auto range =
-      std::minmax_element(drawing.Result.Values.begin(), drawing.Result.Values.end());
-    EXPECT_NEAR(*range.second, 1.0, 0.03);
-    EXPECT_NEAR(*range.first, sign < 0.0 ? -1.0 : 0.0, 0.03);
-  }
-}
-
 TEST(VectorGraphics, StrengthsThatChangeAreBlended)
 {
   // A closed glow, 1 on one half and 0 on the other, as wide as its own radius twice: beside the
@@ -432,70 +406,5 @@ TEST(VectorGraphics, OrderTwoBesideCurves)
     errors.Add(std::sqrt(sum / count));
   }
   EXPECT_LT(errors.Last, 1e-3);
-}
-
-// Vector graphics: curves on parts of a surface with triangles too thin for equations of their own.
-
-namespace
-{
-/// A square, and below it, apart, a strip of thin triangles as long as that.
-TestMesh SquareAndStrip(Id n, double height)
-{
-  TestMesh strip = Plane(n, 4);
-  for (std::size_t k = 1; k < strip.Points.size(); k += 3)
-  {
-    strip.Points[k] = -1.0 + 0.25 * height * strip.Points[k];
-  }
-  TestMesh mesh = Plane(n, n);
-  Append(mesh, strip);
-  return mesh;
-}
-}
-
-TEST(VectorGraphics, StrengthsThatChangeOnThinTriangles)
-{
-  // The strip is next to nothing of the surface, so its triangles do not matter to the drawing; nor
-  // must they to the strengths of a curve there, on which no other triangles are near.
-  const Id n = 12;
-  for (const double height : { 1e-4, 1e-7, 1e-8, 1e-10, 1e-12 })
-  {
-    SCOPED_TRACE(height);
-    Drawing drawing(SquareAndStrip(n, height));
-    // Along the middle of the strip, from end to end, and as wide as half of it is high.
-    const Id begin = (n + 1) * (n + 1) + 2 * (n + 1);
-    std::vector<SurfacePoint> points;
-    std::vector<double> left;
-    std::vector<double> right;
-    for (Id i = 0; i <= n; ++i)
-    {
-      points.push_back(SurfacePoint::AtVertex(begin + i));
-      left.push_back(i * i);
-      right.push_back(-i);
-    }
-    drawing.Add(Poisson, points, left, right).Width = 0.5 * height;
-    // Another one, and a diffusion curve, on the square.
-    drawing
-      .Add(Poisson, { drawing.Find(2.0, 2.0), drawing.Find(6.0, 3.0) }, { 1.0, 2.0 }, { 1.0, 2.0 })
-      .Width = 1.0;
-    drawing.AddLine(Diffusion, { 0.0, 0.0 }, { 12.0, 0.0 }, 0.5, 0.5);
-    drawing.Run();
-    ASSERT_FALSE(HasFatalFailure());
-    int found = 0;
-    drawing.ForEachCorner([&](Id v, const Position& p, const Position& middle) {
-      if (p[1] > -0.5)
-      {
-        EXPECT_GE(drawing.Value(v), 0.5 - 1e-3);
-        EXPECT_LE(drawing.Value(v), 2.5 + 1e-3);
-        return;
-      }
-      const double distance = std::abs(p[1] + 1.0 - 0.5 * height);
-      const double fade = std::pow(1.0 - std::pow(distance / (0.5 * height), 2), 2);
-      const double strength = middle[1] + 1.0 > 0.5 * height ? p[0] * p[0] : -p[0];
-      // Far from one end of the strip the other one is no nearer place.
-      EXPECT_NEAR(drawing.Value(v), fade * strength, 0.01 * (1.0 + std::abs(strength)));
-      ++found;
-    });
-    EXPECT_EQ(found, 3 * 2 * 4 * n);
-  }
 }
 }

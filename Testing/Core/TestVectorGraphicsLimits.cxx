@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace dggtest
 {
@@ -86,86 +85,6 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   surface = before;
   refinement.Progress = [](double) { return false; };
   EXPECT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsAborted());
-}
-
-TEST(VectorGraphics, RefusesWhatItCannotDraw)
-{
-  const auto fails = [](Drawing& drawing, const std::string& word) {
-    const dgg::Status status = drawing.Prepare();
-    EXPECT_FALSE(status.IsOk()) << word;
-    EXPECT_TRUE(Says(status, word));
-  };
-  const auto across = [](Drawing& drawing) {
-    return std::vector<SurfacePoint>{ drawing.Find(1.5, 0.5), drawing.Find(1.5, 3.5) };
-  };
-  {
-    Drawing drawing(Plane(4, 4));
-    drawing.AddLine(Diffusion, { 1, 1 }, { 1, 1 }, 1, 1);
-    fails(drawing, "no length");
-  }
-  {
-    Drawing drawing(Plane(4, 4));
-    drawing.Add(Region, across(drawing), { 1, 1 }, {});
-    fails(drawing, "open");
-  }
-  {
-    // Around a torus: the left is the right.
-    Drawing drawing(Torus(12, 8));
-    drawing.Add(Region,
-      { SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(32), SurfacePoint::AtVertex(64) },
-      { 1, 1, 1 }, {}, true);
-    fails(drawing, "does not separate");
-  }
-  {
-    // Faces that name a point twice are left out, also as the last ones.
-    TestMesh plane = Plane(4, 4);
-    plane.AddTriangle(3, 3, 4);
-    Drawing drawing(plane);
-    drawing.Regions = { { { 3, 32 }, { 1.0 } } };
-    drawing.Run();
-  }
-  {
-    // A curve over an edge of three faces has no sides.
-    TestMesh book = Plane(4, 4);
-    const Id top = book.AddPoint(1.5, 1.5, 3.0);
-    book.AddTriangle(6, 7, top); // on the edge from (1, 1) to (2, 1)
-    Drawing drawing(book);
-    drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
-    fails(drawing, "more than two faces");
-  }
-  {
-    // Prepared for other curves.
-    Drawing drawing(Plane(4, 4));
-    drawing.Add(Diffusion, across(drawing), { 1, 1 }, { 1, 1 });
-    ASSERT_TRUE(drawing.Prepare().IsOk());
-    drawing.Curves.clear();
-    EXPECT_FALSE(drawing.Solve().IsOk());
-  }
-  dgg::VectorGraphics graphics;
-  dgg::GraphicsResult result;
-  EXPECT_FALSE(graphics.Run({}, {}, {}, result).IsOk());
-}
-
-TEST(VectorGraphics, StopsWhenAskedTo)
-{
-  Drawing drawing(Plane(10, 10));
-  drawing.AddLine(Poisson, { 2.5, 2.5 }, { 7.5, 7.5 }, 1, 0).Width = 3.0;
-  drawing.Regions = { { { 3, 4 }, { 1.0 } }, { { 30 }, { 1.0 } } };
-  ProgressListener preparing;
-  drawing.Options.Progress = std::ref(preparing);
-  ASSERT_TRUE(drawing.Prepare().IsOk());
-  EXPECT_GT(preparing.Calls, 3);
-  ProgressListener solving;
-  drawing.Options.Progress = std::ref(solving);
-  ASSERT_TRUE(drawing.Solve().IsOk());
-  EXPECT_GE(solving.Calls, 2);
-  for (int stop = 0; stop < preparing.Calls + solving.Calls; ++stop)
-  {
-    int calls = 0;
-    drawing.Options.Progress = [&](double) { return calls++ < stop; };
-    const dgg::Status status = drawing.Prepare();
-    EXPECT_TRUE((status.IsOk() ? drawing.Solve() : status).IsAborted()) << stop;
-  }
 }
 
 TEST(VectorGraphics, MemoryIsAskedForBeforeItIsTaken)
@@ -269,49 +188,4 @@ TEST(VectorGraphics, FragmentsAreTheMiddlesOfEqualParts)
   }
 }
 
-TEST(VectorGraphics, RefinementReportsThePartsOfWhatWasChosen)
-{
-  Drawing drawing(Plane(9, 8, 0.2));
-  drawing.AddLine(Diffusion, { 2.2, 3.1 }, { 5.4, 3.7 }, 0, 0);
-  const RefinedSurface coarse = Embed(drawing.Mesh, drawing.Lines);
-  std::vector<char> isPassed(coarse.Points.size(), 0);
-  for (const Id v : coarse.Paths[0])
-  {
-    isPassed[v] = 1;
-  }
-  std::size_t touched = 0;
-  for (Id f = 0; f < coarse.GetNumberOfFaces(); ++f)
-  {
-    const Id* corners = coarse.Triangles.data() + 3 * f;
-    touched += isPassed[corners[0]] || isPassed[corners[1]] || isPassed[corners[2]] ? 1 : 0;
-  }
-  const Id chosen = 2 * 9 * 6 + 3; // far from the curve, which leaves it whole
-  for (const int levels : { 0, 1, 2 })
-  {
-    const std::size_t parts = std::size_t(1) << (2 * levels);
-    dgg::GraphicsRefinement refinement;
-    refinement.Levels = levels;
-    std::vector<Id> found = { 77 };
-    RefinedSurface surface = coarse;
-    ASSERT_TRUE(dgg::RefineForGraphics(drawing.Mesh, refinement, surface, &found).IsOk());
-    EXPECT_EQ(found.size(), surface.Faces.size()); // everything
-    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
-
-    surface = coarse;
-    refinement.Part = dgg::RefinedPart::Faces;
-    refinement.Faces = { chosen };
-    ASSERT_TRUE(dgg::RefineForGraphics(drawing.Mesh, refinement, surface, &found).IsOk());
-    EXPECT_EQ(found.size(), parts);
-    for (const Id f : found)
-    {
-      EXPECT_EQ(surface.Faces[f], chosen);
-    }
-
-    surface = coarse;
-    refinement.Part = dgg::RefinedPart::AroundCurves;
-    ASSERT_TRUE(dgg::RefineForGraphics(drawing.Mesh, refinement, surface, &found).IsOk());
-    EXPECT_EQ(found.size(), parts * touched);
-    EXPECT_LT(found.size(), surface.Faces.size());
-  }
-}
 }

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -537,28 +536,6 @@ TEST(Voronoi, GraphsWithoutDirections)
       .IsOk());
   ExpectWellFormed(c.GetMesh(), diagram, 3, "without directions");
   ExpectPlane(c, diagram, sites, 0.04);
-}
-
-TEST(Voronoi, BadInputIsNamed)
-{
-  const SearchCase c("plane", Plane(5, 5), 0.05);
-  VoronoiDiagram diagram;
-  const auto refuses = [&](const std::vector<GraphSeed>& seeds) {
-    const dgg::Status status =
-      dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), InputOf(seeds), nullptr, diagram);
-    return !status.IsOk() && !status.GetMessage().empty() && diagram.NearestSites.empty();
-  };
-  EXPECT_TRUE(refuses({}));
-  EXPECT_TRUE(refuses({ SeedAt(c.GetNumberOfVertices()) }));
-  EXPECT_TRUE(refuses({ SeedAt(0), SeedAt(3, 0.0, -1) }));
-  EXPECT_TRUE(refuses({ SeedAt(0, 1.0) }));
-  EXPECT_TRUE(refuses({ SeedAt(0, -1.0) }));
-  EXPECT_TRUE(refuses({ SeedAt(0, std::numeric_limits<double>::quiet_NaN()) }));
-  const dgg::GraphBuilder builder(c.GetMesh());
-  dgg::VoronoiInput input = InputOf({ SeedAt(0), SeedAt(3, 0.0, 1) });
-  input.Builder = &builder;
-  input.Places = AtVertices({ 0 });
-  EXPECT_FALSE(dgg::ComputeVoronoi(c.GetSearch(), c.GetMesh(), input, nullptr, diagram).IsOk());
 }
 
 /// A graph that reaches a vertex and not its neighbour.

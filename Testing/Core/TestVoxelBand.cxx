@@ -92,28 +92,6 @@ TEST(VoxelBand, SmallBallsMarkTheirVoxelAndItsNeighbours)
   EXPECT_EQ(band.GetNumberOfVoxels(), 7U);
 }
 
-TEST(VoxelBand, SameForAnyThreads)
-{
-  const Balls balls = RandomBalls(2000, 1.0, 0.02, 0.1);
-  VoxelBand one;
-  VoxelBand many;
-  ASSERT_TRUE(one.Build(balls.Centres, balls.Radii, 0.02, 0, {}).IsOk());
-  ASSERT_TRUE(many.Build(balls.Centres, balls.Radii, 0.02, 0, dggtest::WithThreads(4)).IsOk());
-  ASSERT_EQ(one.GetNumberOfBricks(), many.GetNumberOfBricks());
-  EXPECT_EQ(one.GetNumberOfVoxels(), many.GetNumberOfVoxels());
-  const std::int32_t n = one.GetResolution();
-  for (std::int32_t z = 0; z < n; z += 3)
-  {
-    for (std::int32_t y = 0; y < n; y += 3)
-    {
-      for (std::int32_t x = 0; x < n; ++x)
-      {
-        ASSERT_EQ(one.Contains({ { x, y, z } }), many.Contains({ { x, y, z } }));
-      }
-    }
-  }
-}
-
 TEST(VoxelBand, SegmentsStayInside)
 {
   // Two groups of balls, 3 radii apart.
@@ -138,19 +116,6 @@ TEST(VoxelBand, SegmentsStayInside)
   EXPECT_FALSE(has({ 0.0, 0.0, 0.0 }, { 2.0, 0.0, 0.9 }));
 }
 
-TEST(VoxelBand, RefusesTooMuch)
-{
-  VoxelBand band;
-  EXPECT_FALSE(band.Build({ { 0, 0, 0 }, { 1, 0, 0 } }, { 0.1, 0.1 }, 1e-8, 0, {}).IsOk());
-  const Balls balls = RandomBalls(1000, 1.0, 0.1, 0.2);
-  const dgg::Status status = band.Build(balls.Centres, balls.Radii, 0.01, 10000, {});
-  EXPECT_FALSE(status.IsOk());
-  EXPECT_TRUE(dggtest::Says(status, "9.766 KiB"));
-  EXPECT_TRUE(dggtest::Says(status, "MemoryLimit"));
-  EXPECT_TRUE(band.Build({}, {}, 0.1, 0, {}).IsOk());
-  EXPECT_FALSE(band.Contains({ { 0, 0, 0 } }));
-}
-
 TEST(VoxelBand, RefusesTooMuchBeforeItIsTaken)
 {
   // A single ball of 1e8 bricks.
@@ -160,22 +125,6 @@ TEST(VoxelBand, RefusesTooMuchBeforeItIsTaken)
   EXPECT_EQ(band.GetNumberOfBricks(), 0U);
   EXPECT_EQ(band.GetMemorySize(), 0U);
   EXPECT_EQ(band.GetResolution(), 0);
-}
-
-TEST(VoxelBand, RefusesTooMuchSoon)
-{
-  // Balls of 2e9 bricks in all, which take minutes to look at one by one.
-  const Balls balls = RandomBalls(500, 1.0, 0.1, 0.2);
-  VoxelBand band;
-  int reported = 0;
-  const dgg::Status status =
-    band.Build(balls.Centres, balls.Radii, 1e-4, std::size_t{ 1 } << 36, {}, [&](double done) {
-      EXPECT_LE(done, 0.05);
-      return ++reported < 100;
-    });
-  EXPECT_FALSE(status.IsOk());
-  EXPECT_FALSE(status.IsAborted());
-  EXPECT_TRUE(dggtest::Says(status, "64 GiB"));
 }
 
 TEST(VoxelBand, ReachesAsFarAsItSays)
@@ -201,26 +150,6 @@ TEST(VoxelBand, ReachesAsFarAsItSays)
     }
   }
   EXPECT_FALSE(band.Build({ { 0, 0, 0 }, { far + 20.0, 0, 0 } }, { 3.0, 3.0 }, 1.0, 0, {}).IsOk());
-}
-
-TEST(VoxelBand, ReportsProgressAndStops)
-{
-  const Balls balls = RandomBalls(30, 1.0, 0.8, 1.0);
-  VoxelBand band;
-  int early = 0;
-  const auto build = [&](const dgg::ProgressCallback& progress) {
-    return band.Build(balls.Centres, balls.Radii, 0.015, 0, {}, progress);
-  };
-  ASSERT_TRUE(build([&](double done) { return (early += done < 0.5 ? 1 : 0) >= 0; }).IsOk());
-  EXPECT_GT(early, 1);
-  const dggtest::ProgressListener whole = dggtest::ExpectStops(
-    build,
-    [&] {
-      EXPECT_EQ(band.GetNumberOfBricks(), 0U);
-      EXPECT_FALSE(band.Contains({ { 100, 100, 100 } }));
-    },
-    5);
-  EXPECT_GT(whole.Calls - early, 1);
 }
 
 TEST(VoxelBand, MemoryIsAsPredicted)
@@ -316,14 +245,6 @@ TEST(SegmentWalk, AlongAxesAndThroughCorners)
   EXPECT_EQ(diagonal.back(), (Cell{ { 4, 4, 4 } }));
   const std::vector<Cell> back = CellsOf({ 4.0, 4.0, 4.0 }, { 0.0, 0.0, 0.0 });
   EXPECT_EQ(back.back(), (Cell{ { 0, 0, 0 } }));
-}
-
-TEST(SegmentWalk, StopsWhenAsked)
-{
-  int visits = 0;
-  EXPECT_FALSE(dgg::WalkSegment({ 0.5, 0.5, 0.5 }, { 9.5, 0.5, 0.5 },
-    [&](std::int32_t x, std::int32_t, std::int32_t) { return ++visits, x < 3; }));
-  EXPECT_EQ(visits, 4);
 }
 
 namespace

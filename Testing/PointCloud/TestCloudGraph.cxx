@@ -4,78 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <utility>
 #include <vector>
 
 namespace
 {
 using namespace cloudtest;
 using dgg::CloudGraph;
-using dgg::CloudGraphBuilder;
 using dgg::CloudGraphOptions;
 using dgg::CloudGraphStatistics;
 using dgg::CloudScheme;
-using dgg::Status;
 
-template <typename T>
-bool AreSame(const dgg::Buffer<T>& a, const dgg::Buffer<T>& b)
-{
-  return a.Size() == b.Size() && std::equal(a.begin(), a.end(), b.begin());
-}
-
-void ExpectSameForAnyThreads(
-  const Cloud& cloud, const std::function<void(CloudGraphOptions&)>& change, bool isNoisy)
-{
-  CloudGraphStatistics statistics;
-  const auto build = [&](const dgg::ParallelFor& loop) {
-    return BuildGraph(
-      cloud,
-      [&](CloudGraphOptions& options) {
-        change(options);
-        options.Parallel = loop;
-      },
-      &statistics);
-  };
-  const CloudGraph one = build({});
-  const CloudGraph many = build(WithThreads(5));
-  EXPECT_EQ(statistics.Noise > 0.0, isNoisy);
-  EXPECT_TRUE(AreSame(one.Graph.Offsets, many.Graph.Offsets));
-  EXPECT_TRUE(AreSame(one.Graph.Targets, many.Graph.Targets));
-  EXPECT_TRUE(AreSame(one.Graph.Lengths, many.Graph.Lengths));
-  EXPECT_TRUE(AreSame(one.Graph.WideLengths, many.Graph.WideLengths));
-  EXPECT_EQ(one.Components, many.Components);
-  EXPECT_EQ(one.Radii, many.Radii);
-}
-}
-
-TEST(CloudGraph, SameForAnyThreads)
-{
-  // A clean sphere and a noisy one; in each way that a graph is built.
-  for (const double noise : { 0.0, 0.02 })
-  {
-    Cloud cloud = Sphere(1000, 1, noise);
-    cloud.Add(cloud.At(17));
-    cloud.Add(cloud.At(17));
-    const std::vector<std::pair<const char*, std::function<void(CloudGraphOptions&)>>> changes = {
-      { "A", [](CloudGraphOptions& options) { options.Scheme = CloudScheme::Curvature; } },
-      { "B", [](CloudGraphOptions& options) { options.Scheme = CloudScheme::Constant; } },
-      { "C", [](CloudGraphOptions& options) { options.Scheme = CloudScheme::Spacing; } },
-      { "oriented normals",
-        [&](CloudGraphOptions& options) {
-          options.Normals = cloud.Points.data(); // of a sphere around the origin
-          options.HasOrientedNormals = true;
-        } },
-      { "all edges", [](CloudGraphOptions& options) { options.Accuracy = 0.0; } },
-    };
-    for (const auto& change : changes)
-    {
-      SCOPED_TRACE(change.first);
-      ExpectSameForAnyThreads(cloud, change.second, noise > 0.0);
-    }
-  }
 }
 
 TEST(CloudGraph, NumberingDoesNotMatter)
@@ -119,31 +57,6 @@ TEST(CloudGraph, ComponentsAreThoseOfTheGraph)
   }
 }
 
-TEST(CloudGraph, SaysWhatItIs)
-{
-  const Cloud cloud = Sphere(1000, 5);
-  CloudGraphStatistics statistics;
-  const CloudGraph graph = BuildGraph(
-    cloud,
-    [](CloudGraphOptions& options) {
-      options.Accuracy = 0.01;
-      options.Scheme = CloudScheme::Constant;
-    },
-    &statistics);
-  EXPECT_EQ(graph.Graph.Info.Construction, dgg::GraphConstruction::CloudConstant);
-  EXPECT_EQ(graph.Graph.Info.Accuracy, 0.01);
-  EXPECT_FALSE(graph.Graph.Info.IsGuaranteed());
-  EXPECT_TRUE(graph.Graph.Angles.IsEmpty());
-  const double spacing = std::sqrt(4.0 * dgg::Pi / 1000.0);
-  EXPECT_NEAR(statistics.Spacing, spacing, 0.1 * spacing);
-  EXPECT_EQ(graph.VoxelSize, statistics.VoxelSize);
-  EXPECT_FALSE(graph.Graph.Lengths.IsEmpty());
-  const CloudGraph wide =
-    BuildGraph(cloud, [](CloudGraphOptions& options) { options.Accuracy = 2e-6; });
-  EXPECT_TRUE(wide.Graph.Lengths.IsEmpty());
-  EXPECT_FALSE(wide.Graph.WideLengths.IsEmpty());
-}
-
 TEST(CloudGraph, OptionsAreUsedAsGiven)
 {
   const Cloud cloud = Sphere(2000, 6);
@@ -177,30 +90,6 @@ TEST(CloudGraph, OptionsAreUsedAsGiven)
         dgg::Norm(cloud.At(v) - cloud.At(view.Targets[e])), statistics.Reach * (1.0 + 1e-5));
     }
   }
-}
-
-TEST(CloudGraph, RefusesOptionsOutOfRange)
-{
-  const auto refuses = [](const std::function<void(CloudGraphOptions&)>& change) {
-    CloudGraphOptions options;
-    change(options);
-    const double point[3] = { 0.0, 0.0, 0.0 };
-    CloudGraph graph;
-    const Status status = CloudGraphBuilder(point, 1).Build(options, graph);
-    EXPECT_TRUE(graph.Graph.Offsets.IsEmpty());
-    return !status.IsOk() && !status.GetMessage().empty() &&
-      !CloudGraphBuilder::Check(options).IsOk();
-  };
-  const double nan = std::nan("");
-  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.OffsetInVoxels = -1.0; }));
-  EXPECT_TRUE(refuses([&](CloudGraphOptions& o) { o.OffsetInVoxels = nan; }));
-  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Resolution = -5; }));
-  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Resolution = 1 << 25; }));
-  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Alpha = -1.0; }));
-  EXPECT_TRUE(refuses([&](CloudGraphOptions& o) { o.Alpha = nan; }));
-  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Accuracy = 0.7; }));
-  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.Accuracy = 1e-9; }));
-  EXPECT_TRUE(refuses([](CloudGraphOptions& o) { o.HasOrientedNormals = true; }));
 }
 
 TEST(CloudGraph, AllPointsWithinReachAreNeighbours)

@@ -132,19 +132,6 @@ TEST(CloudGraphInput, CoincidentPointsAreJoined)
   }
 }
 
-TEST(CloudGraphInput, NearlyCoincidentPoints)
-{
-  // Each point twice, a millionth of the spacing apart.
-  Cloud cloud = Sphere(1000, 4);
-  for (Id i = 0; i < 1000; ++i)
-  {
-    cloud.Add(cloud.At(i) + Point3{ 1e-7, -1e-7, 1e-7 });
-  }
-  const CloudGraph graph = BuildGraph(cloud);
-  EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 2000 }));
-  EXPECT_NEAR(DistancesFrom(graph.Graph.View(), 0)[1000], std::sqrt(3.0) * 1e-7, 1e-9);
-}
-
 TEST(CloudGraphInput, PointsInALine)
 {
   for (const CloudScheme scheme : AllSchemes)
@@ -202,22 +189,6 @@ TEST(CloudGraphInput, ScaleAndPlaceDoNotMatter)
   }
 }
 
-TEST(CloudGraphInput, CoordinatesOutOfRange)
-{
-  for (const double scale : { 1e200, 1e-200 })
-  {
-    Cloud cloud = Sphere(50, 6);
-    for (double& x : cloud.Points)
-    {
-      x *= scale;
-    }
-    CloudGraph graph;
-    const dgg::Status status = MakeBuilder(cloud).Build(CloudGraphOptions(), graph);
-    EXPECT_FALSE(status.IsOk());
-    EXPECT_NE(status.GetMessage().find("scale them"), std::string::npos);
-  }
-}
-
 TEST(CloudGraphInput, OutliersChangeNothing)
 {
   // As far off as that, they would leave no digits, no voxels and no short edges to the others.
@@ -263,56 +234,6 @@ TEST(CloudGraphInput, OutliersChangeNothing)
   check({ { 0.0, 0.0, 2e3 }, { 0.0, 4e6, 0.0 }, { 8e9, 0.0, 0.0 }, { 0.0, -2e13, 0.0 } }, 4);
   // A number that stands for no reading, at many points.
   check(std::vector<Point3>(500, { -9999.0, -9999.0, -9999.0 }), 1);
-}
-
-TEST(CloudGraphInput, FewPointsThatAreFarOffMayBeAnObject)
-{
-  // Not so far that the others would suffer: each of these groups is a part of the cloud.
-  const Cloud clean = Square(400, 25);
-  const std::vector<double> truth = DistancesFrom(BuildGraph(clean).Graph.View(), 0);
-  for (const Id count : { 1, 2, 5, 8, 12, 16 })
-  {
-    for (const double off : { 8.0, 50.0, 450.0 })
-    {
-      Cloud cloud = clean;
-      for (Id i = 0; i < count; ++i)
-      {
-        cloud.Add({ off + 0.05 * (i % 4), 0.5 + 0.05 * (i / 4), 0.0 });
-      }
-      CloudGraphStatistics statistics;
-      const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-      EXPECT_EQ(statistics.Outliers, 0);
-      EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 400, count })) << off;
-      const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
-      for (Id i = 1; i < 400; ++i)
-      {
-        EXPECT_NEAR(found[i], truth[i], 2e-3 * truth[i]) << count; // both are that accurate
-      }
-      const std::vector<double> there = DistancesFrom(graph.Graph.View(), 400);
-      for (Id i = 0; i < count; ++i)
-      {
-        const double length = dgg::Norm(cloud.At(400 + i) - cloud.At(400));
-        EXPECT_NEAR(there[400 + i], length, 2e-3 * length) << count;
-      }
-    }
-  }
-}
-
-TEST(CloudGraphInput, PointsEvenlySpreadOverManyScales)
-{
-  for (const int count : { 18, 25 })
-  {
-    Cloud cloud;
-    for (int i = 0; i < count; ++i)
-    {
-      const double radius = std::pow(5.0, i);
-      cloud.Add({ radius * std::cos(2.4 * i), radius * std::sin(2.4 * i), 0.0 });
-    }
-    CloudGraphStatistics statistics;
-    const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-    EXPECT_EQ(statistics.Outliers, 0);
-    EXPECT_EQ(graph.ComponentSizes[0], 17); // as many as show a spacing
-  }
 }
 
 TEST(CloudGraphInput, PartsThatAreFarApart)

@@ -105,26 +105,6 @@ TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
   }
 }
 
-TEST(CloudGraph, PredictsCoincidentPoints)
-{
-  Cloud cloud;
-  const Cloud few = Sphere(300, 11);
-  for (Id i = 0; i < 100 * few.GetSize(); ++i)
-  {
-    cloud.Add(few.At(i % few.GetSize()));
-  }
-  const CloudGraphEstimate estimate = Predict(cloud);
-  const CloudGraph graph = BuildGraph(cloud);
-  const auto edges = static_cast<double>(graph.Graph.Targets.Size());
-  EXPECT_NEAR(estimate.Edges, edges, 0.2 * edges);
-  // Each point is copied and sorted before it is known which are in the same place.
-  EXPECT_GT(estimate.Peak, 64.0 * cloud.GetSize());
-  CloudGraphOptions options;
-  options.MemoryLimit = 40 * static_cast<std::size_t>(cloud.GetSize());
-  CloudGraph refused;
-  EXPECT_FALSE(MakeBuilder(cloud).Build(options, refused).IsOk());
-}
-
 TEST(CloudGraph, HugeReachesTakeNoMoreThanPredicted)
 {
   // Each row looks at all points, in each of several threads.
@@ -167,34 +147,6 @@ TEST(CloudGraph, LimitsAreKeptByFewerThreads)
   EXPECT_LE(probe.GetHeapPeak(), options.MemoryLimit);
   EXPECT_TRUE(std::equal(graph.Graph.Targets.begin(), graph.Graph.Targets.end(),
     expected.Graph.Targets.begin(), expected.Graph.Targets.end()));
-}
-
-TEST(CloudGraph, LimitsRefuseTheSameForAnyNumberOfThreads)
-{
-  const Cloud cloud = Sphere(400, 33);
-  CloudGraphOptions options;
-  options.Accuracy = 0.5;
-  options.Alpha = 1e6;
-  const CloudGraphEstimate estimate = Predict(cloud, options);
-  int refused = 0;
-  int built = 0;
-  for (const double share : { 0.7, 0.99, 1.01, 1.3 })
-  {
-    options.MemoryLimit = static_cast<std::size_t>(share * estimate.Peak);
-    std::vector<std::string> messages;
-    for (const int threads : { 1, 2, 16 })
-    {
-      options.NumberOfThreads = threads;
-      options.Parallel = WithThreads(threads);
-      CloudGraph graph;
-      messages.push_back(MakeBuilder(cloud).Build(options, graph).GetMessage());
-    }
-    EXPECT_EQ(messages[1], messages[0]) << share;
-    EXPECT_EQ(messages[2], messages[0]) << share;
-    ++(messages[0].empty() ? built : refused);
-  }
-  EXPECT_GE(refused, 2); // or this is no test
-  EXPECT_GE(built, 2);
 }
 
 TEST(CloudGraph, RefusesRowsThatDoNotFit)
