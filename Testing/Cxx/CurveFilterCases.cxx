@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfaceFilterCases.h"
+#include "FilterCases.h"
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGLoop.h"
@@ -13,31 +13,25 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace dggtest
 {
 namespace
 {
-template <typename Filter>
-vtkSmartPointer<Filter> MakeFilter(vtkPolyData* surface)
-{
-  auto filter = vtkSmartPointer<Filter>::New();
-  filter->SetInputData(surface);
-  return filter;
-}
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 vtkSmartPointer<vtkGeodesicAlgorithm> MakePath(vtkPolyData* surface)
 {
   auto path = MakeFilter<vtkDGGPath>(surface);
   path->SetAccuracy(0.05);
-  path->AddPair(0, 70);
-  path->AddPair(3, 41);
+  path->AddPair(OnRelief(surface, 0), OnRelief(surface, 70));
+  path->AddPair(OnRelief(surface, 3), OnRelief(surface, 41));
   return path;
 }
 
@@ -46,7 +40,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeLoop(vtkPolyData* surface)
   auto loop = MakeFilter<vtkDGGLoop>(surface);
   loop->SetAccuracy(0.05);
   loop->SetModeToRope();
-  loop->SetPointIds({ 11, 15, 69, 65 });
+  loop->SetPointIds(OnRelief(surface, { 11, 15, 69, 65 }));
   loop->SetTapeWidth(25.0);
   return loop;
 }
@@ -64,7 +58,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraphics(vtkPolyData* surface)
 {
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
-  for (const vtkIdType id : { 11, 15, 69 })
+  for (const vtkIdType id : OnRelief(surface, { 11, 15, 69 }))
   {
     double p[3] = { 0.0, 0.0, 0.0 };
     double q[3] = { 0.0, 0.0, 0.0 };
@@ -97,24 +91,15 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeVoronoi(vtkPolyData* surface)
 {
   auto voronoi = MakeFilter<vtkGeodesicVoronoi>(surface);
   voronoi->SetAccuracy(0.05);
-  voronoi->SetSiteIds({ 10, 16, 64, 70 });
+  voronoi->SetSiteIds(OnRelief(surface, { 10, 16, 64, 70 }));
   voronoi->CentroidalOn();
   voronoi->SetNumberOfIterations(2);
   return voronoi;
 }
 
-/// Of the distances in space from the first point.
 vtkSmartPointer<vtkGeodesicAlgorithm> MakeIsolines(vtkPolyData* surface)
 {
-  vtkNew<vtkDoubleArray> distances;
-  distances->SetName("GeodesicDistance");
-  double largest = 0.0;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    distances->InsertNextValue(EuclideanDistance(surface, 0, i));
-    largest = std::max(largest, distances->GetValue(i));
-  }
-  surface->GetPointData()->AddArray(distances);
+  const double largest = AddSpaceDistances(surface);
   auto isolines = MakeFilter<vtkApolloniusIsolines>(surface);
   isolines->SetMethodToLinear();
   isolines->GenerateValues(4, 0.1 * largest, 0.9 * largest);
@@ -129,74 +114,254 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeBoundaries(vtkPolyData* surface)
   layout->SetPolys(MakeCells({ { 0, 1, 2 }, { 0, 2, 3 } }));
   auto boundaries = MakeFilter<vtkGeodesicPatchBoundaries>(surface);
   boundaries->SetSecondSurfaceData(second);
-  boundaries->SetFirstLandmarkIds({ 10, 16, 70, 64 });
-  boundaries->SetSecondLandmarkIds({ 20, 24, 60, 56 });
+  boundaries->SetFirstLandmarkIds(OnRelief(surface, { 10, 16, 70, 64 }));
+  boundaries->SetSecondLandmarkIds(OnRelief(surface, { 20, 24, 60, 56 }));
   boundaries->SetLayoutData(layout);
   return boundaries;
 }
+
+/// What filters refuse that take points of the surface on port 1.
+template <typename Filter, typename Function>
+std::vector<Refusal> RefusePlaces(Function setPlaces)
+{
+  const auto place = [setPlaces](const std::array<double, 3>& point) {
+    return [setPlaces, point](Filter* f) { setPlaces(f, point); };
+  };
+  return { Refuse<Filter>(place({ { 0.5, NaN, 0.0 } }), { "point 0 of input port 1", "finite" }),
+    Refuse<Filter>(place(FarFromRelief), { "point 0 of input port 1", "ProjectionTolerance" }),
+    RefuseTolerance<Filter>(-1.0), RefuseTolerance<Filter>(NaN) };
 }
 
-void PrintTo(const SurfaceFilter& filter, std::ostream* os)
+std::vector<Refusal> RefusePath()
 {
-  *os << filter.Name;
+  using F = vtkDGGPath;
+  const auto lines = [](const Cells& cells) {
+    auto pairs = MakeSourcePoints({ { { 15.0, 15.0, 4.0 } }, { { 35.0, 15.0, 4.0 } } });
+    pairs->SetLines(MakeCells(cells));
+    return pairs;
+  };
+  return RefuseGraph<F>() + RefusePlaces<F>([lines](F* f, const std::array<double, 3>& place) {
+    auto pairs = lines({ { 0, 1 } });
+    pairs->GetPoints()->SetPoint(0, place.data());
+    f->SetPairData(pairs);
+  }) +
+    std::vector<Refusal>{
+      Refuse<F>([](F* f) { f->RemoveAllPairs(); }, { "no pair", "AddPair()" }),
+      Refuse<F>([](F* f) { f->AddPair(3, 81); }, { "id 81 ", "number 5", "[0, 80]" }),
+      Refuse<F>([](F* f) { f->AddPair(-1, 3); }, { "id -1 " }),
+      Refuse<F>([](F* f) { f->SetDetour(NaN); }, { "Detour" }),
+      Refuse<F>([lines](F* f) { f->SetPairData(lines({})); }, { "port 1", "no lines" }),
+      Refuse<F>(
+        [lines](F* f) {
+          f->SetPairData(lines({ { 0, 1 }, { 1, 7 } }));
+        },
+        { "line 1 of input port 1", "point 7" }),
+      Refuse<F>(
+        [lines](F* f) {
+          f->SetPairData(lines({ { 0, 1 }, {} }));
+        },
+        { "line 1 of input port 1", "no points" }),
+      Refuse<F>(
+        [lines](F* f) {
+          auto pairs = lines({});
+          pairs->SetLines(MakeContradictoryCells());
+          f->SetPairData(pairs);
+        },
+        { "lines of input port 1", "contradict" }),
+    };
 }
 
-vtkSmartPointer<vtkPolyData> MakeRelief(int dataType)
+std::vector<Refusal> RefuseLoop()
 {
-  auto surface = MakeGrid(8, 8);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(dataType);
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  using F = vtkDGGLoop;
+  return RefuseGraph<F>() + RefusePlaces<F>([](F* f, const std::array<double, 3>& place) {
+    f->SetPointData(MakeSourcePoints({ place }));
+  }) +
+    std::vector<Refusal>{
+      Refuse<F>([](F* f) { f->SetPointIds({}); }, { "no loop point", "AddPointId()" }),
+      Refuse<F>([](F* f) { f->AddPointId(81); }, { "id 81 ", "number 4", "[0, 80]" }),
+      Refuse<F>([](F* f) { f->AddPointId(-1); }, { "id -1 " }),
+      Refuse<F>([](F* f) { f->SetTapeWidth(-0.1); }, { "TapeWidth" }),
+      Refuse<F>([](F* f) { f->SetTapeWidth(NaN); }, { "TapeWidth" }),
+      Refuse<F>([](F* f) { f->SetTapeWidth(Infinity); }, { "TapeWidth" }),
+    };
+}
+
+std::vector<Refusal> RefuseIsolines()
+{
+  using F = vtkApolloniusIsolines;
+  std::vector<Refusal> refusals = {
+    Refuse<F>([](F* f) { f->SetValue(2, NaN); }, { "value 2", "nan", "SetValue" }),
+    Refuse<F>([](F* f) { f->SetValue(2, Infinity); }, { "value 2", "inf" }),
+    Refuse<F>([](F* f) { f->SetSteinerPoints(-1); }, { "SteinerPoints is", "50" }),
+    Refuse<F>([](F* f) { f->SetSteinerPoints(51); }, { "SteinerPoints is", "50" }),
+    Refuse<F>([](F* f) { f->SetDistanceArrayName("none"); }, { "none" }),
+    Refuse<F>(
+      [](F* f) {
+        vtkNew<vtkDoubleArray> vectors;
+        vectors->SetName("GeodesicDistance");
+        vectors->SetNumberOfComponents(3);
+        vectors->SetNumberOfTuples(81);
+        vtkPolyData::SafeDownCast(f->GetInput())->GetPointData()->AddArray(vectors);
+      },
+      { "GeodesicDistance", "3 components" }),
+  };
+  for (const double tolerance : { 0.0, 0.99e-6, NaN })
   {
-    double p[3];
-    surface->GetPoint(i, p);
-    points->InsertNextPoint(10.0 * p[0], 10.0 * p[1], static_cast<double>(i * i * 7 % 9));
+    refusals.push_back(Refuse<F>(
+      [tolerance](F* f) { f->SetChordTolerance(tolerance); }, { "ChordTolerance", "1e-06" }));
   }
-  surface->SetPoints(points);
-  return surface;
+  return refusals;
 }
 
-void AddNote(vtkPolyData* surface, const char* name)
+std::vector<Refusal> RefuseSampler()
 {
-  vtkNew<vtkStringArray> note;
-  note->SetName(name);
-  note->InsertNextValue("kept");
-  surface->GetFieldData()->AddArray(note);
+  using F = vtkGeodesicSampler;
+  return RefuseGraph<F>() + RefusePlaces<F>([](F* f, const std::array<double, 3>& place) {
+    f->SetStartData(MakeSourcePoints({ place }));
+  }) +
+    std::vector<Refusal>{
+      Refuse<F>([](F* f) { f->SetNumberOfSamples(0); }, { "NumberOfSamples", "0" }),
+      Refuse<F>([](F* f) { f->SetCoveringRadius(-1.0); }, { "CoveringRadius", "-1" }),
+      Refuse<F>([](F* f) { f->SetFirstSample(81); }, { "FirstSample 81", "80" }),
+      Refuse<F>([](F* f) { f->SetFirstSample(-2); }, { "FirstSample -2" }),
+      Refuse<F>([](F* f) { f->SetStartData(MakeSourcePoints({})); }, { "no start", "port 1" }),
+    };
 }
 
-const std::vector<SurfaceFilter>& GetSurfaceFilters()
+std::vector<Refusal> RefuseVoronoi()
 {
-  static const std::vector<const char*> curve{ "FaceId", "Barycentric", "vtkOriginalPointIds",
+  using F = vtkGeodesicVoronoi;
+  return RefuseGraph<F>() + RefusePlaces<F>([](F* f, const std::array<double, 3>& place) {
+    f->SetSiteData(MakeSourcePoints({ place }));
+  }) +
+    std::vector<Refusal>{
+      Refuse<F>([](F* f) { f->RemoveAllSites(); }, { "no site", "AddSiteId()" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetSiteIds({ 3, 81 });
+        },
+        { "site id 81", "80" }),
+      Refuse<F>([](F* f) { f->SetTolerance(-1.0); }, { "Tolerance" }),
+      Refuse<F>([](F* f) { f->SetNumberOfIterations(-1); }, { "NumberOfIterations" }),
+      Refuse<F>([](F* f) { f->SetDistanceArrayName(""); }, { "DistanceArrayName" }),
+      Refuse<F>([](F* f) { f->SetDistanceArrayName("GeodesicSource"); }, { "SourceArrayName" }),
+    };
+}
+
+std::vector<Refusal> RefuseGraphics()
+{
+  using F = vtkPoissonVectorGraphics;
+  return { RefuseTolerance<F>(-1.0), RefuseTolerance<F>(NaN), RefuseMemoryLimit(1000),
+    Refuse<F>([](F* f) { f->SetWidth(-1.0); }, { "Width" }),
+    Refuse<F>([](F* f) { f->SetWidth(NaN); }, { "Width" }),
+    Refuse<F>([](F* f) { f->SetResultArrayName(""); }, { "ResultArrayName" }),
+    Refuse<F>([](F* f) { f->SetResultArrayName("RGB"); }, { "ResultArrayName", "RGB" }),
+    Refuse<F>([](F* f) { f->SetResultArrayName("Component"); }, { "ResultArrayName" }) };
+}
+
+std::vector<Refusal> RefuseBoundaries()
+{
+  using F = vtkGeodesicPatchBoundaries;
+  const auto layout = [](const Cells& polygons, const Cells& lines, const auto& parts) {
+    return Refuse<F>(
+      [=](F* f) {
+        vtkNew<vtkPolyData> data;
+        data->SetPolys(MakeCells(polygons));
+        data->SetLines(MakeCells(lines));
+        f->SetLayoutData(data);
+      },
+      parts);
+  };
+  const auto second = [](vtkPolyData* surface, const char* part) {
+    return Refuse<F>(
+      [surface = vtkSmartPointer<vtkPolyData>(surface)](F* f) {
+        f->SetSecondSurfaceData(surface);
+        f->SetSecondLandmarkIds({ 99 }); // the surface comes first
+      },
+      { "second surface: ", part });
+  };
+  using Parts = std::vector<std::string>;
+  return { RefuseTolerance<F>(-1.0),
+    Refuse<F>([](F* f) { f->SetSecondSurfaceData(nullptr); }, { "no second surface" }),
+    second(MakeSurface({ { { 0, 0, 0 } } }, {}), "no polygons"),
+    second(vtkNew<vtkPolyData>(), "no polygons"),
+    second(MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, NaN, 0 } } }, { { 0, 1, 2 } }),
+      "not finite"),
+    Refuse<F>([](F* f) { f->SetSecondLandmarkIds({ 1 }); }, { "4 landmarks", " 1 on the second" }),
+    Refuse<F>(
+      [](F* f) {
+        f->SetSecondLandmarkIds({ 0, 8, 80, 81 });
+      },
+      { "second landmark id 81", "81" }),
+    Refuse<F>([](F* f) { f->SetFirstLandmarkIds({ -1 }); }, { "first landmark id -1" }),
+    Refuse<F>([](F* f) { f->SetFirstLandmarkIds({}); }, { "no first landmark" }),
+    Refuse<F>(
+      [](F* f) {
+        f->SetSecondLandmarkIds({ 20, 24, 60, 24 });
+      },
+      { "landmarks 1 and 3 of the second surface" }),
+    Refuse<F>(
+      [](F* f) {
+        f->SetFirstLandmarkData(MakeSourcePoints({ { { 0.5, NaN, 0.0 } } }));
+      },
+      { "first landmark point 0", "not finite" }),
+    Refuse<F>([](F* f) { f->SetLayoutData(nullptr); }, { "no layout" }),
+    layout({}, {}, Parts{ "layout is empty" }),
+    layout({ { 0, 1, 4 } }, {}, Parts{ "patch 0", "4" }),
+    layout({}, { { 0, 1 }, { 1, 2, 1 } }, Parts{ "edge 2 of the layout" }),
+    Refuse<F>(
+      [](F* f) {
+        vtkNew<vtkPolyData> broken;
+        broken->SetPolys(MakeContradictoryCells());
+        f->SetLayoutData(broken);
+      },
+      { "layout", "contradict" }),
+    Refuse<F>(
+      [](F* f) {
+        vtkNew<vtkPolyData> broken;
+        broken->SetLines(MakeContradictoryCells());
+        f->SetLayoutData(broken);
+      },
+      { "layout", "contradict" }) };
+}
+}
+
+std::vector<FilterCase> GetCurveFilters()
+{
+  const std::vector<const char*> curve{ "FaceId", "Barycentric", "vtkOriginalPointIds",
     "ArcLength" };
-  static const std::vector<SurfaceFilter> filters{
-    { "Path", MakePath, { 0 }, curve,
+  return {
+    { "Path", MakePath,
       { "Method: Graph", "NumberOfPairs: 0", "Straighten: On", "Detour: 0.0001",
-        "ProjectionTolerance: 0.01", "NumberOfFallbacks: 0", "Accuracy: 0.01",
-        "GraphAccuracy: 0" } },
-    { "Loop", MakeLoop, { 0, 1 }, curve,
+        "ProjectionTolerance: 0.01", "NumberOfFallbacks: 0", "Accuracy: 0.01", "GraphAccuracy: 0" },
+      RefusePath(), { 0 }, curve },
+    { "Loop", MakeLoop,
       { "Mode: ThroughPoint", "PointIds: (none)", "Taut: Off", "TapeWidth: 0",
-        "ProjectionTolerance: 0.01", "Accuracy: 0.01", "GraphAccuracy: 0" } },
-    { "Isolines", MakeIsolines, { 0 }, curve, {} },
-    { "Sampler", MakeSampler, { 0 },
-      { "FaceId", "Barycentric", "vtkOriginalPointIds", "CoveringRadius" },
+        "ProjectionTolerance: 0.01", "Accuracy: 0.01", "GraphAccuracy: 0" },
+      RefuseLoop(), { 0, 1 }, curve },
+    { "Isolines", MakeIsolines,
+      { "Method: LocalSources", "ChordTolerance: 0.001", "SteinerPoints: 2",
+        "ContourValues:", "NumberOfFallbacks: 0", "DistanceArrayName: GeodesicDistance" },
+      RefuseIsolines(), { 0 }, curve },
+    { "Sampler", MakeSampler,
       { "NumberOfSamples: 100", "FirstSample: -1", "CoveringRadius: 0", "InFaces: Off",
-        "ProjectionTolerance: 0.01", "Accuracy: 0.01" } },
-    { "Voronoi", MakeVoronoi, { 1, 2, 3 }, {},
+        "ProjectionTolerance: 0.01", "Accuracy: 0.01" },
+      RefuseSampler(), { 0 },
+      { "FaceId", "Barycentric", "vtkOriginalPointIds", "CoveringRadius" } },
+    { "Voronoi", MakeVoronoi,
       { "SiteIds: (none)", "Centroidal: Off", "NumberOfIterations: 20", "Tolerance: 0.001",
         "GenerateCells: On", "RefineBoundaries: On", "PassSiteArrays: Off", "UnreachedValue: nan",
         "DistanceArrayName: GeodesicDistance", "SourceArrayName: GeodesicSource",
-        "ProjectionTolerance: 0.01", "Accuracy: 0.01" } },
-    { "Graphics", MakeGraphics, { 0 }, { "Colors", "RGB" }, {} },
-    { "PatchBoundaries", MakeBoundaries, { 0, 1 },
-      { "FaceId", "Barycentric", "vtkOriginalPointIds", "ArcLength", "ArcFraction" },
-      { "FirstLandmarkIds: (none)", "SecondLandmarkIds: (none)", "ProjectionTolerance: 0.01" } },
+        "ProjectionTolerance: 0.01", "Accuracy: 0.01" },
+      RefuseVoronoi(), { 1, 2, 3 } },
+    { "Graphics", MakeGraphics,
+      { "Width: 0", "RefinementRegion: Everywhere", "RefinementLevel: 1" }, RefuseGraphics(), { 0 },
+      { "Colors", "RGB" } },
+    { "PatchBoundaries", MakeBoundaries,
+      { "FirstLandmarkIds: (none)", "SecondLandmarkIds: (none)", "ProjectionTolerance: 0.01" },
+      RefuseBoundaries(), { 0, 1 },
+      { "FaceId", "Barycentric", "vtkOriginalPointIds", "ArcLength", "ArcFraction" } },
   };
-  return filters;
-}
-
-const SurfaceFilter& GetSurfaceFilter(const std::string& name)
-{
-  return *std::find_if(GetSurfaceFilters().begin(), GetSurfaceFilters().end(),
-    [&](const SurfaceFilter& filter) { return filter.Name == name; });
 }
 }

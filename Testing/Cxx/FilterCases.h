@@ -1,37 +1,102 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Filters that put out new geometry on a surface, ready to run.
-#ifndef SurfaceFilterCases_h
-#define SurfaceFilterCases_h
+/// Table of all filters on surfaces: how to make one that runs, and what it must refuse.
+#ifndef FilterCases_h
+#define FilterCases_h
 
 #include "FilterTestTools.h"
 
+#include <array>
 #include <functional>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace dggtest
 {
-/// A filter, and which of its outputs are new geometry.
-struct SurfaceFilter
+/// A wrong property or input, and words of the message: the name of the property, the value.
+struct Refusal
+{
+  std::function<void(vtkGeodesicAlgorithm*)> Spoil;
+  std::vector<std::string> Parts;
+};
+
+struct FilterCase
 {
   const char* Name;
-  /// The filter on a surface of 9 x 9 points.
-  std::function<vtkSmartPointer<vtkGeodesicAlgorithm>(vtkPolyData* surface)> Make;
-  std::vector<int> Ports;
-  std::vector<const char*> Arrays;   ///< point arrays of all of them
-  std::vector<const char*> Defaults; ///< lines that a new one prints
+  /// Returns the filter on a relief, ready to run.
+  std::function<vtkSmartPointer<vtkGeodesicAlgorithm>(vtkPolyData* relief)> Make;
+  std::vector<const char*> Defaults; ///< lines that a new filter prints
+  std::vector<Refusal> Refusals;
+  std::vector<int> Ports = {};          ///< outputs with new points on the surface
+  std::vector<const char*> Arrays = {}; ///< point arrays of each of these outputs
+  bool TakesPoints = false;             ///< without polygons, as a cloud
 };
-void PrintTo(const SurfaceFilter& filter, std::ostream* os);
-const std::vector<SurfaceFilter>& GetSurfaceFilters();
-const SurfaceFilter& GetSurfaceFilter(const std::string& name);
+void PrintTo(const FilterCase& filter, std::ostream* os);
 
-/// A surface that is neither flat nor straight, with coordinates of the given type that are
-/// integers.
-vtkSmartPointer<vtkPolyData> MakeRelief(int dataType);
+std::vector<FilterCase> GetCurveFilters();
+std::vector<FilterCase> GetDistanceFilters();
+std::vector<FilterCase> GetSpectralFilters();
+std::vector<FilterCase> GetAllFilters();
+
+/// A surface of (n + 1) x (n + 1) points that is neither flat nor straight, with integer
+/// coordinates of the given type.
+vtkSmartPointer<vtkPolyData> MakeRelief(int dataType, int n = 8);
+/// Returns the point of a relief of any size that has the id `id` in the one of 9 x 9 points.
+vtkIdType OnRelief(vtkPolyData* relief, vtkIdType id);
+std::vector<vtkIdType> OnRelief(vtkPolyData* relief, std::vector<vtkIdType> ids);
 void AddNote(vtkPolyData* surface, const char* name);
+/// Adds distances in space from the first point as an array of geodesic distances. Returns the
+/// largest.
+double AddSpaceDistances(vtkPolyData* surface);
+/// A point above the relief, farther than the tolerance.
+constexpr std::array<double, 3> FarFromRelief{ { 0.0, 0.0, 99.0 } };
+
+template <typename Filter>
+vtkSmartPointer<Filter> MakeFilter(vtkPolyData* relief)
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputData(relief);
+  return filter;
+}
+
+/// A refusal that is spoilt by a function of the class of the filter.
+template <typename Filter, typename Function>
+Refusal Refuse(Function spoil, const std::vector<std::string>& parts)
+{
+  return { [spoil](vtkGeodesicAlgorithm* filter) { spoil(Filter::SafeDownCast(filter)); }, parts };
+}
+
+/// What all filters with a tolerance of projection refuse.
+template <typename Filter>
+Refusal RefuseTolerance(double tolerance)
+{
+  return Refuse<Filter>(
+    [tolerance](Filter* f) { f->SetProjectionTolerance(tolerance); }, { "ProjectionTolerance" });
+}
+Refusal RefuseMemoryLimit(vtkTypeInt64 limit);
+
+/// What all filters refuse that search a graph.
+template <typename Filter>
+std::vector<Refusal> RefuseGraph()
+{
+  std::vector<Refusal> refusals;
+  for (const double accuracy : { 0.0, 9e-7, 0.51, std::numeric_limits<double>::quiet_NaN() })
+  {
+    refusals.push_back(Refuse<Filter>(
+      [accuracy](Filter* f) { f->SetAccuracy(accuracy); }, { "ccuracy", "1e-06", "0.5" }));
+  }
+  refusals.push_back(RefuseMemoryLimit(1000));
+  return refusals;
+}
+
+inline std::vector<Refusal> operator+(std::vector<Refusal> a, const std::vector<Refusal>& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
 }
 
 #endif

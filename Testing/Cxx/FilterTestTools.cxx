@@ -7,6 +7,7 @@
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -26,6 +27,20 @@ vtkSmartPointer<vtkCellArray> MakeCells(const Cells& cells)
     array->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
   }
   return array.Get();
+}
+
+vtkSmartPointer<vtkCellArray> MakeContradictoryCells()
+{
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  for (const vtkIdType value : { 0, 1 })
+  {
+    offsets->InsertNextValue(100000000 * value);
+    connectivity->InsertNextValue(value);
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  return cells.Get();
 }
 
 vtkSmartPointer<vtkPolyData> MakeSourcePoints(const Points& points)
@@ -167,28 +182,29 @@ vtkSmartPointer<vtkPolyData> MakePlateWithHole()
   return MakeSurface(points, cells);
 }
 
-vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift)
+vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* first, vtkPolyData* second, double shift)
 {
   Points points;
   Cells cells;
-  for (vtkPolyData* part : { a, b })
+  for (const bool isSecond : { false, true })
   {
-    const auto first = static_cast<vtkIdType>(points.size());
+    vtkPolyData* part = isSecond ? second : first; // may be the same
+    const auto offset = static_cast<vtkIdType>(points.size());
     for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
     {
-      points.emplace_back();
-      part->GetPoint(i, points.back().data());
-      points.back()[0] += part == b ? shift : 0.0;
+      std::array<double, 3> p;
+      part->GetPoint(i, p.data());
+      p[0] += isSecond ? shift : 0.0;
+      points.push_back(p);
     }
     for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
     {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      part->GetPolys()->GetCellAtId(c, size, ids);
       cells.emplace_back();
-      for (vtkIdType k = 0; k < size; ++k)
+      vtkNew<vtkIdList> ids;
+      part->GetCellPoints(c, ids);
+      for (const vtkIdType id : *ids)
       {
-        cells.back().push_back(first + ids[k]);
+        cells.back().push_back(id + offset);
       }
     }
   }

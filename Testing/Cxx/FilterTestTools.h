@@ -26,6 +26,8 @@ using Cells = std::vector<std::vector<vtkIdType>>;
 /// A surface with points stored as doubles.
 vtkSmartPointer<vtkPolyData> MakeSurface(const Points& points, const Cells& polygons);
 vtkSmartPointer<vtkCellArray> MakeCells(const Cells& cells);
+/// Offsets beyond the end of the connectivity.
+vtkSmartPointer<vtkCellArray> MakeContradictoryCells();
 /// Points for input port 1.
 vtkSmartPointer<vtkPolyData> MakeSourcePoints(const Points& points);
 
@@ -50,7 +52,7 @@ double GetTerrainHeight(double x, double y);
 vtkSmartPointer<vtkPolyData> MakePlateWithHole();
 
 /// Two surfaces of polygons as one, the second one shifted along x.
-vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* a, vtkPolyData* b, double shift);
+vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* first, vtkPolyData* second, double shift);
 
 /// Points and cells, as text.
 std::string DescribeGeometry(vtkPolyData* output);

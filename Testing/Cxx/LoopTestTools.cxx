@@ -138,30 +138,6 @@ double GetHoleLength(int nu)
   return nu * 2.0 * 0.6 * std::sin(Pi / nu);
 }
 
-vtkSmartPointer<vtkPolyData> MakeCone(int sides, int rings, double angle)
-{
-  // The distance of the points from the axis, at the distance 1 from the apex.
-  const double radius = std::sin(0.5 * angle) / std::sin(Pi / sides);
-  const double height = std::sqrt(1.0 - radius * radius);
-  Points points{ { { 0.0, 0.0, 0.0 } } };
-  for (int j = 1; j <= rings; ++j)
-  {
-    for (int i = 0; i < sides; ++i)
-    {
-      const double around = 2.0 * Pi * i / sides;
-      points.push_back(
-        { { j * radius * std::cos(around), j * radius * std::sin(around), -j * height } });
-    }
-  }
-  Cells cells;
-  for (vtkIdType i = 0; i < sides; ++i)
-  {
-    cells.push_back({ 0, 1 + i, 1 + (i + 1) % sides });
-  }
-  AddBand(cells, 1, sides, rings - 1, false);
-  return MakeSurface(points, cells);
-}
-
 bool LoopLine::operator==(const LoopLine& other) const
 {
   return this->Line == other.Line && this->IsClosed == other.IsClosed && this->Loop == other.Loop &&

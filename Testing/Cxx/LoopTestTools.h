@@ -22,9 +22,6 @@ vtkSmartPointer<vtkPolyData> MakeTorus(int nu, int nv);
 /// The lengths of its shortest loops around the tube and around the hole (nv even).
 double GetTubeLength(int nu, int nv);
 double GetHoleLength(int nu);
-/// A cone around the z axis, with flat sides of the given angle at the apex, which is point 0.
-/// Point i of ring j >= 1, at the distance j from the apex, has the id 1 + (j - 1) * sides + i.
-vtkSmartPointer<vtkPolyData> MakeCone(int sides, int rings, double angle);
 
 /// A closed polyline, or a rim, with what the filter says of it. A closed one has its first point
 /// once more at its end, with the whole length as ArcLength.

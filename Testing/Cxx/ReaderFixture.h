@@ -160,16 +160,6 @@ protected:
     std::setlocale(LC_ALL, before.c_str());
   }
 
-  void CheckPrint()
-  {
-    std::ostringstream text;
-    this->Reader->Print(text);
-    EXPECT_NE(text.str().find("FileName: "), std::string::npos);
-    this->Reader->SetFileName("some.file");
-    this->Reader->Print(text);
-    EXPECT_NE(text.str().find("FileName: some.file"), std::string::npos);
-  }
-
   const char* Name; ///< of files
   const char* Good;
   std::filesystem::path Folder;

@@ -47,49 +47,16 @@ if (TARGET dggPeerHeat)
   target_link_libraries(dggCGALHeatTests PRIVATE dggPeerHeat)
 endif ()
 if (DGG_EXTRA_DATA)
-  set(core "${CMAKE_CURRENT_LIST_DIR}/../Core")
-  dgg_add_real_mesh_tests(dggExtraDataTests
-    ExtraMeshes.cxx
-    ExtraMeshes.h
-    TestExtraData.cxx
-    "${core}/EdgeGraph.cxx"
-    "${core}/EdgeGraph.h"
-    "${core}/GeodesicChecks.cxx"
-    "${core}/GeodesicChecks.h"
-    "${core}/GraphChecks.cxx"
-    "${core}/GraphChecks.h"
-    "${core}/TestMeshes.cxx"
-    "${core}/TestMeshes.h")
-  target_include_directories(dggExtraDataTests PRIVATE "${core}")
+  dgg_add_real_mesh_tests(dggExtraDataTests ExtraMeshes.cxx TestExtraData.cxx)
+  target_link_libraries(dggExtraDataTests PRIVATE dggTestTools DGG::Core)
   dgg_add_real_mesh_tests(dggExtraPathTests
     ExtraMeshes.cxx
-    ExtraMeshes.h
-    FilterTestTools.cxx
-    FilterTestTools.h
-    IsolineTestTools.cxx
-    IsolineTestTools.h
-    LoopTestTools.cxx
-    LoopTestTools.h
-    PathTestTools.cxx
-    PathTestTools.h
     TestExtraIsolines.cxx
     TestExtraLoops.cxx
-    TestExtraPaths.cxx
-    "${core}/GeodesicChecks.cxx"
-    "${core}/GeodesicChecks.h"
-    "${core}/PathChecks.cxx"
-    "${core}/PathChecks.h"
-    "${core}/TestMeshes.cxx"
-    "${core}/TestMeshes.h")
-  target_include_directories(dggExtraPathTests PRIVATE "${core}")
-  target_link_libraries(dggExtraPathTests PRIVATE DGG::FiltersGeodesic)
+    TestExtraPaths.cxx)
+  target_link_libraries(dggExtraPathTests PRIVATE dggFilterTestTools dggTestTools DGG::Core)
   if (DGG_WITH_PCL)
-    dgg_add_real_mesh_tests(dggExtraCloudTests
-      ExtraMeshes.cxx
-      ExtraMeshes.h
-      FilterTestTools.cxx
-      FilterTestTools.h
-      TestExtraClouds.cxx)
-    target_link_libraries(dggExtraCloudTests PRIVATE DGG::FiltersPointCloud)
+    dgg_add_real_mesh_tests(dggExtraCloudTests ExtraMeshes.cxx TestExtraClouds.cxx)
+    target_link_libraries(dggExtraCloudTests PRIVATE dggFilterTestTools DGG::FiltersPointCloud)
   endif ()
 endif ()

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpectralTestTools.h"
 
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
@@ -68,35 +67,6 @@ vtkSmartPointer<vtkPolyData> MakeSphere(int level)
   return MakeSurface(points, triangles);
 }
 
-vtkSmartPointer<vtkPolyData> MakePair(vtkPolyData* first, vtkPolyData* second, double shift)
-{
-  Points points;
-  Cells cells;
-  for (const bool isSecond : { false, true })
-  {
-    vtkPolyData* part = isSecond ? second : first; // may be the same
-    const auto offset = static_cast<vtkIdType>(points.size());
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
-    {
-      std::array<double, 3> p;
-      part->GetPoint(i, p.data());
-      p[0] += isSecond ? shift : 0.0;
-      points.push_back(p);
-    }
-    for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
-    {
-      cells.emplace_back();
-      vtkNew<vtkIdList> ids;
-      part->GetCellPoints(c, ids);
-      for (const vtkIdType id : *ids)
-      {
-        cells.back().push_back(id + offset);
-      }
-    }
-  }
-  return MakeSurface(points, cells);
-}
-
 std::vector<double> GetValues(vtkPolyData* output, const std::string& name, int component)
 {
   std::vector<double> values;
@@ -144,30 +114,6 @@ std::vector<double> GetPointAreas(vtkPolyData* surface)
     }
   }
   return areas;
-}
-
-void ExpectProgressAndStops(vtkAlgorithm* filter, const std::vector<double>& stops,
-  const std::function<std::vector<double>()>& values)
-{
-  ProgressWatch watch(filter);
-  filter->Modified();
-  ExpectSuccess(filter);
-  watch.ExpectGrowth();
-  const std::vector<double> expected = values();
-  for (const double stop : stops)
-  {
-    watch.StopAt = stop;
-    watch.Progress.clear();
-    filter->Modified();
-    ExpectSuccess(filter);
-    EXPECT_LT(watch.Progress.back(), 1.0);
-    ExpectEmptyOutput(filter);
-    watch.StopAt = 2.0;
-    filter->Modified();
-    ExpectSuccess(filter);
-    EXPECT_EQ(values(), expected);
-  }
-  filter->RemoveObservers(vtkCommand::ProgressEvent); // those of the watch
 }
 
 double CosineOf(const double a[3], const double b[3])

@@ -6,20 +6,16 @@
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
-#include "vtkDGGFastMarchingDistance.h"
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkContourFilter.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
-#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +23,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -90,20 +85,6 @@ protected:
   vtkNew<vtkExactGeodesicDistance> Distance;
   vtkNew<vtkApolloniusIsolines> Isolines;
 };
-}
-
-TEST_F(ApolloniusIsolines, Defaults)
-{
-  vtkNew<vtkApolloniusIsolines> filter;
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 1);
-  EXPECT_EQ(filter->GetNumberOfContours(), 1);
-  EXPECT_EQ(filter->GetValue(0), 0.0);
-  EXPECT_EQ(filter->GetMethod(), vtkApolloniusIsolines::LocalSources);
-  EXPECT_STREQ(filter->GetMethodAsString(), "LocalSources");
-  EXPECT_EQ(filter->GetChordTolerance(), 1e-3);
-  EXPECT_EQ(filter->GetSteinerPoints(), 2);
-  EXPECT_STREQ(filter->GetDistanceArrayName(), "GeodesicDistance");
-  EXPECT_STREQ(filter->GetVirtualSourceArrayName(), "GeodesicVirtualSource");
 }
 
 TEST_F(ApolloniusIsolines, ValuesAreThoseOfContourFilters)
@@ -389,35 +370,6 @@ TEST_F(ApolloniusIsolines, LinesEndWhereNothingIsReached)
   }
 }
 
-// No edge is crossed. In graphs angles are rounded, so that models of the corners miss a little.
-TEST_F(ApolloniusIsolines, CirclesInsideATriangle)
-{
-  vtkNew<vtkDGGDistance> ofGraph;
-  vtkGeodesicDistanceAlgorithm* filters[] = { this->Distance, ofGraph };
-  for (vtkGeodesicDistanceAlgorithm* filter : filters)
-  {
-    SCOPED_TRACE(filter->GetClassName());
-    filter->SetInputData(MakeGrid(8, 8));
-    filter->SetSourceIds(std::vector<vtkIdType>());
-    filter->SetSourceData(MakeSourcePoints({ { { 4.7, 4.3, 0.0 } } }));
-    filter->GenerateVirtualSourceOn();
-    this->Isolines->SetInputConnection(filter->GetOutputPort());
-    this->Isolines->SetNumberOfContours(1);
-    this->Isolines->SetValue(0, 0.2);
-    this->Isolines->GenerateBandsOn();
-    ExpectSuccess(this->Isolines);
-    vtkPolyData* circle = this->Isolines->GetOutput();
-    ASSERT_EQ(circle->GetNumberOfLines(), 1);
-    for (vtkIdType i = 0; i < circle->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      circle->GetPoint(i, p);
-      EXPECT_NEAR(std::hypot(p[0] - 4.7, p[1] - 4.3), 0.2, 1e-6);
-    }
-    EXPECT_GE(circle->GetNumberOfPoints(), 12);
-  }
-}
-
 TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
 {
   const auto expectEmpty = [this](bool isWarned) {
@@ -457,78 +409,6 @@ TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
   ExpectWarning(unreached, { "no isolines", "from 1 to 1," });
 }
 
-TEST_F(ApolloniusIsolines, WrongInputIsAnError)
-{
-  this->Isolines->SetValue(2, std::numeric_limits<double>::quiet_NaN());
-  ExpectError(this->Isolines, { "value 2", "nan", "SetValue" });
-  this->Isolines->SetValue(2, std::numeric_limits<double>::infinity());
-  ExpectError(this->Isolines, { "value 2", "inf" });
-  this->Isolines->SetValue(2, 1.0);
-  ExpectSuccess(this->Isolines);
-  for (const double tolerance :
-    { 0.0, -1.0, 1e-300, 0.99e-6, std::numeric_limits<double>::quiet_NaN() })
-  {
-    this->Isolines->SetChordTolerance(tolerance);
-    ExpectError(this->Isolines, { "ChordTolerance", "at least 1e-06" });
-  }
-  this->Isolines->SetChordTolerance(1e-3);
-  for (const int points : { -1, 51 })
-  {
-    this->Isolines->SetSteinerPoints(points);
-    ExpectError(this->Isolines, { "SteinerPoints is", "0 to 50" });
-  }
-  this->Isolines->SetSteinerPoints(2);
-  this->Isolines->SetMethod(77);
-  EXPECT_EQ(this->Isolines->GetMethod(), vtkApolloniusIsolines::Linear);
-  this->Isolines->SetMethodToLocalSources();
-  ExpectSuccess(this->Isolines);
-
-  auto surface = this->TakeSurface();
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetName("GeodesicDistance");
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(surface->GetNumberOfPoints());
-  surface->GetPointData()->AddArray(vectors);
-  ExpectError(this->Isolines, { "GeodesicDistance", "3 components" });
-  surface->GetPointData()->Initialize();
-  ExpectError(this->Isolines, { "GeodesicDistance", "no point arrays" });
-  EXPECT_EQ(surface->GetNumberOfPoints(), 81) << "the input is untouched";
-}
-
-TEST_F(ApolloniusIsolines, AnErrorLeavesNothingOfTheUpdateBefore)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(60);
-  sphere->SetPhiResolution(30);
-  vtkNew<vtkDGGFastMarchingDistance> rough;
-  rough->SetInputConnection(sphere->GetOutputPort());
-  rough->SetSourceIds({ 3, 400, 900, 1200 });
-  rough->GenerateVirtualSourceOn();
-  this->Isolines->SetInputConnection(rough->GetOutputPort());
-  this->Isolines->GenerateValues(40, 0.0, 1.0);
-  const auto expectReset = [this](const std::vector<std::string>& parts) {
-    ExpectSuccess(this->Isolines);
-    EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
-    EXPECT_GT(this->Isolines->GetNumberOfFallbacks(), 0);
-    this->Isolines->SetDistanceArrayName(parts[0] == "none" ? "none" : "GeodesicDistance");
-    this->Isolines->SetChordTolerance(parts[0] == "none" ? 1e-3 : -1.0);
-    ExpectError(this->Isolines, parts);
-    EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
-    EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
-    this->Isolines->SetDistanceArrayName("GeodesicDistance");
-    this->Isolines->SetChordTolerance(1e-3);
-  };
-  expectReset({ "none" });
-  expectReset({ "ChordTolerance" });
-  this->Distance->GenerateWindowsOn();
-  this->Isolines->SetInputConnection(this->Distance->GetOutputPort());
-  ExpectSuccess(this->Isolines);
-  EXPECT_TRUE(this->Isolines->GetUsedWindows());
-  this->Isolines->SetSteinerPoints(-1);
-  ExpectError(this->Isolines, { "SteinerPoints" });
-  EXPECT_FALSE(this->Isolines->GetUsedWindows());
-}
-
 TEST_F(ApolloniusIsolines, DistancesWithoutANameHaveTheUsualOneInTheOutputs)
 {
   auto surface = this->TakeSurface();
@@ -548,55 +428,4 @@ TEST_F(ApolloniusIsolines, DistancesWithoutANameHaveTheUsualOneInTheOutputs)
   this->Isolines->SetInputData(empty);
   ExpectWarning(this->Isolines, { "empty" });
   EXPECT_NE(this->Isolines->GetBands()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
-}
-
-TEST_F(ApolloniusIsolines, DoNotDependOnThreads)
-{
-  this->Distance->SetInputData(MakeTerrain(30));
-  this->Distance->GenerateWindowsOn();
-  this->Isolines->GenerateValues(12, 0.05, 1.2);
-  vtkSMPTools::Initialize(1);
-  ExpectSuccess(this->Isolines);
-  const std::string expected = DescribeGeometry(this->Isolines->GetOutput());
-  for (const int threads : { 2, 5 })
-  {
-    vtkSMPTools::Initialize(threads);
-    this->Isolines->Modified();
-    ExpectSuccess(this->Isolines);
-    EXPECT_EQ(DescribeGeometry(this->Isolines->GetOutput()), expected);
-  }
-  vtkSMPTools::Initialize();
-}
-
-TEST_F(ApolloniusIsolines, ReportProgressAndCanBeStopped)
-{
-  this->Distance->SetInputData(MakeTerrain(100));
-  this->Distance->Update();
-  {
-    ProgressWatch watch(this->Isolines);
-    ExpectSuccess(this->Isolines);
-    watch.ExpectGrowth();
-  }
-  vtkNew<vtkApolloniusIsolines> stopped;
-  stopped->SetInputConnection(this->Distance->GetOutputPort());
-  stopped->GenerateValues(6, 0.1, 1.0);
-  ProgressWatch watch(stopped);
-  watch.StopAt = 0.5;
-  stopped->Update();
-  EXPECT_EQ(stopped->GetErrorCode(), 0u);
-  ExpectEmptyOutput(stopped);
-  watch.StopAt = 2.0;
-  ExpectSuccess(stopped);
-  EXPECT_GT(stopped->GetOutput()->GetNumberOfLines(), 0);
-}
-
-TEST_F(ApolloniusIsolines, PrintsItself)
-{
-  std::ostringstream os;
-  this->Isolines->Print(os);
-  for (const char* part : { "Method: LocalSources", "ChordTolerance: 0.001",
-         "ContourValues:", "NumberOfFallbacks: 0", "DistanceArrayName: GeodesicDistance" })
-  {
-    EXPECT_NE(os.str().find(part), std::string::npos) << part;
-  }
 }

@@ -16,16 +16,13 @@
 #include "dggInvalidInput.h"
 
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 using namespace dggtest;
@@ -73,48 +70,6 @@ TYPED_TEST(ApproximateDistances, CloseToExact)
   EXPECT_GT(right, 0.95 * exact.size());
 }
 
-TYPED_TEST(ApproximateDistances, SourcePointsAndInitialDistances)
-{
-  auto terrain = MakeTerrain(40);
-  double p[3];
-  terrain->GetPoint(820, p);
-  auto places = MakeSourcePoints({ { { 0.31, 0.62, p[2] } }, { { 0.8, 0.2, p[2] } } });
-  vtkNew<vtkDoubleArray> offsets;
-  offsets->SetName("InitialDistance");
-  offsets->InsertNextValue(-0.2);
-  offsets->InsertNextValue(0.1);
-  places->GetPointData()->AddArray(offsets);
-  this->Distance->SetProjectionTolerance(0.5);
-  this->Distance->SetInputData(terrain);
-  this->Distance->SetSourceData(places);
-  this->Distance->AddSourceId(100, 0.05);
-  ExpectSuccess(this->Distance);
-  // The exact distances of the same sources, taken by the same filter base.
-  const auto distances = GetDistances(this->Distance);
-  EXPECT_GE(*std::min_element(distances.begin(), distances.end()), -0.2);
-  EXPECT_LT(*std::min_element(distances.begin(), distances.end()), -0.15);
-  EXPECT_LE(distances[100], 0.05);
-  for (const double distance : distances)
-  {
-    EXPECT_TRUE(std::isfinite(distance));
-  }
-}
-
-TYPED_TEST(ApproximateDistances, UnreachedPoints)
-{
-  this->Distance->SetInputData(Beside(MakeGrid(6, 6), MakeGrid(6, 6), 9.0));
-  this->Distance->AddSourceId(1);
-  this->Distance->GenerateNearestSourceOn();
-  ExpectSuccess(this->Distance);
-  std::vector<int> expected(49, 0);
-  expected.resize(98, -1);
-  EXPECT_EQ(GetNearestSources(this->Distance), expected);
-  EXPECT_TRUE(std::isnan(GetDistances(this->Distance)[49]));
-  this->Distance->SetUnreachedValue(-3.0);
-  ExpectSuccess(this->Distance);
-  EXPECT_EQ(GetDistances(this->Distance)[49], -3.0);
-}
-
 TYPED_TEST(ApproximateDistances, MaximumDistance)
 {
   this->Distance->SetInputData(MakeTerrain(24));
@@ -135,34 +90,6 @@ TYPED_TEST(ApproximateDistances, MaximumDistance)
       EXPECT_EQ(cut[i], whole[i]);
     }
   }
-}
-
-TYPED_TEST(ApproximateDistances, WrongInputIsAnErrorAndALaterCallWorks)
-{
-  auto* filter = this->Distance.Get();
-  ExpectError(filter, {}); // no input
-  filter->SetInputData(MakeGrid(6, 6));
-  ExpectError(filter, { filter->GetClassName(), "source" });
-  filter->AddSourceId(77);
-  ExpectError(filter, { "77" });
-  filter->SetSourceIds({ 0 });
-  filter->SetMaximumDistance(-1.0);
-  ExpectError(filter, { "MaximumDistance" });
-  filter->SetMaximumDistance(VTK_DOUBLE_MAX);
-  filter->SetDistanceArrayName("");
-  ExpectError(filter, { "DistanceArrayName" });
-  filter->SetDistanceArrayName("d");
-  ExpectSuccess(filter);
-  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "d");
-}
-
-TYPED_TEST(ApproximateDistances, ProgressAndAbort)
-{
-  auto* filter = this->Distance.Get();
-  filter->SetInputData(MakeTerrain(150));
-  filter->AddSourceId(0);
-  ExpectProgressAndStops(
-    filter, { 0.05, 0.3, 0.6, 0.9 }, [filter] { return GetDistances(filter); });
 }
 
 TYPED_TEST(QualityWarnings, WarnOfLongTrianglesOnceForEachMesh)
@@ -221,34 +148,6 @@ TYPED_TEST(QualityWarnings, NoneOnOrdinaryMeshes)
   }
 }
 
-TYPED_TEST(ApproximateDistances, FollowTheMesh)
-{
-  auto grid = MakeGrid(8, 8);
-  auto* filter = this->Distance.Get();
-  filter->SetInputData(grid);
-  filter->AddSourceId(0);
-  ExpectSuccess(filter);
-  const auto before = GetDistances(filter);
-  const vtkMTimeType built = filter->GetMeshBuildTime();
-  filter->SetSourceIds({ 20 });
-  ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetMeshBuildTime(), built);
-  filter->SetSourceIds({ 0 });
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    grid->GetPoint(i, p);
-    grid->GetPoints()->SetPoint(i, 3.0 * p[0], 3.0 * p[1], 0.0);
-  }
-  grid->GetPoints()->Modified();
-  ExpectSuccess(filter);
-  const auto after = GetDistances(filter);
-  for (std::size_t i = 0; i < before.size(); ++i)
-  {
-    EXPECT_NEAR(after[i], 3.0 * before[i], 1e-5); // single precision inside one of them
-  }
-}
-
 TEST(VirtualSourceGeodesicDistance, Quality)
 {
   using Type = vtkVirtualSourceGeodesicDistance;
@@ -288,33 +187,6 @@ TEST(VirtualSourceGeodesicDistance, Quality)
   std::ostringstream os;
   filter->Print(os);
   EXPECT_NE(os.str().find("Quality: Automatic\n"), std::string::npos);
-}
-
-TEST(VirtualSourceGeodesicDistance, ThreadsDoNotMatter)
-{
-  auto terrain = MakeTerrain(110);
-  vtkNew<vtkVirtualSourceGeodesicDistance> filter;
-  filter->SetInputData(terrain);
-  filter->SetSourceIds({ 0, 1900 });
-  filter->GenerateNearestSourceOn();
-  for (const int quality :
-    { vtkVirtualSourceGeodesicDistance::Fast, vtkVirtualSourceGeodesicDistance::High })
-  {
-    filter->SetQuality(quality);
-    std::vector<double> expected;
-    std::vector<int> expectedSources;
-    ForEachThreading([&](const std::string& threading) {
-      filter->Modified();
-      ExpectSuccess(filter);
-      if (expected.empty())
-      {
-        expected = GetDistances(filter);
-        expectedSources = GetNearestSources(filter);
-      }
-      EXPECT_EQ(GetDistances(filter), expected) << threading;
-      EXPECT_EQ(GetNearestSources(filter), expectedSources) << threading;
-    });
-  }
 }
 
 /// Farther apart than single precision holds.
@@ -500,29 +372,6 @@ TEST(HeatGeodesicDistance, PropertiesAndFactorizations)
   {
     EXPECT_NE(os.str().find(text), std::string::npos) << text;
   }
-}
-
-TEST(HeatGeodesicDistance, WrongProperties)
-{
-  vtkNew<vtkHeatGeodesicDistance> filter;
-  filter->SetInputData(MakeGrid(10, 10));
-  filter->AddSourceId(60);
-  for (const double bad : { 0.0, -1.0, 1e-300, 0.99e-6, 1.01e6, 1e300,
-         std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
-  {
-    filter->SetTimeStepFactor(bad);
-    ExpectError(filter, { "TimeStepFactor", "from 1e-06 to 1e+06" });
-  }
-  filter->SetTimeStepFactor(1.0);
-  filter->SetMemoryLimit(1000);
-  ExpectError(filter, { "MemoryLimit", "heat" });
-  filter->SetMemoryLimit(0);
-  filter->SetBoundaryToDirichlet();
-  ExpectSuccess(filter);
-  filter->SetSourceIds({ 0 });
-  ExpectError(filter, { "boundary", "Neumann" });
-  filter->SetBoundaryToNeumann();
-  ExpectSuccess(filter);
 }
 
 TEST(HeatGeodesicDistance, ExtremeTimes)

@@ -9,14 +9,12 @@
 #include "vtkExactGeodesicDistance.h"
 #include "vtkVirtualSourceGeodesicDistance.h"
 
-#include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 #include <string>
 
@@ -111,56 +109,6 @@ TEST(AwkwardSurfaces, NonManifoldEdgeConducts)
   EXPECT_NEAR(GetDistances(filter)[7], std::sqrt(5.0), 1e-12);
 }
 
-TEST(AwkwardSurfaces, PinchedVertexConducts)
-{
-  auto surface = MakeSurface(
-    { { { 0, 0, 0 } }, { { 1, 1, 0 } }, { { 1, -1, 0 } }, { { -1, 1, 0 } }, { { -1, -1, 0 } } },
-    { { 0, 2, 1 }, { 0, 3, 4 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(1);
-  ExpectWarning(filter, { "1 points where separate sheets touch" });
-  EXPECT_EQ(filter->GetNumberOfNonManifoldVertices(), 1);
-  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
-  EXPECT_NEAR(GetDistances(filter)[4], 2.0 * std::sqrt(2.0), 1e-12);
-}
-
-TEST(AwkwardSurfaces, MoebiusStrip)
-{
-  const int n = 24;
-  Points points;
-  Cells cells;
-  for (int i = 0; i < n; ++i)
-  {
-    const double angle = 2.0 * 3.14159265358979323846 * i / n;
-    for (const double side : { -0.3, 0.3 })
-    {
-      const double r = 1.0 + side * std::cos(0.5 * angle);
-      points.push_back(
-        { { r * std::cos(angle), r * std::sin(angle), side * std::sin(0.5 * angle) } });
-    }
-    const vtkIdType a = 2 * i;
-    const bool last = i + 1 == n;
-    cells.push_back({ a, a + 1, last ? 0 : a + 3, last ? 1 : a + 2 });
-  }
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(MakeSurface(points, cells));
-  filter->AddSourceId(0);
-  ExpectWarning(filter, { "no choice of orientation is consistent" });
-  EXPECT_FALSE(filter->GetOrientable());
-  EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
-  EXPECT_NE(filter->GetMeshReport().find("orientable: no\n"), std::string::npos);
-  const auto triangle = GetDistances(filter);
-  filter->SetEngineToReference();
-  ExpectSuccess(filter);
-  const auto reference = GetDistances(filter);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    EXPECT_TRUE(std::isfinite(triangle[i]));
-    EXPECT_NEAR(triangle[i], reference[i], 1e-12);
-  }
-}
-
 TEST(AwkwardSurfaces, DuplicateTriangles)
 {
   auto surface = MakeGrid(3, 3);
@@ -223,37 +171,6 @@ TEST(AwkwardSurfaces, PolygonsWithFewerThanThreePointsAreDropped)
   EXPECT_EQ(filter->GetNumberOfTriangles(), 18);
   ExpectEuclidean(filter, surface, 1e-12);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 25); // all are passed on
-}
-
-TEST(AwkwardSurfaces, TrianglesWithoutArea)
-{
-  // A cap between two halves of a square: point 4 lies on the diagonal from 0 to 2.
-  auto surface = MakeSurface(
-    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0.5, 0.5, 0 } } },
-    { { 0, 1, 2 }, { 0, 2, 4 }, { 0, 4, 3 }, { 4, 2, 3 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(1);
-  ExpectWarning(filter, { "1 triangles without area, no higher than 0, that are left out" });
-  EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
-  EXPECT_EQ(filter->GetMollification(), 0.0);
-  ExpectEuclidean(filter, surface, 1e-14);
-}
-
-TEST(AwkwardSurfaces, EdgesWithoutLength)
-{
-  // A triangle between two points in one place is no cap: its edges are lengthened.
-  auto surface = MakeSurface(
-    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } } },
-    { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 4, 3 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
-  EXPECT_GT(filter->GetMollification(), 0.0);
-  EXPECT_LT(filter->GetMollification(), 1e-12);
-  ExpectEuclidean(filter, surface, 1e-6);
 }
 
 TEST(AwkwardSurfaces, SeamsAreCountedAndMerged)
@@ -373,18 +290,6 @@ TEST(AwkwardSurfaces, ChainsOfClosePoints)
   EXPECT_EQ(distances[3], 0.0);
   EXPECT_TRUE(std::isnan(distances[6])); // far from 0, which 3 became
   EXPECT_TRUE(std::isnan(distances[9])); // became 6
-}
-
-TEST(AwkwardSurfaces, ASoupOfTriangles)
-{
-  auto soup = MakeSoup(0.0);
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(soup);
-  filter->AddSourceId(100);
-  filter->MergeCoincidentPointsOn();
-  ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
-  ExpectEuclidean(filter, soup, 1e-12);
 }
 
 TEST(AwkwardSurfaces, IsolatedPoints)

@@ -7,10 +7,8 @@
 #include "vtkHarmonicBSpline.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
-#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +16,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,7 +23,6 @@ using namespace dggtest;
 
 namespace
 {
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* Result = "Interpolation";
 
 /// Smooth, with values from 0 to about 3.
@@ -210,36 +206,6 @@ TEST_F(BiharmonicBSpline, WithoutTheBasis)
   EXPECT_TRUE(this->Filter->GetOutput()->GetPointData()->HasArray(Result));
 }
 
-TEST_F(BiharmonicBSpline, BiLaplaceEquation)
-{
-  // x z is 6 times its negative Laplacian.
-  const auto harmonic = [this](vtkIdType i) {
-    const double* p = this->Surface->GetPoint(i);
-    return p[0] * p[2];
-  };
-  AddValues(
-    this->Surface, "f", [&](vtkIdType i) { return std::vector<double>{ 36.0 * harmonic(i) }; });
-  this->Filter->SetRightHandSideArrayName("f");
-  this->Filter->SetSiteValuesArrayName(nullptr);
-  ExpectSuccess(this->Filter);
-  EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray(Result));
-  const auto solution = GetValues(this->Filter->GetOutput(), "PoissonSolution");
-  for (vtkIdType i = 0; i < this->Surface->GetNumberOfPoints(); ++i)
-  {
-    EXPECT_NEAR(solution[i], harmonic(i), 0.01);
-  }
-  // Sites, two of which depend on each other as functions, play no part without these.
-  this->Filter->GenerateBasisOff();
-  this->Filter->SetSourceData(
-    MakeSourcePoints({ PointInCell(this->Surface, 70, { { 0.5, 0.5, 0.0 } }),
-      PointInCell(this->Surface, 70, { { 0.4, 0.6, 0.0 } }),
-      PointInCell(this->Surface, 70, { { 0.6, 0.4, 0.0 } }) }));
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetValues(this->Filter->GetOutput(), "PoissonSolution"), solution);
-  this->Filter->SetSourceIds({ 9, 9 });
-  ExpectError(this->Filter, { "same as site 0" });
-}
-
 TEST_F(BiharmonicBSpline, MatricesOfSitesOnlyWhereTheyAreNeeded)
 {
   // 600 sites: such a matrix takes 2.9 MB, what a thread holds 0.3 MB.
@@ -262,126 +228,6 @@ TEST_F(BiharmonicBSpline, MatricesOfSitesOnlyWhereTheyAreNeeded)
   }
 }
 
-TEST_F(BiharmonicBSpline, ZeroOnADirichletBoundary)
-{
-  auto terrain = MakeTerrain(20);
-  AddTruth(terrain);
-  this->Filter->SetInputData(terrain);
-  this->Filter->SetBoundaryToDirichlet();
-  this->Filter->SetSourceIds({ 45, 210 });
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Values()[7], 0.0);
-  EXPECT_NEAR(this->Values()[210], Truth(terrain->GetPoint(210)), 1e-9);
-  this->Filter->SetSourceIds({ 45, 3 });
-  ExpectError(this->Filter, { "site 1 (vertex 3)", "boundary", "Neumann" });
-}
-
-TEST_F(BiharmonicBSpline, ComponentsDoNotKnowOfEachOther)
-{
-  auto pair = MakePair(MakeSphere(2), MakeTerrain(12), 5.0);
-  AddValues(pair, "v", [](vtkIdType i) { return std::vector<double>{ i < 162 ? 1.0 : 2.0 }; });
-  this->Filter->SetInputData(pair);
-  this->Filter->SetSourceIds({ 0, 100, 170, 200 });
-  ExpectSuccess(this->Filter);
-  const std::vector<double> values = this->Values();
-  for (vtkIdType i = 0; i < pair->GetNumberOfPoints(); ++i)
-  {
-    EXPECT_EQ(values[i], i < 162 ? 1.0 : 2.0);
-  }
-  this->Filter->SetSourceIds({ 0, 100 });
-  ExpectError(this->Filter, { "vertex 162", "no site" });
-}
-
-TEST_F(BiharmonicBSpline, WrongValues)
-{
-  this->ExpectUnharmed();
-  this->Filter->SetSiteValuesArrayName("missing");
-  ExpectError(
-    this->Filter, { "the surface has no point array 'missing'", "SetSiteValuesArrayName()" });
-  this->ExpectUnharmed();
-  // Only those of sites matter.
-  for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
-  {
-    AddValues(this->Surface, "w",
-      [&](vtkIdType i) { return std::vector<double>{ i == 200 ? wrong : 1.0 }; });
-    this->Filter->SetSiteValuesArrayName("w");
-    ExpectError(this->Filter, { "'w'", "point 200", "site", "finite" });
-    this->Filter->SetSourceIds({ 45, 201 });
-    ExpectSuccess(this->Filter);
-    this->ExpectUnharmed();
-  }
-  AddValues(this->Surface, "huge",
-    [](vtkIdType i) { return std::vector<double>{ i < 100 ? 1.7e308 : -1.7e308 }; });
-  this->Filter->SetSiteValuesArrayName("huge");
-  ExpectError(this->Filter, { "too large" });
-  this->ExpectUnharmed();
-  vtkNew<vtkStringArray> words;
-  words->SetName("words");
-  words->SetNumberOfValues(this->Surface->GetNumberOfPoints());
-  this->Surface->GetPointData()->AddArray(words);
-  vtkNew<vtkFloatArray> few;
-  few->SetName("few");
-  few->SetNumberOfTuples(3);
-  this->Surface->GetPointData()->AddArray(few);
-  for (const char* name : { "words", "few" })
-  {
-    this->Filter->SetSiteValuesArrayName(name);
-    ExpectError(this->Filter, { name, "numbers for each are needed" });
-    this->ExpectUnharmed();
-  }
-  auto places = MakeSourcePoints({ PointInCell(this->Surface, 70, { { 0.1, 0.15, 0.75 } }) });
-  this->Filter->SetSourceData(places);
-  ExpectError(this->Filter, { "input port 1 has no point array 'v'" });
-  AddValues(places, "v", [](vtkIdType) { return std::vector<double>{ 1.0 }; });
-  this->Filter->SetSourceData(places);
-  ExpectError(this->Filter, { "input port 1 has 1 components, that of the surface 2" });
-  this->ExpectUnharmed();
-}
-
-TEST_F(BiharmonicBSpline, WrongSites)
-{
-  this->ExpectUnharmed();
-  this->Filter->AddSourceId(642);
-  ExpectError(this->Filter, { "source id 642", "out of range" });
-  this->ExpectUnharmed();
-  this->Filter->AddSourceId(200);
-  ExpectError(this->Filter, { "site 3 (vertex 200)", "site 1" });
-  this->ExpectUnharmed();
-  const auto inCell = [this](double a, double b) {
-    return PointInCell(this->Surface, 70, { { a, b, 1.0 - a - b } });
-  };
-  const auto setPlaces = [this](const Points& points) {
-    auto places = MakeSourcePoints(points);
-    AddValues(places, "v", [](vtkIdType i) { return std::vector<double>{ 1.0 + i, 2.0 }; });
-    this->Filter->SetSourceData(places);
-  };
-  setPlaces({ inCell(0.2, 0.3), inCell(0.2, 0.3) });
-  ExpectError(this->Filter, { "site 4 is in the same place as site 3" });
-  setPlaces({ inCell(0.2, 0.3), inCell(0.3, 0.3), inCell(0.3, 0.5), inCell(0.1, 0.1) });
-  ExpectError(this->Filter, { "more sites than corners" });
-  this->ExpectUnharmed();
-}
-
-TEST_F(BiharmonicBSpline, NamesAndLimits)
-{
-  this->Filter->SetInterpolationArrayName("Cell");
-  ExpectError(this->Filter, { "InterpolationArrayName", "'Cell'", "different" });
-  this->Filter->SetInterpolationArrayName("");
-  ExpectError(this->Filter, { "InterpolationArrayName is empty" });
-  this->Filter->SetInterpolationArrayName("Temperature");
-  this->Filter->SetOrder(9);
-  EXPECT_STREQ(this->Filter->GetOrderAsString(), "Biharmonic");
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetOutput()->GetPointData()->HasArray("Temperature"));
-  std::ostringstream os;
-  this->Filter->Print(os);
-  EXPECT_NE(os.str().find("Order: Biharmonic"), std::string::npos);
-  EXPECT_NE(os.str().find("SiteValuesArrayName: v"), std::string::npos);
-  this->Filter->SetMemoryLimit(this->Filter->GetMemorySize() + 1000000);
-  this->Filter->SetNumberOfSites(600);
-  ExpectError(this->Filter, { "MemoryLimit", "fewer sources" });
-}
-
 TEST_F(BiharmonicBSpline, ManyComponentsCountInMemory)
 {
   // 2000 take 20 MB as functions and in the array.
@@ -395,15 +241,4 @@ TEST_F(BiharmonicBSpline, ManyComponentsCountInMemory)
   AddValues(this->Surface, "v",
     [](vtkIdType i) { return std::vector<double>(2000, i % 3 == 0 ? 1.0 : 2.0); });
   ExpectError(this->Filter, { "MemoryLimit" });
-}
-
-TEST_F(BiharmonicBSpline, ProgressGrowsAndStops)
-{
-  this->Filter->SetNumberOfSites(60);
-  for (const int order : { vtkHarmonicBSpline::Biharmonic, vtkHarmonicBSpline::Harmonic })
-  {
-    this->Filter->SetOrder(order);
-    ExpectProgressAndStops(
-      this->Filter, { 0.05, 0.4, 0.7, 0.88 }, [this] { return this->Values(); });
-  }
 }

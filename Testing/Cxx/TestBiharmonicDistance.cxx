@@ -10,14 +10,12 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -113,30 +111,10 @@ TEST(BiharmonicDistance, EvaluationPointsAreAsPointsOfTheSurface)
   }
 }
 
-TEST(BiharmonicDistance, DiffusionForgetsWithTime)
-{
-  Fixture sphere(MakeSphere(3), 7);
-  sphere.Filter->SetKindToDiffusion();
-  std::vector<double> previous;
-  for (const double time : { 0.02, 0.1, 0.5 })
-  {
-    sphere.Filter->SetDiffusionTime(time);
-    ExpectSuccess(sphere.Filter);
-    const std::vector<double> values = sphere.Values();
-    for (std::size_t i = 0; i < previous.size(); ++i)
-    {
-      EXPECT_LT(values[i], previous[i] + 1e-12);
-    }
-    previous = values;
-  }
-  EXPECT_EQ(sphere.Filter->GetNumberOfSpectra(), 1);
-  EXPECT_GT(*std::max_element(previous.begin(), previous.end()), 0.01);
-}
-
 TEST(BiharmonicDistance, OtherPartsAreNotReached)
 {
   auto sphere = MakeSphere(2);
-  Fixture pair(MakePair(sphere, sphere, 4.0), 3);
+  Fixture pair(Beside(sphere, sphere, 4.0), 3);
   const std::size_t n = static_cast<std::size_t>(sphere->GetNumberOfPoints());
   for (const int method : { vtkBiharmonicDistance::Spectrum, vtkBiharmonicDistance::Exact })
   {
@@ -150,44 +128,6 @@ TEST(BiharmonicDistance, OtherPartsAreNotReached)
     pair.Filter->SetUnreachedValue(-1.0);
     ExpectSuccess(pair.Filter);
     EXPECT_EQ(pair.Values()[n + 1], -1.0);
-  }
-}
-
-/// Distances on a small sphere are those of a large one, scaled.
-TEST(BiharmonicDistance, SmallPartsHaveEigenvaluesOfTheirOwn)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(24);
-  sphere->SetPhiResolution(24);
-  sphere->SetRadius(1.0);
-  sphere->Update();
-  const vtkIdType n = sphere->GetOutput()->GetNumberOfPoints();
-  ASSERT_EQ(n, 530);
-  auto small = vtkSmartPointer<vtkPolyData>::New();
-  small->DeepCopy(sphere->GetOutput());
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    double p[3];
-    small->GetPoint(i, p);
-    small->GetPoints()->SetPoint(i, 0.1 * p[0], 0.1 * p[1], 0.1 * p[2]);
-  }
-  Fixture pair(MakePair(sphere->GetOutput(), small, 4.0), 7);
-  pair.Filter->SetSourceIds({ 7, n + 7 });
-  std::vector<double> exact;
-  for (const int method : { vtkBiharmonicDistance::Exact, vtkBiharmonicDistance::Spectrum })
-  {
-    pair.Filter->SetMethod(method);
-    ExpectSuccess(pair.Filter);
-    const std::vector<double> large = pair.Values(0);
-    const std::vector<double> found = pair.Values(1);
-    EXPECT_NEAR(*std::max_element(found.begin() + n, found.end()), 0.051, 1e-3);
-    exact = exact.empty() ? found : exact;
-    for (vtkIdType i = n; i < 2 * n; ++i)
-    {
-      EXPECT_NEAR(found[i], 0.1 * large[i - n], 1e-6) << i;
-      EXPECT_NEAR(found[i], exact[i], 0.0015) << i;
-    }
-    EXPECT_EQ(pair.Filter->GetNumberOfSpectra(), method == vtkBiharmonicDistance::Spectrum);
   }
 }
 
@@ -226,48 +166,6 @@ TEST(BiharmonicDistance, SourcesWithoutFacesAreNamed)
   terrain.Filter->SetSourceIds({ 50, lone });
   ExpectError(terrain.Filter, { "source 1: vertex 100 has no face" });
   EXPECT_EQ(terrain.Filter->GetNumberOfSpectra(), 0); // said at once
-}
-
-TEST(BiharmonicDistance, WrongProperties)
-{
-  Fixture terrain(MakeTerrain(10), 50);
-  terrain.Filter->SetKindToDiffusion();
-  terrain.Filter->SetMethodToExact();
-  ExpectError(terrain.Filter, { "diffusion", "SetMethodToSpectrum()" });
-  terrain.Filter->SetMethodToSpectrum();
-  for (const double time : { -1.0, std::numeric_limits<double>::quiet_NaN() })
-  {
-    terrain.Filter->SetDiffusionTime(time);
-    ExpectError(terrain.Filter, { "DiffusionTime" });
-  }
-  terrain.Filter->SetDiffusionTime(0.0);
-  terrain.Filter->SetNumberOfEigenvalues(0);
-  ExpectError(terrain.Filter, { "NumberOfEigenvalues" });
-  terrain.Filter->SetNumberOfEigenvalues(10);
-  terrain.Filter->SetSourceIds({ 100 });
-  ExpectError(terrain.Filter, { "source id 100" });
-  terrain.Filter->SetSourceIds({ 50 });
-  terrain.Filter->SetMemoryLimit(1000);
-  ExpectError(terrain.Filter, { "MemoryLimit" });
-  terrain.Filter->SetMemoryLimit(0);
-  ExpectSuccess(terrain.Filter);
-  vtkNew<vtkPolyData> none;
-  terrain.Filter->SetInputData(none);
-  ExpectWarning(terrain.Filter, { "empty" });
-  std::ostringstream os;
-  terrain.Filter->Print(os);
-  EXPECT_NE(os.str().find("Kind: Diffusion"), std::string::npos);
-}
-
-TEST(BiharmonicDistance, ProgressGrowsAndStops)
-{
-  Fixture terrain(MakeTerrain(35), 100);
-  terrain.Filter->SetSourceIds({ 100, 200, 300, 400 });
-  for (const int method : { vtkBiharmonicDistance::Spectrum, vtkBiharmonicDistance::Exact })
-  {
-    terrain.Filter->SetMethod(method);
-    ExpectProgressAndStops(terrain.Filter, { 0.05, 0.9 }, [&] { return terrain.Values(3); });
-  }
 }
 
 // Filters share surfaces, so one that comes back is the very same. The solver is not, after a

@@ -185,18 +185,3 @@ TEST_F(Caching, AnErrorInTheSourcesKeepsTheMesh)
   this->Filter->SetSourceIds(std::vector<vtkIdType>{ 1 });
   this->ExpectKept("after an error");
 }
-
-TEST_F(Caching, NothingRunsTwice)
-{
-  struct Counter
-  {
-    int Starts = 0;
-    void Count() { ++this->Starts; }
-  } counter;
-  this->Filter->AddObserver(vtkCommand::StartEvent, &counter, &Counter::Count);
-  this->Filter->Update();
-  EXPECT_EQ(counter.Starts, 0);
-  this->Filter->Modified();
-  this->Filter->Update();
-  EXPECT_EQ(counter.Starts, 1);
-}

@@ -9,10 +9,10 @@
 #include "vtkDGGDistance.h"
 #include "vtkDGGLoop.h"
 #include "vtkDGGPath.h"
-#include "vtkDoubleArray.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
 #include "vtkGeodesicProbe.h"
+#include "vtkDoubleArray.h"
 #include "vtkHeatGeodesicDistance.h"
 
 #include <string>
@@ -87,37 +87,6 @@ TEST_F(CloudConsumers, OtherFiltersNeedASurface)
   probe->SetInputConnection(distance->GetOutputPort());
   probe->SetInputData(1, MakeSourcePoints({ { { 0.5, 0.5, 0.0 } } }));
   ExpectError(probe, { "no polygons", "vtkPointCloudDGG" });
-}
-
-TEST_F(CloudConsumers, ThatASurfaceIsNeededIsReportedFirst)
-{
-  // Nothing else is set, nor would it help.
-  const auto cloud = MakeCloud(MakeFlatPoints(5));
-  vtkNew<vtkExactGeodesicDistance> exact;
-  vtkNew<vtkHeatGeodesicDistance> heat;
-  vtkNew<vtkDGGLoop> loop;
-  vtkNew<vtkApolloniusIsolines> isolines;
-  vtkNew<vtkGeodesicProbe> probe;
-  vtkNew<vtkDGGDistance> distance;
-  for (vtkGeodesicAlgorithm* filter :
-    std::vector<vtkGeodesicAlgorithm*>{ exact, heat, loop, isolines, probe, distance })
-  {
-    filter->SetInputData(cloud);
-    ExpectError(filter, { "25 points but no polygons", "vtkPointCloudDGG" });
-  }
-}
-
-TEST_F(CloudConsumers, CloudsWithoutAGraph)
-{
-  const auto cloud = MakeCloud(MakeFlatPoints(10));
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputData(cloud);
-  distance->SetSourceIds({ 0 });
-  ExpectError(distance, { "100 points but no polygons", "vtkPointCloudDGG" });
-  vtkNew<vtkDGGPath> path;
-  path->SetInputData(cloud);
-  path->AddPair(0, 1);
-  ExpectError(path, { "100 points but no polygons", "vtkPointCloudDGG" });
 }
 
 TEST_F(CloudConsumers, FromCloudToMeshAndBack)

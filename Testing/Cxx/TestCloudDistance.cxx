@@ -70,35 +70,6 @@ TEST_F(CloudDistance, DistanceOnTheSphere)
   EXPECT_LT(GetMeanCloudError(values, exact), 1e-3);
 }
 
-TEST_F(CloudDistance, AllSearchesAgree)
-{
-  this->Use(MakeSpherePoints(1500));
-  vtkNew<vtkDGGDistance> distance;
-  this->Connect(distance);
-  distance->AddSourceId(5, 0.25);
-  distance->AddSourceId(900);
-  distance->GenerateUpperBoundOn();
-  std::vector<double> first;
-  for (const int search :
-    { vtkDGGDistance::Dijkstra, vtkDGGDistance::LabelCorrecting, vtkDGGDistance::Certified })
-  {
-    for (const bool correction : { false, true })
-    {
-      distance->SetSearch(search);
-      distance->SetCorrection(correction);
-      ExpectSuccess(distance);
-      const std::vector<double> values = GetDistances(distance);
-      first = first.empty() ? values : first;
-      for (std::size_t i = 0; i < values.size(); ++i)
-      {
-        EXPECT_NEAR(values[i], first[i], 1e-9) << i;
-        EXPECT_NEAR(
-          Value(distance->GetOutput()->GetPointData(), "GeodesicUpperBound", i), values[i], 1e-12);
-      }
-    }
-  }
-}
-
 TEST_F(CloudDistance, MaximumDistanceAndComponents)
 {
   const Points part = MakeFlatPoints(20, 0.2);

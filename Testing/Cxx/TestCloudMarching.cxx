@@ -83,25 +83,6 @@ TEST_F(CloudMarching, CloseToClosedForms)
   EXPECT_LT(round[1], 0.06);
 }
 
-TEST_F(CloudMarching, FinerVoxelsAreMoreAccurateInTheSameBand)
-{
-  this->Use(MakeFlatPoints(25));
-  const std::array<double, 3> middle = this->Cloud[312];
-  this->Filter->SetSourceIds({ 312 });
-  double before = 1.0;
-  for (const int finer : { 1, 2, 4 })
-  {
-    this->Filter->SetResolution(48 * finer);
-    this->Filter->SetBandRadius(2.0 * finer);
-    const auto errors = this->ErrorsBeyond(0.1, [&](const auto& p) { return Distance(p, middle); });
-    EXPECT_EQ(this->Filter->GetUsedResolution(), 48 * finer);
-    EXPECT_EQ(this->Filter->GetUsedBandRadius(), 2.0 * finer);
-    EXPECT_LT(errors[0], 0.75 * before);
-    before = errors[0];
-  }
-  EXPECT_LT(before, 0.02);
-}
-
 TEST_F(CloudMarching, NearestSourceAndInitialDistances)
 {
   this->Use(MakeSpherePoints(3000));

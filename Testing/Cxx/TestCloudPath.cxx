@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <vector>
 
 namespace dggtest
@@ -234,62 +233,6 @@ TEST_F(CloudPath, PathsFollowARim)
       EXPECT_LT(this->DistanceBySpacing(place), 1.0);
     }
   }
-}
-
-TEST_F(CloudPath, PathsLeadAroundAHole)
-{
-  // Random points of a square around a disc.
-  const double x = 2.9;
-  Points points{ { { -x, 0.0, 0.0 } }, { { x, 0.0, 0.0 } }, { { 0.0, -x, 0.0 } },
-    { { 0.0, x, 0.0 } } };
-  std::mt19937 generator(1);
-  std::uniform_real_distribution<double> number(-3.0, 3.0);
-  while (points.size() < 12000)
-  {
-    const std::array<double, 3> point{ { number(generator), number(generator), 0.0 } };
-    if (std::hypot(point[0], point[1]) > 1.0)
-    {
-      points.push_back(point);
-    }
-  }
-  this->Use(points);
-  vtkNew<vtkDGGPath> path;
-  this->Connect(path);
-  path->AddPair(0, 1);
-  path->AddPair(2, 3);
-  ExpectSuccess(path);
-  // Two tangents and the arc between them.
-  const double exact = 2.0 * (std::sqrt(x * x - 1.0) + std::asin(1.0 / x));
-  for (vtkIdType i = 0; i < 2; ++i)
-  {
-    vtkCellData* data = path->GetOutput()->GetCellData();
-    EXPECT_EQ(Value(data, "Straightened", i), 1.0);
-    EXPECT_NEAR(Value(data, "Length", i), exact, 0.003 * exact);
-    EXPECT_NEAR(Value(data, "Length", i), Value(data, "GraphLength", i), 0.01 * exact);
-    for (const auto& p : GetPolyline(path->GetOutput(), i))
-    {
-      EXPECT_LT(this->DistanceBySpacing(p), 1.0 + 1e-9);
-      EXPECT_GT(std::hypot(p[0], p[1]), 1.0 - 0.5 * this->Graph->GetSpacing());
-    }
-  }
-}
-
-TEST_F(CloudPath, SmoothPathsStop)
-{
-  this->Use(MakeSpherePoints(3000));
-  this->Graph->Update();
-  vtkNew<vtkDGGPath> stopped; // outlived by its observer
-  stopped->SetInputData(this->Graph->GetOutput());
-  stopped->AddPair(10, 1700);
-  ProgressWatch watch(stopped);
-  watch.StopAt = 0.1;
-  stopped->Update();
-  EXPECT_EQ(stopped->GetErrorCode(), 0u);
-  EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 0);
-  EXPECT_LT(watch.Progress.back(), 0.2);
-  watch.StopAt = 2.0;
-  ExpectSuccess(stopped);
-  EXPECT_EQ(stopped->GetOutput()->GetNumberOfLines(), 1);
 }
 
 TEST_F(CloudPath, PathsThatDoNotExist)

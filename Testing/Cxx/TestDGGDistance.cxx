@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 using namespace dggtest;
 
@@ -179,71 +178,4 @@ TEST_F(DGGDistance, UpperBoundAndVirtualSource)
   ExpectWarning(this->Filter, { "input is empty" });
   ASSERT_NE(this->Filter->GetOutput()->GetPointData()->GetArray("Image"), nullptr);
   EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetArray("Image")->GetNumberOfTuples(), 0);
-}
-
-TEST_F(DGGDistance, OnAPlaneTheVirtualSourceIsTheSource)
-{
-  this->Filter->SetInputData(MakeGrid(8, 8));
-  this->Filter->SetAccuracy(0.1);
-  this->Filter->SetSourceIds({ 30 });
-  this->Filter->GenerateVirtualSourceOn();
-  ExpectSuccess(this->Filter);
-  const auto offset = GetComponent(this->Filter, "GeodesicVirtualSource", 0);
-  const auto length = GetComponent(this->Filter, "GeodesicVirtualSource", 1);
-  for (vtkIdType i = 0; i < 81; ++i)
-  {
-    const double expected = std::hypot(i % 9 - 3, i / 9 - 3);
-    EXPECT_EQ(offset[i], 0.0) << i;
-    EXPECT_NEAR(length[i], expected, 1e-5) << i;
-  }
-}
-
-TEST_F(DGGDistance, SearchesAgree)
-{
-  this->Filter->SetAccuracy(0.02);
-  this->Filter->CorrectionOff();
-  ExpectSuccess(this->Filter);
-  const auto expected = GetDistances(this->Filter);
-  for (const int search : { vtkDGGDistance::LabelCorrecting, vtkDGGDistance::Dijkstra })
-  {
-    this->Filter->SetSearch(search);
-    ExpectSuccess(this->Filter);
-    const auto distances = GetDistances(this->Filter);
-    for (std::size_t i = 0; i < expected.size(); ++i)
-    {
-      EXPECT_NEAR(distances[i], expected[i], 1e-9 * expected[i]) << i;
-    }
-  }
-}
-
-TEST_F(DGGDistance, CoincidentPointsThatAreMergedHaveEqualDistances)
-{
-  auto surface = MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } },
-                               { { 1, 0, 0 } }, { { 0, 1, 0 } } },
-    { { 0, 1, 2 }, { 3, 5, 4 } });
-  this->Filter->SetInputData(surface);
-  this->Filter->SetSourceIds({ 0 });
-  this->Filter->MergeCoincidentPointsOn();
-  this->Filter->GenerateUpperBoundOn();
-  ExpectSuccess(this->Filter);
-  const auto distances = GetDistances(this->Filter);
-  EXPECT_NEAR(distances[3], std::sqrt(2.0), 1e-6);
-  EXPECT_EQ(distances[4], distances[1]);
-  EXPECT_EQ(distances[5], distances[2]);
-  EXPECT_EQ(GetComponent(this->Filter, "GeodesicUpperBound")[4], distances[1]);
-}
-
-TEST_F(DGGDistance, IsTheSameForAnyThreads)
-{
-  this->Filter->SetSourceData(MakeSourcePoints(GetPlaces(this->Terrain)));
-  ExpectSuccess(this->Filter);
-  const auto expected = GetDistances(this->Filter);
-  ForEachThreading([&](const std::string& threading) {
-    vtkNew<vtkDGGDistance> filter;
-    filter->SetInputData(this->Terrain);
-    filter->SetSourceIds({ 40 });
-    filter->SetSourceData(MakeSourcePoints(GetPlaces(this->Terrain)));
-    ExpectSuccess(filter);
-    EXPECT_EQ(GetDistances(filter), expected) << threading;
-  });
 }

@@ -57,69 +57,6 @@ TEST_F(DGGDistance, BuildsOnce)
   this->ExpectBuilt("MergeCoincidentPoints");
 }
 
-TEST_F(DGGDistance, TakesTheGraphOnItsInput)
-{
-  vtkNew<vtkDiscreteGeodesicGraph> graph;
-  graph->SetInputData(this->Terrain);
-  graph->SetAccuracy(0.05);
-  this->Filter->SetInputConnection(graph->GetOutputPort());
-  ExpectSuccess(this->Filter); // Accuracy has not been set: nothing to complain about
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.05);
-  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), graph->GetNumberOfGraphEdges());
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), 0u);
-  const auto fromInput = GetDistances(this->Filter);
-
-  vtkNew<vtkDGGDistance> other;
-  other->SetInputData(this->Terrain);
-  other->AddSourceId(40);
-  other->SetAccuracy(0.05);
-  ExpectSuccess(other);
-  EXPECT_FALSE(other->GetUsedInputGraph());
-  EXPECT_EQ(GetDistances(other), fromInput);
-
-  // A new graph upstream.
-  graph->SetAccuracy(0.2);
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.2);
-  EXPECT_NE(GetDistances(this->Filter), fromInput);
-  // None any more, and one again.
-  this->Filter->SetInputData(this->Terrain);
-  this->Filter->SetAccuracy(0.05);
-  this->ExpectBuilt("no graph on the input");
-  EXPECT_FALSE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(GetDistances(this->Filter), fromInput);
-  graph->SetAccuracy(0.05);
-  this->Filter->SetInputConnection(graph->GetOutputPort());
-  this->ExpectKept("graph on the input");
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(GetDistances(this->Filter), fromInput);
-}
-
-TEST_F(DGGDistance, SaysWhenTheGraphIsCoarserThanAskedFor)
-{
-  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain, 0.1));
-  this->Filter->SetAccuracy(0.01);
-  ExpectWarning(this->Filter,
-    { "the graph on the input is used", "its accuracy is 0.1", "Accuracy 0.01 is asked for" });
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.1);
-  this->Filter->SetSourceIds({ 3 });
-  ExpectSuccess(this->Filter); // once
-  this->Filter->SetAccuracy(0.02);
-  ExpectWarning(this->Filter, { "Accuracy 0.02 is asked for" });
-  this->Filter->SetAccuracy(0.1);
-  ExpectSuccess(this->Filter);
-  this->Filter->SetAccuracy(0.3); // coarser would do
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  this->Filter->AcceptCoarserGraphOn();
-  this->Filter->SetAccuracy(0.01);
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-}
-
 TEST_F(DGGDistance, KeepsItsGraphWhenNothingChangesUpstream)
 {
   vtkNew<vtkElevationFilter> elevation;
@@ -168,4 +105,32 @@ TEST_F(DGGDistance, GraphsWithoutAGuarantee)
     filter->SetAccuracy(0.02);
     ExpectWarning(filter, { "guarantees no accuracy" });
   }
+}
+
+TEST_F(DGGDistance, AbortedUpdatesKeepTheGraphThatIsThere)
+{
+  this->Filter->SetInputData(MakeTerrain(90));
+  this->Filter->SetAccuracy(0.001);
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  const auto expected = GetDistances(this->Filter);
+  // While searching: the graph is kept.
+  this->Built = this->Filter->GetGraphBuildTime();
+  watch.StopAt = 0.1;
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter); // not an error
+  ExpectEmptyOutput(this->Filter);
+  watch.StopAt = 2.0;
+  this->ExpectKept("after an abort");
+  EXPECT_EQ(GetDistances(this->Filter), expected);
+  // While building.
+  watch.StopAt = 0.11;
+  this->Filter->SetAccuracy(0.0011);
+  ExpectSuccess(this->Filter);
+  ExpectEmptyOutput(this->Filter);
+  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
+  watch.StopAt = 2.0;
+  this->Filter->SetAccuracy(0.001);
+  this->ExpectBuilt("after an abort");
+  EXPECT_EQ(GetDistances(this->Filter), expected);
 }

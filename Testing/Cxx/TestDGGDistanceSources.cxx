@@ -128,29 +128,6 @@ TEST_F(DGGDistance, InitialDistancesOfSourceIds)
   EXPECT_EQ(this->Filter->GetSourceInitialDistance(0), 0.0);
 }
 
-TEST_F(DGGDistance, HugeInitialDistances)
-{
-  for (const double offset : { 1e300, -1e300, 1e18 })
-  {
-    this->Filter->SetSourceIds({ 40 }, { offset });
-    for (const int search :
-      { vtkDGGDistance::Certified, vtkDGGDistance::LabelCorrecting, vtkDGGDistance::Dijkstra })
-    {
-      this->Filter->SetSearch(search);
-      ExpectSuccess(this->Filter);
-      for (const double distance : GetDistances(this->Filter))
-      {
-        EXPECT_NEAR(distance, offset, 1e-12 * std::abs(offset));
-      }
-    }
-  }
-  // Together with one that is nearer everywhere.
-  this->Filter->SetSourceIds({ 40, 41 }, { 1e300, 0.0 });
-  ExpectSuccess(this->Filter);
-  const auto distances = GetDistances(this->Filter);
-  EXPECT_LT(*std::max_element(distances.begin(), distances.end()), 10.0);
-}
-
 TEST_F(DGGDistance, ManySourcesAnywhere)
 {
   Points places;
@@ -184,21 +161,6 @@ TEST_F(DGGDistance, ManySourcesAnywhere)
   watch.StopAt = 2.0;
   ExpectSuccess(this->Filter);
   EXPECT_EQ(GetDistances(this->Filter), expected);
-}
-
-TEST_F(DGGDistance, MemoryOfLocalSearches)
-{
-  ExpectSuccess(this->Filter);
-  const vtkTypeUInt64 before = this->Filter->GetMemorySize();
-  this->Filter->SetMaximumDistance(0.1);
-  ExpectSuccess(this->Filter);
-  EXPECT_GE(this->Filter->GetMemorySize(), before + 56 * this->Terrain->GetNumberOfPoints());
-  this->Filter->SetInputData(MakeTerrain(30));
-  ExpectSuccess(this->Filter);
-  this->Filter->SetMaximumDistance(VTK_DOUBLE_MAX);
-  this->Filter->SetInputData(this->Terrain);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetMemorySize(), before);
 }
 
 TEST_F(DGGDistance, MemoryOfLinks)

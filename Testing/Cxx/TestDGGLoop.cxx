@@ -122,65 +122,6 @@ TEST_F(DGGLoop, AroundAPrism)
   }
 }
 
-TEST_F(DGGLoop, OnTheTorus)
-{
-  this->Filter->SetInputData(this->Torus);
-  const double tube = GetTubeLength(Nu, Nv);
-  this->Filter->SetPointIds({ 0, 5, 33, 207 });
-  ExpectSuccess(this->Filter);
-  const auto kinked = GetLoops(this->Filter);
-  ASSERT_EQ(kinked.size(), 4u);
-  for (const LoopLine& loop : kinked)
-  {
-    EXPECT_GE(loop.Line.Length, tube - 1e-9);
-    EXPECT_LE(loop.Line.Length, 1.02 * tube);
-    EXPECT_EQ(loop.Line.PointIds.front(), this->Filter->GetPointId(loop.Loop));
-    EXPECT_EQ(loop.Kinked, loop.Angle < Pi - 1e-5 ? 1 : 0);
-    ExpectOnSurface(loop.Line, this->Torus);
-    ExpectStraight(loop, this->Torus, false);
-  }
-  this->Filter->TautOn();
-  ExpectSuccess(this->Filter);
-  const auto taut = GetLoops(this->Filter);
-  ASSERT_EQ(taut.size(), 4u);
-  for (const LoopLine& loop : taut)
-  {
-    EXPECT_NEAR(loop.Line.Length, tube, 1e-9);
-    EXPECT_EQ(loop.Angle, Pi);
-    EXPECT_EQ(loop.Kinked, 0);
-    ExpectOnSurface(loop.Line, this->Torus);
-    ExpectStraight(loop, this->Torus);
-  }
-}
-
-/// Around a cone: unrolled, the loop is the chord of a sector.
-TEST_F(DGGLoop, AroundACone)
-{
-  const int sides = 9;
-  const double angle = 0.25; // at the apex, of each side
-  const double sector = sides * angle;
-  auto cone = MakeCone(sides, 6, angle);
-  this->Filter->SetInputData(cone);
-  this->Filter->SetPointIds({ 1 + 4 * sides + 2, 1 + 2 * sides });
-  ExpectSuccess(this->Filter);
-  const auto loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 2u);
-  const double distances[] = { 5.0, 3.0 };
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    EXPECT_NEAR(loops[i].Line.Length, 2.0 * distances[i] * std::sin(0.5 * sector), 1e-9);
-    EXPECT_NEAR(loops[i].Angle, Pi - sector, 1e-9);
-    EXPECT_EQ(loops[i].Kinked, 1);
-    ExpectOnSurface(loops[i].Line, cone);
-    ExpectStraight(loops[i], cone, false);
-  }
-  // Let go, it slips off.
-  this->Filter->TautOn();
-  ExpectWarning(this->Filter, { "through 2 of 2 points", "LoopStatus" });
-  EXPECT_TRUE(GetLoops(this->Filter).empty());
-  EXPECT_EQ(GetLoopStatus(this->Filter), (std::vector<int>{ 1, 1 }));
-}
-
 TEST_F(DGGLoop, Handles)
 {
   this->Filter->SetModeToAroundHandles();
@@ -236,30 +177,6 @@ TEST_F(DGGLoop, NoHandles)
   ASSERT_EQ(listener.Errors.size(), 1u);
   EXPECT_NE(listener.Errors[0].find("more than two triangles"), std::string::npos);
   ExpectEmptyOutput(this->Filter);
-}
-
-/// A ball that touches itself in a point: the only loop cannot be moved.
-TEST_F(DGGLoop, PinnedLoops)
-{
-  // The prism with two caps that share their middle.
-  Points points = this->GetPrismPoints();
-  Cells cells = this->GetPrismCells();
-  const auto middle = static_cast<vtkIdType>(points.size());
-  points.push_back({ { 0.0, 0.0, 0.5 * Rows } });
-  for (vtkIdType i = 0; i < Sides; ++i)
-  {
-    cells.push_back({ middle, i, (i + 1) % Sides });
-    cells.push_back({ middle, Rows * Sides + i, Rows * Sides + (i + 1) % Sides });
-  }
-  this->Filter->SetInputData(MakeSurface(points, cells));
-  this->Filter->SetModeToAroundHandles();
-  Listener listener(this->Filter);
-  this->Filter->Update();
-  EXPECT_TRUE(listener.Errors.empty());
-  ASSERT_FALSE(listener.Warnings.empty());
-  EXPECT_NE(listener.Warnings.back().find("1 of 1 loops around handles"), std::string::npos);
-  EXPECT_TRUE(GetLoops(this->Filter).empty());
-  EXPECT_EQ(GetLoopStatus(this->Filter), std::vector<int>{ 1 });
 }
 
 TEST_F(DGGLoop, Ropes)
@@ -404,55 +321,6 @@ TEST_F(DGGLoop, Tapes)
     EXPECT_TRUE(rim.IsClosed);
     ExpectOnSurface(rim.Line, this->Torus);
   }
-}
-
-/// Some loops are too long for a narrow tape: they stay, and those that are not have theirs.
-TEST_F(DGGLoop, TapesThatAreTooNarrow)
-{
-  this->Filter->SetInputData(this->Torus);
-  this->Filter->SetModeToAroundHandles();
-  ExpectSuccess(this->Filter);
-  const std::vector<LoopLine> loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 2u);
-  const double shorter = std::min(loops[0].Line.Length, loops[1].Line.Length);
-  const double longer = std::max(loops[0].Line.Length, loops[1].Line.Length);
-  ASSERT_LT(shorter, 0.9 * longer);
-  this->Filter->SetTapeWidth(0.5 * shorter / 450.0);
-  ExpectWarning(this->Filter,
-    { "too small for the length of 2 of 2 loops", "no tape along them", "has to be at least " });
-  EXPECT_EQ(GetLoops(this->Filter).size(), 2u);
-  EXPECT_TRUE(GetRims(this->Filter).empty());
-  this->Filter->SetTapeWidth(0.99 * longer / 450.0);
-  ExpectWarning(this->Filter, { "of 1 of 2 loops", "no tape along it" });
-  EXPECT_EQ(GetLoops(this->Filter).size(), 2u);
-  EXPECT_EQ(GetRims(this->Filter).size(), 2u);
-  this->Filter->SetTapeWidth(10.0 * longer);
-  ExpectWarning(this->Filter, { "no point is half as far from 2 of 2 loops", "no curve for them" });
-  EXPECT_EQ(GetLoops(this->Filter).size(), 2u);
-  EXPECT_TRUE(GetRims(this->Filter).empty());
-}
-
-/// A rope held so that its tape reaches the boundary: the rim ends there.
-TEST_F(DGGLoop, TapesEndAtTheBoundary)
-{
-  this->Filter->SetModeToRope();
-  this->Filter->SetPointIds({ 0, 4 * Sides + 2, 4 * Sides + 5 });
-  this->Filter->SetTapeWidth(1.0);
-  ExpectSuccess(this->Filter);
-  int open = 0;
-  const auto rims = GetRims(this->Filter);
-  for (const LoopLine& rim : rims)
-  {
-    ExpectOnSurface(rim.Line, this->Prism);
-    if (!rim.IsClosed)
-    {
-      EXPECT_NEAR(rim.Line.Positions.front()[2], 0.0, 1e-9);
-      EXPECT_NEAR(rim.Line.Positions.back()[2], 0.0, 1e-9);
-      ++open;
-    }
-  }
-  EXPECT_EQ(open, 1);
-  EXPECT_EQ(rims.size(), 2u);
 }
 
 TEST_F(DGGLoop, CoincidentPointsOfTheSurface)

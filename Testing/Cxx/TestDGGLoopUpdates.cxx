@@ -6,14 +6,8 @@
 #include "LoopFixture.h"
 
 #include "vtkFieldData.h"
-#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <sstream>
-#include <utility>
 
 using namespace dggtest;
 
@@ -61,36 +55,6 @@ TEST_F(DGGLoopUpdates, GraphsOfAllConstructions)
     this->Filter->TautOn();
     this->Filter->SetPointIds({ 5, 300 });
     this->Filter->SetPointData(MakeSourcePoints({ { { 1.0, 0.1, 0.4 } } }));
-  }
-}
-
-TEST_F(DGGLoopUpdates, WrongPoints)
-{
-  ExpectError(this->Filter, { "there is no loop point", "AddPointId()", "input port 1" });
-  vtkNew<vtkPolyData> empty;
-  this->Filter->SetPointData(empty);
-  ExpectError(this->Filter, { "there is no loop point", "port 1 has no points" });
-  this->Filter->AddPointId(3 * Sides);
-  ExpectSuccess(this->Filter); // that will do
-  this->Filter->SetPointData(nullptr);
-  this->Filter->AddPointId(63);
-  ExpectError(this->Filter, { "loop point id 63 ", "number 1 of the loop point ids", "[0, 62]" });
-  this->Filter->SetPointIds({ -1 });
-  ExpectError(this->Filter, { "loop point id -1 " });
-  this->Filter->SetPointIds({ 21 });
-  this->Filter->SetPointData(nullptr);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetLoops(this->Filter).size(), 1u);
-}
-
-TEST_F(DGGLoopUpdates, WrongProperties)
-{
-  this->Filter->AddPointId(3 * Sides);
-  for (const double width :
-    { -0.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
-  {
-    this->Filter->SetTapeWidth(width);
-    ExpectError(this->Filter, { "TapeWidth is " });
   }
 }
 

@@ -230,34 +230,6 @@ TEST_F(DGGPath, ClosedForms)
   }
 }
 
-TEST_F(DGGPath, AnyTriangleComplex)
-{
-  // Three fins at one edge, one of them upside down, of which any two are a flat square.
-  auto fins =
-    MakeSurface({ { { 0, 0, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 0 } }, { { 1, 0, 1 } },
-                  { { -1, 1, 0 } }, { { -1, 1, 1 } }, { { -1, -2, 0 } }, { { -1, -2, 1 } } },
-      { { 0, 2, 3 }, { 0, 3, 1 }, { 5, 0, 4 }, { 0, 5, 1 }, { 0, 6, 7 }, { 7, 0, 1 } });
-  this->Filter->SetInputData(fins);
-  AddPairs(this->Filter, { { 2, 5 }, { 3, 6 }, { 4, 7 } });
-  const double widths[] = { 1.0, std::sqrt(2.0), std::sqrt(5.0) };
-  const double expected[] = { std::hypot(1.0, widths[0] + widths[1]),
-    std::hypot(1.0, widths[0] + widths[2]), std::hypot(1.0, widths[1] + widths[2]) };
-  for (const int method : { vtkDGGPath::Graph, vtkDGGPath::Exact })
-  {
-    this->Filter->SetMethod(method);
-    const Listener listener(this->Filter); // it warns of the edge once
-    this->Filter->Update();
-    EXPECT_EQ(listener.Errors, std::vector<std::string>());
-    const auto paths = GetPaths(this->Filter);
-    ASSERT_EQ(paths.size(), 3u);
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      EXPECT_NEAR(paths[i].Length, expected[i], 1e-9) << i;
-      ExpectOnSurface(paths[i], fins);
-    }
-  }
-}
-
 TEST_F(DGGPath, FaceIdsAreCellsOfTheInput)
 {
   // Verts and lines come before polygons, and strips after them. A walk along y = 0.25.

@@ -7,14 +7,8 @@
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -111,60 +105,6 @@ TEST_F(DGGPathUpdates, GraphsOfAllConstructions)
       EXPECT_LE(paths[i].Length, paths[i].GraphLength * (1.0 + 1e-9));
     }
   }
-}
-
-TEST_F(DGGPathUpdates, WrongPairs)
-{
-  ExpectError(this->Filter, { "there is no pair", "AddPair()", "input port 1" });
-  vtkNew<vtkPolyData> empty;
-  this->Filter->SetPairData(empty);
-  ExpectError(this->Filter, { "there is no pair", "port 1 is empty" });
-  this->Filter->AddPair(0, 5);
-  ExpectSuccess(this->Filter); // that will do
-  this->Filter->SetPairData(MakeSourcePoints({ { { 0, 0, 0 } }, { { 1, 1, 0 } } }));
-  ExpectError(this->Filter, { "port 1 has points but no lines", "by a line" });
-  this->Filter->SetPairData(nullptr);
-  this->Filter->AddPair(3, 400);
-  ExpectError(this->Filter, { "path end id 400 ", "number 3 of the path end ids", "[0, 399]" });
-  this->Filter->RemoveAllPairs();
-  this->Filter->AddPair(-1, 3);
-  ExpectError(this->Filter, { "path end id -1 " });
-  this->Filter->RemoveAllPairs();
-  auto lines = MakePairs({ { { 0.5, 0.5, 0.0 } }, { { 0.5, 0.6, 0.0 } } });
-  lines->SetLines(MakeCells({ { 0, 1 }, { 1, 7 } }));
-  this->Filter->SetPairData(lines);
-  ExpectError(this->Filter, { "line 1 of input port 1 names point 7", "there are 2" });
-  lines->SetLines(MakeCells({ { 0, 1 }, {} }));
-  lines->Modified();
-  ExpectError(this->Filter, { "line 1 of input port 1 has no points" });
-  vtkNew<vtkIdTypeArray> offsets;
-  vtkNew<vtkIdTypeArray> connectivity;
-  for (const vtkIdType value : { 0, 1 })
-  {
-    offsets->InsertNextValue(100000000 * value);
-    connectivity->InsertNextValue(value);
-  }
-  vtkNew<vtkCellArray> broken;
-  broken->SetData(offsets, connectivity);
-  lines->SetLines(broken);
-  lines->Modified();
-  ExpectError(this->Filter, { "lines of input port 1 contradict each other" });
-  this->Filter->SetPairData(nullptr);
-  this->Filter->AddPair(0, 5);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetPaths(this->Filter).size(), 1u);
-}
-
-TEST_F(DGGPathUpdates, WrongProperties)
-{
-  this->Filter->AddPair(0, 5);
-  this->Filter->SetDetour(std::nan(""));
-  ExpectError(this->Filter, { "Detour" });
-  this->Filter->SetDetour(1e-3);
-  this->Filter->SetMemoryLimit(10000);
-  ExpectError(this->Filter, { "the graph would take" });
-  this->Filter->SetMethodToExact(); // needs none
-  ExpectSuccess(this->Filter);
 }
 
 /// Also where the thread that waits for the others has no propagation of its own.

@@ -4,13 +4,11 @@
 /// The filter that builds a graph: what it puts out, when it builds, what it refuses.
 #include "GraphTestTools.h"
 
-#include "vtkDGGDistance.h"
 #include "vtkDiscreteGeodesicGraph.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkElevationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -22,9 +20,7 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <set>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -47,54 +43,6 @@ protected:
   vtkSmartPointer<vtkPolyData> Terrain = MakeTerrain(20);
   vtkNew<vtkDiscreteGeodesicGraph> Filter;
 };
-}
-
-TEST_F(DiscreteGeodesicGraph, Defaults)
-{
-  vtkNew<vtkDiscreteGeodesicGraph> filter;
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 1);
-  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
-  EXPECT_EQ(filter->GetAccuracy(), 0.01);
-  EXPECT_EQ(filter->GetConstruction(), vtkDiscreteGeodesicGraph::Guaranteed);
-  EXPECT_STREQ(filter->GetConstructionAsString(), "Guaranteed");
-  EXPECT_EQ(filter->GetNumberOfNeighbors(), 30);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0);
-  EXPECT_FALSE(filter->GetGenerateGraphLines());
-  EXPECT_FALSE(filter->GetMergeCoincidentPoints());
-  EXPECT_EQ(filter->GetNumberOfGraphEdges(), 0);
-  EXPECT_EQ(filter->GetMeanDegree(), 0.0);
-  EXPECT_EQ(filter->GetMemorySize(), 0u);
-  EXPECT_EQ(filter->GetEstimatedMemory(), 0u);
-  EXPECT_EQ(filter->GetGraphBuildTime(), 0u);
-  EXPECT_EQ(filter->GetMeshReport(), "no surface\n");
-}
-
-TEST_F(DiscreteGeodesicGraph, EveryPropertyCountsAsAChange)
-{
-  vtkMTimeType before = this->Filter->GetMTime();
-  auto expectChange = [&](const char* what) {
-    EXPECT_GT(this->Filter->GetMTime(), before) << what;
-    before = this->Filter->GetMTime();
-  };
-  this->Filter->SetAccuracy(0.2);
-  expectChange("Accuracy");
-  this->Filter->SetConstructionToOneRelay();
-  expectChange("Construction");
-  EXPECT_STREQ(this->Filter->GetConstructionAsString(), "OneRelay");
-  this->Filter->SetConstructionToIndirect();
-  expectChange("Construction");
-  EXPECT_STREQ(this->Filter->GetConstructionAsString(), "Indirect");
-  this->Filter->SetConstructionToSaddleVertexGraph();
-  expectChange("Construction");
-  EXPECT_STREQ(this->Filter->GetConstructionAsString(), "SaddleVertexGraph");
-  this->Filter->SetNumberOfNeighbors(7);
-  expectChange("NumberOfNeighbors");
-  this->Filter->SetMemoryLimit(1000);
-  expectChange("MemoryLimit");
-  this->Filter->GenerateGraphLinesOn();
-  expectChange("GenerateGraphLines");
-  this->Filter->MergeCoincidentPointsOn();
-  expectChange("MergeCoincidentPoints");
 }
 
 TEST_F(DiscreteGeodesicGraph, ArraysAreAsDocumented)
@@ -176,28 +124,6 @@ TEST_F(DiscreteGeodesicGraph, LengthsAreDoublesForHighAccuracy)
   EXPECT_EQ(GetFieldArray(this->Filter->GetOutput(), "DGG.Lengths")->GetDataType(), VTK_DOUBLE);
   EXPECT_EQ(this->Filter->GetMemorySize(),
     static_cast<vtkTypeUInt64>(20 * this->Filter->GetNumberOfGraphEdges() + 8 * 37));
-}
-
-TEST_F(DiscreteGeodesicGraph, PassesEverythingThrough)
-{
-  vtkNew<vtkFloatArray> height;
-  height->SetName("Height");
-  height->SetNumberOfTuples(this->Terrain->GetNumberOfPoints());
-  height->Fill(4.0);
-  this->Terrain->GetPointData()->SetScalars(height);
-  vtkNew<vtkFloatArray> field;
-  field->SetName("Field");
-  field->InsertNextValue(9);
-  this->Terrain->GetFieldData()->AddArray(field);
-  ExpectSuccess(this->Filter);
-  vtkPolyData* output = this->Filter->GetOutput();
-  EXPECT_EQ(output->GetPoints(), this->Terrain->GetPoints());
-  EXPECT_EQ(output->GetPolys(), this->Terrain->GetPolys());
-  EXPECT_EQ(output->GetPointData()->GetScalars(), height.Get());
-  EXPECT_EQ(output->GetFieldData()->GetArray("Field"), field.Get());
-  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 7);
-  // The input has not changed.
-  EXPECT_EQ(this->Terrain->GetFieldData()->GetNumberOfArrays(), 1);
 }
 
 TEST_F(DiscreteGeodesicGraph, GraphLines)
@@ -364,78 +290,6 @@ TEST_F(DiscreteGeodesicGraph, EstimatesReportWhatIsWrong)
   EXPECT_NE(listener.Errors[0].find("there is no input"), std::string::npos);
 }
 
-TEST_F(DiscreteGeodesicGraph, RefusesWhatTakesTooMuchMemory)
-{
-  this->Filter->SetAccuracy(0.001);
-  this->Filter->SetMemoryLimit(100000);
-  ExpectError(this->Filter,
-    { "the graph would take about", "more than the limit of 97.66 KiB", "larger Accuracy", "0.001",
-      "higher MemoryLimit" });
-  EXPECT_GT(this->Filter->GetEstimatedPeakMemory(), 100000u);
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), 0u);
-  this->Filter->SetConstructionToSaddleVertexGraph();
-  ExpectError(this->Filter, { "smaller NumberOfNeighbors", "30" });
-  this->Filter->SetMemoryLimit(vtkTypeInt64(1) << 40);
-  ExpectSuccess(this->Filter);
-}
-
-TEST_F(DiscreteGeodesicGraph, AccuracyOutOfRange)
-{
-  const double NaN = std::numeric_limits<double>::quiet_NaN();
-  for (const double accuracy : { 0.0, -0.1, 9e-7, 0.51, 1.0, 1e300, NaN })
-  {
-    this->Filter->SetAccuracy(accuracy);
-    ExpectError(this->Filter, { "ccuracy", "1e-06", "0.5" });
-  }
-  this->Filter->SetAccuracy(0.5);
-  ExpectSuccess(this->Filter);
-  this->Filter->SetInputData(MakeTerrain(5));
-  this->Filter->SetAccuracy(1e-6);
-  ExpectSuccess(this->Filter);
-}
-
-TEST_F(DiscreteGeodesicGraph, NumberOfNeighborsOutOfRange)
-{
-  this->Filter->SetConstructionToSaddleVertexGraph();
-  for (const int number : { 0, -1 })
-  {
-    this->Filter->SetNumberOfNeighbors(number);
-    ExpectError(this->Filter, { "eighbo" });
-  }
-  this->Filter->SetNumberOfNeighbors(1);
-  ExpectSuccess(this->Filter);
-  this->Filter->SetNumberOfNeighbors(1000000); // more than there are
-  this->Filter->SetInputData(MakeTerrain(6));
-  ExpectSuccess(this->Filter);
-}
-
-TEST_F(DiscreteGeodesicGraph, WrongSurfaces)
-{
-  ExpectSuccess(this->Filter);
-  const auto expected = GetGraphBytes(this->Filter->GetOutput());
-  this->Filter->SetInputConnection(nullptr);
-  ExpectError(this->Filter, { "there is no input" });
-  this->Filter->SetInputData(MakeSourcePoints({ { { 0, 0, 0 } }, { { 1, 0, 0 } } }));
-  ExpectError(this->Filter, { "no polygons" });
-  auto broken = MakeTerrain(5);
-  broken->GetPoints()->SetPoint(7, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
-  this->Filter->SetInputData(broken);
-  ExpectError(this->Filter, { "point 7 of cell", "not finite" });
-  this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
-  ExpectWarning(this->Filter, { "input is empty" });
-  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
-  ExpectEmptyOutput(this->Filter);
-  this->Filter->SetInputData(this->Terrain);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), expected);
-  {
-    const Listener listener(this->Filter);
-    this->Filter->UpdatePiece(0, 2, 0);
-    ASSERT_EQ(listener.Errors.size(), 1u);
-    EXPECT_NE(listener.Errors[0].find("one of 2 pieces"), std::string::npos);
-  }
-}
-
 TEST_F(DiscreteGeodesicGraph, APieceOfTheLinesIsRefusedAsWell)
 {
   vtkNew<vtkSphereSource> sphere;
@@ -570,55 +424,4 @@ TEST_F(DiscreteGeodesicGraph, PointsWithoutPolygonsHaveEmptyRows)
   ASSERT_EQ(offsets->GetNumberOfTuples(), 403);
   EXPECT_LT(offsets->GetComponent(399, 0), offsets->GetComponent(400, 0));
   EXPECT_EQ(offsets->GetComponent(400, 0), offsets->GetComponent(402, 0));
-}
-
-TEST_F(DiscreteGeodesicGraph, IsTheSameForAnyThreads)
-{
-  this->Filter->SetInputData(MakeTerrain(45));
-  this->Filter->SetAccuracy(0.02);
-  ExpectSuccess(this->Filter);
-  const auto expected = GetGraphBytes(this->Filter->GetOutput());
-  ForEachThreading([&](const std::string& threading) {
-    vtkNew<vtkDiscreteGeodesicGraph> filter;
-    filter->SetInputData(this->Filter->GetInput());
-    filter->SetAccuracy(0.02);
-    ExpectSuccess(filter);
-    EXPECT_EQ(GetGraphBytes(filter->GetOutput()), expected) << threading;
-  });
-}
-
-TEST_F(DiscreteGeodesicGraph, ProgressAndAbort)
-{
-  this->Filter->SetInputData(MakeTerrain(90));
-  this->Filter->SetAccuracy(0.001);
-  ProgressWatch watch(this->Filter);
-  ExpectSuccess(this->Filter);
-  watch.ExpectGrowth(1);
-  const auto expected = GetGraphBytes(this->Filter->GetOutput());
-  for (const double stop : { 0.05, 0.11 })
-  {
-    watch.StopAt = stop;
-    this->Filter->SetAccuracy(0.0011);
-    ExpectSuccess(this->Filter); // not an error
-    ExpectEmptyOutput(this->Filter);
-    EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
-    watch.StopAt = 2.0;
-    this->Filter->SetAccuracy(0.001);
-    ExpectSuccess(this->Filter);
-    EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), expected);
-  }
-}
-
-TEST_F(DiscreteGeodesicGraph, PrintSelf)
-{
-  ExpectSuccess(this->Filter);
-  std::ostringstream os;
-  this->Filter->Print(os);
-  for (const char* text : { "Accuracy: 0.05\n", "Construction: Guaranteed\n",
-         "NumberOfNeighbors: 30\n", "MemoryLimit: 0\n", "GenerateGraphLines: Off\n",
-         "NumberOfGraphEdges: ", "MeanDegree: ", "MemorySize: ", "GraphBuildTime: ",
-         "EstimatedMemory: ", "MergeCoincidentPoints: Off\n", "    triangles: 722\n" })
-  {
-    EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
-  }
 }

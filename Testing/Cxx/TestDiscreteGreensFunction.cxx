@@ -9,7 +9,6 @@
 #include "vtkDiscreteGreensFunction.h"
 
 #include "vtkIntArray.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 using namespace dggtest;
 
@@ -184,7 +182,7 @@ TEST(DiscreteGreensFunction, ZeroOnADirichletBoundary)
 TEST(DiscreteGreensFunction, NothingReachesOtherParts)
 {
   auto sphere = MakeSphere(3);
-  auto pair = MakePair(sphere, MakeGrid(20, 20), 5.0);
+  auto pair = Beside(sphere, MakeGrid(20, 20), 5.0);
   pair->GetPoints()->InsertNextPoint(50.0, 0.0, 0.0); // no polygon uses it
   Fixture parts(pair);
   const vtkIdType n = sphere->GetNumberOfPoints();
@@ -245,92 +243,6 @@ TEST(DiscreteGreensFunction, SignAndValueAtTheSource)
   EXPECT_NEAR(sphere.Values()[300], -positive[300], 5e-3);
 }
 
-TEST(DiscreteGreensFunction, BiLaplacianOnTheSphere)
-{
-  // 1 / (4 pi) at the source, (1 - pi^2 / 6) / (4 pi) opposite to it, anywhere on the surface.
-  Fixture fixture(MakeSphere(4));
-  const double top = 1.0 / (4.0 * vtkMath::Pi());
-  const double bottom = (1.0 - vtkMath::Pi() * vtkMath::Pi() / 6.0) * top;
-  const auto place = PointInCell(fixture.Surface, 70, { { 0.2, 0.3, 0.5 } });
-  fixture.Filter->SetSourceIds({ 33 });
-  fixture.Filter->SetSourceData(MakeSourcePoints({ place }));
-  fixture.Filter->SetEvaluationData(
-    MakeSourcePoints({ place, { { -place[0], -place[1], -place[2] } } }));
-  EXPECT_EQ(fixture.Filter->GetOrder(), vtkDiscreteGreensFunction::Laplace);
-  fixture.Filter->SetOrderToBiLaplace();
-  EXPECT_STREQ(fixture.Filter->GetOrderAsString(), "BiLaplace");
-  for (const int method :
-    { vtkDiscreteGreensFunction::SingularitySubtraction, vtkDiscreteGreensFunction::Interpolated })
-  {
-    fixture.Filter->SetMethod(method);
-    ExpectSuccess(fixture.Filter);
-    const bool isExact = method == vtkDiscreteGreensFunction::SingularitySubtraction;
-    const double tolerance = isExact ? 1e-4 : 8e-4;
-    EXPECT_EQ(fixture.Filter->GetUsedMethod(0), method);
-    EXPECT_NEAR(fixture.Values()[33], top, tolerance);
-    EXPECT_NEAR(fixture.Evaluated(1)[0], top, tolerance);
-    EXPECT_NEAR(fixture.Evaluated(1)[1], bottom, 1e-4);
-    const auto areas = GetPointAreas(fixture.Surface);
-    const auto values = fixture.Values(1);
-    EXPECT_NEAR(std::inner_product(areas.begin(), areas.end(), values.begin(), 0.0), 0.0, 1e-12);
-  }
-  // Neither the sign nor the value at the source play a part. Interpolated columns are near.
-  const auto expected = fixture.Values(1);
-  fixture.Filter->SetSignConventionToNegativeAtSource();
-  fixture.Filter->SetPoleValueToInfinite();
-  ExpectSuccess(fixture.Filter);
-  EXPECT_EQ(fixture.Values(1), expected);
-  fixture.Filter->SetMethodToSingularitySubtraction();
-  fixture.Filter->InterpolateRegularPartOn();
-  ExpectSuccess(fixture.Filter);
-  EXPECT_EQ(fixture.Filter->GetNumberOfColumns(), 4);
-  EXPECT_NEAR(fixture.Evaluated(1)[0], top, 3e-4);
-  fixture.Filter->SetOrder(7);
-  EXPECT_EQ(fixture.Filter->GetOrder(), vtkDiscreteGreensFunction::BiLaplace);
-}
-
-TEST(DiscreteGreensFunction, InterpolatedRegularParts)
-{
-  Fixture sphere(MakeSphere(4));
-  Points places;
-  for (const double b : { 0.2, 0.4, 0.6 })
-  {
-    places.push_back(PointInCell(sphere.Surface, 1234, { b, 0.25, 0.75 - b }));
-  }
-  sphere.Filter->SetSourceData(MakeSourcePoints(places));
-  ExpectSuccess(sphere.Filter);
-  std::vector<double> solved[3] = { sphere.Values(0), sphere.Values(1), sphere.Values(2) };
-  EXPECT_EQ(sphere.Filter->GetNumberOfColumns(), 0);
-  sphere.Filter->InterpolateRegularPartOn();
-  ExpectSuccess(sphere.Filter);
-  EXPECT_EQ(sphere.Filter->GetNumberOfColumns(), 3);
-  for (int k = 0; k < 3; ++k)
-  {
-    const double error = ErrorOnSphere(sphere.Surface, sphere.Values(k), places[k], 0.25);
-    EXPECT_LT(error, 4e-3) << k;
-    EXPECT_GT(error, ErrorOnSphere(sphere.Surface, solved[k], places[k], 0.25)) << k;
-  }
-  const std::vector<double> first = sphere.Values(0);
-  // Columns are kept: for the next update, but not for another surface or other weights.
-  sphere.Filter->Modified();
-  ExpectSuccess(sphere.Filter);
-  EXPECT_EQ(sphere.Filter->GetNumberOfColumns(), 3);
-  EXPECT_EQ(sphere.Values(0), first);
-  EXPECT_EQ(sphere.Filter->GetNumberOfFactorizations(), 1);
-  sphere.Filter->SetWeightingToUniform();
-  ExpectSuccess(sphere.Filter);
-  EXPECT_EQ(sphere.Filter->GetNumberOfColumns(), 6);
-  EXPECT_EQ(sphere.Filter->GetNumberOfFactorizations(), 1);
-  const std::vector<double> uniform = sphere.Values(0);
-  EXPECT_NE(uniform, first);
-  Fixture fresh(sphere.Surface);
-  fresh.Filter->SetSourceData(MakeSourcePoints(places));
-  fresh.Filter->InterpolateRegularPartOn();
-  fresh.Filter->SetWeightingToUniform();
-  ExpectSuccess(fresh.Filter);
-  EXPECT_EQ(fresh.Values(0), uniform);
-}
-
 TEST(DiscreteGreensFunction, OneFactorizationForAllSources)
 {
   Fixture terrain(MakeTerrain(25));
@@ -366,32 +278,11 @@ TEST(DiscreteGreensFunction, OneFactorizationForAllSources)
   expectFactorizations(1);
 }
 
-TEST(DiscreteGreensFunction, ThreadsChangeNothing)
-{
-  std::vector<double> expected;
-  ForEachThreading([&](const std::string& threads) {
-    Fixture terrain(MakeTerrain(16));
-    for (vtkIdType id = 40; id < 90; ++id)
-    {
-      terrain.Filter->AddSourceId(id);
-    }
-    ExpectSuccess(terrain.Filter);
-    std::vector<double> all;
-    for (int source = 0; source < 50; ++source)
-    {
-      const std::vector<double> values = terrain.Values(source);
-      all.insert(all.end(), values.begin(), values.end());
-    }
-    expected = expected.empty() ? all : expected;
-    EXPECT_EQ(all, expected) << threads;
-  });
-}
-
 TEST(DiscreteGreensFunction, SeamsCanBeClosed)
 {
   // Two halves of a grid that share no point.
   auto half = MakeGrid(6, 12);
-  auto halves = MakePair(half, half, 6.0);
+  auto halves = Beside(half, half, 6.0);
   Fixture grid(halves);
   grid.Filter->SetSourceIds({ 30 });
   grid.Filter->SetMethodToVertex();
@@ -405,4 +296,40 @@ TEST(DiscreteGreensFunction, SeamsCanBeClosed)
     EXPECT_NE(values[n + 7 * row], 0.0);
   }
   EXPECT_NE(values[n + 10], 0.0);
+}
+
+TEST(DiscreteGreensFunction, MemoryLimitCountsTheResults)
+{
+  Fixture terrain(MakeTerrain(20));
+  terrain.Filter->AddSourceId(45);
+  terrain.Filter->SetMemoryLimit(3000000);
+  ExpectSuccess(terrain.Filter);
+  for (int k = 0; k < 2000; ++k)
+  {
+    terrain.Filter->AddSourceId(k % 400);
+  }
+  ExpectError(terrain.Filter, { "MemoryLimit", "fewer sources" });
+}
+
+TEST(DiscreteGreensFunction, WarnsWhereAMethodCannotBeUsed)
+{
+  Fixture sphere(MakeSphere(0));
+  sphere.Filter->SetSourceIds({ 3, 4 });
+  ExpectWarning(sphere.Filter, { "2 of the 2 sources", "too coarse" });
+  EXPECT_EQ(sphere.Filter->GetUsedMethod(0), vtkDiscreteGreensFunction::Interpolated);
+  EXPECT_EQ(sphere.Filter->GetUsedRadius(0), 0.0);
+  // Ridges need neither another method nor a warning at each of many sources.
+  Fixture terrain(MakeTerrain(16));
+  int near = 0;
+  for (vtkIdType id = 45; id < 95; ++id)
+  {
+    terrain.Filter->AddSourceId(id);
+  }
+  ExpectSuccess(terrain.Filter);
+  for (int source = 0; source < 50; ++source)
+  {
+    near += terrain.Filter->IsNearRidge(source) ? 1 : 0;
+  }
+  EXPECT_GT(near, 0);
+  EXPECT_LT(near, 50);
 }

@@ -228,52 +228,6 @@ TYPED_TEST(DistanceArrays, UnreachedPointsOfAnyDistanceFilter)
   }
 }
 
-/// Upper bounds may be read in place of the distances.
-TYPED_TEST(DistanceArrays, UnreachedPointsOfUpperBounds)
-{
-  vtkNew<vtkDGGDistance> graph;
-  graph->SetInputData(MakeGrid(8, 8));
-  graph->AddSourceId(40);
-  graph->SetMaximumDistance(3.2);
-  graph->GenerateUpperBoundOn();
-  auto* filter = this->Filter.Get();
-  filter->SetInputConnection(graph->GetOutputPort());
-  filter->SetDistanceArrayName("GeodesicUpperBound");
-  ExpectSuccess(filter);
-  const std::string expected = Describe(filter);
-  for (const double value : { -1.0, 0.0 })
-  {
-    graph->SetUnreachedValue(value);
-    ExpectSuccess(filter);
-    EXPECT_EQ(Describe(filter), expected) << value;
-  }
-  // What the input has of them goes with the array that is replaced.
-  vtkNew<vtkDGGDistance> again;
-  again->SetInputConnection(graph->GetOutputPort());
-  again->AddSourceId(40);
-  again->GenerateUpperBoundOn();
-  again->Update();
-  EXPECT_EQ(again->GetOutput()->GetPointData()->GetArray("GeodesicUpperBound.Unreached"), nullptr);
-}
-
-TYPED_TEST(DistanceArrays, UnreachedPointsOfCoincidentOnes)
-{
-  // A square and what is around two of its sides, which they share by coordinates only.
-  auto surface = MakeSurface(
-    { { { 0, 0, 0 } }, { { 4, 0, 0 } }, { { 4, 4, 0 } }, { { 0, 4, 0 } }, { { 4, 0, 0 } },
-      { { 8, 0, 0 } }, { { 8, 8, 0 } }, { { 0, 8, 0 } }, { { 0, 4, 0 } }, { { 4, 4, 0 } } },
-    { { 0, 1, 2, 3 }, { 4, 5, 6, 7, 8, 9 } });
-  this->Distance->SetInputData(surface);
-  this->Distance->SetSourceIds({ 0 });
-  this->Distance->SetMaximumDistance(6.0);
-  this->Distance->MergeCoincidentPointsOn();
-  this->Filter->MergeCoincidentPointsOn();
-  const std::string expected = this->GetExpected();
-  this->Distance->SetUnreachedValue(4.0);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(Describe(this->Filter), expected);
-}
-
 TYPED_TEST(DistanceArrays, UnreachedValueIsAProperty)
 {
   auto* filter = this->Filter.Get();
@@ -369,32 +323,4 @@ TEST(GeodesicProbeArrays, ProbePointsMayHaveDistances)
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->GetComponent(41, 0), 1.0);
   EXPECT_TRUE(std::isnan(found->GetComponent(0, 0)));
-}
-
-/// Voronoi diagrams mark what no site reaches, as distance filters do.
-TYPED_TEST(DistanceArrays, UnreachedPointsOfVoronoiDiagrams)
-{
-  // Two halves that do not hang together.
-  vtkNew<vtkAppendPolyData> both;
-  both->AddInputData(MakeGrid(4, 8));
-  auto other = MakeGrid(4, 8);
-  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    other->GetPoint(i, p);
-    other->GetPoints()->SetPoint(i, p[0] + 4.05, p[1], p[2]);
-  }
-  both->AddInputData(other);
-  vtkNew<vtkGeodesicVoronoi> voronoi;
-  voronoi->SetInputConnection(both->GetOutputPort());
-  voronoi->SetSiteIds({ 0, 21 });
-  this->Filter->SetInputConnection(voronoi->GetOutputPort());
-  ExpectSuccess(this->Filter);
-  const std::string expected = Describe(this->Filter);
-  for (const double value : { -1.0, 0.0 })
-  {
-    voronoi->SetUnreachedValue(value);
-    ExpectSuccess(this->Filter);
-    EXPECT_EQ(Describe(this->Filter), expected) << value;
-  }
 }

@@ -13,9 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -41,39 +39,6 @@ TEST(ExactGeodesicDistance, TakesIdsInBraces)
   EXPECT_EQ(filter->GetSourceId(0), 0);
   filter->SetSourceIds({ 3, 5 });
   EXPECT_EQ(filter->GetNumberOfSourceIds(), 2);
-}
-
-TEST(ExactGeodesicDistance, EngineProperty)
-{
-  vtkNew<vtkExactGeodesicDistance> filter;
-  EXPECT_EQ(filter->GetEngine(), vtkExactGeodesicDistance::Triangle);
-  filter->SetEngineToReference();
-  EXPECT_EQ(filter->GetEngine(), vtkExactGeodesicDistance::Reference);
-  filter->SetEngineToTriangle();
-  EXPECT_EQ(filter->GetEngine(), vtkExactGeodesicDistance::Triangle);
-  filter->SetEngine(77);
-  EXPECT_EQ(filter->GetEngine(), vtkExactGeodesicDistance::Triangle);
-  filter->SetEngine(-1);
-  EXPECT_EQ(filter->GetEngine(), vtkExactGeodesicDistance::Reference);
-}
-
-TEST(ExactGeodesicDistance, MemoryLimitOfWindows)
-{
-  vtkNew<vtkExactGeodesicDistance> filter;
-  EXPECT_EQ(filter->GetMemoryLimit(), 0);
-  filter->SetInputData(MakeGrid(30, 30));
-  filter->AddSourceId(0);
-  filter->SetMemoryLimit(20000);
-  ExpectSuccess(filter); // no windows
-  filter->GenerateWindowsOn();
-  ExpectError(filter, { "MemoryLimit, 20000 bytes", "MaximumDistance", "GenerateWindows off" });
-  filter->SetMemoryLimit(0);
-  ExpectSuccess(filter);
-  EXPECT_TRUE(filter->GetOutput()->GetFieldData()->HasArray("GeodesicDistance.Windows"));
-  filter->SetMemoryLimit(7);
-  std::ostringstream os;
-  filter->Print(os);
-  EXPECT_NE(os.str().find("MemoryLimit: 7\n"), std::string::npos);
 }
 
 TEST(ExactGeodesicDistance, Cube)

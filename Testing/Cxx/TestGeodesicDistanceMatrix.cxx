@@ -16,9 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 using namespace dggtest;
@@ -106,22 +104,6 @@ protected:
 };
 }
 
-TEST_F(GeodesicDistanceMatrix, Defaults)
-{
-  vtkNew<vtkGeodesicDistanceMatrix> filter;
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 3);
-  EXPECT_EQ(filter->GetNumberOfRowIds(), 0);
-  EXPECT_EQ(filter->GetNumberOfColumnIds(), 0);
-  EXPECT_EQ(filter->GetAccuracy(), 0.01);
-  EXPECT_EQ(filter->GetProjectionTolerance(), 0.01);
-  EXPECT_EQ(filter->GetMaximumDistance(), VTK_DOUBLE_MAX);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0);
-  EXPECT_TRUE(std::isnan(filter->GetUnreachedValue()));
-  EXPECT_FALSE(filter->GetUsedInputGraph());
-  ASSERT_NE(filter->GetMatrix(), nullptr);
-  EXPECT_EQ(filter->GetMatrix()->GetNumberOfTuples(), 0);
-}
-
 TEST_F(GeodesicDistanceMatrix, IsThatOfTheGraph)
 {
   const std::vector<vtkIdType> rows = { 5, 399, 17, 220, 5 };
@@ -206,32 +188,6 @@ TEST_F(GeodesicDistanceMatrix, EndsAtTheMaximumDistance)
   }
 }
 
-TEST_F(GeodesicDistanceMatrix, OfOneSetIsAMetric)
-{
-  std::vector<vtkIdType> ids;
-  for (vtkIdType id = 0; id < 400; id += 7)
-  {
-    ids.push_back(id);
-  }
-  this->Filter->SetRowIds(ids);
-  ExpectSuccess(this->Filter);
-  const Rows matrix = GetRows(this->Filter);
-  ASSERT_EQ(matrix.size(), ids.size());
-  EXPECT_EQ(matrix, Transpose(matrix)); // bit by bit
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    EXPECT_EQ(matrix[i][i], 0.0);
-    for (std::size_t j = 0; j < ids.size(); ++j)
-    {
-      EXPECT_EQ(matrix[i][j] > 0.0, i != j);
-      for (std::size_t k = 0; k < ids.size(); ++k)
-      {
-        EXPECT_LE(matrix[i][j], (matrix[i][k] + matrix[k][j]) * (1.0 + 1e-12));
-      }
-    }
-  }
-}
-
 TEST_F(GeodesicDistanceMatrix, PlacesAnywhere)
 {
   this->Filter->SetInputData(MakeGrid(8, 8));
@@ -287,37 +243,6 @@ TEST_F(GeodesicDistanceMatrix, IdsComeBeforePlaces)
   }
 }
 
-TEST_F(GeodesicDistanceMatrix, SearchesFromTheSmallerSet)
-{
-  // Many more rows than columns, and the other way round, of all kinds of points.
-  this->Filter->SetInputData(MakeGrid(8, 8));
-  std::vector<vtkIdType> all;
-  for (vtkIdType id = 0; id < 81; ++id)
-  {
-    all.push_back(id);
-  }
-  this->Filter->SetRowIds(all);
-  this->Filter->SetColumnIds({ 0 });
-  this->Filter->SetColumnData(MakeSourcePoints({ GetPlaces()[0] }));
-  ExpectSuccess(this->Filter);
-  const Rows tall = GetRows(this->Filter);
-  ASSERT_EQ(tall.size(), 81u);
-  ASSERT_EQ(tall[0].size(), 2u);
-  this->Filter->SetRowIds({ 0 });
-  this->Filter->SetRowData(MakeSourcePoints({ GetPlaces()[0] }));
-  this->Filter->SetColumnIds(all);
-  this->Filter->SetColumnData(nullptr);
-  ExpectSuccess(this->Filter);
-  const Rows wide = Transpose(GetRows(this->Filter));
-  EXPECT_EQ(wide, tall);
-  for (vtkIdType id = 0; id < 81; ++id)
-  {
-    const double exact = std::hypot(id % 9, id / 9);
-    EXPECT_GE(tall[id][0], exact * (1.0 - 1e-9));
-    EXPECT_LE(tall[id][0], exact * 1.05 * (1.0 + 1e-6));
-  }
-}
-
 TEST_F(GeodesicDistanceMatrix, PairsThatAreNotConnected)
 {
   auto surface = MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 5, 0, 0 } },
@@ -338,29 +263,6 @@ TEST_F(GeodesicDistanceMatrix, PairsThatAreNotConnected)
   this->Filter->SetRowIds({ 1 });
   this->Filter->SetColumnIds({ 6, 0, 6 });
   ExpectWarning(this->Filter, { "column id 6 and 1 more are points that no polygon uses" });
-}
-
-TEST_F(GeodesicDistanceMatrix, TakesTheGraphOnItsInputOrBuildsOnce)
-{
-  this->Filter->SetRowIds({ 0, 399 });
-  ExpectSuccess(this->Filter);
-  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
-  EXPECT_GT(built, 0u);
-  EXPECT_FALSE(this->Filter->GetUsedInputGraph());
-  const Rows expected = GetRows(this->Filter);
-  this->Filter->SetRowIds({ 0, 399, 7 });
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
-  EXPECT_EQ(GetRows(this->Filter).size(), 3u);
-  this->Filter->SetRowIds({ 0, 399 });
-  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain, 0.05));
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.05);
-  EXPECT_EQ(GetRows(this->Filter), expected);
-  this->Filter->SetAccuracy(0.01);
-  ExpectWarning(this->Filter, { "Accuracy 0.01 is asked for" });
 }
 
 TEST_F(GeodesicDistanceMatrix, TheMatrixIsWhatWasComputed)
@@ -488,54 +390,10 @@ TEST_F(GeodesicDistanceMatrix, CompressedRowsAreThePairsWithinTheDistance)
   ExpectError(this->Filter, { "the rows found so far", "fewer rows", "MemoryLimit" });
 }
 
-TEST_F(GeodesicDistanceMatrix, ReportsTheGraph)
+TEST_F(GeodesicDistanceMatrix, MemoryLimitCountsTheTable)
 {
-  EXPECT_FALSE(this->Filter->GetGraphIsGuaranteed());
-  EXPECT_EQ(this->Filter->GetMemorySize(), 0u);
-  this->Filter->SetRowIds({ 0, 1 });
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetGraphIsGuaranteed());
-  EXPECT_GE(this->Filter->GetMemorySize(),
-    static_cast<vtkTypeUInt64>(16 * this->Filter->GetNumberOfGraphEdges()));
-}
-
-TEST_F(GeodesicDistanceMatrix, WrongInputs)
-{
-  ExpectError(this->Filter, { "there is no row", "SetRowIds()", "port 1" });
-  EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfTuples(), 0);
-  this->Filter->SetRowIds({ 0, 400 });
-  ExpectError(this->Filter, { "row id 400 ", "number 1 of the row ids", "[0, 399]" });
   this->Filter->SetRowIds({ 0 });
-  this->Filter->SetColumnIds({ -1 });
-  ExpectError(this->Filter, { "column id -1 " });
-  this->Filter->SetColumnIds(nullptr);
-  this->Filter->SetColumnData(MakeSourcePoints({}));
-  ExpectError(this->Filter, { "there is no column", "port 2 has no points" });
-  this->Filter->SetColumnData(MakeSourcePoints({ { { 0.5, 0.5, 9.0 } } }));
-  ExpectError(this->Filter, { "column point 0 of input port 2", "ProjectionTolerance" });
-  this->Filter->SetColumnData(MakeSourcePoints({ { { 0.5, std::nan(""), 0.0 } } }));
-  ExpectError(this->Filter, { "column point 0 of input port 2", "not finite" });
-  this->Filter->SetColumnData(nullptr);
-  this->Filter->SetProjectionTolerance(-1.0);
-  ExpectError(this->Filter, { "ProjectionTolerance" });
-  this->Filter->SetProjectionTolerance(0.01);
-  for (const double accuracy : { 0.0, 0.6, std::numeric_limits<double>::quiet_NaN() })
-  {
-    this->Filter->SetAccuracy(accuracy);
-    ExpectError(this->Filter, { "ccuracy", "1e-06", "0.5" });
-  }
-  this->Filter->SetAccuracy(0.05);
-  this->Filter->SetInputConnection(nullptr);
-  ExpectError(this->Filter, { "there is no input" });
-  this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
-  ExpectWarning(this->Filter, { "input is empty" });
-  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfRows(), 0);
-  this->Filter->SetInputData(this->Terrain);
-  this->Filter->SetMemoryLimit(10000);
-  ExpectError(this->Filter, { "the graph would take" });
-  this->Filter->SetMemoryLimit(0);
   ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetRows(this->Filter), (Rows{ { 0.0 } }));
   this->Filter->SetMemoryLimit(10000); // the graph is there
   this->Filter->SetRowIds(std::vector<vtkIdType>(40, 7));
   ExpectError(this->Filter,
@@ -545,68 +403,4 @@ TEST_F(GeodesicDistanceMatrix, WrongInputs)
   ExpectError(this->Filter, { "40 rows and 40 columns", "12.5 KiB", "9.766 KiB", "MemoryLimit" });
   this->Filter->SetMemoryLimit(13000);
   ExpectSuccess(this->Filter);
-}
-
-TEST_F(GeodesicDistanceMatrix, IsTheSameForAnyThreads)
-{
-  auto make = [this] {
-    vtkNew<vtkGeodesicDistanceMatrix> filter;
-    filter->SetInputData(this->Terrain);
-    filter->SetAccuracy(0.02);
-    std::vector<vtkIdType> ids;
-    for (vtkIdType id = 0; id < 400; id += 5)
-    {
-      ids.push_back(id);
-    }
-    filter->SetRowIds(ids);
-    filter->SetProjectionTolerance(1.0);
-    filter->SetRowData(MakeSourcePoints({ { { 0.31, 0.42, 0.0 } }, { { 0.77, 0.12, 0.2 } } }));
-    ExpectSuccess(filter);
-    return GetRows(filter);
-  };
-  const Rows expected = make();
-  ASSERT_EQ(expected.size(), 82u);
-  ForEachThreading([&](const std::string& threading) { EXPECT_EQ(make(), expected) << threading; });
-}
-
-TEST_F(GeodesicDistanceMatrix, ProgressAndAbort)
-{
-  this->Filter->SetInputData(MakeTerrain(40));
-  Points places;
-  for (int i = 0; i < 80; ++i)
-  {
-    places.push_back({ { 0.01 * i, 0.5, 0.0 } });
-  }
-  this->Filter->SetProjectionTolerance(1.0);
-  this->Filter->SetRowData(MakeSourcePoints(places));
-  ProgressWatch watch(this->Filter);
-  ExpectSuccess(this->Filter);
-  const Rows expected = GetRows(this->Filter);
-  watch.Progress.clear();
-  this->Filter->Modified();
-  ExpectSuccess(this->Filter);
-  watch.ExpectGrowth(2);
-  watch.StopAt = 0.4;
-  this->Filter->Modified();
-  ExpectSuccess(this->Filter);
-  ExpectEmptyOutput(this->Filter);
-  EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfTuples(), 0);
-  watch.StopAt = 2.0;
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetRows(this->Filter), expected);
-}
-
-TEST_F(GeodesicDistanceMatrix, PrintSelf)
-{
-  this->Filter->SetRowIds({ 1, 2 });
-  ExpectSuccess(this->Filter);
-  std::ostringstream os;
-  this->Filter->Print(os);
-  for (const char* text :
-    { "NumberOfRowIds: 2\n", "NumberOfColumnIds: 0\n", "Accuracy: 0.05\n", "MemoryLimit: 0\n",
-      "MaximumDistance: ", "UnreachedValue: nan\n", "GraphAccuracy: 0.05\n", "GenerateTable: On\n",
-      "Matrix: 2 x 2\n", "AcceptCoarserGraph: Off\n", "GraphIsGuaranteed: yes\n", "MemorySize: " })
-  {
-    EXPECT_NE(os.str().find(text), std::string::npos) << text << " is missing in:\n" << os.str();
-  }
 }

@@ -10,7 +10,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -19,8 +18,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -261,74 +258,6 @@ TEST_F(GeodesicPatchBoundaries, OnePatchThatTurnsEitherWay)
   }
 }
 
-TEST_F(GeodesicPatchBoundaries, SaysWhatIsWrong)
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  this->Filter->SetProjectionTolerance(-1.0);
-  ExpectError(this->Filter, { "ProjectionTolerance" });
-  this->Filter->SetProjectionTolerance(0.01);
-  this->Filter->SetSecondSurfaceData(nullptr);
-  ExpectError(this->Filter, { "no second surface" });
-  this->Filter->SetSecondSurfaceData(MakeSurface({ { { 0, 0, 0 } } }, {}));
-  this->Filter->SetSecondLandmarkIds({ 0 });
-  ExpectError(this->Filter, { "second surface: ", "no polygons" });
-  // Of a surface that is bad and ids that are, the surface comes first.
-  this->Filter->SetSecondLandmarkIds({ 5 });
-  ExpectError(this->Filter, { "second surface: ", "no polygons" });
-  this->Filter->SetSecondSurfaceData(vtkNew<vtkPolyData>());
-  ExpectError(this->Filter, { "second surface: ", "no polygons" });
-  this->Filter->SetSecondSurfaceData(
-    MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, nan, 0 } } }, { { 0, 1, 2 } }));
-  ExpectError(this->Filter, { "second surface: ", "not finite" });
-  this->Filter->SetSecondLandmarkIds({ 0 });
-  this->Filter->SetSecondSurfaceData(this->Second);
-  ExpectError(this->Filter, { "9 landmarks on the first surface and 1 on the second one" });
-  this->Filter->SetSecondLandmarkIds({ 0, 4, 8, 36, 40, 44, 72, 76, 81 });
-  ExpectError(
-    this->Filter, { "second landmark id 81", "out of range: the second surface has 81 points" });
-  this->Filter->SetFirstLandmarkIds({ -1 });
-  ExpectError(this->Filter, { "first landmark id -1", "out of range: the first surface has" });
-  this->Filter->SetFirstLandmarkIds(GetNine());
-  this->Filter->SetSecondLandmarkIds({ 0, 4, 8, 36, 40, 44, 72, 76, 4 });
-  ExpectError(this->Filter, { "landmarks 1 and 8 of the second surface are in the same place" });
-  this->Filter->SetSecondLandmarkIds(GetNine());
-  this->Filter->SetFirstLandmarkData(MakeSourcePoints({ { { 0.5, nan, 0.0 } } }));
-  ExpectError(this->Filter, { "first landmark point 0", "not finite" });
-  this->Filter->SetFirstLandmarkData(nullptr);
-  this->Filter->SetLayoutData(nullptr);
-  ExpectError(this->Filter, { "no layout" });
-  this->Filter->SetLayoutData(MakeLayout({}));
-  ExpectError(this->Filter, { "the layout is empty" });
-  this->Filter->SetLayoutData(MakeLayout({ { 0, 1, 9 } }));
-  ExpectError(this->Filter, { "patch 0 of the layout names landmark 9" });
-  this->Filter->SetLayoutData(MakeLayout({}, { { 0, 1 }, { 1, 2, 1 } }));
-  ExpectError(this->Filter, { "edge 2 of the layout", "occurs twice" });
-  this->Filter->SetLayoutData(MakeLayout({}, { { 0, 8 }, { 2, 6 } }));
-  ExpectError(this->Filter, { "between landmarks", "cannot be drawn on the first surface" });
-  vtkNew<vtkIdTypeArray> offsets;
-  vtkNew<vtkIdTypeArray> connectivity;
-  for (const vtkIdType value : { 0, 1 })
-  {
-    offsets->InsertNextValue(100000000 * value);
-    connectivity->InsertNextValue(value);
-  }
-  vtkNew<vtkCellArray> broken;
-  broken->SetData(offsets, connectivity);
-  for (const bool isPolygon : { true, false })
-  {
-    vtkNew<vtkPolyData> layout;
-    isPolygon ? layout->SetPolys(broken) : layout->SetLines(broken);
-    this->Filter->SetLayoutData(layout);
-    ExpectError(this->Filter, { "of the layout contradict each other" });
-  }
-  this->Filter->SetLayoutData(MakeLayout(GetFourQuads()));
-  this->Filter->SetFirstLandmarkIds({});
-  ExpectError(this->Filter, { "there is no first landmark" });
-  this->Filter->SetFirstLandmarkIds(GetNine());
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetOutput(0)->GetNumberOfLines(), 12);
-}
-
 TEST_F(GeodesicPatchBoundaries, FollowsItsInputs)
 {
   ExpectSuccess(this->Filter);
@@ -337,15 +266,6 @@ TEST_F(GeodesicPatchBoundaries, FollowsItsInputs)
   this->Second->GetPoints()->Modified();
   ExpectSuccess(this->Filter);
   EXPECT_GT(Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1), before + 1.0);
-  vtkNew<vtkPolyData> nothing;
-  this->Filter->SetInputData(nothing);
-  ExpectWarning(this->Filter, { "empty" });
-  for (const int port : { 0, 1 })
-  {
-    vtkPolyData* output = this->Filter->GetOutput(port);
-    EXPECT_EQ(output->GetNumberOfPoints(), 0);
-    EXPECT_NE(output->GetCellData()->GetArray("LayoutEdge"), nullptr);
-  }
 }
 
 /// A landmark in no curve lies in the same patch of both surfaces.

@@ -4,7 +4,6 @@
 /// Samples of surfaces as a filter gives them.
 #include "GraphTestTools.h"
 
-#include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicSampler.h"
 
@@ -15,10 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -74,30 +70,6 @@ TEST_F(GeodesicSampler, SamplesArePointsOfTheInput)
     this->Terrain->GetPoint(ids[i], q);
     EXPECT_TRUE(std::equal(p, p + 3, q));
     EXPECT_TRUE(this->Terrain->IsPointUsedByCell(ids[i], static_cast<vtkIdType>(faces[i])));
-  }
-}
-
-TEST_F(GeodesicSampler, RadiiAreThoseOfTheDistances)
-{
-  ExpectSuccess(this->Filter);
-  const std::vector<vtkIdType> ids = GetIds(this->Filter);
-  const std::vector<double> radii = GetArray(this->Filter, "CoveringRadius");
-  EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
-  for (std::size_t count = 1; count <= ids.size(); ++count)
-  {
-    vtkNew<vtkDGGDistance> distance;
-    distance->SetInputData(this->Terrain);
-    distance->SetAccuracy(0.05);
-    distance->CorrectionOff();
-    distance->SetSourceIds(std::vector<vtkIdType>(ids.begin(), ids.begin() + count));
-    ExpectSuccess(distance);
-    const std::vector<double> field = GetDistances(distance);
-    const double farthest = *std::max_element(field.begin(), field.end());
-    EXPECT_NEAR(radii[count - 1], farthest, 1e-12 * farthest);
-    if (count < ids.size())
-    {
-      EXPECT_NEAR(field[ids[count]], farthest, 1e-12 * farthest);
-    }
   }
 }
 
@@ -183,29 +155,6 @@ TEST_F(GeodesicSampler, QuadsAndMergedPoints)
   EXPECT_EQ(std::set<vtkIdType>(ids.begin(), ids.end()), (std::set<vtkIdType>{ 0, 1, 2, 3, 4, 5 }));
 }
 
-TEST_F(GeodesicSampler, FewerSamplesAreTheFirstOnes)
-{
-  ExpectSuccess(this->Filter);
-  const std::vector<vtkIdType> expected = GetIds(this->Filter);
-  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
-  this->Filter->SetNumberOfSamples(5);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
-  EXPECT_EQ(GetIds(this->Filter), std::vector<vtkIdType>(expected.begin(), expected.begin() + 5));
-}
-
-TEST_F(GeodesicSampler, SeveralComponents)
-{
-  this->Filter->SetInputData(
-    Beside(MakeGrid(3, 3), MakeGrid(2, 2, GridCells::Triangles, 0.5), 10.0));
-  this->Filter->SetNumberOfSamples(1);
-  ExpectWarning(this->Filter, { "components", "NumberOfSamples" });
-  EXPECT_EQ(GetArray(this->Filter, "CoveringRadius")[0], std::numeric_limits<double>::infinity());
-  this->Filter->SetNumberOfSamples(2);
-  ExpectSuccess(this->Filter);
-  EXPECT_NE(GetIds(this->Filter)[0] < 16, GetIds(this->Filter)[1] < 16);
-}
-
 TEST_F(GeodesicSampler, MoreSamplesThanPoints)
 {
   this->Filter->SetInputData(MakeGrid(3, 2));
@@ -235,23 +184,4 @@ TEST_F(GeodesicSampler, MoreSamplesThanPoints)
   const std::vector<double> distances = GetDistances(exact);
   const double farthest = *std::max_element(distances.begin(), distances.end());
   EXPECT_NEAR(farthest, radii.back(), 0.1 * radii.back());
-}
-
-TEST_F(GeodesicSampler, BadInput)
-{
-  this->Filter->SetNumberOfSamples(0);
-  ExpectError(this->Filter, { "NumberOfSamples", "0" });
-  this->Filter->SetNumberOfSamples(3);
-  this->Filter->SetCoveringRadius(-1.0);
-  ExpectError(this->Filter, { "CoveringRadius", "-1" });
-  this->Filter->SetCoveringRadius(0.0);
-  this->Filter->SetFirstSample(400);
-  ExpectError(this->Filter, { "FirstSample 400", "399" });
-  this->Filter->SetFirstSample(-2);
-  ExpectError(this->Filter, { "FirstSample -2" });
-  this->Filter->SetFirstSample(0);
-  this->Filter->SetStartData(MakeSourcePoints({}));
-  ExpectError(this->Filter, { "no start", "port 1" });
-  this->Filter->SetStartData(nullptr);
-  ExpectSuccess(this->Filter);
 }

@@ -9,7 +9,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
@@ -20,11 +19,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -233,64 +229,6 @@ TEST_F(GeodesicVoronoi, CellsCanBeTriangulated)
   }
 }
 
-TEST_F(GeodesicVoronoi, BoundariesSeparateCells)
-{
-  // On a plane: straight lines half-way.
-  this->Filter->SetInputData(MakeGrid(12, 10));
-  this->Filter->SetAccuracy(0.01);
-  this->Filter->RemoveAllSites();
-  const Points places = { { { 2.3, 2.1, 0.0 } }, { { 9.6, 3.3, 0.0 } }, { { 5.2, 8.4, 0.0 } } };
-  this->Filter->SetSiteData(MakeSourcePoints(places));
-  ExpectSuccess(this->Filter);
-  vtkPolyData* lines = this->Filter->GetBoundaries();
-  ASSERT_EQ(lines->GetNumberOfCells(), 3);
-  EXPECT_EQ(lines->GetNumberOfLines(), 3);
-  vtkDataArray* sites = lines->GetCellData()->GetArray("SiteId");
-  ASSERT_EQ(sites->GetNumberOfComponents(), 2);
-  vtkDataArray* distances = lines->GetPointData()->GetArray("GeodesicDistance");
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < 3; ++i)
-  {
-    lines->GetCellPoints(i, ids);
-    EXPECT_GE(ids->GetNumberOfIds(), 5);
-    for (const vtkIdType id : *ids)
-    {
-      double p[3];
-      lines->GetPoint(id, p);
-      for (int c = 0; c < 2; ++c)
-      {
-        const auto& site = places[static_cast<std::size_t>(sites->GetComponent(i, c))];
-        const double distance = std::hypot(p[0] - site[0], p[1] - site[1]);
-        EXPECT_NEAR(distances->GetComponent(id, 0), distance, 0.005 * distance);
-      }
-    }
-  }
-}
-
-TEST_F(GeodesicVoronoi, RefinementMovesBorders)
-{
-  // The cube of 12 triangles is as coarse as can be.
-  this->Filter->SetInputData(MakeCube());
-  this->Filter->SetSiteIds({ 0 });
-  this->Filter->SetSiteData(
-    MakeSourcePoints({ { { 1.0, 0.3, 0.4 } }, { { 0.7, 1.0, 0.8 } }, { { 0.3, 0.2, 1.0 } } }));
-  double distances[2];
-  for (const bool refine : { false, true })
-  {
-    this->Filter->SetRefineBoundaries(refine);
-    ExpectSuccess(this->Filter);
-    EXPECT_NEAR(AreaOf(this->Filter->GetCells()), 6.0, 1e-9);
-    const auto values =
-      ToVector(this->Filter->GetBoundaries()->GetPointData()->GetArray("GeodesicDistance"));
-    distances[refine] = 0.0;
-    for (const double value : values)
-    {
-      distances[refine] += value;
-    }
-  }
-  EXPECT_NE(distances[0], distances[1]);
-}
-
 TEST_F(GeodesicVoronoi, IdsComeBeforePoints)
 {
   const auto sheet = MakeGrid(8, 6);
@@ -342,29 +280,6 @@ TEST_F(GeodesicVoronoi, SiteArraysArePassed)
   expectLabels({ 0.0, 1.0, 2.0 }, this->Filter->GetSites()->GetPointData());
 }
 
-TEST_F(GeodesicVoronoi, DataIsPassed)
-{
-  vtkNew<vtkDoubleArray> mine;
-  mine->SetName("mine");
-  mine->SetNumberOfTuples(400);
-  mine->FillValue(3.0);
-  this->Terrain->GetPointData()->AddArray(mine);
-  vtkNew<vtkDoubleArray> old;
-  old->SetName("GeodesicDistance");
-  old->SetNumberOfTuples(400);
-  this->Terrain->GetPointData()->AddArray(old);
-  this->Filter->SetSourceArrayName("label");
-  ExpectSuccess(this->Filter);
-  vtkPolyData* output = this->Filter->GetOutput();
-  EXPECT_EQ(output->GetPoints(), this->Terrain->GetPoints());
-  EXPECT_EQ(output->GetPolys(), this->Terrain->GetPolys());
-  EXPECT_EQ(output->GetPointData()->GetArray("mine"), mine.Get());
-  EXPECT_NE(output->GetPointData()->GetArray("GeodesicDistance"), old.Get());
-  EXPECT_NE(output->GetPointData()->GetArray("label"), nullptr);
-  EXPECT_EQ(this->Terrain->GetPointData()->GetArray("label"), nullptr);
-  EXPECT_EQ(output->GetFieldData()->GetArray("Energy"), nullptr);
-}
-
 TEST_F(GeodesicVoronoi, QuadsAndReorientedFaces)
 {
   for (const GridCells kind : { GridCells::Quads, GridCells::Strips })
@@ -414,34 +329,6 @@ TEST_F(GeodesicVoronoi, MergedPoints)
   EXPECT_NEAR(AreaOf(this->Filter->GetCells()), 18.0, 1e-9);
 }
 
-TEST_F(GeodesicVoronoi, UnreachedPoints)
-{
-  const auto both = Beside(MakeGrid(3, 3), MakeGrid(2, 2), 10.0);
-  this->Filter->SetInputData(both);
-  this->Filter->SetSiteIds({ 0, 15 });
-  this->Filter->SetUnreachedValue(-7.0);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(GetSiteOfPoints(this->Filter)[20], -1.0);
-  EXPECT_EQ(
-    this->Filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance")->GetComponent(20, 0),
-    -7.0);
-  vtkPolyData* cells = this->Filter->GetCells();
-  for (vtkPolyData* output : { this->Filter->GetOutput(), cells })
-  {
-    vtkDataArray* mask = output->GetPointData()->GetArray("GeodesicDistance.Unreached");
-    vtkDataArray* distances = output->GetPointData()->GetArray("GeodesicDistance");
-    ASSERT_NE(mask, nullptr);
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      EXPECT_EQ(mask->GetComponent(i, 0), distances->GetComponent(i, 0) == -7.0 ? 1.0 : 0.0) << i;
-    }
-  }
-  const std::vector<double> sites = ToVector(cells->GetCellData()->GetArray("SiteId"));
-  EXPECT_EQ(std::count(sites.begin(), sites.end(), -1.0), 8);
-  const auto areas = ToVector(cells->GetCellData()->GetArray("CellArea"));
-  EXPECT_NEAR(areas[std::find(sites.begin(), sites.end(), -1.0) - sites.begin()], 4.0, 1e-9);
-}
-
 TEST_F(GeodesicVoronoi, Centroidal)
 {
   this->Filter->SetSiteIds({ 0, 1, 2, 20, 21 });
@@ -473,25 +360,4 @@ TEST_F(GeodesicVoronoi, Centroidal)
   EXPECT_EQ(ToVector(this->Filter->GetOutput()->GetFieldData()->GetArray("Energy")).size(), 1u);
   EXPECT_EQ(ToVector(this->Filter->GetSites()->GetPointData()->GetArray("vtkOriginalPointIds")),
     (std::vector<double>{ 0, 1, 2, 20, 21 }));
-}
-
-TEST_F(GeodesicVoronoi, BadInput)
-{
-  this->Filter->RemoveAllSites();
-  ExpectError(this->Filter, { "no site", "AddSiteId()" });
-  this->Filter->SetSiteIds({ 3, 400 });
-  ExpectError(this->Filter, { "site id 400", "399" });
-  this->Filter->SetSiteIds({ 3 });
-  this->Filter->SetTolerance(-1.0);
-  ExpectError(this->Filter, { "Tolerance" });
-  this->Filter->SetTolerance(0.001);
-  this->Filter->SetNumberOfIterations(-1);
-  ExpectError(this->Filter, { "NumberOfIterations" });
-  this->Filter->SetNumberOfIterations(3);
-  this->Filter->SetDistanceArrayName("");
-  ExpectError(this->Filter, { "DistanceArrayName" });
-  this->Filter->SetDistanceArrayName("GeodesicSource");
-  ExpectError(this->Filter, { "SourceArrayName", "another name" });
-  this->Filter->SetDistanceArrayName("GeodesicDistance");
-  ExpectSuccess(this->Filter);
 }

@@ -9,11 +9,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkElevationFilter.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkStringArray.h"
 #include "vtkTransform.h"
@@ -176,16 +172,6 @@ TEST_F(GraphInFieldData, SurvivesFilesWithFloatPointsAndDoubleLengths)
   }
 }
 
-TEST_F(GraphInFieldData, SurvivesOtherFilters)
-{
-  vtkNew<vtkElevationFilter> elevation;
-  elevation->SetInputData(this->Surface);
-  this->Filter->SetInputConnection(elevation->GetOutputPort());
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(GetDistances(this->Filter), this->Expected);
-}
-
 TEST_F(GraphInFieldData, IntegersOfAnyNameWillDo)
 {
   // As numpy makes them.
@@ -223,22 +209,6 @@ TEST_F(GraphInFieldData, AMovedPoint)
   this->ExpectRebuilt(copy, { "out of date", "points or cells have changed" });
 }
 
-TEST_F(GraphInFieldData, ARigidMotion)
-{
-  vtkNew<vtkTransform> transform;
-  transform->Translate(1.0, 2.0, 3.0);
-  vtkNew<vtkTransformPolyDataFilter> mover;
-  mover->SetInputData(this->Surface);
-  mover->SetTransform(transform);
-  mover->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  mover->Update();
-  vtkNew<vtkPolyData> moved;
-  moved->ShallowCopy(mover->GetOutput());
-  ASSERT_NE(moved->GetFieldData()->GetArray("DGG.Info"), nullptr);
-  this->IsMoved = true; // distances are equal up to rounding only
-  this->ExpectRebuilt(moved, { "out of date" });
-}
-
 TEST_F(GraphInFieldData, DamageIsNotAnotherSurface)
 {
   vtkNew<vtkDiscreteGeodesicGraph> graph;
@@ -256,24 +226,6 @@ TEST_F(GraphInFieldData, DamageIsNotAnotherSurface)
   graph->SetInputData(copy);
   ExpectWarning(graph, { "out of date" });
   EXPECT_EQ(graph->GetInputGraphDamage(), "");
-}
-
-TEST_F(GraphInFieldData, AChangedCell)
-{
-  auto copy = this->Copy();
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  copy->GetPolys()->GetCellAtId(5, size, ids);
-  // The other diagonal of a square.
-  vtkNew<vtkCellArray> cells;
-  cells->DeepCopy(copy->GetPolys());
-  const vtkIdType first[3] = { 5, 6, 22 };
-  const vtkIdType second[3] = { 5, 22, 21 };
-  cells->ReplaceCellAtId(10, 3, first);
-  cells->ReplaceCellAtId(11, 3, second);
-  copy->SetPolys(cells);
-  this->IsMoved = true;
-  this->ExpectRebuilt(copy, { "out of date" });
 }
 
 TEST_F(GraphInFieldData, APointMore)
@@ -319,14 +271,6 @@ TEST_F(GraphInFieldData, OtherTreatmentOfCoincidentPoints)
     EXPECT_TRUE(filter->GetUsedInputGraph());
     EXPECT_EQ(std::isnan(GetDistances(filter)[3]), !merge);
   }
-}
-
-TEST_F(GraphInFieldData, WithoutCoincidentPointsTheirTreatmentDoesNotMatter)
-{
-  this->Filter->MergeCoincidentPointsOn();
-  ExpectSuccess(this->Filter);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(GetDistances(this->Filter), this->Expected);
 }
 
 TEST_F(GraphInFieldData, MissingArrays)

@@ -9,7 +9,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
@@ -18,15 +17,12 @@
 #include <functional>
 #include <limits>
 #include <set>
-#include <sstream>
-#include <string>
 
 using namespace dggtest;
 
 namespace
 {
 constexpr const char* Name = "HarmonicBSpline";
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 void AddArray(vtkPolyData* surface, const char* name, const std::function<double(vtkIdType)>& value)
 {
@@ -255,32 +251,6 @@ TEST_F(HarmonicBSpline, EvaluationPoints)
   }
 }
 
-TEST_F(HarmonicBSpline, ComponentsDoNotKnowOfEachOther)
-{
-  auto pair = MakePair(MakeSphere(2), MakeTerrain(12), 5.0);
-  const vtkIdType alone = pair->GetPoints()->InsertNextPoint(9.0, 9.0, 9.0);
-  this->Filter->SetInputData(pair);
-  this->Filter->SetNumberOfSites(3);
-  ExpectSuccess(this->Filter);
-  this->Filter->SetNumberOfSites(1); // one in each
-  ExpectWarning(this->Filter, { "2 components, each with a single site", "SetNumberOfSites()" });
-  ASSERT_EQ(this->Filter->GetNumberOfUsedSites(), 2);
-  for (vtkIdType i = 0; i < pair->GetNumberOfPoints(); ++i)
-  {
-    const vtkIdType part = i < 162 ? 0 : 1;
-    EXPECT_EQ(this->CellOf(i), i == alone ? -1 : part);
-    for (int site = 0; site < 2; ++site)
-    {
-      EXPECT_NEAR(this->Values(site)[i], i != alone && site == part ? 1.0 : 0.0, 1e-12);
-    }
-  }
-  this->Filter->SetSourceIds({ 0, 1 });
-  ExpectError(this->Filter, { "vertex 162", "no site" });
-  this->Filter->SetSourceIds({ 0, 200, alone });
-  ExpectError(this->Filter, { "site 2", "no face" });
-  this->ExpectUnharmed();
-}
-
 TEST_F(HarmonicBSpline, DirichletBoundary)
 {
   auto grid = MakeTerrain(24);
@@ -349,114 +319,6 @@ TEST_F(HarmonicBSpline, UnbalancedSourcesAreBalanced)
   }
 }
 
-TEST_F(HarmonicBSpline, NonManifoldEdgesConduct)
-{
-  // Three sheets that are the same, with a site on each, and two on the edge that they share.
-  auto book = MakeSurface({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 },
-                            { -1, 1, 0 }, { 0, 0, 1 }, { 0, 1, 1 } },
-    { { 0, 2, 3 }, { 0, 3, 1 }, { 0, 4, 5 }, { 0, 5, 1 }, { 0, 6, 7 }, { 0, 7, 1 } });
-  this->Filter->SetInputData(book);
-  this->Filter->SetSourceIds({ 0, 1, 2, 4, 6 });
-  ExpectWarning(this->Filter, { "edge" });
-  for (const double sum : this->Sums())
-  {
-    EXPECT_NEAR(sum, 1.0, 1e-12);
-  }
-  for (const vtkIdType sheet : { 0, 1, 2 })
-  {
-    const std::vector<double> values = this->Values(2 + static_cast<int>(sheet));
-    for (vtkIdType point = 2; point < 8; ++point)
-    {
-      const bool isOwn = point / 2 - 1 == sheet;
-      EXPECT_NEAR(values[point], this->Values(2)[(isOwn ? 2 : 4) + point % 2], 1e-12) << point;
-    }
-  }
-  EXPECT_GT(this->Values(2)[2], 0.5);
-}
-
-TEST_F(HarmonicBSpline, WrongInput)
-{
-  this->ExpectUnharmed();
-  this->Filter->SetSourceIds({ 45, 200, 45 });
-  ExpectError(this->Filter, { "site 2 (vertex 45)", "site 0" });
-  this->ExpectUnharmed();
-  this->Filter->AddSourceId(400);
-  ExpectError(this->Filter, { "source id 400", "out of range" });
-  this->ExpectUnharmed();
-  this->Filter->SetRightHandSideArrayName("missing");
-  ExpectError(this->Filter, { "no point array 'missing'", "SetRightHandSideArrayName()" });
-  this->ExpectUnharmed();
-  AddArray(this->Surface, "f", [](vtkIdType i) { return i == 7 ? NaN : 0.0; });
-  this->Filter->SetRightHandSideArrayName("f");
-  ExpectError(this->Filter, { "'f'", "point 7", "finite" });
-  this->ExpectUnharmed();
-  AddArray(this->Surface, "huge", [](vtkIdType i) { return i < 200 ? 1.7e308 : -1.7e308; });
-  this->Filter->SetRightHandSideArrayName("huge");
-  ExpectError(this->Filter, { "right-hand side", "1e290" });
-  this->ExpectUnharmed();
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetName("v");
-  vectors->SetNumberOfComponents(3);
-  vectors->SetNumberOfTuples(400);
-  vectors->Fill(0.0);
-  this->Surface->GetPointData()->AddArray(vectors);
-  this->Filter->SetRightHandSideArrayName("v");
-  ExpectError(this->Filter, { "3 components", "one number per point" });
-  this->ExpectUnharmed();
-  this->Filter->SetInputData(nullptr);
-  ExpectError(this->Filter, { "no input" });
-  vtkNew<vtkPolyData> none;
-  this->Filter->SetInputData(none);
-  ExpectWarning(this->Filter, { "empty" });
-  this->ExpectUnharmed();
-  // All points of a triangle are on its boundary.
-  this->Filter->SetInputData(
-    MakeSurface({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
-  this->Filter->RemoveAllSources();
-  this->Filter->SetBoundaryToDirichlet();
-  ExpectError(this->Filter, { "no place for a site", "Neumann" });
-  this->ExpectUnharmed();
-  this->Filter->SetMemoryLimit(this->Filter->GetMemorySize() + 1000000);
-  ExpectSuccess(this->Filter);
-  this->Filter->RemoveAllSources();
-  this->Filter->SetNumberOfSites(400);
-  ExpectError(this->Filter, { "MemoryLimit", "fewer sources" });
-  std::ostringstream os;
-  this->Filter->Print(os);
-  EXPECT_NE(os.str().find("NumberOfSites: 400"), std::string::npos);
-}
-
-TEST_F(HarmonicBSpline, ProgressGrowsAndStops)
-{
-  this->Filter->SetNumberOfSites(80);
-  ExpectProgressAndStops(this->Filter, { 0.05, 0.4, 0.7 }, [this] { return this->Values(30); });
-}
-
-TEST_F(HarmonicBSpline, CoincidentPointsMayBeOne)
-{
-  // The same grid twice, point by point: with merging, sources of both count.
-  auto whole = MakeGrid(6, 6);
-  const vtkIdType n = whole->GetNumberOfPoints();
-  AddArray(whole, "b", [&](vtkIdType i) { return i == 0 ? 2.0 : (i == n - 1 ? -2.0 : 0.0); });
-  this->Filter->SetInputData(whole);
-  this->Filter->SetRightHandSideArrayName("b");
-  this->Filter->SetRightHandSideMeaningToIntegrated();
-  this->Filter->SetNumberOfSites(1000);
-  ExpectSuccess(this->Filter);
-  const std::vector<double> expected = this->Solution();
-  auto doubled = MakePair(MakeGrid(6, 6), MakeGrid(6, 6), 0.0);
-  AddArray(
-    doubled, "b", [&](vtkIdType i) { return i % n == 0 ? 1.0 : (i % n == n - 1 ? -1.0 : 0.0); });
-  this->Filter->SetInputData(doubled);
-  this->Filter->MergeCoincidentPointsOn();
-  ExpectWarning(this->Filter, { "triangles on the same three points as an earlier one" });
-  const std::vector<double> values = this->Solution();
-  for (vtkIdType i = 0; i < 2 * n; ++i)
-  {
-    EXPECT_NEAR(values[i], expected[i % n], 1e-9); // each triangle counts once
-  }
-}
-
 TEST_F(HarmonicBSpline, ArrayNames)
 {
   AddArray(this->Surface, "f", [](vtkIdType i) { return i == 50 ? 1.0 : (i == 90 ? -1.0 : 0.0); });
@@ -472,49 +334,4 @@ TEST_F(HarmonicBSpline, ArrayNames)
   EXPECT_FALSE(data->HasArray("Cell"));
   EXPECT_FALSE(data->HasArray("PoissonSolution"));
   EXPECT_EQ(GetValues(this->Filter->GetOutput(), "Heat"), expected);
-  this->Filter->SetCellArrayName("Heat");
-  ExpectError(this->Filter, { "'Heat'", "different" });
-  EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 0); // not those of the update before
-  this->Filter->SetCellArrayName("Cell");
-  for (const char* name : { "Cell", "Heat" })
-  {
-    this->Filter->SetResultArrayName(name);
-    ExpectError(this->Filter, { "ResultArrayName", "different" });
-  }
-  this->Filter->SetResultArrayName(Name);
-  this->Filter->SetSolutionArrayName("");
-  ExpectError(this->Filter, { "SolutionArrayName is empty" });
-  this->Filter->SetSolutionArrayName("Heat");
-  this->Filter->SetCellArrayName("");
-  ExpectError(this->Filter, { "CellArrayName", "is empty", "SetCellArrayName()" });
-  this->Filter->SetCellArrayName("Cell");
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 20);
-  this->Filter->SetRightHandSideArrayName("missing");
-  ExpectError(this->Filter, { "no point array" });
-  EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 0);
-  this->ExpectUnharmed();
-}
-
-TEST_F(HarmonicBSpline, EmptyOutputsHaveAllArrays)
-{
-  vtkNew<vtkPolyData> none;
-  this->Filter->SetInputData(none);
-  this->Filter->SetCellArrayName("Site");
-  this->Filter->SetSolutionArrayName("Heat");
-  this->Filter->SetResultArrayName("Basis");
-  for (const char* source : { "f", "" }) // without one there is no solution
-  {
-    this->Filter->SetRightHandSideArrayName(source);
-    ExpectWarning(this->Filter, { "empty" });
-    const bool hasSolution = *source != '\0';
-    for (int port = 0; port < 2; ++port)
-    {
-      vtkPointData* data = this->Filter->GetOutput(port)->GetPointData();
-      EXPECT_EQ(data->GetNumberOfArrays(), hasSolution ? 3 : 2);
-      EXPECT_NE(vtkIdTypeArray::SafeDownCast(data->GetArray("Site")), nullptr);
-      EXPECT_NE(vtkDoubleArray::SafeDownCast(data->GetArray("Basis")), nullptr);
-      EXPECT_EQ(vtkDoubleArray::SafeDownCast(data->GetArray("Heat")) != nullptr, hasSolution);
-    }
-  }
 }

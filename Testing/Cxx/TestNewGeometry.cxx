@@ -3,8 +3,8 @@
 /// @file
 /// What all outputs have in common that are new geometry on a surface: field data and the precision
 /// of points.
+#include "FilterCases.h"
 #include "GraphTestTools.h"
-#include "SurfaceFilterCases.h"
 
 #include "vtkDGGLoop.h"
 #include "vtkExactGeodesicDistance.h"
@@ -12,7 +12,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -20,7 +19,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
+#include <algorithm>
 #include <vector>
 
 using namespace dggtest;
@@ -56,7 +55,14 @@ std::vector<double> GetValues(vtkFieldData* data)
   return values;
 }
 
-class NewGeometry : public ::testing::TestWithParam<SurfaceFilter>
+FilterCase GetFilter(const std::string& name)
+{
+  const std::vector<FilterCase> filters = GetCurveFilters();
+  return *std::find_if(
+    filters.begin(), filters.end(), [&](const FilterCase& filter) { return filter.Name == name; });
+}
+
+class NewGeometry : public ::testing::TestWithParam<FilterCase>
 {
 protected:
   /// Update, and collect all coordinates; expect that they are of this type.
@@ -198,42 +204,8 @@ TEST_P(NewGeometry, OutOfTheRangeOfFloats)
   }
 }
 
-TEST_P(NewGeometry, PrecisionIsAProperty)
-{
-  const auto filter = this->GetParam().Make(MakeRelief(VTK_FLOAT));
-  const vtkMTimeType time = filter->GetMTime();
-  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  EXPECT_EQ(filter->GetMTime(), time);
-  filter->SetOutputPointsPrecision(17);
-  EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
-  EXPECT_GT(filter->GetMTime(), time);
-  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  std::ostringstream text;
-  filter->Print(text);
-  EXPECT_NE(text.str().find("OutputPointsPrecision: 1\n"), std::string::npos);
-}
-
-TEST_P(NewGeometry, EmptyInput)
-{
-  vtkNew<vtkPolyData> empty;
-  AddNote(empty, "note");
-  const auto filter = this->GetParam().Make(empty);
-  ExpectWarning(filter, { "empty" });
-  for (const int port : this->GetParam().Ports)
-  {
-    SCOPED_TRACE(port);
-    vtkPolyData* output = filter->GetOutput(port);
-    EXPECT_EQ(output->GetNumberOfPoints(), 0);
-    EXPECT_NE(output->GetFieldData()->GetAbstractArray("note"), nullptr);
-    for (const char* name : this->GetParam().Arrays)
-    {
-      EXPECT_NE(output->GetPointData()->GetArray(name), nullptr) << name;
-    }
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Filters, NewGeometry, ::testing::ValuesIn(GetSurfaceFilters()),
-  [](const ::testing::TestParamInfo<SurfaceFilter>& tested) { return tested.param.Name; });
+INSTANTIATE_TEST_SUITE_P(Filters, NewGeometry, ::testing::ValuesIn(GetCurveFilters()),
+  [](const ::testing::TestParamInfo<FilterCase>& tested) { return tested.param.Name; });
 
 TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
 {
@@ -241,7 +213,7 @@ TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
   auto second = MakeSurfaceWithGraph(MakeRelief(VTK_DOUBLE));
   AddNote(first, "first");
   AddNote(second, "second");
-  const auto filter = GetSurfaceFilter("PatchBoundaries").Make(first);
+  const auto filter = GetFilter("PatchBoundaries").Make(first);
   vtkGeodesicPatchBoundaries::SafeDownCast(filter)->SetSecondSurfaceData(second);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION); // that of each surface
   ExpectSuccess(filter);
@@ -257,7 +229,7 @@ TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
 TEST(OldGeometry, StaysAsItIs)
 {
   auto surface = MakeSurfaceWithGraph(MakeRelief(VTK_FLOAT));
-  const auto filter = GetSurfaceFilter("Voronoi").Make(surface);
+  const auto filter = GetFilter("Voronoi").Make(surface);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   ExpectSuccess(filter);
   EXPECT_EQ(filter->GetOutput(0)->GetPoints(), surface->GetPoints());
@@ -277,7 +249,7 @@ TEST(OldGeometry, WindowsGoWithTheDistancesThatAreReplaced)
   distance->AddSourceId(0);
   distance->GenerateWindowsOn();
   distance->Update();
-  const auto filter = GetSurfaceFilter("Voronoi").Make(distance->GetOutput());
+  const auto filter = GetFilter("Voronoi").Make(distance->GetOutput());
   ExpectSuccess(filter);
   vtkFieldData* data = filter->GetOutput(0)->GetFieldData();
   EXPECT_EQ(data->GetAbstractArray("GeodesicDistance.WindowInfo"), nullptr);

@@ -10,7 +10,6 @@
 #include "vtkIdList.h"
 #include "vtkPointData.h"
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -140,22 +139,9 @@ TEST_F(OFFReader, KeepsFullPrecision)
   ExpectPoint(output, 0, 0.1, 3.14159265358979323846, 123456789.123456789);
 }
 
-TEST_F(OFFReader, KeepsNonFiniteCoordinates)
-{
-  EXPECT_EQ(this->ReadWell("OFF 1 0 0\n0 -inf 0\n")->GetPoint(0)[1], -INFINITY);
-  BinaryFile file("OFF");
-  file.Ints({ 1, 0, 0 }).Floats({ 0, NAN, 0 });
-  EXPECT_TRUE(std::isnan(this->ReadWell(file.Get())->GetPoint(0)[1]));
-}
-
 TEST_F(OFFReader, WarnsOfTruncatedLastNumbers)
 {
   this->ExpectWarningIfCut("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 10 20 30\n");
-}
-
-TEST_F(OFFReader, TakesTinyNumbersAsZero)
-{
-  ExpectPoint(this->ReadWell("OFF 1 0 0\n1e-400 0 -1E-999\n"), 0, 0.0, 0.0, 0.0);
 }
 
 TEST_F(OFFReader, PassesOverCommentsAndBlankLines)
@@ -181,11 +167,6 @@ TEST_F(OFFReader, AcceptsAnyLineEnds)
     EXPECT_EQ(output->GetNumberOfPolys(), 1);
     ExpectTuple(output->GetPointData()->GetScalars(), 2, { 0, 0, 255 });
   }
-}
-
-TEST_F(OFFReader, AcceptsByteOrderMark)
-{
-  EXPECT_EQ(this->ReadWell(std::string("\xEF\xBB\xBF") + Triangle)->GetNumberOfPoints(), 3);
 }
 
 TEST_F(OFFReader, AcceptsCountsInAllPlaces)
@@ -225,12 +206,6 @@ TEST_F(OFFReader, AcceptsRecordsSpreadOverLines)
   ExpectPoint(output, 1, 1.0, 0.0, 0.0);
   ExpectCell(output, 0, { 0, 1, 2 });
   ExpectTuple(output->GetCellData()->GetScalars(), 0, { 255, 0, 0 });
-}
-
-TEST_F(OFFReader, AcceptsNoFacesAndNothingAtAll)
-{
-  EXPECT_EQ(this->ReadWell("OFF 2 0 0\n0 0 0\n1 1 1\n")->GetNumberOfPoints(), 2);
-  EXPECT_EQ(this->ReadWell("OFF 0 0 0\n")->GetNumberOfPoints(), 0);
 }
 
 TEST_F(OFFReader, SortsCellsByKind)
@@ -296,18 +271,6 @@ TEST_F(OFFReader, ReadsFaceColors)
   EXPECT_EQ(this->ReadWell(head + "3 0 1 2 7\n3 0 2 1 8\n")->GetCellData()->GetNumberOfArrays(), 0);
 }
 
-TEST_F(OFFReader, ReadsNormalsAndTextureCoordinates)
-{
-  vtkPolyData* output = this->ReadWell("NOFF 1 0 0\n1 2 3 0 0.6 0.8\n");
-  ExpectTuple(output->GetPointData()->GetNormals(), 0, { 0.0, 0.6, 0.8 });
-  EXPECT_STREQ(output->GetPointData()->GetNormals()->GetName(), "Normals");
-
-  output = this->ReadWell("STOFF 1 0 0\n1 2 3 0.25 0.75\n");
-  ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.25, 0.75 });
-  EXPECT_STREQ(output->GetPointData()->GetTCoords()->GetName(), "TCoords");
-  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 1);
-}
-
 TEST_F(OFFReader, ReadsEverythingTogether)
 {
   for (const char* keyword : { "STCNOFF", "CNSTOFF", "NCSTOFF" })
@@ -323,24 +286,6 @@ TEST_F(OFFReader, ReadsEverythingTogether)
   vtkPolyData* output = this->ReadWell("STCOFF 1 0 0\n1 2 3 10 20 30 0.5 0.25\n");
   ExpectTuple(output->GetPointData()->GetScalars(), 0, { 10, 20, 30 });
   ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
-}
-
-TEST_F(OFFReader, ReadsBinary)
-{
-  BinaryFile file("OFF");
-  file.Ints({ 4, 3, 0 }).Floats({ 0, 0, 0, 1.5f, 0, 0, 0, -2.25f, 0, 1, 1, 1 });
-  file.Ints({ 4, 0, 1, 2, 3, 0 }).Ints({ 3, 0, 1, 2, 3 }).Floats({ 1.0f, 0.0f, 0.2f });
-  file.Ints({ 2, 0, 3, 1, 5 });
-  vtkPolyData* output = this->ReadWell(file.Get());
-  ASSERT_EQ(output->GetNumberOfPoints(), 4);
-  ExpectPoint(output, 1, 1.5, 0.0, 0.0);
-  ExpectPoint(output, 2, 0.0, -2.25, 0.0);
-  ExpectCell(output, 0, { 0, 3 });
-  ExpectCell(output, 1, { 0, 1, 2, 3 });
-  ExpectCell(output, 2, { 0, 1, 2 });
-  vtkDataArray* colors = output->GetCellData()->GetScalars();
-  ExpectTuple(colors, 0, { 170, 170, 170 });
-  ExpectTuple(colors, 2, { 255, 0, 51 });
 }
 
 TEST_F(OFFReader, ReadsBinaryWithEverything)
@@ -375,15 +320,6 @@ TEST_F(OFFReader, RefusesBadKeyword)
   this->ExpectRefused("4OFF 1 0 0\n0 0 0 1\n", code, "line 1", "other than three");
   this->ExpectRefused("nOFF 3\n1 0 0\n0 0 0\n", code, "line 1", "Convert the file");
   this->ExpectRefused("ST4nOFF BINARY\n", code, "line 1", "other than three");
-}
-
-TEST_F(OFFReader, RefusesEmptyFiles)
-{
-  const auto code = vtkErrorCode::PrematureEndOfFileError;
-  this->ExpectRefused("", code, "line 1", "empty");
-  this->ExpectRefused("\n\n# only a comment\n", code, "line 4", "before the keyword");
-  this->ExpectRefused("OFF", code, "line 1", "before the number of vertices");
-  this->ExpectRefused("OFF\n12\n", code, "line 3", "before the number of faces");
 }
 
 TEST_F(OFFReader, RefusesBadCounts)
@@ -498,26 +434,6 @@ TEST_F(OFFReader, ReportsFilesThatCannotBeRead)
   this->CheckFilesThatCannotBeRead();
 }
 
-TEST_F(OFFReader, LeavesNothingOfAnEarlierFile)
-{
-  EXPECT_EQ(this->ReadWell("CNOFF 1 1 0\n0 0 0 0 0 1 255 0 0\n1 0\n")->GetNumberOfVerts(), 1);
-  vtkPolyData* output = this->ReadWell(Triangle);
-  EXPECT_EQ(output->GetNumberOfVerts(), 0);
-  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 0);
-}
-
-TEST_F(OFFReader, IgnoresTheLocale)
-{
-  this->CheckLocales("OFF 1 0 0\n1.5 2.25 1000.5\n");
-}
-
-TEST_F(OFFReader, DistinguishesFiles)
-{
-  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("# c\nCNOFF BINARY\n").c_str()), 1);
-  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("4OFF\n").c_str()), 0);
-  EXPECT_EQ(vtkDGGOFFReader::CanReadFile(this->Write("ply\n").c_str()), 0);
-}
-
 TEST_F(OFFReader, ReportsProgressAndStops)
 {
   std::string content = "OFF 300000 0 0\n";
@@ -535,9 +451,4 @@ TEST_F(OFFReader, TakesOutOfRangeNumbersByTheirPowerOfTen)
     this->ReadWell("OFF 1 0 0\n0." + zeros + "1 0." + zeros + "1e10 0\n"), 0, 0.0, 0.0, 0.0);
   this->ExpectRefused("OFF 1 0 0\n1" + zeros + "e-10 0 0\n", vtkErrorCode::FileFormatError,
     "line 2", "is out of range");
-}
-
-TEST_F(OFFReader, PrintsItself)
-{
-  this->CheckPrint();
 }

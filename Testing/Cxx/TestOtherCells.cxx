@@ -12,8 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <memory>
 
 using namespace dggtest;
 
@@ -169,26 +167,6 @@ TEST(OtherCells, AreLeftOutByVectorGraphicsButForTheirPoints)
     {
       EXPECT_NE(components[k], components[i]); // one of its own
     }
-  }
-}
-
-TEST(OtherCells, AloneAreAnError)
-{
-  vtkSmartPointer<vtkPolyData> surface = MakeMixedSurface();
-  surface->SetPolys(nullptr);
-  surface->GetCellData()->Initialize();
-  vtkNew<vtkDiscreteGreensFunction> greens;
-  greens->SetSourceIds({ 0 });
-  vtkNew<vtkHarmonicBSpline> splines;
-  vtkNew<vtkBiharmonicDistance> distances;
-  distances->SetSourceIds({ 0 });
-  vtkNew<vtkSurfaceEarthMoversDistance> movers;
-  GraphicsFixture drawing = MakeTwoAcross();
-  for (vtkAlgorithm* filter :
-    std::initializer_list<vtkAlgorithm*>{ greens, splines, distances, movers, drawing.Filter })
-  {
-    filter->SetInputDataObject(0, surface);
-    ExpectError(filter, { "no polygons" });
   }
 }
 

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 namespace
 {
@@ -84,46 +83,6 @@ TEST_F(PCDReader, ReadsCompressed)
   ExpectTuple(cloud->GetPoints()->GetData(), 1, { 1.5, 1.5, 1.5 });
 }
 
-TEST_F(PCDReader, KeepsTypesNamesAndCounts)
-{
-  PCDLines lines;
-  lines.Fields = "x y z a b c d e f g h i j";
-  lines.Size = "8 8 8 1 1 2 2 4 4 8 8 4 8";
-  lines.Type = "F F F I U I U I U I U F F";
-  lines.Count = "1 1 1 1 1 1 1 1 1 1 1 3 2";
-  lines.Width = lines.Points = "1";
-  vtkPolyData* cloud = this->ReadWell(lines.Format() +
-    "0.1 1e300 -0 -128 255 -32768 65535 -2147483648 4294967295 -9223372036854775808 "
-    "18446744073709551615 0.1 nan -inf 1e-310 +2.5\n");
-  EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
-  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 0.1, 1e300, 0 });
-  EXPECT_TRUE(std::signbit(cloud->GetPoint(0)[2]));
-  vtkPointData* data = cloud->GetPointData();
-  ASSERT_EQ(data->GetNumberOfArrays(), 10);
-  const int types[] = { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
-    VTK_UNSIGNED_INT, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_FLOAT, VTK_DOUBLE };
-  const double values[] = { -128, 255, -32768, 65535, -2147483648.0, 4294967295.0 };
-  for (int i = 0; i < 10; ++i)
-  {
-    vtkDataArray* array = data->GetArray(std::string(1, static_cast<char>('a' + i)).c_str());
-    ASSERT_NE(array, nullptr);
-    EXPECT_EQ(array->GetDataType(), types[i]);
-    EXPECT_EQ(array->GetNumberOfComponents(), i == 8 ? 3 : i == 9 ? 2 : 1);
-    if (i < 6)
-    {
-      EXPECT_EQ(array->GetTuple1(0), values[i]);
-    }
-  }
-  EXPECT_EQ(*static_cast<std::int64_t*>(data->GetArray("g")->GetVoidPointer(0)),
-    std::numeric_limits<std::int64_t>::min());
-  EXPECT_EQ(*static_cast<std::uint64_t*>(data->GetArray("h")->GetVoidPointer(0)),
-    std::numeric_limits<std::uint64_t>::max());
-  EXPECT_EQ(data->GetArray("i")->GetComponent(0, 0), static_cast<double>(0.1f));
-  EXPECT_TRUE(std::isnan(data->GetArray("i")->GetComponent(0, 1)));
-  EXPECT_EQ(data->GetArray("i")->GetComponent(0, 2), -std::numeric_limits<double>::infinity());
-  ExpectTuple(data->GetArray("j"), 0, { 1e-310, 2.5 });
-}
-
 TEST_F(PCDReader, DistinguishesTooSmallFromTooLarge)
 {
   // Numbers with many zeros, whose exponents have the other sign.
@@ -147,29 +106,6 @@ TEST_F(PCDReader, MakesDoublesOfOtherCoordinates)
   vtkPolyData* cloud = this->ReadWell(lines.Format() + "0.5 0.1 -7\n1 2 3\n");
   EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
   ExpectTuple(cloud->GetPoints()->GetData(), 0, { 0.5, 0.1, -7 });
-}
-
-TEST_F(PCDReader, MakesNormalsAndColors)
-{
-  PCDLines lines;
-  lines.Fields = "normal_x z y x rgb normal_z normal_y rgba curvature";
-  lines.Size = "4 4 4 4 4 4 4 4 4";
-  lines.Type = "F F F F U F F U F";
-  lines.Count = "1 1 1 1 1 1 1 1 1";
-  // 0xFF804020 and 0x01020304
-  vtkPolyData* cloud = this->ReadWell(
-    lines.Format() + "1 2 3 4 4286595104 6 5 16909060 7\n0 0 0 0 0 0 1 4294967295 0.5\n");
-  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 4, 3, 2 });
-  vtkPointData* data = cloud->GetPointData();
-  ASSERT_EQ(data->GetNumberOfArrays(), 4);
-  ExpectTuple(data->GetNormals(), 0, { 1, 5, 6 });
-  EXPECT_STREQ(data->GetNormals()->GetName(), "Normals");
-  EXPECT_EQ(data->GetScalars(), data->GetArray("RGB"));
-  EXPECT_EQ(data->GetScalars()->GetDataType(), VTK_UNSIGNED_CHAR);
-  ExpectTuple(data->GetArray("RGB"), 0, { 128, 64, 32 });
-  ExpectTuple(data->GetArray("RGBA"), 0, { 2, 3, 4, 1 });
-  ExpectTuple(data->GetArray("RGBA"), 1, { 255, 255, 255, 255 });
-  ExpectTuple(data->GetArray("curvature"), 1, { 0.5 });
 }
 
 TEST_F(PCDReader, TakesFieldsOfOtherShapesAsTheyAre)
@@ -252,19 +188,6 @@ TEST_F(PCDReader, KeepsPointsWithoutAPlace)
   ASSERT_EQ(cloud->GetNumberOfVerts(), 1);
 }
 
-TEST_F(PCDReader, KeepsTheLayout)
-{
-  PCDLines lines;
-  lines.Width = "1";
-  lines.Height = "2";
-  lines.Viewpoint = "1 2.5 -3 0.5 0.5 -0.5 0.1";
-  vtkPolyData* cloud = this->ReadWell(lines.Format() + "0 0 0\n1 1 1\n");
-  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Dimensions"), 0, { 1 });
-  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Dimensions"), 1, { 2 });
-  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Viewpoint"), 1, { 2.5 });
-  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Viewpoint"), 6, { 0.1 });
-}
-
 TEST_F(PCDReader, AcceptsWhatMayBeMissing)
 {
   const std::string body = "0 1 2\n3 4 5\n";
@@ -288,29 +211,6 @@ TEST_F(PCDReader, AcceptsWhatMayBeMissing)
     2);
 }
 
-TEST_F(PCDReader, AcceptsNoPoints)
-{
-  PCDLines lines;
-  lines.Fields = "x y z intensity";
-  lines.Size = "4 4 4 4";
-  lines.Type = "F F F F";
-  lines.Count = "1 1 1 1";
-  for (const char* width : { "0", "5" })
-  {
-    lines.Width = width;
-    lines.Height = "0";
-    lines.Points = "0";
-    for (const char* data : { "ascii", "binary", "binary_compressed" })
-    {
-      lines.Data = data;
-      vtkPolyData* cloud = this->ReadWell(lines.Format());
-      EXPECT_EQ(cloud->GetNumberOfPoints(), 0);
-      ASSERT_NE(cloud->GetPointData()->GetArray("intensity"), nullptr) << data;
-    }
-    EXPECT_EQ(this->ReadWell(lines.Format() + Sizes(0, 0))->GetNumberOfPoints(), 0);
-  }
-}
-
 TEST_F(PCDReader, AcceptsManyFields)
 {
   std::string names;
@@ -327,46 +227,6 @@ TEST_F(PCDReader, AcceptsManyFields)
   ExpectTuple(cloud->GetPoints()->GetData(), 1, { 4, 5, 6 });
 }
 
-TEST_F(PCDReader, ReadsAgainWhenTheNameChanges)
-{
-  this->Write(GoodPCD, "a.pcd");
-  this->Write("FIELDS x y z\nPOINTS 1\nDATA ascii\n7 8 9\n", "b.pcd");
-  this->Reader->SetFileName(this->GetPath("a.pcd").c_str());
-  this->Reader->Update();
-  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 2);
-  this->Reader->SetFileName(this->GetPath("b.pcd").c_str());
-  this->Reader->Update();
-  EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 1);
-  const vtkMTimeType time = this->Reader->GetOutput()->GetMTime();
-  this->Reader->Update();
-  EXPECT_EQ(this->Reader->GetOutput()->GetMTime(), time);
-}
-
-TEST_F(PCDReader, LeavesNothingOfAnEarlierFile)
-{
-  this->ReadWell("FIELDS x y z i normal_x normal_y normal_z rgb\nPOINTS 1\nDATA ascii\n"
-                 "1 2 3 4 0 0 1 0\n");
-  vtkPolyData* cloud = this->ReadWell(GoodPCD);
-  EXPECT_EQ(cloud->GetPointData()->GetNumberOfArrays(), 0);
-  EXPECT_EQ(cloud->GetPointData()->GetNormals(), nullptr);
-}
-
-TEST_F(PCDReader, IgnoresTheLocale)
-{
-  this->CheckLocales("FIELDS x y z\nPOINTS 1\nDATA ascii\n1.5 2.25 1000.5\n");
-}
-
-TEST_F(PCDReader, DistinguishesFiles)
-{
-  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("COLUMNS x\n").c_str()), 1);
-  // Longer than the part that is looked at.
-  const std::string many(20000, ' ');
-  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("FIELDS x y z" + many + "a\n").c_str()), 1);
-  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("VERSION 0.7\n").c_str()), 0);
-  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("FIELDS x y z\nply\n").c_str()), 0);
-  EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("OFF\n").c_str()), 0);
-}
-
 TEST_F(PCDReader, ReportsProgressAndStops)
 {
   std::string content = "FIELDS x y z\nPOINTS 200000\nDATA ascii\n";
@@ -375,35 +235,6 @@ TEST_F(PCDReader, ReportsProgressAndStops)
     content += std::to_string(i) + " 0 0\n";
   }
   this->CheckProgress(content, 200000);
-}
-
-TEST_F(PCDReader, ReportsProgressOfBinaryDataAndStops)
-{
-  std::string points(12 * 1000, '\0');
-  const std::string head = "FIELDS x y z\nPOINTS 1000\nDATA binary";
-  std::string compressed;
-  for (int i = 0; i < 6000; ++i)
-  {
-    compressed += std::string("\1\0\0", 3); // two literal bytes
-  }
-  const auto size = [](std::size_t bytes) {
-    return std::string{ static_cast<char>(bytes & 255), static_cast<char>(bytes >> 8 & 255), 0, 0 };
-  };
-  for (const std::string& file : { head + "\n" + points,
-         head + "_compressed\n" + size(compressed.size()) + size(points.size()) + compressed })
-  {
-    this->Reader->SetFileName(this->Write(file).c_str());
-    this->Reader->Modified();
-    dggtest::ProgressWatch watch(this->Reader);
-    dggtest::ExpectSuccess(this->Reader);
-    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 1000);
-    watch.ExpectGrowth(1);
-    this->Reader->Modified();
-    watch.StopAt = 0.3;
-    dggtest::ExpectSuccess(this->Reader);
-    EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), 0);
-    this->Reader->SetAbortExecute(0);
-  }
 }
 
 TEST_F(PCDReader, SkipsTheMarkOfUTF8)
@@ -415,8 +246,4 @@ TEST_F(PCDReader, SkipsTheMarkOfUTF8)
   EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("\xEF\xBB\xBF").c_str()), 0);
 }
 
-TEST_F(PCDReader, PrintsItself)
-{
-  this->CheckPrint();
-}
 }

@@ -47,16 +47,6 @@ protected:
   }
 };
 
-TEST_F(PCDReaderRefusals, RefusesOtherFiles)
-{
-  const auto code = vtkErrorCode::UnrecognizedFileTypeError;
-  this->ExpectRefused("ply\nformat ascii 1.0\n", code, { "line 1: 'ply'", "VERSION" });
-  this->ExpectRefused("# comment\nOFF 3 1 0\n", code, { "line 2: 'OFF'" });
-  this->ExpectRefused("version 0.7\n", code, { "line 1: 'version'" });
-  this->ExpectRefused(std::string("\x7f\x45\x4c\x46\x00\x01", 6), code, { "line 1: '?ELF?\?'" });
-  this->ExpectRefused(std::string(100, 'x'), code, { "...'" });
-}
-
 TEST_F(PCDReaderRefusals, RefusesMalformedHeaders)
 {
   const auto code = vtkErrorCode::FileFormatError;
@@ -197,19 +187,6 @@ TEST_F(PCDReaderRefusals, RefusesBadText)
   this->ExpectRefused(lines.Format() + "0 0 0 nan\n", code, { "'nan' is not an integer" });
   lines.Type = "F F F I";
   this->ExpectRefused(lines.Format() + "0 0 0 128\n", code, { "'128' is out of" });
-}
-
-TEST_F(PCDReaderRefusals, RefusesBadBinary)
-{
-  const auto code = vtkErrorCode::FileFormatError;
-  const auto end = vtkErrorCode::PrematureEndOfFileError;
-  PCDLines lines;
-  lines.Data = "binary";
-  const std::string head = lines.Format();
-  this->ExpectRefused(head + std::string(23, 'a'), end,
-    { "line 10: 2 points of at least 12 bytes are promised, but only 23 bytes follow" });
-  this->ExpectRefused(head + std::string(25, 'a'), code,
-    { "byte " + std::to_string(head.size() + 24) + ": data follow the last of 2" });
 }
 
 TEST_F(PCDReaderRefusals, RefusesBadCompressedData)
@@ -354,10 +331,4 @@ TEST_F(PCDReaderRefusals, SurvivesDamage)
   }
 }
 
-TEST_F(PCDReaderRefusals, ReportsFilesThatCannotBeRead)
-{
-  this->CheckFilesThatCannotBeRead();
-  this->ExpectRefused(
-    "FIELDS x y z\n", vtkErrorCode::PrematureEndOfFileError, { "before the line DATA" });
-}
 }

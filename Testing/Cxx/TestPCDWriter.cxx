@@ -8,7 +8,6 @@
 #include "vtkCharArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkElevationFilter.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -28,7 +27,6 @@
 #include <fstream>
 #include <limits>
 #include <random>
-#include <sstream>
 
 namespace
 {
@@ -196,24 +194,6 @@ TEST_F(PCDWriter, WritesTheFewestDigits)
     "DATA ascii\n0 1 -2 nan\n0.1 1 -2 -inf\n");
 }
 
-TEST_F(PCDWriter, WritesCloudsWithoutPoints)
-{
-  for (int mode = 0; mode <= 2; ++mode)
-  {
-    vtkNew<vtkPolyData> nothing;
-    this->WriteWell(nothing, mode);
-    EXPECT_EQ(this->ReadWellFile()->GetNumberOfPoints(), 0);
-    auto cloud = MakeRow(0);
-    vtkNew<vtkIntArray> array;
-    array->SetName("label");
-    cloud->GetPointData()->AddArray(array);
-    this->WriteWell(cloud, mode);
-    EXPECT_EQ(this->GetLine("FIELDS"), "FIELDS x y z label");
-    EXPECT_EQ(this->ReadWellFile()->GetNumberOfPoints(), 0);
-    EXPECT_NE(this->Reader->GetOutput()->GetPointData()->GetArray("label"), nullptr);
-  }
-}
-
 TEST_F(PCDWriter, KeepsTheLayoutWhileItFits)
 {
   auto cloud = dggtest::MakeRichCloud(VTK_FLOAT);
@@ -377,29 +357,6 @@ TEST_F(PCDWriter, ReportsWhatCannotBeWritten)
   this->WriteWell(MakeRow(2));
 }
 
-TEST_F(PCDWriter, RefusesMoreFieldsThanTheReaderTakes)
-{
-  const vtkSmartPointer<vtkPolyData> cloud = MakeRow(1);
-  for (int i = 0; i < 9998; ++i)
-  {
-    vtkNew<vtkUnsignedCharArray> array;
-    array->SetName(("a" + std::to_string(i)).c_str());
-    array->InsertNextValue(1);
-    cloud->GetPointData()->AddArray(array);
-  }
-  const std::string name = this->GetPath("many.pcd");
-  this->Writer->SetFileName(name.c_str());
-  this->Writer->SetInputData(cloud);
-  this->ExpectFailure(vtkErrorCode::FileFormatError, { name, "10001 fields", "10000 at most" });
-  EXPECT_FALSE(std::filesystem::exists(name));
-  // A file that was there before stays as it is.
-  std::ofstream(name) << "what was there before";
-  this->ExpectFailure(vtkErrorCode::FileFormatError, { name, "10001 fields", "10000 at most" });
-  std::string left;
-  std::getline(std::ifstream(name), left);
-  EXPECT_EQ(left, "what was there before");
-}
-
 /// Arrays that are shorter or longer than the points are an error, and nothing beyond their end is
 /// read.
 TEST_F(PCDWriter, ReportsArraysOfAnotherLength)
@@ -443,23 +400,6 @@ TEST_F(PCDWriter, ReportsArraysOfAnotherLength)
   }
 }
 
-TEST_F(PCDWriter, ReportsMissingInput)
-{
-  this->Writer->SetFileName(this->GetPath("cloud.pcd").c_str());
-  dggtest::Listener listener(this->Writer);
-  EXPECT_EQ(this->Writer->Write(), 0);
-  EXPECT_NE(this->Writer->GetErrorCode(), vtkErrorCode::NoError);
-  EXPECT_EQ(listener.Errors.size(), 1u);
-
-  // What comes before the writer fails: nothing is written.
-  this->Reader->SetFileName(this->GetPath("none.pcd").c_str());
-  dggtest::Listener readerListener(this->Reader);
-  this->Writer->SetInputConnection(this->Reader->GetOutputPort());
-  EXPECT_EQ(this->Writer->Write(), 0);
-  EXPECT_NE(this->Writer->GetErrorCode(), vtkErrorCode::NoError);
-  EXPECT_FALSE(std::filesystem::exists(this->GetPath("cloud.pcd")));
-}
-
 TEST_F(PCDWriter, StopsAndLeavesNoPart)
 {
   this->Writer->SetInputData(MakeRow(1000000));
@@ -480,40 +420,4 @@ TEST_F(PCDWriter, StopsAndLeavesNoPart)
   EXPECT_EQ(this->ReadWellFile()->GetNumberOfPoints(), 1000000);
 }
 
-TEST_F(PCDWriter, IgnoresTheLocale)
-{
-  const std::string before = std::setlocale(LC_ALL, nullptr);
-  for (const char* locale : { "C", "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE" })
-  {
-    if (std::setlocale(LC_ALL, locale))
-    {
-      this->WriteWell(MakeRow(2), vtkPCDWriter::ASCII);
-      EXPECT_EQ(this->GetLine("0.1"), "0.1 1 -2");
-    }
-  }
-  std::setlocale(LC_ALL, before.c_str());
-}
-
-TEST_F(PCDWriter, WritesWhatAFilterMakes)
-{
-  vtkNew<vtkElevationFilter> filter;
-  filter->SetInputData(MakeRow(3));
-  this->Writer->SetInputConnection(filter->GetOutputPort());
-  this->Writer->SetFileName(this->GetPath("cloud.pcd").c_str());
-  EXPECT_EQ(this->Writer->Write(), 1);
-  EXPECT_EQ(this->GetLine("FIELDS"), "FIELDS x y z Elevation");
-  EXPECT_EQ(this->Writer->GetInput()->GetNumberOfPoints(), 3);
-}
-
-TEST_F(PCDWriter, PrintsItself)
-{
-  std::ostringstream text;
-  this->Writer->Print(text);
-  EXPECT_NE(text.str().find("FileName: (none)"), std::string::npos);
-  EXPECT_NE(text.str().find("DataMode: Binary\n"), std::string::npos);
-  this->Writer->SetDataMode(7);
-  EXPECT_EQ(this->Writer->GetDataMode(), vtkPCDWriter::BINARY_COMPRESSED);
-  this->Writer->SetDataModeToASCII();
-  EXPECT_EQ(this->Writer->GetDataMode(), vtkPCDWriter::ASCII);
-}
 }

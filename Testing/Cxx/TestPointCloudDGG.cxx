@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -96,53 +95,6 @@ TEST_F(PointCloudDGG, ReportsWhatItUsed)
   EXPECT_EQ(this->Filter->GetUsedResolution(), 100);
   EXPECT_EQ(this->Filter->GetUsedAlpha(), 3.5);
   EXPECT_NEAR(this->Filter->GetReach(), 6.0 * this->Filter->GetVoxelSize(), 1e-6);
-}
-
-TEST_F(PointCloudDGG, AllSchemesAreClose)
-{
-  const Points points = MakeSpherePoints(2000);
-  std::vector<double> exact;
-  for (const auto& p : points)
-  {
-    exact.push_back(SphereDistance(points[0], p));
-  }
-  this->Use(points);
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputConnection(this->Filter->GetOutputPort());
-  distance->SetSourceIds({ 0 });
-  std::vector<double> fields[3];
-  for (const int scheme : { vtkPointCloudDGG::A, vtkPointCloudDGG::B, vtkPointCloudDGG::C })
-  {
-    this->Filter->SetScheme(scheme);
-    distance->Update();
-    EXPECT_EQ(distance->GetErrorCode(), 0u);
-    EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
-    fields[scheme] = GetDistances(distance);
-    EXPECT_LT(GetMeanCloudError(fields[scheme], exact), scheme == vtkPointCloudDGG::C ? 3e-3 : 0.03)
-      << this->Filter->GetSchemeAsString();
-  }
-  EXPECT_NE(fields[0], fields[2]);
-  EXPECT_NE(fields[1], fields[2]);
-}
-
-TEST_F(PointCloudDGG, ArcsAreLonger)
-{
-  const Points points = MakeSpherePoints(1500);
-  this->Use(points);
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputConnection(this->Filter->GetOutputPort());
-  distance->SetSourceIds({ 0 });
-  distance->Update();
-  const std::vector<double> arcs = GetDistances(distance);
-  this->Filter->ArcLengthWeightsOff();
-  distance->Update();
-  const std::vector<double> chords = GetDistances(distance);
-  double more = 0.0;
-  for (std::size_t i = 0; i < arcs.size(); ++i)
-  {
-    more += arcs[i] - chords[i];
-  }
-  EXPECT_GT(more / static_cast<double>(arcs.size()), 1e-3);
 }
 
 TEST_F(PointCloudDGG, SeveralComponents)
@@ -255,16 +207,4 @@ TEST_F(PointCloudDGG, BadProperties)
   EXPECT_NE(this->GetOutput()->GetPointData()->GetArray("part"), nullptr);
 }
 
-TEST_F(PointCloudDGG, PrintsItself)
-{
-  this->Use(MakeFlatPoints(10));
-  ExpectSuccess(this->Filter);
-  std::ostringstream text;
-  this->Filter->PrintSelf(text, vtkIndent());
-  for (const char* part : { "Scheme: C\n", "OffsetInVoxels: 0\n", "Accuracy: 0.001\n",
-         "ArcLengthWeights: On\n", "NumberOfComponents: 1\n", "UsedResolution: ", "Spacing: " })
-  {
-    EXPECT_NE(text.str().find(part), std::string::npos) << part;
-  }
-}
 }

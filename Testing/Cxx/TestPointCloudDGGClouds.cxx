@@ -214,39 +214,6 @@ TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
   EXPECT_NEAR(getLength(), length, 0.01 * length); // not through the sphere
 }
 
-TEST_F(PointCloudDGG, CoincidentPoints)
-{
-  const Points once = MakeFlatPoints(12, 0.2);
-  this->Use(Join(once, once));
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetNumberOfCoincidentPoints(), 144);
-  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputConnection(this->Filter->GetOutputPort());
-  distance->SetSourceIds({ 0 });
-  ExpectSuccess(distance);
-  const std::vector<double> distances = GetDistances(distance);
-  EXPECT_NEAR(distances[144], 0.0, 1e-9);
-  for (std::size_t i = 1; i < 144; ++i)
-  {
-    EXPECT_NEAR(distances[i], distances[i + 144], 1e-9) << i;
-  }
-}
-
-TEST_F(PointCloudDGG, TinyClouds)
-{
-  for (const Points& points :
-    { Points{ { { 1.0, 2.0, 3.0 } } }, Points{ { { 1.0, 2.0, 3.0 } }, { { 1.0, 2.0, 3.0 } } },
-      Points{ { { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } } },
-      Points{ { { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } }, { { 2.0, 0.0, 0.0 } } } })
-  {
-    this->Use(points);
-    ExpectSuccess(this->Filter);
-    EXPECT_EQ(GetComponents(this->GetOutput()).size(), points.size());
-    EXPECT_GE(this->Filter->GetNumberOfComponents(), 1);
-  }
-}
-
 TEST_F(PointCloudDGG, ExtentsOutOfRange)
 {
   // Also where the extent itself is below the normal range of double.
@@ -263,34 +230,6 @@ TEST_F(PointCloudDGG, ExtentsOutOfRange)
       this->Filter->SetEstimateNormals(byPlanes);
       ExpectError(this->Filter, { "scale them" });
     }
-  }
-}
-
-TEST_F(PointCloudDGG, ExtremeExtents)
-{
-  // Radii are within the range of double, not of float.
-  for (const double scale : { 1e-60, 1e60 })
-  {
-    Points points = MakeSpherePoints(500);
-    const double exact = SphereDistance(points[0], points[400]);
-    for (auto& p : points)
-    {
-      for (double& x : p)
-      {
-        x *= scale;
-      }
-    }
-    this->Use(points);
-    vtkNew<vtkDGGPath> path;
-    path->SetInputConnection(this->Filter->GetOutputPort());
-    path->AddPair(0, 400);
-    ExpectSuccess(path);
-    ASSERT_EQ(path->GetOutput()->GetNumberOfLines(), 1);
-    const double length = path->GetOutput()->GetCellData()->GetArray("Length")->GetTuple1(0);
-    EXPECT_NEAR(length / scale, exact, 0.02) << scale;
-    vtkDataArray* radii = this->Filter->GetOutput()->GetFieldData()->GetArray("DGG.Radii");
-    EXPECT_GT(radii->GetTuple1(0) / scale, 0.1);
-    EXPECT_LT(radii->GetTuple1(0) / scale, 0.5);
   }
 }
 

@@ -114,31 +114,6 @@ TEST_F(PointCloudDGG, NormalsOfTheInput)
   EXPECT_EQ(this->GetOutput()->GetPointData()->GetNormals(), normals);
 }
 
-TEST_F(PointCloudDGG, OrientedNormalsSeparateSheets)
-{
-  // Two sides of a thin plate.
-  const Points top = MakeFlatPoints(30);
-  const Points bottom = Move(top, { { 0.0, 0.0, -0.02 } });
-  const auto cloud = MakeCloud(Join(top, bottom));
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetNumberOfComponents(3);
-  for (int i = 0; i < 1800; ++i)
-  {
-    normals->InsertNextTuple3(0.0, 0.0, i < 900 ? 1.0 : -1.0);
-  }
-  cloud->GetPointData()->SetNormals(normals);
-  this->Filter->SetInputData(cloud);
-  this->Filter->SetSchemeToB();
-  this->Filter->SetOffsetInVoxels(3.0);
-  this->Filter->SetAlpha(3.0);
-  this->Filter->SetResolution(80);
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
-  this->Filter->OrientedNormalsOn();
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
-}
-
 TEST_F(PointCloudDGG, OrientedNormalsThatAreNotThere)
 {
   this->Use(MakeFlatPoints(15, 0.2));

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -124,32 +123,6 @@ TEST_F(PointCloudDGG, EstimatesMemory)
   EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
   this->Filter->SetMemoryLimit(0);
   ExpectSuccess(this->Filter);
-}
-
-TEST_F(PointCloudDGG, EstimatesReportProgressAndStop)
-{
-  const auto cloud = MakeCloud(MakeSpherePoints(20000));
-  for (const double stop : { 2.0, 0.2, 0.9 })
-  {
-    vtkNew<vtkPointCloudDGG> filter; // outlived by its observer
-    filter->SetInputData(cloud);
-    ProgressWatch watch(filter);
-    watch.StopAt = stop;
-    const vtkTypeUInt64 estimate = filter->EstimateMemory();
-    EXPECT_EQ(filter->GetErrorCode(), 0u);
-    if (stop > 1.0)
-    {
-      EXPECT_GT(watch.Progress.size(), 10u);
-      EXPECT_TRUE(std::is_sorted(watch.Progress.begin(), watch.Progress.end()));
-      EXPECT_EQ(watch.Progress.back(), 1.0);
-      EXPECT_GT(estimate, 0u);
-    }
-    else
-    {
-      EXPECT_EQ(estimate, 0u);
-      EXPECT_LT(watch.Progress.back(), stop + 0.1);
-    }
-  }
 }
 
 TEST_F(PointCloudDGG, ProgressAndAbort)

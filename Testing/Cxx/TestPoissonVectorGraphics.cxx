@@ -161,47 +161,6 @@ TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
   EXPECT_EQ(countColumn(2.0), 4 * 2 * 4);
 }
 
-TEST(PoissonVectorGraphics, PoissonCurvesAddWithinTheirWidth)
-{
-  GraphicsFixture drawing({ { 3, 0, 0 }, { 3, 4, 0 } }, { { 0, 1 } });
-  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1 }, 1);
-  AddArray(drawing.OfCells(), "Strength", { 0.5 }, 1);
-  AddArray(drawing.OfPoints(), "LeftColor", { 0, 0, 0, 0, 0, 0 }, 3); // says how many channels
-  drawing.Filter->SetBackgroundColor(0.1, 0.2, 0.3);
-  drawing.Filter->SetRefinementLevel(3);
-  const auto check = [&](double width, double onRight) {
-    vtkPolyData* output = drawing.Run();
-    vtkDataArray* colors = output->GetPointData()->GetArray("Colors");
-    double largest = -9.0;
-    double smallest = 9.0;
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      const double x = output->GetPoint(i)[0];
-      const double t = std::min(1.0, std::abs(x - 3.0) / width);
-      const double fade = (1.0 - t * t) * (1.0 - t * t);
-      for (int c = 0; c < 3; ++c)
-      {
-        const double added = colors->GetComponent(i, c) - 0.1 * (c + 1);
-        largest = std::max(largest, added);
-        smallest = std::min(smallest, added);
-        if (x != 3.0)
-        {
-          EXPECT_NEAR(added, fade * (x < 3.0 ? 0.5 : onRight), 2e-3) << x;
-        }
-      }
-    }
-    EXPECT_NEAR(largest, std::max(0.5, onRight), 1e-12);
-    EXPECT_NEAR(smallest, std::min(0.0, onRight), 1e-12);
-  };
-  check(0.05 * std::hypot(6.0, 4.0), -0.5);
-  drawing.Filter->SetWidth(2.0);
-  check(2.0, -0.5);
-  AddArray(drawing.OfCells(), "Width", { 1.5 }, 1);
-  check(1.5, -0.5);
-  AddArray(drawing.OfPoints(), "RightStrength", { 0.25, 0.25 }, 1);
-  check(1.5, 0.25);
-}
-
 TEST(PoissonVectorGraphics, RegionsOfCurvesAndCellsAreTheSame)
 {
   GraphicsFixture byCurve(

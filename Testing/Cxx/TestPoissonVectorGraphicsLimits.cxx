@@ -6,13 +6,11 @@
 
 #include "vtkIntArray.h"
 #include "vtkMath.h"
-#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -95,79 +93,10 @@ TEST(PoissonVectorGraphics, WrongCurves)
   ExpectError(filter, { "'RegionStrength'", "SetRegionStrengthArrayName()" });
 }
 
-TEST(PoissonVectorGraphics, ArraysOfStringsAreNotPassedOver)
-{
-  GraphicsFixture drawing = MakeTwoColored();
-  drawing.Run();
-  vtkNew<vtkStringArray> words;
-  words->SetNumberOfTuples(24);
-  vtkDataSetAttributes* const data = drawing.OfCells();
-  for (const char* name : { "Strength", "RightStrength", "Width" })
-  {
-    words->SetName(name);
-    data->AddArray(words);
-    drawing.Run(); // diffusion curves have none
-    data->RemoveArray(name);
-  }
-  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
-  AddArray(drawing.OfCells(), "Strength", { 0, 1 }, 1);
-  drawing.Filter->SetWidth(0.5);
-  drawing.Run();
-  for (const char* name : { "CurveType", "RightColor", "Strength", "RightStrength", "Width" })
-  {
-    const vtkSmartPointer<vtkAbstractArray> before = data->GetAbstractArray(name);
-    words->SetName(name);
-    data->AddArray(words);
-    ExpectError(drawing.Filter, { "the cell array '" + std::string(name) + "' is of type string" });
-    data->RemoveArray(name);
-    if (before)
-    {
-      data->AddArray(before);
-    }
-  }
-  words->SetName("Width");
-  drawing.Curves->GetPointData()->AddArray(words);
-  ExpectError(drawing.Filter, { "the point array 'Width' is of type string" });
-  AddArray(drawing.OfCells(), "Width", { 0.5, 0.5 }, 1);
-  drawing.Run(); // there are numbers besides
-  drawing.Curves->GetPointData()->RemoveArray("Width");
-  words->SetName("region");
-  drawing.Surface->GetCellData()->AddArray(words);
-  drawing.Filter->SetRegionArrayName("region");
-  ExpectError(drawing.Filter, { "the cell array 'region' is of type string" });
-  drawing.Filter->SetRegionArrayName(nullptr);
-  drawing.Filter->SetRefinementArrayName("region");
-  drawing.Filter->SetRefinementRegionToCells();
-  ExpectError(drawing.Filter, { "the cell array 'region' is of type string" });
-}
-
-TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
+TEST(PoissonVectorGraphics, SurfacesWithoutSides)
 {
   GraphicsFixture drawing = MakeTwoColored();
   auto* filter = drawing.Filter.Get();
-  for (const double wrong : { -1.0, NaN })
-  {
-    filter->SetWidth(wrong);
-    ExpectError(filter, { "Width" });
-    filter->SetWidth(0.0);
-    filter->SetProjectionTolerance(wrong);
-    ExpectError(filter, { "ProjectionTolerance" });
-    filter->SetProjectionTolerance(0.01);
-  }
-  filter->SetResultArrayName("");
-  ExpectError(filter, { "ResultArrayName" });
-  for (const char* taken : { "RGB", "Component" })
-  {
-    filter->SetResultArrayName(taken);
-    ExpectError(filter, { "ResultArrayName", taken });
-  }
-  filter->SetResultArrayName("Colors");
-  filter->SetMemoryLimit(1000);
-  ExpectError(filter, { "MemoryLimit", "RefinementLevel" });
-  filter->SetMemoryLimit(100000);
-  ExpectError(filter, { "MemoryLimit" });
-  filter->SetMemoryLimit(0);
-  drawing.Run();
   // A page on the square that a curve crosses: edges of three triangles.
   vtkSmartPointer<vtkPolyData> book = MakeSurface(
     { { 0, 0, 0 }, { 6, 0, 0 }, { 6, 4, 0 }, { 0, 4, 0 }, { 0, 2, 0 }, { 6, 2, 0 }, { 3, 2, 5 } },
@@ -204,17 +133,6 @@ TEST(PoissonVectorGraphics, WrongSurfacesAndProperties)
   filter->SetInputData(band);
   filter->SetCurveData(around);
   ExpectError(filter, { "oriented differently", "one-sided" });
-
-  vtkNew<vtkPolyData> none;
-  filter->SetInputData(none);
-  ExpectWarning(filter, { "empty" });
-  EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("Colors"), nullptr);
-  EXPECT_NE(filter->GetOutput()->GetFieldData()->GetArray("NetSource"), nullptr);
-  filter->SetInputData(static_cast<vtkPolyData*>(nullptr));
-  ExpectError(filter, { "no input" });
-  std::ostringstream os;
-  filter->Print(os);
-  EXPECT_NE(os.str().find("RefinementRegion: Everywhere"), std::string::npos);
 }
 
 TEST(PoissonVectorGraphics, AwkwardSurfaces)
@@ -303,34 +221,6 @@ TEST(PoissonVectorGraphics, MemoryIsCheckedEarlyAndAlways)
     filter->SetMemoryLimit(static_cast<vtkTypeInt64>(part * static_cast<double>(kept)));
     ExpectError(filter, { "MemoryLimit" });
     EXPECT_EQ(filter->GetMemorySize(), 0u) << part;
-  }
-}
-
-TEST(PoissonVectorGraphics, ProgressGrowsAndStops)
-{
-  GraphicsFixture drawing = MakeTwoAcross();
-  AddArray(drawing.OfCells(), "CurveType", { 0, 1 }, 1);
-  AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
-  AddArray(drawing.OfCells(), "RightColor", { 3, 4 }, 1);
-  AddArray(drawing.OfCells(), "Strength", { 3, 4 }, 1);
-  drawing.Filter->SetRefinementLevel(3);
-  ProgressWatch watch(drawing.Filter);
-  const std::vector<double> expected = GetValues(drawing.Run(), "Colors");
-  watch.ExpectGrowth();
-  for (const double stop : { 0.05, 0.15, 0.3, 0.5, 0.7 })
-  {
-    watch.StopAt = 2.0;
-    drawing.Filter->IntrinsicDelaunayOff(); // so that nothing of it is kept
-    drawing.Run();
-    drawing.Filter->IntrinsicDelaunayOn();
-    watch.StopAt = stop;
-    watch.Progress.clear();
-    ExpectSuccess(drawing.Filter); // not an error
-    EXPECT_LT(watch.Progress.back(), 1.0);
-    ExpectEmptyOutput(drawing.Filter);
-    EXPECT_EQ(drawing.Filter->GetMemorySize() == 0, stop > 0.1); // from when it is drawn anew
-    watch.StopAt = 2.0;
-    EXPECT_EQ(GetValues(drawing.Run(), "Colors"), expected);
   }
 }
 

@@ -11,7 +11,6 @@
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
@@ -19,7 +18,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -85,28 +83,6 @@ TEST(SourcePoints, AreProjected)
   filter->SetSourceData(MakeSourcePoints({ { { -0.03, -0.03, 0.0 } } }));
   ExpectSuccess(filter);
   ExpectEuclidean(filter, grid, { { 0.0, 0.0, 0.0 } });
-}
-
-TEST(SourcePoints, TooFarIsAnErrorThatNamesThePoint)
-{
-  auto grid = MakeGrid(3, 4); // diagonal 5
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(grid);
-  filter->SetSourceData(MakeSourcePoints({ { { 1, 1, 0.04 } }, { { 1, 2, 0.06 } } }));
-  ExpectError(filter,
-    { "source point 1 of input port 1", "(1, 2, 0.06)", "0.06 away", "ProjectionTolerance 0.01" });
-  filter->SetProjectionTolerance(0.013);
-  ExpectSuccess(filter);
-  filter->SetProjectionTolerance(0.0);
-  ExpectError(filter, { "source point 0 of input port 1" });
-  filter->SetSourceData(MakeSourcePoints({ { { 1, 1, 0 } } }));
-  ExpectSuccess(filter);
-  filter->SetSourceData(MakeSourcePoints({ { { 1e200, 0, 0 } } }));
-  ExpectError(filter, { "source point 0 of input port 1" });
-  filter->SetProjectionTolerance(std::numeric_limits<double>::infinity());
-  filter->SetSourceData(MakeSourcePoints({ { { 100, 50, 2 } } }));
-  ExpectSuccess(filter);
-  ExpectEuclidean(filter, grid, { { 3, 4, 0 } });
 }
 
 TEST(SourcePoints, NumberingIsIdsFirst)
@@ -268,18 +244,6 @@ TEST(SourcePoints, OnAFoldedSurface)
   }
 }
 
-TEST(SourcePoints, ThroughAConnection)
-{
-  auto grid = MakeGrid(3, 3);
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(MakeSourcePoints({ { { 1.25, 1.5, 0.0 } } }));
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(grid);
-  filter->SetSourceConnection(producer->GetOutputPort());
-  ExpectSuccess(filter);
-  ExpectEuclidean(filter, grid, { { 1.25, 1.5, 0.0 } });
-}
-
 TEST(SourcePoints, OnTrianglesWithoutArea)
 {
   // A dangling triangle that is a doubled segment, and the plate that it hangs on.
@@ -300,52 +264,4 @@ TEST(SourcePoints, OnTrianglesWithoutArea)
   EXPECT_NEAR(distances[3], 0.5, 1e-9);
   EXPECT_NEAR(distances[0], 2.5, 1e-9);
   EXPECT_NEAR(distances[2], 1.5 + std::sqrt(2.0), 1e-9);
-}
-
-TEST(SourcePoints, AtExtremeScales)
-{
-  for (const double unit : { 1e-38, 1e-6, 1e6, 1e38 })
-  {
-    auto grid = MakeGrid(5, 4, GridCells::Triangles, unit);
-    vtkNew<vtkExactGeodesicDistance> filter;
-    filter->SetInputData(grid);
-    filter->SetSourceData(MakeSourcePoints({ { { 2.125 * unit, 1.25 * unit, 0.0 } } }));
-    ExpectSuccess(filter);
-    const auto distances = GetDistances(filter);
-    ASSERT_EQ(distances.size(), 30u);
-    EXPECT_NEAR(distances[0] / unit, std::hypot(2.125, 1.25), 1e-12) << unit;
-    EXPECT_NEAR(distances[29] / unit, std::hypot(5 - 2.125, 4 - 1.25), 1e-12) << unit;
-  }
-}
-
-TEST(SourcePoints, DoNotDependOnThreads)
-{
-  auto terrain = MakeTerrain(40);
-  Points places;
-  for (int i = 0; i < 12; ++i)
-  {
-    // On edges and inside faces of the sheet.
-    double p[3];
-    double q[3];
-    terrain->GetPoint(101 + 90 * i, p);
-    terrain->GetPoint(102 + 90 * i, q);
-    places.push_back({ { 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]) } });
-  }
-  const std::string backend = vtkSMPTools::GetBackend();
-  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
-  std::vector<std::vector<double>> answers;
-  for (const int threads : { 1, 2, 4 })
-  {
-    vtkSMPTools::Initialize(threads);
-    vtkNew<vtkExactGeodesicDistance> filter;
-    filter->SetInputData(terrain);
-    filter->SetSourceData(MakeSourcePoints(places));
-    ExpectSuccess(filter);
-    answers.push_back(GetDistances(filter));
-  }
-  vtkSMPTools::Initialize();
-  ASSERT_TRUE(vtkSMPTools::SetBackend(backend.c_str()));
-  ASSERT_EQ(answers[0].size(), 1600u);
-  EXPECT_EQ(answers[1], answers[0]);
-  EXPECT_EQ(answers[2], answers[0]);
 }

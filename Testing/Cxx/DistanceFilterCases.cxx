@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Table of filters: distances from sources, graphs, matrices, probes.
+#include "FilterCases.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
+#include "vtkDiscreteGeodesicGraph.h"
+#include "vtkExactGeodesicDistance.h"
+#include "vtkGeodesicDistanceMatrix.h"
+#include "vtkGeodesicProbe.h"
+#include "vtkHeatGeodesicDistance.h"
+#include "vtkVirtualSourceGeodesicDistance.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+
+#include <cmath>
+#include <limits>
+
+namespace dggtest
+{
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+template <typename Filter>
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeDistance(vtkPolyData* surface)
+{
+  auto distance = MakeFilter<Filter>(surface);
+  distance->SetSourceIds(OnRelief(surface, { 40, 7 }));
+  distance->GenerateNearestSourceOn();
+  return distance;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraphDistance(vtkPolyData* surface)
+{
+  auto distance = MakeDistance<vtkDGGDistance>(surface);
+  vtkDGGDistance::SafeDownCast(distance)->SetAccuracy(0.05);
+  return distance;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraph(vtkPolyData* surface)
+{
+  auto graph = MakeFilter<vtkDiscreteGeodesicGraph>(surface);
+  graph->SetAccuracy(0.05);
+  graph->GenerateGraphLinesOn();
+  return graph;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeMatrix(vtkPolyData* surface)
+{
+  auto matrix = MakeFilter<vtkGeodesicDistanceMatrix>(surface);
+  matrix->SetAccuracy(0.05);
+  matrix->SetRowIds(OnRelief(surface, { 3, 40, 77 }));
+  matrix->SetColumnIds(OnRelief(surface, { 0, 8, 72, 80 }));
+  return matrix;
+}
+
+/// Of distances in space from the first point.
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeProbe(vtkPolyData* surface)
+{
+  AddSpaceDistances(surface);
+  Points places;
+  for (const vtkIdType id : OnRelief(surface, { 11, 40, 69 }))
+  {
+    places.push_back({ { 0.0, 0.0, 0.0 } });
+    if (id < surface->GetNumberOfPoints())
+    {
+      surface->GetPoint(id, places.back().data());
+    }
+  }
+  auto probe = MakeFilter<vtkGeodesicProbe>(surface);
+  probe->SetProbeData(MakeSourcePoints(places));
+  return probe;
+}
+
+void SetInitialDistances(vtkGeodesicDistanceAlgorithm* filter, vtkAbstractArray* array)
+{
+  array->SetName("InitialDistance");
+  auto sources = MakeSourcePoints({ { { 15.0, 15.0, 4.0 } }, { { 35.0, 15.0, 4.0 } } });
+  sources->GetPointData()->AddArray(array);
+  filter->SetSourceData(sources);
+}
+
+std::vector<Refusal> RefuseDistance()
+{
+  using F = vtkGeodesicDistanceAlgorithm;
+  const auto place = [](const std::array<double, 3>& point) {
+    return [point](F* f) { f->SetSourceData(MakeSourcePoints({ point })); };
+  };
+  const auto initial = [](double second, int tuples, int components, const char* part) {
+    return Refuse<F>(
+      [=](F* f) {
+        vtkNew<vtkDoubleArray> values;
+        values->SetNumberOfComponents(components);
+        values->SetNumberOfTuples(tuples);
+        values->Fill(0.0);
+        values->SetValue(1, second);
+        SetInitialDistances(f, values);
+      },
+      { "'InitialDistance'", part });
+  };
+  return { RefuseTolerance<F>(-1e-9), RefuseTolerance<F>(NaN),
+    Refuse<F>([](F* f) { f->RemoveAllSources(); }, { "no source", "AddSourceId()", "port 1" }),
+    Refuse<F>(
+      [](F* f) {
+        f->RemoveAllSources();
+        f->SetSourceData(MakeSourcePoints({}));
+      },
+      { "no source", "port 1 has no points" }),
+    Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "number 2 of", "[0, 80]" }),
+    Refuse<F>([](F* f) { f->AddSourceId(-1); }, { "source id -1 " }),
+    Refuse<F>([](F* f) { f->AddSourceId(VTK_ID_MAX); }, { "out of range" }),
+    Refuse<F>(place({ { 0.5, NaN, 0.0 } }), { "source point 0 of input port 1", "not finite" }),
+    Refuse<F>(place(FarFromRelief), { "source point 0 of input port 1", "ProjectionTolerance" }),
+    Refuse<F>([](F* f) { f->SetMaximumDistance(-1.0); }, { "MaximumDistance" }),
+    Refuse<F>([](F* f) { f->SetMaximumDistance(NaN); }, { "MaximumDistance" }),
+    Refuse<F>([](F* f) { f->SetDistanceArrayName(""); }, { "SetDistanceArrayName()" }),
+    Refuse<F>([](F* f) { f->SetSourceArrayName(nullptr); }, { "SetSourceArrayName()" }),
+    Refuse<F>([](F* f) { f->SetSourceArrayName("GeodesicDistance"); },
+      { "'GeodesicDistance'", "SetSourceArrayName()" }),
+    initial(NaN, 2, 1, "source point 1"), initial(Infinity, 2, 1, "source point 1"),
+    initial(-Infinity, 2, 1, "source point 1"), initial(0.0, 3, 1, "3 tuples"),
+    initial(0.0, 2, 3, "3 components"),
+    Refuse<F>(
+      [](F* f) {
+        vtkNew<vtkStringArray> words;
+        words->SetNumberOfValues(2);
+        SetInitialDistances(f, words);
+      },
+      { "'InitialDistance'", "not numeric" }) };
+}
+
+std::vector<Refusal> RefuseHeat()
+{
+  using F = vtkHeatGeodesicDistance;
+  std::vector<Refusal> refusals = RefuseDistance() +
+    std::vector<Refusal>{
+      RefuseMemoryLimit(1000),
+      Refuse<F>(
+        [](F* f) {
+          f->SetBoundaryToDirichlet();
+          f->SetSourceIds({ 0 });
+        },
+        { "boundary", "Neumann" }),
+    };
+  for (const double factor : { 0.0, 0.99e-6, 1.01e6, Infinity, NaN })
+  {
+    refusals.push_back(Refuse<F>(
+      [factor](F* f) { f->SetTimeStepFactor(factor); }, { "TimeStepFactor", "1e-06", "1e+06" }));
+  }
+  return refusals;
+}
+
+std::vector<Refusal> RefuseGraphDistance()
+{
+  using F = vtkDGGDistance;
+  const auto upperBound = [](const char* name) {
+    return [name](F* f) {
+      f->GenerateUpperBoundOn();
+      f->SetUpperBoundArrayName(name);
+    };
+  };
+  return RefuseDistance() + RefuseGraph<F>() +
+    std::vector<Refusal>{
+      Refuse<F>(upperBound(""), { "SetUpperBoundArrayName()" }),
+      Refuse<F>(upperBound("GeodesicDistance"), { "'GeodesicDistance'", "UpperBoundArrayName" }),
+      Refuse<F>(
+        [](F* f) {
+          f->GenerateVirtualSourceOn();
+          f->SetVirtualSourceArrayName(nullptr);
+        },
+        { "SetVirtualSourceArrayName()" }),
+    };
+}
+
+std::vector<Refusal> RefuseExact()
+{
+  using F = vtkExactGeodesicDistance;
+  return RefuseDistance() +
+    std::vector<Refusal>{ Refuse<F>(
+      [](F* f) {
+        f->GenerateWindowsOn();
+        f->SetMemoryLimit(2000);
+      },
+      { "MemoryLimit", "2000", "MaximumDistance", "GenerateWindows" }) };
+}
+
+std::vector<Refusal> RefuseGraphOptions()
+{
+  using F = vtkDiscreteGeodesicGraph;
+  return RefuseGraph<F>() +
+    std::vector<Refusal>{
+      Refuse<F>(
+        [](F* f) {
+          f->SetConstructionToSaddleVertexGraph();
+          f->SetNumberOfNeighbors(0);
+        },
+        { "eighbo" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetConstructionToSaddleVertexGraph();
+          f->SetMemoryLimit(1000);
+        },
+        { "NumberOfNeighbors", "30" }),
+    };
+}
+
+std::vector<Refusal> RefuseMatrix()
+{
+  using F = vtkGeodesicDistanceMatrix;
+  const auto columns = [](const Points& points, const std::vector<std::string>& parts) {
+    return Refuse<F>(
+      [points](F* f) {
+        f->SetColumnIds(nullptr);
+        f->SetColumnData(MakeSourcePoints(points));
+      },
+      parts);
+  };
+  return RefuseGraph<F>() +
+    std::vector<Refusal>{ Refuse<F>([](F* f) { f->SetRowIds(nullptr); },
+                            { "no row", "SetRowIds()", "port 1" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetRowIds({ 0, 81 });
+        },
+        { "row id 81 ", "number 1 of", "[0, 80]" }),
+      Refuse<F>([](F* f) { f->SetColumnIds({ -1 }); }, { "column id -1 " }),
+      columns({}, { "no column", "port 2 has no points" }),
+      columns({ FarFromRelief }, { "column point 0 of input port 2", "ProjectionTolerance" }),
+      columns({ { { 0.5, NaN, 0.0 } } }, { "column point 0 of input port 2", "not finite" }),
+      RefuseTolerance<F>(-1.0) };
+}
+
+std::vector<Refusal> RefuseProbe()
+{
+  using F = vtkGeodesicProbe;
+  return { RefuseTolerance<F>(-1.0),
+    Refuse<F>(
+      [](F* f) { f->SetDistanceArrayName("nothing"); }, { "'nothing'", "'GeodesicDistance'" }),
+    Refuse<F>([](F* f) { f->SetProbeData(nullptr); }, { "probe point", "SetProbeData()" }),
+    Refuse<F>(
+      [](F* f) {
+        f->SetProbeData(MakeSourcePoints({ { { 0, 0, 0 } }, FarFromRelief }));
+      },
+      { "probe point 1", "ProjectionTolerance" }),
+    Refuse<F>(
+      [](F* f) {
+        vtkPolyData::SafeDownCast(f->GetInput())
+          ->GetPointData()
+          ->GetArray("GeodesicDistance")
+          ->SetComponent(0, 0, -Infinity);
+      },
+      { "point 0", "minus infinity" }) };
+}
+}
+
+std::vector<FilterCase> GetDistanceFilters()
+{
+  const auto defaults = [](std::vector<const char*> own) {
+    own.insert(own.end(),
+      { "SourceIds: (none)", "ProjectionTolerance: 0.01", "MergeCoincidentPoints: Off",
+        "UnreachedValue: nan", "GenerateNearestSource: Off", "PassSourceArrays: Off",
+        "DistanceArrayName: GeodesicDistance", "SourceArrayName: GeodesicSource",
+        "InitialDistanceArrayName: InitialDistance" });
+    return own;
+  };
+  return {
+    { "Exact", MakeDistance<vtkExactGeodesicDistance>,
+      defaults({ "Engine: Triangle", "GenerateWindows: Off" }), RefuseExact() },
+    { "GraphDistance", MakeGraphDistance,
+      defaults({ "Accuracy: 0.01", "Correction: On", "Search: Certified", "AcceptCoarserGraph: Off",
+        "GenerateUpperBound: Off", "GenerateVirtualSource: Off",
+        "UpperBoundArrayName: GeodesicUpperBound", "VirtualSourceArrayName: GeodesicVirtualSource",
+        "UsedInputGraph: no", "GraphAccuracy: 0", "NumberOfGraphEdges: 0" }),
+      RefuseGraphDistance() },
+    { "VirtualSource", MakeDistance<vtkVirtualSourceGeodesicDistance>,
+      defaults({ "Quality: Automatic" }), RefuseDistance() },
+    { "Heat", MakeDistance<vtkHeatGeodesicDistance>,
+      defaults({ "TimeStepFactor: 1", "IntrinsicDelaunay: On", "Boundary: Neumann",
+        "NumberOfFactorizations: 0" }),
+      RefuseHeat() },
+    { "FastMarching", MakeDistance<vtkDGGFastMarchingDistance>,
+      defaults({ "FrontShape: Spherical" }), RefuseDistance(), {}, {}, true },
+    { "Graph", MakeGraph,
+      { "Accuracy: 0.01", "Construction: Guaranteed", "NumberOfNeighbors: 30",
+        "GenerateGraphLines: Off", "MergeCoincidentPoints: Off", "MemoryLimit: 0",
+        "NumberOfGraphEdges: 0" },
+      RefuseGraphOptions() },
+    { "Matrix", MakeMatrix,
+      { "NumberOfRowIds: 0", "NumberOfColumnIds: 0", "Accuracy: 0.01", "ProjectionTolerance: 0.01",
+        "UnreachedValue: nan", "GenerateTable: On" },
+      RefuseMatrix() },
+    { "Probe", MakeProbe, { "DistanceArrayName: GeodesicDistance", "ProjectionTolerance: 0.01" },
+      RefuseProbe() },
+  };
+}
+}

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Table of filters: Green's functions, spectral distances, splines, earth mover's distances.
+#include "FilterCases.h"
+
+#include "vtkBiharmonicDistance.h"
+#include "vtkDiscreteGreensFunction.h"
+#include "vtkHarmonicBSpline.h"
+#include "vtkSurfaceEarthMoversDistance.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+
+#include <functional>
+#include <limits>
+
+namespace dggtest
+{
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+void AddArray(vtkPolyData* surface, const char* name, const std::function<double(vtkIdType)>& value,
+  int components = 1)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  for (vtkIdType i = 0; i < components * surface->GetNumberOfPoints(); ++i)
+  {
+    array->InsertNextValue(value(i));
+  }
+  surface->GetPointData()->AddArray(array);
+  surface->Modified();
+}
+
+vtkPolyData* GetSurface(vtkAlgorithm* filter)
+{
+  return vtkPolyData::SafeDownCast(filter->GetInputDataObject(0, 0));
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeGreens(vtkPolyData* surface)
+{
+  auto greens = MakeFilter<vtkDiscreteGreensFunction>(surface);
+  greens->SetSourceIds(OnRelief(surface, { 40, 29 }));
+  greens->SetMethodToInterpolated(); // the surface is too coarse for others
+  return greens;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeBiharmonic(vtkPolyData* surface)
+{
+  auto distance = MakeFilter<vtkBiharmonicDistance>(surface);
+  distance->SetSourceIds(OnRelief(surface, { 40, 7 }));
+  distance->SetNumberOfEigenvalues(12);
+  return distance;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeSplines(vtkPolyData* surface)
+{
+  AddArray(surface, "f", [](vtkIdType i) { return i == 0 ? 0.0 : 2.0 * (i % 2) - 1.0; });
+  auto splines = MakeFilter<vtkHarmonicBSpline>(surface);
+  splines->SetSourceIds(OnRelief(surface, { 20, 24, 60 }));
+  splines->SetRightHandSideArrayName("f");
+  splines->SetRightHandSideMeaningToIntegrated();
+  return splines;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeBiharmonicSplines(vtkPolyData* surface)
+{
+  AddArray(surface, "v", [](vtkIdType i) { return i % 5 - 2.0; });
+  auto splines = MakeFilter<vtkHarmonicBSpline>(surface);
+  splines->SetSourceIds(OnRelief(surface, { 20, 24, 60 }));
+  splines->SetOrderToBiharmonic();
+  splines->SetSiteValuesArrayName("v");
+  return splines;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeMovers(vtkPolyData* surface)
+{
+  AddArray(surface, "from", [](vtkIdType i) { return i % 3 == 0 ? 1.0 : 0.0; });
+  AddArray(surface, "to", [](vtkIdType i) { return i % 4 == 0 ? 1.0 : 0.5; });
+  auto movers = MakeFilter<vtkSurfaceEarthMoversDistance>(surface);
+  movers->SetFromArrayName("from");
+  movers->SetToArrayName("to");
+  movers->SetTolerance(0.01);
+  return movers;
+}
+
+/// What filters with sources refuse.
+std::vector<Refusal> RefuseSources()
+{
+  using F = vtkSpectralAlgorithm;
+  const auto place = [](const std::array<double, 3>& point) {
+    return [point](F* f) { f->SetSourceData(MakeSourcePoints({ { { 0, 0, 0 } }, point })); };
+  };
+  const auto evaluation = [](const std::array<double, 3>& point) {
+    return [point](F* f) { f->SetEvaluationData(MakeSourcePoints({ { { 0, 0, 0 } }, point })); };
+  };
+  return { RefuseTolerance<F>(NaN), RefuseMemoryLimit(1000),
+    Refuse<F>([](F* f) { f->AddSourceId(-1); }, { "source id -1 ", "out of range" }),
+    Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "out of range" }),
+    Refuse<F>(place({ { 0.5, NaN, 0.0 } }), { "source point 1", "not finite" }),
+    Refuse<F>(place(FarFromRelief), { "source point 1", "ProjectionTolerance" }),
+    Refuse<F>(evaluation({ { 0.5, NaN, 0.0 } }), { "evaluation point 1", "not finite" }),
+    Refuse<F>(
+      evaluation(FarFromRelief), { "evaluation point 1 of input port 2", "ProjectionTolerance" }) };
+}
+
+Refusal RefuseNoSource()
+{
+  using F = vtkSpectralAlgorithm;
+  return Refuse<F>([](F* f) { f->RemoveAllSources(); }, { "no source", "AddSourceId()" });
+}
+
+std::vector<Refusal> RefuseGreens()
+{
+  using F = vtkDiscreteGreensFunction;
+  std::vector<Refusal> refusals = RefuseSources() +
+    std::vector<Refusal>{ RefuseNoSource(),
+      Refuse<F>([](F* f) { f->SetResultArrayName(nullptr); }, { "ResultArrayName" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetBoundaryToDirichlet();
+          f->SetSourceIds({ 40, 3 });
+        },
+        { "source 1", "boundary", "Neumann" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetInputData(MakeCube());
+          f->SetSourceIds({ 0 });
+          f->SetBoundaryToDirichlet();
+        },
+        { "source 0", "without a boundary", "Neumann" }) };
+  for (const double radius : { -1.0, NaN, Infinity })
+  {
+    refusals.push_back(
+      Refuse<F>([radius](F* f) { f->SetRadius(radius); }, { "Radius", "SetRadius()" }));
+  }
+  return refusals;
+}
+
+std::vector<Refusal> RefuseBiharmonic()
+{
+  using F = vtkBiharmonicDistance;
+  const auto time = [](double value) {
+    return [value](F* f) {
+      f->SetKindToDiffusion();
+      f->SetMethodToSpectrum();
+      f->SetDiffusionTime(value);
+    };
+  };
+  return RefuseSources() +
+    std::vector<Refusal>{ RefuseNoSource(),
+      Refuse<F>(
+        [](F* f) {
+          f->SetKindToDiffusion();
+          f->SetMethodToExact();
+        },
+        { "diffusion", "SetMethodToSpectrum()" }),
+      Refuse<F>(time(-1.0), { "DiffusionTime" }), Refuse<F>(time(NaN), { "DiffusionTime" }),
+      Refuse<F>([](F* f) { f->SetNumberOfEigenvalues(0); }, { "NumberOfEigenvalues" }) };
+}
+
+std::vector<Refusal> RefuseSplines()
+{
+  using F = vtkHarmonicBSpline;
+  const auto side = [](const std::function<double(vtkIdType)>& value, int components,
+                      const std::vector<std::string>& parts) {
+    return Refuse<F>([=](F* f) { AddArray(GetSurface(f), "f", value, components); }, parts);
+  };
+  const auto names = [](const char* cell, const char* solution, const char* result,
+                       const std::vector<std::string>& parts) {
+    return Refuse<F>(
+      [=](F* f) {
+        f->SetCellArrayName(cell);
+        f->SetSolutionArrayName(solution);
+        f->SetResultArrayName(result);
+      },
+      parts);
+  };
+  return RefuseSources() +
+    std::vector<Refusal>{ Refuse<F>(
+                            [](F* f) { f->AddSourceId(20); }, { "site 3 (vertex 20)", "site 0" }),
+      Refuse<F>([](F* f) { f->SetRightHandSideArrayName("missing"); },
+        { "no point array 'missing'", "SetRightHandSideArrayName()" }),
+      side([](vtkIdType i) { return i == 7 ? NaN : 0.0; }, 1, { "'f'", "point 7", "finite" }),
+      side(
+        [](vtkIdType i) { return i < 40 ? 1.7e308 : -1.7e308; }, 1, { "right-hand side", "1e290" }),
+      side([](vtkIdType) { return 0.0; }, 3, { "'f'", "3 components" }),
+      // All points of a triangle are on its boundary.
+      Refuse<F>(
+        [](F* f) {
+          f->RemoveAllSources();
+          f->SetRightHandSideArrayName(nullptr);
+          f->SetInputData(
+            MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { 0, 1, 2 } }));
+          f->SetBoundaryToDirichlet();
+        },
+        { "no place for a site", "Neumann" }),
+      names("Same", "Same", "Basis", { "'Same'", "different" }),
+      names("Cell", "Heat", "Cell", { "ResultArrayName", "different" }),
+      names("Cell", "Heat", "Heat", { "ResultArrayName", "different" }),
+      names("Cell", "", "Basis", { "SolutionArrayName", "empty" }),
+      names("", "Heat", "Basis", { "CellArrayName", "empty" }) };
+}
+
+std::vector<Refusal> RefuseBiharmonicSplines()
+{
+  using F = vtkHarmonicBSpline;
+  const auto value = [](const std::function<double(vtkIdType)>& f,
+                       const std::vector<std::string>& parts) {
+    return Refuse<F>([=](F* filter) { AddArray(GetSurface(filter), "v", f); }, parts);
+  };
+  const auto array = [](vtkAbstractArray* values) {
+    values->SetName("v");
+    return Refuse<F>(
+      [values = vtkSmartPointer<vtkAbstractArray>(values)](F* f) {
+        GetSurface(f)->GetPointData()->AddArray(values);
+        GetSurface(f)->Modified();
+      },
+      { "'v'", "numbers for each" });
+  };
+  vtkNew<vtkStringArray> words;
+  words->SetNumberOfValues(81);
+  vtkNew<vtkDoubleArray> few;
+  few->SetNumberOfTuples(3);
+  const auto places = [](int points, bool hasValues, const std::vector<std::string>& parts) {
+    return Refuse<F>(
+      [=](F* f) {
+        // Inside of the first triangle, the last two in the same place.
+        double p[3][3];
+        for (vtkIdType k = 0; k < 3; ++k)
+        {
+          GetSurface(f)->GetPoint(k < 2 ? k : 9, p[k]);
+        }
+        Points inside;
+        for (int i = 0; i < points; ++i)
+        {
+          const double t = 0.1 + 0.05 * std::min(i, points - 2);
+          inside.push_back({ { 0, 0, 0 } });
+          for (int k = 0; k < 3; ++k)
+          {
+            inside.back()[k] = t * p[0][k] + 0.3 * p[1][k] + (0.7 - t) * p[2][k];
+          }
+        }
+        auto data = MakeSourcePoints(inside);
+        if (hasValues)
+        {
+          AddArray(data, "v", [](vtkIdType i) { return 1.0 + i; });
+        }
+        f->SetSourceData(data);
+      },
+      parts);
+  };
+  return { Refuse<F>([](F* f) { f->SetSiteValuesArrayName("missing"); },
+             { "no point array 'missing'", "SetSiteValuesArrayName()" }),
+    value([](vtkIdType i) { return i == 24 ? NaN : 1.0; }, { "'v'", "point 24", "site" }),
+    value([](vtkIdType i) { return i == 24 ? Infinity : 1.0; }, { "'v'", "point 24", "site" }),
+    value([](vtkIdType i) { return i < 22 ? 1.7e308 : -1.7e308; }, { "too large" }), array(words),
+    array(few), places(1, false, { "input port 1", "'v'" }),
+    places(2, true, { "site 4 is in the same place as site 3" }),
+    Refuse<F>([](F* f) { f->AddSourceId(24); }, { "site 3 (vertex 24)", "site 1" }),
+    Refuse<F>([](F* f) { f->SetInterpolationArrayName("Cell"); },
+      { "InterpolationArrayName", "'Cell'", "different" }),
+    Refuse<F>([](F* f) { f->SetInterpolationArrayName(""); }, { "InterpolationArrayName" }),
+    RefuseMemoryLimit(1000) };
+}
+
+std::vector<Refusal> RefuseMovers()
+{
+  using F = vtkSurfaceEarthMoversDistance;
+  const auto to = [](const std::function<double(vtkIdType)>& value, int components,
+                    const std::vector<std::string>& parts) {
+    return Refuse<F>([=](F* f) { AddArray(GetSurface(f), "to", value, components); }, parts);
+  };
+  const auto from = [](const std::array<double, 3>& point, const char* mass, double value,
+                      const std::vector<std::string>& parts) {
+    return Refuse<F>(
+      [=](F* f) {
+        f->SetFromArrayName(nullptr);
+        auto points = MakeSourcePoints({ point });
+        if (mass)
+        {
+          AddArray(points, "mass", [=](vtkIdType) { return value; });
+          f->SetMassArrayName(mass);
+        }
+        f->SetFromData(points);
+      },
+      parts);
+  };
+  const std::array<double, 3> corner{ { 0, 0, 0 } };
+  return { RefuseTolerance<F>(-1.0), RefuseTolerance<F>(NaN), RefuseMemoryLimit(1000),
+    Refuse<F>([](F* f) { f->SetTolerance(-1.0); }, { "Tolerance" }),
+    Refuse<F>([](F* f) { f->SetTolerance(NaN); }, { "Tolerance" }),
+    Refuse<F>([](F* f) { f->SetFromArrayName(nullptr); },
+      { "nothing to move from", "SetFromArrayName()", "input port 1" }),
+    Refuse<F>([](F* f) { f->SetToArrayName(""); },
+      { "nothing to move to", "SetToArrayName()", "input port 2" }),
+    Refuse<F>(
+      [](F* f) { f->SetToArrayName("else"); }, { "no point array 'else'", "SetToArrayName()" }),
+    to([](vtkIdType i) { return i == 37 ? -1.0 : 1.0; }, 1, { "'to'", "point 37" }),
+    to([](vtkIdType i) { return i == 37 ? NaN : 1.0; }, 1, { "'to'", "point 37" }),
+    to([](vtkIdType i) { return i == 37 ? Infinity : 1.0; }, 1, { "'to'", "point 37" }),
+    to([](vtkIdType) { return 1.0; }, 2, { "'to'", "2 components" }),
+    to([](vtkIdType) { return 0.0; }, 1, { "second distribution has no mass" }),
+    Refuse<F>(
+      [](F* f) {
+        f->SetArrayMeaningToMass();
+        AddArray(GetSurface(f), "to", [](vtkIdType) { return 1.7e308; });
+      },
+      { "sum of the masses is not finite" }),
+    Refuse<F>(
+      [](F* f) {
+        f->SetArrayMeaningToMass();
+        f->NormalizeOff();
+        AddArray(GetSurface(f), "from", [](vtkIdType) { return 1.0; });
+        AddArray(GetSurface(f), "to", [](vtkIdType) { return 2.0; });
+      },
+      { "the mass 81", "162" }),
+    from(FarFromRelief, nullptr, 0.0, { "'from' point 0 of input port 1" }),
+    from({ { 0.5, NaN, 0.0 } }, nullptr, 0.0, { "not finite" }),
+    from(corner, "missing", 1.0, { "input port 1", "'missing'", "SetMassArrayName()" }),
+    from(corner, "mass", -2.0, { "'mass'", "-2" }) };
+}
+}
+
+std::vector<FilterCase> GetSpectralFilters()
+{
+  return {
+    { "Greens", MakeGreens, { "Method: SingularitySubtraction", "Boundary: Neumann", "Radius: 0" },
+      RefuseGreens() },
+    { "Biharmonic", MakeBiharmonic,
+      { "Kind: Biharmonic", "Method: Spectrum", "UnreachedValue: nan" }, RefuseBiharmonic() },
+    { "Splines", MakeSplines, { "Order: Harmonic", "NumberOfSites: 20", "SourceIds: (none)" },
+      RefuseSplines() },
+    { "BiharmonicSplines", MakeBiharmonicSplines, {}, RefuseBiharmonicSplines() },
+    { "EarthMovers", MakeMovers, { "ArrayMeaning: Density", "Normalize: On" }, RefuseMovers() },
+  };
+}
+}
