@@ -147,7 +147,7 @@ class CloudGraph(Queries):
         search.SetSourceIds([int(np.argmax(finite))])
         search.SetMaximumDistance(0.0)
         try:
-            run(search, self._heard)
+            run(search, self._issued)
         except VTKError:
             warnings.warn(
                 "points: the graph on the cloud belongs to other points or is damaged; another "

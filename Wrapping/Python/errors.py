@@ -104,15 +104,15 @@ def check(algorithm: vtkAlgorithm) -> Any:
     return _checked(algorithm)
 
 
-def run(algorithm, heard=None, refused=None, bar=Bar):
+def run(algorithm, issued=None, refused=None, bar=Bar):
     """Updates an algorithm like check(), for functions of the package: with a progress bar, and
     messages in terms of arguments.
 
-    Warnings in the set `heard` are not repeated, even if they come from another class; others are
+    Warnings in the set `issued` are not repeated, even if they come from another class; others are
     added to the set. A warning becomes an error, and stops the update, if the function `refused`
     returns true at that time. `bar` makes the progress bar.
     """
-    return _checked(algorithm, heard, refused, bar, in_arguments)
+    return _checked(algorithm, issued, refused, bar, in_arguments)
 
 
 def in_arguments(text):
@@ -128,7 +128,7 @@ def in_arguments(text):
     return text
 
 
-def _checked(algorithm, heard=None, refused=None, bar=None, words=str):
+def _checked(algorithm, issued=None, refused=None, bar=None, words=str):
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
@@ -147,10 +147,10 @@ def _checked(algorithm, heard=None, refused=None, bar=None, words=str):
         raise VTKError(messages, failed[0].GetErrorCode() if failed else 0)
     for text in reports.warnings:
         said = _SPEAKER.sub("", text)
-        if heard is None or said not in heard:
+        if issued is None or said not in issued:
             warnings.warn(words(text), RuntimeWarning, stacklevel=depth_of_package())
-        if heard is not None:
-            heard.add(said)
+        if issued is not None:
+            issued.add(said)
     if algorithm.GetNumberOfOutputPorts() == 0:
         return None
     return algorithm.GetOutputDataObject(0)

@@ -104,7 +104,7 @@ class Scene:
         self._graph = None
         self._filters = {}
         self._fastest = {}
-        self._heard = set()
+        self._issued = set()
         self._wanted = None
         self._contour = vtkApolloniusIsolines()
         set_merging(self._contour, *self._merging)
@@ -370,7 +370,7 @@ class Scene:
         sources = arguments.surface_points(self.sources, "sources", self.surface)
         algorithm.SetSourceIds(sources.ids)
         algorithm.SetSourceData(sources.data)
-        run(algorithm, self._heard)
+        run(algorithm, self._issued)
         self.times[name] = time.perf_counter() - start
         return self.times[name]
 
@@ -390,7 +390,7 @@ class Scene:
         contour.SetNumberOfContours(last - first + 1)
         for i in range(first, last + 1):
             contour.SetValue(i - first, i * self.step)
-        run(contour, self._heard)
+        run(contour, self._issued)
         self.lines = vtkPolyData()
         self.lines.ShallowCopy(contour.GetOutput())
         if contour.GetGenerateBands():

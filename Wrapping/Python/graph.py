@@ -213,7 +213,7 @@ class Graph(Queries):
             distances = array_of(field.GetPointData(), "GeodesicDistance")
             largest = np.nanmax(distances) if np.isfinite(distances).any() else 0.0
             array = largest * np.arange(1, count + 1) / (count + 1)
-        output = find_isolines(field, array, False, self._info, self._heard)
+        output = find_isolines(field, array, False, self._info, self._issued)
         return output if as_polydata else lines_of(output, Isoline, value="IsoValue")
 
     def loop(
@@ -263,9 +263,9 @@ class Graph(Queries):
         else:
             tie.SetModeToAroundHandles()
         tie.SetTaut(bool(taut))
-        output = run(tie, self._heard)
+        output = run(tie, self._issued)
         if as_polydata:
-            return self._given_away(tie)
+            return self._detached(tie)
         return lines_of(output, Loop, length="Length", angle="Angle")
 
 
@@ -276,11 +276,11 @@ class Graph(Queries):
         search.GenerateVirtualSourceOn()
         # The next query replaces the output of the filter.
         field = vtkPolyData()
-        field.ShallowCopy(run(search, self._heard))
+        field.ShallowCopy(run(search, self._issued))
         return field
 
 
-def find_isolines(field, values, merge_coincident_points, info=None, heard=None):
+def find_isolines(field, values, merge_coincident_points, info=None, issued=None):
     """Returns the isolines of a surface with distances and virtual sources or windows. `info` is
     that of the graph of the distances."""
     contour = vtkApolloniusIsolines()
@@ -288,4 +288,4 @@ def find_isolines(field, values, merge_coincident_points, info=None, heard=None)
     contour.SetInputData(field)
     for i, value in enumerate(values):
         contour.SetValue(i, value)
-    return run(contour, heard)
+    return run(contour, issued)

@@ -126,26 +126,27 @@ class GraphData:
         return {
             "surface": to_arrays(self._surface),
             "memory_limit": self._memory_limit,
-            "heard": self._heard,
+            "heard": self._issued,  # the key in older pickles
             "used_input_graph": self._used_input_graph,
         }
 
     def __setstate__(self, state):
         # Version 1.0.0 did not store the origin of the graph.
-        state = {"used_input_graph": False, **state}
-        self._take(**{**state, "surface": from_arrays(state["surface"])})
+        used_input_graph = state.get("used_input_graph", False)
+        surface = from_arrays(state["surface"])
+        self._take(surface, state["memory_limit"], used_input_graph, state["heard"])
 
     def _build(self, builder, surface, refused=None):
         """Runs a builder, which may find the graph on the surface; `refused` as for run()."""
-        heard = set()  # warnings that were shown: filters repeat those about the mesh
+        issued = set()  # warnings already issued, which filters repeat
         builder.SetInputData(surface)
         output = vtkPolyData()  # without the builder, which keeps much more
-        output.ShallowCopy(run(builder, heard, refused))
-        self._take(output, builder.GetMemoryLimit(), builder.GetGraphBuildTime() == 0, heard)
+        output.ShallowCopy(run(builder, issued, refused))
+        self._take(output, builder.GetMemoryLimit(), builder.GetGraphBuildTime() == 0, issued)
 
-    def _take(self, surface, memory_limit, used_input_graph, heard=()):
+    def _take(self, surface, memory_limit, used_input_graph, issued=()):
         """Uses the graph in the field data of a surface."""
-        self._heard = set(heard)
+        self._issued = set(issued)
         self._memory_limit = memory_limit
         self._used_input_graph = used_input_graph
         self._local = threading.local()
@@ -176,7 +177,7 @@ class GraphData:
         return arguments.surface_points(values, name, self._surface, self.is_cloud)
 
     @staticmethod
-    def _given_away(algorithm, port=0):
+    def _detached(algorithm, port=0):
         """Returns a copy of the output, which the next query replaces."""
         result = vtkPolyData()
         result.ShallowCopy(algorithm.GetOutputDataObject(port))

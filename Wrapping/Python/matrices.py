@@ -199,7 +199,7 @@ class Matrices(GraphData):
         tabulate.SetRowData(rows.data)
         tabulate.SetColumnIds([] if columns is None else columns.ids)
         tabulate.SetColumnData(None if columns is None else columns.data)
-        run(tabulate, self._heard, bar=(lambda: part) if part else Bar)
+        run(tabulate, self._issued, bar=(lambda: part) if part else Bar)
         matrix = tabulate.GetMatrix()
         shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
         tabulate.ReleaseMatrix()  # the next call makes another one
@@ -215,7 +215,7 @@ class Matrices(GraphData):
         tabulate.SetRowData(rows.data)
         tabulate.SetColumnIds([])
         tabulate.SetColumnData(None)
-        table = run(tabulate, self._heard)
+        table = run(tabulate, self._issued)
         arrays = [
             vtk_to_numpy(array)
             for array in (

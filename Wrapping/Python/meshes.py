@@ -191,7 +191,7 @@ def _grid(points, blocks):
     """Returns a vtkUnstructuredGrid of the blocks of meshio, of which each has cells of one type.
     Points and lines are skipped."""
     points = arguments.coordinates(points, "points", is_finite=False)
-    types, sizes, corners = [], [0], []
+    types, sizes, corners = [], [], []
     for block in blocks:
         if block.type in ("vertex", "line"):
             continue
@@ -200,12 +200,13 @@ def _grid(points, blocks):
             known = ", ".join(CELL_TYPES)
             raise ValueError(f"triangles: expected cells of {known}, got {block.type!r}")
         ids = arguments.numbers(block.data, "triangles", "integer")
-        types += [CELL_TYPES[kind]] * len(ids)
-        sizes += [ids.shape[1]] * len(ids)
+        types.append(np.full(len(ids), CELL_TYPES[kind]))
+        sizes.append(np.full(len(ids), ids.shape[1]))
         corners.append(ids.ravel())
     result = DataSet("UNSTRUCTURED_GRID")
     result.points = points
     if types:
-        result.types = np.array(types)
-        result.cells["cells"] = np.cumsum(sizes), np.concatenate(corners)
+        result.types = np.concatenate(types)
+        offsets = np.cumsum(np.concatenate([[0], *sizes]))
+        result.cells["cells"] = offsets, np.concatenate(corners)
     return grid_of(result)

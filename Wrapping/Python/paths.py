@@ -110,14 +110,14 @@ def path(
     return finder.GetOutput() if as_polydata else found[0]
 
 
-def find(finder, starts, ends, heard=None):
+def find(finder, starts, ends, issued=None):
     """Returns the paths between `SurfacePoints` by a filter with its input. The path is None for a
-    pair that the surface does not connect; if it is the only pair, that is an error. `heard` is as
+    pair that the surface does not connect; if it is the only pair, that is an error. `issued` is as
     for run()."""
     set_pairs(finder, starts, ends)
     is_alone = len(starts) == 1
     try:
-        output = run(finder, heard, (lambda: _is_unconnected(finder)) if is_alone else None)
+        output = run(finder, issued, (lambda: _is_unconnected(finder)) if is_alone else None)
     except VTKError:
         if not (is_alone and _is_unconnected(finder)):
             raise

@@ -357,7 +357,8 @@ def labels(low, high):
     """Returns round numbers between `low` and `high` for a scalar bar."""
     step = nice_step(high - low, wanted=6)
     slack = 1e-9 * (high - low) / step
-    return [i * step for i in range(math.ceil(low / step - slack), int(high / step + slack) + 1)]
+    first, last = math.ceil(low / step - slack), math.floor(high / step + slack)
+    return [i * step for i in range(first, last + 1)]
 
 
 def scalar_bar(table, title, values, form, bottom=0.18):

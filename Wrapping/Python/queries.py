@@ -88,8 +88,8 @@ class Queries(Matrices):
             sources, correction, maximum_distance, initial_distances, projection_tolerance
         )
         search.SetUnreachedValue(unreached)
-        run(search, self._heard)
-        return self._given_away(search) if as_polydata else field_of(search, return_source)
+        run(search, self._issued)
+        return self._detached(search) if as_polydata else field_of(search, return_source)
 
     def path(
         self,
@@ -138,8 +138,8 @@ class Queries(Matrices):
             for value, name in ((start, "start"), (end, "end"))
         )
         finder = self._path_finder(straighten, detour, projection_tolerance)
-        found = find(finder, *ends, self._heard)
-        return self._given_away(finder) if as_polydata else found[0]
+        found = find(finder, *ends, self._issued)
+        return self._detached(finder) if as_polydata else found[0]
 
     def paths(
         self,
@@ -182,8 +182,8 @@ class Queries(Matrices):
             )
         finder = self._path_finder(straighten, detour, projection_tolerance)
         sets = [points[np.arange(count) % len(points)] for points in sets]
-        found = find(finder, *sets, self._heard)
-        return self._given_away(finder) if as_polydata else found
+        found = find(finder, *sets, self._issued)
+        return self._detached(finder) if as_polydata else found
 
     def sample(
         self,
@@ -235,9 +235,9 @@ class Queries(Matrices):
         sampler.SetStartData(start)
         sampler.SetCoveringRadius(arguments.limit(covering_radius, "covering_radius"))
         sampler.SetInFaces(bool(in_faces))
-        output = run(sampler, self._heard)
+        output = run(sampler, self._issued)
         if as_polydata:
-            return self._given_away(sampler)
+            return self._detached(sampler)
         data = output.GetPointData()
         return Samples(
             points=np.array(vtk_to_numpy(output.GetPoints().GetData()), dtype=np.float64),
@@ -278,7 +278,7 @@ class Queries(Matrices):
         """
         divide = self._divide(sites, iterations, projection_tolerance)
         if as_polydata:
-            return self._given_away(divide, 0 if self.is_cloud else 2)
+            return self._detached(divide, 0 if self.is_cloud else 2)
         return voronoi_of(divide)
 
     def _divide(self, sites, iterations, projection_tolerance):
@@ -292,7 +292,7 @@ class Queries(Matrices):
         divide.SetSiteData(sites.data)
         divide.SetCentroidal(iterations > 0)
         divide.SetNumberOfIterations(iterations)
-        run(divide, self._heard)
+        run(divide, self._issued)
         return divide
 
     def _search(self, sources, correction, maximum_distance, initial_distances, tolerance):

@@ -193,7 +193,7 @@ def from_arrays(arrays):
 def _points_of(mesh):
     """Returns vtkPoints: single precision for unchanged coordinates of a file that stores it."""
     values = mesh.points
-    if mesh._is_single and (values.astype(np.float32) == values).all():
+    if mesh._is_single and np.array_equal(values.astype(np.float32), values, equal_nan=True):
         values = values.astype(np.float32)
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(values), deep=True))

@@ -119,7 +119,8 @@ def replacing(path):
     """Yields the name of a new file in the same folder, which replaces `path` at the end. After an
     error, an older file at `path` is unchanged."""
     target = os.path.realpath(path)
-    part = "{}.part{}".format(*os.path.splitext(target))
+    stem, extension = os.path.splitext(target)
+    part = f"{stem}.{os.getpid()}.part{extension}"  # unique, for several writers of one file
     if os.path.exists(target) and not os.path.isfile(target):
         part = target  # a device or pipe
     try:
