@@ -28,7 +28,8 @@ std::uint64_t GetCurvePosition(const Box& box, const Box& whole, double cellsPer
   for (int k = 0; k < 3; ++k)
   {
     const double middle = 0.5 * box.Low[k] + 0.5 * box.High[k];
-    const double cell = std::clamp((middle - whole.Low[k]) * cellsPerUnit, 0.0, last);
+    // In this order of arguments the result is 0 for the NaN of an empty box.
+    const double cell = std::min(std::max(0.0, (middle - whole.Low[k]) * cellsPerUnit), last);
     position |= SpreadBits(static_cast<std::uint64_t>(cell)) << k;
   }
   return position;

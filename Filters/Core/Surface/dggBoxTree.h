@@ -64,9 +64,9 @@ public:
   BoxTree() = default;
   explicit BoxTree(const std::vector<Box>& elements);
 
-  /// Calls `visit(element)` for elements around a point, near boxes first. It returns the square of
-  /// the distance beyond which elements are of no interest from then on; `squaredLimit` is the
-  /// first one. All closer elements are visited.
+  /// Calls `visit(element)` for elements around a point, near boxes first. `visit` returns the
+  /// squared distance beyond which elements are skipped from then on; `squaredLimit` is its initial
+  /// value. All closer elements are visited.
   template <typename Visitor>
   void Search(const std::array<double, 3>& point, double squaredLimit, Visitor&& visit) const;
 

@@ -17,7 +17,7 @@ namespace
 /// In units in the last place of the largest coordinate.
 constexpr double UnitsOfRounding = 8.0;
 
-/// Neighbors of a point that decide how far a cloud reaches around it.
+/// Number of neighbors that define the reach of a cloud around a point.
 constexpr std::size_t NeighborCount = 6;
 
 const double* At(const double* positions, Id i)
@@ -121,7 +121,7 @@ bool SurfaceLocator::FindClosestPoint(
   closest = SurfacePoint::InFace(this->Mesh, face, this->Project(p, face, squaredDistance));
   if (closest.On == SurfacePoint::Support::Edge)
   {
-    // All faces of the edge are equally good up to rounding. Take the first.
+    // All faces of the edge are equally close up to rounding errors. Use the smallest id.
     const Id h = closest.HalfEdge;
     Id first = h;
     for (Id t = this->Mesh.Twin(h); t != NoId && t != h; t = this->Mesh.Twin(t))

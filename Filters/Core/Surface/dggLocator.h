@@ -35,7 +35,7 @@ public:
 };
 
 /// Finds closest points on a mesh. Coordinates are scaled by a power of two for the search, so that
-/// the result is the same at any scale, bit by bit. Of several closest faces, the one with the
+/// the result is bitwise the same at any scale. Of several closest faces, the one with the
 /// smallest id is used.
 class DGG_CORE_EXPORT SurfaceLocator : public Locator
 {
@@ -67,25 +67,25 @@ private:
   BoxTree Tree;          // of faces
 };
 
-/// Finds closest points of a cloud among those that are finite. Coordinates are taken from the
-/// middle of the cloud and scaled by a power of two for the search, so that the result is the same
-/// at any scale, bit by bit. The few points that are far off all others (dggOutliers.h) are
-/// examined one by one: in the frame of all points the others would lose digits.
+/// Finds the closest finite point of a cloud. Coordinates are relative to the center of the cloud
+/// and scaled by a power of two for the search, so that the result is bitwise the same at any
+/// scale. The few outliers (dggOutliers.h) are examined one by one: in a frame that contains them,
+/// the coordinates of the other points would lose digits.
 class DGG_CORE_EXPORT CloudLocator : public Locator
 {
 public:
   /// `positions`, x y z per point, must outlive the locator.
   CloudLocator(const double* positions, Id numberOfPoints);
 
-  /// The result is the position as seen from the closest point of the cloud, of several the one
-  /// with the smallest id. Returns false also if no distance is in the range of double.
+  /// The result is relative to the closest point of the cloud; of several, to the one with the
+  /// smallest id. Returns false also if no distance is in the range of double.
   bool FindClosestPoint(
     const double position[3], SurfacePoint& closest, double& distance) const override;
 
-  /// Of the finite points, without those far off all others.
+  /// Diagonal of the bounding box of the finite points without outliers.
   double GetDiagonal() const override { return this->Frame.GetDiagonal(); }
 
-  /// Positions that are among the points of the cloud are close as well.
+  /// Positions no farther away than the reach of the closest point are close as well.
   bool IsClose(const SurfacePoint& closest, double distance, double farthest) const override
   {
     return distance <= farthest || distance <= this->GetReach(closest);
@@ -93,11 +93,11 @@ public:
 
 private:
   double GetDistance(Id point, const double position[3]) const;
-  /// Square of a distance in the units of the points, in those of the search, rounded up.
+  /// Converts a distance to a squared distance in units of the search, rounded up.
   double GetSquaredLimit(double distance) const;
-  /// Returns the distance from the point that `closest` refers to to its sixth neighbor: a triangle
-  /// mesh has that many. 0 when there are too few. Points far off all others have only each other
-  /// as neighbors.
+  /// Returns the reach of the point that `closest` refers to: the distance to its sixth neighbor,
+  /// since vertices of triangle meshes have six neighbors on average; 0 if there are fewer. Only
+  /// outliers are neighbors of outliers.
   double GetReach(const SurfacePoint& closest) const;
 
   const double* Positions;

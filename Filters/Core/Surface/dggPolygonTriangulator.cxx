@@ -98,7 +98,7 @@ private:
 
   struct Entry
   {
-    double Measure; // of the shape: small is good
+    double Measure; // squared perimeter per area; smaller is better
     Id Corner;
     Id Version;
     bool operator<(const Entry& other) const // the best is on top

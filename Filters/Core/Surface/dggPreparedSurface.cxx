@@ -349,8 +349,8 @@ void PreparedSurface::CheckPrecision()
 }
 
 //------------------------------------------------------------------------------
-/// Returns true if no vertex is irregular and no face was left out.
-bool PreparedSurface::IsPlain() const
+/// Returns true if no vertex is irregular and no face is excluded.
+bool PreparedSurface::IsRegular() const
 {
   const SurfaceMesh& mesh = this->Mesh;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -373,8 +373,8 @@ bool PreparedSurface::IsPlain() const
 //------------------------------------------------------------------------------
 void PreparedSurface::CollectWarnings()
 {
-  // A plain mesh has none of what a report would warn of.
-  const MeshReport report = this->IsPlain() ? MeshReport() : this->GetReport();
+  // The report of a regular mesh, which takes longer, contains no defects.
+  const MeshReport report = this->IsRegular() ? MeshReport() : this->GetReport();
   auto warn = [this](Offset count, const std::string& what) {
     if (count > 0)
     {

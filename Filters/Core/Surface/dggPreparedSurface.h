@@ -30,7 +30,7 @@ struct CellArrays
   Offset NumberOfIds = 0;
 };
 
-/// Points and cells as a front has them.
+/// Points and cells of an input.
 struct SurfaceArrays
 {
   const double* Points = nullptr; ///< x y z each
@@ -41,13 +41,13 @@ struct SurfaceArrays
   bool AreFromFloats = false; ///< the points were stored in single precision
 };
 
-/// What distances are measured along.
+/// Selects what distances are measured along.
 struct Domain
 {
   enum KindType
   {
     Surface,       ///< the polygons and strips, connected where they share point ids
-    MergedSurface, ///< the same, with coincident points taken as one
+    MergedSurface, ///< Surface with coincident points merged
     Cloud          ///< the points alone; cells are ignored
   };
 
@@ -76,7 +76,7 @@ public:
   ~PreparedSurface();
 
   /// Returns 128 bits that identify the domain, its points and its cells. Equal ones give equal
-  /// surfaces. Much cheaper than to prepare one.
+  /// surfaces. Costs much less than Make().
   static Signature ComputeFingerprint(const SurfaceArrays& input, const Domain& domain);
 
   /// Makes a surface, or returns the one in use with this fingerprint. Fails with a message that
@@ -89,45 +89,45 @@ public:
 
   /// Returns the mesh. Angles are measured at the first call.
   const SurfaceMesh& GetMesh() const;
-  /// The same for users that need no angles: see SurfaceMesh::FromPointsWithoutAngles().
+  /// Returns the mesh for callers that need no angles: see SurfaceMesh::FromPointsWithoutAngles().
   const SurfaceMesh& GetMeshWithoutAngles() const { return this->Mesh; }
   ///@{
-  /// Made at the first call.
+  /// Computed at the first call.
   const MeshReport& GetReport() const;
   const Anisotropy& GetAnisotropy() const;
   const Locator& GetLocator() const;
   ///@}
-  /// x y z per vertex.
+  /// Coordinates x y z per vertex.
   const double* GetPositions() const { return this->Positions.data(); }
-  /// Of the points and the triangles made of the cells.
+  /// Signature of the points and triangles.
   const Signature& GetSignature() const { return this->MeshSignature; }
   const Domain& GetDomain() const { return this->InputDomain; }
   bool IsCloud() const { return this->InputDomain.Kind == Domain::Cloud; }
-  /// Unlike that of any other surface; 0 for an empty one.
+  /// Unique number of this surface in the process; 0 for an empty surface.
   std::uint64_t GetBuildNumber() const { return this->BuildNumber; }
 
-  /// The vertex that represents a point of the input.
+  /// Returns the vertex that represents a point of the input.
   Id GetVertex(Offset point) const
   {
     return this->Vertices.empty() ? static_cast<Id>(point) : this->Vertices[point];
   }
-  /// The cell of the input that a face of the mesh is a part of.
+  /// Returns the cell of the input that contains a face of the mesh.
   Offset GetCell(Id face) const { return this->Cells[face]; }
-  /// Returns the faces that are parts of a cell of the input; empty for an excluded cell.
+  /// Returns the faces in a cell of the input; none for an excluded cell.
   std::vector<Id> GetFaces(Offset cell) const;
 
-  /// Polygons that were left out because fewer than three of their points are distinct.
+  /// Number of polygons excluded because fewer than three of their points are distinct.
   Offset GetNumberOfDroppedCells() const { return this->NumberOfDroppedCells; }
-  /// Of triangles without area that were left out.
+  /// Largest height of excluded triangles without area, model units.
   double GetLargestCapHeight() const { return this->Caps.LargestHeight; }
-  /// Points that share the vertex of an earlier point.
+  /// Number of points that share the vertex of an earlier point.
   Offset GetNumberOfMergedPoints() const { return this->NumberOfMergedPoints; }
-  /// Points without a face.
+  /// Number of points without a face.
   Offset GetNumberOfIsolatedPoints() const
   {
     return this->GetReport().IsolatedVertices - this->NumberOfMergedPoints;
   }
-  /// Points on the boundary with exactly the coordinates of another point on the boundary.
+  /// Number of boundary points with exactly the coordinates of another boundary point.
   Offset GetNumberOfCoincidentBoundaryPoints() const
   {
     return this->NumberOfCoincidentBoundaryPoints;
@@ -149,7 +149,7 @@ private:
   std::vector<Id> CollectBoundary() const;
   void CountCoincidentBoundaryPoints();
   void CheckPrecision();
-  bool IsPlain() const;
+  bool IsRegular() const;
   void CollectWarnings();
 
   Domain InputDomain;
@@ -161,9 +161,9 @@ private:
   Signature MeshSignature{};
   std::vector<Id> Vertices;             // per point; empty unless coincident points are merged
   std::vector<Offset> Cells;            // per face
-  std::size_t NumberOfOrderedFaces = 0; // before the pieces of split triangles
+  std::size_t NumberOfOrderedFaces = 0; // before the pieces of split faces
   Offset NumberOfDroppedCells = 0;
-  CapSplitting Caps;       // triangles without area that were left out
+  CapSplitting Caps;       // excluded triangles without area
   Offset NumberOfFans = 0; // polygons that cross or touch themselves
   Offset NumberOfMergedPoints = 0;
   Offset NumberOfCoincidentPoints = 0;
