@@ -12,6 +12,32 @@ using dgg::FileCode;
 
 constexpr dgg::TextRules Rules{ true, true, true, false, true };
 
+/// Returns true if commas in a line may be decimal points: "0,5 1,5 2,5" or "0,5;1,5;2,5".
+bool HasAmbiguousCommas(std::string_view line)
+{
+  if (line.find(',') == line.npos || line.find(';') != line.npos)
+  {
+    return line.find(',') != line.npos;
+  }
+  bool hasBlanks = false; // as separators, without a comma
+  bool hasTightCommas = false;
+  char last = ' '; // the last one that is no blank
+  bool isBehindBlank = false;
+  for (const char c : line)
+  {
+    if (c == ' ' || c == '\t' || c == '\r')
+    {
+      isBehindBlank = true;
+      continue;
+    }
+    hasBlanks = hasBlanks || (isBehindBlank && c != ',' && last != ',' && last != ' ');
+    hasTightCommas = hasTightCommas || (!isBehindBlank && c != ',' && last == ',');
+    last = c;
+    isBehindBlank = false;
+  }
+  return hasBlanks && hasTightCommas;
+}
+
 /// Reads lines that begin with three numbers, behind a count or a line of words. Returns the count;
 /// -1 if there is none.
 double Parse(
@@ -51,10 +77,10 @@ double Parse(
         wrong.empty() ? std::to_string(words) + " numbers" : dgg::Quote(wrong) + " is not a number",
         ", expected the coordinates x, y and z");
     }
-    if (!isHeader && line.find(',') != line.npos && line.find(';') != line.npos)
+    if (!isHeader && HasAmbiguousCommas(line))
     {
       dgg::Fail(FileCode::Malformed, "line ", text.GetLine(),
-        ": ',' and ';' in one line are ambiguous. Use decimal points.");
+        ": ',' may separate numbers or be a decimal point. Use decimal points.");
     }
     if (!isHeader)
     {

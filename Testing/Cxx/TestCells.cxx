@@ -137,6 +137,28 @@ TEST(Cells, PolygonWithAHole)
   EXPECT_NEAR(GetDistances(filter)[1], 2.0 * std::sqrt(5.0), 1e-12);
 }
 
+TEST(Cells, PolygonWithRepeatedPositions)
+{
+  // An L whose corner 1 is there twice, exactly or almost, and with a spike from corner 3.
+  for (const double gap : { 0.0, 1e-12 })
+  {
+    auto surface = MakeSurface(
+      { { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 1, 1, 0 } }, { { 1, 2, 0 } }, { { 0, 2, 0 } },
+        { { 0, 0, 0 } }, { { 2, 1 - gap, 0 } }, { { 1, 3, 0 } }, { { 1, 2, 0 } } },
+      { { 0, 1, 6, 2, 3, 7, 8, 4, 5 } });
+    vtkNew<vtkExactGeodesicDistance> filter;
+    filter->SetInputData(surface);
+    filter->AddSourceId(0);
+    filter->Update();
+    const auto distances = GetDistances(filter);
+    EXPECT_NEAR(distances[3], 1.0 + std::sqrt(2.0), 1e-9);
+    EXPECT_NEAR(distances[4], std::sqrt(8.0), 1e-9);
+    EXPECT_NEAR(distances[6], 1.0, 1e-9);
+    EXPECT_NEAR(distances[7], 2.0 + std::sqrt(2.0), 1e-9);
+    EXPECT_NEAR(distances[8], distances[3], 1e-9);
+  }
+}
+
 TEST(Cells, NonConvexQuad)
 {
   // An arrow head; only the diagonal from the notch (point 2) lies inside. Whichever point the cell

@@ -25,6 +25,7 @@ public:
     : Points(points)
     , Links(points.size())
     , Versions(points.size(), 0)
+    , Remaining(static_cast<Id>(points.size()))
   {
     const auto n = static_cast<Id>(points.size());
     for (Id i = 0; i < n; ++i)
@@ -36,20 +37,20 @@ public:
   /// Appends three indices per triangle. Returns false if corners remain that cannot be cut off.
   bool Run(std::vector<Id>& triangles)
   {
-    if (!this->TurnsOnce())
+    const auto n = static_cast<Id>(this->Points.size());
+    this->RemoveSpikes(triangles);
+    if (this->Remaining > 3 && !this->TurnsOnce())
     {
       return false;
     }
-    const auto n = static_cast<Id>(this->Points.size());
     this->CollectReflex();
     for (Id i = 0; i < n; ++i)
     {
       this->Push(i);
     }
     std::vector<Id> blocked; // convex, but not ears when they were examined
-    Id remaining = n;
     bool hasChanged = false;
-    while (remaining > 3)
+    while (this->Remaining > 3)
     {
       if (this->Queue.empty())
       {
@@ -75,11 +76,7 @@ public:
         continue;
       }
       const auto [before, after] = this->Links[i];
-      triangles.insert(triangles.end(), { before, i, after });
-      this->Links[before].second = after;
-      this->Links[after].first = before;
-      this->Versions[i] = Removed;
-      --remaining;
+      this->Remove(i, triangles);
       hasChanged = true;
       this->Push(before);
       this->Push(after);
@@ -95,6 +92,7 @@ public:
 private:
   static constexpr Id Removed = -1;
   static constexpr double Rounding = 1e-12; // of areas; the extent of the polygon is 1
+  static constexpr double SmallestEdge = 1e-9;
 
   struct Entry
   {
@@ -107,6 +105,38 @@ private:
         std::make_pair(other.Measure, other.Corner);
     }
   };
+
+  void Remove(Id i, std::vector<Id>& triangles)
+  {
+    const auto [before, after] = this->Links[i];
+    triangles.insert(triangles.end(), { before, i, after });
+    this->Links[before].second = after;
+    this->Links[after].first = before;
+    this->Versions[i] = Removed;
+    --this->Remaining;
+  }
+
+  /// Removes corners where the boundary has an edge without length or turns back: they have no
+  /// area, and angles there mean nothing.
+  void RemoveSpikes(std::vector<Id>& triangles)
+  {
+    Id i = 0;
+    for (Id unchanged = 0; this->Remaining > 3 && unchanged < this->Remaining; ++unchanged)
+    {
+      const auto [before, after] = this->Links[i];
+      const Point2 in = Difference(this->Points[i], this->Points[before]);
+      const Point2 out = Difference(this->Points[after], this->Points[i]);
+      const bool turnsBack = Dot(in, out) < 0.0 && std::abs(Cross(in, out)) <= Rounding;
+      if (turnsBack || Distance(this->Points[i], this->Points[before]) <= SmallestEdge)
+      {
+        this->Remove(i, triangles);
+        unchanged = -2; // the corner before has another neighbor: look at it again
+        i = before;
+        continue;
+      }
+      i = after;
+    }
+  }
 
   double GetArea(Id a, Id b, Id c) const
   {
@@ -123,7 +153,7 @@ private:
       const auto [before, after] = this->Links[i];
       const Point2 in = Difference(this->Points[i], this->Points[before]);
       const Point2 out = Difference(this->Points[after], this->Points[i]);
-      sum += std::atan2(Cross(in, out), Dot(in, out));
+      sum += this->Versions[i] == Removed ? 0.0 : std::atan2(Cross(in, out), Dot(in, out));
     }
     return std::abs(sum - 2.0 * Pi) < 1.0;
   }
@@ -156,7 +186,7 @@ private:
     {
       const auto corner = static_cast<Id>(i);
       const auto [before, after] = this->Links[i];
-      if (!(this->GetArea(before, corner, after) > 0.0))
+      if (this->Versions[i] != Removed && !(this->GetArea(before, corner, after) > 0.0))
       {
         const std::array<double, 3> point{ { this->Points[i].X, this->Points[i].Y, 0.0 } };
         boxes.push_back({ point, point });
@@ -204,6 +234,7 @@ private:
   const std::vector<Point2>& Points;
   std::vector<std::pair<Id, Id>> Links; // corner before and after
   std::vector<Id> Versions;             // of the triangle of a corner
+  Id Remaining;
   std::priority_queue<Entry> Queue;
   std::vector<Id> Reflex;
   BoxTree ReflexTree; // over Reflex
