@@ -4,12 +4,12 @@
 
 #include "DGGIsInteger.h"
 #include "DGGMakeArray.h"
-#include "dggPreparedSurface.h"
 #include "DGGThreads.h"
 
 #include "dggBitHash.h"
 #include "dggBuffer.h"
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -148,7 +148,7 @@ private:
   const ValueType* GetValues(Role role) const;
 
   Entries Arrays;
-  vtkMTimeType Mesh = 0; // build time of the mesh that they were compared with
+  std::uint64_t Mesh = 0; // build number of the surface that they were compared with
   dgg::GraphView View;
   DGGCloudBand Band;
   std::string Damage;

@@ -6,10 +6,10 @@
 #include "DGGContext.h"
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
-#include "dggPreparedSurface.h"
 #include "DGGWindowArrays.h"
 
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 #include "dggSurfacePath.h"
 
 #include "vtkAlgorithm.h"

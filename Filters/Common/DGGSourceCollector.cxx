@@ -4,10 +4,10 @@
 
 #include "DGGCellCoordinates.h"
 #include "DGGContext.h"
-#include "dggPreparedSurface.h"
 
 #include "dggInvalidInput.h"
 #include "dggLocator.h"
+#include "dggPreparedSurface.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"

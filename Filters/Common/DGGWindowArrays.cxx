@@ -3,9 +3,9 @@
 #include "DGGWindowArrays.h"
 
 #include "DGGIsInteger.h"
-#include "dggPreparedSurface.h"
 
 #include "dggBitHash.h"
+#include "dggPreparedSurface.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -4,8 +4,8 @@
 
 #include "DGGDistanceTask.h"
 #include "DGGGraphUser.h"
-#include "dggPreparedSurface.h"
 
+#include "dggPreparedSurface.h"
 #include "dggSourceFinding.h"
 
 #include "vtkObjectFactory.h"

@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cstdint>
 #include <utility>
 
 vtkStandardNewMacro(vtkDGGFastMarchingDistance);
@@ -28,7 +29,7 @@ constexpr double BandShare = 0.4;
 /// Kept until the mesh changes, or for a cloud the band.
 struct vtkDGGFastMarchingDistance::Preparation
 {
-  vtkMTimeType MeshTime;
+  std::uint64_t MeshBuild;
   std::unique_ptr<dgg::FastMarching> Solver;
   std::unique_ptr<DGGCloudMarching> OnCloud; // in place of that
   double BandRadius;                         // as asked for
@@ -125,7 +126,7 @@ dgg::Status vtkDGGFastMarchingDistance::MarchOnMesh(DGGDistanceTask& task)
   options.Progress = task.Context.Progress;
 
   const dgg::PreparedSurface& mesh = task.Context.Surface;
-  if (!this->Prepared || this->Prepared->MeshTime != mesh.GetBuildNumber())
+  if (!this->Prepared || this->Prepared->MeshBuild != mesh.GetBuildNumber())
   {
     this->Prepared.reset(); // before there are two
     auto solver = std::make_unique<dgg::FastMarching>(mesh.GetMesh());
@@ -147,7 +148,7 @@ dgg::Status vtkDGGFastMarchingDistance::MarchOnCloud(DGGDistanceTask& task)
 {
   const DGGContext& context = task.Context;
   const bool isKept = this->Prepared &&
-    this->Prepared->MeshTime == context.Surface.GetBuildNumber() &&
+    this->Prepared->MeshBuild == context.Surface.GetBuildNumber() &&
     this->Prepared->BandRadius == this->BandRadius &&
     this->Prepared->Resolution == this->Resolution;
   this->QualityWarning = false;

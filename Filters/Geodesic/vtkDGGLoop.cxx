@@ -6,7 +6,6 @@
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
-#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGThreads.h"
@@ -15,6 +14,7 @@
 #include "dggHandleLoops.h"
 #include "dggLoopFinder.h"
 #include "dggOffsetCurves.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 #include "dggSurfacePoint.h"
 

@@ -6,11 +6,11 @@
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
 #include "DGGPathSearch.h"
-#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"

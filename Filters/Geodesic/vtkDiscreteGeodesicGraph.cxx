@@ -6,8 +6,8 @@
 #include "DGGFreeMemory.h"
 #include "DGGGraphArrays.h"
 #include "DGGGraphBuild.h"
-#include "dggPreparedSurface.h"
 
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include "vtkCellArray.h"

@@ -4,12 +4,12 @@
 
 #include "DGGDistanceTask.h"
 #include "DGGMakeArray.h"
-#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include "vtkDoubleArray.h"

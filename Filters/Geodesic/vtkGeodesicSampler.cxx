@@ -5,11 +5,11 @@
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
-#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 #include "dggSurfaceSampler.h"
 
 #include "vtkDoubleArray.h"

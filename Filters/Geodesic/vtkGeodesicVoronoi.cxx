@@ -5,7 +5,6 @@
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
-#include "dggPreparedSurface.h"
 #include "DGGPropagation.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
@@ -13,6 +12,7 @@
 #include "DGGWindowArrays.h"
 
 #include "dggCentroidal.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"

@@ -12,6 +12,7 @@
 
 #include "vtkObjectFactory.h"
 
+#include <cstdint>
 #include <utility>
 
 vtkStandardNewMacro(vtkHeatGeodesicDistance);
@@ -19,7 +20,7 @@ vtkStandardNewMacro(vtkHeatGeodesicDistance);
 /// Kept until the mesh changes.
 struct vtkHeatGeodesicDistance::Preparation
 {
-  vtkMTimeType MeshTime;
+  std::uint64_t MeshBuild;
   dgg::HeatMethod Method;
 };
 
@@ -121,7 +122,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.Boundary = boundaries[this->Boundary];
 
-  if (!this->Prepared || this->Prepared->MeshTime != task.Context.Surface.GetBuildNumber())
+  if (!this->Prepared || this->Prepared->MeshBuild != task.Context.Surface.GetBuildNumber())
   {
     this->NumberOfFactorizations = this->GetNumberOfFactorizations();
     this->Prepared.reset(); // before there are two

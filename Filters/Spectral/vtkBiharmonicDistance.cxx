@@ -3,10 +3,10 @@
 #include "vtkBiharmonicDistance.h"
 
 #include "DGGContext.h"
-#include "dggPreparedSurface.h"
 #include "DGGSpectralOutputs.h"
 
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 #include "dggSpectralDistance.h"
 

@@ -3,13 +3,13 @@
 #include "vtkDiscreteGreensFunction.h"
 
 #include "DGGContext.h"
-#include "dggPreparedSurface.h"
 #include "DGGSpectralOutputs.h"
 #include "DGGThreads.h"
 
 #include "dggGreensFunction.h"
 #include "dggGreensInterpolation.h"
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include "vtkObjectFactory.h"

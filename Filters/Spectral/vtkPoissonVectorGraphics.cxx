@@ -6,12 +6,12 @@
 #include "DGGFreeMemory.h"
 #include "DGGGraphicsInput.h"
 #include "DGGGraphicsOutput.h"
-#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
 #include "dggGraphicsFragments.h"
 #include "dggGraphicsRefinement.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include "vtkInformation.h"
@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ constexpr double RefinedAt = 0.3;
 /// What a factorization depends on.
 struct Drawing
 {
-  vtkMTimeType MeshTime = 0;
+  std::uint64_t MeshBuild = 0;
   std::vector<std::vector<dgg::SurfacePoint>> Places; // per curve
   std::vector<dgg::GraphicsCurve> Curves;             // types and whether they are closed
   dgg::GraphicsRefinement Refinement;
@@ -51,7 +52,8 @@ struct Drawing
 
   bool IsSame(const Drawing& other) const
   {
-    bool isSame = this->MeshTime == other.MeshTime && this->Places.size() == other.Places.size() &&
+    bool isSame = this->MeshBuild == other.MeshBuild &&
+      this->Places.size() == other.Places.size() &&
       this->Refinement.Levels == other.Refinement.Levels &&
       this->Refinement.Part == other.Refinement.Part &&
       this->Refinement.Faces == other.Refinement.Faces &&
@@ -315,7 +317,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   DGG_RETURN_IF_ERROR(input.Read(lines, context.Input, names));
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
   Drawing drawing;
-  drawing.MeshTime = prepared.GetBuildNumber();
+  drawing.MeshBuild = prepared.GetBuildNumber();
   drawing.Curves = curves;
   drawing.Places.resize(curves.size());
   static const std::vector<vtkIdType> none;

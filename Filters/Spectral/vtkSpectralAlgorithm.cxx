@@ -5,11 +5,11 @@
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
 #include "DGGPoissonCache.h"
-#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGSpectralOutputs.h"
 
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include "vtkDoubleArray.h"

@@ -6,10 +6,10 @@
 #include "DGGDistribution.h"
 #include "DGGMakeArray.h"
 #include "DGGPoissonCache.h"
-#include "dggPreparedSurface.h"
 #include "DGGProperties.h"
 
 #include "dggEarthMovers.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include "vtkCellData.h"

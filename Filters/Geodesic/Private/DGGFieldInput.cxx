@@ -4,12 +4,12 @@
 
 #include "DGGContext.h"
 #include "DGGMeshQuality.h"
-#include "dggPreparedSurface.h"
 #include "DGGThreads.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 #include "dggSourceFinding.h"
 
 #include "vtkAlgorithm.h"

@@ -4,10 +4,10 @@
 
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
-#include "dggPreparedSurface.h"
 
 #include "dggInvalidInput.h"
 #include "dggMemoryLimit.h"
+#include "dggPreparedSurface.h"
 #include "dggUnfoldingTable.h"
 
 #include "vtkSMPTools.h"

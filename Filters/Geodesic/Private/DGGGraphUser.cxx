@@ -40,10 +40,10 @@ constexpr std::size_t BytesOfResult = 60;
 /// Links that a thread makes between two looks at the progress.
 constexpr std::size_t LinkBlock = 4;
 
-/// Builders that filters hold, by the build time of the mesh.
-dgg::SharedTable<vtkMTimeType, dgg::GraphBuilder>& GetBuildersInUse()
+/// Builders in use, by the build number of the surface.
+dgg::SharedTable<std::uint64_t, dgg::GraphBuilder>& GetBuildersInUse()
 {
-  static dgg::SharedTable<vtkMTimeType, dgg::GraphBuilder> builders;
+  static dgg::SharedTable<std::uint64_t, dgg::GraphBuilder> builders;
   return builders;
 }
 
@@ -295,7 +295,7 @@ dgg::Status DGGGraphUser::PrepareBuilder(const DGGContext& context, bool isNeede
     return dgg::Status::Success();
   }
   const std::size_t size = DGGEstimateBuilder(context.Surface);
-  const vtkMTimeType key = context.Surface.GetBuildNumber();
+  const std::uint64_t key = context.Surface.GetBuildNumber();
   std::shared_ptr<const dgg::GraphBuilder> builder = GetBuildersInUse().Find(key);
   if (!builder || isLimited) // free memory is not needed for a builder that exists
   {

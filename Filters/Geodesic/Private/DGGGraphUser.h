@@ -16,6 +16,7 @@
 #include "vtkIndent.h"    // for PrintSelf()
 #include "vtkTimeStamp.h" // for the build time
 
+#include <cstdint>  // for the build number
 #include <memory>   // for what is made on demand
 #include <optional> // for the search
 #include <ostream>  // for PrintSelf()
@@ -107,7 +108,7 @@ private:
   /// Links of points, and what they depend on.
   struct LinkStore
   {
-    vtkMTimeType Mesh = 0;
+    std::uint64_t Mesh = 0;
     double Accuracy = 0.0;
     Points Places;
     std::vector<std::vector<dgg::GraphLink>> Links; // per place
@@ -128,7 +129,7 @@ private:
   bool IsAccuracyExplicit = false; // whether the user has asked for it
   bool AcceptCoarserGraph = false;
 
-  vtkMTimeType Mesh = 0; // build time of the mesh that all of this belongs to
+  std::uint64_t Mesh = 0; // build number of the surface that all of this belongs to
   DGGGraphArrays InputGraph;
   vtkMTimeType UsedInput = 0;  // when the graph on the input was found, if it is searched
   double OwnAccuracy = 0.0;    // 0 when the graph is not an own one

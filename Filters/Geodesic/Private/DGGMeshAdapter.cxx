@@ -29,7 +29,7 @@ vtkMTimeType AddressOf(const void* object)
   return static_cast<vtkMTimeType>(reinterpret_cast<std::uintptr_t>(object));
 }
 
-/// A mesh without anything, so that there always is one.
+/// Returns an empty surface.
 const dgg::PreparedSurface::Pointer& GetNothing()
 {
   static const auto nothing = std::make_shared<const dgg::PreparedSurface>();
@@ -90,8 +90,7 @@ dgg::Status DGGMeshAdapter::Update(vtkPolyData* input, const dgg::Domain& domain
   {
     return dgg::Status::Success();
   }
-  // Time stamps say that something may have changed, as after any update upstream. Look whether it
-  // has.
+  // Time stamps also change when an update upstream reproduces the same points and cells.
   const bool isCloud = domain.Kind == dgg::Domain::Cloud;
   const DGGSurfaceArrays arrays(input, isCloud);
   const dgg::Signature fingerprint = dgg::PreparedSurface::ComputeFingerprint(arrays.Get(), domain);

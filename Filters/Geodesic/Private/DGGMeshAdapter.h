@@ -20,19 +20,19 @@ class DGGMeshAdapter
 public:
   DGGMeshAdapter();
 
-  /// Prepare the surface, or share that of another filter; not when it would be the same again: by
-  /// time stamps, and where these have changed by the bits of points and cells. Fails as
-  /// dgg::PreparedSurface::Make(); then it is empty.
+  /// Prepares the surface, or shares that of another filter. Does nothing if points and cells are
+  /// unchanged by their time stamps or by their bits. Fails as dgg::PreparedSurface::Make(); then
+  /// the surface is empty.
   dgg::Status Update(vtkPolyData* input, const dgg::Domain& domain);
 
   /// Fails if the input has no cell that a surface could be made of.
   static dgg::Status CheckSurface(vtkPolyData* input);
 
-  /// Forget the surface.
+  /// Releases the surface.
   void Clear();
 
   const dgg::PreparedSurface& Get() const { return *this->Prepared; }
-  /// When another surface was last taken.
+  /// Time of the last change of the surface.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
 private:
@@ -41,7 +41,7 @@ private:
   static Key MakeKey(vtkPolyData* input, const dgg::Domain& domain);
 
   dgg::PreparedSurface::Pointer Prepared; // never null
-  dgg::Signature Fingerprint{};           // of what it was made from
+  dgg::Signature Fingerprint{};           // of the input of Prepared
   vtkTimeStamp BuildTime;
   Key BuiltFrom{};
   vtkMTimeType Object = 0; // the vtkPolyData last seen, and its own time

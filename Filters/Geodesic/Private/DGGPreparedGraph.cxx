@@ -9,7 +9,7 @@
 namespace
 {
 /// Arrays, and the time of the surface that they were found to fit.
-using GraphKey = std::pair<DGGGraphArrays::Key, vtkMTimeType>;
+using GraphKey = std::pair<DGGGraphArrays::Key, std::uint64_t>;
 
 /// The graphs that filters hold.
 dgg::SharedTable<GraphKey, DGGPreparedGraph>& GetGraphsInUse()

@@ -13,8 +13,9 @@
 
 #include "dggSourcePropagation.h" // For the solver
 
-#include <memory> // For the solver
-#include <vector> // For the sources
+#include <cstdint> // for the build number
+#include <memory>  // For the solver
+#include <vector>  // For the sources
 
 /// Prepared once for each mesh.
 class DGGPropagation
@@ -34,11 +35,11 @@ public:
     const dgg::PreparedSurface& surface = context.Surface;
     const dgg::SurfaceMesh& mesh =
       options.WantVirtualSource ? surface.GetMesh() : surface.GetMeshWithoutAngles();
-    if (!this->Solver || this->MeshTime != surface.GetBuildNumber())
+    if (!this->Solver || this->MeshBuild != surface.GetBuildNumber())
     {
       this->Solver.reset(); // before there are two
       this->Solver.reset(new dgg::SourcePropagation(mesh));
-      this->MeshTime = surface.GetBuildNumber();
+      this->MeshBuild = surface.GetBuildNumber();
     }
     options.Parallel = context.Parallel;
     options.Progress = context.Progress;
@@ -47,7 +48,7 @@ public:
 
 private:
   std::unique_ptr<dgg::SourcePropagation> Solver;
-  vtkMTimeType MeshTime = 0;
+  std::uint64_t MeshBuild = 0;
 };
 
 #endif

@@ -6,9 +6,9 @@
 #include "DGGCloudNormals.h"
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
-#include "dggPreparedSurface.h"
 
 #include "dggBitHash.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include "vtkDataArray.h"

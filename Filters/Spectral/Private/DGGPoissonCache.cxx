@@ -4,6 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGFreeMemory.h"
+
 #include "dggPreparedSurface.h"
 
 //------------------------------------------------------------------------------
@@ -17,7 +18,7 @@ int DGGPoissonCache::GetNumberOfFactorizations() const
 bool DGGPoissonCache::IsPrepared(
   const dgg::PreparedSurface& mesh, const dgg::PoissonOptions& options) const
 {
-  return this->Solver && this->MeshTime == mesh.GetBuildNumber() && this->Solver->IsReady() &&
+  return this->Solver && this->MeshBuild == mesh.GetBuildNumber() && this->Solver->IsReady() &&
     this->Solver->GetOptions().Boundary == options.Boundary &&
     this->Solver->GetOptions().DirichletVertices == options.DirichletVertices &&
     this->Solver->GetOptions().IntrinsicDelaunay == options.IntrinsicDelaunay;
@@ -28,13 +29,13 @@ dgg::Status DGGPoissonCache::Prepare(const DGGContext& context, const dgg::Poiss
   const OtherMemory& others, const std::string& remedy, const dgg::ProgressCallback& progress)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  if (!this->Solver || this->MeshTime != mesh.GetBuildNumber())
+  if (!this->Solver || this->MeshBuild != mesh.GetBuildNumber())
   {
     this->EarlierFactorizations = this->GetNumberOfFactorizations();
     this->Solver.reset(); // before there are two
     this->Solver = std::make_unique<dgg::PoissonSolver>(mesh.GetMesh());
     this->SolverTime.Modified();
-    this->MeshTime = mesh.GetBuildNumber();
+    this->MeshBuild = mesh.GetBuildNumber();
   }
   return this->Solver->Prepare(options, progress, [&](double bytes, double missing) {
     // What is held already is not free any more, so it must not count against what is free.

@@ -10,6 +10,7 @@
 #include "vtkTimeStamp.h" // for the solver
 #include "vtkType.h"      // for vtkTypeUInt64
 
+#include <cstdint>    // for the build number
 #include <functional> // for what else takes memory
 #include <memory>     // for the solver
 #include <string>     // for advice
@@ -51,7 +52,7 @@ public:
 private:
   std::unique_ptr<dgg::PoissonSolver> Solver;
   vtkTimeStamp SolverTime;
-  vtkMTimeType MeshTime = 0;
+  std::uint64_t MeshBuild = 0;
   int EarlierFactorizations = 0; // for meshes before this one
 };
 

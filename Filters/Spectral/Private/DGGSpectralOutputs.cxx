@@ -3,9 +3,9 @@
 #include "DGGSpectralOutputs.h"
 
 #include "DGGMakeArray.h"
-#include "dggPreparedSurface.h"
 
 #include "dggBuffer.h"
+#include "dggPreparedSurface.h"
 
 #include "vtkIdTypeArray.h"
 

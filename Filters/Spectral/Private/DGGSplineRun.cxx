@@ -4,10 +4,10 @@
 
 #include "DGGContext.h"
 #include "DGGDistribution.h"
-#include "dggPreparedSurface.h"
 
 #include "dggGeodesicSource.h"
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 #include "dggSplineSites.h"
 
