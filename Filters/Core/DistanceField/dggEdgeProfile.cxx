@@ -25,10 +25,10 @@ constexpr double NarrowestCrest = 1e-10;
 /// Rounding of a model, with much to spare: of the length of the edge, and of the distance.
 constexpr double SlackOfLength = 1e-9;
 constexpr double SlackOfDistance = 1e-12;
-/// A root is found when the distance is this close to the level, relative, or after that many
-/// steps, as bisection alone would take.
+/// The search for a root stops at this relative difference from the level, or after the number of
+/// steps that bisection needs.
 constexpr double Rounding = 4e-16;
-constexpr int MostSteps = 80;
+constexpr int MaximumSteps = 80;
 }
 
 void EdgeProfile::Enter(Id h)
@@ -179,13 +179,12 @@ void EdgeProfile::FindWindowBreaks()
   }
 }
 
-/// The least distances at an abscissa between two neighbouring breaks, of what rises there and of
-/// what falls.
-void EdgeProfile::SplitByDirection(
-  double begin, double end, double x, double& rising, double& falling) const
+/// Returns the smallest distance among the functions that rise between two adjacent breaks, minus
+/// that among the falling ones, at an abscissa between these breaks.
+double EdgeProfile::ExcessOfRising(double begin, double end, double x) const
 {
-  rising = this->Ends[0] + x;
-  falling = this->Ends[1] + (this->Length - x);
+  double rising = this->Ends[0] + x;
+  double falling = this->Ends[1] + (this->Length - x);
   for (const Piece& piece : this->Pieces)
   {
     if (piece.Begin <= begin && piece.End >= end)
@@ -194,35 +193,19 @@ void EdgeProfile::SplitByDirection(
       least = std::min(least, piece.Offset + DistanceToAxis(piece.Image, x));
     }
   }
+  return rising - falling;
 }
 
-/// Where what rises ties with what falls: a ridge crosses the edge.
+/// Finds the abscissa where a rising and a falling distance tie: a ridge crosses the edge there.
 bool EdgeProfile::FindPeak(double begin, double end, double& peak) const
 {
-  double rising;
-  double falling;
-  this->SplitByDirection(begin, end, begin, rising, falling);
-  if (!(rising < falling))
+  if (!(this->ExcessOfRising(begin, end, begin) < 0.0) ||
+    !(this->ExcessOfRising(begin, end, end) > 0.0))
   {
     return false;
   }
-  this->SplitByDirection(begin, end, end, rising, falling);
-  if (!(rising > falling))
-  {
-    return false;
-  }
-  double low = begin;
-  double high = end;
-  for (int step = 0; step < MostSteps; ++step)
-  {
-    peak = 0.5 * (low + high);
-    if (!(peak > low && peak < high))
-    {
-      break; // neighbours among the doubles
-    }
-    this->SplitByDirection(begin, end, peak, rising, falling);
-    (rising < falling ? low : high) = peak;
-  }
+  peak = Bisect(begin, end, 0.0, MaximumSteps - 1,
+    [&](double x) { return this->ExcessOfRising(begin, end, x) < 0.0; });
   return peak > begin && peak < end;
 }
 
@@ -459,8 +442,8 @@ void EdgeProfile::Cross(
 {
   if ((begin.Height >= 0.0) != (end.Height >= 0.0))
   {
-    const auto look = [&](double x) { return Probe{ x, this->At(x) - level }; };
-    crossings.push_back(FindRoot(begin, end, Rounding * std::abs(level), MostSteps, look).X);
+    const auto evaluate = [&](double x) { return Probe{ x, this->At(x) - level }; };
+    crossings.push_back(FindRoot(begin, end, Rounding * std::abs(level), MaximumSteps, evaluate).X);
   }
 }
 }

@@ -75,7 +75,7 @@ private:
   void CollectSources(Id h);
   void CollectThroughFace(Id h);
   void FindWindowBreaks();
-  void SplitByDirection(double begin, double end, double x, double& rising, double& falling) const;
+  double ExcessOfRising(double begin, double end, double x) const;
   bool FindPeak(double begin, double end, double& peak) const;
   void SetUpOpposites();
   /// How far the distance at an abscissa is above a level.

@@ -3,6 +3,7 @@
 #include "dggLevelTurns.h"
 
 #include "dggFieldJumps.h"
+#include "dggRootFinding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,9 @@ namespace
 {
 /// Waves between two others are looked for this deep.
 constexpr int MostDepth = 12;
-/// Halvings until two waves meet.
+/// Steps of the bisection for the point where two waves tie.
 constexpr int StepsOfTie = 40;
-/// What is nearer to an end than that is at the end, relative.
+/// Points closer to an end than this, relative, are at the end.
 constexpr double AtEnd = 1e-7;
 
 /// Points of a line at which the field may turn.
@@ -66,15 +67,10 @@ private:
       this->AddFoot(first, begin, end);
       return;
     }
-    double low = begin;
-    double high = end;
-    for (int step = 0; step < StepsOfTie; ++step)
-    {
-      const double middle = 0.5 * (low + high);
-      const Point2 p = this->At(middle);
-      (DistanceFromSource(first, p) < DistanceFromSource(last, p) ? low : high) = middle;
-    }
-    const double tie = 0.5 * (low + high);
+    const double tie = Bisect(begin, end, 0.0, StepsOfTie, [&](double t) {
+      const Point2 p = this->At(t);
+      return DistanceFromSource(first, p) < DistanceFromSource(last, p);
+    });
     const FieldSample sample = this->Arc.Look(this->At(tie)).Sample;
     const bool isOther = sample.HasImage && sample.Candidate != first.Candidate &&
       sample.Candidate != last.Candidate && depth < MostDepth;

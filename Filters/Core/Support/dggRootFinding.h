@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Roots of functions of one number. Internal.
+/// Roots of functions of one variable. Internal.
 #ifndef dggRootFinding_h
 #define dggRootFinding_h
 
@@ -9,26 +9,44 @@
 
 namespace dgg
 {
-/// Where a function is 0, between two places where it has different signs: the place closest to
-/// that at which it was looked at. A probe has an abscissa X and a value Height, and `look(x)`
-/// makes one. Ends when the value is no more than `close`, or after `mostSteps`.
+/// Returns the abscissa at which `isBefore(x)` turns from true to false, by bisection. Stops at the
+/// relative precision, at neighboring doubles, or after `maximumSteps`.
+template <typename IsBefore>
+double Bisect(
+  double begin, double end, double precision, int maximumSteps, const IsBefore& isBefore)
+{
+  double middle = 0.5 * (begin + end);
+  for (int step = 0; step < maximumSteps && end - begin > precision * std::abs(end) &&
+       middle > begin && middle < end;
+       ++step)
+  {
+    (isBefore(middle) ? begin : end) = middle;
+    middle = 0.5 * (begin + end);
+  }
+  return middle;
+}
+
+/// Returns the probe with the smallest absolute value that the search for a root has evaluated. The
+/// values at both ends of the interval have different signs. A probe has an abscissa X and a value
+/// Height; `evaluate(x)` makes one. Stops when the absolute value is at most `tolerance`, or after
+/// `maximumSteps`.
 ///
-/// Regula falsi in its Illinois form, which a kink does not harm.
-template <typename Probe, typename Look>
-Probe FindRoot(Probe begin, Probe end, double close, int mostSteps, const Look& look)
+/// Regula falsi with the Illinois rule, which converges at kinks as well.
+template <typename Probe, typename Evaluate>
+Probe FindRoot(Probe begin, Probe end, double tolerance, int maximumSteps, const Evaluate& evaluate)
 {
   const bool beginIsAbove = begin.Height >= 0.0;
   Probe best = std::abs(begin.Height) < std::abs(end.Height) ? begin : end;
   int lastSide = 0;
-  for (int step = 0; step < mostSteps && std::abs(best.Height) > close; ++step)
+  for (int step = 0; step < maximumSteps && std::abs(best.Height) > tolerance; ++step)
   {
     double x = begin.X - begin.Height * ((end.X - begin.X) / (end.Height - begin.Height));
     x = x > begin.X && x < end.X ? x : 0.5 * (begin.X + end.X);
     if (!(x > begin.X && x < end.X))
     {
-      break; // neighbours among the doubles
+      break; // neighboring doubles
     }
-    const Probe probe = look(x);
+    const Probe probe = evaluate(x);
     if (std::abs(probe.Height) < std::abs(best.Height))
     {
       best = probe;

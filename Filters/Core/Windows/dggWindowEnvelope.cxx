@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggWindowEnvelope.h"
 
+#include "dggRootFinding.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +19,11 @@ constexpr double PieceTolerance = 1e-9;
 
 /// Two distances this close, relatively, are a tie of windows: a few roundings.
 constexpr double TieTolerance = 4e-15;
+
+/// Relative precision of ties found by bisection, and largest number of steps: as many as from the
+/// largest to the smallest double.
+constexpr double TiePrecision = 1e-15;
+constexpr int MaximumBisections = 2100;
 
 /// Abscissa where the way over the origin (at distance `u` beyond the pseudo-source) and along the
 /// axis is as long as the straight way from the image: |x - I| = u + x.
@@ -100,20 +107,12 @@ bool IsTie(const Window& a, const Window& b, double begin, double end, double x)
 double BisectForTie(const Window& a, const Window& b, double begin, double end)
 {
   auto difference = [&](double x) { return a.DistanceAt(x) - b.DistanceAt(x); };
-  // When they tie at one end as well, up to rounding, the other end decides which side is whose.
+  // If the windows also tie at one end, up to rounding, the other end decides.
   const double atBegin = difference(begin);
   const double atEnd = difference(end);
   const bool beginIsNegative = std::abs(atBegin) > std::abs(atEnd) ? atBegin < 0.0 : atEnd > 0.0;
-  while (end - begin > 1e-15 * std::abs(end))
-  {
-    const double middle = 0.5 * (begin + end);
-    if (middle <= begin || middle >= end)
-    {
-      break;
-    }
-    ((difference(middle) < 0.0) == beginIsNegative ? begin : end) = middle;
-  }
-  return 0.5 * (begin + end);
+  return Bisect(begin, end, TiePrecision, MaximumBisections,
+    [&](double x) { return (difference(x) < 0.0) == beginIsNegative; });
 }
 
 /// Reads an envelope window by window; the front one may be cut from the left.
