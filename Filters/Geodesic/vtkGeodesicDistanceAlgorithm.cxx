@@ -45,8 +45,7 @@ std::vector<bool> FindReached(const DGGDistanceTask& task)
   return isReached;
 }
 
-/// The point array of the given name with one value per point, taken from its vertex;
-/// `unreached` where there is none.
+/// Adds point arrays with the values of vertices.
 struct PointArrayMaker
 {
   const DGGDistanceTask& Task;
@@ -54,11 +53,11 @@ struct PointArrayMaker
   const std::vector<bool>& IsReached; // per vertex
   vtkIdType NumberOfPoints;
 
-  template <typename ArrayType, typename ValueType>
-  void Add(vtkPointData* data, const std::string& name,
-    const std::vector<const std::vector<ValueType>*>& components, ValueType unreached) const
+  /// `valueOf(i, k)` returns component k of the result at index i.
+  template <typename ArrayType, typename ValueType, typename ValueOf>
+  void Add(vtkPointData* data, const std::string& name, int count, ValueType unreached,
+    const ValueOf& valueOf) const
   {
-    const int count = static_cast<int>(components.size());
     const auto array = DGGAddArray<ArrayType>(data, name, this->NumberOfPoints, count);
     if (this->Task.IsSparse)
     {
@@ -68,7 +67,7 @@ struct PointArrayMaker
         const dgg::Id vertex = this->Task.Vertices[i];
         for (int k = 0; k < count && this->IsReached[vertex]; ++k)
         {
-          array->SetTypedComponent(vertex, k, (*components[k])[i]);
+          array->SetTypedComponent(vertex, k, valueOf(i, k));
         }
       }
       return;
@@ -78,8 +77,7 @@ struct PointArrayMaker
       const dgg::Id vertex = this->Surface.GetVertex(i);
       for (int k = 0; k < count; ++k)
       {
-        array->SetTypedComponent(
-          i, k, this->IsReached[vertex] ? (*components[k])[vertex] : unreached);
+        array->SetTypedComponent(i, k, this->IsReached[vertex] ? valueOf(vertex, k) : unreached);
       }
     }
   }
@@ -282,7 +280,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   const std::size_t n = task.IsSparse ? task.Vertices.size() : GetNumberOfVertices(task);
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
-  complete &= !task.WantVirtualSource || task.VirtualSource.Offsets.size() == n;
+  complete &= !task.WantVirtualSource || task.VirtualSource.size() == n;
   for (const DGGPointArray& array : task.Arrays)
   {
     for (const std::vector<double>& component : array.Components)
@@ -350,8 +348,8 @@ void vtkGeodesicDistanceAlgorithm::AddResults(
     data->RemoveArray(this->VirtualSourceArrayName.c_str());
   }
   const PointArrayMaker maker{ task, task.Context.Surface, isReached, output->GetNumberOfPoints() };
-  maker.Add<vtkDoubleArray, double>(
-    data, this->DistanceArrayName, { &task.Distances }, this->UnreachedValue);
+  maker.Add<vtkDoubleArray>(data, this->DistanceArrayName, 1, this->UnreachedValue,
+    [&](std::size_t i, int) { return task.Distances[i]; });
   // Not SetScalars(), which would remove the scalars of the input.
   data->SetActiveScalars(this->DistanceArrayName.c_str());
   std::vector<bool> isPointReached = isReached;
@@ -370,26 +368,26 @@ void vtkGeodesicDistanceAlgorithm::AddResults(
   }
   if (this->GenerateNearestSource)
   {
-    maker.Add<vtkIntArray, dgg::Id>(data, this->SourceArrayName, { &task.NearestSource }, -1);
+    maker.Add<vtkIntArray>(data, this->SourceArrayName, 1, -1,
+      [&](std::size_t i, int) { return task.NearestSource[i]; });
   }
   if (task.WantVirtualSource)
   {
-    const dgg::VirtualSources& found = task.VirtualSource;
-    maker.Add<vtkDoubleArray, double>(data, this->VirtualSourceArrayName,
-      { &found.Offsets, &found.Lengths, &found.Angles }, this->UnreachedValue);
+    maker.Add<vtkDoubleArray>(
+      data, this->VirtualSourceArrayName, 3, this->UnreachedValue, [&](std::size_t i, int k) {
+        const dgg::VirtualSource& source = task.VirtualSource[i];
+        return k == 0 ? source.Offset : k == 1 ? source.Length : source.Angle;
+      });
   }
   for (const DGGPointArray& array : task.Arrays)
   {
-    std::vector<const std::vector<double>*> components;
-    for (const std::vector<double>& component : array.Components)
-    {
-      components.push_back(&component);
-    }
-    maker.Add<vtkDoubleArray, double>(data, array.Name, components, this->UnreachedValue);
+    const int components = static_cast<int>(array.Components.size());
+    maker.Add<vtkDoubleArray>(data, array.Name, components, this->UnreachedValue,
+      [&](std::size_t i, int k) { return array.Components[k][i]; });
     // They can be read in place of the distances.
     DGGWindowArrays::RemoveFrom(output->GetFieldData(), array.Name);
     DGGUnreachedArray::RemoveFrom(data, array.Name);
-    if (components.size() == 1)
+    if (components == 1)
     {
       DGGUnreachedArray::AddTo(data, array.Name, this->UnreachedValue, isPointReached);
     }

@@ -9,11 +9,21 @@
 #include "TestMeshes.h"
 
 #include "dggGraphBuilder.h"
+#include "dggVirtualSources.h"
 
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace dgg
+{
+/// Compares arrays of virtual sources in expectations.
+inline bool operator==(const VirtualSource& a, const VirtualSource& b)
+{
+  return a.Offset == b.Offset && a.Length == b.Length && a.Angle == b.Angle;
+}
+}
 
 namespace dggtest
 {

@@ -128,7 +128,7 @@ TEST(ApproximateSolvers, AnyTrianglesWillDo)
           ASSERT_GE(field.Distances[u], 0.0); // false for NaN
           ASSERT_LE(field.Distances[u],
             approximation.IsHeat && isReached ? 20.0 * diameter : bound[u] + 1e-9 * diameter);
-          ASSERT_TRUE(!isReached || std::isfinite(field.Virtual.Angles[u])) << u;
+          ASSERT_TRUE(!isReached || std::isfinite(field.Virtual[u].Angle)) << u;
         }
       }
     }
@@ -392,18 +392,18 @@ TEST(FastMarching, VirtualSourcesInThePlane)
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     EXPECT_NEAR(
-      result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-12 * 20.0);
+      result.Virtual[v].Offset + result.Virtual[v].Length, result.Distances[v], 1e-12 * 20.0);
     if (v == source)
     {
       continue;
     }
-    EXPECT_NEAR(result.Virtual.Offsets[v], 2.0, 1e-12) << v;
-    const double angle = FanAngle(plane, mesh, v) + result.Virtual.Angles[v];
+    EXPECT_NEAR(result.Virtual[v].Offset, 2.0, 1e-12) << v;
+    const double angle = FanAngle(plane, mesh, v) + result.Virtual[v].Angle;
     EXPECT_NEAR(
-      plane.Point(v)[0] + result.Virtual.Lengths[v] * std::cos(angle), plane.Point(source)[0], 1e-6)
+      plane.Point(v)[0] + result.Virtual[v].Length * std::cos(angle), plane.Point(source)[0], 1e-6)
       << v;
     EXPECT_NEAR(
-      plane.Point(v)[1] + result.Virtual.Lengths[v] * std::sin(angle), plane.Point(source)[1], 1e-6)
+      plane.Point(v)[1] + result.Virtual[v].Length * std::sin(angle), plane.Point(source)[1], 1e-6)
       << v;
   }
 }

@@ -131,7 +131,7 @@ TEST(GraphCorrection, ExactWhereTheSurfaceIsFlat)
     {
       const double d = EuclideanDistance(c.GetPoints(), source, v);
       EXPECT_NEAR(result.Corrected[v], d, 1e-5 * d);
-      EXPECT_NEAR(result.Virtual.Offsets[v] + result.Virtual.Lengths[v], d, 1e-5 * d);
+      EXPECT_NEAR(result.Virtual[v].Offset + result.Virtual[v].Length, d, 1e-5 * d);
     }
   }
 }
@@ -149,8 +149,8 @@ TEST(GraphCorrection, VirtualSourcesPointTowardsTheSource)
       continue;
     }
     const double expected = DirectionOf(plane, v, source) - FanAngle(plane, c.GetMesh(), v);
-    EXPECT_NEAR(std::cos(result.Virtual.Angles[v]), std::cos(expected), 1e-4);
-    EXPECT_NEAR(std::sin(result.Virtual.Angles[v]), std::sin(expected), 1e-4);
+    EXPECT_NEAR(std::cos(result.Virtual[v].Angle), std::cos(expected), 1e-4);
+    EXPECT_NEAR(std::sin(result.Virtual[v].Angle), std::sin(expected), 1e-4);
   }
 }
 

@@ -483,7 +483,5 @@ TEST(Relays, AreNoneOnAConvexPlate)
   ASSERT_TRUE(search.Run({ seed }, options, result).IsOk());
   VirtualSources found;
   FindVirtualSources(mesh, result, result.Corrected, found);
-  EXPECT_EQ(found.Offsets, result.Virtual.Offsets);
-  EXPECT_EQ(found.Lengths, result.Virtual.Lengths);
-  EXPECT_EQ(found.Angles, result.Virtual.Angles);
+  EXPECT_EQ(found, result.Virtual);
 }

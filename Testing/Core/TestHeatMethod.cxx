@@ -269,12 +269,12 @@ TEST(HeatMethod, VirtualSources)
   double worst = 0.0;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    EXPECT_NEAR(result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-11);
-    EXPECT_NEAR(result.Virtual.Offsets[v], 2.0, 1e-12);
+    EXPECT_NEAR(result.Virtual[v].Offset + result.Virtual[v].Length, result.Distances[v], 1e-11);
+    EXPECT_NEAR(result.Virtual[v].Offset, 2.0, 1e-12);
     if (EuclideanDistance(plane, source, v) > 3.0 && mesh.Kind(v) == dgg::VertexKind::Flat)
     {
       const double turn = std::remainder(
-        FanAngle(plane, mesh, v) + result.Virtual.Angles[v] - DirectionOf(plane, v, source),
+        FanAngle(plane, mesh, v) + result.Virtual[v].Angle - DirectionOf(plane, v, source),
         2.0 * dgg::Pi);
       worst = std::max(worst, std::abs(turn));
     }

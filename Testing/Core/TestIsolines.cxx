@@ -289,9 +289,8 @@ TEST(Isolines, OfAnyNumbersAreSound)
     for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
       values.push_back(v % 17 == 16 ? Infinity : random.Uniform(-3.0, 3.0));
-      sources.Lengths.push_back(random.Uniform(0.0, 2.0));
-      sources.Offsets.push_back(values.back() - sources.Lengths.back());
-      sources.Angles.push_back(random.Uniform(-9.0, 9.0));
+      const double length = random.Uniform(0.0, 2.0);
+      sources.push_back({ values.back() - length, length, random.Uniform(-9.0, 9.0) });
     }
     const DistanceField linear{ &mesh, values.data(), nullptr, nullptr };
     const DistanceField local{ &mesh, values.data(), nullptr, &sources };
@@ -318,9 +317,7 @@ TEST(Isolines, OfNumbersThatOverflowLieOnTheSurface)
     for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
       values.push_back(huge * random.Uniform(-1.0, 1.0));
-      sources.Lengths.push_back(v % 2 == 0 ? huge : 1.0);
-      sources.Offsets.push_back(values.back());
-      sources.Angles.push_back(random.Uniform(0.0, 6.0));
+      sources.push_back({ values.back(), v % 2 == 0 ? huge : 1.0, random.Uniform(0.0, 6.0) });
     }
     const DistanceField linear{ &mesh, values.data(), nullptr, nullptr };
     const DistanceField local{ &mesh, values.data(), nullptr, &sources };

@@ -464,9 +464,8 @@ TEST(Ridges, OfRoundingAloneComeToAnEnd)
     {
       const bool isFar = far > 1e300;
       values.push_back(isFar ? far * random.Uniform(-1.0, 1.0) : random.Uniform(0.0, 2.0));
-      sources.Lengths.push_back(isFar ? random.Uniform(0.0, 2.0) : far);
-      sources.Offsets.push_back(values.back() - sources.Lengths.back());
-      sources.Angles.push_back(random.Uniform(0.0, 6.0));
+      const double length = isFar ? random.Uniform(0.0, 2.0) : far;
+      sources.push_back({ values.back() - length, length, random.Uniform(0.0, 6.0) });
     }
     Ridges ridges;
     const DistanceField field{ &mesh, values.data(), nullptr, &sources };

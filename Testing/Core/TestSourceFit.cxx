@@ -95,11 +95,11 @@ TEST(SourceFit, OneSourceInThePlaneIsFound)
     {
       if (mesh.Kind(v) != VertexKind::Boundary)
       {
-        EXPECT_NEAR(found.Offsets[v], offset, 1e-9) << v;
-        EXPECT_NEAR(found.Lengths[v], distances[v] - offset, 1e-9) << v;
+        EXPECT_NEAR(found[v].Offset, offset, 1e-9) << v;
+        EXPECT_NEAR(found[v].Length, distances[v] - offset, 1e-9) << v;
         ++inside;
       }
-      EXPECT_NEAR(found.Offsets[v] + found.Lengths[v], distances[v], 1e-9);
+      EXPECT_NEAR(found[v].Offset + found[v].Length, distances[v], 1e-9);
     }
     EXPECT_EQ(inside, 64);
     const DistanceField field{ &mesh, distances.data(), nullptr, &found };
@@ -128,7 +128,7 @@ TEST(SourceFit, PlaneWavesStayPlane)
   {
     if (mesh.Kind(v) != VertexKind::Boundary)
     {
-      EXPECT_GT(found.Lengths[v], 1e4) << v;
+      EXPECT_GT(found[v].Length, 1e4) << v;
     }
   }
   const DistanceField field{ &mesh, distances.data(), nullptr, &found };
@@ -199,19 +199,19 @@ TEST(SourceFit, AnySurfaceAndAnythingUnreached)
     {
       if (distances[v] < Infinity)
       {
-        ASSERT_TRUE(std::isfinite(found.Angles[v])) << named.Name;
-        ASSERT_GE(found.Lengths[v], 0.0) << named.Name;
-        ASSERT_NEAR(found.Offsets[v] + found.Lengths[v], distances[v],
+        ASSERT_TRUE(std::isfinite(found[v].Angle)) << named.Name;
+        ASSERT_GE(found[v].Length, 0.0) << named.Name;
+        ASSERT_NEAR(found[v].Offset + found[v].Length, distances[v],
           1e-9 * (mesh.GetMeanEdgeLength() + std::abs(distances[v])))
           << named.Name;
         if (mesh.Kind(v) == VertexKind::Irregular)
         {
-          EXPECT_EQ(found.Lengths[v], 0.0);
+          EXPECT_EQ(found[v].Length, 0.0);
         }
       }
       else
       {
-        EXPECT_EQ(found.Offsets[v], Infinity);
+        EXPECT_EQ(found[v].Offset, Infinity);
       }
     }
   }

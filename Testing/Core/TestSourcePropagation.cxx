@@ -76,9 +76,7 @@ void ExpectSameBits(const dgg::PropagationResult& a, const dgg::PropagationResul
 {
   EXPECT_EQ(a.Distances, b.Distances);
   EXPECT_EQ(a.NearestSource, b.NearestSource);
-  EXPECT_EQ(a.Virtual.Offsets, b.Virtual.Offsets);
-  EXPECT_EQ(a.Virtual.Lengths, b.Virtual.Lengths);
-  EXPECT_EQ(a.Virtual.Angles, b.Virtual.Angles);
+  EXPECT_EQ(a.Virtual, b.Virtual);
 }
 }
 
@@ -275,8 +273,8 @@ TEST_P(SourcePropagation, ManySources)
       const double found = single[result.NearestSource[v]][v];
       wrong += found > 1.02 * exact[v] + 1e-9 ? 1 : 0;
       EXPECT_LE(found, (isLong ? 2.5 : 1.3) * exact[v] + 1e-9) << v;
-      EXPECT_NEAR(result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-9);
-      EXPECT_GE(result.Virtual.Offsets[v], -1e-4) << v;
+      EXPECT_NEAR(result.Virtual[v].Offset + result.Virtual[v].Length, result.Distances[v], 1e-9);
+      EXPECT_GE(result.Virtual[v].Offset, -1e-4) << v;
     }
     EXPECT_LE(wrong, (isLong ? 0.04 : 0.015) * exact.size());
   }
@@ -343,7 +341,7 @@ TEST_P(SourcePropagation, AnyTrianglesWillDo)
         ASSERT_EQ(result.NearestSource[v], isReached ? 0 : dgg::NoId) << v;
         ASSERT_GE(result.Distances[v], 0.0) << v; // false for NaN
         ASSERT_LE(result.Distances[v], isReached ? bound[v] + 1e-5 * diameter : dgg::Infinity) << v;
-        ASSERT_TRUE(!isReached || std::isfinite(result.Virtual.Angles[v])) << v;
+        ASSERT_TRUE(!isReached || std::isfinite(result.Virtual[v].Angle)) << v;
       }
     }
   }
@@ -393,9 +391,9 @@ TEST_P(SourcePropagation, VirtualSources)
     const dgg::PropagationResult result = this->Run(mesh, { source });
     for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
-      const double length = result.Virtual.Lengths[v];
-      EXPECT_NEAR(result.Virtual.Offsets[v], 2.0, 1e-4) << v;
-      const double angle = FanAngle(plane, mesh, v) + result.Virtual.Angles[v];
+      const double length = result.Virtual[v].Length;
+      EXPECT_NEAR(result.Virtual[v].Offset, 2.0, 1e-4) << v;
+      const double angle = FanAngle(plane, mesh, v) + result.Virtual[v].Angle;
       EXPECT_NEAR(plane.Point(v)[0] + length * std::cos(angle), place[0], 1e-3) << v;
       EXPECT_NEAR(plane.Point(v)[1] + length * std::sin(angle), place[1], 1e-3) << v;
     }
@@ -405,9 +403,8 @@ TEST_P(SourcePropagation, VirtualSources)
     const dgg::PropagationResult result = this->Run(Build(test), { VertexSource(0) });
     for (std::size_t v = 0; v < result.Distances.size(); ++v)
     {
-      EXPECT_NEAR(
-        result.Virtual.Offsets[v] + result.Virtual.Lengths[v], result.Distances[v], 1e-12);
-      EXPECT_GE(result.Virtual.Offsets[v], -1e-4);
+      EXPECT_NEAR(result.Virtual[v].Offset + result.Virtual[v].Length, result.Distances[v], 1e-12);
+      EXPECT_GE(result.Virtual[v].Offset, -1e-4);
     }
   }
 }

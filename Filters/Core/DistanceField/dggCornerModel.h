@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The distance around one vertex as that from its virtual source. Internal.
+/// Distance around a vertex as the distance from its virtual source. Internal.
 #ifndef dggCornerModel_h
 #define dggCornerModel_h
 
@@ -13,40 +13,32 @@
 
 namespace dgg
 {
-/// The field of one source, in polar coordinates around a vertex. On its star the function is
-/// continuous whichever face it is evaluated in: the surface around the vertex is a cone, and the
-/// way to the source leads around its tip on the side where the angle is smaller, or through the
-/// tip where it is pi and more on both.
-struct CornerModel
+/// Field of a virtual source, in polar coordinates around its vertex. The surface around the vertex
+/// is a cone: the straight line to the source passes the tip on the side with the smaller angle, or
+/// leads through the tip if the angle is at least pi on both sides. The field is therefore
+/// continuous across the faces of the vertex.
+struct CornerModel : VirtualSource
 {
-  double Offset = 0.0; ///< distance at the virtual source
-  double Length = 0.0; ///< straight distance from it
-  double Angle = 0.0;  ///< polar angle towards it
-  double Total = 0.0;  ///< total angle of the vertex
-  bool IsOpen = false; ///< on the boundary: there is no way around the outside
-  bool IsKnown = false;
+  double Total = 0.0;   ///< total angle of the vertex
+  bool IsOpen = false;  ///< on the boundary, no line passes the vertex outside of the surface
+  bool IsKnown = false; ///< false at Irregular vertices, whose angles must not be used
 
   CornerModel() = default;
-  /// The angles of an Irregular vertex mean nothing, so it has no model.
-  CornerModel(const SurfaceMesh& mesh, Id v, double offset, double length, double angle)
-    : Offset(offset)
-    , Length(length)
-    , Angle(angle)
+  CornerModel(const SurfaceMesh& mesh, Id v, const VirtualSource& source)
+    : VirtualSource(source)
     , Total(mesh.TotalAngle(v))
     , IsOpen(mesh.Kind(v) == VertexKind::Boundary)
     , IsKnown(mesh.Kind(v) != VertexKind::Irregular && mesh.Kind(v) != VertexKind::Isolated)
   {
   }
 
-  /// The model of the virtual source, with the distance that is given at the vertex.
-  CornerModel(const SurfaceMesh& mesh, Id v, const VirtualSources& sources, double distance)
-    : CornerModel(mesh, v, distance - sources.Lengths[v], sources.Lengths[v], sources.Angles[v])
+  /// The model of a virtual source, shifted to have the given distance at the vertex.
+  CornerModel(const SurfaceMesh& mesh, Id v, const VirtualSource& source, double distance)
+    : CornerModel(mesh, v, { distance - source.Length, source.Length, source.Angle })
   {
   }
 
-  double AtVertex() const { return this->Offset + this->Length; }
-
-  /// Angle from the direction to a point at polar angle `phi` to that of the source, on the side
+  /// Returns the angle from the direction at polar angle `phi` to that of the source, on the side
   /// where it is smaller.
   double AngleFrom(double phi) const
   {
@@ -55,17 +47,17 @@ struct CornerModel
     {
       return angle;
     }
-    // Within one turn, what std::remainder gives, bit for bit, but faster: the sum is exact.
+    // Within one turn, the exact sum equals std::remainder bit for bit and is faster.
     return 2.0 * std::abs(angle) < 3.0 * this->Total ? angle - std::copysign(this->Total, angle)
                                                      : std::remainder(angle, this->Total);
   }
 
-  /// What it says along one direction.
+  /// The field along one direction.
   struct Ray
   {
     double Offset;
     double Length;
-    double Bend; // 4 sin^2 of half the angle between the direction and that of the source
+    double Bend; ///< 4 sin^2 of half the angle between this direction and that of the source
 
     double At(double rho) const
     {
@@ -81,7 +73,7 @@ struct CornerModel
     return { this->Offset, this->Length, 4.0 * sine * sine };
   }
 
-  /// The distance at polar coordinates (rho, phi).
+  /// Returns the distance at polar coordinates (rho, phi).
   double At(double rho, double phi) const { return this->Along(phi).At(rho); }
 };
 }

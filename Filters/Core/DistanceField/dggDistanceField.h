@@ -37,7 +37,7 @@ struct DistanceField
   bool HasWindows() const { return this->Windows && !this->Windows->IsEmpty(); }
   bool HasSources() const
   {
-    return !this->HasWindows() && this->Sources && !this->Sources->Offsets.empty();
+    return !this->HasWindows() && this->Sources && !this->Sources->empty();
   }
   /// Whether the distance is known everywhere in the face.
   bool IsReached(Id f) const

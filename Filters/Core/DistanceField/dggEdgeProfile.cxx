@@ -226,7 +226,7 @@ void EdgeProfile::SetUpModels()
   for (int k = 0; k < 2; ++k)
   {
     const CornerModel& model = this->Models[k] =
-      CornerModel(mesh, vertices[k], sources, this->Ends[k]);
+      CornerModel(mesh, vertices[k], sources[vertices[k]], this->Ends[k]);
     this->Rays[k] = model.Along(polarAngles[k]);
     this->Missing[k] = std::max(0.0,
       this->Ends[1 - k] -

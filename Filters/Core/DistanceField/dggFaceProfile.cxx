@@ -154,8 +154,8 @@ void FaceProfile::SetUpModels()
   const VirtualSources& sources = *this->Field.Sources;
   for (int k = 0; k < 3; ++k)
   {
-    this->Models[k] =
-      CornerModel(mesh, mesh.Origin(3 * this->Face + k), sources, this->Distances[k]);
+    const Id v = mesh.Origin(3 * this->Face + k);
+    this->Models[k] = CornerModel(mesh, v, sources[v], this->Distances[k]);
     this->HasModels = this->HasModels || this->Models[k].IsKnown;
   }
   this->Negligible =

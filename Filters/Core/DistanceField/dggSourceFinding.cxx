@@ -41,67 +41,49 @@ bool IsConfirmed(const SurfaceMesh& mesh, Id v, const CornerModel& shorter,
   return LargestShortfall * gain > shortfall;
 }
 
-/// The last straight piece of the way to a vertex, as the vertex sees it.
-struct LastPiece
-{
-  double Length = 0.0;
-  double Angle = 0.0;
-};
-
-/// Through the face of a half-edge, whose apex the vertex is.
-LastPiece ThroughFace(const SurfaceMesh& mesh, const Predecessor& p)
-{
-  const Point2 apex{ mesh.ApexX(p.HalfEdge), mesh.ApexY(p.HalfEdge) };
-  const Point2 back{ p.ImageX - apex.X, p.ImageY - apex.Y };
-  // The reference of the corner is the edge from the apex to the origin of the half-edge.
-  const double angle =
-    std::atan2(-apex.X * back.Y + apex.Y * back.X, -apex.X * back.X - apex.Y * back.Y);
-  return { Norm(back.X, back.Y), mesh.PolarAngle(SurfaceMesh::Previous(p.HalfEdge)) + angle };
-}
-
-/// Along the shortest edge between the two vertices.
-LastPiece AlongEdge(const SurfaceMesh& mesh, Id v, Id root)
-{
-  LastPiece piece{ Infinity, 0.0 };
-  ForEachNeighbor(mesh, v, [&](Id neighbor, double length, double angle) {
-    if (neighbor == root && length < piece.Length)
-    {
-      piece = { length, angle };
-    }
-  });
-  return piece;
-}
-
-/// Within a face that the source lies in.
-LastPiece WithinFace(const SurfaceMesh& mesh, Id v, const SurfacePoint& source)
-{
-  LastPiece piece{ Infinity, 0.0 };
-  ForEachFaceAround(mesh, source, [&](Id f, const std::array<double, 3>& b) {
-    for (Id h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      const Point2 p = PlaceInFrame(mesh, h, b);
-      const double length = Norm(p.X, p.Y);
-      if (mesh.Origin(h) == v && length < piece.Length)
-      {
-        piece = { length, mesh.PolarAngle(h) + std::atan2(p.Y, p.X) };
-      }
-    }
-  });
-  return piece;
-}
-
-LastPiece FindLastPiece(
+/// Returns the start of the last straight piece of the path to a vertex, without its offset.
+VirtualSource FindLastPiece(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, Id v, const Predecessor& p)
 {
+  VirtualSource start;
+  const auto offer = [&](double length, double angle) {
+    if (length < start.Length)
+    {
+      start = { Infinity, length, angle };
+    }
+  };
   if (p.Root == v)
   {
-    return {};
+    offer(0.0, 0.0);
   }
-  if (p.HalfEdge != NoId)
+  else if (p.HalfEdge != NoId) // through the face whose apex the vertex is
   {
-    return ThroughFace(mesh, p);
+    const Point2 back = Difference({ p.ImageX, p.ImageY }, ApexOf(mesh, p.HalfEdge));
+    offer(Norm(back.X, back.Y), PolarAngleAtApex(mesh, p.HalfEdge, back));
   }
-  return p.Root >= 0 ? AlongEdge(mesh, v, p.Root) : WithinFace(mesh, v, sources[~p.Root].Point);
+  else if (p.Root >= 0) // along an edge
+  {
+    ForEachNeighbor(mesh, v, [&](Id neighbor, double length, double angle) {
+      if (neighbor == p.Root)
+      {
+        offer(length, angle);
+      }
+    });
+  }
+  else // within a face that contains the source
+  {
+    ForEachFaceAround(mesh, sources[~p.Root].Point, [&](Id f, const std::array<double, 3>& b) {
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Point2 place = PlaceInFrame(mesh, h, b);
+        if (mesh.Origin(h) == v)
+        {
+          offer(Norm(place.X, place.Y), mesh.PolarAngle(h) + std::atan2(place.Y, place.X));
+        }
+      }
+    });
+  }
+  return start;
 }
 
 /// The vertices of a forest, each behind its parent.
@@ -139,33 +121,32 @@ std::vector<Id> SortForest(const std::vector<Id>& parents)
 void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
   const std::vector<Id>& relays, const ParallelFor& parallel, VirtualSources& sources)
 {
-  const std::vector<double> pieces = sources.Lengths;
+  const VirtualSources pieces = sources;
   const auto lengthen = [&](Id v) {
-    const double longer = pieces[v] + sources.Lengths[relays[v]];
-    const double angle = sources.Angles[v];
-    const CornerModel here(mesh, v, distances[v] - pieces[v], pieces[v], angle);
-    const CornerModel before(mesh, v, distances[v] - longer, longer, angle);
-    return here.IsKnown && IsConfirmed(mesh, v, here, before, distances) ? longer : pieces[v];
+    const double length = pieces[v].Length;
+    const double longer = length + sources[relays[v]].Length;
+    const CornerModel here(mesh, v, pieces[v], distances[v]);
+    const CornerModel before(mesh, v, { 0.0, longer, pieces[v].Angle }, distances[v]);
+    return here.IsKnown && IsConfirmed(mesh, v, here, before, distances) ? longer : length;
   };
   // First with every relay as it was found, then once more behind those that were merged.
-  std::vector<double> lengths = pieces;
+  std::vector<double> lengths(relays.size());
   ForRange(
     parallel, static_cast<Offset>(relays.size()), VerticesPerTask, [&](Offset begin, Offset end) {
       for (Id v = static_cast<Id>(begin); v < end; ++v)
       {
-        if (relays[v] != NoId && pieces[relays[v]] > 0.0)
-        {
-          lengths[v] = lengthen(v);
-        }
+        const bool mayMerge = relays[v] != NoId && pieces[relays[v]].Length > 0.0;
+        lengths[v] = mayMerge ? lengthen(v) : pieces[v].Length;
       }
     });
   for (const Id v : SortForest(relays))
   {
-    const bool isRelayMerged = relays[v] != NoId && sources.Lengths[relays[v]] != pieces[relays[v]];
-    sources.Lengths[v] = isRelayMerged ? lengthen(v) : lengths[v];
-    if (sources.Lengths[v] != pieces[v])
+    const Id relay = relays[v];
+    const bool isRelayMerged = relay != NoId && sources[relay].Length != pieces[relay].Length;
+    sources[v].Length = isRelayMerged ? lengthen(v) : lengths[v];
+    if (sources[v].Length != pieces[v].Length)
     {
-      sources.Offsets[v] += pieces[v] - sources.Lengths[v];
+      sources[v].Offset += pieces[v].Length - sources[v].Length;
     }
   }
 }
@@ -182,7 +163,7 @@ void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
     if (tail != NoId)
     {
       // With the offset of the tail, the way goes straight on over it; else it is the relay.
-      const bool isStraight = found.Offsets[v] == found.Offsets[tail];
+      const bool isStraight = found[v].Offset == found[tail].Offset;
       relays[v] = isStraight ? relays[tail] : tail;
     }
   }
@@ -191,7 +172,7 @@ void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
   {
     if (distances[v] < Infinity)
     {
-      found.Offsets[v] = distances[v] - found.Lengths[v];
+      found[v].Offset = distances[v] - found[v].Length;
     }
   }
 }
@@ -200,9 +181,7 @@ void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSourc
   const ExactResult& result, VirtualSources& found, const ParallelFor& parallel)
 {
   const std::size_t n = result.Distances.size();
-  found.Offsets.assign(n, Infinity);
-  found.Lengths.assign(n, Infinity);
-  found.Angles.assign(n, 0.0);
+  found.assign(n, {});
   std::vector<Id> relays(n, NoId);
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -212,11 +191,9 @@ void FindVirtualSources(const SurfaceMesh& mesh, const std::vector<GeodesicSourc
     }
     const Id v = static_cast<Id>(i);
     const Predecessor& p = result.Predecessors[v];
-    const LastPiece piece = FindLastPiece(mesh, sources, v, p);
     relays[v] = p.Root >= 0 && p.Root != v ? p.Root : NoId;
-    found.Offsets[v] = result.Distances[v] - piece.Length;
-    found.Lengths[v] = piece.Length;
-    found.Angles[v] = piece.Angle;
+    found[v] = FindLastPiece(mesh, sources, v, p);
+    found[v].Offset = result.Distances[v] - found[v].Length;
   }
   MergeRelays(mesh, result.Distances, relays, parallel, found);
 }

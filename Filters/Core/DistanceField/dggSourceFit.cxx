@@ -280,7 +280,7 @@ double VertexFit::Improve(Guess& guess) const
 bool VertexFit::Fit(Id v, Guess& best)
 {
   this->CollectNeighbors(v);
-  this->Around = CornerModel(this->Mesh, v, 0.0, 0.0, 0.0);
+  this->Around = CornerModel(this->Mesh, v, {});
   if (!this->Around.IsKnown || this->Neighbors.size() < 2)
   {
     return false;
@@ -329,9 +329,7 @@ bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
   const ParallelFor& parallel, VirtualSources& found, const ProgressCallback& progress)
 {
   const Offset n = mesh.GetNumberOfVertices();
-  found.Offsets.assign(static_cast<std::size_t>(n), Infinity);
-  found.Lengths.assign(static_cast<std::size_t>(n), Infinity);
-  found.Angles.assign(static_cast<std::size_t>(n), 0.0);
+  found.assign(static_cast<std::size_t>(n), {});
   for (Offset first = 0; first < n; first += VerticesAtOnce)
   {
     if (progress && !progress(static_cast<double>(first) / static_cast<double>(n)))
@@ -349,10 +347,8 @@ bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
           continue;
         }
         Guess guess;
-        const bool isFitted = fit.Fit(v, guess);
-        found.Lengths[v] = isFitted ? 1.0 / guess.Curvature : 0.0;
-        found.Angles[v] = isFitted ? guess.Angle : 0.0;
-        found.Offsets[v] = distances[v] - found.Lengths[v];
+        const double length = fit.Fit(v, guess) ? 1.0 / guess.Curvature : 0.0;
+        found[v] = { distances[v] - length, length, guess.Angle };
       }
     });
   }

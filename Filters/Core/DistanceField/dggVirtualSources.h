@@ -1,25 +1,29 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the distance of each vertex seems to come from.
+/// Point sources that approximate a distance field around each vertex.
 #ifndef dggVirtualSources_h
 #define dggVirtualSources_h
 
-#include <vector> // for the arrays
+#include "dggTypes.h" // for Infinity
+
+#include <vector> // for VirtualSources
 
 namespace dgg
 {
-/// For each vertex the virtual source, as it is seen from the vertex: near the vertex, the distance
-/// is about Offset + the straight distance from that source. For vertices that are not reached
-/// nothing is said.
-struct VirtualSources
+/// Virtual source of a vertex: near the vertex, the distance is about Offset plus the straight
+/// distance from a point at the given polar coordinates around the vertex.
+struct VirtualSource
 {
-  std::vector<double> Offsets; ///< distance at the virtual source
-  std::vector<double> Lengths; ///< straight distance from it to the vertex; 0 at a source
-  /// Polar angle at the vertex towards it, radians (SurfaceMesh::PolarAngle()), not reduced to one
-  /// turn.
-  std::vector<double> Angles;
+  double Offset = Infinity; ///< distance at the virtual source
+  double Length = Infinity; ///< straight distance from the virtual source to the vertex
+  /// Polar angle at the vertex towards the virtual source, radians (SurfaceMesh::PolarAngle()), not
+  /// reduced to one turn.
+  double Angle = 0.0;
 };
+
+/// Per vertex; the values of unreached vertices are unspecified.
+using VirtualSources = std::vector<VirtualSource>;
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFastMarching.h"
 
+#include "dggEdges.h"
 #include "dggHeap.h"
 #include "dggUnfolding.h"
 
@@ -324,15 +325,13 @@ private:
     {
       const bool isOpposed = this->Mesh.Origin(t) == this->Mesh.Destination(h);
       const Point2 image{ isOpposed ? this->Mesh.Length(h) - place.X : place.X, -place.Y };
-      const Point2 apex{ this->Mesh.ApexX(t), this->Mesh.ApexY(t) };
+      const Point2 apex = ApexOf(this->Mesh, t);
       const double x = image.Y < 0.0 ? Crossing(image, apex) : image.X;
       if (x >= 0.0 && x <= this->Mesh.Length(h))
       {
-        const Point2 toOrigin{ -apex.X, -apex.Y };
-        const Point2 toImage{ image.X - apex.X, image.Y - apex.Y };
+        const Point2 toImage = Difference(image, apex);
         front.Distance = front.Offset + Norm(toImage.X, toImage.Y);
-        front.Angle = this->Mesh.PolarAngle(SurfaceMesh::Previous(t)) +
-          std::atan2(dgg::Cross(toOrigin, toImage), Dot(toOrigin, toImage));
+        front.Angle = PolarAngleAtApex(this->Mesh, t, toImage);
         this->Offer(this->Mesh.Apex(t), front, 0.0);
       }
     }
@@ -465,9 +464,7 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
   result.NearestSource.assign(n, NoId);
   if (options.WantVirtualSource)
   {
-    result.Virtual.Offsets.assign(n, Infinity);
-    result.Virtual.Lengths.assign(n, Infinity);
-    result.Virtual.Angles.assign(n, 0.0);
+    result.Virtual.assign(n, {});
   }
   for (std::size_t v = 0; v < n; ++v)
   {
@@ -480,9 +477,7 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
     result.NearestSource[v] = front.Source;
     if (options.WantVirtualSource)
     {
-      result.Virtual.Offsets[v] = front.Offset + shift;
-      result.Virtual.Lengths[v] = front.Distance - front.Offset;
-      result.Virtual.Angles[v] = front.Angle;
+      result.Virtual[v] = { front.Offset + shift, front.Distance - front.Offset, front.Angle };
     }
   }
   return Status::Success();

@@ -102,9 +102,7 @@ void ResetTree(std::size_t n, bool withTree, bool withEstimates, SearchResult& r
   reset(withTree, result.Edges, Offset(-1));
   reset(withTree, result.Tails, NoId);
   reset(withEstimates, result.Corrected, Infinity);
-  reset(withEstimates, result.Virtual.Offsets, Infinity);
-  reset(withEstimates, result.Virtual.Lengths, Infinity);
-  reset(withEstimates, result.Virtual.Angles, 0.0);
+  reset(withEstimates, result.Virtual, VirtualSource());
 }
 
 /// Writes edges, tails and seeds of the labels into a result that shares their distances.
@@ -149,7 +147,6 @@ struct SearchWorkspace
   SearchResult Result; ///< of a search from one of many sources
   std::vector<LabelOrigin> Origins;
   std::vector<TreeStep> Steps;
-  std::vector<LabelCorrection::VirtualSource> VirtualSources;
   MinimumHeap Heap;
   BucketQueue Queue;
 };
@@ -279,7 +276,7 @@ public:
     }
     if (isDone && withEstimates)
     {
-      this->Correction->Run(seeds, workspace.Steps, workspace.VirtualSources, result);
+      this->Correction->Run(seeds, workspace.Steps, result);
     }
     return isDone;
   }

@@ -62,18 +62,18 @@ double LabelCorrection::OffsetOf(const GraphSeed& seed)
   return seed.ArrivalAngle < 0.0 ? seed.Distance : seed.InitialDistance;
 }
 
-LabelCorrection::VirtualSource LabelCorrection::SourceOf(const GraphSeed& seed)
+LabelCorrection::Estimate LabelCorrection::EstimateOf(const GraphSeed& seed)
 {
-  return { OffsetOf(seed), seed.Distance - OffsetOf(seed), std::max(0.0, seed.ArrivalAngle),
-    seed.Distance };
+  const double offset = OffsetOf(seed);
+  return { { offset, seed.Distance - offset, std::max(0.0, seed.ArrivalAngle) }, seed.Distance };
 }
 
-LabelCorrection::VirtualSource LabelCorrection::Extend(
-  const TreeStep& step, double label, const VirtualSource& tail, double smallestOffset) const
+LabelCorrection::Estimate LabelCorrection::Extend(
+  const TreeStep& step, double label, const Estimate& tail, double smallestOffset) const
 {
-  VirtualSource source = this->Follow(step, this->Graph.Length(step.Edge), tail);
-  source.Estimate = ClampToLabel(source.Estimate, label, smallestOffset, this->Shrink);
-  return source;
+  Estimate estimate = this->Follow(step, this->Graph.Length(step.Edge), tail);
+  estimate.Distance = ClampToLabel(estimate.Distance, label, smallestOffset, this->Shrink);
+  return estimate;
 }
 
 double LabelCorrection::FindSmallestOffset(const std::vector<GraphSeed>& seeds)
@@ -87,27 +87,15 @@ double LabelCorrection::FindSmallestOffset(const std::vector<GraphSeed>& seeds)
 }
 
 void LabelCorrection::Run(const std::vector<GraphSeed>& seeds, const std::vector<TreeStep>& steps,
-  std::vector<VirtualSource>& sources, SearchResult& result) const
+  SearchResult& result) const
 {
-  const std::size_t n = this->Vertices.size();
-  sources.resize(n);
-  WithLengths(this->Graph,
-    [&](const auto* lengths) { this->Straighten(lengths, seeds, steps, sources, result); });
-  ForEachTouched(result.Reached, n, [&](Id v) {
-    if (result.Seeds[v] != NoId)
-    {
-      result.Corrected[v] = sources[v].Estimate;
-      result.Virtual.Offsets[v] = sources[v].Offset;
-      result.Virtual.Lengths[v] = sources[v].Length;
-      result.Virtual.Angles[v] = sources[v].Angle;
-    }
-  });
+  WithLengths(
+    this->Graph, [&](const auto* lengths) { this->Straighten(lengths, seeds, steps, result); });
 }
 
 template <typename Length>
 void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphSeed>& seeds,
-  const std::vector<TreeStep>& steps, std::vector<VirtualSource>& sources,
-  const SearchResult& result) const
+  const std::vector<TreeStep>& steps, SearchResult& result) const
 {
   const double smallestOffset = FindSmallestOffset(seeds);
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -118,40 +106,48 @@ void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphS
       Prefetch(lengths + ahead.Edge);
       Prefetch(this->Graph.Angles + ahead.Edge);
       Prefetch(this->Graph.ArrivalAngles + ahead.Edge);
-      Prefetch(&sources[ahead.Tail]);
-      Prefetch(&sources[ahead.Vertex]);
+      Prefetch(&result.Virtual[ahead.Tail]);
+      Prefetch(&result.Virtual[ahead.Vertex]);
+      Prefetch(&result.Corrected[ahead.Tail]);
+      Prefetch(&result.Corrected[ahead.Vertex]);
       Prefetch(&this->Vertices[ahead.Tail]);
       Prefetch(&this->Vertices[ahead.Vertex]);
       Prefetch(&result.Distances[ahead.Vertex]);
     }
     const TreeStep& step = steps[i];
-    VirtualSource& source = sources[step.Vertex];
+    Estimate estimate;
     if (step.Tail == NoId)
     {
-      source = SourceOf(seeds[result.Seeds[step.Vertex]]);
-      continue;
+      estimate = EstimateOf(seeds[result.Seeds[step.Vertex]]);
     }
-    source = this->Follow(step, lengths[step.Edge], sources[step.Tail]);
-    source.Estimate =
-      ClampToLabel(source.Estimate, result.Distances[step.Vertex], smallestOffset, this->Shrink);
+    else
+    {
+      estimate = this->Follow(
+        step, lengths[step.Edge], { result.Virtual[step.Tail], result.Corrected[step.Tail] });
+      estimate.Distance = ClampToLabel(
+        estimate.Distance, result.Distances[step.Vertex], smallestOffset, this->Shrink);
+    }
+    result.Virtual[step.Vertex] = estimate.Source;
+    result.Corrected[step.Vertex] = estimate.Distance;
   }
 }
 
 /// Along an edge, from the tail to the vertex.
-LabelCorrection::VirtualSource LabelCorrection::Follow(
-  const TreeStep& step, double edge, const VirtualSource& from) const
+LabelCorrection::Estimate LabelCorrection::Follow(
+  const TreeStep& step, double edge, const Estimate& from) const
 {
+  const VirtualSource& source = from.Source;
   const Vertex& vertex = this->Vertices[step.Vertex];
   const Vertex& tail = this->Vertices[step.Tail];
   const double arrival = this->Graph.ArrivalAngles[step.Edge];
-  double turn = this->Graph.Angles[step.Edge] - from.Angle;
+  double turn = this->Graph.Angles[step.Edge] - source.Angle;
   if (tail.Angle > 0.0f)
   {
     turn -= tail.Angle * std::rint(turn / tail.Angle); // the smaller side
   }
-  const VirtualSource restarted{ from.Estimate, edge, arrival, from.Estimate + edge };
+  const Estimate restarted{ { from.Distance, edge, arrival }, from.Distance + edge };
   const bool bends = std::abs(turn) >= Pi + AngleSlack;
-  if (bends || !(from.Length > 0.0) || tail.Angle == 0.0f)
+  if (bends || !(source.Length > 0.0) || tail.Angle == 0.0f)
   {
     return restarted;
   }
@@ -161,13 +157,13 @@ LabelCorrection::VirtualSource LabelCorrection::Follow(
   const double roughness = std::min(1.0, (tail.Defect + vertex.Defect) / (2.0 * RoughDefect));
   const double deviation = (1.0 - roughness * SpuriousPart) * std::max(0.0, Pi - std::abs(turn));
   const double half = std::sin(static_cast<float>(0.5 * deviation));
-  const double sum = from.Length + edge;
-  const double height = from.Length * edge / sum;
+  const double sum = source.Length + edge;
+  const double height = source.Length * edge / sum;
   const double flatness = 4.0 * height * half * half / sum;
   const double gain = sum * flatness / (1.0 + std::sqrt(std::max(0.0, 1.0 - flatness))) +
     roughness * this->Unseen * height;
-  const double x = edge + from.Length * (1.0 - 2.0 * half * half);
-  const double y = 2.0 * from.Length * half * std::sqrt(std::max(0.0, 1.0 - half * half));
+  const double x = edge + source.Length * (1.0 - 2.0 * half * half);
+  const double y = 2.0 * source.Length * half * std::sqrt(std::max(0.0, 1.0 - half * half));
   const double tilt = std::atan2(static_cast<float>(y), static_cast<float>(x));
   const double angle = arrival + (turn > 0.0 ? tilt : -tilt);
   if (vertex.Angle < 0.0f && !(angle >= -AngleSlack && angle <= AngleSlack - vertex.Angle))
@@ -175,6 +171,6 @@ LabelCorrection::VirtualSource LabelCorrection::Follow(
     return restarted; // the straight way leaves the surface
   }
   const double length = std::max(0.0, sum - gain);
-  return { from.Offset, length, angle, from.Offset + length };
+  return { { source.Offset, length, angle }, source.Offset + length };
 }
 }

@@ -29,51 +29,48 @@ inline double ClampToLabel(double estimate, double label, double smallestOffset,
 }
 
 /// A path in the graph zigzags about the geodesic that it approximates. Unfolded edge by edge into
-/// the plane it can be pulled straight: down the tree of paths, each vertex gets the place of the
-/// source as seen from itself, a virtual source at some distance in some direction. Where the path
-/// bends, the vertex of the bend becomes the virtual source of what comes after.
+/// the plane it can be straightened: down the tree of paths, each vertex receives the virtual
+/// source of the path. Where the path bends, the vertex of the bend becomes the virtual source of
+/// the vertices behind it.
 class LabelCorrection
 {
 public:
-  /// Where a vertex sees the source, and what follows for its distance.
-  struct VirtualSource
+  /// Virtual source of a vertex, and the estimate of the distance that follows from it.
+  struct Estimate
   {
-    double Offset;   ///< distance at the virtual source
-    double Length;   ///< straight distance from it
-    double Angle;    ///< polar angle towards it, not reduced to one turn
-    double Estimate; ///< of the distance of the vertex
+    VirtualSource Source;
+    double Distance;
   };
 
   LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh);
 
-  /// Fill the estimates of a finished search at the vertices that are reached, from its tree.
-  /// `sources` is working memory.
+  /// Fills Corrected and Virtual of a finished search at the vertices that are reached, from its
+  /// tree.
   void Run(const std::vector<GraphSeed>& seeds, const std::vector<TreeStep>& steps,
-    std::vector<VirtualSource>& sources, SearchResult& result) const;
+    SearchResult& result) const;
 
-  /// The same for one vertex that is reached over an edge of which the virtual source at the tail
-  /// is known: for a label besides those of a search. `smallestOffset` is that of all seeds.
-  VirtualSource Extend(
-    const TreeStep& step, double label, const VirtualSource& tail, double smallestOffset) const;
+  /// Returns the estimate of one vertex that is reached over an edge, given that of the tail: for a
+  /// label besides those of a search. `smallestOffset` is that of all seeds.
+  Estimate Extend(
+    const TreeStep& step, double label, const Estimate& tail, double smallestOffset) const;
 
-  /// The distance that a seed's source starts with, and where the vertex of a seed sees it.
+  /// Returns the distance that the source of a seed starts with.
   static double OffsetOf(const GraphSeed& seed);
-  static VirtualSource SourceOf(const GraphSeed& seed);
+  /// Returns the estimate of the vertex of a seed.
+  static Estimate EstimateOf(const GraphSeed& seed);
 
 private:
-  /// What matters of a vertex of the mesh.
   struct Vertex
   {
     float Angle = 0.0f;  ///< total angle: positive inside, negative on the boundary, 0 if irregular
-    float Defect = 0.0f; ///< how far the surface is from flat there
+    float Defect = 0.0f; ///< absolute value of the angle defect
   };
 
   static double FindSmallestOffset(const std::vector<GraphSeed>& seeds);
   template <typename Length>
   void Straighten(const Length* lengths, const std::vector<GraphSeed>& seeds,
-    const std::vector<TreeStep>& steps, std::vector<VirtualSource>& sources,
-    const SearchResult& result) const;
-  VirtualSource Follow(const TreeStep& step, double edge, const VirtualSource& from) const;
+    const std::vector<TreeStep>& steps, SearchResult& result) const;
+  Estimate Follow(const TreeStep& step, double edge, const Estimate& from) const;
 
   const GraphView& Graph;
   std::vector<Vertex> Vertices;

@@ -30,8 +30,8 @@ double PlaneAngle(double length, double fromHere, double fromThere)
 double Misdirection(const SurfaceMesh& mesh, Id v, double polarAngle, double length,
   double distance, double other, const VirtualSources& sources)
 {
-  const CornerModel model(mesh, v, 0.0, distance, sources.Angles[v]);
-  if (!model.IsKnown || !(sources.Lengths[v] > 0.0))
+  const CornerModel model(mesh, v, { 0.0, distance, sources[v].Angle });
+  if (!model.IsKnown || !(sources[v].Length > 0.0))
   {
     return 0.0;
   }

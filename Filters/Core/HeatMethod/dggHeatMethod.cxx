@@ -255,10 +255,9 @@ std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
 /// is exact where the faces lie in a plane with the source). Angles around inner vertices are
 /// scaled to a full turn for the mean. At irregular vertices the direction of the face that it
 /// points into best.
-std::vector<double> FindDirectionsOfDescent(
-  const SurfaceMesh& mesh, const std::vector<double>& distances, const std::vector<double>& offsets)
+void FindDirectionsOfDescent(
+  const SurfaceMesh& mesh, const std::vector<double>& distances, VirtualSources& sources)
 {
-  std::vector<double> angles(distances.size(), 0.0);
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     if (!(distances[v] < Infinity))
@@ -273,7 +272,7 @@ std::vector<double> FindDirectionsOfDescent(
     for (const Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g)
     {
       Point2 direction;
-      if (!PointToSource(mesh, *g, offsets[v], distances, direction))
+      if (!PointToSource(mesh, *g, sources[v].Offset, distances, direction))
       {
         continue;
       }
@@ -287,7 +286,7 @@ std::vector<double> FindDirectionsOfDescent(
         if (off < best)
         {
           best = off;
-          angles[v] = begin + inside;
+          sources[v].Angle = begin + inside;
         }
         continue;
       }
@@ -302,16 +301,15 @@ std::vector<double> FindDirectionsOfDescent(
       double angle = std::atan2(sum.Y, sum.X);
       if (isClosed)
       {
-        angles[v] = (angle < 0.0 ? angle + 2.0 * Pi : angle) / scale;
+        sources[v].Angle = (angle < 0.0 ? angle + 2.0 * Pi : angle) / scale;
         continue;
       }
       // Into the surface: the nearer of its two ends when it points outside.
       const double middle = 0.5 * total;
       angle += 2.0 * Pi * std::round((middle - angle) / (2.0 * Pi));
-      angles[v] = std::min(std::max(angle, 0.0), total);
+      sources[v].Angle = std::min(std::max(angle, 0.0), total);
     }
   }
-  return angles;
 }
 
 /// The nearest source, seen against the gradient.
@@ -319,21 +317,19 @@ VirtualSources FindVirtualSources(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, const HeatResult& result)
 {
   const std::vector<double>& distances = result.Distances;
-  VirtualSources found;
-  found.Offsets.assign(distances.size(), Infinity);
-  found.Lengths.assign(distances.size(), Infinity);
+  VirtualSources found(distances.size());
   for (std::size_t v = 0; v < distances.size(); ++v)
   {
     if (result.NearestSource[v] != NoId)
     {
-      found.Offsets[v] = std::min(sources[result.NearestSource[v]].InitialDistance, distances[v]);
+      found[v].Offset = std::min(sources[result.NearestSource[v]].InitialDistance, distances[v]);
     }
     if (distances[v] < Infinity)
     {
-      found.Lengths[v] = distances[v] - found.Offsets[v];
+      found[v].Length = distances[v] - found[v].Offset;
     }
   }
-  found.Angles = FindDirectionsOfDescent(mesh, distances, found.Offsets);
+  FindDirectionsOfDescent(mesh, distances, found);
   return found;
 }
 
@@ -346,13 +342,10 @@ void CutOff(double maximumDistance, HeatResult& result)
     {
       continue;
     }
-    for (std::vector<double>* values :
-      { &result.Distances, &result.Virtual.Offsets, &result.Virtual.Lengths })
+    result.Distances[v] = Infinity;
+    if (!result.Virtual.empty())
     {
-      if (!values->empty())
-      {
-        (*values)[v] = Infinity;
-      }
+      result.Virtual[v] = {};
     }
     if (!result.NearestSource.empty())
     {

@@ -101,7 +101,7 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   DistanceField used = field;
   VirtualSources fitted;
   double begin = 0.0;
-  if (!field.Sources || field.Sources->Offsets.empty())
+  if (!field.Sources || field.Sources->empty())
   {
     if (!FitVirtualSources(
           *field.Mesh, field.Distances, parallel, fitted, ProgressPart(progress, 0.0, FitDone)))

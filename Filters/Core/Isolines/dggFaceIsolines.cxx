@@ -58,7 +58,7 @@ bool FaceIsolines::MayHoldSource(Id f) const
   for (Id h = 3 * f; h < 3 * f + 3; ++h)
   {
     const double reach = std::max(mesh.Length(h), mesh.Length(SurfaceMesh::Previous(h)));
-    if (this->Field.Sources->Lengths[mesh.Origin(h)] <= reach)
+    if ((*this->Field.Sources)[mesh.Origin(h)].Length <= reach)
     {
       return true;
     }

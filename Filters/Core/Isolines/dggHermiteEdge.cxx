@@ -44,12 +44,12 @@ void HermiteEdge::SetUpEnds()
   this->Rises = { { chord, chord } };
   this->Models = {};
   const VirtualSources* sources = this->Field.Sources;
-  const bool hasSources = sources && !sources->Offsets.empty();
+  const bool hasSources = sources && !sources->empty();
   std::array<double, 2> missing{ { 0.0, 0.0 } };
   for (int k = 0; k < 2 && hasSources; ++k)
   {
     CornerModel& model = this->Models[k];
-    model = CornerModel(mesh, vertices[k], *sources, this->Ends[k]);
+    model = CornerModel(mesh, vertices[k], (*sources)[vertices[k]], this->Ends[k]);
     model.IsKnown = model.IsKnown && std::isfinite(model.Length) && std::isfinite(model.Angle);
     if (!model.IsKnown)
     {

@@ -6,8 +6,10 @@
 #define dggEdges_h
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
+#include "dggUnfolding.h"   // for Point2
 
 #include <algorithm> // for std::min
+#include <cmath>     // for std::atan2
 
 namespace dgg
 {
@@ -34,6 +36,21 @@ bool RepresentsEdge(const Surface& surface, Id h)
     e = surface.Twin(e);
   }
   return e == NoId || e == h;
+}
+
+/// Returns the apex of the face of h in the frame of h.
+inline Point2 ApexOf(const SurfaceMesh& mesh, Id h)
+{
+  return { mesh.ApexX(h), mesh.ApexY(h) };
+}
+
+/// Returns the polar angle at the apex of the face of h of a direction given in the frame of h.
+inline double PolarAngleAtApex(const SurfaceMesh& mesh, Id h, const Point2& direction)
+{
+  // The reference of the corner is the edge from the apex to the origin of h.
+  const Point2 reference{ -mesh.ApexX(h), -mesh.ApexY(h) };
+  return mesh.PolarAngle(SurfaceMesh::Previous(h)) +
+    std::atan2(Cross(reference, direction), Dot(reference, direction));
 }
 
 /// Call `visit(neighbor, length, angle)` for the edges from a vertex, once each around a regular

@@ -54,9 +54,7 @@ PropagationOutput::PropagationOutput(const SurfaceMesh& mesh, const PropagationO
   }
   if (options.WantVirtualSource)
   {
-    result.Virtual.Offsets.assign(n, Infinity);
-    result.Virtual.Lengths.assign(n, Infinity);
-    result.Virtual.Angles.assign(n, 0.0);
+    result.Virtual.assign(n, {});
   }
 }
 
@@ -79,10 +77,8 @@ void PropagationOutput::SetSource(Id v, Id root, const VirtualPlace& place)
   }
   if (this->Options.WantVirtualSource)
   {
-    this->Result.Virtual.Offsets[v] = this->Result.Distances[v] - place.Length;
-    this->Result.Virtual.Lengths[v] = place.Length;
-    this->Result.Virtual.Angles[v] =
-      place.HalfEdge == NoId ? 0.0 : this->Mesh.PolarAngle(place.HalfEdge) + place.Angle;
+    this->Result.Virtual[v] = { this->Result.Distances[v] - place.Length, place.Length,
+      place.HalfEdge == NoId ? 0.0 : this->Mesh.PolarAngle(place.HalfEdge) + place.Angle };
   }
 }
 

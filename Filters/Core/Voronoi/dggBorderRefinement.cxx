@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBorderRefinement.h"
 
+#include "dggCornerModel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -197,29 +199,16 @@ bool BorderRefinement::IsDoubtful(Id face, const Coordinates& place, Id site, do
   return false;
 }
 
-/// The distance of a place in the frame of a half-edge, as the virtual source at its origin has it.
-/// NaN where that is not known.
+/// Returns the distance of a point in the frame of a half-edge from the virtual source of the
+/// origin of the half-edge; NaN if the distance is unknown.
 double BorderRefinement::Predict(
   Id halfEdge, const SiteDistances::Entry& entry, const Point2& place) const
 {
-  const Id v = this->Mesh.Origin(halfEdge);
-  const double length = Norm(place.X, place.Y);
-  if (this->Mesh.Kind(v) == VertexKind::Irregular && entry.VirtualLength > 0.0)
-  {
-    return std::nan("");
-  }
-  double turn = this->Mesh.PolarAngle(halfEdge) + std::atan2(place.Y, place.X) - entry.VirtualAngle;
-  if (this->Mesh.Kind(v) != VertexKind::Boundary)
-  {
-    const double total = this->Mesh.TotalAngle(v);
-    turn -= total * std::rint(turn / total);
-  }
-  if (!(std::abs(turn) < Pi))
-  {
-    return entry.VirtualOffset + entry.VirtualLength + length;
-  }
-  const Point2 image{ entry.VirtualLength * std::cos(turn), entry.VirtualLength * std::sin(turn) };
-  return entry.VirtualOffset + Norm(image.X - length, image.Y);
+  const CornerModel model(this->Mesh, this->Mesh.Origin(halfEdge), entry.Source);
+  return model.IsKnown || !(model.Length > 0.0)
+    ? model.At(
+        Norm(place.X, place.Y), this->Mesh.PolarAngle(halfEdge) + std::atan2(place.Y, place.X))
+    : std::nan("");
 }
 
 /// Distances of a point from sites, through links of its own. False when one is not known.

@@ -218,12 +218,12 @@ private:
       return graph.Angles[edge]; // from the site itself, a vertex
     }
     // As the distance, the way is straight as long as its virtual source is the site.
-    if (result.Virtual.Offsets[v] != 0.0 || result.Virtual.Offsets[u] != 0.0)
+    if (result.Virtual[v].Offset != 0.0 || result.Virtual[u].Offset != 0.0)
     {
       return this->Directions[u];
     }
     const double total = this->Mesh.TotalAngle(u);
-    double turn = graph.Angles[edge] - result.Virtual.Angles[u];
+    double turn = graph.Angles[edge] - result.Virtual[u].Angle;
     if (this->Mesh.Kind(u) != VertexKind::Boundary)
     {
       turn -= total * std::rint(turn / total);
@@ -234,7 +234,7 @@ private:
     }
     const double length = graph.Length(edge);
     return this->Directions[u] -
-      std::atan2(length * std::sin(turn), result.Virtual.Lengths[u] - length * std::cos(turn));
+      std::atan2(length * std::sin(turn), result.Virtual[u].Length - length * std::cos(turn));
   }
 
   const GraphSearch& Search;

@@ -32,7 +32,7 @@ constexpr Id LongList = 12;
 struct Label
 {
   double Distance;
-  LabelCorrection::VirtualSource Source;
+  LabelCorrection::Estimate Estimate;
   Offset Edge; ///< over which the vertex is reached; -1 for a seed
   Id Site;
   Id Vertex;
@@ -140,13 +140,13 @@ public:
     return true;
   }
 
-  /// The labels of a vertex, in no order: `use(site, source)`.
+  /// Calls `use(site, estimate)` for the labels of a vertex, in no particular order.
   template <typename Use>
   void ForEach(Id v, const Use& use) const
   {
     for (Id i = this->Heads[v]; i != NoId; i = this->Labels[i].Next)
     {
-      use(this->Labels[i].Site, this->Labels[i].Source);
+      use(this->Labels[i].Site, this->Labels[i].Estimate);
     }
   }
 
@@ -245,21 +245,19 @@ private:
     Label& label = this->Labels[index];
     if (!this->Correction)
     {
-      label.Source.Estimate = label.Distance;
+      label.Estimate.Distance = label.Distance;
     }
     else if (label.Edge < 0)
     {
-      label.Source = LabelCorrection::SourceOf(this->Seeds[label.Tail]);
+      label.Estimate = LabelCorrection::EstimateOf(this->Seeds[label.Tail]);
     }
     else
     {
       const Id u = label.Tail;
-      const LabelCorrection::VirtualSource tail = label.TailLabel != NoId
-        ? this->Labels[label.TailLabel].Source
-        : LabelCorrection::VirtualSource{ this->Nearest.Virtual.Offsets[u],
-            this->Nearest.Virtual.Lengths[u], this->Nearest.Virtual.Angles[u],
-            this->Nearest.Corrected[u] };
-      label.Source =
+      const LabelCorrection::Estimate tail = label.TailLabel != NoId
+        ? this->Labels[label.TailLabel].Estimate
+        : LabelCorrection::Estimate{ this->Nearest.Virtual[u], this->Nearest.Corrected[u] };
+      label.Estimate =
         this->Correction->Extend({ label.Edge, label.Vertex, u }, label.Distance, tail, 0.0);
     }
   }
@@ -292,11 +290,7 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   if (!this->HasDirections)
   {
     nearest.Corrected = nearest.Distances;
-    for (std::vector<double>* unknown :
-      { &nearest.Virtual.Offsets, &nearest.Virtual.Lengths, &nearest.Virtual.Angles })
-    {
-      unknown->assign(nearest.Distances.size(), 0.0);
-    }
+    nearest.Virtual.resize(nearest.Distances.size());
   }
   const GraphView& graph = search.GetGraph();
   FartherSites farther(graph, mesh, kept, nearest);
@@ -309,11 +303,10 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   {
     if (nearest.Seeds[v] != NoId)
     {
-      this->Entries.push_back({ kept[nearest.Seeds[v]].Source, nearest.Corrected[v],
-        nearest.Virtual.Offsets[v], nearest.Virtual.Lengths[v], nearest.Virtual.Angles[v] });
-      farther.ForEach(v, [this](Id site, const LabelCorrection::VirtualSource& source) {
-        this->Entries.push_back(
-          { site, source.Estimate, source.Offset, source.Length, source.Angle });
+      this->Entries.push_back(
+        { kept[nearest.Seeds[v]].Source, nearest.Corrected[v], nearest.Virtual[v] });
+      farther.ForEach(v, [this](Id site, const LabelCorrection::Estimate& estimate) {
+        this->Entries.push_back({ site, estimate.Distance, estimate.Source });
       });
       std::sort(this->Entries.begin() + this->Offsets.back(), this->Entries.end(),
         [](const Entry& a, const Entry& b) { return a.Site < b.Site; });

@@ -26,11 +26,8 @@ public:
   struct Entry
   {
     Id Site;
-    double Distance; ///< the estimate (see SearchResult::Corrected)
-    /// The virtual source behind it, as in SearchResult; only for graphs with angles.
-    double VirtualOffset;
-    double VirtualLength;
-    double VirtualAngle;
+    double Distance;      ///< the estimate (see SearchResult::Corrected)
+    VirtualSource Source; ///< unspecified unless HasVirtualSources()
   };
 
   /// Sources of the seeds are the sites, from 0 on, without initial distances. A site with the very
@@ -46,7 +43,7 @@ public:
   /// no site reaches.
   const Entry* Nearest(Id v) const;
 
-  /// Whether virtual sources are known.
+  /// True if the graph has angles.
   bool HasVirtualSources() const { return this->HasDirections; }
 
 private:

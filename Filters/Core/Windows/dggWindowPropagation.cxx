@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggWindowPropagation.h"
 
+#include "dggEdges.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -328,17 +330,11 @@ bool WindowPropagation::FindIncomingAngle(Id v, double& angle) const
   const Predecessor& p = this->Result->Predecessors[v];
   if (p.HalfEdge != NoId)
   {
-    // From the direction of the origin of the half-edge counter-clockwise to that of the image.
-    const Point2 c{ this->Mesh.ApexX(p.HalfEdge), this->Mesh.ApexY(p.HalfEdge) };
-    const Point2 i{ p.ImageX - c.X, p.ImageY - c.Y };
-    if (p.Root >= 0 &&
-      this->Label(v) > (this->Label(p.Root) + Norm(i.X, i.Y)) * (1.0 + LengthTolerance))
-    {
-      return false; // the way bends at the end of a window, see Window::DistanceThrough()
-    }
-    angle = this->Mesh.PolarAngle(SurfaceMesh::Previous(p.HalfEdge)) +
-      std::atan2(-c.X * i.Y + c.Y * i.X, -c.X * i.X - c.Y * i.Y);
-    return true;
+    const Point2 back = Difference({ p.ImageX, p.ImageY }, ApexOf(this->Mesh, p.HalfEdge));
+    angle = PolarAngleAtApex(this->Mesh, p.HalfEdge, back);
+    // False if the path bends at the end of a window, see Window::DistanceThrough().
+    return p.Root < 0 ||
+      !(this->Label(v) > (this->Label(p.Root) + Norm(back.X, back.Y)) * (1.0 + LengthTolerance));
   }
   if (p.Root < 0)
   {

@@ -170,7 +170,7 @@ dgg::Status DGGFieldInput::ReadDistances(const DGGContext& context, vtkDataArray
   this->Warning.clear();
   this->IsFitted = false;
   this->Windows = dgg::EdgeWindows();
-  this->Sources = dgg::VirtualSources();
+  this->Sources.clear();
   this->Distances.assign(mesh.GetMesh().GetNumberOfVertices(), dgg::Infinity);
   const std::vector<bool> isUnreached =
     DGGUnreachedArray::Find(surface->GetPointData(), distances, this->UnreachedValue);
@@ -238,22 +238,14 @@ void DGGFieldInput::ReadSources(const DGGContext& context, const std::string& na
     this->Warn(whose + "do not have 3 components per point. They are ignored");
     return;
   }
-  const std::size_t n = this->Distances.size();
-  for (std::vector<double>* values :
-    { &this->Sources.Offsets, &this->Sources.Lengths, &this->Sources.Angles })
+  for (std::size_t v = 0; v < this->Distances.size(); ++v)
   {
-    values->resize(n);
-  }
-  for (std::size_t v = 0; v < n; ++v)
-  {
-    const auto i = static_cast<vtkIdType>(v);
-    this->Sources.Offsets[v] = array->GetComponent(i, 0);
-    this->Sources.Lengths[v] = array->GetComponent(i, 1);
-    this->Sources.Angles[v] = array->GetComponent(i, 2);
+    const double* source = array->GetTuple3(static_cast<vtkIdType>(v));
+    this->Sources.push_back({ source[0], source[1], source[2] });
   }
   if (!this->HasSourcesOfDistances(mesh.GetMesh()))
   {
-    this->Sources = dgg::VirtualSources();
+    this->Sources.clear();
     this->Warn(whose + "are not those of the distances on this surface. They are ignored");
   }
 }
@@ -299,12 +291,12 @@ bool DGGFieldInput::HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const
     {
       continue;
     }
-    const double length = this->Sources.Lengths[v];
-    if (!std::isfinite(this->Sources.Angles[v]) || !(length >= 0.0))
+    const dgg::VirtualSource& source = this->Sources[v];
+    if (!std::isfinite(source.Angle) || !(source.Length >= 0.0))
     {
       return false;
     }
-    difference += std::abs(this->Sources.Offsets[v] + length - this->Distances[v]);
+    difference += std::abs(source.Offset + source.Length - this->Distances[v]);
     reached += 1.0;
   }
   // False for numbers that are not finite.
