@@ -48,13 +48,10 @@ void EdgeProfile::Enter(Id h)
   this->Models = {};
   if (this->Field.HasWindows())
   {
-    Id e = representative;
-    do
-    {
+    ForEachHalfEdge(mesh, representative, [&](Id e) {
       this->CollectWindows(e);
       this->CollectSources(e);
-      e = mesh.Twin(e);
-    } while (e != NoId && e != representative);
+    });
     if (mesh.Twin(representative) == NoId)
     {
       this->CollectThroughFace(representative); // nobody has kept what leaves the surface
@@ -112,7 +109,7 @@ void EdgeProfile::CollectSources(Id h)
 void EdgeProfile::CollectThroughFace(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
-  const Point2 apex{ mesh.ApexX(h), mesh.ApexY(h) };
+  const Point2 apex = ApexOf(mesh, h);
   this->Pieces.push_back({ 0.0, this->Length, apex, this->Field.Distances[mesh.Apex(h)], 0.0 });
   for (const Id side : { SurfaceMesh::Next(h), SurfaceMesh::Previous(h) })
   {
@@ -246,9 +243,7 @@ void EdgeProfile::SetUpOpposites()
   }
   const SurfaceMesh& mesh = *this->Field.Mesh;
   this->HasLinearFace = false;
-  Id e = this->HalfEdge;
-  do
-  {
+  ForEachHalfEdge(mesh, this->HalfEdge, [&](Id e) {
     const Id f = SurfaceMesh::Face(e);
     if (this->Field.IsReached(f))
     {
@@ -273,8 +268,7 @@ void EdgeProfile::SetUpOpposites()
         this->HasLinearFace = true;
       }
     }
-    e = mesh.Twin(e);
-  } while (e != NoId && e != this->HalfEdge);
+  });
   this->IsLinear = !this->Models[0].IsKnown && !this->Models[1].IsKnown &&
     (this->HasLinearFace || this->NumberOfOpposites == 0);
 }

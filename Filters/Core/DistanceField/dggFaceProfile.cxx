@@ -64,8 +64,7 @@ void FaceProfile::Enter(Id f)
   }
   this->Face = f;
   const SurfaceMesh& mesh = *this->Field.Mesh;
-  this->Corners = { { Point2{}, { mesh.Length(3 * f), 0.0 },
-    { mesh.ApexX(3 * f), mesh.ApexY(3 * f) } } };
+  this->Corners = CornersInFrame(mesh, 3 * f);
   for (int k = 0; k < 3; ++k)
   {
     const Point2& from = this->Corners[k];

@@ -112,23 +112,21 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
       Cross(p, left) > 0.0;
   };
   const StripEdge start{ right, left, mesh.Origin(next), mesh.Destination(next) };
-  for (Id first = mesh.Twin(next); first != NoId && first != next; first = mesh.Twin(first))
-  {
+  ForEachTwin(mesh, next, [&](Id first) {
     StripEdge edge = start;
     Id entered = first;
     for (int step = 0; step < LongestStrip && entered != NoId; ++step)
     {
-      // The frame of the entered half-edge, or its mirror image, with the corner below the axis.
-      const bool isOpposed =
+      // In a frame that runs from Right to Left.
+      const bool isMirrored =
         mesh.Origin(entered) == edge.LeftVertex && mesh.Destination(entered) == edge.RightVertex;
+      const EnteredFace face(mesh, entered, isMirrored);
       const double length = mesh.Length(entered);
-      const double along = isOpposed ? FootOnEdge(length, mesh.Length(SurfaceMesh::Next(entered)),
-                                         mesh.Length(SurfaceMesh::Previous(entered)))
-                                     : mesh.ApexX(entered);
       const Point2 axis{ (edge.Left.X - edge.Right.X) / length,
         (edge.Left.Y - edge.Right.Y) / length };
-      // Away from the corner is to the right of the way from Right to Left.
-      const Point2 apex = FromFrame(edge.Right, axis, { along, -mesh.ApexY(entered) });
+      // The apex lies on the right side of the axis, away from the corner.
+      const Point2& above = face.Plane.GetApex();
+      const Point2 apex = FromFrame(edge.Right, axis, { above.X, -above.Y });
       const Id vertex = mesh.Apex(entered);
       if (splits(apex))
       {
@@ -140,11 +138,9 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
           distance, Norm(left.X, left.Y), direction + std::atan2(apex.Y, apex.X) });
         break;
       }
-      // On through the edge that the allowed directions cross.
+      // Leave through the edge that the allowed directions cross.
       const bool isLeft = Dot(apex, left) < 0.0 || Cross(right, apex) <= 0.0; // passes left of it
-      const Id toOrigin = SurfaceMesh::Previous(entered);
-      const Id toEnd = SurfaceMesh::Next(entered);
-      const Id exit = isLeft == isOpposed ? toOrigin : toEnd;
+      const Id exit = isLeft ? face.RightEdge : face.LeftEdge;
       if (isLeft)
       {
         edge.Right = apex;
@@ -156,10 +152,10 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
         edge.LeftVertex = vertex;
       }
       const Id twin = mesh.Twin(exit);
-      // Strips go on over manifold edges only.
+      // Strips cross manifold edges only.
       entered = twin != NoId && mesh.Twin(twin) == exit ? twin : NoId;
     }
-  }
+  });
 }
 
 namespace
@@ -321,10 +317,8 @@ private:
   /// is close to the edge these are nearer than the ends of the edge.
   void LookAcross(Id h, const Point2& place, Front front)
   {
-    for (Id t = this->Mesh.Twin(h); t != NoId && t != h; t = this->Mesh.Twin(t))
-    {
-      const bool isOpposed = this->Mesh.Origin(t) == this->Mesh.Destination(h);
-      const Point2 image{ isOpposed ? this->Mesh.Length(h) - place.X : place.X, -place.Y };
+    ForEachFaceBehind(this->Mesh, h, false, [&](Id t, bool isMirrored) {
+      const Point2 image{ isMirrored ? place.X : this->Mesh.Length(h) - place.X, -place.Y };
       const Point2 apex = ApexOf(this->Mesh, t);
       const double x = image.Y < 0.0 ? Crossing(image, apex) : image.X;
       if (x >= 0.0 && x <= this->Mesh.Length(h))
@@ -334,7 +328,7 @@ private:
         front.Angle = PolarAngleAtApex(this->Mesh, t, toImage);
         this->Offer(this->Mesh.Apex(t), front, 0.0);
       }
-    }
+    });
   }
 
   /// Whether a front that comes through the vertex starts anew from there.

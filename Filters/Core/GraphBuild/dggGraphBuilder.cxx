@@ -166,17 +166,14 @@ double DepartureAngle(const SurfaceMesh& mesh, const SurfacePoint& point, const 
   Point2 direction = edge.Departure;
   if (SurfaceMesh::Face(frame) != point.Face)
   {
-    for (Id e = mesh.Twin(point.HalfEdge); e != NoId && e != point.HalfEdge; e = mesh.Twin(e))
-    {
-      if (SurfaceMesh::Face(e) == SurfaceMesh::Face(frame))
+    ForEachFaceBehind(mesh, point.HalfEdge, false, [&](Id e, bool isMirrored) {
+      if (frame != point.HalfEdge && SurfaceMesh::Face(e) == SurfaceMesh::Face(frame))
       {
         direction = DirectionInFrame(mesh, frame, e, direction);
-        const bool isOpposite = mesh.Origin(e) == mesh.Destination(point.HalfEdge);
-        direction = { isOpposite ? -direction.X : direction.X, -direction.Y };
+        direction = { isMirrored ? direction.X : -direction.X, -direction.Y };
         frame = point.HalfEdge;
-        break;
       }
-    }
+    });
   }
   direction = DirectionInFrame(mesh, frame, 3 * point.Face, direction);
   return std::atan2(direction.Y, direction.X);

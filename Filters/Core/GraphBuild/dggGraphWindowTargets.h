@@ -51,9 +51,9 @@ public:
   {
     const Id h = face.GetHalfEdge();
     this->Reach(SurfaceMesh::Face(h), [&](const GraphWindowTarget& target) {
-      const Point2 place = PlaceInFrame(this->Mesh, h, target.Barycentric);
-      const double x = face.IsMirrored() ? this->Mesh.Length(h) - place.X : place.X;
-      const Point2 p = FromFrame(window.Ends[0], window.Axis, { x, place.Y });
+      const Point2 place = PlaceInEntered(
+        this->Mesh, h, face.IsMirrored(), PlaceInFrame(this->Mesh, h, target.Barycentric));
+      const Point2 p = FromFrame(window.Ends[0], window.Axis, place);
       const double distance = Norm(p.X, p.Y);
       const double slack = -WidthOfBorder * distance;
       return Cross(p, left.Position) >= slack * left.Distance &&

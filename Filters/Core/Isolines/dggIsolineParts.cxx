@@ -135,16 +135,10 @@ private:
 
 bool IsEdgeReached(const DistanceField& field, Id h)
 {
-  Id e = h;
-  do
-  {
-    if (field.IsReached(SurfaceMesh::Face(e)))
-    {
-      return true;
-    }
-    e = field.Mesh->Twin(e);
-  } while (e != NoId && e != h);
-  return false;
+  bool isReached = false;
+  ForEachHalfEdge(
+    *field.Mesh, h, [&](Id e) { isReached = isReached || field.IsReached(SurfaceMesh::Face(e)); });
+  return isReached;
 }
 
 Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,

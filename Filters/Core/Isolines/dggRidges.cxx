@@ -225,16 +225,15 @@ void EdgeJoiner::Run()
 void EdgeJoiner::JoinEdge(Id h)
 {
   std::vector<Id> halfEdges{ h };
-  for (Id e = this->Mesh.Twin(h); e != NoId && e != h; e = this->Mesh.Twin(e))
-  {
+  ForEachTwin(this->Mesh, h, [&](Id e) {
     if (this->Field.IsReached(SurfaceMesh::Face(e)))
     {
-      if (e < h)
-      {
-        return;
-      }
       halfEdges.push_back(e);
     }
+  });
+  if (*std::min_element(halfEdges.begin(), halfEdges.end()) < h)
+  {
+    return;
   }
   std::vector<Meeting> meetings;
   for (const Id e : halfEdges)

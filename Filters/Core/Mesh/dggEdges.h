@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Edges as such, of which a mesh knows half-edges only, and the neighbours along them. Internal.
+/// Edges, of which a mesh stores half-edges only: the faces behind an edge, and neighbors along
+/// edges. Internal.
 #ifndef dggEdges_h
 #define dggEdges_h
 
@@ -9,39 +10,85 @@
 #include "dggUnfolding.h"   // for Point2
 
 #include <algorithm> // for std::min
+#include <array>     // for corners
 #include <cmath>     // for std::atan2
 
 namespace dgg
 {
-/// The half-edge that represents the edge of h: the smallest one of all that lie there. `surface`
-/// is a SurfaceMesh, or has half-edges as that has.
+/// Calls `visit(e)` for the other half-edges of the edge of h: none on the boundary, one on a
+/// manifold edge. `surface` is a SurfaceMesh or has half-edges like one.
+template <typename Surface, typename Visitor>
+void ForEachTwin(const Surface& surface, Id h, Visitor&& visit)
+{
+  for (Id e = surface.Twin(h); e != NoId && e != h; e = surface.Twin(e))
+  {
+    visit(e);
+  }
+}
+
+/// Calls `visit(e)` for h and the other half-edges of its edge.
+template <typename Surface, typename Visitor>
+void ForEachHalfEdge(const Surface& surface, Id h, Visitor&& visit)
+{
+  visit(h);
+  ForEachTwin(surface, h, visit);
+}
+
+/// Returns the smallest half-edge of the edge of h, which represents the edge.
 template <typename Surface>
 Id FindEdge(const Surface& surface, Id h)
 {
   Id smallest = h;
-  for (Id e = surface.Twin(h); e != NoId && e != h; e = surface.Twin(e))
-  {
-    smallest = std::min(smallest, e);
-  }
+  ForEachTwin(surface, h, [&](Id e) { smallest = std::min(smallest, e); });
   return smallest;
 }
 
-/// Whether h represents its edge.
-template <typename Surface>
-bool RepresentsEdge(const Surface& surface, Id h)
+/// Calls `visit(e, isMirrored)` for the half-edges through which the faces behind half-edge `exit`
+/// are entered. All faces are laid out in one plane: a face is mirrored if its orientation differs
+/// from that of the plane, in which the face of `exit` itself may be mirrored.
+template <typename Visitor>
+void ForEachFaceBehind(const SurfaceMesh& mesh, Id exit, bool isExitMirrored, Visitor&& visit)
 {
-  Id e = surface.Twin(h);
-  while (e != NoId && e > h)
-  {
-    e = surface.Twin(e);
-  }
-  return e == NoId || e == h;
+  ForEachTwin(mesh, exit,
+    [&](Id e) { visit(e, (mesh.Origin(e) == mesh.Destination(exit)) == isExitMirrored); });
 }
+
+/// Returns a position in the frame of the face that is entered through h, given in the frame of h.
+inline Point2 PlaceInEntered(const SurfaceMesh& mesh, Id h, bool isMirrored, const Point2& place)
+{
+  return { isMirrored ? mesh.Length(h) - place.X : place.X, place.Y };
+}
+
+/// A face laid out above half-edge h, through which it is entered, or its mirror image.
+struct EnteredFace
+{
+  EnteredFace(const SurfaceMesh& mesh, Id h, bool isMirrored = false)
+    : LeftEdge(isMirrored ? SurfaceMesh::Next(h) : SurfaceMesh::Previous(h))
+    , RightEdge(isMirrored ? SurfaceMesh::Previous(h) : SurfaceMesh::Next(h))
+    , Plane(mesh.Length(h),
+        // Length - ApexX would be inaccurate for needles.
+        { isMirrored ? FootOnEdge(mesh.Length(h), mesh.Length(LeftEdge), mesh.Length(RightEdge))
+                     : mesh.ApexX(h),
+          mesh.ApexY(h) },
+        mesh.Length(LeftEdge), mesh.Length(RightEdge))
+  {
+  }
+
+  Id LeftEdge;
+  Id RightEdge;
+  FaceUnfolding Plane;
+};
 
 /// Returns the apex of the face of h in the frame of h.
 inline Point2 ApexOf(const SurfaceMesh& mesh, Id h)
 {
   return { mesh.ApexX(h), mesh.ApexY(h) };
+}
+
+/// Returns the corners of the face of h in the frame of h, from the origin of h on.
+inline std::array<Point2, 3> CornersInFrame(const SurfaceMesh& mesh, Id h)
+{
+  return { { { 0.0, 0.0 }, { mesh.Length(h), 0.0 }, ApexOf(mesh, h) } };
 }
 
 /// Returns the polar angle at the apex of the face of h of a direction given in the frame of h.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggMeshPart.h"
 
+#include "dggEdges.h"
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -31,13 +33,12 @@ Status MeshPart::Build(const SurfaceMesh& whole)
       }
       triangles.push_back(place.first->second);
       lengths.push_back(whole.Length(h));
-      Id twin = whole.Twin(h);
-      while (twin != NoId && twin != h && placeOf(SurfaceMesh::Face(twin)) == NoId)
-      {
-        twin = whole.Twin(twin);
-      }
-      twins.push_back(
-        twin == NoId || twin == h ? NoId : 3 * placeOf(SurfaceMesh::Face(twin)) + twin % 3);
+      Id twin = NoId;
+      ForEachTwin(whole, h, [&](Id e) {
+        const Id face = twin == NoId ? placeOf(SurfaceMesh::Face(e)) : NoId;
+        twin = face == NoId ? twin : 3 * face + e % 3;
+      });
+      twins.push_back(twin);
     }
   }
   return SurfaceMesh::FromGluedLengths(static_cast<Offset>(this->Vertices.size()), triangles.data(),

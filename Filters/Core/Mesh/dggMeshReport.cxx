@@ -19,7 +19,7 @@ void CountEdges(const SurfaceMesh& mesh, MeshReport& report, Offset& edges)
 {
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
-    if (mesh.IsDropped(SurfaceMesh::Face(h)) || !RepresentsEdge(mesh, h))
+    if (mesh.IsDropped(SurfaceMesh::Face(h)) || FindEdge(mesh, h) != h)
     {
       continue;
     }

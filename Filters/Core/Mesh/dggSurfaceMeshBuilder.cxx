@@ -249,11 +249,10 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
     }
     double length = lengths[h];
     double shortest = lengths[h];
-    for (Id g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
-    {
+    ForEachTwin(mesh, h, [&](Id g) {
       length = std::max(length, lengths[g]);
       shortest = std::min(shortest, lengths[g]);
-    }
+    });
     if (!std::isfinite(lengths[h]) || lengths[h] < 0.0 ||
       length - shortest > LengthAgreement * length)
     {
@@ -429,7 +428,7 @@ void SurfaceMeshBuilder::MeasureEdges()
     {
       mesh.MaximumEdgeLength = std::max(mesh.MaximumEdgeLength, mesh.Lengths[h]);
       // Each edge once. Without branches, which would be taken at random.
-      const bool counts = this->IsLinked[h] ? mesh.Twin(h) > h : RepresentsEdge(mesh, h);
+      const bool counts = this->IsLinked[h] ? mesh.Twin(h) > h : FindEdge(mesh, h) == h;
       sum += counts ? mesh.Lengths[h] : 0.0;
       edges += counts ? 1 : 0;
     }
@@ -493,21 +492,17 @@ void SurfaceMeshBuilder::Mollify()
       {
         continue;
       }
-      Id g = h;
-      do
-      {
+      ForEachHalfEdge(mesh, h, [&](Id g) {
         lengthened[g] = 1;
         mesh.Lengths[g] += delta;
-        g = mesh.Twin(g);
-      } while (g != NoId && g != h);
-      for (g = mesh.Twin(h); g != NoId && g != h; g = mesh.Twin(g))
-      {
+      });
+      ForEachTwin(mesh, h, [&](Id g) {
         const Id f = SurfaceMesh::Face(g);
         if (!isConcerned[f] && this->MeasureLack(f) > 0.0)
         {
           concern(f);
         }
-      }
+      });
     }
   }
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)

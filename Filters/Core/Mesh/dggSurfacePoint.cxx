@@ -173,8 +173,7 @@ Point2 PlaceInFrame(const SurfaceMesh& mesh, Id h, const std::array<double, 3>& 
 
 Point2 DirectionInFrame(const SurfaceMesh& mesh, Id from, Id to, const Point2& direction)
 {
-  const Point2 corners[] = { { 0.0, 0.0 }, { mesh.Length(from), 0.0 },
-    { mesh.ApexX(from), mesh.ApexY(from) } };
+  const std::array<Point2, 3> corners = CornersInFrame(mesh, from);
   const Point2& a = corners[(to - from + 3) % 3];
   const Point2& b = corners[(to - from + 4) % 3];
   const double length = Distance(a, b);

@@ -7,6 +7,7 @@
 #define dggSurfacePoint_h
 
 #include "dggCoreExport.h"  // for DGG_CORE_EXPORT
+#include "dggEdges.h"       // for ForEachFaceBehind
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 #include "dggUnfolding.h"   // for Point2
 
@@ -104,8 +105,8 @@ inline std::array<double, 3> CoordinatesOnEdge(Id halfEdge, double t)
 /// by much more than it moves a place.
 DGG_CORE_EXPORT std::array<double, 3> ClampedToFace(std::array<double, 3> barycentric);
 
-/// Call `visit(face, barycentric)` for the face of a point, or for all faces around the edge that
-/// it lies on.
+/// Calls `visit(face, barycentric)` for the face of a point, or for all faces of the edge that
+/// contains the point.
 template <typename Visitor>
 void ForEachFaceAround(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&& visit)
 {
@@ -116,11 +117,9 @@ void ForEachFaceAround(const SurfaceMesh& mesh, const SurfacePoint& point, Visit
   }
   const Id h = point.HalfEdge;
   const double t = point.Barycentric[(h + 1) % 3]; // from origin to destination
-  for (Id e = mesh.Twin(h); e != NoId && e != h; e = mesh.Twin(e))
-  {
-    const double s = mesh.Origin(e) == mesh.Destination(h) ? 1.0 - t : t;
-    visit(SurfaceMesh::Face(e), CoordinatesOnEdge(e, s));
-  }
+  ForEachFaceBehind(mesh, h, false, [&](Id e, bool isMirrored) {
+    visit(SurfaceMesh::Face(e), CoordinatesOnEdge(e, isMirrored ? t : 1.0 - t));
+  });
 }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggUnfoldingTable.h"
 
+#include "dggEdges.h"
 #include "dggInvalidInput.h"
 
 #include <algorithm>
@@ -135,23 +136,14 @@ void UnfoldingTable::OrderFaces()
 
 void UnfoldingTable::Fill(Id h, bool mirrored, const std::vector<Id>& places)
 {
-  const Id previous = SurfaceMesh::Previous(h);
-  const Id next = SurfaceMesh::Next(h);
-  const double length = this->Mesh.Length(h);
-  const Id leftExit = mirrored ? next : previous;
-  const Id rightExit = mirrored ? previous : next;
-  const double left = this->Mesh.Length(leftExit);
-  const double right = this->Mesh.Length(rightExit);
-  // Not length - ApexX for the mirror image: that is inaccurate for needles.
-  const double x = mirrored ? FootOnEdge(length, left, right) : this->Mesh.ApexX(h);
-  const FaceUnfolding face(length, { x, this->Mesh.ApexY(h) }, left, right);
-
+  const EnteredFace entered(this->Mesh, h, mirrored);
+  const FaceUnfolding& face = entered.Plane;
   FaceCrossing& crossing = this->Crossings[this->Entry(h, mirrored)];
-  crossing.Apex = { x, this->Mesh.ApexY(h) };
+  crossing.Apex = face.GetApex();
   crossing.Direction[FaceCrossing::Left] = { face.GetLeftCosine(), face.GetLeftSine() };
   crossing.Direction[FaceCrossing::Right] = { face.GetRightCosine(), -face.GetRightSine() };
-  crossing.Behind[FaceCrossing::Left] = this->FindCodeBehind(leftExit, mirrored, places);
-  crossing.Behind[FaceCrossing::Right] = this->FindCodeBehind(rightExit, mirrored, places);
+  crossing.Behind[FaceCrossing::Left] = this->FindCodeBehind(entered.LeftEdge, mirrored, places);
+  crossing.Behind[FaceCrossing::Right] = this->FindCodeBehind(entered.RightEdge, mirrored, places);
   crossing.ApexVertex = this->Rank[this->Mesh.Apex(h)];
   crossing.HalfEdge = mirrored ? ~h : h;
 }
@@ -175,15 +167,12 @@ std::vector<Id> UnfoldingTable::ListBranches()
       continue;
     }
     const std::size_t begin = this->Branches.size();
-    Id h = first;
-    do
-    {
+    ForEachHalfEdge(this->Mesh, first, [&](Id h) {
       places[h] = static_cast<Id>(this->Branches.size());
       const bool ascends = this->Mesh.Origin(h) <= this->Mesh.Destination(h);
       this->Branches.push_back(this->Entry(h, !ascends));
       this->Branches.push_back(this->Entry(h, ascends));
-      h = this->Mesh.Twin(h);
-    } while (h != first);
+    });
     const Id back = -static_cast<Id>(this->Branches.size() - begin);
     this->Branches.insert(this->Branches.end(), 2, back);
   }

@@ -205,8 +205,7 @@ Status Refiner::Triangulate(Id f, std::size_t work)
   {
     points.push_back(node.first);
   }
-  FaceTriangulation triangulation({ { { 0.0, 0.0 }, { this->Mesh.Length(h), 0.0 },
-    { this->Mesh.ApexX(h), this->Mesh.ApexY(h) } } });
+  FaceTriangulation triangulation(CornersInFrame(this->Mesh, h));
   std::vector<Id> nodes{ this->Mesh.Origin(h), this->Mesh.Origin(h + 1), this->Mesh.Origin(h + 2) };
   auto goes = [&](std::size_t i, std::size_t count, double from, double to) {
     return i % ProgressInterval != ProgressInterval - 1 ||

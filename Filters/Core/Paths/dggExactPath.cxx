@@ -257,22 +257,18 @@ void WindowTracer::Leave(Id h, const Point2& from, const Point2& image, double l
   {
     return;
   }
-  const Id twin = this->Mesh.Twin(h);
   const bool choice = this->Mesh.IsNonManifold(h);
-  for (Id e = twin; e != NoId && e != h; e = this->Mesh.Twin(e))
-  {
-    // A shortest path does not come back to a face.
-    if (choice &&
+  ForEachFaceBehind(this->Mesh, h, false, [&](Id e, bool isMirrored) {
+    // A shortest path does not return to a face.
+    if (!choice ||
       std::find(this->Faces.begin() + static_cast<std::ptrdiff_t>(this->FirstFace),
-        this->Faces.end(), SurfaceMesh::Face(e)) != this->Faces.end())
+        this->Faces.end(), SurfaceMesh::Face(e)) == this->Faces.end())
     {
-      continue;
+      branch.Entered = e;
+      branch.Image = { isMirrored ? image.X : length - image.X, -image.Y };
+      this->Branches.push_back(branch);
     }
-    branch.Entered = e;
-    branch.Image = { this->Mesh.Origin(e) == this->Mesh.Destination(h) ? length - image.X : image.X,
-      -image.Y };
-    this->Branches.push_back(branch);
-  }
+  });
 }
 
 /// Go through one more face. True when the piece ends there.
@@ -294,7 +290,8 @@ bool WindowTracer::Follow(const Branch& branch, Id& reached)
   const Id f = SurfaceMesh::Face(e);
   const bool against = this->Mesh.Origin(e) == this->Mesh.Destination(branch.Left);
   const Point2 from{ against ? length - branch.X : branch.X, 0.0 };
-  const Point2 apex{ this->Mesh.ApexX(e), this->Mesh.ApexY(e) };
+  const FaceUnfolding face = EnteredFace(this->Mesh, e).Plane;
+  const Point2& apex = face.GetApex();
   std::array<double, 3> barycentric{};
   if (this->Root < 0 && FindInFace(this->Mesh, this->Source, f, barycentric))
   {
@@ -317,8 +314,6 @@ bool WindowTracer::Follow(const Branch& branch, Id& reached)
   const Point2 toImage{ branch.Image.X - from.X, branch.Image.Y };
   const double sine = dgg::Cross({ apex.X - from.X, apex.Y }, toImage);
   const double band = (ApexTolerance * toApex + this->Slack) * Norm(toImage.X, toImage.Y);
-  const FaceUnfolding face(length, apex, this->Mesh.Length(SurfaceMesh::Previous(e)),
-    this->Mesh.Length(SurfaceMesh::Next(e)));
   // The unfolding gives frames in which the face lies below the axis.
   auto leaveLeft = [&]() {
     const Point2 p = face.ImageInLeft(from);

@@ -160,15 +160,14 @@ void PathCorridor::Grow()
       {
         continue;
       }
-      for (Id e = this->Mesh.Twin(h); e != NoId && e != h; e = this->Mesh.Twin(e))
-      {
+      ForEachTwin(this->Mesh, h, [&](Id e) {
         const Id apex = this->Mesh.Apex(e);
         if (!this->Find(apex))
         {
           this->Put(apex, this->PlaceBehind(h, e), false);
         }
         this->AddFace(SurfaceMesh::Face(e));
-      }
+      });
     }
   }
 }

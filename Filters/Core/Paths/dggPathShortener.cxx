@@ -152,19 +152,14 @@ bool PathShortener::WalkBehind(
 {
   detour.clear();
   const Id last = strip.FaceBefore(corner.Last + 1);
-  Id exit = OtherEdgeAt(this->Mesh, corner.Vertex, strip.Crossings[corner.First].Exit);
-  for (Id face = strip.FaceBefore(corner.First); face != last;)
+  if (strip.FaceBefore(corner.First) == last)
   {
-    const Id entry = this->Mesh.Twin(exit);
-    if (entry == NoId)
-    {
-      return false;
-    }
-    detour.push_back({ exit, entry });
-    face = SurfaceMesh::Face(entry);
-    exit = OtherEdgeAt(this->Mesh, corner.Vertex, entry);
+    return true;
   }
-  return true;
+  const Id exit = OtherEdgeAt(this->Mesh, corner.Vertex, strip.Crossings[corner.First].Exit);
+  Turn turn = WalkAround(this->Mesh, corner.Vertex, exit, last);
+  detour.swap(turn.Crossings);
+  return turn.Angle < Infinity;
 }
 
 void PathShortener::Append(const Strip& strip, SurfacePath& path)

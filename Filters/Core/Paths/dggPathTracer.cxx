@@ -144,7 +144,7 @@ bool GraphEdgeTracer::TraceFrom(const GraphEdge& edge, Id g, double angle, doubl
       return true;
     }
   }
-  const FaceUnfolding face = EnteredFace(this->Mesh, g, false).Plane;
+  const FaceUnfolding face = EnteredFace(this->Mesh, g).Plane;
   this->Cross(SurfaceMesh::Next(g), false, face.GetApex(),
     { face.GetRightCosine(), -face.GetRightSine() }, NoId);
   // The shortest strip first: one that runs around does not keep from the others.
@@ -168,11 +168,9 @@ bool GraphEdgeTracer::TraceFrom(const GraphEdge& edge, Id g, double angle, doubl
 void GraphEdgeTracer::Cross(
   Id exit, bool mirrored, const Point2& left, const Point2& axis, Id before)
 {
-  const Id leftVertex = mirrored ? this->Mesh.Origin(exit) : this->Mesh.Destination(exit);
-  for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
-  {
-    this->Beams.push_back({ { exit, e }, this->Mesh.Origin(e) != leftVertex, left, axis, before });
-  }
+  ForEachFaceBehind(this->Mesh, exit, mirrored, [&](Id e, bool isMirrored) {
+    this->Beams.push_back({ { exit, e }, isMirrored, left, axis, before });
+  });
 }
 
 /// Whether the head lies in the face that is entered, in the beam and at the right distance.
@@ -184,10 +182,9 @@ bool GraphEdgeTracer::Reaches(const GraphEdge& edge, const Beam& beam, Point2& a
   {
     return false;
   }
-  Point2 p = PlaceInFrame(this->Mesh, h, barycentric);
-  p.X = beam.IsMirrored ? this->Mesh.Length(h) - p.X : p.X;
-  p = FromFrame(beam.Left, beam.Axis, p);
-  arrival = p;
+  const Point2 place =
+    PlaceInEntered(this->Mesh, h, beam.IsMirrored, PlaceInFrame(this->Mesh, h, barycentric));
+  const Point2 p = arrival = FromFrame(beam.Left, beam.Axis, place);
   return std::abs(Norm(p.X, p.Y) - edge.Length) <= this->GetTolerance(edge.Length) &&
     dgg::Cross(p, this->Rays[0]) >= 0.0 && dgg::Cross(this->Rays[1], p) >= 0.0;
 }

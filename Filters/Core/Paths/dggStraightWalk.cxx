@@ -48,12 +48,6 @@ std::array<double, 3> CoordinatesOf(const SurfaceMesh& mesh, Id h, const Point2&
   return ClampedToFace(b);
 }
 
-/// Corners of the face of half-edge h in its frame, from its origin on.
-std::array<Point2, 3> CornersOf(const SurfaceMesh& mesh, Id h)
-{
-  return { { { 0.0, 0.0 }, { mesh.Length(h), 0.0 }, { mesh.ApexX(h), mesh.ApexY(h) } } };
-}
-
 class Walk
 {
 public:
@@ -106,7 +100,7 @@ private:
   /// The same ray in the frame of another half-edge of its face.
   Ray InFrameOf(Id h, const Ray& ray) const
   {
-    const Point2 start = CornersOf(this->Mesh, ray.HalfEdge)[(h - ray.HalfEdge + 3) % 3];
+    const Point2 start = CornersInFrame(this->Mesh, ray.HalfEdge)[(h - ray.HalfEdge + 3) % 3];
     const Point2 place = Difference(ray.Place, start);
     return { h, DirectionInFrame(this->Mesh, ray.HalfEdge, h, place),
       DirectionInFrame(this->Mesh, ray.HalfEdge, h, ray.Direction), false };
@@ -135,7 +129,7 @@ private:
 
   Exit FindExit(const Ray& ray) const
   {
-    const std::array<Point2, 3> corners = CornersOf(this->Mesh, ray.HalfEdge);
+    const std::array<Point2, 3> corners = CornersInFrame(this->Mesh, ray.HalfEdge);
     Exit exit;
     for (int k = ray.IsAtCorner ? 1 : 0; k < (ray.IsAtCorner ? 2 : 3); ++k)
     {

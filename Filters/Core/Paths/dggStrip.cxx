@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggStrip.h"
 
+#include "dggEdges.h"
 #include "dggSurfacePath.h"
 
 #include <algorithm>
@@ -12,15 +13,17 @@ namespace dgg
 {
 namespace
 {
-/// One way around a vertex.
-struct Turn
+bool IsOnEdge(const SurfaceMesh& mesh, const SurfacePoint& point, Id h)
 {
-  double Angle = Infinity; ///< of the faces between the two ends
-  std::vector<EdgeCrossing> Crossings;
-};
+  if (IsVertex(point))
+  {
+    return mesh.Origin(h) == point.Vertex || mesh.Destination(h) == point.Vertex;
+  }
+  return point.On == SurfacePoint::Support::Edge &&
+    FindEdge(mesh, point.HalfEdge) == FindEdge(mesh, h);
+}
+}
 
-/// Walk around c, out of a face through its edge `exit` at c, until `toFace`. Only over manifold
-/// edges.
 Turn WalkAround(const SurfaceMesh& mesh, Id c, Id exit, Id toFace)
 {
   Turn turn;
@@ -43,29 +46,6 @@ Turn WalkAround(const SurfaceMesh& mesh, Id c, Id exit, Id toFace)
     angle += mesh.CornerAngle(HalfEdgeFrom(mesh, face, c));
     exit = OtherEdgeAt(mesh, c, entry);
   }
-}
-
-bool IsOnEdge(const SurfaceMesh& mesh, const SurfacePoint& point, Id h)
-{
-  if (IsVertex(point))
-  {
-    return mesh.Origin(h) == point.Vertex || mesh.Destination(h) == point.Vertex;
-  }
-  if (point.On != SurfacePoint::Support::Edge)
-  {
-    return false;
-  }
-  Id e = point.HalfEdge;
-  do
-  {
-    if (e == h)
-    {
-      return true;
-    }
-    e = mesh.Twin(e);
-  } while (e != NoId && e != point.HalfEdge);
-  return false;
-}
 }
 
 void Reverse(std::vector<EdgeCrossing>& crossings)
@@ -107,8 +87,7 @@ double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEn
   std::vector<Step> steps;
   const std::size_t none = static_cast<std::size_t>(-1);
   const auto leave = [&](Id exit, double angle, std::size_t before) {
-    for (Id e = mesh.Twin(exit); e != NoId && e != exit; e = mesh.Twin(e))
-    {
+    ForEachTwin(mesh, exit, [&](Id e) {
       const auto known = std::find_if(
         steps.begin(), steps.end(), [&](const Step& other) { return other.Crossing.Entry == e; });
       const Step next{ angle, before, { exit, e }, false };
@@ -120,7 +99,7 @@ double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEn
       {
         *known = next;
       }
-    }
+    });
   };
   const auto corner = [&](Id face) { return mesh.CornerAngle(HalfEdgeFrom(mesh, face, c)); };
   /// The angle in the last face of what has come in through its half-edge e.

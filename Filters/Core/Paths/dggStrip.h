@@ -54,6 +54,17 @@ inline Id OtherEdgeAt(const SurfaceMesh& mesh, Id c, Id h)
   return mesh.Origin(h) == c ? SurfaceMesh::Previous(h) : SurfaceMesh::Next(h);
 }
 
+/// A path around a vertex from one face to another.
+struct Turn
+{
+  double Angle = Infinity; ///< of the faces in between; Infinity if there is no such path
+  std::vector<EdgeCrossing> Crossings;
+};
+
+/// Returns the turn around c that leaves a face through its edge `exit` at c and ends in another
+/// face. Crosses manifold edges only.
+Turn WalkAround(const SurfaceMesh& mesh, Id c, Id exit, Id toFace);
+
 /// Append crossings of edges around vertex `c` that lead from one of its faces to another, on the
 /// side where the angle between them is smaller. False when there is no such way: the faces are of
 /// different fans, which touch in the vertex only.

@@ -18,8 +18,7 @@ Point2 Place(const SurfaceMesh& mesh, const SurfacePoint& point, Id h, bool mirr
 {
   std::array<double, 3> barycentric{ { 1.0, 0.0, 0.0 } };
   FindInFace(mesh, point, SurfaceMesh::Face(h), barycentric);
-  const Point2 p = PlaceInFrame(mesh, h, barycentric);
-  return mirrored ? Point2{ mesh.Length(h) - p.X, p.Y } : p;
+  return PlaceInEntered(mesh, h, mirrored, PlaceInFrame(mesh, h, barycentric));
 }
 }
 

@@ -13,24 +13,6 @@
 
 namespace dgg
 {
-/// A face laid out above half-edge h, through which it is entered, or, `mirrored`, its mirror
-/// image.
-struct EnteredFace
-{
-  EnteredFace(const SurfaceMesh& mesh, Id h, bool mirrored)
-    : LeftEdge(mirrored ? SurfaceMesh::Next(h) : SurfaceMesh::Previous(h))
-    , RightEdge(mirrored ? SurfaceMesh::Previous(h) : SurfaceMesh::Next(h))
-    , Plane(mesh.Length(h),
-        { mirrored ? mesh.Length(h) - mesh.ApexX(h) : mesh.ApexX(h), mesh.ApexY(h) },
-        mesh.Length(LeftEdge), mesh.Length(RightEdge))
-  {
-  }
-
-  Id LeftEdge;
-  Id RightEdge;
-  FaceUnfolding Plane;
-};
-
 /// An edge that the strip crosses, as it lies in the plane.
 struct Portal
 {

@@ -286,10 +286,7 @@ void Propagation<High>::Propagate(PropagationChunk& chunk)
   }
   for (const PropagationLabel& label : chunk.Edges)
   {
-    for (Id t = this->Mesh.Twin(label.Entry); t != label.Entry; t = this->Mesh.Twin(t))
-    {
-      this->CrossInto(t, label.Entry, label, chunk);
-    }
+    this->EnterAllBehind(label.Entry, label, chunk);
   }
 }
 
@@ -342,10 +339,7 @@ void Propagation<High>::Cross(Id exit, PropagationLabel label, PropagationChunk&
   }
   else if (behind == PropagationFaces::AskMesh)
   {
-    for (Id t = this->Mesh.Twin(exit); t != exit && t != NoId; t = this->Mesh.Twin(t))
-    {
-      this->CrossInto(t, exit, label, chunk);
-    }
+    this->EnterAllBehind(exit, label, chunk);
   }
   else if (behind <= PropagationFaces::FirstGate)
   {
@@ -360,16 +354,18 @@ void Propagation<High>::Cross(Id exit, PropagationLabel label, PropagationChunk&
   }
 }
 
-/// Into one of several faces of an edge.
+/// Enters all faces behind an edge with the label of a twin that is oriented consistently.
 template <bool High>
-void Propagation<High>::CrossInto(Id t, Id exit, PropagationLabel label, PropagationChunk& chunk)
+void Propagation<High>::EnterAllBehind(
+  Id exit, const PropagationLabel& label, PropagationChunk& chunk)
 {
-  if (this->Mesh.Origin(t) == this->Mesh.Origin(exit))
-  {
-    label.X = this->Faces[SurfaceMesh::Face(exit)].Lengths[exit % 3] - label.X;
-  }
-  label.Entry = t;
-  this->Enter(label, chunk);
+  ForEachFaceBehind(this->Mesh, exit, false, [&](Id e, bool isMirrored) {
+    PropagationLabel copy = label;
+    copy.X =
+      isMirrored ? this->Faces[SurfaceMesh::Face(exit)].Lengths[exit % 3] - label.X : label.X;
+    copy.Entry = e;
+    this->Enter(copy, chunk);
+  });
 }
 
 template <bool High>

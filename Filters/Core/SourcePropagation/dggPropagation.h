@@ -76,7 +76,7 @@ private:
   std::size_t MaximumCount() const;
   Id SlotOf(Id entry) const;
   void Radiate(const PropagationLabel& from, Id v, PropagationChunk& chunk);
-  void CrossInto(Id t, Id exit, PropagationLabel label, PropagationChunk& chunk);
+  void EnterAllBehind(Id exit, const PropagationLabel& label, PropagationChunk& chunk);
   void ReachHub(Id v, float distance, Id root, PropagationChunk& chunk);
   void Collect(
     const BucketQueue::Entry* begin, const BucketQueue::Entry* end, PropagationChunk& chunk);

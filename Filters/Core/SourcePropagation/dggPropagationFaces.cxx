@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPropagationFaces.h"
 
+#include "dggEdges.h"
+
 namespace dgg
 {
 namespace
@@ -70,22 +72,14 @@ void PropagationFaces::FindEdgeHubs(const SurfaceMesh& mesh)
     {
       continue;
     }
-    Id count = 1;
-    for (Id t = mesh.Twin(h); t != h; t = mesh.Twin(t))
-    {
-      ++count;
-    }
+    Id count = 0;
+    ForEachHalfEdge(mesh, h, [&](Id) { ++count; });
     if (count <= FewFaces)
     {
       continue;
     }
     const Id code = FirstGate - this->NumberOfHubs++;
-    Id t = h;
-    do
-    {
-      this->Faces[SurfaceMesh::Face(t)].Behind[t % 3] = code;
-      t = mesh.Twin(t);
-    } while (t != h);
+    ForEachHalfEdge(mesh, h, [&](Id t) { this->Faces[SurfaceMesh::Face(t)].Behind[t % 3] = code; });
   }
 }
 }

@@ -122,15 +122,10 @@ bool SurfaceLocator::FindClosestPoint(
   if (closest.On == SurfacePoint::Support::Edge)
   {
     // All faces of the edge are equally close up to rounding errors. Use the smallest id.
-    const Id h = closest.HalfEdge;
-    Id first = h;
-    for (Id t = this->Mesh.Twin(h); t != NoId && t != h; t = this->Mesh.Twin(t))
+    const Id first = SurfaceMesh::Face(FindEdge(this->Mesh, closest.HalfEdge));
+    if (first != face)
     {
-      first = std::min(first, t);
-    }
-    if (SurfaceMesh::Face(first) != face)
-    {
-      face = SurfaceMesh::Face(first);
+      face = first;
       closest = SurfacePoint::InFace(this->Mesh, face, this->Project(p, face, squaredDistance));
     }
   }

@@ -15,16 +15,6 @@ std::pair<Id, Id> Unordered(Id a, Id b)
 {
   return { std::min(a, b), std::max(a, b) };
 }
-
-/// Call `visit` for the other half-edges of the same edge.
-template <typename Visitor>
-void ForEachTwin(const RefinedSurface& surface, Id h, Visitor&& visit)
-{
-  for (Id e = surface.Twins[h]; e != NoId && e != h; e = surface.Twins[e])
-  {
-    visit(e);
-  }
-}
 }
 
 ChainEdges::ChainEdges(const RefinedSurface& surface, const std::vector<CurveChain>& chains,

@@ -28,11 +28,8 @@ void BorderCurves::AddPiecesOfSide(const SurfaceMesh& mesh, Side begin, Side end
   {
     sites.push_back(side->Site);
   }
-  std::ptrdiff_t faces = 1;
-  for (Id e = mesh.Twin(begin->HalfEdge); e != NoId && e != begin->HalfEdge; e = mesh.Twin(e))
-  {
-    ++faces;
-  }
+  std::ptrdiff_t faces = 0;
+  ForEachHalfEdge(mesh, begin->HalfEdge, [&](Id) { ++faces; });
   if (end - begin < faces)
   {
     sites.push_back(begin->Owner);

@@ -151,7 +151,7 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   {
     this->OfferTargets(h, w);
   }
-  const FaceUnfolding face = this->Unfold(h);
+  const FaceUnfolding face = EnteredFace(this->Mesh, h).Plane;
   const double crossing = Crossing(w.Image, face.GetApex());
   // Only pieces have seams with vertices on them (ProcessNews); elsewhere flat vertices emit again.
   const bool mayBePiece = w.HasScattered || this->Scatters(h);
@@ -191,7 +191,7 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
 void ReferenceEngine::DecideChildren(
   Id h, const Window& w, double crossing, bool& left, bool& right)
 {
-  const double distance = w.DistanceTo({ this->Mesh.ApexX(h), this->Mesh.ApexY(h) });
+  const double distance = w.DistanceTo(ApexOf(this->Mesh, h));
   Winner& winner = this->Winners[h];
   if (distance < winner.Distance)
   {

@@ -213,7 +213,7 @@ std::size_t TriangleEngine::PropagateList(Id h)
   this->Passing.swap(this->Pool[slot]);
   this->Pool[slot].clear();
 
-  const FaceUnfolding face = this->Unfold(h);
+  const FaceUnfolding face = EnteredFace(this->Mesh, h).Plane;
   const auto stale = std::remove_if(
     this->Passing.begin(), this->Passing.end(), [&](const Window& w) { return this->IsStale(w); });
   this->Passing.erase(stale, this->Passing.end());
@@ -325,15 +325,14 @@ void TriangleEngine::Deliver(Id exit, WindowList& list)
       w.HasScattered = true;
     }
   }
-  for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
-  {
-    if (this->RunsAgainst(e, exit) && this->Mesh.Twin(e) == exit)
+  ForEachFaceBehind(this->Mesh, exit, false, [&](Id e, bool isMirrored) {
+    if (!isMirrored && !this->Mesh.IsNonManifold(exit))
     {
-      this->Join(e, list);
-      return; // a manifold edge: nobody else needs the list
+      this->Join(e, list); // the only face, which may take the list
+      return;
     }
     WindowList copy = list;
-    if (!this->RunsAgainst(e, exit))
+    if (isMirrored)
     {
       std::reverse(copy.begin(), copy.end());
       for (Window& w : copy)
@@ -342,7 +341,7 @@ void TriangleEngine::Deliver(Id exit, WindowList& list)
       }
     }
     this->Join(e, copy);
-  }
+  });
 }
 
 /// Merge a list into the one that waits on h. May take its storage.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggWindowPropagation.h"
 
-#include "dggEdges.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -6,6 +6,7 @@
 #ifndef dggWindowPropagation_h
 #define dggWindowPropagation_h
 
+#include "dggEdges.h"          // for ForEachFaceBehind
 #include "dggExactGeodesics.h" // for sources, options, results
 #include "dggWindow.h"         // for Window
 #include "dggWindowStore.h"    // for the windows to be kept
@@ -60,23 +61,14 @@ protected:
   /// make an angle of at least pi with the incoming one on both sides.
   void EmitIntoShadow(Id v);
 
-  /// Hand a window that leaves through half-edge `exit` on to all faces behind that edge. The frame
-  /// of the window is that of a half-edge running against `exit`.
+  /// Passes a window that leaves through half-edge `exit` to all faces behind the edge. The frame
+  /// of the window is that of a half-edge that runs against `exit`.
   void Cross(Id exit, Window window)
   {
-    const Id twin = this->Mesh.Twin(exit);
     window.HasScattered |= this->Scatters(exit);
-    for (Id e = twin; e != NoId && e != exit; e = this->Mesh.Twin(e))
-    {
-      if (this->RunsAgainst(e, exit))
-      {
-        this->Receive(e, window);
-      }
-      else
-      {
-        this->Receive(e, Mirrored(window, this->Mesh.Length(e)));
-      }
-    }
+    ForEachFaceBehind(this->Mesh, exit, false, [&](Id e, bool isMirrored) {
+      this->Receive(e, isMirrored ? Mirrored(window, this->Mesh.Length(e)) : window);
+    });
   }
 
   /// Whether windows that leave through the half-edge have scattered, and what enters has to be
@@ -109,14 +101,7 @@ protected:
   }
   /// @}
 
-  bool RunsAgainst(Id e, Id h) const { return this->Mesh.Origin(e) == this->Mesh.Destination(h); }
   static Window Mirrored(const Window& window, double length);
-
-  FaceUnfolding Unfold(Id h) const
-  {
-    return { this->Mesh.Length(h), { this->Mesh.ApexX(h), this->Mesh.ApexY(h) },
-      this->Mesh.Length(SurfaceMesh::Previous(h)), this->Mesh.Length(SurfaceMesh::Next(h)) };
-  }
 
   /// A window whose root has been reached on a shorter way is of no use any more.
   bool IsStale(const Window& window) const
