@@ -80,27 +80,26 @@ public:
       const FaceCurve& curve = this->Curves[passage.Piece];
       if (curve.First != NoId)
       {
-        Append(this->PointOf(passage.IsBackward ? curve.Last : curve.First), curve.Face, line);
+        this->Append(
+          this->PointOf(passage.IsBackward ? curve.Last : curve.First), curve.Face, line);
       }
       for (std::size_t i = 0; i < curve.Points.size(); ++i)
       {
         const std::size_t at = passage.IsBackward ? curve.Points.size() - 1 - i : i;
-        Append(SurfacePoint::InTriangle(this->Mesh, curve.Face, ClampedToFace(curve.Points[at])),
+        this->Append(
+          SurfacePoint::InTriangle(this->Mesh, curve.Face, ClampedToFace(curve.Points[at])),
           curve.Face, line);
       }
       if (curve.First != NoId)
       {
-        Append(this->PointOf(passage.IsBackward ? curve.First : curve.Last), curve.Face, line);
+        this->Append(
+          this->PointOf(passage.IsBackward ? curve.First : curve.Last), curve.Face, line);
       }
     }
     if (chain.IsClosed && !line.Points.empty())
     {
-      Append(
+      this->Append(
         SurfacePoint(line.Points.front()), this->Curves[chain.Passages.back().Piece].Face, line);
-    }
-    for (std::size_t i = 0; i < line.Faces.size(); ++i)
-    {
-      line.Length += MeasurePiece(this->Mesh, line, i);
     }
     return line;
   }
@@ -113,17 +112,12 @@ private:
       this->Mesh, c.HalfEdge, std::min(1.0, std::max(0.0, c.X / this->Mesh.Length(c.HalfEdge))));
   }
 
-  /// Append a point, unless it is where the line is.
-  static void Append(const SurfacePoint& point, Id face, SurfacePath& line)
+  /// Appends a point unless the line ends there.
+  void Append(const SurfacePoint& point, Id face, SurfacePath& line) const
   {
-    if (line.Points.empty())
+    if (line.Points.empty() || !IsSamePoint(line.Points.back(), point))
     {
-      line.Points.push_back(point);
-    }
-    else if (!IsSamePoint(line.Points.back(), point))
-    {
-      line.Points.push_back(point);
-      line.Faces.push_back(face);
+      line.Append(this->Mesh, point, face);
     }
   }
 

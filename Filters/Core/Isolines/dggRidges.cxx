@@ -125,18 +125,15 @@ private:
       const std::size_t count = arc.Between.size();
       for (std::size_t i = 0; i <= count; ++i)
       {
-        line.Points.push_back(i == count ? this->Nodes[ends[passage.IsBackward ? 0 : 1]]
-            : passage.IsBackward         ? arc.Between[count - 1 - i]
-                                         : arc.Between[i]);
-        line.Faces.push_back(arc.Face);
-        const double length = MeasurePiece(this->Mesh, line, line.Faces.size() - 1);
-        if (length == 0.0)
+        const SurfacePoint& point = i == count ? this->Nodes[ends[passage.IsBackward ? 0 : 1]]
+          : passage.IsBackward                 ? arc.Between[count - 1 - i]
+                                               : arc.Between[i];
+        if (line.Append(this->Mesh, point, arc.Face) == 0.0)
         {
           // The same point twice; the later one is the node.
           line.Points.erase(line.Points.end() - 2);
           line.Faces.pop_back();
         }
-        line.Length += length;
       }
       turned += (line.Length - before) * arc.Angle;
     }

@@ -66,7 +66,7 @@ std::vector<GeodesicSource> SampleChain(
   return sources;
 }
 
-/// A curve on the refined surface as one on the mesh, with all its points.
+/// Returns a curve of the refined surface as a curve of the mesh, with all its points.
 SurfacePath ToMesh(const SurfaceMesh& mesh, const RefinedSurface& refined, const SurfaceMesh& part,
   const SurfacePath& curve, bool isClosed)
 {
@@ -74,14 +74,10 @@ SurfacePath ToMesh(const SurfaceMesh& mesh, const RefinedSurface& refined, const
   for (std::size_t i = 0; i < curve.Points.size(); ++i)
   {
     const Id face = curve.Faces[i > 0 ? i - 1 : 0];
-    path.Points.push_back(isClosed && i + 1 == curve.Points.size()
-        ? path.Points.front()
-        : refined.ToOldMesh(mesh, part, face, curve.Points[i]));
-    if (i > 0)
-    {
-      path.Faces.push_back(refined.Faces[face]);
-      path.Length += MeasurePiece(mesh, path, i - 1);
-    }
+    const SurfacePoint point = isClosed && i + 1 == curve.Points.size()
+      ? path.Points.front()
+      : refined.ToOldMesh(mesh, part, face, curve.Points[i]);
+    path.Append(mesh, point, refined.Faces[face]);
   }
   return path;
 }

@@ -93,17 +93,9 @@ SurfacePath RefinedSurface::ToOldMesh(
       oldPoint.On == SurfacePoint::Support::Face &&
       this->Faces[path.Faces[i - 1]] == this->Faces[path.Faces[i]])
     {
-      continue; // straight on, within a face of the old mesh
+      continue; // the path does not bend within a face of the old mesh
     }
-    if (i > 0)
-    {
-      old.Faces.push_back(this->Faces[path.Faces[i - 1]]);
-    }
-    old.Points.push_back(oldPoint);
-  }
-  for (std::size_t piece = 0; piece < old.Faces.size(); ++piece)
-  {
-    old.Length += MeasurePiece(oldMesh, old, piece);
+    old.Append(oldMesh, oldPoint, i > 0 ? this->Faces[path.Faces[i - 1]] : NoId);
   }
   return old;
 }

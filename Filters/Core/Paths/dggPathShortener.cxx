@@ -174,9 +174,7 @@ void PathShortener::Append(const Strip& strip, SurfacePath& path)
     const SurfacePoint& last = path.Points.back();
     if (!(IsVertex(point) && IsVertex(last) && point.Vertex == last.Vertex))
     {
-      path.Points.push_back(point);
-      path.Faces.push_back(face);
-      path.Length += MeasurePiece(this->Mesh, path, path.Faces.size() - 1);
+      path.Append(this->Mesh, point, face);
     }
   };
   Point2 from = this->Plane.Start;

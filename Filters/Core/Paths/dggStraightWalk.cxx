@@ -185,16 +185,11 @@ private:
 
   void Append(Id face, const SurfacePoint& point)
   {
-    this->Path.Points.push_back(point);
-    this->Path.Faces.push_back(face);
-    const double length = MeasurePiece(this->Mesh, this->Path, this->Path.Faces.size() - 1);
-    if (length > 0.0)
+    if (this->Path.Append(this->Mesh, point, face) == 0.0)
     {
-      this->Path.Length += length;
-      return;
+      this->Path.Points.pop_back();
+      this->Path.Faces.pop_back();
     }
-    this->Path.Points.pop_back();
-    this->Path.Faces.pop_back();
   }
 
   /// `ray` is in the frame of the half-edge and leads across it.

@@ -22,6 +22,19 @@ void SurfacePath::Clear()
   this->Length = 0.0;
 }
 
+double SurfacePath::Append(const SurfaceMesh& mesh, const SurfacePoint& point, Id face)
+{
+  this->Points.push_back(point);
+  if (this->Points.size() == 1)
+  {
+    return 0.0;
+  }
+  this->Faces.push_back(face);
+  const double length = MeasurePiece(mesh, *this, this->Faces.size() - 1);
+  this->Length += length;
+  return length;
+}
+
 bool FindInFace(
   const SurfaceMesh& mesh, const SurfacePoint& point, Id face, std::array<double, 3>& barycentric)
 {

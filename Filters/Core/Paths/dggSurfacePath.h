@@ -27,6 +27,9 @@ struct DGG_CORE_EXPORT SurfacePath
 
   bool IsEmpty() const { return this->Points.empty(); }
   void Clear();
+  /// Appends a point and the piece that leads to the point in a face; the first point has no piece.
+  /// Returns the length of the piece.
+  double Append(const SurfaceMesh& mesh, const SurfacePoint& point, Id face);
 };
 
 /// Coordinates of a point in one of the faces that it lies in, with respect to the corners of
