@@ -23,22 +23,30 @@ import numpy as np
 import support
 import vtkdgg
 from vtkdgg.command_line import main
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkIdList, vtkStringArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkBitArray, vtkIdList, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
+    VTK_BEZIER_QUADRILATERAL,
     VTK_HEXAHEDRON,
+    VTK_LAGRANGE_HEXAHEDRON,
     VTK_POLYHEDRON,
     vtkCellArray,
     vtkStructuredGrid,
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 from vtkmodules.vtkIOLegacy import (
     vtkPolyDataWriter,
     vtkStructuredGridWriter,
+    vtkUnstructuredGridReader,
     vtkUnstructuredGridWriter,
 )
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLPolyDataWriter,
+    vtkXMLUnstructuredGridReader,
+    vtkXMLUnstructuredGridWriter,
+)
 
 FOLDER = support.output_folder("reading")
 NORMALS = """v 0 0 0
@@ -168,7 +176,7 @@ class Formats(unittest.TestCase):
             (start.replace("3.0", "999999999.0"), "version 999999999 is unknown"),
             (start.replace("float", "real"), "the type 'real' is unknown"),
             ("# vtk DataFile", "header"),
-            (start.replace("POLYDATA", "STRUCTURED_POINTS"), "has no surface"),
+            (start.replace("POLYDATA", "STRUCTURED_POINTS"), "expected a DATASET POLYDATA or "),
         ):
             with self.subTest(text[len(start) :]), self.assertRaisesRegex(ValueError, pattern):
                 vtkdgg.read(path_of("damaged.vtk", text))
@@ -324,22 +332,91 @@ class Formats(unittest.TestCase):
                     found = sorted(tuple(sorted(row)) for row in corners.reshape(6, 4).tolist())
                     self.assertEqual(found, sorted(tuple(sorted(side)) for side in sides))
 
-    def test_text_arrays(self):
-        """Arrays of text are skipped."""
-        labels = vtkStringArray()
+    def test_other_arrays(self):
+        """Arrays of text are skipped with a warning; bits and large integers are read."""
+        labels, bits = vtkStringArray(), vtkBitArray()
         labels.SetName("labels")
-        mesh = support.polydata(*support.grid(1, 1))
+        bits.SetName("bits")
+        bits.SetNumberOfComponents(2)  # VTK writes whole bytes only
+        points, triangles = support.grid(1, 1)
+        large = np.array([2**63 - 1, 2**63, 2**64 - 1, 0], np.uint64)
+        mesh = vtkdgg.Mesh(points, triangles, point_data={"large": large}).as_polydata()
         for i in range(4):
             labels.InsertNextValue(f"point {i}")
+            bits.InsertNextTuple((1, i % 2))
         mesh.GetPointData().AddArray(labels)
-        for binary in ("SetFileTypeToASCII", "SetFileTypeToBinary"):
-            path = path_of("text.vtk", formats.of_vtk(vtkPolyDataWriter(), mesh, **{binary: ()}))
-            self.assertEqual(vtkdgg.read(path).point_data, {})
+        mesh.GetPointData().AddArray(bits)
+        for kind, mode in itertools.product(
+            (vtkPolyDataWriter, vtkXMLPolyDataWriter), ("ASCII", "Binary", "Ascii")
+        ):
+            call = f"SetFileTypeTo{mode}" if kind is vtkPolyDataWriter else f"SetDataModeTo{mode}"
+            if not hasattr(kind, call):
+                continue
+            extension = ".vtk" if kind is vtkPolyDataWriter else ".vtp"
+            path = path_of("other" + extension, formats.of_vtk(kind(), mesh, **{call: ()}))
+            with self.subTest(call), self.assertWarnsRegex(RuntimeWarning, "skipped: labels"):
+                found = vtkdgg.read(path).point_data
+            self.assertEqual(sorted(found), ["bits", "large"])
+            np.testing.assert_array_equal(found["large"], large)
+            self.assertEqual(found["bits"].dtype, np.uint8)
+            np.testing.assert_array_equal(found["bits"], [[1, i % 2] for i in range(4)])
+
+    def test_degenerate_cells(self):
+        """Cells with too few corners, on which VTK ends the process, are left out."""
+        start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
+        start += "0 0 0 1 0 0 1 1 0 0 1 0\n"
+        for cells in (
+            "LINES 2 5\n1 3 2 1 2\n",
+            "POLYGONS 3 9\n1 3 2 0 1 3 0 1 2\n",
+            "POLYGONS 2 5\n0 3 0 1 2\n",
+            "TRIANGLE_STRIPS 2 7\n2 0 1 3 0 1 2\n",
+        ):
+            count = int(cells.split()[1])
+            values = " ".join(map(str, range(count)))
+            cells += f"CELL_DATA {count}\nSCALARS id int\nLOOKUP_TABLE default\n{values}\n"
+            with self.subTest(cells):
+                path = path_of("degenerate.vtk", start + cells)
+                with self.assertWarnsRegex(RuntimeWarning, "degenerate.vtk: cells .* left out: "):
+                    mesh = vtkdgg.read(path)
+                self.assertEqual(mesh.cell_data["id"].tolist(), [count - 1])
+
+    def test_cells_of_higher_order(self):
+        """Lagrange cells as VTK reads them, which changes the order of nodes of old files. The
+        surface of Bezier cells does not contain their points."""
+        source = vtkCellTypeSource()
+        source.SetBlocksDimensions(1, 1, 1)
+        source.SetCellOrder(3)
+        source.SetCellType(VTK_LAGRANGE_HEXAHEDRON)
+        grid = vtkdgg.check(source)
+        for writer, reader, old, new in (
+            (vtkUnstructuredGridWriter, vtkUnstructuredGridReader, b"5.1", b"4.2"),
+            (vtkXMLUnstructuredGridWriter, vtkXMLUnstructuredGridReader, b'"2.2"', b'"1.0"'),
+        ):
+            path = "cells.vtu" if "XML" in writer.__name__ else "cells.vtk"
+            contents = formats.of_vtk(writer(), grid)
+            settings = {"SetFileVersion": (42,)} if path == "cells.vtk" else {}
+            old_contents = formats.of_vtk(writer(), grid, **settings).replace(old, new)
+            for whole in (contents, old_contents):
+                expected = reader()
+                expected.SetFileName(path_of(path, whole))
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    found = vtkdgg.read(os.path.join(FOLDER, path)).polygons
+                    surface = vtkdgg.meshes.take(vtkdgg.check(expected))[0]
+                polys = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+                np.testing.assert_array_equal(found[1], polys)
+            self.assertNotEqual(contents, old_contents)
+        source.SetCellType(VTK_BEZIER_QUADRILATERAL)
+        with self.assertRaisesRegex(ValueError, "cell 0 is a vtkBezierQuadrilateral, .* expected"):
+            vtkdgg.distance(vtkdgg.check(source), 0)
 
     def test_wrong_files(self):
         for name, contents, pattern in (
             ("empty.ply", "", r"empty.ply: "),
             ("none.xyz", "# nothing\n", "none.xyz: .*no points"),
+            ("late.vtp", "<VTKFile></VTKFile>x", "late.vtp: text follows </VTKFile>"),
+            ("utf.vtp", "<VTKFile></VTKFile>".encode("utf-16"), "utf.vtp: .* got UTF-16"),
+            ("lfs.ply", "version https://git-lfs.github.com/spec/v1\n", "lfs.ply: .*Git LFS"),
             ("mesh.abc", "v 0 0 0\n", r"mesh.abc: unknown extension '.abc'; known are .gii .obj"),
         ):
             with self.subTest(name), self.assertRaisesRegex(ValueError, pattern):
@@ -482,8 +559,8 @@ class Meshes(unittest.TestCase):
         for options, pattern in (
             ({"triangles": [[0, 1, 9]]}, "triangles: point id 9"),
             ({"polygons": ([0, 2], [0, 1])}, "polygons: a polygon has 2 corners"),
-            ({"polygons": ([0, 3], [0, 1])}, "polygons: offsets must rise from 0 .* 2"),
             ({"lines": ([0, 1], [0])}, "lines: a line has 1 corners"),
+            ({"polygons": ([0, 3], [0, 1])}, "polygons: offsets must rise from 0 .* 2"),
             (
                 {"point_data": {"a": [1, 2]}},
                 r"point_data\['a'\]: expected 4 rows, got shape \(2,\)",

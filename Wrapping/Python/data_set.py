@@ -40,6 +40,10 @@ class DataSet:
         Arrays by name.
     active : dict of int to str
         Names of the active point arrays, by index in ATTRIBUTES.
+    texts : list of str
+        Names of arrays of strings, which are skipped.
+    is_of_vtk_8 : bool
+        True if Lagrange hexahedra have the order of nodes of VTK 8.
     may_be_cut : bool
         True if the file ends with a number without a line end, which may have lost digits.
     """
@@ -54,6 +58,8 @@ class DataSet:
         self.dimensions = [0, 0, 0]
         self.point_data, self.cell_data, self.field_data = {}, {}, {}
         self.active = {}
+        self.texts = []
+        self.is_of_vtk_8 = False
         self.may_be_cut = False
 
     def number_of_cells(self):
@@ -68,6 +74,22 @@ class DataSet:
             raise ValueError(f"cell {cell}: expected at least 4 faces with 3 corners")
         check_ids(np.concatenate(faces), len(self.points), f"faces of cell {cell}")
         self.faces[cell] = faces
+
+    def remove_degenerate(self):
+        """Removes cells of POLYDATA with too few corners, on which VTK ends the process. Returns
+        their number."""
+        kept = []
+        for name, least in (("verts", 1), ("lines", 2), ("polygons", 3), ("strips", 3)):
+            offsets, corners = checked_cells(self.cells[name], name, len(self.points))
+            sizes = np.diff(offsets)
+            kept.append(sizes >= least)
+            if not kept[-1].all():
+                ends = np.cumsum(sizes[kept[-1]])
+                self.cells[name] = np.append(0, ends), corners[np.repeat(kept[-1], sizes)]
+        kept = np.concatenate(kept)
+        if not kept.all():
+            self.cell_data = {name: values[kept] for name, values in self.cell_data.items()}
+        return np.count_nonzero(~kept)
 
     def mesh(self):
         """Returns POLYDATA as a Mesh. Strips become triangles."""
@@ -134,11 +156,14 @@ def parsed(text, dtype):
     with np.errstate(over="ignore"):  # numbers beyond single precision become infinite
         found = values.astype(dtype, copy=False)
     if dtype.kind != "f":
-        limits = np.iinfo(np.int64)  # larger numbers become one of them
-        wrong = (found != values) | (values == limits.min) | (values == limits.max)
-        if wrong.any():
-            word = text.split()[int(np.argmax(wrong))][:30].decode("latin-1")
-            raise ValueError(f"{word} does not fit into {dtype}")
+        wide, limits = np.iinfo(np.int64), np.iinfo(dtype)
+        # Larger numbers than those of int64 have become its limits.
+        doubtful = (found != values) | (values == wide.min) | (values == wide.max)
+        words = text.split() if doubtful.any() else ()
+        for i in np.flatnonzero(doubtful).tolist():
+            if not limits.min <= int(words[i]) <= limits.max:
+                raise ValueError(f"{words[i][:30].decode('latin-1')} does not fit into {dtype}")
+            found[i] = int(words[i])
     return found
 
 

@@ -18,9 +18,10 @@ from .mesh import unpacked
 _KINDS = ("POLYDATA", "UNSTRUCTURED_GRID", "STRUCTURED_GRID")
 # Types in binary files.
 _TYPES = {
-    "char": "i1", "signed_char": "i1", "unsigned_char": "u1", "short": "i2", "unsigned_short": "u2",
-    "int": "i4", "unsigned_int": "u4", "vtkidtype": "i4", "float": "f4", "double": "f8",
-    "long": "i8", "unsigned_long": "u8", "vtktypeint64": "i8", "vtktypeuint64": "u8",
+    "bit": "u1", "char": "i1", "signed_char": "i1", "unsigned_char": "u1", "short": "i2",
+    "unsigned_short": "u2", "int": "i4", "unsigned_int": "u4", "vtkidtype": "i4", "float": "f4",
+    "double": "f8", "long": "i8", "unsigned_long": "u8", "vtktypeint64": "i8",
+    "vtktypeuint64": "u8",
 }  # fmt: skip
 _TEXTS = ("string", "utf8_string", "variant")
 # Sections of one array with a fixed number of components, and the kind of active array.
@@ -50,22 +51,21 @@ class LegacyFile:
         self._at = 0
         first, _ = self._line(), self._line()
         mode, dataset = (self._next_line() or b"" for _ in range(2))
-        version = re.match(rb"# vtk DataFile Version (\d+)\.", first)
+        version = re.match(rb"# vtk DataFile Version (\d+)\.(\d*)", first)
         words = dataset.decode("latin-1").upper().split()
         if not version or len(words) != 2 or words[0] != "DATASET":
             raise ValueError("the header of a legacy VTK file is missing or incomplete")
         if len(version[1]) > 1 or version[1] > b"5":
             raise ValueError(f"version {version[1][:20].decode()} is unknown; expected at most 5.1")
         if words[1] not in _KINDS:
-            raise ValueError(
-                f"a DATASET {words[1]} has no surface; expected one of {', '.join(_KINDS)}"
-            )
+            raise ValueError(f"expected a DATASET {' or '.join(_KINDS)}, got {words[1][:40]}")
         if mode.upper() not in (b"ASCII", b"BINARY"):
             raise ValueError(f"expected ASCII or BINARY in line 3, got {mode[:20]}")
         self._is_new = version[1] == b"5"
         self._is_binary = mode.upper() == b"BINARY"
         self._line_ends = set()
         self._result = DataSet(words[1])
+        self._result.is_of_vtk_8 = (version[1], version[2]) < (b"5", b"1")
         # Arrays of the current section, and their number of rows.
         self._arrays, self._rows = self._result.field_data, None
 
@@ -141,6 +141,7 @@ class LegacyFile:
         else:
             values = self._values(self._rows * components, kind)
         if values is None:
+            self._result.texts.append(name)
             return
         self._arrays[name] = in_rows(values, components)
         if self._arrays is self._result.point_data:
@@ -153,13 +154,14 @@ class LegacyFile:
             if words[0].upper() == b"METADATA":
                 self._metadata()
                 continue
-            components, rows = _count(words[1]), _count(words[2])
+            name, components, rows = _name(words[0]), _count(words[1]), _count(words[2])
             if self._rows not in (None, rows):
-                name = _name(words[0])
                 raise ValueError(f"expected {self._rows} rows, got array {name!r} of {rows}")
             values = self._values(components * rows, words[3])
-            if values is not None:
-                self._arrays[_name(words[0])] = in_rows(values, components)
+            if values is None:
+                self._result.texts.append(name)
+            else:
+                self._arrays[name] = in_rows(values, components)
             number -= 1
 
     def _metadata(self):
@@ -211,14 +213,14 @@ class LegacyFile:
         return values.astype(np.int64)
 
     def _values(self, count, kind):
-        """Returns the next numbers; None for texts and bits, which are skipped."""
+        """Returns the next numbers; None for texts, which are skipped."""
         kind = kind.decode("latin-1").lower()
         if kind in _TEXTS:
             self._skip_texts(count, kind)
             return None
-        if kind == "bit":
-            self._words(count) if not self._is_binary else self._bytes((count + 7) // 8)
-            return None
+        if kind == "bit" and self._is_binary:
+            packed = np.frombuffer(self._bytes((count + 7) // 8), np.uint8)
+            return np.unpackbits(packed, count=count)
         if kind not in _TYPES:
             raise ValueError(f"the type {kind[:20]!r} is unknown")
         dtype = np.dtype(_TYPES[kind])

@@ -82,9 +82,9 @@ class Mesh:
         if polygons is None:
             name = "triangles"
             polygons = _polygons([] if triangles is None else triangles)
-        self.polygons: Cells = checked_cells(polygons, name, len(self.points))
-        self.lines: Cells = checked_cells(lines or ([0], []), "lines", len(self.points))
-        self.verts: Cells = checked_cells(verts or ([0], []), "verts", len(self.points))
+        self.polygons: Cells = checked_cells(polygons, name, len(self.points), 3)
+        self.lines: Cells = checked_cells(lines or ([0], []), "lines", len(self.points), 2)
+        self.verts: Cells = checked_cells(verts or ([0], []), "verts", len(self.points), 1)
         self.point_data: Dict[str, NDArray[Any]] = _arrays(
             point_data, "point_data", len(self.points)
         )
@@ -120,8 +120,9 @@ class Mesh:
         return f"<vtkdgg.Mesh: {', '.join([f'{len(self.points)} points', *parts])}>"
 
 
-def checked_cells(pair, name, number_of_points):
-    """Checks offsets and corners, and returns them as int64."""
+def checked_cells(pair, name, number_of_points, least=0):
+    """Checks offsets and corners, and returns them as int64. `least` is the number of corners that
+    each cell must have."""
     offsets, corners = (numbers(part, name, "integer") for part in pair)
     check_ids(corners, number_of_points, name)
     offsets, corners = offsets.astype(np.int64), corners.astype(np.int64).ravel()
@@ -131,7 +132,6 @@ def checked_cells(pair, name, number_of_points):
         raise ValueError(
             f"{name}: offsets must rise from 0 to the number of corners, which is {len(corners)}"
         )
-    least = {"verts": 1, "lines": 2, "cells": 0}.get(name, 3)
     if len(sizes) and sizes.min() < least:
         kind = "polygon" if name == "triangles" else name[:-1]
         raise ValueError(f"{name}: a {kind} has {sizes.min()} corners; expected at least {least}")

@@ -40,6 +40,7 @@ OWN = {
 }
 VTK = {".vtk": LegacyFile, ".vtp": XMLFile, ".vtu": XMLFile}
 EXTENSIONS = sorted([*OWN, *VTK, ".gii"])
+_LFS = b"version https://git-lfs.github.com/spec/"  # a file that stands for another one
 _FREESURFER = b"\xff\xff\xfe"  # first bytes of a file with triangles
 
 
@@ -87,6 +88,9 @@ def read(file: Any) -> Mesh:
         raise IsADirectoryError(f"{path}: expected a file, got a folder")
     if not os.path.isfile(path):
         raise OSError(f"{path}: expected a file, got a device or pipe")
+    with open(path, "rb") as head:
+        if head.read(len(_LFS)) == _LFS:
+            raise ValueError(f"{path}: a pointer of Git LFS, not the file itself; run git lfs pull")
     try:
         if extension in OWN:
             reader = OWN[extension]()
@@ -114,13 +118,16 @@ def _read_vtk(path, extension):
     """Returns the Mesh of a VTK file."""
     with gzip.open(path) if path.lower().endswith(".gz") else open(path, "rb") as file:
         data = VTK[extension](file.read()).read()
-    if data.may_be_cut:
-        warnings.warn(
-            f"{path}: the last line has no end; the file may be truncated",
-            RuntimeWarning,
-            stacklevel=depth_of_package(),
-        )
-    if data.kind == "POLYDATA":
+    is_surface = data.kind == "POLYDATA"
+    removed = data.remove_degenerate() if is_surface else 0
+    notes = {
+        f"arrays of strings are skipped: {', '.join(dict.fromkeys(data.texts))}": data.texts,
+        f"cells with too few corners are left out: {removed}": removed,
+        "the last line has no end; the file may be truncated": data.may_be_cut,
+    }
+    for note in (text for text, applies in notes.items() if applies):
+        warnings.warn(f"{path}: {note}", RuntimeWarning, stacklevel=depth_of_package())
+    if is_surface:
         return data.mesh()
     return mesh_of(surface_of(grid_of(data), path))
 

@@ -9,6 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import VTK_BIT, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_CONVEX_POINT_SET,
+    VTK_LAGRANGE_HEXAHEDRON,
     VTK_NUMBER_OF_CELL_TYPES,
     vtkCellArray,
     vtkDataSetAttributes,
@@ -115,6 +116,15 @@ def surface_of(data, name):
 
     A warning about volume cells begins with `name`.
     """
+    dimension = 0
+    for i in _one_of_each_type(data):
+        cell = data.GetCell(i)
+        dimension = max(dimension, cell.GetCellDimension())
+        if cell.GetClassName().startswith("vtkBezier"):
+            raise ValueError(
+                f"cell {i} is a {cell.GetClassName()}, whose surface does not contain its points; "
+                "expected linear, quadratic or Lagrange cells"
+            )
     name_of_ids = "vtkdgg ids"  # PassThroughPointIds of VTK 9.1 is wrong on quadratic cells
     numbered = data.NewInstance()
     numbered.CopyStructure(data)
@@ -123,8 +133,7 @@ def surface_of(data, name):
     extract = vtkDataSetSurfaceFilter()
     extract.SetInputData(numbered)
     found = check(extract)
-    is_solid = any(data.GetCell(i).GetCellDimension() == 3 for i in _one_of_each_type(data))
-    if is_solid:
+    if dimension == 3:
         faces = found.GetNumberOfPolys() + found.GetNumberOfStrips()
         warnings.warn(
             f"{name} has volume cells: distances are measured on the surface of {faces} faces",
@@ -210,6 +219,8 @@ def _add_cells(grid, data):
         for size in np.unique(sizes[data.types == kind]).tolist():
             if not _is_size(kind, size):
                 raise ValueError(f"cells of type {kind} with {size} corners have no surface")
+    if data.is_of_vtk_8:
+        _reorder(data.types, offsets, corners)
     if POLYHEDRON not in data.types:
         types = numpy_to_vtk(data.types.astype(np.uint8), deep=True)
         grid.SetCells(types, cells_of(offsets, corners))
@@ -224,6 +235,15 @@ def _add_cells(grid, data):
         for k in row:
             ids.InsertNextId(k)
         grid.InsertNextCell(kind, ids)
+
+
+def _reorder(types, offsets, corners):
+    """Swaps the nodes on the last two edges of Lagrange hexahedra, as VTK 9 does."""
+    for i in np.flatnonzero((types == VTK_LAGRANGE_HEXAHEDRON) & (np.diff(offsets) > 8)):
+        count = round((offsets[i + 1] - offsets[i]) ** (1 / 3)) - 2  # nodes inside an edge
+        first = offsets[i] + 8 + 10 * count
+        nodes = corners[first : first + 2 * count]
+        nodes[:] = np.roll(nodes, count)
 
 
 def _add_arrays(result, mesh, active):

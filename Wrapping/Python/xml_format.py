@@ -18,8 +18,8 @@ from .mesh import checked_cells
 
 _KINDS = {"PolyData": "POLYDATA", "UnstructuredGrid": "UNSTRUCTURED_GRID"}
 _TYPES = {
-    "Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4",
-    "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8",
+    "Bit": "u1", "Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4",
+    "UInt32": "u4", "Int64": "i8", "UInt64": "u8", "Float32": "f4", "Float64": "f8",
 }  # fmt: skip
 _ARRAYS = ("Array", "DataArray")
 _ORDERS = {"LittleEndian": "<", "BigEndian": ">"}
@@ -40,7 +40,12 @@ class XMLFile:
 
     def __init__(self, data):
         if not re.search(rb"</VTKFile>\s*\Z", data[-1000:]):
-            raise ValueError("the file ends before </VTKFile>: it is truncated")
+            reason = "the file ends before </VTKFile>: it is truncated"
+            if b"</VTKFile>" in data:
+                reason = "text follows </VTKFile>, the end of the contents"
+            elif data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+                reason = "expected UTF-8, got UTF-16"
+            raise ValueError(reason)
         start = data.find(b"<AppendedData")
         start = len(data) if start < 0 else data.find(b">", start) + 1
         has_appended = start < len(data)
@@ -56,6 +61,8 @@ class XMLFile:
         self._word = np.dtype(self._order + _TYPES[word])
         self._unpack = _COMPRESSORS[_choice(root, "compressor", _COMPRESSORS, "")]
         self._contents = _child(root, self._type)
+        self._is_of_vtk_8 = float(root.get("version", 0)) < 2.1
+        self._texts = []
         self._appended = None
         if has_appended:
             encoding = _choice(_child(root, "AppendedData"), "encoding", ("base64", "raw"))
@@ -71,6 +78,8 @@ class XMLFile:
             pieces = [merged(pieces)]
         result = pieces[0] if pieces else DataSet(_KINDS[self._type])
         result.field_data = self._data(self._contents, "FieldData", None)
+        result.texts = self._texts
+        result.is_of_vtk_8 = self._is_of_vtk_8
         return result
 
     def _piece(self, piece):
@@ -129,11 +138,13 @@ class XMLFile:
         found = {}
         for element in parent.findall(tag):
             _check_children(element, _ARRAYS)
-        for array in parent.findall(f"{tag}/DataArray"):
+        for array in parent.findall(f"{tag}/*"):
             name = array.get("Name")
             if not name:
                 raise ValueError(f"{tag} has an array without a name")
-            if name not in found and array.get("type") not in ("Bit", "String"):
+            if array.get("type") == "String":
+                self._texts.append(name)
+            elif name not in found:
                 number = _count(array, "NumberOfTuples") if rows is None else rows
                 found[name] = self._values(array, number, tag)
         return found
@@ -156,13 +167,19 @@ class XMLFile:
             if _choice(array, "format", ("ascii", "appended", "binary"), "ascii") == "ascii":
                 values = parsed(_text(array), kind)
                 _compare(len(values), "numbers", rows, components)
+            elif array.get("type") == "Bit":
+                count = rows * components
+                packed = np.frombuffer(self._bytes(array, (count + 7) // 8, 1, 1), np.uint8)
+                values = np.unpackbits(packed, count=count)
             else:
                 kind = np.dtype(self._order + kind)
                 contents = self._bytes(array, rows, components, kind.itemsize)
                 values = np.frombuffer(contents, kind).astype(kind.newbyteorder("="), copy=False)
             return in_rows(values, components)
         except ValueError as error:
-            raise ValueError(f"{tag}, array {array.get('Name')!r}: {error}") from None
+            name = array.get("Name")
+            name = f"array {name!r}" if name else "array without a name"
+            raise ValueError(f"{tag}, {name}: {error}") from None
 
     def _bytes(self, array, rows, components, size):
         """Returns the bytes of an array in base64 or appended."""
