@@ -246,6 +246,9 @@ class Command(unittest.TestCase):
         moved.points[7] *= 1.01
         vtkdgg.write(stale, moved)
         self.assertIn("accuracy 0.003, stale: ", self.answer("info", stale)["graph"])
+        del moved.field_data["DGG.Info"]
+        vtkdgg.write(stale, moved)
+        self.assertIn("damaged: ", self.answer("info", stale)["graph"])
         damaged = vtkdgg.read(path)
         damaged.field_data["DGG.Lengths"][100] = 7.0
         vtkdgg.write(path, damaged)
@@ -611,6 +614,8 @@ class Command(unittest.TestCase):
             (("--verson",), "option --verson; did you mean --version\\?"),
             (("distance", BUMPY, "--sorce", "0"), "option --sorce; did you mean --source\\?"),
             (("sample", BUMPY, "--numer=3"), "option --numer; did you mean --number\\?"),
+            (("isolines", BUMPY, "--number", "0"), r"option --number \(--help"),
+            (("distance", BUMPY, "--sources", "0,5,"), "--sources '': expected a point id"),
             (("info",), "file"),
             (("info", "missing.ply"), "missing.ply: no such file"),
             (("info", truncated), rf"error: {truncated}: line 4: the header promises 642 records"),

@@ -89,7 +89,11 @@ class Distance(unittest.TestCase):
             self.points.astype(np.float32),
             self.points.T.copy().T,
         ):
-            for triangles in (self.triangles.tolist(), self.triangles.astype(np.uint32)):
+            for triangles in (
+                self.triangles.tolist(),
+                self.triangles.astype(np.uint32),
+                self.triangles.astype(object),
+            ):
                 distances = vtkdgg.distance(points, triangles, 5)
                 self.check_equal(distances, expected)
 

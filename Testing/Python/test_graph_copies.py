@@ -170,6 +170,12 @@ class FromPolydata(unittest.TestCase):
         mesh.GetFieldData().RemoveArray("DGG.Angles")
         self.refuses(mesh, "DGG.Angles is missing")
 
+        mesh = self.editable()
+        mesh.GetFieldData().RemoveArray("DGG.Info")
+        for call in (lambda mesh: vtkdgg.distance(mesh, 0), vtkdgg.Graph):
+            with self.assertWarnsRegex(RuntimeWarning, "damaged: .*DGG.Info is missing"):
+                call(mesh)
+
     def test_damaged_parameters(self):
         # They are not taken over, although each could be that of a graph.
         half = int(np.array([0.5]).view(np.int64)[0])

@@ -490,8 +490,16 @@ class Meshes(unittest.TestCase):
         with self.assertWarns(RuntimeWarning):
             vtkdgg.write(path, mesh)
         np.testing.assert_array_equal(np.load(path)["value"], values[[0, 1, 2]])
-        path = os.path.join(FOLDER, "arrays.vtp")
+        path = path_of("arrays.vtp", "")
+        os.chmod(path, 0o444)
+        with self.assertRaisesRegex(PermissionError, "arrays.vtp: the file is read-only"):
+            vtkdgg.write(path, mesh)
+        source = path_of("arrays.obj", formats.obj(points, triangles))
+        code, answer = command("distance", source, "--source", "0", "--out", path)
+        self.assertEqual((code, answer), (2, f"error: {path}: the file is read-only\n"))
+        os.chmod(path, 0o640)
         vtkdgg.write(path, mesh)
+        self.assertEqual(os.stat(path).st_mode & 0o777, 0o640)
         again = vtkdgg.read(path)
         np.testing.assert_array_equal(again.points, points)
         np.testing.assert_array_equal(again.triangles, triangles)

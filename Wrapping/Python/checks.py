@@ -16,8 +16,10 @@ def numbers(values, name, kind="number"):
             f"{name}: expected an array of numbers, got elements of unequal lengths"
         ) from None
     if array.dtype == object and all(isinstance(value, int) for value in array.flat):
-        largest = max(array.flat, key=abs)  # NumPy has no type for such integers
-        raise ValueError(f"{name}: {largest} does not fit into 64 bits")
+        array = np.array(array.tolist())
+        if array.dtype == object:  # NumPy has no type for such integers
+            largest = max(array.flat, key=abs)
+            raise ValueError(f"{name}: {largest} does not fit into 64 bits")
     allowed = {"integer": "iu", "number": "iuf"}[kind]
     if array.size and array.dtype.kind not in allowed:
         raise ValueError(f"{name}: expected {kind}s, got {array.dtype}")

@@ -253,8 +253,9 @@ def check_names(parser, arguments):
     """Raises an error for a command or an option that does not exist, with the most similar one."""
 
     def closest(name, known):
-        found = difflib.get_close_matches(name, known, 1)
-        return f"; did you mean {found[0]}?" if found else " (--help explains)"
+        words = {word.lstrip("-"): word for word in known}
+        found = difflib.get_close_matches(name.lstrip("-"), words, 1)
+        return f"; did you mean {words[found[0]]}?" if found else " (--help explains)"
 
     name = arguments[0]
     if name.startswith("-"):

@@ -24,6 +24,11 @@ def damaged(what):
     )
 
 
+def has_graph(polydata):
+    """Returns true if there are arrays of a graph, which may be damaged."""
+    return any(polydata.GetFieldData().HasArray(f"DGG.{name}") for name in ARRAYS)
+
+
 class GraphInfo:
     """Parameters that a graph was built with.
 
@@ -100,7 +105,8 @@ def choose_method(method, accuracy, surface, methods):
     """
     info = GraphInfo.find(surface)
     if method is None:
-        method = "exact" if accuracy is None and info is None else "graph"
+        # Filters warn of a graph that they cannot use.
+        method = "graph" if accuracy is not None or has_graph(surface) else "exact"
     if not isinstance(method, str) or method not in methods:
         raise ValueError(f"method: expected one of {', '.join(map(repr, methods))}, got {method!r}")
     if accuracy is not None and method != "graph":

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import shutil
 import warnings
 from typing import Any
 
@@ -57,7 +58,7 @@ def write(file: Any, mesh: Any) -> None:
     file : str or os.PathLike
         ``.ply .obj .stl .off .pcd .xyz .vtp .vtk .csv .npy``; .vtp and .vtk hold everything. A .csv
         file has a header line and a row for each point, a .npy file the same rows as a structured
-        array. An existing file is replaced when the new one is complete.
+        array. An existing file is replaced when the new one is complete, and keeps its mode.
     mesh : Mesh, vtkPolyData, or a mesh of another package
         As for `distance`.
 
@@ -66,7 +67,7 @@ def write(file: Any, mesh: Any) -> None:
     ValueError
         When the format is unknown or cannot hold the cells.
     OSError
-        When the file cannot be written. The messages of both name the file.
+        When the file cannot be written or is read-only. The messages of both name the file.
 
     See Also
     --------
@@ -114,10 +115,18 @@ def write_by(writer, path, data):
             raise kind(f"{path}: {reason_of(text, path)}") from None
 
 
+def check_writable(path):
+    """Raises a PermissionError for a file without write permission, also for root, who may write
+    to any file."""
+    if os.path.isfile(path) and not (os.access(path, os.W_OK) and os.stat(path).st_mode & 0o222):
+        raise PermissionError(f"{path}: the file is read-only")
+
+
 @contextlib.contextmanager
 def replacing(path):
-    """Yields the name of a new file in the same folder, which replaces `path` at the end. After an
-    error, an older file at `path` is unchanged."""
+    """Yields the name of a new file in the same folder, which replaces `path` at the end and gets
+    its mode. After an error, an older file at `path` is unchanged."""
+    check_writable(path)
     target = os.path.realpath(path)
     stem, extension = os.path.splitext(target)
     part = f"{stem}.{os.getpid()}.part{extension}"  # unique, for several writers of one file
@@ -125,6 +134,8 @@ def replacing(path):
         part = target  # a device or pipe
     try:
         yield part
+        if os.path.isfile(target):
+            shutil.copymode(target, part)
         os.replace(part, target)
     except BaseException as error:
         if part != target:

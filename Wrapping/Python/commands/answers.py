@@ -15,7 +15,7 @@ from .. import arguments, writing
 from ..distances import set_sources
 from ..errors import run
 from ..graph import MOST_VALUES, find_isolines
-from ..graph_info import CONSTRUCTIONS, GraphInfo, choose_method
+from ..graph_info import CONSTRUCTIONS, GraphInfo, choose_method, has_graph
 from ..paths import NotConnectedError
 from ..results import voronoi_of
 from ..surface import named_arrays
@@ -182,7 +182,7 @@ def info(options):
         "diagonal": contents.GetLength(),
     }
     found["point arrays"] = list(named_arrays(contents.GetPointData()))
-    if GraphInfo.find(contents):
+    if has_graph(contents):
         found["graph"] = state_of_graph(contents)
     if kind == "curves":
         found["lines"] = contents.GetNumberOfLines()
@@ -206,7 +206,9 @@ def info(options):
 
 def state_of_graph(contents):
     """Returns what the graph of the contents promises, and if it belongs to them."""
-    graph = GraphInfo(contents)
+    graph = GraphInfo.find(contents)
+    if graph is None:
+        return "damaged: DGG.Info is missing or of another version"
     kind = vtkdgg.CloudGraph if graph.is_cloud else vtkdgg.Graph
     state = "current"
     with warnings.catch_warnings():

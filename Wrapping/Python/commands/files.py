@@ -89,4 +89,5 @@ def writable(path, kind):
     folder = os.path.dirname(path)
     if folder and not os.path.isdir(folder):
         raise argparse.ArgumentTypeError(f"{path}: the folder {folder} does not exist")
+    writing.check_writable(path)
     return path

@@ -46,7 +46,7 @@ def choose(text, mesh, name="--source", only_ids=False):
                 raise ValueError
     except ValueError:
         known = "" if only_ids else ", X,Y,Z or face:ID:B0,B1,B2"
-        raise SourceError(f"{name} {text}: expected a point id{known}") from None
+        raise SourceError(f"{name} {text or repr(text)}: expected a point id{known}") from None
     if isinstance(source, tuple):
         arguments.surface_point(source, f"{name} {text}", mesh)
     count = mesh.GetNumberOfPoints()
