@@ -6,6 +6,7 @@
 #include "DGGMeshConversion.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -22,6 +23,21 @@
 
 namespace
 {
+/// Returns true if double does not hold all integers of the array exactly.
+bool HasLargeIntegers(vtkDataArray* array)
+{
+  const bool isWide = array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE;
+  for (int c = 0; isWide && c < array->GetNumberOfComponents(); ++c)
+  {
+    const double* range = array->GetRange(c);
+    if (std::max(-range[0], range[1]) >= 9007199254740992.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool HasTrianglesOnly(const dgg::CellList& polygons)
 {
   std::int64_t corners = 0;
@@ -82,15 +98,21 @@ int vtkDGGMeshWriter::FindFormat() const
   return found == std::end(extensions) ? -1 : static_cast<int>(found - std::begin(extensions));
 }
 
-void vtkDGGMeshWriter::WarnOfStrings(vtkFieldData* data)
+void vtkDGGMeshWriter::WarnOfArrays(vtkFieldData* data, bool isPLY)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    if (!data->GetArray(i))
+    const char* name = data->GetArrayName(i);
+    name = name ? name : "(without a name)";
+    vtkDataArray* array = data->GetArray(i);
+    if (!array)
     {
-      const char* name = data->GetArrayName(i);
-      vtkWarningMacro("The array " << (name ? name : "(without a name)")
-                                   << " is skipped: its values are not numeric.");
+      vtkWarningMacro("The array " << name << " is skipped: its values are not numeric.");
+    }
+    else if (isPLY && HasLargeIntegers(array))
+    {
+      vtkWarningMacro(
+        "The array " << name << " has integers of 2^53 or more, which a PLY file rounds.");
     }
   }
 }
@@ -109,11 +131,11 @@ void vtkDGGMeshWriter::WriteData()
     if (format != dgg::FileFormat::OBJ && format != dgg::FileFormat::OFF &&
       format != dgg::FileFormat::STL && format != dgg::FileFormat::XYZ)
     {
-      this->WarnOfStrings(input->GetPointData());
+      this->WarnOfArrays(input->GetPointData(), format == dgg::FileFormat::PLY);
     }
     if (format == dgg::FileFormat::PLY)
     {
-      this->WarnOfStrings(input->GetCellData());
+      this->WarnOfArrays(input->GetCellData(), true);
     }
     dgg::MeshData mesh;
     dgg::FileStatus status = vtkDGG::FromPolyData(input, mesh);

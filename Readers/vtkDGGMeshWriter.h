@@ -9,7 +9,7 @@
  *  - `.ply`: points, polygons, all point arrays and, for polygons, all cell arrays of numbers.
  *    Binary; coordinates are float if those of the input are, otherwise double. Components of
  *    arrays become properties `name_0`, `name_1` and so on; integers of 64 bits become double if 32
- *    bits do not suffice, which rounds those above 2^53. Blanks in names become `_`. Verts are
+ *    bits do not suffice, with a warning from 2^53 on. Blanks in names become `_`. Verts are
  *    skipped.
  *  - `.obj`: points, verts, lines, polygons, active normals, texture coordinates and colors without
  *    alpha.
@@ -95,7 +95,7 @@ private:
   vtkDGGMeshWriter(const vtkDGGMeshWriter&) = delete;
   void operator=(const vtkDGGMeshWriter&) = delete;
 
-  void WarnOfStrings(vtkFieldData* data);
+  void WarnOfArrays(vtkFieldData* data, bool isPLY);
 
   char* FileName = nullptr;
   bool IsWritten = false;

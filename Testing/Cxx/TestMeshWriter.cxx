@@ -239,14 +239,21 @@ TEST_F(MeshWriter, WritesCellsOfAnySize)
   }
 }
 
-TEST_F(MeshWriter, WarnsOfStrings)
+TEST_F(MeshWriter, WarnsOfArrays)
 {
   vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
+  vtkNew<vtkIdTypeArray> large;
+  large->SetName("Large");
+  large->SetNumberOfComponents(2);
+  large->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  large->Fill(7);
+  large->SetComponent(1, 1, -9007199254740992.0);
+  mesh->GetPointData()->AddArray(large);
   vtkNew<vtkStringArray> names;
   names->SetName("Names");
   mesh->GetPointData()->AddArray(names);
   mesh->GetCellData()->AddArray(names);
-  for (const auto& [name, warnings] : { std::pair("a.ply", 2u), { "a.pcd", 1u }, { "a.xyz", 0u } })
+  for (const auto& [name, warnings] : { std::pair("a.ply", 3u), { "a.pcd", 1u }, { "a.xyz", 0u } })
   {
     this->Writer->SetInputData(mesh);
     this->Writer->SetFileName((this->Folder / name).c_str());
