@@ -37,6 +37,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 from vtkmodules.vtkIOLegacy import (
+    vtkPolyDataReader,
     vtkPolyDataWriter,
     vtkStructuredGridWriter,
     vtkUnstructuredGridReader,
@@ -379,6 +380,10 @@ class Formats(unittest.TestCase):
                 with self.assertWarnsRegex(RuntimeWarning, "degenerate.vtk: cells .* left out: "):
                     mesh = vtkdgg.read(path)
                 self.assertEqual(mesh.cell_data["id"].tolist(), [count - 1])
+        reader = vtkPolyDataReader()
+        reader.SetFileName(path)
+        with self.assertRaisesRegex(ValueError, "strips: cell 0 has 2 corners"):
+            vtkdgg.write(os.path.join(FOLDER, "x.vtp"), vtkdgg.check(reader))
 
     def test_cells_of_higher_order(self):
         """Lagrange cells as VTK reads them, which changes the order of nodes of old files. The

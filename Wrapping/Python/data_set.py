@@ -8,6 +8,8 @@ from .checks import check_ids
 from .mesh import Mesh, checked_cells, unpacked
 
 POLYHEDRON = 42  # VTK_POLYHEDRON
+# VTK ends the process on cells of POLYDATA with fewer corners.
+LEAST_CORNERS = {"verts": 1, "lines": 2, "polygons": 3, "strips": 3}
 # Kinds of active arrays, by their index in vtkDataSetAttributes.
 ATTRIBUTES = (
     "scalars", "vectors", "normals", "tcoords", "tensors", "globalids", "pedigreeids", "edgeflag",
@@ -51,7 +53,7 @@ class DataSet:
     def __init__(self, kind):
         self.kind = kind
         self.points = np.zeros((0, 3))
-        names = ("verts", "lines", "polygons", "strips") if kind == "POLYDATA" else ("cells",)
+        names = LEAST_CORNERS if kind == "POLYDATA" else ("cells",)
         self.cells = dict.fromkeys(names, (np.zeros(1, dtype=int), np.zeros(0, dtype=int)))
         self.types = np.zeros(0, dtype=int)
         self.faces = {}
@@ -76,10 +78,9 @@ class DataSet:
         self.faces[cell] = faces
 
     def remove_degenerate(self):
-        """Removes cells of POLYDATA with too few corners, on which VTK ends the process. Returns
-        their number."""
+        """Removes cells of POLYDATA with too few corners, and returns their number."""
         kept = []
-        for name, least in (("verts", 1), ("lines", 2), ("polygons", 3), ("strips", 3)):
+        for name, least in LEAST_CORNERS.items():
             offsets, corners = checked_cells(self.cells[name], name, len(self.points))
             sizes = np.diff(offsets)
             kept.append(sizes >= least)

@@ -17,9 +17,10 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from . import meshes
+from .data_set import LEAST_CORNERS
 from .errors import VTKError, check, depth_of_package
 from .reading import reason_of
-from .surface import named_arrays
+from .surface import CELLS, named_arrays
 from .vtkDGGReaders import vtkDGGMeshWriter, vtkPCDWriter
 
 __all__ = ["write"]
@@ -93,7 +94,20 @@ def write(file: Any, mesh: Any) -> None:
     if extension in TABLES:
         write_numbers(path, table_of(data))
         return
+    if extension == ".vtp":
+        _check_cells(path, data)
     write_by(WRITERS[extension](), path, data)
+
+
+def _check_cells(path, data):
+    """Raises an error for cells with too few corners."""
+    for kind, (name, least) in zip(CELLS, LEAST_CORNERS.items()):
+        sizes = np.diff(vtk_to_numpy(getattr(data, f"Get{kind}")().GetOffsetsArray()))
+        for i in np.flatnonzero(sizes < least)[:1]:
+            raise ValueError(
+                f"{path}: {name}: cell {i} has {sizes[i]} corners, expected at least {least}; "
+                "remove it or write a .vtk file"
+            )
 
 
 def write_by(writer, path, data):
