@@ -3,6 +3,7 @@
 #include "dggCloudNodes.h"
 
 #include "dggCloudFrame.h"
+#include "dggMortonCode.h"
 #include "dggOutliers.h"
 
 #include <algorithm>
@@ -13,25 +14,6 @@ namespace dgg
 {
 namespace
 {
-std::uint64_t SpreadBits(std::uint64_t x)
-{
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffffULL;
-  x = (x | x << 16) & 0x1f0000ff0000ffULL;
-  x = (x | x << 8) & 0x100f00f00f00f00fULL;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
-  return (x | x << 2) & 0x1249249249249249ULL;
-}
-
-/// Place along a curve that keeps together what is close.
-std::uint64_t MortonCode(const Point3& p)
-{
-  const auto cell = [](double x) {
-    return static_cast<std::uint64_t>(std::clamp((x + 1.0) * 1048576.0, 0.0, 2097151.0));
-  };
-  return SpreadBits(cell(p.X)) | SpreadBits(cell(p.Y)) << 1 | SpreadBits(cell(p.Z)) << 2;
-}
-
 /// A point on its way to become a node.
 struct NodeEntry
 {
@@ -113,7 +95,9 @@ Status FindNodes(
     else if (IsFinite(point))
     {
       const Point3 place = frame.ToLocal(point);
-      entries.push_back({ MortonCode(place), place, i });
+      entries.push_back(
+        { GetMortonCode(0.5 * (place.X + 1.0), 0.5 * (place.Y + 1.0), 0.5 * (place.Z + 1.0)), place,
+          i });
     }
   }
   const std::size_t count = SortEntries(entries);

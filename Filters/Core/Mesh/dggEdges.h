@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Edges, of which a mesh stores half-edges only: the faces behind an edge, and neighbors along
-/// edges. Internal.
+/// edges.
 #ifndef dggEdges_h
 #define dggEdges_h
 

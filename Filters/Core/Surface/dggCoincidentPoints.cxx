@@ -150,6 +150,10 @@ std::vector<Id> FindRepresentatives(
   {
     return FindCoincident(points, ids);
   }
+  if (std::isinf(tolerance) && !ids.empty())
+  {
+    return std::vector<Id>(ids.size(), ids.front());
+  }
   Box bounds;
   for (const Id id : ids)
   {
