@@ -20,7 +20,7 @@ class vtkPolyData;
 class VTKDGGFILTERSCOMMON_EXPORT DGGSurfaceArrays
 {
 public:
-  /// Cells are left out for a cloud.
+  /// Omits the cells if `isCloud`.
   DGGSurfaceArrays(vtkPolyData* input, bool isCloud);
 
   const dgg::SurfaceArrays& Get() const { return this->Arrays; }

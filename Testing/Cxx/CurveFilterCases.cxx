@@ -120,7 +120,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeBoundaries(vtkPolyData* surface)
   return boundaries;
 }
 
-/// What filters refuse that take points of the surface on port 1.
+/// Returns the refusals of filters with surface points on port 1.
 template <typename Filter, typename Function>
 std::vector<Refusal> RefusePlaces(Function setPlaces)
 {

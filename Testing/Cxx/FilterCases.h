@@ -69,7 +69,7 @@ Refusal Refuse(Function spoil, const std::vector<std::string>& parts)
   return { [spoil](vtkGeodesicAlgorithm* filter) { spoil(Filter::SafeDownCast(filter)); }, parts };
 }
 
-/// What all filters with a tolerance of projection refuse.
+/// Returns the refusals of all filters with a ProjectionTolerance.
 template <typename Filter>
 Refusal RefuseTolerance(double tolerance)
 {
@@ -78,7 +78,7 @@ Refusal RefuseTolerance(double tolerance)
 }
 Refusal RefuseMemoryLimit(vtkTypeInt64 limit);
 
-/// What all filters refuse that search a graph.
+/// Returns the refusals of all filters that search a graph.
 template <typename Filter>
 std::vector<Refusal> RefuseGraph()
 {

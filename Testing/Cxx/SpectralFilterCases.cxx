@@ -89,7 +89,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeMovers(vtkPolyData* surface)
   return movers;
 }
 
-/// What filters with sources refuse.
+/// Returns the refusals of filters with sources.
 std::vector<Refusal> RefuseSources()
 {
   using F = vtkSpectralAlgorithm;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all filters on surfaces promise: state, wrong input, threads, progress, what is kept; and
+/// The contract of all filters on surfaces: state, wrong input, threads, progress, caching, and
 /// the graph that some of them search.
 #include "FilterCases.h"
 #include "GraphTestTools.h"
@@ -69,7 +69,7 @@ std::string Describe(vtkGeodesicAlgorithm* filter, bool withFieldData = true)
 class FilterContract : public ::testing::TestWithParam<FilterCase>
 {
 protected:
-  /// The filter on a relief with so many edges along each side.
+  /// Returns the filter on a relief with the given number of edges along each side.
   vtkSmartPointer<vtkGeodesicAlgorithm> Make(int n = 8)
   {
     this->Relief = MakeRelief(VTK_DOUBLE, n);

@@ -70,8 +70,8 @@ public:
   template <typename Visitor>
   void Search(const std::array<double, 3>& point, double squaredLimit, Visitor&& visit) const;
 
-  /// Calls `visit(element)` for the elements of all leaves for which, and for the boxes above them,
-  /// `isRelevant(box)` is true.
+  /// Calls `visit(element)` for the elements of each leaf if `isRelevant(box)` is true for the leaf
+  /// and all its ancestors.
   template <typename Test, typename Visitor>
   void ForEach(Test&& isRelevant, Visitor&& visit, std::size_t node = 0) const
   {

@@ -11,10 +11,10 @@
 
 namespace dgg
 {
-/// Returns for each of the points `ids` the one that represents it: in their order, the closest one
-/// within the tolerance among those before it that represent themselves, else itself. For a
-/// tolerance of 0, the first one with the same coordinates (-0 equals +0). `points` are x y z per
-/// point, finite for these ids.
+/// Returns the representative of each of the points `ids`. Points are processed in this order: the
+/// representative is the closest earlier point within the tolerance that represents itself, or the
+/// point itself if there is none. For a tolerance of 0 it is the first point with the same
+/// coordinates (-0 equals +0). `points` are x y z per point; those of `ids` are finite.
 std::vector<Id> FindRepresentatives(
   const double* points, const std::vector<Id>& ids, double tolerance);
 }

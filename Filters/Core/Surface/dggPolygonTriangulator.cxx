@@ -116,8 +116,8 @@ private:
     --this->Remaining;
   }
 
-  /// Removes corners where the boundary has an edge without length or turns back: they have no
-  /// area, and angles there mean nothing.
+  /// Removes corners at edges of zero length and at spikes, where the boundary turns back. Their
+  /// triangles have no area, and the angles there are undefined.
   void RemoveSpikes(std::vector<Id>& triangles)
   {
     Id i = 0;
@@ -130,7 +130,7 @@ private:
       if (turnsBack || Distance(this->Points[i], this->Points[before]) <= SmallestEdge)
       {
         this->Remove(i, triangles);
-        unchanged = -2; // the corner before has another neighbor: look at it again
+        unchanged = -2; // the neighbors have changed: examine both again
         i = before;
         continue;
       }

@@ -25,7 +25,7 @@ public:
   {
   }
 
-  /// Appends a triangle unless it names a point twice; then returns false.
+  /// Appends a triangle. Returns false, without appending, if it names a point twice.
   static bool Append(Id a, Id b, Id c, std::vector<Id>& triangles)
   {
     const bool isTriangle = a != b && b != c && c != a;
