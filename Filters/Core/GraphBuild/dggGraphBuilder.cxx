@@ -11,7 +11,6 @@
 #include "dggInvalidInput.h"
 #include "dggProgressPart.h"
 #include "dggRowStore.h"
-#include "dggRowWaves.h"
 #include "dggSurfaceOrder.h"
 #include "dggUnfoldingTable.h"
 #include "dggWorkspacePool.h"
@@ -32,8 +31,9 @@ namespace
 constexpr Id PatchSize = 256;
 /// Rows that a thread builds in one go.
 constexpr Id BlockSize = 16;
-/// Edges that may wait in the blocks of a wave, besides a share of all edges: they are there twice
-/// for a while.
+/// Rows are built in waves because the edges of a wave are stored twice for a while. A wave has at
+/// most this number or this share of all edges, predicted from the rows of earlier waves.
+constexpr Id RowsOfFirstWave = 256;
 constexpr double EdgesOfWave = 1 << 18;
 constexpr double LargestShareOfWave = 0.125;
 /// Rows built for an estimate.
@@ -434,15 +434,14 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
   std::vector<RowBlock> blocks;
   DirectionUnion directions;
   std::atomic<std::size_t> windows{ 0 };
-  for (RowWaves waves(n); !waves.IsDone();)
+  Id last = 0;
+  for (Id first = 0, rowsOfWave = RowsOfFirstWave; first < n; first = last)
   {
-    const Id first = waves.GetFirst();
-    const Id last = waves.GetLast();
+    last = first + std::min(n - first, rowsOfWave);
     blocks.resize((static_cast<std::size_t>(last - first) + BlockSize - 1) / BlockSize);
-    // Within the wave as well: a row may take as long as others do in a second.
     DGG_RETURN_IF_ERROR(ForBlocks(
       last - first, BlockSize, options.Parallel,
-      ProgressPart(options.Progress, static_cast<double>(first) / n, waves.GetShareDone()),
+      ProgressPart(options.Progress, static_cast<double>(first) / n, static_cast<double>(last) / n),
       [&] { return tracers.Borrow(this->Table, rule, limits); },
       [&](auto& tracer, Offset b, Offset begin, Offset end) {
         const std::size_t before = tracer->GetNumberOfWindows();
@@ -468,8 +467,9 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
     {
       directions.Unite(rows, first, options.Parallel);
     }
-    const double degree = static_cast<double>(statistics.OutEdges) / last;
-    waves.Advance(MostEdgesOfWave(degree * n) / std::max(degree, 1.0));
+    const double degree = std::max(1.0, static_cast<double>(statistics.OutEdges) / last);
+    const double rows = std::min(MostEdgesOfWave(degree * n) / degree, static_cast<double>(n));
+    rowsOfWave = std::max(BlockSize, static_cast<Id>(rows));
   }
   statistics.Windows = windows;
   return Status::Success();

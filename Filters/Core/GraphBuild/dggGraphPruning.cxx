@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphPruning.h"
 
-#include "dggRowWaves.h"
+#include "dggBlockLoop.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
@@ -84,21 +84,14 @@ Status PruneCandidates(
   const double kappa = 1.0 / (1.0 + accuracy);
   std::vector<unsigned char> flags(static_cast<std::size_t>(rows.GetNumberOfEdges()), 0);
   WorkspacePool<CandidatePruner> pruners;
-  for (RowWaves waves(rows.GetNumberOfRows()); !waves.IsDone(); waves.Advance())
-  {
-    const Id first = waves.GetFirst();
-    ForRange(parallel, waves.GetLast() - first, grain, [&](Offset begin, Offset end) {
-      const auto pruner = pruners.Borrow(rows);
+  DGG_RETURN_IF_ERROR(ForBlocks(
+    rows.GetNumberOfRows(), grain, parallel, progress, [&] { return pruners.Borrow(rows); },
+    [&](auto& pruner, Offset, Offset begin, Offset end) {
       for (Offset row = begin; row < end; ++row)
       {
-        pruner->Prune(first + static_cast<Id>(row), kappa, flags.data());
+        pruner->Prune(static_cast<Id>(row), kappa, flags.data());
       }
-    });
-    if (progress && !progress(waves.GetShareDone()))
-    {
-      return Status::Abort();
-    }
-  }
+    }));
   rows.Remove(0, flags);
   rows.ShrinkToFit();
   return Status::Success();
