@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What all tables of benchmark results share: reading JSON, and writing figures in Markdown."""
+"""Library of all tables of benchmark results: reads JSON and writes figures in Markdown."""
 
 import json
 import math
+import re
 import statistics
 import sys
 
@@ -30,6 +31,29 @@ def collect(entry, figures):
         if isinstance(value, (int, float)) and not isinstance(value, bool):
             figures.setdefault(key, []).append(value)
     figures.setdefault("seconds", []).append(entry["real_time"] * UNITS[entry["time_unit"]])
+
+
+class Results:
+    """Figures of a run, nested by the parts of the names of its results. For each pattern, an attribute
+    of the same name holds {part: {part: ... {figure: [values]}}}. A result counts for the first pattern
+    that matches its name."""
+
+    patterns = {}
+
+    def __init__(self, path):
+        self.context, entries = load(path)
+        for group in self.patterns:
+            setattr(self, group, {})
+        for entry in entries:
+            for group, pattern in self.patterns.items():
+                match = re.match(pattern, entry["name"])
+                if match:
+                    collect(entry, nested(getattr(self, group), *self.key(group, match)))
+                    break
+
+    def key(self, group, match):
+        """Returns the parts of a name, outermost first."""
+        return match.groups()
 
 
 def median(figures, key):
@@ -66,6 +90,7 @@ def errors(figures):
 
 
 def errors_text(figures):
+    """Returns the three errors in percent."""
     parts = errors(figures)
     if None in parts:
         return DASH
@@ -154,6 +179,16 @@ def figure(case, key="seconds", form=None):
     """A column's function of (..., cases): what was measured of a case, in words."""
     form = form or (time_text if key == "seconds" else number)
     return lambda *row: form(median(row[-1].get(case), key))
+
+
+def errors_of(case):
+    """Returns a column's function of (..., cases): the errors of a case."""
+    return lambda *row: errors_text(row[-1].get(case))
+
+
+def first_of(name, *_):
+    """Returns the name that a row starts with."""
+    return name
 
 
 def in_form(form):

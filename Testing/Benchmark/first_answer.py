@@ -18,6 +18,7 @@ import time
 
 import numpy as np
 import vtkdgg
+from benchmark_results import tabulate, time_text
 from vtkdgg.commands.methods import graph, propagation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -112,30 +113,18 @@ def measure(name, make, mesh, sources, exact):
 
 def table(name, points, results):
     """A Markdown table of one mesh."""
-
-    def time_of(value):
-        return f"{1e3 * value:.3g} ms" if value < 1.0 else f"{value:.3g} s"
-
     heat = next((r["new"] for r in results if r["method"] == "heat"), float("nan"))
-    lines = [
-        f"**{name}**, {points} points\n",
-        "| method | new mesh | of heat's | again | points a second | two threads, wall clock | "
-        "error, %: mean / 99.9 % | least / most |",
-        "|---|---|---|---|---|---|---|---|",
+    columns = [
+        ("method", lambda r: r["method"]),
+        ("new mesh", lambda r: time_text(r["new"])),
+        ("of heat's", lambda r: f"{r['new'] / heat:.2f}"),
+        ("again", lambda r: time_text(r["again"])),
+        ("points a second", lambda r: f"{points / r['again'] / 1e6:.2f} M"),
+        ("two threads, wall clock", lambda r: time_text(r["again_on_two_threads"])),
+        ("error, %: mean / 99.9 %", lambda r: f"{100 * r['mean']:.2g} / {100 * r['p999']:.2g}"),
+        ("least / most", lambda r: f"{100 * r['least']:+.2g} / {100 * r['most']:+.2g}"),
     ]
-    for r in results:
-        cells = [
-            r["method"],
-            time_of(r["new"]),
-            f"{r['new'] / heat:.2f}",
-            time_of(r["again"]),
-            f"{points / r['again'] / 1e6:.2f} M",
-            time_of(r["again_on_two_threads"]),
-            f"{100 * r['mean']:.2g} / {100 * r['p999']:.2g}",
-            f"{100 * r['least']:+.2g} / {100 * r['most']:+.2g}",
-        ]
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+    return f"**{name}**, {points} points\n\n" + tabulate(columns, [(r,) for r in results])
 
 
 def main(json_path, table_path, meshes):

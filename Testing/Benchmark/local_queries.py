@@ -16,6 +16,7 @@ import time
 
 import numpy as np
 import vtkdgg
+from benchmark_results import tabulate
 from scipy.sparse.csgraph import dijkstra
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
@@ -86,19 +87,21 @@ def measure(number_of_points):
 
 def table(results):
     """A Markdown table with a line per mesh."""
-    lines = [
-        "| points | entries per row | sparse_matrix, per entry | dijkstra(limit), per entry | "
-        "gdist, per entry | neighborhood | distance(maximum_distance) | matrix of two points |",
-        "|---|---|---|---|---|---|---|---|",
+
+    def column(title, form, key, factor=1):
+        return title, lambda found: form.format(factor * found[key]) if key in found else ""
+
+    columns = [
+        column("points", "{:,}", "points"),
+        column("entries per row", "{:.1f}", "entries per row"),
+        column("sparse_matrix, per entry", "{:.2f} µs", "sparse_matrix", 1e6),
+        column("dijkstra(limit), per entry", "{:.2f} µs", "dijkstra", 1e6),
+        column("gdist, per entry", "{:.2f} µs", "gdist", 1e6),
+        column("neighborhood", "{:.2f} ms", "neighborhood", 1e3),
+        column("distance(maximum_distance)", "{:.2f} ms", "bounded distance", 1e3),
+        column("matrix of two points", "{:.2f} ms", "matrix of two", 1e3),
     ]
-    for found in results:
-        cells = [f"{found['points']:,}", f"{found['entries per row']:.1f}"]
-        for name in ("sparse_matrix", "dijkstra", "gdist"):
-            cells.append(f"{1e6 * found[name]:.2f} µs" if name in found else "")
-        for name in ("neighborhood", "bounded distance", "matrix of two"):
-            cells.append(f"{1e3 * found[name]:.2f} ms")
-        lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+    return tabulate(columns, [(found,) for found in results])
 
 
 def main(json_path, table_path, sizes):

@@ -9,37 +9,29 @@ Every figure is the median over the sources of a mesh, measured in one run. Rati
 engine T. The exponents of growth are least-squares lines through log(figure) over log(vertices).
 """
 
-import re
-
 from benchmark_results import (
     DASH,
-    collect,
+    Results,
     count_text,
     figure,
-    load,
+    first_of,
     median,
-    nested,
     run_as_script,
     seconds_text,
     slope,
     tabulate,
 )
 
-NAME = re.compile(
-    r"^(?P<group>Exact|Growth)/(?P<mesh>[^/]+)/(?P<case>SetUp|T|R|VTK|CGAL)(?:/(?P<source>\d+))?(?:/|$)"
-)
 TITLES = {"R": "engine R", "CGAL": "CGAL exact", "VTK": "vtkDijkstraGraphGeodesicPath"}
 
 
-def read(path):
-    """{group: {mesh: {case: {figure: [one value per source]}}}}, in the order of the file."""
-    context, results = load(path)
-    groups = {"Exact": {}, "Growth": {}}
-    for entry in results:
-        match = NAME.match(entry["name"])
-        if match:
-            collect(entry, nested(groups[match["group"]], match["mesh"], match["case"]))
-    return context, groups
+class Run(Results):
+    """exact[mesh][case] and growth[mesh][case]."""
+
+    patterns = {
+        "exact": r"Exact/([^/]+)/(SetUp|T|R|VTK|CGAL)(?:/|$)",
+        "growth": r"Growth/([^/]+)/(T)(?:/|$)",
+    }
 
 
 def peer_text(cases, peer):
@@ -54,7 +46,7 @@ def windows_text(cases):
 
 def time_table(meshes, peers):
     columns = [
-        ("mesh", lambda mesh, _: mesh),
+        ("mesh", first_of),
         ("vertices", figure("T", "vertices", count_text)),
         ("engine T", figure("T")),
         ("windows", lambda _, cases: windows_text(cases)),
@@ -67,7 +59,7 @@ def time_table(meshes, peers):
 
 def memory_table(meshes, peers):
     columns = [
-        ("mesh", lambda mesh, _: mesh),
+        ("mesh", first_of),
         ("our mesh", figure("SetUp", "mesh_bytes_per_vertex")),
         ("engine T", figure("T", "heap_bytes_per_vertex")),
     ]
@@ -80,7 +72,7 @@ def error_table(meshes, peers):
         return lambda _, peer, cases: f"{median(cases[peer], key):.2g}"
 
     columns = [
-        ("mesh", lambda mesh, *_: mesh),
+        ("mesh", first_of),
         ("against engine T", lambda _, peer, cases: TITLES[peer]),
         ("mean", error("error_mean")),
         ("99.9 %", error("error_p999")),
@@ -103,7 +95,7 @@ def growth_table(meshes):
         return make
 
     columns = [
-        ("mesh", lambda mesh, _: mesh),
+        ("mesh", first_of),
         ("vertices", figure("T", "vertices")),
         ("engine T", figure("T")),
         ("windows per vertex", ratio("windows", "vertices")),
@@ -125,8 +117,8 @@ def growth_table(meshes):
 
 
 def summarize(path):
-    context, groups = read(path)
-    exact = groups["Exact"]
+    run = Run(path)
+    exact, context = run.exact, run.context
     measured = {case for cases in exact.values() for case in cases}
     parts = []
     about = ", ".join(
@@ -144,9 +136,9 @@ def summarize(path):
         parts.append(memory_table(exact, weighed))
         parts.append("**Relative error**\n")
         parts.append(error_table(exact, timed))
-    if groups["Growth"]:
+    if run.growth:
         parts.append("**Growth**\n")
-        parts.append(growth_table(groups["Growth"]))
+        parts.append(growth_table(run.growth))
     return "\n".join(parts)
 
 

@@ -9,23 +9,21 @@ Published are the mean errors of Fang, "Discrete geodesic graphs", PhD thesis, N
 University, 2019, chapter 5, at a resolution of 512 voxels, for models of the same kind and size.
 """
 
-import re
-
 from benchmark_results import (
     DASH,
+    Results,
     bytes_text,
-    collect,
     environment,
+    errors_of,
     errors_text,
     figure,
     first_median,
+    first_of,
     folded,
     in_form,
     largest,
-    load,
     mean,
     median,
-    nested,
     number,
     peak_text,
     percent,
@@ -38,12 +36,6 @@ from benchmark_results import (
     titled,
 )
 
-NAME = re.compile(
-    r"^(?P<group>Cloud|Guard|Speed|Curve)/(?P<cloud>[^/]+)/"
-    r"(?P<graph>[ABC]/(?:chord|arc|fine)|Band/march|Mesh)/"
-    r"(?:(?P<parameter>Alpha|Offset)/(?P<value>[0-9.]+)/)?"
-    r"(?P<case>Build|Estimate|Query)(?:/|$)"
-)
 METHODS = {
     "A/chord": "A, chords",
     "A/arc": "A, arcs",
@@ -78,28 +70,26 @@ GUARDS = {
 FORCED = {"sheets"}
 
 
-class Run:
-    """groups[group][cloud][graph][case]: {figure: [values]}, and those of curves by parameter and
-    value: curves[cloud][graph][parameter][value][case]."""
+CASE = r"/([^/]+)/([ABC]/(?:chord|arc|fine)|Band/march|Mesh)/%s(Build|Estimate|Query)(?:/|$)"
 
-    def __init__(self, path):
-        self.context, results = load(path)
-        self.groups = {"Cloud": {}, "Guard": {}, "Speed": {}}
-        self.curves = {}
-        for entry in results:
-            match = NAME.match(entry["name"])
-            if not match:
-                continue
-            if match["group"] == "Curve":
-                values = nested(self.curves, *match.group("cloud", "graph", "parameter"))
-                cases = nested(values, float(match["value"]))
-            else:
-                cases = nested(self.groups, *match.group("group", "cloud", "graph"))
-            collect(entry, nested(cases, match["case"]))
+
+class Run(Results):
+    """groups[group][cloud][graph][case] and curves[cloud][graph][parameter][value][case]."""
+
+    patterns = {
+        "groups": "(Cloud|Guard|Speed)" + CASE % "",
+        "curves": "Curve" + CASE % "(Alpha|Offset)/([0-9.]+)/",
+    }
+
+    def key(self, group, match):
+        cloud, graph, parameter, *rest = match.groups()
+        if group == "groups":
+            return match.groups()
+        return (cloud, graph, parameter, float(rest[0]), rest[1])
 
     def graphs(self, group, names):
         """Cloud, graph and cases of a group, in the order of the names."""
-        for cloud, graphs in self.groups[group].items():
+        for cloud, graphs in self.groups.get(group, {}).items():
             for name in names:
                 if name in graphs:
                     yield cloud, name, graphs[name]
@@ -154,14 +144,6 @@ def mean_text(graphs, graph, published=None):
     return percent(error) + better
 
 
-def cloud_of(cloud, *_):
-    return cloud
-
-
-def errors_of(case="Query"):
-    return lambda *row: errors_text(row[-1].get(case))
-
-
 def mean_table(run):
     def published(cloud, graphs):
         return published_of(cloud, "C/arc", points_of(graphs))
@@ -175,7 +157,7 @@ def mean_table(run):
         return lambda cloud, graphs: mean_text(graphs, graph, published(cloud, graphs))
 
     columns = [
-        ("cloud", cloud_of),
+        ("cloud", first_of),
         ("points", lambda _, graphs: size_text(points_of(graphs))),
         ("published", lambda *row: range_text(published(*row))),
         ("A: chords / arcs", both("A")),
@@ -185,7 +167,7 @@ def mean_table(run):
         ("C: arcs, finer", beside("C/fine")),
         ("fast marching", lambda _, graphs: mean_text(graphs, "Band/march")),
     ]
-    return tabulate(columns, run.groups["Cloud"].items())
+    return tabulate(columns, run.groups.get("Cloud", {}).items())
 
 
 def error_table(run):
@@ -206,12 +188,12 @@ def error_table(run):
         return ratio_text(known[0], mean(cases.get("Query"), "error_mean")) if known else DASH
 
     columns = [
-        ("cloud", cloud_of),
+        ("cloud", first_of),
         ("points", lambda cloud, *_: size_text(points(cloud))),
         ("method", lambda _, graph, cases: method_of(graph, cases)),
         ("degree", figure("Build", "degree")),
         ("reach, spacings", reach),
-        ("error: mean / 99.9 % / max", errors_of()),
+        ("error: mean / 99.9 % / max", errors_of("Query")),
         ("unreached", lambda *row: unreached_text(row[-1].get("Query"))),
         ("published mean", published_text),
         ("published / ours", better),
@@ -247,7 +229,7 @@ def speed_table(run):
         )
 
     columns = [
-        ("cloud", cloud_of),
+        ("cloud", first_of),
         ("points", figure("Build", "points", size_text)),
         ("graph (wall)", figure("Build")),
         ("CPU", figure("Build", "cpu_seconds", time_text)),
@@ -256,10 +238,10 @@ def speed_table(run):
         ("its size", figure("Build", "graph_bytes", bytes_text)),
         ("peak: predicted / measured", peak),
         ("query", figure("Query")),
-        ("error: mean / 99.9 % / max", errors_of()),
+        ("error: mean / 99.9 % / max", errors_of("Query")),
         ("graph of the mesh (CPU)", of_mesh(figure("Build"))),
         ("query there", of_mesh(figure("Query"))),
-        ("error there", of_mesh(errors_of())),
+        ("error there", of_mesh(errors_of("Query"))),
     ]
     return tabulate(columns, run.graphs("Speed", ["C/arc"]))
 

@@ -9,21 +9,18 @@ Times are medians over the sources of a mesh. The mean error and the 99.9th perc
 over the sources, the maximum is the largest of all. Ratios are times better than a peer.
 """
 
-import re
-
 from benchmark_results import (
     DASH,
-    collect,
+    Results,
     count_text,
     environment,
-    errors_text,
+    errors_of,
     figure,
+    first_of,
     in_form,
     largest,
-    load,
     mean,
     median,
-    nested,
     ratio_text,
     run_as_script,
     table,
@@ -32,10 +29,6 @@ from benchmark_results import (
     time_text,
 )
 
-GRAPH = re.compile(
-    r"^Graph/(?P<mesh>[^/]+)/(?P<rule>[^/]+)/(?P<parameter>[^/]+)/(?P<case>[A-Za-z]+)(?:/|$)"
-)
-PEER = re.compile(r"^Peer/(?P<mesh>[^/]+)/(?P<peer>[A-Za-z]+)(?:/(?P<case>[A-Za-z]+))?(?:/|$)")
 TITLES = {
     "Exact": "the exact solver",
     "HeatDirect": "heat method (CGAL)",
@@ -44,32 +37,17 @@ TITLES = {
 }
 
 
-class Run:
-    """graphs[mesh][rule, parameter][case] and peers[mesh][peer][case]: {figure: [values]}."""
+class Run(Results):
+    """graphs[mesh][rule, parameter][case] and peers[mesh][peer][case]."""
 
-    def __init__(self, path):
-        self.context, results = load(path)
-        self.graphs = {}
-        self.peers = {}
-        for entry in results:
-            figures = self.figures(entry["name"])
-            if figures is not None:
-                collect(entry, figures)
+    patterns = {
+        "graphs": r"Graph/([^/]+)/([^/]+)/([^/]+)/([A-Za-z]+)(?:/|$)",
+        "peers": r"Peer/([^/]+)/([A-Za-z]+)(?:/([A-Za-z]+))?(?:/|$)",
+    }
 
-    def figures(self, name):
-        """Where the figures of a result of this name go; None when it is not one of ours."""
-        match = GRAPH.match(name)
-        if match:
-            graph = match.group("rule", "parameter")
-            return nested(self.graphs, match["mesh"], graph, match["case"])
-        match = PEER.match(name)
-        return nested(self.peers, *match.group("mesh", "peer", "case")) if match else None
-
-    def graph(self, mesh, rule, parameter):
-        return self.graphs.get(mesh, {}).get((rule, parameter), {})
-
-    def peer(self, mesh, peer):
-        return self.peers.get(mesh, {}).get(peer, {})
+    def key(self, group, match):
+        mesh, *name, case = match.groups()
+        return (mesh, tuple(name) if group == "graphs" else name[0], case)
 
 
 def seconds(cases, case):
@@ -91,10 +69,6 @@ def speed_up(case):
 def title_of(graph, _):
     rule, parameter = graph
     return f"{rule}, {'K' if rule == 'SVG' else 'ε'} = {parameter}"
-
-
-def errors_of(case):
-    return lambda *row: errors_text(row[-1].get(case))
 
 
 def size_table(graphs):
@@ -178,7 +152,7 @@ def query_table(graphs):
 
 def peer_table(run):
     columns = [
-        ("mesh", lambda mesh, *_: mesh),
+        ("mesh", first_of),
         ("vertices", figure("Query", "vertices", count_text)),
         ("peer", lambda _, peer, cases: TITLES[peer]),
         ("precomputation", figure("Precompute")),
@@ -201,11 +175,10 @@ def total(cases, first, second):
 
 def ratio_rows(run, mesh):
     """Each peer against the graph that is to replace it."""
-    coarse = run.graph(mesh, "Guaranteed", "0.1")
-    fine = run.graph(mesh, "Guaranteed", "0.01")
+    coarse, fine = (run.graphs[mesh].get(("Guaranteed", e), {}) for e in ("0.1", "0.01"))
     rows = []
     for peer, title in TITLES.items():
-        cases = run.peer(mesh, peer)
+        cases = run.peers.get(mesh, {}).get(peer, {})
         query = cases.get("Query")
         pairs = [("query, ε = 0.01", seconds(cases, "Query"), seconds(fine, "Corrected"), fine)]
         if "Precompute" in cases:

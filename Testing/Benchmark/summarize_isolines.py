@@ -14,14 +14,13 @@ import re
 
 from benchmark_results import (
     DASH,
-    collect,
+    Results,
     count_text,
     digits,
     environment,
     figure,
-    load,
+    first_of,
     median,
-    nested,
     percent,
     ratio_text,
     run_as_script,
@@ -32,12 +31,6 @@ from benchmark_results import (
     titled,
 )
 
-LINES = re.compile(
-    r"^Isolines/(?P<mesh>[^/]+)/(?P<input>[A-Za-z]+)/(?P<case>[A-Za-z]+[0-9]*)(?:/|$)"
-)
-FIELDS = re.compile(
-    r"^(?P<group>Approximate|Peer)/(?P<mesh>[^/]+)/(?P<method>[A-Za-z]+)/(?P<case>[A-Za-z]+)(?:/|$)"
-)
 METHODS = {
     "Contour": "vtkContourFilter",
     "Apollonius0": "Apollonius, k = 0",
@@ -50,20 +43,17 @@ INPUTS = {"Exact": "exact", "Graph": "DGG", "Heat": "heat", "Marching": "fast ma
 STEINER = re.compile(r"^Apollonius(?P<count>[0-9]+)$")
 
 
-class Run:
-    """lines[mesh][input][case] and fields[mesh][method][case]: {figure: [values]}."""
+class Run(Results):
+    """lines[mesh][input][case] and fields[mesh][method][case]."""
 
-    def __init__(self, path):
-        self.context, results = load(path)
-        self.lines = {}
-        self.fields = {}
-        for entry in results:
-            lines, field = LINES.match(entry["name"]), FIELDS.match(entry["name"])
-            if lines:
-                collect(entry, nested(self.lines, *lines.group("mesh", "input", "case")))
-            elif field:
-                method = field["method"] + (" (CGAL)" if field["group"] == "Peer" else "")
-                collect(entry, nested(self.fields, field["mesh"], method, field["case"]))
+    patterns = {
+        "lines": r"Isolines/([^/]+)/([A-Za-z]+)/([A-Za-z]+[0-9]*)(?:/|$)",
+        "fields": r"(Approximate|Peer)/([^/]+)/([A-Za-z]+)/([A-Za-z]+)(?:/|$)",
+    }
+
+    def key(self, group, match):
+        *origin, mesh, method, case = match.groups()
+        return mesh, method + (" (CGAL)" if origin == ["Peer"] else ""), case
 
     def exact(self):
         """Mesh and cases of isolines of exact distances, small meshes first."""
@@ -89,10 +79,6 @@ def geometric_mean(values):
     for value in values:
         product *= value ** (1.0 / len(values))
     return product
-
-
-def mesh_of(mesh, *_):
-    return mesh
 
 
 def in_percent(case, key="error_mean"):
@@ -148,14 +134,14 @@ def tail_table(run):
     def fallbacks(_, cases):
         return " / ".join(figure(name, "fallbacks")(cases) for name in ("Sources", "Windows"))
 
-    columns = [("mesh", mesh_of)]
+    columns = [("mesh", first_of)]
     columns += [(METHODS[name] + ", %", largest(name)) for name in measured(run, METHODS)]
     return tabulate(columns + [("fallbacks: virtual / windows", fallbacks)], run.exact())
 
 
 def chord_table(run):
     """That the tolerance of chords does not matter, or how much."""
-    columns = [("mesh", mesh_of)]
+    columns = [("mesh", first_of)]
     for title, method in (("windows", "Windows"), ("virtual", "Sources")):
         for name in ("", "Halved", "Drawn"):
             found = [median(cases.get("Windows" + name), "chord") for _, cases in run.exact()]
@@ -166,7 +152,7 @@ def chord_table(run):
 
 def input_table(run):
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("distances", lambda _, title, cases: title),
         ("at vertices: mean, %", in_percent("Input")),
         ("max, %", in_percent("Input", "error_max")),
@@ -190,7 +176,7 @@ def steiner_table(run):
         return f"{taken / 1e6:.3g}"
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("method", lambda _, title, name, cases: title),
         ("error, %", lambda _, title, name, cases: in_percent(name)(cases)),
         ("gain", lambda _, title, name, cases: gain(name)(cases)),
@@ -226,7 +212,7 @@ def time_table(run):
         "SourcesDrawn": "virtual sources",
         "WindowsDrawn": "windows",
     }
-    columns = [("mesh", mesh_of), ("faces", figure("Contour", "faces", count_text))]
+    columns = [("mesh", first_of), ("faces", figure("Contour", "faces", count_text))]
     columns += [(titles[name], figure(name)) for name in measured(run, titles)]
     columns += [
         ("virtual, µs per face", per_face("SourcesDrawn")),
@@ -247,7 +233,7 @@ def field_table(run):
         return lambda _, method, cases: figure(titles[method][1], key)(cases)
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("vertices", figure("Query", "vertices", count_text)),
         ("method", lambda _, method, cases: titles[method][0]),
         ("before queries", before("seconds")),

@@ -8,20 +8,17 @@ Usage: summarize_path.py RESULT.json [TABLE.md]
 The excess of a path is how much longer it is than the shortest one, relative to that.
 """
 
-import re
-
 from benchmark_results import (
     DASH,
+    Results,
     bytes_text,
-    collect,
     count_text,
     digits,
     environment,
     figure,
+    first_of,
     in_form,
-    load,
     median,
-    nested,
     number,
     ratio_text,
     run_as_script,
@@ -30,20 +27,13 @@ from benchmark_results import (
     titled,
 )
 
-NAME = re.compile(r"^(?P<group>Path|Cells|Matrix|Loop)/(?P<mesh>[^/]+)/(?P<case>[A-Za-z]+)(?:/|$)")
 KINDS = {"Raw": "as in the graph", "Straight": "straightened", "Default": "default"}
 
 
-class Run:
-    """groups[group][mesh][case]: {figure: [values]}."""
+class Run(Results):
+    """groups[group][mesh][case]."""
 
-    def __init__(self, path):
-        self.context, results = load(path)
-        self.groups = {}
-        for entry in results:
-            match = NAME.match(entry["name"])
-            if match:
-                collect(entry, nested(self.groups, *match.group("group", "mesh", "case")))
+    patterns = {"groups": r"(Path|Cells|Matrix|Loop)/([^/]+)/([A-Za-z]+)(?:/|$)"}
 
     def meshes(self, group, *cases):
         """Mesh and cases of a group, where one of these cases was measured."""
@@ -80,10 +70,6 @@ def outside_text(figures):
     return f"{count:.0f}: " + joined(figures, ("outside_median", "outside_max"), small)
 
 
-def mesh_of(mesh, *_):
-    return mesh
-
-
 def kinds(run):
     """Mesh, kind of path and cases, of those that were measured."""
     meshes = run.meshes("Path", *KINDS)
@@ -101,7 +87,7 @@ def joined_of(form, *keys):
 
 def path_table(run):
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("vertices", of_kind(lambda figures: count_text(median(figures, "vertices")))),
         ("path", lambda _, kind, cases: KINDS[kind]),
         ("ms: median / 90 % / 99 %", of_kind(milliseconds)),
@@ -127,7 +113,7 @@ def check_table(run):
         return DASH if kind == "Raw" else number(median(cases[kind], "unstraightened"))
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("path", lambda _, kind, cases: KINDS[kind]),
         ("pairs", count("pairs")),
         ("not connected", count("unconnected")),
@@ -143,7 +129,7 @@ def check_table(run):
 
 def before_table(run):
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("graph (wall)", figure("Graph")),
         ("threads", figure("Graph", "threads")),
         ("its size", figure("Graph", "graph_bytes", bytes_text)),
@@ -171,7 +157,7 @@ def peer_table(run):
 
     in_ms = in_form("{:.3g} ms")
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("pairs of vertices", figure("VertexVTK", "pairs")),
         ("vtkDijkstraGraphGeodesicPath", figure("VertexVTK", "ms_mean", in_ms)),
         ("default path", figure("VertexDefault", "ms_mean", in_ms)),
@@ -190,7 +176,7 @@ def cell_table(run):
 
     times = in_form("{:.2f}x")
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("vertices", of_either("vertices", count_text)),
         ("samples", of_either("samples", number)),
         ("farthest points", figure("FarthestPoints")),
@@ -211,7 +197,7 @@ def matrix_table(run):
         return joined(cases["Update"], keys, lambda x: digits(100.0 * x)) + " %"
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("matrix", figure("Update", "size", in_form("{0:.0f} x {0:.0f}"))),
         ("threads", figure("Update", "threads")),
         ("update (wall)", figure("Update")),
@@ -240,7 +226,7 @@ def loop_table(run):
         return number(sum(count for count in counts if count is not None))
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("around handles", figure("AroundHandles")),
         ("loops", loops),
         ("through a point (found / asked)", through("ThroughPoint")),

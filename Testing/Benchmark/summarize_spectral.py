@@ -9,21 +9,18 @@ Times are medians over the sources of a mesh. The order of an error is the slope
 over that of the mean edge, a line fitted to all spheres (least squares).
 """
 
-import re
-
 from benchmark_results import (
     DASH,
+    Results,
     bytes_text,
-    collect,
     environment,
     figure,
     first_median,
+    first_of,
     folded,
     in_form,
     largest,
-    load,
     median,
-    nested,
     number,
     peak_text,
     percent,
@@ -39,12 +36,6 @@ from benchmark_results import (
     titled,
 )
 
-MESH = re.compile(
-    r"^Spectral/(?P<mesh>[^/]+)/(?P<case>Greens/[A-Za-z]+|[A-Za-z]+)(?:/[0-9]+)?(?:/[a-z]|$)"
-)
-PEER = re.compile(r"^Peer/(?P<mesh>[^/]+)/(?P<peer>[A-Za-z]+)/(?P<case>[A-Za-z]+)(?:/|$)")
-SPHERE = re.compile(r"^Convergence/(?P<level>[0-9]+)/(?P<way>[A-Za-z]+)(?:/|$)")
-SPLINES = re.compile(r"^Splines/(?P<sites>[0-9]+)(?:/|$)")
 WAYS = {
     "SingularitySubtraction": "singularity subtraction",
     "RegularPart": "regular parts interpolated",
@@ -65,34 +56,19 @@ ERRORS = {
 }
 
 
-class Run:
-    """meshes[mesh][case], peers[mesh][peer][case], spheres[way][level] and splines[sites]:
-    {figure: [values]}."""
+class Run(Results):
+    """meshes[mesh][case], peers[mesh][peer][case], spheres[way][level] and splines[sites]."""
 
-    def __init__(self, path):
-        self.context, results = load(path)
-        self.meshes = {}
-        self.peers = {}
-        self.spheres = {}
-        self.splines = {}
-        for entry in results:
-            figures = self.figures(entry["name"])
-            if figures is not None:
-                collect(entry, figures)
+    patterns = {
+        "meshes": r"Spectral/([^/]+)/(Greens/[A-Za-z]+|[A-Za-z]+)(?:/[0-9]+)?(?:/[a-z]|$)",
+        "peers": r"Peer/([^/]+)/([A-Za-z]+)/([A-Za-z]+)(?:/|$)",
+        "spheres": r"Convergence/([0-9]+)/([A-Za-z]+)(?:/|$)",
+        "splines": r"Splines/([0-9]+)(?:/|$)",
+    }
 
-    def figures(self, name):
-        """Where the figures of a result of this name go; None when it is not one of ours."""
-        match = MESH.match(name)
-        if match:
-            return nested(self.meshes, match["mesh"], match["case"])
-        match = PEER.match(name)
-        if match:
-            return nested(self.peers, match["mesh"], match["peer"], match["case"])
-        match = SPHERE.match(name)
-        if match:
-            return nested(self.spheres, match["way"], int(match["level"]))
-        match = SPLINES.match(name)
-        return nested(self.splines, int(match["sites"])) if match else None
+    def key(self, group, match):
+        parts = [int(part) if part.isdigit() else part for part in match.groups()]
+        return parts[::-1] if group == "spheres" else parts
 
     def curve(self, way, error):
         """Vertices, mean edge and error on all spheres, coarse ones first."""
@@ -109,10 +85,6 @@ def order(points):
     return slope([(edge, error) for _, edge, error in points])
 
 
-def mesh_of(mesh, *_):
-    return mesh
-
-
 def factor_table(run):
     def vertices(_, cases):
         return size_text(first_median(cases.values(), "vertices"))
@@ -125,7 +97,7 @@ def factor_table(run):
         return time_text(None if together is None else together / columns)
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("vertices", vertices),
         ("factorization", figure("Factor")),
         ("of that, analysis", figure("Factor", "analysis_seconds", time_text)),
@@ -143,7 +115,7 @@ def point_table(run):
         return lambda _, way, figures: form(median(figures, key))
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("Green's function", lambda _, way, figures: WAYS[way]),
         ("a point anywhere", of_way("seconds", time_text)),
         ("with the columns it needs", of_way("first_seconds", time_text)),
@@ -164,7 +136,7 @@ def long_table(run):
         return DASH if value is None else ("yes" if value == 1.0 else "no")
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("eigenpairs", figure("Eigenpairs", "pairs")),
         ("time", figure("Eigenpairs")),
         ("known to be complete", figure("Eigenpairs", "complete", complete)),
@@ -190,7 +162,7 @@ def peer_table(run):
         return text(largest(cases["Column"], "difference"), "{:.1e}")
 
     columns = [
-        ("mesh", mesh_of),
+        ("mesh", first_of),
         ("peer", lambda _, peer, cases: PEERS[peer]),
         ("factorization", figure("Factor")),
         ("/ ours", to_ours("Factor", "seconds", "Factor")),

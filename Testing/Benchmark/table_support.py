@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of tables and plots share: results as the programs write them, cells, pictures."""
+"""Fixtures of the tests of tables and plots: files of results, pictures."""
 
 import json
 import os
@@ -26,14 +26,6 @@ def write_results(name, results):
     with open(path, "w", encoding="utf-8") as file:
         json.dump({"context": {"vtk_version": "9"}, "benchmarks": results}, file)
     return path
-
-
-def cells_of(lines, start, header):
-    """The first row that starts so, by the columns of the first table with this header."""
-    first = next(i for i, line in enumerate(lines) if f"| {header} |" in line)
-    names = [name.strip() for name in lines[first].split("|")[1:-1]]
-    row = next(line for line in lines[first:] if line.startswith(f"| {start} |"))
-    return dict(zip(names, (cell.strip() for cell in row.split("|")[1:-1])))
 
 
 def draw(script, path, name):
