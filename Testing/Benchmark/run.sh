@@ -86,164 +86,145 @@ case "${1:-}" in
     shift
     ;;
 esac
+
+# Settings of each mode: the program and the scripts of its tables and its plot, or the script that
+# measures; scans of --data; further packages.
+program=
+tables="summarize_$mode.py"
+plot=
+picture=
+scans=(bunny armadillo fertility kitten gargoyle)
+packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
+case "$mode" in
+  cloud)
+    program=BenchmarkCloud plot=plot_cloud.py picture=cloud_error.png
+    scans=(awkward/bunny_raw_5holes igea)
+    packages+=(python3-matplotlib)
+    ;;
+  exact) program=BenchmarkExact tables=summarize.py ;;
+  first)
+    tables=first_answer.py
+    scans=(bunny armadillo gargoyle fandisk blade_aniso igea terrain_andes)
+    ;;
+  graph)
+    program=BenchmarkGraph plot=plot_graph.py picture=error_against_degree.png
+    packages+=(python3-matplotlib)
+    ;;
+  isolines)
+    program=BenchmarkIsolines
+    scans+=(igea)
+    ;;
+  local)
+    tables=local_queries.py
+    packages+=(python3-scipy)
+    ;;
+  passrate | thesis)
+    scans=()
+    packages+=(python3-matplotlib)
+    ;;
+  path) program=BenchmarkPath ;;
+  spectral)
+    program=BenchmarkSpectral plot=plot_spectral.py picture=greens_convergence.png
+    scans=(bunny igea)
+    packages+=(python3-matplotlib libsuitesparse-dev)
+    ;;
+esac
+
+# only_for OPTION MODES: ends the script in other modes.
+only_for() {
+  case " $2 " in
+    *" $mode "*) ;;
+    *) dgg_fail "$1 does not apply to the mode $mode. Choose one of: $2." ;;
+  esac
+}
+
 out="$DGG_ROOT/out/benchmark"
 readme=
 libigl=
 arguments=()
 while [ $# -gt 0 ]; do
   case "$1" in
+    --data | --libigl | --out) [ $# -ge 2 ] || dgg_fail "$1 needs a folder" ;;
+  esac
+  case "$1" in
     --out)
-      [ $# -ge 2 ] || dgg_fail "--out needs a folder"
       out="$2"
-      shift 2
+      shift
       ;;
     --data)
-      names=(bunny armadillo fertility kitten gargoyle)
-      [ $# -ge 2 ] || dgg_fail "--data needs a folder"
+      only_for --data "cloud first isolines path spectral thesis"
       case "$mode" in
-        cloud)
-          names=(awkward/bunny_raw_5holes igea)
-          arguments+=("--terrain=$2/terrain_andes.ply" "--speed_mesh=$2/terrain_andes.ply")
-          ;;
-        first) names=(bunny armadillo gargoyle fandisk blade_aniso igea terrain_andes) ;;
-        isolines) names+=(igea) ;;
-        path) ;;
-        spectral) names=(bunny igea) ;;
-        thesis)
-          names=()
-          arguments+=(--data "$2")
-          ;;
-        *) dgg_fail "--data is for the modes cloud, first, isolines, path, spectral and thesis" ;;
+        cloud) arguments+=("--terrain=$2/terrain_andes.ply" "--speed_mesh=$2/terrain_andes.ply") ;;
+        thesis) arguments+=(--data "$2") ;;
       esac
-      for name in ${names[@]+"${names[@]}"}; do
+      for name in ${scans[@]+"${scans[@]}"}; do
         arguments+=("$2/$name.ply")
       done
-      shift 2
+      shift
       ;;
     --full)
+      only_for --full "cloud thesis"
       case "$mode" in
         cloud) arguments+=("--large=sphere:655362") ;;
         thesis) arguments+=(--full) ;;
-        *) dgg_fail "--full is for the modes cloud and thesis" ;;
       esac
-      shift
       ;;
     --libigl)
-      [ $# -ge 2 ] || dgg_fail "--libigl needs a folder"
-      [ "$mode" = spectral ] || dgg_fail "--libigl is for the mode spectral"
+      only_for --libigl spectral
       libigl="$(cd "$2" && pwd)"
-      shift 2
+      shift
       ;;
     --readme)
-      case "$mode" in
-        cloud | first | graph | local | spectral | thesis) readme=yes ;;
-        *) dgg_fail "--readme is for the modes cloud, first, graph, local, spectral and thesis" ;;
-      esac
-      shift
+      only_for --readme "cloud first graph local spectral thesis"
+      readme=yes
       ;;
-    *)
-      arguments+=("$1")
-      shift
-      ;;
+    *) arguments+=("$1") ;;
   esac
+  shift
 done
 
-# measure PROGRAM RESULT: run a program with the remaining arguments.
-measure() {
-  "$build/bin/$1" --benchmark_out="$2" --benchmark_out_format=json \
-    ${arguments[@]+"${arguments[@]}"}
-  echo
-}
-
-measure_exact() {
-  measure BenchmarkExact "$out/exact.json"
-  "$python" "$here/summarize.py" "$out/exact.json" "$out/exact.md"
-  echo "Written: $out/exact.json and $out/exact.md"
-}
-
-# measure_in_python SCRIPT: the mode by a script with the remaining arguments.
-measure_in_python() {
-  "$build/bin/vtkdgg-python" "$here/$1" "$out/$mode.json" "$out/$mode.md" \
-    ${arguments[@]+"${arguments[@]}"}
-  echo "Written: $out/$mode.json and $out/$mode.md"
+# insert: with --readme, puts the tables into the page.
+insert() {
   if [ -n "$readme" ]; then
     "$python" "$here/insert_table.py" "$here/README.md" "$mode" "$out/$mode.md"
     echo "Written: Testing/Benchmark/README.md"
   fi
 }
 
-measure_first() {
-  measure_in_python first_answer.py
-}
-
-measure_local() {
-  measure_in_python local_queries.py
-}
-
-measure_graph() {
-  local plot="$out/error_against_degree.png"
-  measure BenchmarkGraph "$out/graph.json"
-  "$python" "$here/summarize_graph.py" "$out/graph.json" "$out/graph.md"
-  "$python" "$here/plot_graph.py" "$out/graph.json" "$plot"
-  echo "Written: $out/graph.json, $out/graph.md and $plot"
-  if [ -n "$readme" ]; then
-    cp "$plot" "$DGG_ROOT/Examples/Images/error_against_degree.png"
-    "$python" "$here/insert_table.py" "$here/README.md" graph "$out/graph.md"
-    echo "Written: Testing/Benchmark/README.md and Examples/Images/error_against_degree.png"
-  fi
-}
-
-measure_path() {
-  measure BenchmarkPath "$out/path.json"
-  "$python" "$here/summarize_path.py" "$out/path.json" "$out/path.md"
-  echo "Written: $out/path.json and $out/path.md"
-}
-
-measure_isolines() {
-  measure BenchmarkIsolines "$out/isolines.json"
-  "$python" "$here/summarize_isolines.py" "$out/isolines.json" "$out/isolines.md"
-  echo "Written: $out/isolines.json and $out/isolines.md"
-}
-
-measure_cloud() {
-  local plot="$out/cloud_error.png"
-  measure BenchmarkCloud "$out/cloud.json"
-  "$python" "$here/summarize_cloud.py" "$out/cloud.json" "$out/cloud.md"
-  echo "Written: $out/cloud.json and $out/cloud.md"
-  if [ -n "$readme" ]; then
-    "$python" "$here/insert_table.py" "$here/README.md" cloud "$out/cloud.md"
-    echo "Written: Testing/Benchmark/README.md"
-  fi
-  # There is nothing to plot without curves.
-  if "$python" "$here/plot_cloud.py" "$out/cloud.json" "$plot"; then
-    echo "Written: $plot"
+# draw PICTURE COMMAND...: draws a picture, with --readme for the page as well. The command fails where
+# there are no curves.
+draw() {
+  local name="$1"
+  shift
+  if "$@" "$out/$name"; then
+    echo "Written: $out/$name"
     if [ -n "$readme" ]; then
-      cp "$plot" "$DGG_ROOT/Examples/Images/cloud_error.png"
-      echo "Written: Examples/Images/cloud_error.png"
+      cp "$out/$name" "$DGG_ROOT/Examples/Images/$name"
+      echo "Written: Examples/Images/$name"
     fi
   fi
 }
 
-measure_spectral() {
-  local plot="$out/greens_convergence.png"
+measure_by_program() {
   # BLAS below CHOLMOD: one thread, as all others have.
-  OPENBLAS_NUM_THREADS=1 measure BenchmarkSpectral "$out/spectral.json"
-  "$python" "$here/summarize_spectral.py" "$out/spectral.json" "$out/spectral.md"
-  echo "Written: $out/spectral.json and $out/spectral.md"
-  if [ -n "$readme" ]; then
-    "$python" "$here/insert_table.py" "$here/README.md" spectral "$out/spectral.md"
-    dgg_with_display "$build/bin/vtkdgg-python" "$DGG_ROOT/Examples/Python/greens_function.py" \
-      "$DGG_ROOT/Examples/Images/greens_function.png"
-    echo "Written: Testing/Benchmark/README.md and Examples/Images/greens_function.png"
+  OPENBLAS_NUM_THREADS=1 "$build/bin/$program" --benchmark_out="$out/$mode.json" \
+    --benchmark_out_format=json ${arguments[@]+"${arguments[@]}"}
+  echo
+  "$python" "$here/$tables" "$out/$mode.json" "$out/$mode.md"
+  echo "Written: $out/$mode.json and $out/$mode.md"
+  insert
+  [ -z "$plot" ] || draw "$picture" "$python" "$here/$plot" "$out/$mode.json"
+  if [ "$mode" = spectral ] && [ -n "$readme" ]; then
+    draw greens_function.png dgg_with_display "$build/bin/vtkdgg-python" \
+      "$DGG_ROOT/Examples/Python/greens_function.py"
   fi
-  # There is nothing to plot without spheres.
-  if "$python" "$here/plot_spectral.py" "$out/spectral.json" "$plot"; then
-    echo "Written: $plot"
-    if [ -n "$readme" ]; then
-      cp "$plot" "$DGG_ROOT/Examples/Images/greens_convergence.png"
-      echo "Written: Examples/Images/greens_convergence.png"
-    fi
-  fi
+}
+
+measure_by_script() {
+  "$build/bin/vtkdgg-python" "$here/$tables" "$out/$mode.json" "$out/$mode.md" \
+    ${arguments[@]+"${arguments[@]}"}
+  echo "Written: $out/$mode.json and $out/$mode.md"
+  insert
 }
 
 measure_thesis() {
@@ -255,25 +236,9 @@ measure_thesis() {
     --programs "$build/bin" ${page[@]+"${page[@]}"} ${arguments[@]+"${arguments[@]}"}
 }
 
-measure_passrate() {
-  "$build/bin/vtkdgg-python" "$here/passrate.py" "$out" ${arguments[@]+"${arguments[@]}"}
-}
-
-measure_compare() {
-  dgg_with_display "$build/bin/vtkdgg" compare --methods --out "$out/compare" \
-    ${arguments[@]+"${arguments[@]}"}
-}
-
-packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
-case "$mode" in
-  cloud | graph | passrate | thesis) packages+=(python3-matplotlib) ;;
-  local) packages+=(python3-scipy) ;;
-  spectral) packages+=(python3-matplotlib libsuitesparse-dev) ;;
-esac
 with_python=OFF
-[ "$mode" = spectral ] && [ -n "$readme" ] && with_python=ON
-case "$mode" in
-  compare | first | local | passrate | thesis) with_python=ON ;;
+case "$mode$readme" in
+  compare | first* | local* | passrate | spectralyes | thesis*) with_python=ON ;;
 esac
 dgg_install "${packages[@]}"
 
@@ -288,4 +253,15 @@ dgg_build "$build" \
 # The Python that apt's packages are for, if there is one.
 python="$(command -v /usr/bin/python3 || command -v python3)"
 mkdir -p "$out"
-"measure_$mode"
+case "$mode" in
+  compare)
+    dgg_with_display "$build/bin/vtkdgg" compare --methods --out "$out/compare" \
+      ${arguments[@]+"${arguments[@]}"}
+    ;;
+  first | local) measure_by_script ;;
+  passrate)
+    "$build/bin/vtkdgg-python" "$here/passrate.py" "$out" ${arguments[@]+"${arguments[@]}"}
+    ;;
+  thesis) measure_thesis ;;
+  *) measure_by_program ;;
+esac
