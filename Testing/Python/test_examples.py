@@ -72,11 +72,11 @@ class Tutorial(unittest.TestCase):
         folder = support.output_folder("tutorial")
         result = run("tutorial.py", folder)
         self.assertEqual(result.returncode, 0, result.stderr)
-        way, up, across = re.fullmatch(
-            r"(\S+) km, (\S+) km up, .*\nthe neck is \S+ around, (\S+) across\n", result.stdout
+        length, top, across = re.fullmatch(
+            r"(\S+) km, (\S+) km high, .*\nthe neck is \S+ around, (\S+) across\n", result.stdout
         ).groups()
-        self.assertGreater(float(way), np.hypot(9.39, 5.27))  # the straight line
-        self.assertLess(float(up), 1.0)
+        self.assertGreater(float(length), np.hypot(9.39, 5.27))  # the straight line
+        self.assertLess(float(top), 1.0)
         self.assertAlmostEqual(float(across), 0.77, delta=0.03)
         for name in ("terrain", "vessel", "part", "scan"):
             with self.subTest(name):

@@ -100,13 +100,19 @@ class Pages(unittest.TestCase):
             ("README.md", "cpp"): 1,
             ("Examples/README.md", "python"): len(Gallery.EXPECTED),
             ("Examples/Solved.md", "python"): 29,
-            ("Examples/Tutorial.md", "python"): 7,
-            ("Filters/Geodesic/README.md", "py"): 1,
-            ("Filters/PointCloud/README.md", "python"): 1,
+            ("Examples/Tutorial.md", "python"): 5,
+            ("Filters/Geodesic/Curves.md", "python"): 1,
+            ("Filters/Geodesic/Distances.md", "python"): 1,
+            ("Filters/Geodesic/Distances.md", "py"): 1,
+            ("Filters/Geodesic/README.md", "python"): 2,
+            ("Filters/PointCloud/README.md", "python"): 2,
+            ("Filters/Spectral/README.md", "python"): 2,
             ("Readers/README.md", "python"): 2,
             ("Readers/README.md", "cpp"): 1,
             ("Wrapping/ParaView/README.md", "python"): 3,  # tested in ParaView
-            ("Wrapping/Python/README.md", "python"): 4,
+            ("Wrapping/Python/Files.md", "python"): 1,
+            ("Wrapping/Python/Packages.md", "python"): 1,
+            ("Wrapping/Python/README.md", "python"): 2,
         }
         for page in pages.PAGES:
             for language in ("python", "py", "cpp", "cmake"):
@@ -156,18 +162,19 @@ class PythonPage(unittest.TestCase):
     def test_files(self):
         folder = support.output_folder("readme")
         shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
-        block = self.blocks[1]
+        (page,) = pages.blocks("Wrapping/Python/Files.md", "python")
+        block = page
         for name in ("mesh.ply", "distance.ply"):
             block = block.replace(f'"{name}"', repr(os.path.join(folder, name)))
         names = {}
-        self.assertIn(f"# {execute(block, names).strip()}\n", self.blocks[1])
+        self.assertIn(f"# {execute(block, names).strip()}\n", page)
         written = vtkdgg.read(os.path.join(folder, "distance.ply"))
         np.testing.assert_array_equal(written.point_data["distance"], names["d"])
 
     def test_many_queries(self):
         points, triangles = support.bumpy()
         names = {"points": points, "triangles": triangles}
-        execute(self.blocks[2], names)
+        execute(self.blocks[1], names)
         exact = vtkdgg.distance(points, triangles, [0, 10, 20])
         self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
         self.assertEqual(names["m"].shape, (2, 3))
@@ -179,7 +186,7 @@ class PythonPage(unittest.TestCase):
 
     def test_other_packages(self):
         names = {}
-        execute(self.blocks[3], names)
+        execute(pages.blocks("Wrapping/Python/Packages.md", "python")[0], names)
         points, triangles = support.bumpy()
         expected = vtkdgg.distance(points, triangles, 0)
         np.testing.assert_array_equal(names["gdist"].compute_gdist(points, triangles), expected)
@@ -289,9 +296,9 @@ class Gallery(unittest.TestCase):
         ("vtkDiscreteGreensFunction()", r"from 0 to 10: (\S+)"),
         ("vtkBiharmonicDistance()", r"farthest point: (\S+) model units away"),
         ("vtkSurfaceEarthMoversDistance()", r"mass is moved by (\S+) model units on average"),
-        ("vtkHarmonicBSpline()", r"40 functions, of which the sum is 1\.0"),
+        ("vtkHarmonicBSpline()", r"40 functions with the sum 1\.0"),
         ("SetOrderToBiharmonic()", r"from 1\d\S* to 2\d\S* degrees"),
-        ("vtkPoissonVectorGraphics()", r"colours of (\d+) points"),
+        ("vtkPoissonVectorGraphics()", r"colors of (\d+) points"),
         ("vtkPointCloudDGG()", r"farthest point: (\S+) model units away"),
     )
 
@@ -382,8 +389,28 @@ class Gallery(unittest.TestCase):
 
 
 class OtherPages(unittest.TestCase):
+    def test_modules(self):
+        for page, array in (
+            ("Geodesic/README", "distances"),
+            ("Geodesic/Distances", "distance"),
+            ("Geodesic/Curves", "lengths"),
+            ("Spectral/README", "columns"),
+        ):
+            with self.subTest(page):
+                names = {}
+                for block in pages.blocks(f"Filters/{page}.md", "python"):
+                    execute(block.replace("mesh.ply", BUMPY), names)
+                self.assertIn(array, names)
+
+    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    def test_cloud_in_one_solve(self):
+        block = pages.blocks("Filters/PointCloud/README.md", "python")[0]
+        names = {}
+        execute(block.replace("cloud.pcd", write_cloud("solve.pcd")), names)
+        self.assertAlmostEqual(names["distances"].GetRange()[1], np.pi, delta=0.05)
+
     def test_matrix_in_one_line(self):
-        block = pages.blocks("Filters/Geodesic/README.md", "py")[0]
+        block = pages.blocks("Filters/Geodesic/Distances.md", "py")[0]
         self.assertIn(block.strip(), code("Python", "graph_csr.py"))
 
     def test_meshes_in_files(self):
@@ -448,7 +475,7 @@ class OtherPages(unittest.TestCase):
         graph.SetInputData(cloud)
         vtkdgg.check(graph)
         self.assertGreater(graph.GetNumberOfComponents(), 1)
-        block = pages.blocks("Filters/PointCloud/README.md", "python")[0]
+        block = pages.blocks("Filters/PointCloud/README.md", "python")[1]
         execute(block, {"cloud": cloud, "graph": graph})
         vtkdgg.check(graph)
         self.assertEqual(graph.GetNumberOfComponents(), 1)

@@ -1,3 +1,3 @@
-# Links to headings: those within a page become text, those to other pages lead to the page.
+# Links to headings of the same page become text, links to headings of other pages lead to the page.
 s/\[([^]]*)\]\(#[^)]*\)/\1/g
-s/(README\.md)#[^)]*\)/\1)/g
+s/(\.md)#[^)]*\)/\1)/g

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The target doc: the reference of all public headers, and the pages, in the folder html of the build
-# tree. Warnings are in doc.log.
+# Target doc: reference of all public headers and the pages, written to the folder html of the build
+# tree. Warnings go to doc.log.
 
 set(doc_inputs)
 foreach (folder IN ITEMS Filters/Geodesic Filters/PointCloud Filters/Spectral Readers)
@@ -24,23 +24,31 @@ list(APPEND doc_inputs
   Examples/README.md
   Examples/Solved.md
   Examples/Tutorial.md
+  Filters/Geodesic/Curves.md
+  Filters/Geodesic/Distances.md
+  Filters/Geodesic/Input.md
+  Filters/Geodesic/Processes.md
+  Filters/Glossary.md
   Testing/README.md
   Testing/Benchmark/Differences.md
   Testing/Benchmark/README.md
   Testing/Benchmark/Thesis.md
   Wrapping/ParaView/README.md
+  Wrapping/Python/Demo.md
+  Wrapping/Python/Files.md
+  Wrapping/Python/Packages.md
   Wrapping/Python/README.md
   Wrapping/Python/Shell.md
   Wrapping/README.md)
 
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${CMAKE_CURRENT_SOURCE_DIR}/README.md")
 set(DOXYGEN_IMAGE_PATH Examples/Images Testing/Baseline Testing/Benchmark/Images)
-# GitHub's anchors are not those of Doxygen.
+# GitHub and Doxygen derive different anchors from headings.
 set(DOXYGEN_FILTER_PATTERNS
   "*.md=sed -E -f ${CMAKE_CURRENT_SOURCE_DIR}/Wrapping/CMake/vtkDGGAnchors.sed")
-# Between ///@{ and ///@}, one comment is for all members.
+# One comment documents all members between ///@{ and ///@}.
 set(DOXYGEN_DISTRIBUTE_GROUP_DOC YES)
-# What VTK documents.
+# Methods that VTK documents.
 set(DOXYGEN_EXCLUDE_SYMBOLS
   FillInputPortInformation FillOutputPortInformation New PrintSelf ProcessRequest RequestData WriteData
   vtkDGG::Detail)

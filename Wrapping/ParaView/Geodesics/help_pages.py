@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages of the modules as HTML, for the help of ParaView.
+"""Convert pages of the modules to HTML, for the help of ParaView.
 
-Usage: help_pages.py FOLDER PAGE...    (pages are README.md files; FOLDER is written)
+Usage: help_pages.py FOLDER PAGE...    (pages are Markdown files; FOLDER receives the HTML files)
 """
 
 import html
@@ -15,12 +15,12 @@ STYLE = "body { font-family: sans-serif } pre { background: #eee } td, th { bord
 
 
 def file_of(page):
-    """The name of a page in the help, where ParaView has a Readers.html of its own."""
-    return page.parent.name + "Page.html"
+    """File name of a page in the help, which differs from ParaView's own Readers.html."""
+    return (page.parent.name if page.stem == "README" else page.stem) + "Page.html"
 
 
 def inline(text, page, known, folder):
-    """Code, emphasis, links and pictures within a line. Links to what is not in the help are text."""
+    """HTML of a line with code, emphasis, links and pictures. Links to other pages become text."""
 
     def link(match):
         target, _, anchor = match[2].partition("#")
@@ -44,7 +44,7 @@ def inline(text, page, known, folder):
 
 
 def block(text, render):
-    """A paragraph, heading, table, list or block of code."""
+    """HTML of a paragraph, heading, table, list or block of code."""
     lines = text.splitlines()
     if lines[0].startswith("```"):
         return "<pre>" + html.escape("\n".join(lines[1:-1])) + "</pre>"
