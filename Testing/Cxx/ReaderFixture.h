@@ -6,6 +6,7 @@
 #define ReaderFixture_h
 
 #include "FilterTestTools.h"
+#include "MeshDescription.h"
 
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
@@ -23,6 +24,14 @@
 
 namespace dggtest
 {
+/// A file and the expected output or error
+struct FileCase
+{
+  const char* Name;
+  std::string Content;
+  std::string Expected;
+};
+
 template <typename ReaderType>
 class ReaderFixture : public testing::Test
 {
@@ -84,6 +93,36 @@ protected:
     ExpectError(this->Reader, all);
     EXPECT_EQ(this->Reader->GetErrorCode(), code);
     EXPECT_GT(this->ReadWell(this->Good)->GetNumberOfPoints(), 0);
+  }
+
+  /// A defect is an error that names it; the next file is read well.
+  template <std::size_t Count>
+  void Check(const FileCase (&cases)[Count])
+  {
+    for (const FileCase& file : cases)
+    {
+      SCOPED_TRACE(file.Name);
+      const std::string path = this->Write(file.Content);
+      this->Use(path);
+      Listener listener(this->Reader);
+      this->Reader->Update();
+      const bool isRead = this->Reader->GetErrorCode() == vtkErrorCode::NoError;
+      const std::string result = isRead ? Describe(this->Reader->GetOutput())
+        : listener.Errors.empty()       ? ""
+                                        : listener.Errors[0];
+      if (isRead)
+      {
+        EXPECT_EQ(result, file.Expected);
+        EXPECT_TRUE(listener.Errors.empty());
+        EXPECT_TRUE(listener.Warnings.empty());
+      }
+      else
+      {
+        EXPECT_NE(result.find("Cannot read " + path + ": "), std::string::npos) << result;
+        EXPECT_NE(result.find(file.Expected), std::string::npos) << result;
+        ExpectEmptyOutput(this->Reader);
+      }
+    }
   }
 
   /// The last number of `content` has two digits. Without the last one and the line end the file is

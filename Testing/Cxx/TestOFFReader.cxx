@@ -5,16 +5,13 @@
 
 #include "vtkDGGOFFReader.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkPointData.h"
-
 #include <cstdint>
 #include <cstring>
 
 namespace
 {
+using dggtest::FileCase;
+
 const char* const Triangle = "OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
 class OFFReader : public dggtest::ReaderFixture<vtkDGGOFFReader>
@@ -41,37 +38,6 @@ protected:
     }
   }
 };
-
-void ExpectPoint(vtkPolyData* data, vtkIdType id, double x, double y, double z)
-{
-  double p[3];
-  data->GetPoint(id, p);
-  EXPECT_EQ(p[0], x);
-  EXPECT_EQ(p[1], y);
-  EXPECT_EQ(p[2], z);
-}
-
-void ExpectCell(vtkPolyData* data, vtkIdType id, const std::vector<vtkIdType>& expected)
-{
-  vtkNew<vtkIdList> ids;
-  data->GetCellPoints(id, ids);
-  ASSERT_EQ(ids->GetNumberOfIds(), static_cast<vtkIdType>(expected.size()));
-  for (std::size_t i = 0; i < expected.size(); ++i)
-  {
-    EXPECT_EQ(ids->GetId(static_cast<vtkIdType>(i)), expected[i]);
-  }
-}
-
-void ExpectTuple(vtkDataArray* array, vtkIdType id, const std::vector<double>& expected)
-{
-  ASSERT_NE(array, nullptr);
-  ASSERT_EQ(array->GetNumberOfComponents(), static_cast<int>(expected.size()));
-  for (std::size_t c = 0; c < expected.size(); ++c)
-  {
-    EXPECT_EQ(array->GetComponent(id, static_cast<int>(c)), expected[c])
-      << array->GetName() << " " << id << " " << c;
-  }
-}
 
 /// Bytes of binary files, most significant first.
 class BinaryFile
@@ -115,190 +81,92 @@ public:
 private:
   std::string Bytes;
 };
+
+const std::string Zeros(400, '0');
+const char* const Corners = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string TriangleLines = std::string(Corners) + "3 0 1 2\n";
+const char* const TriangleContents = "0 0 0, 1 0 0, 0 1 0 | polys 0 1 2";
+const char* const RichContents =
+  "1 2 3 | active Normals double 0 0 1 | active TCoords double 0.5 0.25 "
+  "| active RGBA unsigned char 10 20 30 40";
+
+const FileCase Cases[] = {
+  { "numbers", "OFF\n4 2 5\n0 0 0\n1.5 0 0\n0 -2.25e1 0\n+1 .5 1e-3\n3 0 1 2\n3 1 3 2\n",
+    "0 0 0, 1.5 0 0, 0 -22.5 0, 1 0.5 0.001 | polys 0 1 2, 1 3 2" },
+  { "double digits", "OFF 1 0 0\n0.1 3.14159265358979323846 123456789.123456789\n",
+    "0.1 3.141592653589793 123456789.12345679" },
+  { "numbers too small for doubles", "OFF 1 0 0\n0." + Zeros + "1 0." + Zeros + "1e10 0\n",
+    "0 0 0" },
+  { "number too large for doubles", "OFF 1 0 0\n1" + Zeros + "e-10 0 0\n", "is out of range" },
+  { "comments and blank lines",
+    "# a\n\nOFF # b\n\n  # c\n3 1 0 # d\n\n0 0 0\n# e\n1 0 0 # f\n\t0 1 0\n\n3 0 1 2 # g\n# h\n",
+    TriangleContents },
+  { "line ends of Windows", "OFF\r\n1 0 0\r\n0 1 0\r\n", "0 1 0" },
+  { "lone carriage returns", "OFF\r1 0 0\r0 1 0\r", "0 1 0" },
+  { "counts beside the keyword", "OFF 3 1 3\n" + TriangleLines, TriangleContents },
+  { "no count of edges", "OFF 3 1\n" + TriangleLines, TriangleContents },
+  { "two counts below the keyword", "OFF\n3 1\n" + TriangleLines, TriangleContents },
+  { "counts on three lines", "OFF\n3\n1\n3\n" + TriangleLines, TriangleContents },
+  { "counts on two lines", "OFF\n3 1\n3\n" + TriangleLines, TriangleContents },
+  { "keyword joined to the counts", "OFF3 1 0\n" + TriangleLines, TriangleContents },
+  { "no keyword", "3 1 0\n" + TriangleLines, TriangleContents },
+  { "two counts after a comment", "# c\n3 1\n" + TriangleLines, TriangleContents },
+  { "lower case", "off\n3 1 0\n" + TriangleLines, TriangleContents },
+  { "lower case joined to the counts", "off3 1 0\n" + TriangleLines, TriangleContents },
+  { "lower case with colors", "coff 1 0 0\n0 0 0 1 2 3\n",
+    "0 0 0 | active RGB unsigned char 1 2 3" },
+  { "colors without C", "OFF 2 0 0\n0 0 0 1 2 3 4\n1 0 0 5 6 7 8\n",
+    "0 0 0, 1 0 0 | active RGBA unsigned char 1 2 3 4, 5 6 7 8" },
+  { "records on several lines", "OFF 3 1 0\n0\n0 0\n1 0\n0\n0 1 0\n3\n0 1\n2 255 0 0\n",
+    TriangleContents + std::string(" | cells active RGB unsigned char 255 0 0") },
+  { "cells of all kinds, one without a color",
+    "OFF 5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 2\n4 0 1 2 3 10 0 0\n2 0 2 20 0 0\n1 4 30 0 0\n"
+    "3 0 1 2\n5 0 1 2 3 4 50 0 0\n",
+    "0 0 0, 1 0 0, 1 1 0, 0 1 0, 2 2 2 | verts 4 | lines 0 2 | polys 0 1 2 3, 0 1 2, 0 1 2 3 4 "
+    "| cells active RGB unsigned char 30 0 0, 20 0 0, 10 0 0, 170 170 170, 50 0 0" },
+  { "integer colors", "COFF\n2 0 0\n0 0 0 255 128 0\n1 1 1 1 2 3\n",
+    "0 0 0, 1 1 1 | active RGB unsigned char 255 128 0, 1 2 3" },
+  { "integer colors with alpha", "COFF\n2 0 0\n0 0 0 255 128 0 64\n1 1 1 1 2 3 255\n",
+    "0 0 0, 1 1 1 | active RGBA unsigned char 255 128 0 64, 1 2 3 255" },
+  { "fractions", "COFF\n2 0 0\n0 0 0 1.0 0.5 0.0\n1 1 1 0 1 0\n",
+    "0 0 0, 1 1 1 | active RGB unsigned char 255 128 0, 0 255 0" },
+  { "fractions with alpha", "COFF\n2 0 0\n0 0 0 1. 0. .2 0.4\n1 1 1 1 1 1 1\n",
+    "0 0 0, 1 1 1 | active RGBA unsigned char 255 0 51 102, 255 255 255 255" },
+  { "integers of which none is above 1", "COFF\n2 0 0\n0 0 0 1 0 0\n1 1 1 0 1 1\n",
+    "0 0 0, 1 1 1 | active RGB unsigned char 255 0 0, 0 255 255" },
+  { "alpha of one color only", "COFF\n2 0 0\n0 0 0 10 20 30\n1 1 1 40 50 60 70\n",
+    "0 0 0, 1 1 1 | active RGBA unsigned char 10 20 30 255, 40 50 60 70" },
+  { "colors of faces", std::string("OFF 3 2 0\n") + Corners + "3 0 1 2 0.2 0.4 0.6 0.8\n3 0 2 1\n",
+    "0 0 0, 1 0 0, 0 1 0 | polys 0 1 2, 0 2 1 "
+    "| cells active RGBA unsigned char 51 102 153 204, 170 170 170 255" },
+  { "ids of colors", std::string("OFF 3 2 0\n") + Corners + "3 0 1 2 7\n3 0 2 1 8\n",
+    "0 0 0, 1 0 0, 0 1 0 | polys 0 1 2, 0 2 1" },
+  { "all prefixes", "STCNOFF 1 0 0\n1 2 3 0 0 1 10 20 30 40 0.5 0.25\n", RichContents },
+  { "all prefixes, C first", "CNSTOFF 1 0 0\n1 2 3 0 0 1 10 20 30 40 0.5 0.25\n", RichContents },
+  { "all prefixes, N first", "NCSTOFF 1 0 0\n1 2 3 0 0 1 10 20 30 40 0.5 0.25\n", RichContents },
+  { "colors of three numbers before texture coordinates", "STCOFF 1 0 0\n1 2 3 10 20 30 0.5 0.25\n",
+    "1 2 3 | active TCoords double 0.5 0.25 | active RGB unsigned char 10 20 30" },
+  { "binary",
+    BinaryFile("STCNOFF")
+        .Ints({ 1, 1, 0 })
+        .Floats({ 1, 2, 3, 0, 0, 1, 1.0f, 0.2f, 0.4f, 0.6f, 0.5f, 0.25f })
+        .Ints({ 1, 0, 4 })
+        .Floats({ 1.0f, 0.0f, 0.0f, 1.0f })
+        .Get() +
+      "\n",
+    "float 1 2 3 | verts 0 | active Normals double 0 0 1 | active TCoords double 0.5 0.25 "
+    "| active RGBA unsigned char 255 51 102 153 | cells active RGBA unsigned char 255 0 0 255" },
+};
 }
 
-TEST_F(OFFReader, ReadsPlainFile)
+TEST_F(OFFReader, ReadsOrRefuses)
 {
-  vtkPolyData* output = this->ReadWell("OFF\n4 2 5\n0 0 0\n1.5 0 0\n0 -2.25e1 0\n+1 .5 1e-3\n"
-                                       "3 0 1 2\n3 1 3 2\n");
-  ASSERT_EQ(output->GetNumberOfPoints(), 4);
-  ASSERT_EQ(output->GetNumberOfPolys(), 2);
-  ExpectPoint(output, 2, 0.0, -22.5, 0.0);
-  ExpectPoint(output, 3, 1.0, 0.5, 1e-3);
-  ExpectCell(output, 0, { 0, 1, 2 });
-  ExpectCell(output, 1, { 1, 3, 2 });
-  EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
-  EXPECT_EQ(output->GetPointData()->GetNumberOfArrays(), 0);
-  EXPECT_EQ(output->GetCellData()->GetNumberOfArrays(), 0);
-}
-
-TEST_F(OFFReader, KeepsFullPrecision)
-{
-  vtkPolyData* output =
-    this->ReadWell("OFF 1 0 0\n0.1 3.14159265358979323846 123456789.123456789\n");
-  ExpectPoint(output, 0, 0.1, 3.14159265358979323846, 123456789.123456789);
+  this->Check(Cases);
 }
 
 TEST_F(OFFReader, WarnsOfTruncatedLastNumbers)
 {
   this->ExpectWarningIfCut("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 10 20 30\n");
-}
-
-TEST_F(OFFReader, PassesOverCommentsAndBlankLines)
-{
-  vtkPolyData* output = this->ReadWell(
-    "# made by hand\n\nOFF # a comment\n\n  # counts\n3 1 0 # three\n\n0 0 0\n# middle\n"
-    "1 0 0 # second\n\t0 1 0\n\n3 0 1 2 # the face\n# end\n");
-  EXPECT_EQ(output->GetNumberOfPoints(), 3);
-  EXPECT_EQ(output->GetNumberOfPolys(), 1);
-}
-
-TEST_F(OFFReader, AcceptsAnyLineEnds)
-{
-  for (const char* end : { "\n", "\r\n", "\r" })
-  {
-    std::string content;
-    for (const char c : std::string("COFF\n3 1 0\n0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n"
-                                    "3 0 1 2\n"))
-    {
-      content += c == '\n' ? end : std::string(1, c);
-    }
-    vtkPolyData* output = this->ReadWell(content);
-    EXPECT_EQ(output->GetNumberOfPolys(), 1);
-    ExpectTuple(output->GetPointData()->GetScalars(), 2, { 0, 0, 255 });
-  }
-}
-
-TEST_F(OFFReader, AcceptsCountsInAllPlaces)
-{
-  const std::string rest = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-  for (const char* counts :
-    { "OFF 3 1 3\n", "OFF 3 1\n", "OFF\n3 1\n", "OFF\n3\n1\n3\n", "OFF\n3 1\n3\n" })
-  {
-    vtkPolyData* output = this->ReadWell(counts + rest);
-    EXPECT_EQ(output->GetNumberOfPoints(), 3) << counts;
-    EXPECT_EQ(output->GetNumberOfPolys(), 1) << counts;
-    ExpectPoint(output, 1, 1.0, 0.0, 0.0);
-  }
-}
-
-TEST_F(OFFReader, AcceptsDialects)
-{
-  for (const char* head : { "OFF3 1 0\n", "3 1 0\n", "# c\n3 1\n", "off\n3 1 0\n", "off3 1 0\n" })
-  {
-    SCOPED_TRACE(head);
-    vtkPolyData* output =
-      this->ReadWell(std::string(head) + "0 0 0\n1 0 0\n0 512345.678 0\n3 0 1 2\n");
-    ASSERT_EQ(output->GetNumberOfPoints(), 3);
-    ExpectPoint(output, 2, 0.0, 512345.678, 0.0);
-    ExpectCell(output, 0, { 0, 1, 2 });
-  }
-  ExpectTuple(
-    this->ReadWell("coff 1 0 0\n0 0 0 1 2 3\n")->GetPointData()->GetScalars(), 0, { 1, 2, 3 });
-  ExpectTuple(
-    this->ReadWell("OFF 2 0 0\n0 0 0 1 2 3 4\n1 0 0 5 6 7 8\n")->GetPointData()->GetArray("RGBA"),
-    1, { 5, 6, 7, 8 });
-}
-
-TEST_F(OFFReader, AcceptsRecordsSpreadOverLines)
-{
-  vtkPolyData* output = this->ReadWell("OFF 3 1 0\n0\n0 0\n1 0\n0\n0 1 0\n3\n0 1\n2 255 0 0\n");
-  ExpectPoint(output, 1, 1.0, 0.0, 0.0);
-  ExpectCell(output, 0, { 0, 1, 2 });
-  ExpectTuple(output->GetCellData()->GetScalars(), 0, { 255, 0, 0 });
-}
-
-TEST_F(OFFReader, SortsCellsByKind)
-{
-  vtkPolyData* output = this->ReadWell("OFF 5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 2\n"
-                                       "4 0 1 2 3 10 0 0\n2 0 2 20 0 0\n1 4 30 0 0\n"
-                                       "3 0 1 2\n5 0 1 2 3 4 50 0 0\n");
-  ASSERT_EQ(output->GetNumberOfVerts(), 1);
-  ASSERT_EQ(output->GetNumberOfLines(), 1);
-  ASSERT_EQ(output->GetNumberOfPolys(), 3);
-  ExpectCell(output, 0, { 4 });
-  ExpectCell(output, 1, { 0, 2 });
-  ExpectCell(output, 2, { 0, 1, 2, 3 });
-  ExpectCell(output, 3, { 0, 1, 2 });
-  ExpectCell(output, 4, { 0, 1, 2, 3, 4 });
-  vtkDataArray* colors = output->GetCellData()->GetScalars();
-  ASSERT_NE(colors, nullptr);
-  EXPECT_EQ(colors->GetDataType(), VTK_UNSIGNED_CHAR);
-  EXPECT_STREQ(colors->GetName(), "RGB");
-  ExpectTuple(colors, 0, { 30, 0, 0 });
-  ExpectTuple(colors, 1, { 20, 0, 0 });
-  ExpectTuple(colors, 2, { 10, 0, 0 });
-  ExpectTuple(colors, 3, { 170, 170, 170 }); // none of its own: grey
-  ExpectTuple(colors, 4, { 50, 0, 0 });
-}
-
-TEST_F(OFFReader, ReadsVertexColors)
-{
-  struct
-  {
-    const char* Colors[2];
-    std::vector<double> Expected[2];
-  } const cases[] = {
-    { { "255 128 0", "1 2 3" }, { { 255, 128, 0 }, { 1, 2, 3 } } },
-    { { "255 128 0 64", "1 2 3 255" }, { { 255, 128, 0, 64 }, { 1, 2, 3, 255 } } },
-    { { "1.0 0.5 0.0", "0 1 0" }, { { 255, 128, 0 }, { 0, 255, 0 } } },
-    { { "1. 0. .2 0.4", "1 1 1 1" }, { { 255, 0, 51, 102 }, { 255, 255, 255, 255 } } },
-    { { "1 0 0", "0 1 1" }, { { 255, 0, 0 }, { 0, 255, 255 } } }, // nothing above 1: fractions
-    { { "10 20 30", "40 50 60 70" }, { { 10, 20, 30, 255 }, { 40, 50, 60, 70 } } },
-  };
-  for (const auto& c : cases)
-  {
-    SCOPED_TRACE(c.Colors[0]);
-    std::ostringstream content;
-    content << "COFF\n2 0 0\n0 0 0 " << c.Colors[0] << "\n1 1 1 " << c.Colors[1] << "\n";
-    vtkDataArray* colors = this->ReadWell(content.str())->GetPointData()->GetScalars();
-    ASSERT_NE(colors, nullptr);
-    EXPECT_EQ(colors->GetDataType(), VTK_UNSIGNED_CHAR);
-    EXPECT_STREQ(colors->GetName(), c.Expected[0].size() == 4 ? "RGBA" : "RGB");
-    ExpectTuple(colors, 0, c.Expected[0]);
-    ExpectTuple(colors, 1, c.Expected[1]);
-  }
-}
-
-TEST_F(OFFReader, ReadsFaceColors)
-{
-  const std::string head = "OFF 3 2 0\n0 0 0\n1 0 0\n0 1 0\n";
-  vtkDataArray* colors =
-    this->ReadWell(head + "3 0 1 2 0.2 0.4 0.6 0.8\n3 0 2 1\n")->GetCellData()->GetScalars();
-  ExpectTuple(colors, 0, { 51, 102, 153, 204 });
-  ExpectTuple(colors, 1, { 170, 170, 170, 255 });
-  // Indices into a table of colors are passed over.
-  EXPECT_EQ(this->ReadWell(head + "3 0 1 2 7\n3 0 2 1 8\n")->GetCellData()->GetNumberOfArrays(), 0);
-}
-
-TEST_F(OFFReader, ReadsEverythingTogether)
-{
-  for (const char* keyword : { "STCNOFF", "CNSTOFF", "NCSTOFF" })
-  {
-    vtkPolyData* output =
-      this->ReadWell(std::string(keyword) + " 1 1 0\n1 2 3 0 0 1 10 20 30 40 0.5 0.25\n1 0\n");
-    ExpectPoint(output, 0, 1.0, 2.0, 3.0);
-    ExpectTuple(output->GetPointData()->GetNormals(), 0, { 0.0, 0.0, 1.0 });
-    ExpectTuple(output->GetPointData()->GetScalars(), 0, { 10, 20, 30, 40 });
-    ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
-  }
-  // Three components of color beside texture coordinates.
-  vtkPolyData* output = this->ReadWell("STCOFF 1 0 0\n1 2 3 10 20 30 0.5 0.25\n");
-  ExpectTuple(output->GetPointData()->GetScalars(), 0, { 10, 20, 30 });
-  ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
-}
-
-TEST_F(OFFReader, ReadsBinaryWithEverything)
-{
-  BinaryFile file("STCNOFF");
-  file.Ints({ 1, 1, 0 }).Floats({ 1, 2, 3, 0, 0, 1, 1.0f, 0.2f, 0.4f, 0.6f, 0.5f, 0.25f });
-  file.Ints({ 1, 0, 4 }).Floats({ 1.0f, 0.0f, 0.0f, 1.0f });
-  vtkPolyData* output = this->ReadWell(file.Get() + "\n");
-  ExpectTuple(output->GetPointData()->GetNormals(), 0, { 0.0, 0.0, 1.0 });
-  ExpectTuple(output->GetPointData()->GetScalars(), 0, { 255, 51, 102, 153 });
-  ExpectTuple(output->GetPointData()->GetTCoords(), 0, { 0.5, 0.25 });
-  ExpectTuple(output->GetCellData()->GetScalars(), 0, { 255, 0, 0, 255 });
-  EXPECT_EQ(output->GetNumberOfVerts(), 1);
 }
 
 TEST_F(OFFReader, RefusesBadKeyword)
@@ -427,28 +295,4 @@ TEST_F(OFFReader, RefusesBadBinary)
     points(1).Ints({ 3, 0, 1, 2, 3 }).Floats({ 0, 2, 0 }).Get(), format, "byte 91", "out of range");
   this->ExpectRefused(
     points(1).Ints({ 3, 0, 1, 2, 0, 9 }).Get(), format, "byte 79", "4 bytes follow");
-}
-
-TEST_F(OFFReader, ReportsFilesThatCannotBeRead)
-{
-  this->CheckFilesThatCannotBeRead();
-}
-
-TEST_F(OFFReader, ReportsProgressAndStops)
-{
-  std::string content = "OFF 300000 0 0\n";
-  for (int i = 0; i < 300000; ++i)
-  {
-    content += std::to_string(i) + " 0 0\n";
-  }
-  this->CheckProgress(content, 300000);
-}
-
-TEST_F(OFFReader, TakesOutOfRangeNumbersByTheirPowerOfTen)
-{
-  const std::string zeros(400, '0');
-  ExpectPoint(
-    this->ReadWell("OFF 1 0 0\n0." + zeros + "1 0." + zeros + "1e10 0\n"), 0, 0.0, 0.0, 0.0);
-  this->ExpectRefused("OFF 1 0 0\n1" + zeros + "e-10 0 0\n", vtkErrorCode::FileFormatError,
-    "line 2", "is out of range");
 }
