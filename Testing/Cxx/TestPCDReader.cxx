@@ -4,18 +4,15 @@
 #include "FilterTestTools.h"
 #include "PCDTestTools.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkPointData.h"
 
-#include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace
 {
+using dggtest::FileCase;
 using dggtest::GoodPCD;
 using dggtest::PCDLines;
 using dggtest::Sizes;
@@ -39,176 +36,110 @@ void ExpectTuple(vtkDataArray* array, vtkIdType id, const std::vector<double>& e
   }
 }
 
-TEST_F(PCDReader, ReadsText)
+/// A header with other values in some lines.
+std::string Header(std::string PCDLines::*line, const std::string& value, PCDLines lines = {})
 {
-  vtkPolyData* cloud = this->ReadWell(GoodPCD);
-  ASSERT_EQ(cloud->GetNumberOfPoints(), 2);
-  EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_FLOAT);
-  ExpectTuple(cloud->GetPoints()->GetData(), 1, { 3, 4, 5 });
-  EXPECT_EQ(cloud->GetPointData()->GetNumberOfArrays(), 0);
-  // One vertex per point, so that they are seen.
-  ASSERT_EQ(cloud->GetNumberOfVerts(), 2);
-  vtkNew<vtkIdList> ids;
-  cloud->GetCellPoints(1, ids);
-  ASSERT_EQ(ids->GetNumberOfIds(), 1);
-  EXPECT_EQ(ids->GetId(0), 1);
-  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Viewpoint"), 3, { 1 });
-  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Dimensions"), 0, { 2 });
-  ExpectTuple(cloud->GetFieldData()->GetArray("PCD.Dimensions"), 1, { 1 });
+  lines.*line = value;
+  return lines.Format();
 }
 
-TEST_F(PCDReader, ReadsBinary)
+const std::string Zeros(400, '0');
+const std::string DoubleHeader = "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nPOINTS 1\nDATA ascii\n";
+const std::string BinaryHeader = Header(&PCDLines::Data, "binary");
+const std::string CompressedHeader = Header(&PCDLines::Data, "binary_compressed");
+/// Fields beside the coordinates; one point.
+std::string Fields(const std::string& fields, const std::string& size, const std::string& type,
+  const std::string& count, const std::string& data)
 {
-  PCDLines lines;
-  lines.Data = "binary";
-  const std::string content = lines.Format() + Floats({ 0, 1, 2, 3, 4.5f, 5 });
-  vtkPolyData* cloud = this->ReadWell(content);
-  ASSERT_EQ(cloud->GetNumberOfPoints(), 2);
-  ExpectTuple(cloud->GetPoints()->GetData(), 1, { 3, 4.5, 5 });
-  // PCL fills pages with zeros.
-  EXPECT_EQ(this->ReadWell(content + std::string(500, '\0'))->GetNumberOfPoints(), 2);
+  return PCDLines{ fields, size, type, count, "1", "1", "", "1", data }.Format();
 }
-
-TEST_F(PCDReader, ReadsCompressed)
+std::string PaddingHeader(const std::string& data)
 {
-  // Two literals and a copy, made by hand: x x, y y, z z, of which all but the first four bytes are
-  // repetitions.
-  PCDLines lines;
-  lines.Data = "binary_compressed";
-  const std::string data = std::string("\x03") + Floats({ 1.5f }) + "\xE0\x0B\x03";
-  vtkPolyData* cloud =
-    this->ReadWell(lines.Format() + Sizes(static_cast<std::uint32_t>(data.size()), 24) + data);
-  ASSERT_EQ(cloud->GetNumberOfPoints(), 2);
-  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 1.5, 1.5, 1.5 });
-  ExpectTuple(cloud->GetPoints()->GetData(), 1, { 1.5, 1.5, 1.5 });
+  return Fields("x _ y z _ i", "4 1 4 4 2 4", "F U F F I F", "1 3 1 1 2 1", data);
 }
+const char* const PaddingContents = "float 1 2 3 | verts 0 | i float 4";
+const std::string TwoLines = "0 1 2\n3 4 5\n";
+const char* const TwoPoints = "float 0 1 2, 3 4 5 | verts 0, 1";
 
-TEST_F(PCDReader, DistinguishesTooSmallFromTooLarge)
-{
-  // Numbers with many zeros, whose exponents have the other sign.
-  const std::string zeros(400, '0');
-  const std::string head = "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nPOINTS 1\nDATA ascii\n";
-  vtkPolyData* cloud = this->ReadWell(head + "0." + zeros + "1e+10 -1e-400 0." + zeros + "1\n");
-  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 0.0, 0.0, 0.0 });
-  for (const std::string& number : { "1" + zeros + "e-10", "1" + zeros, std::string("-1e+400") })
-  {
-    this->Reader->SetFileName(this->Write(head + number + " 0 0\n").c_str());
-    this->Reader->Modified();
-    dggtest::ExpectError(this->Reader, { "is out of range" });
-  }
-}
-
-TEST_F(PCDReader, MakesDoublesOfOtherCoordinates)
-{
-  PCDLines lines;
-  lines.Size = "4 8 2";
-  lines.Type = "F F I";
-  vtkPolyData* cloud = this->ReadWell(lines.Format() + "0.5 0.1 -7\n1 2 3\n");
-  EXPECT_EQ(cloud->GetPoints()->GetDataType(), VTK_DOUBLE);
-  ExpectTuple(cloud->GetPoints()->GetData(), 0, { 0.5, 0.1, -7 });
-}
-
-TEST_F(PCDReader, TakesFieldsOfOtherShapesAsTheyAre)
-{
-  PCDLines lines;
-  lines.Fields = "x y z rgb rgba normal_x normal_y";
-  lines.Size = "4 4 4 1 4 4 4";
-  lines.Type = "F F F U F F F";
-  lines.Count = "1 1 1 3 2 1 1";
-  vtkPolyData* cloud =
-    this->ReadWell(lines.Format() + "1 2 3 4 5 6 7 8 9 10\n0 0 0 0 0 0 0 0 0 0\n");
-  vtkPointData* data = cloud->GetPointData();
-  EXPECT_EQ(data->GetNormals(), nullptr);
-  EXPECT_EQ(data->GetScalars(), nullptr);
-  ExpectTuple(data->GetArray("rgb"), 0, { 4, 5, 6 });
-  ExpectTuple(data->GetArray("rgba"), 0, { 7, 8 });
-  ExpectTuple(data->GetArray("normal_y"), 0, { 10 });
-}
-
-TEST_F(PCDReader, ColorsInAFloat)
-{
-  PCDLines lines;
-  lines.Fields = "x y z rgb";
-  lines.Size = "4 4 4 4";
-  lines.Type = "F F F F";
-  lines.Count.clear();
-  lines.Data = "binary";
-  lines.Width = lines.Points = "1";
-  const std::uint32_t packed = 0xFFFFC080; // not a number as a float
-  float asFloat = 0.0f;
-  std::memcpy(&asFloat, &packed, 4);
-  ExpectTuple(this
-                ->ReadWell(lines.Format() + Floats({ 0, 0, 0 }) +
-                  std::string(reinterpret_cast<const char*>(&packed), 4))
-                ->GetPointData()
-                ->GetScalars(),
-    0, { 255, 192, 128 });
-  // Files of old have it as text: 0x00404080 is a tiny number.
-  lines.Data = "ascii";
-  ExpectTuple(
-    this->ReadWell(lines.Format() + "0 0 0 5.900609994354369e-39\n")->GetPointData()->GetScalars(),
-    0, { 64, 64, 128 });
-}
-
-TEST_F(PCDReader, PassesOverPadding)
-{
-  PCDLines lines;
-  lines.Fields = "x _ y z _ i";
-  lines.Size = "4 1 4 4 2 4";
-  lines.Type = "F U F F I F";
-  lines.Count = "1 3 1 1 2 1";
-  lines.Width = lines.Points = "1";
-  const auto check = [this](const std::string& content) {
-    vtkPolyData* cloud = this->ReadWell(content);
-    ExpectTuple(cloud->GetPoints()->GetData(), 0, { 1, 2, 3 });
-    ASSERT_EQ(cloud->GetPointData()->GetNumberOfArrays(), 1);
-    ExpectTuple(cloud->GetPointData()->GetArray("i"), 0, { 4 });
-  };
-  check(lines.Format() + "1 0 0 nothing 2 3 0 0 4\n");
-  lines.Data = "binary";
-  const std::string two("##", 2);
-  check(lines.Format() + Floats({ 1 }) + "###" + Floats({ 2, 3 }) + two + two + Floats({ 4 }));
-  // Compressed data do not have it with PCL, and may with others.
-  lines.Data = "binary_compressed";
-  check(lines.Format() + Sizes(17, 16) + "\x0F" + Floats({ 1, 2, 3, 4 }));
-  check(lines.Format() + Sizes(24, 23) + "\x16" + Floats({ 1 }) + "###" + Floats({ 2, 3 }) + two +
-    two + Floats({ 4 }));
-}
-
-TEST_F(PCDReader, KeepsPointsWithoutAPlace)
-{
-  vtkPolyData* cloud = this->ReadWell(
+const FileCase Cases[] = {
+  { "text", GoodPCD, TwoPoints },
+  { "binary", BinaryHeader + Floats({ 0, 1, 2, 3, 4.5f, 5 }), "float 0 1 2, 3 4.5 5 | verts 0, 1" },
+  { "binary, filled up with zeros as by PCL",
+    BinaryHeader + Floats({ 0, 1, 2, 3, 4.5f, 5 }) + std::string(500, '\0'),
+    "float 0 1 2, 3 4.5 5 | verts 0, 1" },
+  // Four literal bytes, which are repeated to the end.
+  { "compressed", CompressedHeader + Sizes(8, 24) + "\x03" + Floats({ 1.5f }) + "\xE0\x0B\x03",
+    "float 1.5 1.5 1.5, 1.5 1.5 1.5 | verts 0, 1" },
+  { "numbers too small for doubles",
+    DoubleHeader + "0." + Zeros + "1e+10 -1e-400 0." + Zeros + "1\n", "0 0 0 | verts 0" },
+  { "digits too large for doubles", DoubleHeader + "1" + Zeros + " 0 0\n", "is out of range" },
+  { "digits too large with an exponent below zero", DoubleHeader + "1" + Zeros + "e-10 0 0\n",
+    "is out of range" },
+  { "exponent too large for doubles", DoubleHeader + "-1e+400 0 0\n", "is out of range" },
+  { "coordinates of several types",
+    Header(&PCDLines::Type, "F F I", { "x y z", "4 8 2" }) + "0.5 0.1 -7\n1 2 3\n",
+    "0.5 0.1 -7, 1 2 3 | verts 0, 1" },
+  { "colors and normals of other shapes",
+    Fields("x y z rgb rgba normal_x normal_y", "4 4 4 1 4 4 4", "F F F U F F F", "1 1 1 3 2 1 1",
+      "ascii") +
+      "1 2 3 4 5 6 7 8 9 10\n",
+    "float 1 2 3 | verts 0 | rgb unsigned char 4 5 6 | rgba float 7 8 | normal_x float 9 "
+    "| normal_y float 10" },
+  // 0xFFFFC080, which is not a number as a float.
+  { "color in the bits of a float",
+    Fields("x y z rgb", "4 4 4 4", "F F F F", "", "binary") + Floats({ 0, 0, 0 }) +
+      "\x80\xC0\xFF\xFF",
+    "float 0 0 0 | verts 0 | active RGB unsigned char 255 192 128" },
+  // The bits of this tiny number are 0x00404080.
+  { "color in the text of a float",
+    Fields("x y z rgb", "4 4 4 4", "F F F F", "", "ascii") + "0 0 0 5.900609994354369e-39\n",
+    "float 0 0 0 | verts 0 | active RGB unsigned char 64 64 128" },
+  { "padding in text", PaddingHeader("ascii") + "1 0 0 nothing 2 3 0 0 4\n", PaddingContents },
+  { "padding in binary",
+    PaddingHeader("binary") + Floats({ 1 }) + "###" + Floats({ 2, 3 }) + "####" + Floats({ 4 }),
+    PaddingContents },
+  { "compressed without the padding, as by PCL",
+    PaddingHeader("binary_compressed") + Sizes(17, 16) + "\x0F" + Floats({ 1, 2, 3, 4 }),
+    PaddingContents },
+  { "compressed with the padding",
+    PaddingHeader("binary_compressed") + Sizes(24, 23) + "\x16" + Floats({ 1 }) + "###" +
+      Floats({ 2, 3 }) + "####" + Floats({ 4 }),
+    PaddingContents },
+  { "points that are not finite",
     PCDLines{ "x y z i", "4 4 4 4", "F F F F", "1 1 1 1", "4", "1", "", "4" }.Format() +
-    "0 0 0 1\nnan 0 0 2\n0 NaN -nan 3\n1 1 inf 4\n");
-  ASSERT_EQ(cloud->GetNumberOfPoints(), 4);
-  EXPECT_TRUE(std::isnan(cloud->GetPoint(1)[0]));
-  EXPECT_TRUE(std::isnan(cloud->GetPoint(2)[2]));
-  EXPECT_TRUE(std::isinf(cloud->GetPoint(3)[2]));
-  ExpectTuple(cloud->GetPointData()->GetArray("i"), 3, { 4 });
-  ASSERT_EQ(cloud->GetNumberOfVerts(), 1);
+      "0 0 0 1\nnan 0 0 2\n0 NaN -nan 3\n1 1 inf 4\n",
+    "float 0 0 0, nan 0 0, 0 nan -nan, 1 1 inf | verts 0 | i float 1, 2, 3, 4" },
+  { "no counts of values, one of points",
+    "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nDATA ascii\n" + TwoLines, TwoPoints },
+  { "fewest lines", "FIELDS x y z\nPOINTS 2\nDATA ascii\n" + TwoLines, TwoPoints },
+  { "keywords of older versions",
+    "# .PCD v.5\nVERSION .5\nCOLUMNS x y z\nPOINTS 2\nDATA ascii\n" + TwoLines, TwoPoints },
+  { "no width", "FIELDS x y z\nWIDTH 0\nHEIGHT 0\nPOINTS 2\nDATA ascii\n" + TwoLines, TwoPoints },
+  { "any order", "WIDTH 2\nPOINTS 2\nTYPE F F F\nSIZE 4 4 4\nFIELDS x y z\nDATA ascii\n" + TwoLines,
+    TwoPoints },
+  { "blanks, comments, line ends of Windows in the header",
+    "\n# comment\n\n  FIELDS\tx  y z \r\nPOINTS 2\r\n#\nDATA ascii\r\n" + TwoLines, TwoPoints },
+  { "blanks and line ends of Windows between points",
+    "FIELDS x y z\nPOINTS 2\nDATA ascii\r\n\r\n0\t1 2 \r\n\n 3 4 5\r\n", TwoPoints },
+};
+
+TEST_F(PCDReader, ReadsOrRefuses)
+{
+  this->Check(Cases);
 }
 
-TEST_F(PCDReader, AcceptsWhatMayBeMissing)
+// The shortest text of two points.
+TEST_F(PCDReader, WarnsOfTruncatedLastNumbers)
 {
-  const std::string body = "0 1 2\n3 4 5\n";
-  const auto check = [this, &body](const std::string& header) {
-    SCOPED_TRACE(header);
-    vtkPolyData* cloud = this->ReadWell(header + body);
-    ASSERT_EQ(cloud->GetNumberOfPoints(), 2);
-    ExpectTuple(cloud->GetPoints()->GetData(), 1, { 3, 4, 5 });
-  };
-  check("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nDATA ascii\n");
-  check("FIELDS x y z\nPOINTS 2\nDATA ascii\n");
-  check("# .PCD v.5\nVERSION .5\nCOLUMNS x y z\nPOINTS 2\nDATA ascii\n");
-  check("FIELDS x y z\nWIDTH 0\nHEIGHT 0\nPOINTS 2\nDATA ascii\n");
-  check("WIDTH 2\nPOINTS 2\nTYPE F F F\nSIZE 4 4 4\nFIELDS x y z\nDATA ascii\n");
-  check("\n# comment\n\n  FIELDS\tx  y z \r\nPOINTS 2\r\n#\nDATA ascii\r\n");
-  // The shortest text of two points, whose last number may be truncated.
   this->ExpectWarningIfCut("FIELDS x y z\nPOINTS 2\nDATA ascii\n0 1 2\n3 4 51\n");
-  // Blank lines between points, other line ends.
-  EXPECT_EQ(this->ReadWell("FIELDS x y z\nPOINTS 2\nDATA ascii\r\n\r\n0\t1 2 \r\n\n 3 4 5\r\n")
-              ->GetNumberOfPoints(),
-    2);
+}
+
+TEST_F(PCDReader, KeepsTheLayout)
+{
+  vtkFieldData* data = this->ReadWell(GoodPCD)->GetFieldData();
+  ExpectTuple(data->GetArray("PCD.Viewpoint"), 3, { 1 });
+  ExpectTuple(data->GetArray("PCD.Dimensions"), 0, { 2 });
+  ExpectTuple(data->GetArray("PCD.Dimensions"), 1, { 1 });
 }
 
 TEST_F(PCDReader, AcceptsManyFields)
