@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Even cells on a point cloud: samples, moved to the middle of the points nearest to them.
+"""Even cells on a point cloud: samples, moved to the centers of their cells.
 
 Usage: cloud_cells.py CLOUD NUMBER_OF_CELLS PICTURE.png
 """
@@ -63,7 +63,8 @@ def main(cloud_path, number_of_cells, picture_path):
 
 
 def choose_colours(cloud, labels, count):
-    """A colour for each cell, one that none of its neighbours has: of these the rarest so far."""
+    """Returns a color index per cell that differs from those of its neighbors, preferring rare
+    colors."""
     offsets, targets = (
         vtk_to_numpy(cloud.GetFieldData().GetArray("DGG." + name))
         for name in ("Offsets", "Targets")
@@ -81,7 +82,7 @@ def choose_colours(cloud, labels, count):
 
 
 def lookup_table():
-    """The colours by their numbers; -1 where no site reaches."""
+    """Returns a table of the colors by index; -1 is the color of unreached points."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(len(COLOURS) + 1)
     table.SetTableRange(-1, len(COLOURS) - 1)
@@ -91,7 +92,7 @@ def lookup_table():
 
 
 def site_balls(voronoi, radius):
-    """An actor of a dark ball at each site."""
+    """Returns an actor of a dark ball at each site."""
     ball = vtkSphereSource()
     ball.SetRadius(radius)
     ball.SetThetaResolution(32)

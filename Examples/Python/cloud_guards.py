@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Distances on point clouds that are not easy: with noise, of uneven density, with holes, and two
-sheets that are close to each other.
+"""Distances on difficult point clouds: with noise, uneven density, holes, and two close layers.
 
 Usage: cloud_guards.py PICTURE.png
 """
@@ -30,7 +29,7 @@ SEPARATE = 0.6
 
 
 def sphere(count, random, noise=0.0, density=1.0):
-    """Points of the unit sphere: denser on one side, and shifted by normal numbers."""
+    """Points of the unit sphere, denser on one side, with normally distributed noise."""
     points = random.normal(size=(4 * count, 3))
     points /= np.linalg.norm(points, axis=1)[:, None]
     chance = (1.0 + (density - 1.0) * 0.5 * (1.0 - points[:, 0])) / density
@@ -54,7 +53,7 @@ def perforated(count, random):
 
 
 def sheets(count, random):
-    """Points of two wavy sheets: three radii of balls, of one and a half spacings, apart."""
+    """Points of two wavy layers, three radii of balls of 1.5 spacings apart."""
     x, y = random.uniform(size=(2, count))
     gap = 3.0 * 1.5 * np.sqrt(2.0 / count)
     z = 0.06 * np.sin(7.0 * x + 0.5) * np.cos(5.0 * y) + gap * (np.arange(count) % 2)
@@ -63,7 +62,7 @@ def sheets(count, random):
 
 
 def distances_on(points, source):
-    """The graph of the points, and distances from one of them."""
+    """Returns the graph of the points, and distances from one of them."""
     graph = vtkdgg.vtkPointCloudDGG()
     graph.SetInputData(vtkdgg.Mesh(points).as_polydata())
     distance = vtkdgg.vtkDGGDistance()
@@ -74,7 +73,7 @@ def distances_on(points, source):
 
 
 def band_table(high):
-    """One colour for each band of distance, lighter and darker ones in turn."""
+    """Returns a table of one color per band of distance, alternately lighter and darker."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(BANDS)
     place = np.linspace(0.0, 1.0, len(DISTANCE_COLORS))
@@ -88,9 +87,9 @@ def band_table(high):
 
 
 def panel(title, points, start, towards, zoom, outwards=None, larger=LARGER):
-    """A renderer with the points, coloured by the distance from the one that is farthest in the
-    direction `start`, seen from the direction `towards`. Where it is known which way is outwards,
-    what faces away is left out, so that it is not seen through gaps."""
+    """Returns a renderer with the points, colored by the distance from the extreme point in the
+    direction `start`, seen from the direction `towards`. Points that face away are hidden if the
+    orientation is known."""
     direction = np.array(towards, dtype=float)
     direction /= np.linalg.norm(direction)
     source = int(np.argmax(points @ np.array(start)))
@@ -123,7 +122,7 @@ def panel(title, points, start, towards, zoom, outwards=None, larger=LARGER):
 
 
 def caption(title):
-    """Text at the top."""
+    """Returns an actor of a text at the top."""
     text = vtkTextActor()
     text.SetInput(title)
     text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
@@ -137,7 +136,7 @@ def caption(title):
 
 
 def panels(share):
-    """The four of them, from the top left on, row by row, with a share of the points."""
+    """Yields the four panels row by row from the top left, with a fraction of the points."""
     random = np.random.default_rng(20190525)
     noisy = sphere(int(20000 * share), random, noise=0.02)
     yield panel("noise of 1 % of the box", noisy, (-0.3, -1, 0.8), (0.3, -1, 0.4), 1.4, noisy)
@@ -154,7 +153,7 @@ def panels(share):
 
 
 def main(picture, share=1.0):
-    """Render all of them into one picture."""
+    """Render all panels into one picture."""
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)

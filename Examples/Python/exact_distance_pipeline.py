@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A complete small pipeline: read a mesh, compute distances, colour, render off-screen, save.
+"""A small complete pipeline: read a mesh, compute distances, color, render off-screen, save.
 
 Usage: exact_distance_pipeline.py MESH SOURCE_ID PICTURE.png
 """

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers from the command line of the examples. What is wrong with them is said in words."""
+"""Checked numbers from the command lines of the examples."""
 
 import math
 from argparse import ArgumentTypeError
@@ -10,7 +10,7 @@ LARGEST = 2**63 - 1
 
 
 def integer(least, most=LARGEST):
-    """What makes an integer in a range of a text."""
+    """Returns a function that converts a text to an integer in a range."""
 
     def convert(text):
         try:
@@ -26,7 +26,7 @@ def integer(least, most=LARGEST):
 
 
 def triple(text):
-    """X,Y,Z as finite numbers."""
+    """Returns the finite numbers of a text X,Y,Z."""
     try:
         x, y, z = (float(number) for number in text.split(","))
     except ValueError:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of the explorer, which is played by clicks, drags and keys as a user would.
+"""Pictures of the explorer, controlled by clicks, drags and keys as by a user.
 
 Usage: explorer_pictures.py FILE FOLDER [NAME...]
 
@@ -29,7 +29,7 @@ ON_CLOUDS = ("explorer_drag", "explorer_path", "explorer_voronoi")
 
 
 def play(window, act):
-    """Press a key, click on a place, or drag something between two."""
+    """Press a key, click at a position, or drag between two positions."""
     interactor = window.interactor
     if isinstance(act, str):
         interactor.SetKeyEventInformation(0, 0, act, 0, act)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pictures of Examples/README.md that no other example draws, one for each filter.
+"""Pictures of Examples/README.md that no other example draws, one per filter.
 
 Usage: gallery.py MESH FOLDER [NAME...]
 
@@ -44,13 +44,13 @@ BANDS = 24
 
 
 def array_of(mesh, name, component=0):
-    """A point array, or one component of it, as numpy array."""
+    """Returns a point array, or one of its components, as a NumPy array."""
     array = vtk_to_numpy(mesh.GetPointData().GetArray(name))
     return array[:, component] if array.ndim > 1 else array
 
 
 def with_values(mesh, values):
-    """The surface with these values as the point array `Value`."""
+    """Returns the surface with the values as the point array `Value`."""
     result = vtkPolyData()
     result.CopyStructure(mesh)
     array = numpy_to_vtk(np.asarray(values, dtype=float), deep=True)
@@ -60,7 +60,7 @@ def with_values(mesh, values):
 
 
 def actor_of(data, colour=None):
-    """An actor of a polydata, shaded smoothly; without a colour, its mapper takes scalars."""
+    """Returns a smoothly shaded actor of a polydata. Without a color, the mapper uses scalars."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(data)
     normals.SplittingOff()
@@ -78,7 +78,7 @@ def actor_of(data, colour=None):
 
 
 def tubes(data, radius, colour):
-    """Lines as tubes."""
+    """Returns an actor of lines as tubes."""
     tube = vtkTubeFilter()
     tube.SetInputData(data)
     tube.SetRadius(radius)
@@ -93,7 +93,7 @@ def tubes(data, radius, colour):
 
 
 def coloured(mesh, values, low, high, colours=DISTANCE_COLORS, is_log=False):
-    """The surface coloured by values."""
+    """Returns an actor of the surface colored by values."""
     actor = actor_of(with_values(mesh, values))
     table = lookup_table(colours, low, high, PLAIN)
     if is_log:
@@ -106,12 +106,12 @@ def coloured(mesh, values, low, high, colours=DISTANCE_COLORS, is_log=False):
 
 
 def banded(mesh, values):
-    """The surface in bands of equal width, with lines between them."""
+    """Returns an actor of the surface in bands of equal width, with lines between them."""
     return bands_between(mesh, values, float(np.nanmin(values)), float(np.nanmax(values)))
 
 
 def bands_between(mesh, values, low, high):
-    """The same, of values from low to high."""
+    """As `banded`, for values from low to high."""
     surface = with_values(mesh, values)
     bands = vtkBandedPolyDataContourFilter()
     bands.SetInputData(surface)
@@ -130,7 +130,7 @@ def bands_between(mesh, values, low, high):
 
 
 def draw(path, panels):
-    """Panels side by side, each a title and actors, and the PNG of them."""
+    """Write a PNG file of panels side by side, each with a title and actors."""
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)
@@ -158,7 +158,7 @@ def draw(path, panels):
 
 
 def distances(kind, mesh, source, **properties):
-    """Distances of a filter, from one point."""
+    """Returns the distances of a filter from one point."""
     distance = kind()
     distance.SetInputData(mesh)
     distance.SetSourceIds([source])
@@ -168,7 +168,7 @@ def distances(kind, mesh, source, **properties):
 
 
 def graph_edges(mesh, source):
-    """vtkDiscreteGeodesicGraph: the edges of one point, for three accuracies."""
+    """vtkDiscreteGeodesicGraph: the edges at one point for three accuracies."""
     panels = []
     mesh, source = coarse(mesh, 4000, source)
     place = mesh.GetPoint(source)
@@ -192,7 +192,7 @@ def graph_edges(mesh, source):
 
 
 def approximate(mesh, source):
-    """Errors of the approximate distances, beside those of a graph."""
+    """Errors of the approximate distances and of a graph."""
     exact = array_of(distances(vtkdgg.vtkExactGeodesicDistance, mesh, source), "GeodesicDistance")
     panels = []
     for title, kind in (
@@ -209,7 +209,7 @@ def approximate(mesh, source):
 
 
 def matrix(mesh, source):
-    """vtkGeodesicDistanceMatrix: samples, and their distances laid out in the plane."""
+    """vtkGeodesicDistanceMatrix: samples, and their layout in the plane by their distances."""
     sampler = vtkdgg.vtkGeodesicSampler()
     sampler.SetInputData(mesh)
     sampler.SetNumberOfSamples(400)
@@ -256,7 +256,7 @@ def matrix(mesh, source):
 
 
 def coarse(mesh, count, source):
-    """The surface with about this many points, and the point that is closest to the source."""
+    """Returns the surface with about `count` points, and the point closest to the source."""
     decimate = vtkQuadricDecimation()
     decimate.SetInputData(mesh)
     decimate.SetTargetReduction(max(0.0, 1.0 - count / mesh.GetNumberOfPoints()))
@@ -265,7 +265,7 @@ def coarse(mesh, count, source):
 
 
 def probe(mesh, source):
-    """vtkGeodesicProbe: distances known at few points, linear between them, and probed."""
+    """vtkGeodesicProbe: distances on a coarse mesh, interpolated linearly and probed."""
     simple, start = coarse(mesh, 250, source)
     known = distances(vtkdgg.vtkExactGeodesicDistance, simple, start, GenerateWindows=True)
     finer = vtkLinearSubdivisionFilter()
@@ -282,7 +282,7 @@ def probe(mesh, source):
 
 
 def biharmonic(mesh, source):
-    """vtkBiharmonicDistance: its three kinds."""
+    """vtkBiharmonicDistance: three kinds of distances."""
     panels = []
     for title, kind in (
         ("biharmonic", vtkdgg.vtkBiharmonicDistance.Biharmonic),
@@ -348,7 +348,7 @@ def earth_movers(mesh, source):
 
 
 def b_spline(mesh, source):
-    """vtkHarmonicBSpline: three of its functions."""
+    """vtkHarmonicBSpline: three basis functions."""
     spline = vtkdgg.vtkHarmonicBSpline()
     spline.SetInputData(mesh)
     spline.SetNumberOfSites(40)
@@ -363,7 +363,7 @@ def b_spline(mesh, source):
 
 
 def interpolation(mesh, source):
-    """vtkHarmonicBSpline through values of a function at some points, and that function."""
+    """vtkHarmonicBSpline: interpolated values of a function at some points, and the function."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     x, y, z = (points - mesh.GetCenter()).T * 6.0 / mesh.GetLength()
     truth = np.sin(x + 0.6 * y) * np.cos(0.8 * y - z)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The geodesic graph as a SciPy matrix, and SciPy's Dijkstra against our search. Needs SciPy.
+"""The geodesic graph as a SciPy matrix, and SciPy's Dijkstra beside vtkDGGDistance. Needs SciPy.
 
 Usage: graph_csr.py MESH SOURCE_ID
 """
@@ -17,7 +17,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
 def main(mesh_path, source_id):
-    """Compute the same distances twice."""
+    """Compute the same distances by both."""
     graph = vtkdgg.vtkDiscreteGeodesicGraph()
     graph.SetInputData(vtkdgg.read(mesh_path).as_polydata())
     graph.SetAccuracy(0.01)

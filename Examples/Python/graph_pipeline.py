@@ -47,7 +47,7 @@ def main(mesh_path, source_ids, picture_path):
 
 
 def make_bands(distance):
-    """The surface in bands of distance, all of them of the same width."""
+    """Returns a filter of the surface in bands of equal width."""
     bands = vtkBandedPolyDataContourFilter()
     bands.SetInputConnection(distance.GetOutputPort())
     bands.GenerateValues(BANDS + 1, distance.GetOutput().GetPointData().GetScalars().GetRange())
@@ -56,7 +56,7 @@ def make_bands(distance):
 
 
 def make_colours():
-    """From yellow to violet, every other band a little darker."""
+    """Returns a table from yellow to violet in which every other band is slightly darker."""
     colours = vtkLookupTable()
     colours.SetNumberOfTableValues(BANDS)
     colours.SetTableRange(0, BANDS - 1)

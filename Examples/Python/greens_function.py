@@ -42,7 +42,7 @@ LOW, HIGH = 0.12, 0.6  # where the colours end
 
 
 def make_sphere(level):
-    """The icosahedron, each of its triangles divided into four, on the sphere of radius 1."""
+    """Returns a subdivided icosahedron on the unit sphere."""
     solid = vtkPlatonicSolidSource()
     solid.SetSolidTypeToIcosahedron()
     divide = vtkLinearSubdivisionFilter()
@@ -55,21 +55,21 @@ def make_sphere(level):
 
 
 def make_points(coordinates):
-    """Points with these coordinates."""
+    """Returns a vtkPolyData of points."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(coordinates, deep=True))
     return points
 
 
 def make_places(coordinates):
-    """What sources and evaluation points are given by."""
+    """Returns a producer of points, for sources and evaluation points."""
     places = vtkPolyData()
     places.SetPoints(make_points(coordinates))
     return places
 
 
 def find_source(sphere):
-    """A point inside of the triangle that is seen from z."""
+    """Returns a point inside the triangle that intersects the z axis."""
     points = vtk_to_numpy(sphere.GetPoints().GetData())
     corners = vtk_to_numpy(sphere.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     triangle = points[corners]
@@ -79,7 +79,7 @@ def find_source(sphere):
 
 
 def find_pixels(source):
-    """Places on the sphere for the pixels of a panel, looking at the source."""
+    """Returns points on the sphere for the pixels of a panel that faces the source."""
     right = np.cross([0.0, 1.0, 0.0], source)
     right /= np.linalg.norm(right)
     up = np.cross(source, right)
@@ -90,12 +90,12 @@ def find_pixels(source):
 
 
 def exact(cosine):
-    """The Green's function of the unit sphere, mean 0."""
+    """Returns the Green's function of the unit sphere with mean 0."""
     return -(np.log(1.0 - cosine) + 1.0 - np.log(2.0)) / (4.0 * np.pi)
 
 
 def make_panel(values):
-    """An image of bands."""
+    """Returns an actor of an image of bands."""
     dark = (np.floor(BANDS * values).astype(int) % 2)[:, None]
     stops = np.linspace(HIGH, LOW, len(DISTANCE_COLORS))[::-1]
     table = np.array(DISTANCE_COLORS)[::-1]
@@ -112,7 +112,7 @@ def make_panel(values):
 
 
 def make_caption(text):
-    """Lines in the middle below a panel."""
+    """Returns an actor of centered lines of text below a panel."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.SetPosition(WIDTH / 2, CAPTION / 2)
@@ -125,7 +125,7 @@ def make_caption(text):
 
 
 def write_picture(panels, path):
-    """All panels side by side, a pixel for each place."""
+    """Write all panels side by side, one pixel per evaluation point."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)

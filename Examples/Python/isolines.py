@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Isolines of the distance on coarse meshes, four ways side by side: linear in each triangle, the
-published Apollonius diagrams, local sources, and exact; the ridges in red.
+"""Isolines of the distance on coarse meshes by four methods: linear in each triangle, published
+Apollonius diagrams, local sources, and exact, with ridges in red.
 
 Without a mesh there are two rows: a smooth surface with one source, and a block with three. The
 block has sharp edges and holes, so that ridges are where shortest paths around them meet.
@@ -39,7 +39,7 @@ PANEL = (480, 420)
 
 
 def make_smooth():
-    """A coarse surface without sharp edges: a sphere with waves."""
+    """Returns a coarse surface without sharp edges: a sphere with waves."""
     solid = vtkPlatonicSolidSource()
     solid.SetSolidTypeToIcosahedron()
     finer = vtkLinearSubdivisionFilter()
@@ -59,7 +59,7 @@ def make_smooth():
 
 
 def make_block():
-    """A block of 6 x 4 x 2 unit cubes with a hole through it and a step."""
+    """Returns a block of 6 x 4 x 2 unit cubes with a hole and a step."""
     filled = np.ones((6, 4, 2), dtype=bool)
     filled[1:3, 1:3, :] = False
     filled[4:, :, 1] = False
@@ -97,7 +97,7 @@ def make_block():
 
 
 def measure(surface, sources):
-    """Exact distances, with all that is known of them inside of triangles."""
+    """Returns exact distances with windows, at points and inside triangles."""
     distance = vtkdgg.vtkExactGeodesicDistance()
     distance.SetInputData(surface)
     distance.SetSourceIds(sources)
@@ -107,7 +107,7 @@ def measure(surface, sources):
 
 
 def without(measured, windows):
-    """The same distances without windows, and without virtual sources."""
+    """Returns the same distances without windows and virtual sources."""
     copy = vtkPolyData()
     copy.ShallowCopy(measured)
     if not windows:
@@ -117,7 +117,7 @@ def without(measured, windows):
 
 
 def find_isolines(measured, method, count):
-    """`count` isolines, evenly spaced."""
+    """Returns a filter of `count` evenly spaced isolines."""
     farthest = measured.GetPointData().GetArray("GeodesicDistance").GetRange()[1]
     step = farthest / (count + 1)
     lines = vtkdgg.vtkApolloniusIsolines()
@@ -130,7 +130,7 @@ def find_isolines(measured, method, count):
 
 
 def make_tubes(lines, radius, colour):
-    """Tubes around polylines."""
+    """Returns an actor of tubes around polylines."""
     clean = vtkCleanPolyData()
     clean.SetInputData(lines)
     clean.ConvertLinesToPointsOff()
@@ -150,7 +150,7 @@ def make_tubes(lines, radius, colour):
 
 
 def make_surface(surface):
-    """A surface with its edges."""
+    """Returns an actor of a surface with its edges."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(surface)
     mapper.ScalarVisibilityOff()
@@ -167,7 +167,7 @@ def make_surface(surface):
 
 
 def make_panel(surface, lines, title, view):
-    """One picture of the surface with its lines."""
+    """Returns a renderer of the surface with its lines."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     radius = 0.0025 * surface.GetLength()
@@ -190,7 +190,7 @@ def make_panel(surface, lines, title, view):
 
 
 def render(rows, picture_path):
-    """Panels in rows, from the top down."""
+    """Render rows of panels, from the top down."""
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)
@@ -206,7 +206,7 @@ def render(rows, picture_path):
 
 
 def compare(surface, sources, count, view):
-    """A row of panels, and what they show in words."""
+    """Returns a row of panels, and prints their errors."""
     exact = measure(surface, sources)
     local = without(exact, windows=False)
     row = []

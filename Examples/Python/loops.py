@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Closed geodesics on a surface: those around its handles, and a rope through points that is pulled
-tight, with a tape along it. A picture of them.
+"""Closed geodesics on a surface, drawn in a picture: loops around its handles, and a rope through
+points that is pulled tight, with a tape along it.
 
 Without a mesh, the surface is made of two rings, with a rope around the waist between them.
 """
@@ -31,7 +31,7 @@ RIMS = (0.95, 0.62, 0.10)
 
 
 def make_two_rings():
-    """A surface with two handles: of two rings side by side, with a waist between them."""
+    """Returns a surface with two handles: two rings side by side with a waist between them."""
     shape = (150, 90, 40)
     low = np.array([-0.25, -0.7, -0.25])
     high = np.array([2.25, 0.7, 0.25])
@@ -52,7 +52,7 @@ def make_two_rings():
 
 
 def find_handles(port):
-    """Loops around the handles of the surface."""
+    """Returns loops around the handles of the surface."""
     handles = vtkdgg.vtkDGGLoop()
     handles.SetInputConnection(port)
     handles.SetModeToAroundHandles()
@@ -60,7 +60,7 @@ def find_handles(port):
 
 
 def find_rope(port, through, width):
-    """A rope through places near the surface, pulled tight, with a tape along it."""
+    """Returns a rope through points near the surface, pulled tight, with a tape along it."""
     points = vtkPoints()
     for place in through:
         points.InsertNextPoint(place)
@@ -83,7 +83,7 @@ def describe(name, loop):
 
 
 def lap(curves):
-    """Closed lines with their second point once more at their end: a tube has no gap there."""
+    """Returns closed lines with their second point repeated, so that tubes have no gap."""
     lines = vtkCellArray()
     ids = vtkIdList()
     for i in range(curves.GetNumberOfLines()):
@@ -98,7 +98,7 @@ def lap(curves):
 
 
 def make_tubes(port, radius, colour):
-    """Tubes around polylines."""
+    """Returns an actor of tubes around polylines."""
     # Points on top of each other, as next to a corner of the mesh, have no direction between them.
     clean = vtkCleanPolyData()
     clean.SetInputConnection(port)
@@ -113,7 +113,7 @@ def make_tubes(port, radius, colour):
 
 
 def make_actor(port, colour):
-    """An actor of one colour."""
+    """Returns an actor in one color."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(port)
     mapper.ScalarVisibilityOff()
@@ -170,7 +170,7 @@ def main(options):
 
 
 def places(text):
-    """Places, separated by spaces."""
+    """Returns the positions in a text, separated by spaces."""
     return [triple(place) for place in text.split()]
 
 

@@ -29,14 +29,14 @@ PATCHES = [
 
 
 def find_landmarks(mesh):
-    """The points of the mesh that are farthest along the axes."""
+    """Returns the extreme points of the mesh along the axes."""
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     return [int(i) for i in np.argmax((points - middle) @ AXES.T, axis=0)]
 
 
 def make_layout():
-    """Polygons on the numbers of the landmarks; no points are needed."""
+    """Returns polygons on the indices of the landmarks, without points."""
     polygons = vtkCellArray()
     for patch in PATCHES:
         polygons.InsertNextCell(len(patch))
@@ -48,7 +48,7 @@ def make_layout():
 
 
 def make_actor(filter_, colour=None):
-    """What a filter makes, in one colour or coloured by the array "Number"."""
+    """Returns an actor of an output in one color, or colored by the array "Number"."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(filter_.GetOutputPort())
     actor = vtkActor()
@@ -69,7 +69,7 @@ def make_actor(filter_, colour=None):
 
 
 def make_renderer(mesh, curves, landmarks, viewport):
-    """A surface with its curves and landmarks."""
+    """Returns a renderer of a surface with its curves and landmarks."""
     size = mesh.GetLength()
     numbers = numpy_to_vtk(np.arange(curves.GetNumberOfCells(), dtype=float), deep=True)
     numbers.SetName("Number")
@@ -105,7 +105,7 @@ def make_renderer(mesh, curves, landmarks, viewport):
 
 
 def pick_points(mesh, ids):
-    """Some points of a mesh."""
+    """Returns points of a mesh."""
     points = mesh.GetPoints().NewInstance()
     for i in ids:
         points.InsertNextPoint(mesh.GetPoint(i))
@@ -113,7 +113,7 @@ def pick_points(mesh, ids):
 
 
 def main(first_path, second_path, picture_path):
-    """Trace the curves, show them, say how long they are."""
+    """Compute the curves, render them and print their lengths."""
     meshes = []
     for path in (first_path, second_path):
         meshes.append(vtkdgg.read(path).as_polydata())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Curves in a picture plane, and their projection to a surface along the line of sight."""
+"""Curves in a picture plane, and their projection onto a surface along the viewing direction."""
 
 import numpy as np
 import vtkdgg
@@ -13,7 +13,7 @@ STEP = 0.016  # between points of curves
 
 
 def smooth(points, is_closed=False):
-    """A curve through points (Catmull and Rom), in steps of STEP."""
+    """Returns a Catmull-Rom curve through points, in steps of STEP."""
     points = np.asarray(points, dtype=float)
     if is_closed:
         points = np.concatenate([points[-1:], points, points[:2]])
@@ -27,8 +27,8 @@ def smooth(points, is_closed=False):
 
 
 def resample(points, is_closed, step=STEP):
-    """A polyline in equal steps. A closed one ends with the point that it begins with; the result
-    leaves that out."""
+    """Returns a polyline in equal steps. A closed polyline ends with its first point; the result
+    omits this last point."""
     along = np.cumsum(np.linalg.norm(np.diff(points, axis=0, prepend=points[:1]), axis=1))
     count = max(8 if is_closed else 3, int(round(along[-1] / step)) + 1)
     at = np.linspace(0.0, along[-1], count)
@@ -37,7 +37,7 @@ def resample(points, is_closed, step=STEP):
 
 
 def ellipse(u, v, width, height, turn=0.0):
-    """Points around a place of the picture plane, counter-clockwise."""
+    """Returns points around a position of the picture plane, counter-clockwise."""
     count = max(12, int(round(np.pi * (width + height) / STEP)))
     angle = np.linspace(0.0, 2.0 * np.pi, count + 1)[:-1]
     x, y = width * np.cos(angle), height * np.sin(angle)
@@ -46,20 +46,20 @@ def ellipse(u, v, width, height, turn=0.0):
 
 
 def tangents(points, is_closed):
-    """Along a polyline, of any length."""
+    """Returns tangents along a polyline, not normalized."""
     if is_closed:
         return np.roll(points, -1, axis=0) - np.roll(points, 1, axis=0)
     return np.gradient(points, axis=0)
 
 
 def ids_of(lines):
-    """The point ids of each polyline of a vtkCellArray."""
+    """Returns the point ids of each polyline of a vtkCellArray."""
     offsets = vtk_to_numpy(lines.GetOffsetsArray())
     return np.split(vtk_to_numpy(lines.GetConnectivityArray()), offsets[1:-1])
 
 
 def lines_of(data):
-    """The coordinates of each polyline of a vtkPolyData."""
+    """Returns the coordinates of each polyline of a vtkPolyData."""
     points = np.array(vtk_to_numpy(data.GetPoints().GetData()), dtype=float)
     return [points[ids] for ids in ids_of(data.GetLines())]
 
@@ -74,7 +74,7 @@ class Field:
         self.values = np.full(self.places.shape[:2], np.inf)
 
     def add_stroke(self, line, radius):
-        """Make the function negative within the radius of a polyline, which changes along it."""
+        """Make the function negative within a radius, which varies along the polyline."""
         for a, b, r in zip(line[:-1], line[1:], radius):
             away, along = self.places - a, b - a
             t = np.clip(away @ along / (along @ along), 0.0, 1.0)
@@ -82,7 +82,8 @@ class Field:
             self.values = np.minimum(self.values, distance - r)
 
     def outlines(self):
-        """Closed polylines where the function is 0, counter-clockwise around what is negative."""
+        """Returns the closed polylines where the function is 0, counter-clockwise around negative
+        values."""
         image = vtkImageData()
         image.SetDimensions(self.values.shape[1], self.values.shape[0], 1)
         image.SetOrigin(*self.origin, 0.0)
@@ -101,8 +102,8 @@ class Field:
 
 
 class Canvas:
-    """A surface with normals, and the picture plane before it. The plane is seen from some degrees
-    around the y axis, and above the horizon."""
+    """A surface with normals, and the picture plane in front of it. The viewing direction is given
+    by an angle around the y axis and an elevation, degrees."""
 
     def __init__(self, mesh, around, above):
         self.mesh = mesh
@@ -119,8 +120,8 @@ class Canvas:
         self.points.BuildLocator()
 
     def place(self, drawn, sign=1.0):
-        """The points of the surface that are seen at those of the picture plane; from behind with
-        sign -1."""
+        """Returns the surface points seen at points of the picture plane; from behind with sign -1.
+        """
         result = np.empty((len(drawn), 3))
         t, part, cell, hit, inside = mutable(0.0), mutable(0), mutable(0), [0.0] * 3, [0.0] * 3
         far = sign * self.mesh.GetLength() * self.sight
@@ -134,12 +135,12 @@ class Canvas:
         return result
 
     def nearest(self, points):
-        """Ids of the closest points of the mesh."""
+        """Returns the ids of the closest points of the mesh."""
         return [self.points.FindClosestPoint(point) for point in points]
 
     def flat(self, u, v):
-        """How a small disc of the surface is seen: two vectors of the picture plane, for what is
-        right and up there."""
+        """Returns the images in the picture plane of the directions right and up of the tangent
+        plane."""
         near = self.place(ellipse(u, v, 0.05, 0.05))
         normal = self.normals[self.nearest(near)].mean(axis=0)
         normal /= np.linalg.norm(normal)
@@ -148,28 +149,28 @@ class Canvas:
         return np.stack([np.cross(up, normal), up]) @ self.axes.T
 
     def left(self, points, is_closed):
-        """Unit vectors to the left of a curve."""
+        """Returns unit vectors to the left of a curve."""
         left = np.cross(self.normals[self.nearest(points)], tangents(points, is_closed))
         return left / np.maximum(np.linalg.norm(left, axis=1), 1e-30)[:, None]
 
     def with_left(self, points, direction):
-        """A closed curve, turned around if needed to have that direction on its left."""
+        """Returns a closed curve, reversed if needed to have that direction on its left."""
         return points if self.left(points, True).sum(axis=0) @ direction > 0.0 else points[::-1]
 
 
 class Polar:
-    """Polar coordinates around a place of the surface, as they are seen in the picture plane."""
+    """Polar coordinates around a surface point, as seen in the picture plane."""
 
     def __init__(self, canvas, u, v, radius, turn):
         self.middle, self.turn = np.array([u, v]), turn
         self.axes = radius * canvas.flat(u, v)
 
     def at(self, r, angle):
-        """Points of the picture plane."""
+        """Returns points of the picture plane."""
         angle = angle + self.turn
         return self.middle + np.stack([r * np.cos(angle), r * np.sin(angle)], axis=-1) @ self.axes
 
     def coordinates(self, points):
-        """Radius and angle of points of the picture plane."""
+        """Returns radius and angle of points of the picture plane."""
         x, y = np.moveaxis((points - self.middle) @ np.linalg.inv(self.axes), -1, 0)
         return np.hypot(x, y), np.arctan2(y, x) - self.turn

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Path planning on a terrain: the shortest path on the surface between two places, beside the
-shortest one along the edges of the mesh, which is what vtkDijkstraGraphGeodesicPath finds.
+"""Path planning on a terrain: the shortest path on the surface between two points, and the shortest
+one along mesh edges by vtkDijkstraGraphGeodesicPath.
 
 Usage: terrain_path.py PICTURE.png
 """
@@ -58,7 +58,7 @@ ALONG_EDGES = (0.08, 0.16, 0.55)
 
 
 def height(x, y):
-    """Height of the ground in km."""
+    """Returns the height of the ground in km."""
     z = 0.0 * x
     for x0, y0, top, along, across, direction in HILLS:
         c, s = np.cos(direction), np.sin(direction)
@@ -71,7 +71,7 @@ def height(x, y):
 
 
 def make_terrain():
-    """A triangle mesh of the terrain, on a grid that is not regular."""
+    """Returns a triangle mesh of the terrain on an irregular grid."""
     j, i = np.divmod(np.arange(SIDE * SIDE), SIDE)
     inside = (i > 0) & (i < SIDE - 1) & (j > 0) & (j < SIDE - 1)
     shift = np.where(inside, 0.3, 0.0)
@@ -105,13 +105,13 @@ def make_terrain():
 
 
 def closest_point(terrain, place):
-    """The id of the point of the mesh next to a place on the map: both paths end there."""
+    """Returns the id of the mesh point closest to a position on the map, where both paths end."""
     points = vtk_to_numpy(terrain.GetPoints().GetData())
     return int(np.argmin(np.hypot(points[:, 0] - place[0], points[:, 1] - place[1])))
 
 
 def path_on_surface(terrain, start, end):
-    """A shortest path on the surface, as polyline, and its length."""
+    """Returns a shortest path on the surface as a polyline, and its length."""
     path = vtkdgg.vtkDGGPath()
     path.SetInputData(terrain)
     path.AddPair(start, end)
@@ -120,7 +120,7 @@ def path_on_surface(terrain, start, end):
 
 
 def path_along_edges(terrain, start, end):
-    """The shortest path along edges of the mesh, and its length."""
+    """Returns the shortest path along mesh edges, and its length."""
     dijkstra = vtkDijkstraGraphGeodesicPath()
     dijkstra.SetInputData(terrain)
     dijkstra.SetStartVertex(start)
@@ -131,7 +131,7 @@ def path_along_edges(terrain, start, end):
 
 
 def surface_actor(terrain):
-    """The terrain, coloured by height."""
+    """Returns an actor of the terrain, colored by height."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
     channels = np.array(COLOURS).T
@@ -154,7 +154,7 @@ def surface_actor(terrain):
 
 
 def contour_actor(terrain):
-    """Lines of equal height."""
+    """Returns an actor of lines of equal height."""
     contour = vtkContourFilter()
     contour.SetInputData(terrain)
     low, high = terrain.GetPointData().GetScalars().GetRange()
@@ -172,7 +172,7 @@ def contour_actor(terrain):
 
 
 def tube_actor(polyline, colour, radius):
-    """A path as a tube."""
+    """Returns an actor of a path as a tube."""
     tube = vtkTubeFilter()
     tube.SetInputData(polyline)
     tube.SetRadius(radius)
@@ -189,7 +189,7 @@ def tube_actor(polyline, colour, radius):
 
 
 def ball_actor(place):
-    """An end of the paths."""
+    """Returns an actor of a ball at an end of the paths."""
     ball = vtkSphereSource()
     ball.SetCenter(place)
     ball.SetRadius(0.12)
@@ -204,7 +204,7 @@ def ball_actor(place):
 
 
 def text_actor(text, colour, row):
-    """A line of the legend."""
+    """Returns an actor of a line of the legend."""
     actor = vtkTextActor()
     actor.SetInput(text)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
@@ -245,7 +245,7 @@ def render(props, picture_path):
 
 
 def main(picture_path):
-    """Find both paths, tell their lengths, and render them."""
+    """Find both paths, print their lengths, and render them."""
     terrain = make_terrain()
     start, end = closest_point(terrain, START), closest_point(terrain, END)
     surface_path, length = path_on_surface(terrain, start, end)

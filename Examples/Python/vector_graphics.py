@@ -63,12 +63,12 @@ TREES = 150  # on the last ridge
 
 
 def color(text):
-    """RGB from 0 to 1."""
+    """Returns RGB from 0 to 1."""
     return np.array([int(text[i : i + 2], 16) / 255.0 for i in (0, 2, 4)])
 
 
 def radius_at(height):
-    """Of the vase: a cubic spline through the profile (Catmull and Rom)."""
+    """Returns the radius of the vase, a Catmull-Rom spline through the profile."""
     z, r = PROFILE.T
     slope = np.gradient(r, z)
     i = np.clip(np.searchsorted(z, height, side="right") - 1, 0, len(z) - 2)
@@ -83,7 +83,7 @@ def radius_at(height):
 
 
 def place(angle, height):
-    """Points on the vase; angle 0 is in front."""
+    """Returns points on the vase; angle 0 is in front."""
     radius = radius_at(height)
     return np.stack([radius * np.sin(angle), -radius * np.cos(angle), height], axis=-1)
 
@@ -95,7 +95,7 @@ def make_points(coordinates):
 
 
 def make_vase(columns):
-    """Triangles, open at the top and at the bottom, with normals."""
+    """Returns the triangles of the vase with normals, open at the top and at the bottom."""
     rows = int(round(0.55 * columns))
     heights = np.linspace(0.0, 1.0, rows + 1)
     j, i = np.meshgrid(np.arange(rows + 1), np.arange(columns), indexing="ij")
@@ -132,7 +132,7 @@ class Drawing:
         self.numbers = {"LeftColor": [], "RightColor": [], "Strength": [], "RightStrength": []}
 
     def add(self, kind, points, is_closed=False, width=1.0, **numbers):
-        """A curve; numbers are one colour, or one for each point."""
+        """Add a curve; arguments are one color, or one per point."""
         first = sum(map(len, self.points))
         ids = list(range(first, first + len(points)))
         self.cells.append(ids + ids[:1] if is_closed else ids)
@@ -192,7 +192,7 @@ class Ridge:
 
 
 def add_spurs(drawing, ridge, lower, random):
-    """They run down from peaks, light where the sun is and dark on the other side."""
+    """Add spurs that run down from peaks, light on the sunny side and dark on the other."""
     for peak, rise in zip(ridge.peaks, ridge.rises):
         for start, lean in ((0.0, 0.5), (-0.11, -1.0), (0.12, 1.1)):
             foot = peak + start
@@ -217,7 +217,7 @@ def add_spurs(drawing, ridge, lower, random):
 
 
 def make_skyline(ridge):
-    """Fir trees on a ridge."""
+    """Returns a skyline of fir trees on a ridge."""
     random = np.random.RandomState(5)
     step = 2.0 * np.pi / TREES
     middle = step * (np.arange(TREES) + random.uniform(-0.07, 0.07, TREES))
@@ -228,7 +228,7 @@ def make_skyline(ridge):
 
 
 def make_ellipse(angle, height, width, tall):
-    """Around a point of the vase, an ellipse when it is seen from the front."""
+    """Returns a curve around a point of the vase that is an ellipse in the front view."""
     turn = np.linspace(0.0, 2.0 * np.pi, 73)[:-1]
     heights = height + tall * np.sin(turn)
     x = radius_at(height) * np.sin(angle) + width * np.cos(turn)
@@ -236,7 +236,7 @@ def make_ellipse(angle, height, width, tall):
 
 
 def draw():
-    """Mountains, the sky, the sun and a few clouds."""
+    """Draw mountains, the sky, the sun and a few clouds."""
     random = np.random.RandomState(4)
     drawing = Drawing()
     angles = np.linspace(0.0, 2.0 * np.pi, 721)[:-1]
@@ -304,14 +304,14 @@ def make_shaded(data):
 
 
 def make_clay(data):
-    """Before it is painted."""
+    """Returns an actor of the unpainted surface."""
     actor = make_shaded(data)
     actor.GetProperty().SetColor(0.95, 0.94, 0.92)
     return actor
 
 
 def make_curves(curves, name, radius=0.0021):
-    """Tubes in the colours of one side."""
+    """Returns an actor of tubes in the colors of one side."""
     tubes = vtkTubeFilter()
     tubes.SetInputData(curves)
     tubes.SetRadius(radius)
@@ -326,7 +326,7 @@ def make_curves(curves, name, radius=0.0021):
 
 
 def make_scene(actors, viewport):
-    """One panel of the picture."""
+    """Returns a renderer of one panel."""
     renderer = vtkRenderer()
     renderer.SetViewport(*viewport)
     renderer.GradientBackgroundOn()
@@ -338,7 +338,7 @@ def make_scene(actors, viewport):
 
 
 def look_at_vase(renderer):
-    """Put the camera in front of it, and lights."""
+    """Set the camera and the lights in front of the vase."""
     for position, strength in (((-2.5, -3.0, 3.0), 0.80), ((3.0, -2.5, 0.5), 0.35)):
         light = vtkLight()
         light.SetPosition(*position)
@@ -353,7 +353,7 @@ def look_at_vase(renderer):
 
 
 def write_picture(left, right, look, path):
-    """Two panels of actors, side by side; look puts cameras and lights."""
+    """Write two panels of actors side by side; `look` sets cameras and lights."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
@@ -378,7 +378,7 @@ def write_picture(left, right, look, path):
 
 
 def add_shown(curves):
-    """What curves look like by themselves: their colours, or light and dark for what they add."""
+    """Add the curves with display colors: their own, or light and dark for Poisson curves."""
     data = curves.GetPointData()
     read = lambda name: vtk_to_numpy(data.GetArray(name))  # noqa: E731
     is_color = (read("LeftColor").sum(axis=1) > 0.0)[:, None]

@@ -98,13 +98,13 @@ TWIGS = (
 
 
 def mix(first, second, t):
-    """Colours between two, at numbers from 0 to 1."""
+    """Returns colors between two, at numbers from 0 to 1."""
     t = np.clip(t, 0.0, 1.0)[:, None]
     return (1.0 - t) * color(first) + t * color(second)
 
 
 def make_bunny(path):
-    """The mesh, 2 long, around the origin, smooth as if under a glaze, with smooth normals."""
+    """Returns the mesh, centered, smoothed and of length 2, with smooth normals."""
     surface = vtkWindowedSincPolyDataFilter()
     surface.SetInputData(vtkdgg.read(path).as_polydata())
     surface.SetNumberOfIterations(30)
@@ -134,7 +134,7 @@ def make_bunny(path):
 
 
 def paint(mesh, curves, level):
-    """The mesh with colours."""
+    """Returns the mesh with colors."""
     graphics = vtkdgg.vtkPoissonVectorGraphics()
     graphics.SetInputData(mesh)
     graphics.SetCurveData(curves)
@@ -151,27 +151,27 @@ class Painter:
         self.glaze, self.locator = None, vtkStaticPointLocator()
 
     def fire(self):
-        """Make a glaze of what has been drawn so far."""
+        """Make a glaze from the curves drawn so far."""
         self.glaze = paint(self.canvas.mesh, self.drawing.make(), 0)
         self.locator.SetDataSet(self.glaze)
         self.locator.BuildLocator()
 
     def colors_at(self, points):
-        """Of the glaze."""
+        """Returns colors of the glaze."""
         ids = [self.locator.FindClosestPoint(point) for point in points]
         return vtk_to_numpy(self.glaze.GetPointData().GetArray("Colors"))[ids]
 
     def add_line(self, points, left, right, is_closed=False):
-        """Colours on both sides of points of the surface."""
+        """Add a curve with colors on both sides."""
         self.drawing.add(DIFFUSION, points, is_closed, LeftColor=left, RightColor=right)
 
     def add_ring(self, outline, inside, outside=None):
-        """A closed curve with colours on both sides; outside, the glaze by default."""
+        """Add a closed curve with colors on both sides; outside, the glaze by default."""
         points = self.canvas.place(outline)
         self.add_line(points, inside, self.colors_at(points) if outside is None else outside, True)
 
     def add_shade(self, points, width, left, right, tint=COOL, fade=0.6):
-        """What is added on both sides of a curve, most in its middle."""
+        """Add a Poisson curve whose strength is largest in its middle."""
         line = smooth(points)
         t = np.linspace(-1.0, 1.0, len(line))[:, None]
         strength = tint * np.maximum(1.0 - t**2, 0.0) ** fade
@@ -185,7 +185,7 @@ class Painter:
 
 
 def add_ribbon(painter):
-    """Around the neck: the rims of two tapes along a rope that is pulled tight."""
+    """Add a ribbon around the neck: the borders of two tapes along a taut rope."""
     canvas = painter.canvas
     stakes = vtkPolyData()
     stakes.SetPoints(
@@ -213,7 +213,7 @@ def add_ribbon(painter):
 
 
 def add_tail(painter):
-    """A ring between two geodesic distances from the tip of the tail."""
+    """Add a ring between two geodesic distances from the tip of the tail."""
     canvas = painter.canvas
     distance = vtkdgg.vtkExactGeodesicDistance()
     distance.SetInputData(canvas.mesh)
@@ -228,7 +228,7 @@ def add_tail(painter):
 
 
 def add_glaze(painter):
-    """What gives the whole surface its colours: night on the back, cream on the face."""
+    """Add the curves that color the whole surface: night on the back, cream on the face."""
     add_ribbon(painter)
     add_tail(painter)
     place = painter.canvas.place
@@ -252,7 +252,7 @@ def add_glaze(painter):
 
 
 def add_face(painter):
-    """Eye, nose, mouth and a rosy cheek."""
+    """Add an eye, nose, mouth and a rosy cheek."""
     u, v = EYE
     painter.add_ring(ellipse(u, v, 0.074, 0.066, -0.25), color(BLACK))
     painter.add_ring(ellipse(u - 0.003, v, 0.060, 0.055, -0.25), color("9a531e"), color(BLACK))
@@ -276,7 +276,7 @@ def add_face(painter):
 
 
 def add_bell(painter):
-    """Round by its colours, with Poisson curves for the seam and the slot."""
+    """Add a bell whose colors look round, with Poisson curves for the seam and the slot."""
     middle, radius = np.array(BELL[:2]), BELL[2]
     rim = ellipse(*middle, radius, radius)
     lit = 0.5 + (rim - middle) @ [-0.35, 0.45] / radius
@@ -291,13 +291,13 @@ def add_bell(painter):
 
 
 def petals(angle):
-    """The radius of a blossom: five petals with a notch."""
+    """Returns the radius of a blossom with five notched petals."""
     wave = np.abs(np.sin(2.5 * angle))
     return 0.50 + 0.50 * wave**0.75 - 0.09 * np.exp(-(((1.0 - wave) / 0.03) ** 2))
 
 
 def add_branch(painter):
-    """The outline of all twigs, without what blossoms and buds hide."""
+    """Add the outline of all twigs, except where blossoms and buds hide them."""
     field = Field((-0.45, -1.0), (0.62, 0.25), 0.004)
     for points, first, last in TWIGS:
         line = smooth(points)
@@ -323,7 +323,7 @@ def add_branch(painter):
 
 
 def add_flowers(painter):
-    """A branch with blossoms and buds on the flank, and petals in the wind."""
+    """Add a branch with blossoms and buds on the flank, and petals in the wind."""
     add_branch(painter)
     angle = np.linspace(0.0, 2.0 * np.pi, 121)[:-1]
     for place in BLOSSOMS:
@@ -353,7 +353,7 @@ def add_flowers(painter):
 
 
 def make_sides(curves, canvas):
-    """Tubes for both sides of curves, beside each other."""
+    """Returns actors of tubes for both sides of curves, side by side."""
     sides = []
     for name, sign in (("Above", 1.0), ("Below", -1.0)):
         moved = vtkPolyData()
@@ -369,7 +369,7 @@ def make_sides(curves, canvas):
 
 
 def make_look(canvas):
-    """What puts the camera before the picture plane, and lights."""
+    """Returns a function that sets the camera in front of the picture plane, and the lights."""
     right, up = canvas.axes
 
     def look(renderer):
@@ -390,7 +390,7 @@ def make_look(canvas):
 
 
 def make_porcelain(data):
-    """An actor that shines."""
+    """Returns a shiny actor."""
     actor = make_shaded(data)
     actor.GetProperty().SetAmbient(0.47)
     actor.GetProperty().SetSpecular(0.22)

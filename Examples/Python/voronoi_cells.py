@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Samples of a surface, moved to the middle of their Voronoi cells: a picture of the cells.
+"""Samples of a surface, moved to the centers of their Voronoi cells, and a picture of the cells.
 
 Usage: voronoi_cells.py MESH NUMBER_OF_SITES PICTURE.png
 """
@@ -48,7 +48,8 @@ def main(mesh_path, number_of_sites, picture_path):
 
 
 def make_colours(number):
-    """Neighbouring numbers get hues that are far apart, and are light or dark in turns."""
+    """Returns a table in which neighboring indices have distant hues, alternately light and dark.
+    """
     colours = vtkLookupTable()
     colours.SetNumberOfTableValues(number)
     colours.SetTableRange(0, number - 1)
@@ -59,7 +60,7 @@ def make_colours(number):
 
 
 def make_actor(port):
-    """An actor of an output, and its mapper."""
+    """Returns an actor of an output, and its mapper."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(port)
     actor = vtkActor()

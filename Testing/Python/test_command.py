@@ -151,7 +151,7 @@ class Command(unittest.TestCase):
         for name in (("distance", path, "--source", 0), ("loop", path), ("compare", path)):
             result = command(*name)
             self.assertEqual(result.returncode, 2)
-            self.assertRegex(result.stderr, "holds curves and no surface; --cloud uses the points")
+            self.assertRegex(result.stderr, "contains curves and no surface; --cloud uses the points")
         found = self.answer("distance", path, "--source", 0, "--cloud", "--method", "marching")
         self.assertGreater(found["largest"], 0.0)
 
@@ -427,7 +427,7 @@ class Command(unittest.TestCase):
             result = command(*arguments)
             self.assertEqual((result.returncode, result.stdout), (2, ""))
             self.assertRegex(
-                result.stderr, rf"cannot hold .*; expected {re.escape(known)} \(--help"
+                result.stderr, rf"cannot store .*; expected {re.escape(known)} \(--help"
             )
             self.assertFalse(os.path.exists(arguments[-1]))
         path = out("lines.obj")
@@ -435,10 +435,10 @@ class Command(unittest.TestCase):
         self.assertEqual(vtkdgg.read(path).as_polydata().GetNumberOfLines(), lines)
         result = command("voronoi", BUMPY, "--number", 3, "--out", out("v.pcd"))
         self.assertEqual(result.returncode, 2)
-        self.assertIn("cannot hold cells of a mesh; expected .csv .npy .ply .vtk", result.stderr)
+        self.assertIn("cannot store cells of a mesh; expected .csv .npy .ply .vtk", result.stderr)
         for extension, lost in ((".vtp", ""), (".vtk", ""), (".ply", ""), (".pcd", "polygons")):
             path = out("distance" + extension)
-            note = f"{extension} keeps no {lost}; .vtk and .vtp do"
+            note = f"{extension} does not store {lost}; .vtk and .vtp do"
             self.assertEqual(self.answer(*field, path)["warnings"], [note] if lost else [])
             self.assertEqual(f"note         {note}" in command(*field, path).stdout, bool(lost))
             written = vtkdgg.read(path)
@@ -553,7 +553,7 @@ class Command(unittest.TestCase):
             name, *rest = name.split()
             result = command(name, cloud, *rest)
             self.assertEqual(result.returncode, 2)
-            self.assertIn(f"holds no surface, which {name} needs", result.stderr)
+            self.assertIn(f"contains no surface, which {name} needs", result.stderr)
         for method in ("exact", "fast"):
             result = command("distance", cloud, "--source", 0, "--method", method)
             self.assertEqual(result.returncode, 2)
@@ -575,7 +575,7 @@ class Command(unittest.TestCase):
         vtkdgg.write(two, support.polydata(points, np.vstack([triangles, triangles + 4])))
         for arguments, pattern in (
             (("path", two, 0, 5), "not connected"),
-            (("loop", BUMPY), "no loop"),
+            (("loop", BUMPY), "every loop contracts"),
         ):
             result = command(*arguments)
             self.assertEqual((result.returncode, result.stdout), (1, ""))
@@ -628,7 +628,7 @@ class Command(unittest.TestCase):
             (("distance", BUMPY, "--source", "0", "--method", "best"), "invalid choice"),
             (
                 ("distance", BUMPY, "--source", "0", "--out", "a.abc"),
-                "'.abc' cannot hold values at points",
+                "'.abc' cannot store values at points",
             ),
             (("distance", BUMPY, "--source", "0", "--out", "none/a.vtp"), "the folder none does not"),
             (("distance", BUMPY, "--source", "0", "--out", "none/a.off"), "none/a.off"),
@@ -658,8 +658,8 @@ class Command(unittest.TestCase):
             (("render", BUMPY, "--source", "0", "--out", "a.png", "--view=up"), "--view: expected"),
             (("graph", BUMPY, "--cloud", "--merge"), "--merge applies to meshes"),
             (("isolines", BUMPY, "--source", "0", "--values", "a,b"), "--values"),
-            (("sample", BUMPY, "--number", "0"), "error: --number: must be positive, is 0"),
-            (("voronoi", BUMPY, "--number", "0"), "error: --number: must be positive, is 0"),
+            (("sample", BUMPY, "--number", "0"), "error: --number: expected at least 1, got 0"),
+            (("voronoi", BUMPY, "--number", "0"), "error: --number: expected at least 1, got 0"),
             (("voronoi", BUMPY, "--number", "20", "--site", "3"), "--site: not .* with .*--number"),
             (
                 ("isolines", BUMPY, "--source", "0", "--count", "10", "--values", "0.1"),

@@ -449,7 +449,7 @@ class Surface(unittest.TestCase):
             cells.InsertNextCell(len(ids), ids)
             getattr(mesh, f"Set{kind}")(cells)
             if kind in ("Lines", "Verts"):
-                with self.assertRaisesRegex(ValueError, "surface: holds no surface"):
+                with self.assertRaisesRegex(ValueError, "surface: contains no surface"):
                     Scene(mesh)
                 continue
             hand = Hand(self, mesh)
@@ -570,7 +570,7 @@ class Command(unittest.TestCase):
         for arguments, pattern in (
             ((empty,), "contains no points"),
             (("missing.ply",), "no such file"),
-            ((BUMPY, "--accuracy", "2"), r"accuracy: must be in \[1e-6, 0.5\]"),
+            ((BUMPY, "--accuracy", "2"), r"accuracy: expected a number in \[1e-6, 0.5\]"),
             ((BUMPY, "--source", "642"), "expected a point id from 0 to 641"),
         ):
             with contextlib.redirect_stderr(io.StringIO()) as complained:

@@ -171,7 +171,7 @@ class OfAMesh(unittest.TestCase):
         self.assertLessEqual(coarse.covering_radii[-1], 0.2 * self.size)
         self.assertLess(len(coarse.points), 600)
         self.assertEqual(self.graph.sample(9, as_polydata=True).GetNumberOfPoints(), 9)
-        with self.assertRaisesRegex(ValueError, "number_of_samples: must be positive, is 0"):
+        with self.assertRaisesRegex(ValueError, "number_of_samples: expected at least 1, got 0"):
             self.graph.sample(0)
 
     def test_voronoi(self):
@@ -215,7 +215,7 @@ class OfAMesh(unittest.TestCase):
             ("x", "values"),
             ([np.nan], "values"),
             (None, "values"),
-            (-3, "values: must not be negative, is -3"),
+            (-3, "values: expected a number of isolines, got -3"),
             ([], "values: expected at least one, got none"),
             (10**9, "values: expected at most 10000, got 1000000000"),
         ):
@@ -230,7 +230,7 @@ class OfAMesh(unittest.TestCase):
             np.testing.assert_array_equal(loops[0].points[0], loops[0].points[-1])
         self.assertEqual(len(graph.loop([28, 40])), 2)
         self.assertEqual(graph.loop(as_polydata=True).GetNumberOfLines(), 1)
-        with self.assertRaisesRegex(ValueError, "a rope needs"):
+        with self.assertRaisesRegex(ValueError, "expected points for a rope"):
             graph.loop(rope=True)
         with self.assertRaises(vtkdgg.VTKError):
             graph.loop([1, 2], rope=True)

@@ -277,7 +277,7 @@ def integer(value, name):
     except TypeError:
         raise ValueError(f"{name}: expected an integer, got {value!r}") from None
     if not -(2**31) <= result < 2**31:
-        raise ValueError(f"{name}: must fit into 32 bits, is {result}")
+        raise ValueError(f"{name}: expected an integer of 32 bits, got {result}")
     return result
 
 
@@ -285,7 +285,7 @@ def limit(value, name):
     """Returns a number that is not negative; infinity for None."""
     result = np.inf if value is None else number(value, name)
     if not result >= 0.0:
-        raise ValueError(f"{name}: must not be negative or NaN, is {result}")
+        raise ValueError(f"{name}: expected a number of at least 0, got {result}")
     return result
 
 
@@ -299,7 +299,7 @@ def number_of_bytes(value, name):
     if value is None:
         return 0
     if not 1.0 <= number(value, name) < 2.0**63:
-        raise ValueError(f"{name}: must be a number of bytes, from 1 to 2^63 - 1, is {value}")
+        raise ValueError(f"{name}: expected 1 to 2^63 - 1 bytes, got {value}")
     return int(value)
 
 

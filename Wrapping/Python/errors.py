@@ -130,7 +130,7 @@ def in_arguments(text):
 
 def _checked(algorithm, issued=None, refused=None, bar=None, words=str):
     if not isinstance(algorithm, vtkAlgorithm):
-        raise TypeError(f"check() takes a vtkAlgorithm, not {type(algorithm).__name__}")
+        raise TypeError(f"check(): expected a vtkAlgorithm, got {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
     reports = _update(algorithm, pipeline, refused, bar)
     if not reports.errors and _failed(pipeline):

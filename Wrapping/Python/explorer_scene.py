@@ -87,7 +87,7 @@ class Scene:
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("there are no points to explore")
         if accuracy is not None and not 1e-6 <= accuracy <= 0.5:
-            raise ValueError(f"accuracy: must be in [1e-6, 0.5], is {accuracy:g}")
+            raise ValueError(f"accuracy: expected a number in [1e-6, 0.5], got {accuracy:g}")
         self.surface = surface if is_cloud else _triangles_of(surface)
         self.is_cloud = is_cloud
         info = GraphInfo.find(self.surface) if accuracy is None and not is_cloud else None

@@ -200,7 +200,7 @@ class Graph(Queries):
         array = arguments.numbers(values, "values")
         is_number = array.ndim == 0 and array.dtype.kind in "iu"
         if is_number and array < 0:
-            raise ValueError(f"values: must not be negative, is {array}")
+            raise ValueError(f"values: expected a number of isolines, got {array}")
         if array.size == 0:
             raise ValueError("values: expected at least one, got none")
         count = int(array) if is_number else array.size
@@ -259,7 +259,7 @@ class Graph(Queries):
             tie.SetPointData(through.data)
             tie.SetMode(tie.Rope if rope else tie.ThroughPoint)
         elif rope:
-            raise ValueError("points: a rope needs some")
+            raise ValueError("points: expected points for a rope, got none")
         else:
             tie.SetModeToAroundHandles()
         tie.SetTaut(bool(taut))

@@ -58,11 +58,11 @@ class GraphInfo:
         values = vtk_to_numpy(array)
         if values.dtype != np.int64 or values.shape != (_SIZE,) or values[0] != _VERSION:
             raise ValueError(
-                "polydata: its graph has a DGG.Info of another version, or is damaged; build it "
-                "anew by vtkDiscreteGeodesicGraph"
+                "polydata: its graph has a DGG.Info of another version, or is damaged; rebuild it "
+                "with vtkDiscreteGeodesicGraph"
             )
         if values[1] not in (0, 1):
-            raise damaged(f"its kind is {values[1]}, neither that of a mesh nor of a cloud")
+            raise damaged(f"its kind is {values[1]}; expected that of a mesh or a cloud")
         self.is_cloud = bool(values[1])
         known = range(_FIRST_SCHEME, len(CONSTRUCTIONS)) if self.is_cloud else range(_FIRST_SCHEME)
         if values[2] not in known:

@@ -227,7 +227,7 @@ class Queries(Matrices):
         """
         count = arguments.integer(number_of_samples, "number_of_samples")
         if count < 1:
-            raise ValueError(f"number_of_samples: must be positive, is {count}")
+            raise ValueError(f"number_of_samples: expected at least 1, got {count}")
         sampler = self._filter(vtkGeodesicSampler, projection_tolerance)
         sampler.SetNumberOfSamples(count)
         sampler.SetFirstSample(arguments.point_id(first, "first", self.number_of_points))
@@ -286,7 +286,7 @@ class Queries(Matrices):
         sites = self._points(sites, "sites")
         iterations = arguments.integer(iterations, "iterations")
         if iterations < 0:
-            raise ValueError(f"iterations: must not be negative, is {iterations}")
+            raise ValueError(f"iterations: expected at least 0, got {iterations}")
         divide = self._filter(vtkGeodesicVoronoi, projection_tolerance)
         divide.SetSiteIds(sites.ids)
         divide.SetSiteData(sites.data)
@@ -309,7 +309,7 @@ class Queries(Matrices):
     def _path_finder(self, straighten, detour, tolerance):
         detour = 1e-4 if detour is None else arguments.number(detour, "detour")
         if not 0.0 <= detour <= 0.1:
-            raise ValueError(f"detour: must be in [0, 0.1], is {detour}")
+            raise ValueError(f"detour: expected a number in [0, 0.1], got {detour}")
         finder = self._filter(vtkDGGPath, tolerance)
         finder.SetStraighten(bool(straighten))
         finder.SetDetour(detour)

@@ -87,7 +87,7 @@ def write(file: Any, mesh: Any) -> None:
     lost = left_out(path, data)
     if lost:
         warnings.warn(
-            f"{extension} keeps no {', '.join(lost)}; .vtk and .vtp do",
+            f"{extension} does not store {', '.join(lost)}; .vtk and .vtp do",
             RuntimeWarning,
             stacklevel=depth_of_package(),
         )

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How long a step takes when a source is moved: distances and ten isolines, beside the rendering.
+"""Time of one step while a source is moved: distances, ten isolines, and rendering.
 
 Usage: pvpython interaction.py MESH...    (with DGG_PLUGIN and DGG_TEST_OUTPUT in the environment)
 """
@@ -16,7 +16,8 @@ STEPS = 12
 
 
 def measure(mesh, make, **arguments):
-    """Milliseconds of a step, in the median: distances, isolines, and processor time of both."""
+    """Returns medians of a step in milliseconds: distances, isolines, and processor time of both.
+    """
     mesh.UpdatePipeline()  # so that the source starts on the surface
     distance = make(Input=mesh, **arguments)
     places = support.points(mesh)

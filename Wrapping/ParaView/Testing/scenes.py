@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A session as a user would script it: from a file to distances, isolines, a path, cells, a Green's
-function, and pictures of them."""
+"""A session as a user would script it: from a file to distances, isolines, a path, cells and a
+Green's function, and pictures of them."""
 
 from paraview import smtrace
 from paraview.modules.vtkRemotingServerManager import vtkSMTrace
@@ -21,7 +21,7 @@ def assign(proxy, **values):
 
 
 def build():
-    """The pipeline, by name."""
+    """Returns the proxies of the pipeline by name."""
     mesh = bumpy()
     graph = simple.GeodesicGraph(registrationName="graph", Input=mesh, Accuracy=0.01)
     distance = simple.GeodesicDistance(
@@ -47,7 +47,7 @@ def build():
 
 
 def make_view():
-    """An empty white view, small, from a side that shows no symmetry."""
+    """Returns a small empty white view from an asymmetric direction."""
     view = simple.CreateView("RenderView")
     view.ViewSize = [320, 280]
     view.UseColorPaletteForBackground = 0
@@ -62,7 +62,7 @@ def make_view():
 
 
 def show_surface(port, view, name, colors, association="POINTS", **properties):
-    """A surface in the colours of an array."""
+    """Show a surface in the colors of an array."""
     display = simple.Show(port, view, Representation="Surface", **properties)
     simple.ColorBy(display, (association, name), separate=True)
     display.LookupTable.ApplyPreset(colors, True)
@@ -73,7 +73,7 @@ def show_surface(port, view, name, colors, association="POINTS", **properties):
 
 
 def show_lines(port, view, color, radius=0.012):
-    """Lines as tubes, of a colour."""
+    """Show lines as tubes in one color."""
     tube = simple.Tube(Input=port, Radius=radius, NumberofSides=8, Scalars=None, Vectors=None)
     display = simple.Show(tube, view, Representation="Surface")
     display.ColorArrayName = [None, ""]
@@ -82,7 +82,7 @@ def show_lines(port, view, color, radius=0.012):
 
 
 def draw(pipeline):
-    """A view for each picture, by name."""
+    """Returns a view for each picture, by name."""
     views = {name: make_view() for name in ("Distance", "Cells", "Green")}
     view = views["Distance"]
     show_surface(pipeline["distance"], view, "GeodesicDistance", "Viridis (matplotlib)")

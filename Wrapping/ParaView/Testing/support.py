@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the plugin share.
+"""Functions that the tests of the plugin share.
 
 DGG_WRITE_BASELINE=1 in the environment writes the baselines of pictures anew. Look at them before
 you keep them.
@@ -31,30 +31,30 @@ simple._DisableFirstRenderCameraReset()
 
 
 def bumpy():
-    """A reader of an asymmetric surface of some 600 points, 2 across."""
+    """Returns a reader of an asymmetric surface of 642 points, 2 across."""
     return simple.PLYReader(FileNames=[str(DATA / "bumpy.ply")])
 
 
 def fetch(proxy, port=0):
-    """The data of an output."""
+    """Returns the data of an output."""
     proxy.UpdatePipeline()
     return proxy.SMProxy.GetClientSideObject().GetOutputDataObject(port)
 
 
 def array(proxy, name, port=0, cells=False):
-    """A copy of an array of an output."""
+    """Returns a copy of an array of an output."""
     data = fetch(proxy, port)
     attributes = data.GetCellData() if cells else data.GetPointData()
     return vtk_to_numpy(attributes.GetArray(name)).copy()
 
 
 def points(proxy, port=0):
-    """A copy of the coordinates of an output."""
+    """Returns a copy of the coordinates of an output."""
     return vtk_to_numpy(fetch(proxy, port).GetPoints().GetData()).copy()
 
 
 class Listener:
-    """What the filters of proxies say, instead of printing it."""
+    """Collects the messages of the filters of proxies instead of printing them."""
 
     def __init__(self, *proxies):
         self.errors, self.warnings = [], []
@@ -78,7 +78,7 @@ def read_image(path):
 
 
 def difference(first, second):
-    """How much two pictures differ, pixel by pixel: VTK's defaults forgive shifts."""
+    """Returns the pixel-wise difference of two pictures; VTK's defaults tolerate shifts."""
     compare = vtkImageDifference()
     compare.AllowShiftOff()
     compare.AveragingOff()
@@ -90,7 +90,7 @@ def difference(first, second):
 
 
 def changed(image, change):
-    """A copy of a picture, changed as an array of rows, columns and colours."""
+    """Returns a copy of a picture, changed as an array of rows, columns and colors."""
     columns, rows, _ = image.GetDimensions()
     values = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)
     copy = image.NewInstance()
@@ -100,7 +100,7 @@ def changed(image, change):
 
 
 def check_picture(test, file):
-    """That a picture is as the baseline of its name, and that no other one would do."""
+    """Check that a picture equals the baseline of its name, and differs from all others."""
     baseline = BASELINE / file.name
     if os.environ.get("DGG_WRITE_BASELINE"):
         baseline.write_bytes(file.read_bytes())
@@ -111,6 +111,6 @@ def check_picture(test, file):
 
 
 def main():
-    """Run the tests of a script. sys.exit() after pictures have been drawn is an X error."""
+    """Run the tests of a script. sys.exit() after pictures have been drawn causes an X error."""
     if not unittest.main(verbosity=2, exit=False).result.wasSuccessful():
         sys.exit(1)

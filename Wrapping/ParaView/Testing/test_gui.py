@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView itself: its menu makes every filter, and a source has a handle."""
+"""ParaView's user interface: its menu creates every filter, and a source has a handle."""
 
 import os
 import subprocess
@@ -18,7 +18,8 @@ CANCEL = f"{WINDOW}/SelectInputDialog/buttonBox/1QPushButton1"
 
 
 def filters():
-    """The filters of the category: whether ParaView asks for further inputs, by name."""
+    """Returns the filters of the category by name, and for each true if it requires further inputs.
+    """
     pxm = sm.ProxyManager()
     found = {}
     iterator = pxm.NewDefinitionIterator("filters")
@@ -42,13 +43,13 @@ def filters():
 
 
 def event(place, name=""):
-    """Press a button, or choose from a menu."""
+    """Returns an event that presses a button or selects a menu entry."""
     return f'<pqevent object={quoteattr(place)} command="activate" arguments={quoteattr(name)} />'
 
 
 class Window(unittest.TestCase):
     def play(self, events, picture):
-        """Open a surface, do what `events` say, and take a picture of the view."""
+        """Open a surface, play `events`, and take a picture of the view."""
         # ParaView opens a dialog for .ply files, which two readers support.
         surface = support.OUTPUT / "bumpy.vtp"
         simple.SaveData(str(surface), proxy=support.bumpy())

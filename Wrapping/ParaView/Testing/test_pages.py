@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of the plugin, and what else ParaView shows of it."""
+"""The page of the plugin and its code, and the pages in ParaView's help."""
 
 import os
 import re

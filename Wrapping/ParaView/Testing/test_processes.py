@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A session on any number of processes, in pvbatch: the surface is read by one and given out to
-all. Alone, it writes its results; under mpiexec, they are compared with those."""
+"""A session on any number of processes, in pvbatch: one process reads the surface and distributes
+it. Alone, the session writes its results; under mpiexec, the results are compared with those."""
 
 import numpy as np
 import support
@@ -18,7 +18,7 @@ TOLERANCE = {"distance": 1e-7, "cells": 1e-7}
 
 
 def on_points(proxy, name):
-    """An array in the order of the file."""
+    """Returns an array in the order of the file."""
     data = servermanager.Fetch(proxy)
     ids = vtk_to_numpy(data.GetPointData().GetArray("PointIds"))
     values = vtk_to_numpy(data.GetPointData().GetArray(name))
@@ -28,7 +28,7 @@ def on_points(proxy, name):
 
 
 def curves(proxy):
-    """Points of curves, sorted."""
+    """Returns the points of curves, sorted."""
     points = vtk_to_numpy(servermanager.Fetch(proxy).GetPoints().GetData())
     return points[np.lexsort(np.round(points, 6).T)]
 
@@ -84,8 +84,8 @@ def balanced(mesh):
 
 
 def loses_cells(pieces):
-    """Whether ParaView's own filter does: with an expat of 2024 or later, its reader of binary XML
-    fails, by which pieces are sent."""
+    """Returns true if ParaView's own filter loses cells: with an expat of 2024 or later, its reader
+    of binary XML, which transfers pieces, fails."""
     mesh = support.bumpy()
     surface = pieces(mesh)
     surface.UpdatePipeline()

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every class has a proxy, and every proxy is as its class: documented, with its properties and
-their defaults, and it updates."""
+"""Every class has a proxy with documentation, and with the properties and defaults of the class;
+every proxy updates."""
 
 import re
 import tempfile
@@ -27,7 +27,7 @@ OTHER_DEFAULTS = {
 
 
 def modules():
-    """The folders of the modules that are built."""
+    """Returns the folders of the modules that are built."""
     folders = ["Filters/Geodesic", "Filters/Spectral", "Readers"]
     if support.os.environ["DGG_WITH_PCL"] == "ON":
         folders.append("Filters/PointCloud")
@@ -35,7 +35,7 @@ def modules():
 
 
 def headers():
-    """Name and header of each class that can be made, as CMake lists them."""
+    """Returns name and header of each concrete class, as CMake lists them."""
     found = {}
     for folder in modules():
         listed = re.search(r"set\(classes(.*?)\)", (folder / "CMakeLists.txt").read_text(), re.S)
@@ -47,13 +47,13 @@ def headers():
 
 
 def setters(header):
-    """What a class can set: properties of one number, or of a name."""
+    """Returns the properties of a class that are one number or a name."""
     names = re.findall(r"vtk(?:DGG)?Set(?:Clamp|Number|FilePath)?Macro\((\w+)", header)
     return set(names + re.findall(r"vtkDGGStringMacro\((\w+)", header)) - {"Ids"}
 
 
 def properties(proxy):
-    """The properties of a proxy by name."""
+    """Returns the properties of a proxy by name."""
     iterator = proxy.NewPropertyIterator()
     found = {}
     while not iterator.IsAtEnd():
@@ -63,7 +63,7 @@ def properties(proxy):
 
 
 def state(proxy):
-    """What the object of a proxy says of itself, line by line."""
+    """Returns the lines that the object of a proxy prints."""
     text = str(proxy.GetClientSideObject())
     return text[text.index("Progress Text") :].splitlines()[1:]
 
@@ -192,7 +192,7 @@ class Proxies(unittest.TestCase):
 
 
 class Updates(unittest.TestCase):
-    """Each filter with what a user would give it at least."""
+    """Updates each filter with minimal input."""
 
     def setUp(self):
         self.mesh = support.bumpy()

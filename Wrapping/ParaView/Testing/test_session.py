@@ -10,7 +10,7 @@ from support import simple, unittest
 
 
 def arrays(pipeline):
-    """What a session has found, as numbers."""
+    """Returns the results of a session as arrays."""
     return {
         "distance": support.array(pipeline["distance"], "GeodesicDistance"),
         "lines": support.points(pipeline["lines"]),
@@ -21,7 +21,7 @@ def arrays(pipeline):
 
 
 def in_session():
-    """The pipeline that a state file or a script has made."""
+    """Returns the pipeline that a state file or a script has created."""
     names = ("distance", "lines", "path", "cells", "green")
     return {name: simple.FindSource(name) for name in names}
 
@@ -68,7 +68,7 @@ class Session(unittest.TestCase):
         self.assertGreater(kinds["Borders"].GetNumberOfLines(), 12)
 
     def test_handle_moves(self):
-        """A moved source is as one that has always been there."""
+        """Results after moving a source equal those of a new source at that position."""
         moved = [-0.2, 0.9, 0.4]
         distance = self.pipeline["distance"]
         distance.Source.Center = moved
@@ -106,7 +106,7 @@ class Session(unittest.TestCase):
         np.testing.assert_allclose(found, sites, rtol=0.02)
 
     def test_sites_and_places_have_handles(self):
-        """As sources have; they are as points of the pipeline."""
+        """Handles of sites and probe points give the results of points of the pipeline."""
         graph = self.pipeline["distance"].Input
         points = [*scenes.SOURCE, -0.9, 0.2, 0.5, 0.1, 0.9, -0.4]
         line = simple.PolyLineSource(Points=points)
@@ -126,7 +126,7 @@ class Session(unittest.TestCase):
         self.assertLess(support.array(probe, "GeodesicDistance")[0], 1e-6)
 
     def test_isolines_of_what_is_chosen(self):
-        """By default one line half way; those out of range are reported once."""
+        """The default is one isoline at half the range; values out of range are reported once."""
         distance = simple.Calculator(
             Input=self.pipeline["distance"], ResultArrayName="Twice", Function="2*GeodesicDistance")
         distance.UpdatePipeline()
@@ -149,7 +149,8 @@ class Session(unittest.TestCase):
         self.assertEqual(len(listener.warnings), 1)
 
     def test_an_error_is_told_once(self):
-        """Whatever asks for the outputs, and however many depend on them."""
+        """An error is reported once, whatever the number of outputs and filters that depend on it.
+        """
         graph = simple.GeodesicGraph(Input=support.bumpy(), Accuracy=0.9)
         distance = simple.GeodesicDistance(Input=graph)
         cells = simple.GeodesicVoronoiCells(Input=graph)

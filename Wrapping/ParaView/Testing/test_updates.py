@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Updates that are watched, aborted, overtaken by changes, and closed while they run."""
+"""Updates that are observed, aborted, overtaken by changes, and closed while they run."""
 
 import os
 import pathlib
@@ -32,7 +32,7 @@ LONG = {
 
 
 def large():
-    """An uneven surface of 41000 points."""
+    """Returns an uneven surface of 41,000 points."""
     mesh = support.bumpy()
     fine = simple.LoopSubdivision(Input=mesh, NumberofSubdivisions=3)
     fine.UpdatePipeline()
@@ -40,10 +40,9 @@ def large():
 
 
 class Watch:
-    """Observes the updates of a filter; stops them at the first progress when asked to. With
-    several outputs there are several updates: ParaView asks for each output, and what is aborted is
-    missing.
-    """
+    """Observes the updates of a filter, and aborts them at the first progress on request. With
+    several outputs there are several updates, since ParaView requests each output and an aborted
+    one is missing."""
 
     def __init__(self, proxy, stops=False, then=None):
         self.filter = proxy.SMProxy.GetClientSideObject()
@@ -70,7 +69,7 @@ class Updates(unittest.TestCase):
         simple.ResetSession()
 
     def test_progress_and_abort(self):
-        """What ParaView's progress bar gets, and that an abort takes effect at once."""
+        """ParaView's progress bar receives progress, and an abort takes effect immediately."""
         mesh = large()
         handler = sm.ActiveConnection.Session.GetProgressHandler()
         interval = handler.GetProgressInterval()
@@ -103,7 +102,7 @@ class Updates(unittest.TestCase):
         handler.SetProgressInterval(interval)
 
     def test_changes_that_overtake_each_other(self):
-        """Each update is aborted by the next change; the last is as if it were the first."""
+        """The next change aborts each update; the last result equals that of a first update."""
         mesh = large()
         distance = simple.GeodesicDistance(Input=mesh, Accuracy=0.1)
         lines = simple.GeodesicIsolines(Input=distance, Distances=[0.3, 0.6, 0.9])
@@ -129,7 +128,7 @@ class Updates(unittest.TestCase):
         np.testing.assert_array_equal(support.points(lines), support.points(fresh_lines))
 
     def test_closing_while_it_runs(self):
-        """Proxies deleted, sources and all, by what observes the update."""
+        """The observer of an update deletes all proxies, including sources."""
         mesh = large()
         for name in ("ExactGeodesicDistance", "GeodesicGraph", "BiharmonicDistance"):
             proxy = getattr(simple, name)(Input=mesh)

@@ -43,7 +43,7 @@ def surface_of(options):
     contents, is_cloud = read(options)
     if is_cloud:
         raise files.MeshFileError(
-            f"{options.file}: holds no surface, which {options.command} needs"
+            f"{options.file}: contains no surface, which {options.command} needs"
         )
     return contents
 
@@ -143,7 +143,7 @@ def written(options, data, answer=None):
     if answer in writing.left_out(options.out, data):
         extension = writing.extension_of(options.out)
         raise files.MeshFileError(
-            f"{options.out}: {extension} cannot hold {answer}; .vtk and .vtp can"
+            f"{options.out}: {extension} cannot store {answer}; .vtk and .vtp can"
         )
     if answer and writing.extension_of(options.out) == ".npy":
         values = vtk_to_numpy(data.GetPointData().GetArray(answer))
@@ -342,7 +342,7 @@ def loop(options):
         as_polydata=True,
     )
     if output.GetNumberOfLines() == 0:
-        raise Negative("there is no loop that does not contract to a point")
+        raise Negative("every loop contracts to a point")
     lengths = vtk_to_numpy(output.GetCellData().GetArray("Length"))
     return {
         **named(made),

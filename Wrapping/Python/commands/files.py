@@ -26,7 +26,7 @@ def triangles_of(contents, path):
     triangulate.SetInputData(contents)
     mesh = vtkdgg.check(triangulate)
     if mesh.GetNumberOfPolys() == 0:
-        raise MeshFileError(f"{path}: holds no surface")
+        raise MeshFileError(f"{path}: contains no surface")
     return mesh
 
 
@@ -41,7 +41,7 @@ def is_cloud(contents):
     """Returns true if there are points without cells other than vertices. Curves are an error."""
     kind = kind_of(contents)
     if kind == "curves":
-        raise MeshFileError("the file holds curves and no surface; --cloud uses the points only")
+        raise MeshFileError("the file contains curves and no surface; --cloud uses the points only")
     return kind == "point cloud"
 
 
@@ -77,7 +77,7 @@ def check_format(path, kind):
     if extension not in writing.FORMATS[kind]:
         known = " ".join(writing.FORMATS[kind])
         name = repr(extension) if extension else "a file without extension"
-        raise MeshFileError(f"{path}: {name} cannot hold {kind}; expected {known}")
+        raise MeshFileError(f"{path}: {name} cannot store {kind}; expected {known}")
 
 
 def writable(path, kind):

@@ -31,7 +31,7 @@ def counted(count, one, many=None):
 # Patterns of words in messages of filters and functions, and their replacements in the shell.
 IN_OPTIONS = {
     r"\bvtk(?!dgg)\w+: ": "",
-    r"\Apoints: a rope needs some": "--through: a rope needs some points",
+    r"\Apoints: expected points for a rope": "--through: expected points for a rope",
     r": it has to be in \[(.*), (.*)\]": r" is out of range: expected \1 to \2",
     r"\bset merge_coincident_points=True(?:, and a merge_tolerance of [\d.e-]*\d)?": "add --merge",
     r"\bmerge_coincident_points may join them": "--merge may join them",
