@@ -2,12 +2,12 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Geodesic distances on a mesh within a promised error: builds what is needed, then a graph of the
-# mesh; queries the graph, measures the error against the exact solver, and prints a table of sizes,
-# times and errors. Writes distance.vtp, distance.png (distances with isolines) and error.png (where
-# the errors are). Missing Debian packages are installed first.
-# A file that holds points and no polygons is a point cloud: then there is no promise and no exact
-# solver; a graph of the cloud is built, and distances and the path to the farthest point are found.
+# Geodesic distances on a mesh within an error bound. Installs missing Debian packages, and builds
+# vtkDGG and a graph of the mesh. Queries the graph, measures the error against the exact solver, and
+# prints a table of sizes, times and errors. Writes distance.vtp, distance.png (distances with
+# isolines) and error.png (map of the errors).
+# A file with points and without polygons is a point cloud, for which there is no error bound and no
+# exact solver: builds a graph, and computes distances and the path to the farthest point.
 # Writes distance.vtp, path.vtp and distance.png.
 #
 # Usage: Examples/demo.sh [FILE] [--accuracy E] [--source ID | --source X,Y,Z [--tolerance T]]
@@ -15,11 +15,11 @@
 #   FILE        .ply .obj .stl .vtp .vtk .off .pcd .xyz
 #               (default: the bunny of Debian's glmark2-data)
 #   --accuracy  largest relative error of a distance on a mesh, 1e-6 to 0.5 (default: 0.01)
-#   --source    where distances start: a point id, or coordinates on the surface
-#               (default: the point farthest from the centre)
-#   --tolerance how far X,Y,Z may be from the surface, as a fraction of the diagonal (default: 0.01)
+#   --source    source of the distances: a point id, or coordinates on the surface
+#               (default: the point farthest from the center)
+#   --tolerance largest distance of X,Y,Z from the surface, fraction of the diagonal (default: 0.01)
 #   --merge     treat points of a mesh with equal coordinates as one (texture seams)
-#   --cloud     look at points only, also where the file has polygons
+#   --cloud     use the points only, even if the file has polygons
 #   --out       folder of the results (default: ./out)
 
 set -euo pipefail

@@ -45,7 +45,7 @@ def main(cloud_path, number_of_cells, picture_path):
     sampler.SetInputConnection(graph.GetOutputPort())
     sampler.SetNumberOfSamples(number_of_cells)
 
-    # ... each moved to the middle of what is nearest to it.
+    # ... each moved to the center of its cell.
     voronoi = vtkdgg.vtkGeodesicVoronoi()
     voronoi.SetInputConnection(graph.GetOutputPort())
     voronoi.SetSiteConnection(sampler.GetOutputPort())
@@ -69,7 +69,7 @@ def choose_colours(cloud, labels, count):
         vtk_to_numpy(cloud.GetFieldData().GetArray("DGG." + name))
         for name in ("Offsets", "Targets")
     )
-    # Cells are neighbours where an edge of the graph leads from one to the other.
+    # Cells are neighbors if an edge of the graph connects them.
     edges = np.column_stack([np.repeat(labels, np.diff(offsets)), labels[targets]])
     first, second = np.unique(edges[edges[:, 0] != edges[:, 1]], axis=0).T
     colours = np.full(count, -1)

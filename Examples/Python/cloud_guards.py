@@ -19,12 +19,12 @@ from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer, vtkRenderWindo
 
 SIZE = (1600, 1200)
 UNREACHED = (0.62, 0.62, 0.62)
-# Every other band is darker by this factor.
+# Factor by which every other band is darker.
 SHADE = 0.8
 BANDS = 24
-# How much larger discs are than usual, as the points are at random, with gaps between them.
+# Scale of the discs, which covers the gaps between random points.
 LARGER = 1.7
-# The same where single points are to be seen.
+# Scale of the discs where single points are visible.
 SEPARATE = 0.6
 
 
@@ -42,7 +42,7 @@ def perforated(count, random):
     u = 2.0 * np.pi * random.uniform(size=4 * count)
     v = 2.0 * np.pi * random.uniform(size=4 * count)
     r = 1.0 + 0.45 * np.cos(v)
-    even = 1.45 * random.uniform(size=len(r)) < r  # as many per area everywhere
+    even = 1.45 * random.uniform(size=len(r)) < r  # uniform density per area
     points = np.column_stack([r * np.cos(u), r * np.sin(u), 0.45 * np.sin(v)])[even]
     angle = np.arange(10) * 2.0 * np.pi / 10.0
     tube = np.where(np.arange(10) % 2 == 0, 0.6, 1.9)
@@ -57,7 +57,7 @@ def sheets(count, random):
     x, y = random.uniform(size=(2, count))
     gap = 3.0 * 1.5 * np.sqrt(2.0 / count)
     z = 0.06 * np.sin(7.0 * x + 0.5) * np.cos(5.0 * y) + gap * (np.arange(count) % 2)
-    # The upper one is cut off, so that the lower one can be seen.
+    # The upper layer is cut off, so that the lower one is visible.
     return np.column_stack([x, y, z])[(np.arange(count) % 2 == 0) | (x + 0.4 * y > 0.62)]
 
 

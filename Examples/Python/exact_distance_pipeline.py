@@ -21,7 +21,7 @@ def main(mesh_path, source_id, picture_path):
     # Read.
     mesh = vtkdgg.read(mesh_path).as_polydata()
 
-    # Distance from one point. check() updates, and raises when something is wrong.
+    # Distance from one point. check() updates the filter, and raises an error if that fails.
     distance = vtkdgg.vtkExactGeodesicDistance()
     distance.SetInputData(mesh)
     distance.AddSourceId(source_id)

@@ -5,7 +5,7 @@
 import math
 from argparse import ArgumentTypeError
 
-# The largest id that VTK has.
+# Largest id in VTK.
 LARGEST = 2**63 - 1
 
 

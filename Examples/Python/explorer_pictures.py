@@ -14,9 +14,9 @@ import vtkdgg
 from vtkdgg.explorer import Explorer, Scene
 
 SIZE = (1000, 750)
-# Places on the bunny, as parts of the window.
+# Positions on the bunny, as fractions of the window.
 LEG, EAR, NOSE, BACK = (0.52, 0.36), (0.43, 0.85), (0.19, 0.57), (0.50, 0.55)
-# Clicks, drags from one place to another, and keys.
+# Clicks, drags from one position to another, and keys.
 PICTURES = {
     "explorer_drag": [(BACK, LEG)],
     "explorer_path": [BACK, EAR],
@@ -37,7 +37,7 @@ def play(window, act):
         return
     start, end = act if isinstance(act[0], tuple) else (act, None)
     steps = [("LeftButtonPressEvent", start)]
-    # A drag goes on until the picture is taken.
+    # A drag continues until the picture is taken.
     steps += [("MouseMoveEvent", end)] if end else [("LeftButtonReleaseEvent", start)]
     for event, place in steps:
         pixel = (round(part * length) for part, length in zip(place, SIZE))

@@ -23,8 +23,8 @@ def main(mesh_path, source_id):
     graph.SetAccuracy(0.01)
     mesh = vtkdgg.check(graph)
 
-    # The graph is three plain arrays, which make a matrix in one line. A copy, because SciPy sorts
-    # its arrays in place now and then, and the order of the edges is of use to the search.
+    # The arrays of the graph are a sparse matrix. Copied, because SciPy may sort them in place and
+    # the search depends on the order of the edges.
     n = mesh.GetNumberOfPoints()
     offsets, targets, lengths = (
         vtk_to_numpy(mesh.GetFieldData().GetArray(f"DGG.{name}"))
@@ -32,7 +32,7 @@ def main(mesh_path, source_id):
     )
     matrix = csr_matrix((lengths, targets, offsets), shape=(n, n), copy=True)
 
-    # What the search finds: lengths of paths, and the corrected distances.
+    # Distances of the filter: lengths of paths, and corrected ones.
     distance = vtkdgg.vtkDGGDistance()
     distance.SetInputConnection(graph.GetOutputPort())
     distance.AddSourceId(source_id)
@@ -41,7 +41,7 @@ def main(mesh_path, source_id):
     bound = vtk_to_numpy(result.GetArray("GeodesicUpperBound"))
     corrected = vtk_to_numpy(result.GetArray("GeodesicDistance"))
 
-    # What SciPy finds; infinite where we say NaN.
+    # Distances of SciPy; infinite instead of NaN if unreached.
     expected = dijkstra(matrix, indices=source_id)
     reached = np.isfinite(expected)
     if not np.array_equal(reached, ~np.isnan(bound)):

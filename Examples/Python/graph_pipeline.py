@@ -30,7 +30,7 @@ def main(mesh_path, source_ids, picture_path):
     graph.SetInputData(mesh)
     graph.SetAccuracy(0.01)
 
-    # Queries: as many as you like, in milliseconds.
+    # Each query takes milliseconds.
     queries = []
     for source_id in source_ids:
         distance = vtkdgg.vtkDGGDistance()

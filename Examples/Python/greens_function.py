@@ -35,10 +35,10 @@ METHODS = (
     ("singularity subtraction", vtkdgg.vtkDiscreteGreensFunction.SingularitySubtraction),
 )
 BARYCENTRIC = (0.45, 0.35, 0.20)
-WIDTH, CAPTION = 300, 64  # of a panel and the lines below it, in pixels
-REACH = 0.3  # of a panel from the source, on a sphere of radius 1
-BANDS = 14.0  # per unit of the function
-LOW, HIGH = 0.12, 0.6  # where the colours end
+WIDTH, CAPTION = 300, 64  # size of a panel and height of the text below it, pixels
+REACH = 0.3  # extent of a panel around the source, on the unit sphere
+BANDS = 14.0  # bands per unit of the function
+LOW, HIGH = 0.12, 0.6  # range of the colors
 
 
 def make_sphere(level):

@@ -99,7 +99,7 @@ def lap(curves):
 
 def make_tubes(port, radius, colour):
     """Returns an actor of tubes around polylines."""
-    # Points on top of each other, as next to a corner of the mesh, have no direction between them.
+    # Coincident points, as next to a corner of the mesh, define no direction of the tube.
     clean = vtkCleanPolyData()
     clean.SetInputConnection(port)
     clean.ConvertLinesToPointsOff()

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonCore import mutable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStaticCellLocator, vtkStaticPointLocator
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkStripper
 
-STEP = 0.016  # between points of curves
+STEP = 0.016  # distance between points of curves
 
 
 def smooth(points, is_closed=False):

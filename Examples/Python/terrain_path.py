@@ -33,7 +33,7 @@ SIDE = 150  # points
 EXTENT = 12.0  # km
 START = (1.2, 2.6)  # km
 END = (10.8, 8.1)
-# Mountains: where, how high, how wide along and across, and the direction of the ridge. In km.
+# Mountains: position, height, width along and across, in km, and the direction of the ridge.
 HILLS = (
     (4.3, 2.4, 2.3, 1.6, 0.7, 2.0),
     (3.5, 6.2, 1.9, 2.0, 0.8, 1.5),
@@ -64,7 +64,7 @@ def height(x, y):
         c, s = np.cos(direction), np.sin(direction)
         u, v = c * (x - x0) + s * (y - y0), c * (y - y0) - s * (x - x0)
         z = z + top * np.exp(-((u / along) ** 2) - (v / across) ** 2)
-    for k in range(1, 9):  # smaller and smaller ones in all directions
+    for k in range(1, 9):  # ever smaller waves in all directions
         a, b = 1.3**k * np.cos(2.4 * k), 1.3**k * np.sin(2.4 * k)
         z = z + 0.09 / 1.25**k * np.sin(a * x + b * y + np.sin(0.7 * b * x - 0.6 * a * y + k))
     return z
@@ -80,7 +80,7 @@ def make_terrain():
     corner = np.arange(SIDE * (SIDE - 1))
     corner = corner[corner % SIDE < SIDE - 1]
     a, b, c, d = corner, corner + 1, corner + SIDE + 1, corner + SIDE
-    # Squares are cut along either diagonal by turns.
+    # Squares are divided along alternating diagonals.
     turn = ((corner % SIDE + corner // SIDE) % 2 == 0)[:, np.newaxis]
     triangles = np.vstack(
         [
@@ -165,7 +165,7 @@ def contour_actor(terrain):
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.SetPosition(0.0, 0.0, 0.01)  # a little above the ground, to be seen
+    actor.SetPosition(0.0, 0.0, 0.01)  # slightly above the ground, to be visible
     actor.GetProperty().SetColor(0.33, 0.33, 0.22)
     actor.GetProperty().LightingOff()
     return actor
@@ -224,7 +224,7 @@ def render(props, picture_path):
     for prop in props:
         renderer.AddViewProp(prop)
     for position, intensity in (((-8.0, 14.0, 12.0), 0.75), ((9.0, -20.0, 25.0), 0.4)):
-        light = vtkLight()  # the sun, and what the sky sends into the shadows
+        light = vtkLight()  # the sun, and light of the sky in the shadows
         light.SetPosition(position)
         light.SetFocalPoint(0.5 * EXTENT, 0.5 * EXTENT, 0.0)
         light.SetIntensity(intensity)

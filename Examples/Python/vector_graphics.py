@@ -32,7 +32,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 DIFFUSION, POISSON, REGION = 0, 1, 2
-# Height and radius of the vase; it is 1 high.
+# Height and radius of the vase, whose height is 1.
 PROFILE = np.array(
     [
         (0.00, 0.200),
@@ -49,7 +49,7 @@ PROFILE = np.array(
         (1.00, 0.235),
     ]
 )
-# Ridges from the top: height of the valleys, how much higher peaks are, how many there are, colour
+# Ridges from the top: height of the valleys, height of peaks above them, number of peaks, color
 # above and below.
 RIDGES = (
     (0.525, 0.085, 7, "ffdcae", "b3b4d8"),
@@ -186,7 +186,7 @@ class Ridge:
         for peak, rise, width in zip(self.peaks, self.rises, self.widths):
             away = np.abs((angle - peak + np.pi) % (2.0 * np.pi) - np.pi) / width
             height = np.maximum(height, rise * np.clip(1.0 - away, 0.0, 1.0) ** 1.25)
-        # |sin| has peaks where it turns around, as rocks do.
+        # |sin| has sharp extrema, like rocks.
         rocks = sum(a * (0.5 - np.abs(np.sin(0.5 * k * angle + p))) for k, a, p in self.waves)
         return self.height + height + rocks
 
@@ -242,8 +242,8 @@ def draw():
     angles = np.linspace(0.0, 2.0 * np.pi, 721)[:-1]
     night, dusk, gold = color("1d2b57"), color("5d5f9f"), color("e8c987")
 
-    # Around the neck: glaze, a line of gold, and the sky, which gets lighter downwards; its curve
-    # has the same colour on both sides.
+    # Around the neck: glaze, a line of gold, and the sky, which is lighter at the bottom; its curve
+    # has the same color on both sides.
     for height, above, below in ((0.905, night, gold), (0.890, gold, night), (0.785, dusk, dusk)):
         ring = place(angles[::8], np.full(90, height))
         drawing.add(DIFFUSION, ring, True, LeftColor=above, RightColor=below)
@@ -263,7 +263,7 @@ def draw():
     for angle, height, width in ((0.45, 0.300, 0.10), (-0.55, 0.185, 0.09), (0.10, 0.440, 0.07)):
         bank = make_ellipse(angle, height, width, 0.016)
         drawing.add(REGION, bank, True, Strength=np.array([0.22, 0.22, 0.20]))
-    # Clouds: lit from below, crisp where the light ends.
+    # Clouds, lit from below with a sharp border.
     for middle, height, length in (
         (0.10, 0.755, 0.60),
         (0.55, 0.705, 0.66),

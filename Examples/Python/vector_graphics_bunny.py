@@ -39,9 +39,9 @@ TOWARDS_HEAD = np.array([-0.5, 1.0, 0.2])
 
 CREAM, PALE, SKY, DUSK, NIGHT = "fdf6ea", "e3edf5", "8dbae4", "2b4c9c", "14235c"
 CORAL, GOLD, BLACK, WHITE = "dc453d", "ecc25a", "1a0d0c", "ffffff"
-COOL, WARM = np.array([1.0, 0.9, 0.8]), np.array([0.65, 0.95, 1.0])  # what shade takes off
+COOL, WARM = np.array([1.0, 0.9, 0.8]), np.array([0.65, 0.95, 1.0])  # color that shade subtracts
 
-# All that follows is in the picture plane: right and up, where the bunny is 2 long.
+# Coordinates in the picture plane, right and up; the bunny is 2 long.
 TAIL = (0.68, -0.76)
 EYE = (-0.665, 0.415)
 BELL = (-0.700, -0.140, 0.068)
@@ -60,7 +60,7 @@ FEET = (
 )  # fmt: skip
 THIGH = ((-0.10, -0.245), (-0.25, -0.240), (-0.375, -0.29), (-0.425, -0.42), (-0.405, -0.54),
          (-0.355, -0.68))  # fmt: skip
-# Blossoms, buds and petals in the wind: place, radius, turn.
+# Blossoms, buds and petals in the wind: position, radius, rotation.
 BLOSSOMS = (
     (-0.135, -0.455, 0.135, 0.3),
     (0.150, -0.270, 0.125, 1.0),
@@ -82,7 +82,7 @@ PETALS = (
     (-0.650, -0.460, 0.036, 2.9),
     (-0.395, -0.075, 0.040, 0.2),
 )
-# Twigs: where they go, and how thick they are at both ends.
+# Twigs: points, and thickness at both ends.
 TWIGS = (
     (((0.375, -0.915), (0.30, -0.73), (0.17, -0.57), (0.04, -0.50), (-0.13, -0.45)), 0.027, 0.011),
     (((0.18, -0.58), (0.22, -0.42), (0.15, -0.27), (0.05, -0.14), (-0.07, -0.03), (-0.19, 0.06)),
@@ -222,7 +222,7 @@ def add_tail(painter):
     rings = vtkdgg.vtkApolloniusIsolines()
     rings.SetInputConnection(distance.GetOutputPort())
     rings.GenerateValues(2, 0.300, 0.325)
-    # What is closer is on the left.
+    # The closer side is on the left.
     for ring, left, right in zip(lines_of(vtkdgg.check(rings)), (CREAM, GOLD), (GOLD, SKY)):
         painter.add_line(ring[:-1], color(left), color(right), True)
 
@@ -241,7 +241,7 @@ def add_glaze(painter):
             line = place(smooth(points), sign)
             shade = mix(ends, middle, np.sin(np.linspace(0.0, np.pi, len(line))) ** 0.7)
             painter.add_line(line, shade, shade)
-    # At both ends the same colour on both sides.
+    # Both sides have the same color at both ends.
     for points in FEET:
         line = place(smooth(points))
         t = np.sin(np.linspace(0.0, np.pi, len(line))) ** 0.5

@@ -31,7 +31,7 @@ def main(mesh_path, number_of_sites, picture_path):
     sampler.SetInputConnection(graph.GetOutputPort())
     sampler.SetNumberOfSamples(number_of_sites)
 
-    # ... each moved to the middle of what is nearest to it.
+    # ... each moved to the center of its cell.
     voronoi = vtkdgg.vtkGeodesicVoronoi()
     voronoi.SetInputConnection(graph.GetOutputPort())
     voronoi.SetSiteConnection(sampler.GetOutputPort())

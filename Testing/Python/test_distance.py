@@ -240,7 +240,7 @@ class WrongInput(unittest.TestCase):
                     self.refuses(f"{name}: expected a number", **{name: value})
         self.refuses("unreached: expected a number, got None", unreached=None)
         for value in (-0.1, np.nan):
-            self.refuses("projection_tolerance: must not be", projection_tolerance=value)
+            self.refuses("projection_tolerance: expected a number of at least 0", projection_tolerance=value)
 
     def test_huge_integers(self):
         self.refuses("sources: 1180591620717411303424 does not fit into 64 bits", sources=2**70)

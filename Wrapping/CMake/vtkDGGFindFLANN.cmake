@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The target DGG::FLANN: what the kernel of point clouds is linked to. For the build, and for those
-# who link to the installed kernel, on another machine perhaps: no path of this one is installed.
-# Sets DGG_FLANN_FOUND. Where it is not found, the names alone are left to the linker.
+# Target DGG::FLANN, to which the kernel of point clouds links. Used by the build and by programs
+# that link to the installed kernel, possibly on another machine: no paths are installed.
+# Sets DGG_FLANN_FOUND. If FLANN is not found, the linker searches its libraries by name.
 find_library(DGG_FLANN_LIBRARY flann_cpp)
-# FLANN's headers, not its library, call it.
+# Only FLANN's headers call LZ4.
 find_library(DGG_LZ4_LIBRARY lz4)
 mark_as_advanced(DGG_FLANN_LIBRARY DGG_LZ4_LIBRARY)
 set(DGG_FLANN_FOUND FALSE)

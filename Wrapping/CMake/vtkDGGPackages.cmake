@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Debian packages, one for each component of what is installed: cpack -G DEB, or the target package.
-# The folders are those of Debian when the prefix is /usr (preset package). Of the plugin there is one
-# package, which has all of its libraries in its own folder, as ParaView's VTK is another one.
+# Debian packages, one per component of the installation: cpack -G DEB, or the target package.
+# With the prefix /usr (preset package) the folders are those of Debian. The plugin is one
+# package with all of its libraries in its own folder, since ParaView has its own VTK.
 foreach (dgg_program IN ITEMS dpkg-deb dpkg-shlibdeps file gzip)
   find_program("DGG_PROGRAM_${dgg_program}" "${dgg_program}")
   mark_as_advanced("DGG_PROGRAM_${dgg_program}")
@@ -43,7 +43,7 @@ set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(dgg_version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 set(dgg_folder "${CMAKE_BINARY_DIR}/packaging")
 
-# What Debian wants of every package.
+# Files that Debian requires in every package.
 set(dgg_others)
 if (DGG_WITH_PCL)
   set(dgg_others "Those of point clouds hold code of headers of PCL (libpcl-dev) as well, and of\n\
@@ -63,7 +63,7 @@ execute_process(
   COMMAND "${DGG_PROGRAM_gzip}" -9nf "${dgg_folder}/changelog" "${dgg_folder}/changelog.Debian"
   COMMAND_ERROR_IS_FATAL ANY)
 
-# Packages of before, such as of another version, would be treated as current ones.
+# Remove earlier packages, which would be treated as current ones.
 file(WRITE "${dgg_folder}/remove.cmake" "\
 string(FIND \"\${CPACK_PACKAGE_DIRECTORY}\" \"${CMAKE_BINARY_DIR}/\" at)
 if (at EQUAL 0) # else others may be there
@@ -75,7 +75,7 @@ endif ()
 ")
 set(CPACK_PRE_BUILD_SCRIPTS "${dgg_folder}/remove.cmake")
 
-# dgg_add_package(<component> <package> <section> <for what> <what it is>): its other variables are
+# dgg_add_package(<component> <package> <section> <purpose> <description>): other variables are
 # those of CPack.
 macro (dgg_add_package component package section purpose content)
   string(TOUPPER "${component}" dgg_name)
@@ -103,7 +103,7 @@ if (DGG_PARAVIEW_PLUGIN)
   set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS
     "paraview (>= ${dgg_paraview_version}), paraview (<< ${ParaView_VERSION_MAJOR}.${dgg_next}~)")
   set(CPACK_DEBIAN_PLUGIN_PACKAGE_RECOMMENDS python3-paraview)
-  # Of a ParaView that is unpacked, not installed.
+  # For an unpacked ParaView that is not installed.
   get_target_property(dgg_vtk_library VTK::CommonCore LOCATION)
   get_filename_component(dgg_vtk_folder "${dgg_vtk_library}" DIRECTORY)
   list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${dgg_vtk_folder}")
@@ -111,7 +111,7 @@ else ()
   set(dgg_runtime "libvtkdgg${dgg_soversion}")
   dgg_add_package(runtime "${dgg_runtime}" libs "for VTK"
     "These are the libraries that programs need to run.")
-  # What packages of programs depend on. (CPack would complain of the modules of Python.)
+  # Dependencies of programs. (CPack would complain about the Python modules.)
   string(REPLACE "DGG::" "vtkDGG" dgg_shlibs "dggCore;${dgg_modules}")
   list(TRANSFORM dgg_shlibs
     REPLACE "(.+)" "lib\\1 ${dgg_soversion} ${dgg_runtime} (= ${dgg_version})")
@@ -123,7 +123,7 @@ else ()
   dgg_add_package(development libvtkdgg-dev libdevel "for VTK (development)"
     "These are headers and the CMake package vtkDGG.")
   set(CPACK_COMPONENT_DEVELOPMENT_DEPENDS runtime)
-  # Debian's VTK looks for its Qt parts when it is found.
+  # Debian's VTK searches its Qt modules in find_package().
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libvtk9-dev, libvtk9-qt-dev")
   if (DGG_WITH_PCL)
     string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libflann-dev, liblz4-dev")
@@ -138,7 +138,7 @@ if (DGG_WITH_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}~), \
 python3 (<< 3.${dgg_next}), python3-numpy, python3-vtk9")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-nibabel, python3-scipy, python3-tqdm")
-  # Compiled modules are not in the package, so they are to be made and to be removed.
+  # Compiled modules are not in the package: scripts create and remove them.
   file(WRITE "${dgg_folder}/postinst" "#!/bin/sh\nset -e\nif [ \"$1\" = configure ]; then\n\
   py3compile -p python3-vtkdgg\nfi\n")
   file(WRITE "${dgg_folder}/prerm" "#!/bin/sh\nset -e\npy3clean -p python3-vtkdgg\n")

@@ -2,24 +2,24 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Build the plugin for ParaView, 5.11 or later, and say how to start ParaView with it.
+# Build the plugin for ParaView 5.11 or later, and print how to start ParaView with it.
 #
 # Usage: Wrapping/ParaView/paraview.sh [--test] [--package] [--build FOLDER] [CMAKE ARGUMENTS]
 #   --test           also run the tests of the plugin
-#   --package        also make a Debian package of it, in FOLDER/packages
-#   --build FOLDER   where to build; build/paraview by default
-#   CMAKE ARGUMENTS  such as -DCMAKE_PREFIX_PATH=FOLDER, where ParaView is if not in a usual place
+#   --package        also make a Debian package in FOLDER/packages
+#   --build FOLDER   folder of the build (default: build/paraview)
+#   CMAKE ARGUMENTS  such as -DCMAKE_PREFIX_PATH=FOLDER for a ParaView in another folder
 #
-# A ParaView that is installed with its development files is used. Without one, on Debian, its
-# packages are unpacked below FOLDER, and nothing that is installed is removed; compilers and
-# libraries that the build needs are installed. The exit status is 3 where there is no ParaView and
-# none can be had.
+# The script uses an installed ParaView with its development files. Without one, on Debian,
+# ParaView's packages are unpacked below FOLDER, and nothing is removed; compilers and
+# libraries that the build needs are installed. The exit status is 3 if there is no ParaView and
+# its packages cannot be downloaded.
 
 set -euo pipefail
 
 source "$(dirname "${BASH_SOURCE[0]}")/../../Testing/setup.sh"
 
-# What builds a plugin, and what Debian's ParaView needs for it but does not depend on.
+# Packages that build a plugin, including missing dependencies of Debian's ParaView.
 builds=(build-essential cmake ninja-build libeigen3-dev libspectra-dev)
 paraview=(paraview paraview-dev python3-paraview libqt5svg5-dev qtxmlpatterns5-dev-tools)
 
@@ -46,7 +46,7 @@ mkdir -p "$build"
 build="$(cd "$build" && pwd)"
 root="$build/debian"
 
-# Whether CMake finds a ParaView that plugins can be built for; where its programs are goes to
+# Succeeds if CMake finds a ParaView with development files; writes the folder of its programs to
 # $build/found.
 is_usable() {
   mkdir -p "$build/probe"
@@ -62,13 +62,13 @@ END
   cmake -S "$build/probe" -B "$build/probe" "$@" >"$build/probe.log" 2>&1 && [ -s "$build/found" ]
 }
 
-# There is no ParaView.
+# Ends the script if there is no ParaView.
 without() {
   echo "error: $*" >&2
   exit 3
 }
 
-# Unpack ParaView, and what it needs and the system does not have, into $root.
+# Unpack ParaView and its missing dependencies into $root.
 unpack() {
   command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null ||
     without "this is not a Debian-like system. Install ParaView with its development files and" \
@@ -76,8 +76,8 @@ unpack() {
   echo "Downloading ${paraview[*]} and what they need ..."
   local archives="$build/archives"
   mkdir -p "$archives/partial"
-  # To install them in the ordinary way would remove python3-vtk9. As nothing is installed, no lock
-  # is needed, nor root.
+  # Installing these packages would remove python3-vtk9. Since nothing is installed, neither a lock
+  # nor root is needed.
   apt-get install -y --download-only --no-install-recommends -o Debug::NoLocking=true \
     -o Dir::Cache::archives="$archives" -o APT::Sandbox::User= "${paraview[@]}" \
     >"$build/download.log" 2>&1 || {
@@ -98,11 +98,11 @@ if [ ! -d "$root" ] && is_usable "$@"; then
   echo "Using the ParaView in $(cat "$build/found")"
   libraries=
 elif [ ! -d "$root" ] && dgg_is_installed python3-paraview; then
-  # What the rest installs would remove it.
+  # The installation of the other packages would remove it.
   dgg_fail "ParaView is installed, but not all that builds plugins for it. Please install" \
     "${paraview[*]}; the output of CMake is in $build/probe.log"
 else
-  # The rest, from point clouds to Qt, comes with what the libraries are built with.
+  # Other packages, from PCL to Qt, are those that the libraries need.
   dgg_install "${DGG_PACKAGES[@]}"
   [ -d "$root" ] || unpack
   echo "Using the ParaView in $root/usr/bin"
@@ -114,7 +114,7 @@ else
   [ -x "$patterns" ] && set -- -Dqt_xmlpatterns_executable="$patterns" "$@"
 fi
 
-# With the folders of Debian.
+# Use the folders of Debian.
 [ "$package" = OFF ] || set -- -DCMAKE_INSTALL_PREFIX=/usr "$@"
 [ -z "$libraries" ] || export LD_LIBRARY_PATH="$libraries" # for what the build runs
 dgg_build "$build" \
@@ -126,7 +126,7 @@ dgg_build "$build" \
 plugin="$(cat "$build/plugin")"
 echo "Built $plugin"
 
-# All that runs ParaView runs by this.
+# Script that starts all programs of ParaView.
 prepend() { printf 'export %s="%s${%s:+:$%s}"\n' "$1" "$2" "$1" "$1"; }
 {
   echo "#!/bin/sh"

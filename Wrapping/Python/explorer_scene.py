@@ -200,7 +200,7 @@ class Scene:
         self.move(place)
 
     def move(self, place):
-        """Moves the place that is held, if any."""
+        """Moves the marker that is held, if any."""
         if self.held is not None:
             self.places[self.held] = place
             self.update(is_moving=True)
@@ -282,8 +282,8 @@ class Scene:
         return f"{role}: ({x:.6g}, {y:.6g}, {z:.6g}), nearest point {nearest}"
 
     def answer(self):
-        """Returns what is shown, by name: the surface or cloud with the values as a point array,
-        the path and the loop."""
+        """Returns the displayed data by name: the surface or cloud with the values as a point
+        array, the path and the loop."""
         found = {}
         if self.values is not None:
             found["points"] = with_arrays(self.surface, {ARRAYS[self.shown]: self.values})

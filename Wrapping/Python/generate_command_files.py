@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Completion for bash and man page of the command vtkdgg, of which its parser knows all:
+"""Completion for bash and man page of the command vtkdgg, generated from its parser:
 generate_command_files.py COMPLETION PAGE.gz."""
 
 import gzip
@@ -26,7 +26,7 @@ complete -o default -F _vtkdgg vtkdgg
 
 
 def completion(commands):
-    """The text of the completion."""
+    """Returns the text of the completion."""
     cases = [
         f'    {name}) words="{" ".join(sorted(parser._option_string_actions))}" ;;'
         for name, parser in commands.items()
@@ -64,7 +64,7 @@ def section(name, parser):
 
 
 def man_page(parser):
-    """The text of the man page."""
+    """Returns the text of the man page."""
     title, *description = parser.description.strip().split("\n\n")
     name = title[0].lower() + title[1:].rstrip(".")
     lines = [

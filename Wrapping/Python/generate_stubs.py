@@ -37,7 +37,7 @@ class Stub:
         self.classes = {k: v for k, v in vars(self.module).items() if isinstance(v, type)}
 
     def text(self):
-        """All of it."""
+        """Returns the text of the stubs."""
         # Base classes first.
         order = sorted(self.classes.values(), key=lambda c: (len(c.__mro__), c.__name__))
         body = "\n\n".join("\n".join(self.of_class(kind)) for kind in order)

@@ -12,7 +12,7 @@ _NUMBERS = [getattr(signal, f"SIG{name}") for name in _NAMES if hasattr(signal, 
 
 
 class Interruption:
-    """Keeps what handlers of the signals above raise until the work is over.
+    """Defers the exceptions of signal handlers until the update ends.
 
     Python runs these handlers in the main thread as soon as it executes any bytecode, and that is
     in an observer here. What an observer raises is lost, and a KeyboardInterrupt ends the program

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The VTK of this process has to be the one that the package was built with: with another one the
-first object that is made would crash."""
+"""Check that the loaded VTK is the one that the package was built with. With another VTK, the
+first object would crash."""
 
 import os
 import re

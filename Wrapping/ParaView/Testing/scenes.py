@@ -33,7 +33,7 @@ def build():
     assign(path.Ends, StartPoint=SOURCE, EndPoint=[-0.9, 0.2, 0.5])
     samples = simple.GeodesicSampler(registrationName="samples", Input=graph, NumberOfSamples=12)
     cells = simple.GeodesicVoronoiCells(registrationName="cells", Input=graph)
-    assign(cells.Sites, Points=points(samples).ravel().tolist())  # a trace names no filter here
+    assign(cells.Sites, Points=points(samples).ravel().tolist())  # a trace does not name the filter
     green = simple.GreensFunction(registrationName="green", Input=mesh)
     assign(green.Source, Center=SOURCE)
     return {

@@ -22,10 +22,10 @@ DATA = REPOSITORY / "Testing" / "Data"
 BASELINE = pathlib.Path(__file__).resolve().parent / "Baseline"
 OUTPUT = pathlib.Path(os.environ["DGG_TEST_OUTPUT"])
 PLUGIN = os.environ["DGG_PLUGIN"]
-# What rounding on another processor may cost, in vtkImageDifference's measure.
+# Largest difference by rounding on another processor, as measured by vtkImageDifference.
 LIMIT = 40.0
 
-# As users do, with the functions in the module where those of ParaView are.
+# As users do: the functions are added to the module of ParaView's functions.
 simple.LoadPlugin(PLUGIN, remote=False, ns=vars(simple))
 simple._DisableFirstRenderCameraReset()
 

@@ -55,7 +55,7 @@ class Window(unittest.TestCase):
         simple.SaveData(str(surface), proxy=support.bumpy())
         script = support.OUTPUT / "window.xml"
         script.write_text("<?xml version='1.0' ?><pqevents>" + "".join(events) + "</pqevents>")
-        picture.unlink(missing_ok=True)  # where there is none to compare with, it is written
+        picture.unlink(missing_ok=True)  # a missing baseline is written
         run = subprocess.run(
             [
                 "paraview",

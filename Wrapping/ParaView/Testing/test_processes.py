@@ -13,7 +13,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 PROCESSES = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 RESULTS = support.OUTPUT / "processes.npz"
 SOURCE = [0.9, -0.4, 0.3]
-# Points are numbered otherwise in pieces, so that float lengths of graphs are rounded otherwise.
+# Ids differ in pieces, so that lengths of graphs, which are floats, are rounded differently.
 TOLERANCE = {"distance": 1e-7, "cells": 1e-7}
 
 
@@ -58,7 +58,7 @@ def run(step):
     return results
 
 
-# A filter that the menus of ParaView do not have.
+# A filter without an entry in ParaView's menus.
 BALANCE = """
 from paraview.modules.vtkPVVTKExtensionsFiltersRendering import vtkBalancedRedistributePolyData
 from vtkmodules.vtkParallelCore import vtkMultiProcessController

@@ -12,12 +12,12 @@ from paraview import servermanager as sm
 from support import simple, unittest
 from vtkmodules.vtkFiltersSources import vtkPolyLineSource
 
-# Setters that no property calls, besides names of arrays: ParaView cannot pass a NaN, and it shows
+# Setters without a property, besides names of arrays: ParaView cannot pass a NaN, and shows
 # a matrix as a table.
 WITHOUT_PROPERTY = {"UnreachedValue", "OutputPointsPrecision", "GenerateTable"}
-# Handles need not lie on the surface, so that points may be far from it. ParaView always sets the
-# accuracy of graphs that are built; a warning whenever that on the input is coarser would be noise.
-# Points are to be seen in the usual representation, as with ParaView's own filters of clouds.
+# Handles may be far from the surface. ParaView always sets the
+# accuracy of graphs that are built, so that a warning about a coarser graph would be meaningless.
+# Points are visible in the default representation, as with ParaView's own filters of clouds.
 OTHER_DEFAULTS = {
     "ProjectionTolerance": ("0.01", "1"),
     "AcceptCoarserGraph": ("Off", "On"),
@@ -168,7 +168,7 @@ class Proxies(unittest.TestCase):
                 if not prop.GetCommand() or prop.GetCommand().endswith("Connection"):
                     continue
                 if prop.GetCommand() == "SetInputArrayToProcess":
-                    continue  # the object does not print it; see the isolines of a session
+                    continue  # not printed; tested with the isolines of a session
                 before = state(proxy)
                 if prop.IsA("vtkSMStringVectorProperty"):
                     prop.SetElement(0, "Something")
@@ -196,7 +196,7 @@ class Updates(unittest.TestCase):
 
     def setUp(self):
         self.mesh = support.bumpy()
-        self.mesh.UpdatePipeline()  # handles start within the bounds of what is known
+        self.mesh.UpdatePipeline()  # handles start within the bounds of the input
 
     def run_one(self, proxy, ports=(0,)):
         proxy.UpdatePipeline()

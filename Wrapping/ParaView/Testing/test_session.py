@@ -37,7 +37,7 @@ class Session(unittest.TestCase):
         self.found = arrays(self.pipeline)
 
     def tearDown(self):
-        simple.ResetSession()  # views that are open at the end are an X error
+        simple.ResetSession()  # open views cause an X error at the end
 
     def assert_same(self, other, names=None):
         for name in names or self.found:
@@ -86,7 +86,7 @@ class Session(unittest.TestCase):
         mesh.UpdatePipeline()
         low, high = np.reshape(mesh.GetDataInformation().GetBounds(), (3, 2)).T
         distance = simple.GeodesicDistance(Input=mesh)
-        # In the middle of the top, where it can be seen.
+        # In the middle of the top, where it is visible.
         np.testing.assert_allclose(distance.Source.Center[:2], (low + high)[:2] / 2)
         np.testing.assert_allclose(distance.Source.Center[2], high[2])
         self.assertEqual(simple.GeodesicSampler(Input=mesh).CoveringRadius, 0.0)
@@ -142,7 +142,7 @@ class Session(unittest.TestCase):
         self.assertEqual(support.fetch(lines).GetNumberOfLines(), 0)
         self.assertEqual(len(listener.warnings), 1)
         self.assertIn(f"to {high:.6g}", listener.warnings[0])
-        lines.Method = "Linear"  # of what is no distance
+        lines.Method = "Linear"  # of an array without distances
         lines.ContourBy = ["POINTS", "Twice"]
         lines.Distances = [1.5 * high]
         self.assertGreater(support.fetch(lines).GetNumberOfLines(), 0)

@@ -17,7 +17,7 @@ import support
 from paraview import servermanager as sm
 from support import simple, unittest
 
-# Filters that may take more than a second, with what makes them, on a surface of 41000 points.
+# Filters that may take more than a second on a surface of 41,000 points, and their properties.
 LONG = {
     "GeodesicGraph": {"Accuracy": 0.001},
     "GeodesicDistance": {"Accuracy": 0.001},
@@ -86,7 +86,7 @@ class Updates(unittest.TestCase):
                 proxy.UpdatePipeline()
                 ended = time.monotonic()
                 self.assertIsNotNone(watch.stopped)
-                # Under tests that run at the same time; 0.2 s is what is promised to one alone.
+                # Limit while other tests run; it is 0.2 s for a single test.
                 self.assertLess(ended - watch.stopped, 1.0)
                 self.assertEqual(support.fetch(proxy).GetNumberOfElements(0), 0)
                 watch.close()
@@ -159,7 +159,7 @@ simple.LoadPlugin({plugin!r}, remote=False, ns=vars(simple))
 mesh = simple.PLYReader(FileNames=[{mesh!r}])
 fine = simple.LoopSubdivision(Input=mesh, NumberofSubdivisions=3)
 fine.UpdatePipeline()
-os.write(1, b"ready\\n")  # at once, which print() is not in pvpython
+os.write(1, b"ready\\n")  # unbuffered, unlike print() in pvpython
 graph = simple.GeodesicGraph(Input=fine, Accuracy={accuracy})
 graph.UpdatePipeline()
 print(graph.GetDataInformation().GetNumberOfPoints(), flush=True)

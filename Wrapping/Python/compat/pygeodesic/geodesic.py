@@ -62,7 +62,7 @@ class PyGeodesicAlgorithmExact:
 
 
 def read_mesh_from_file(filename: str) -> Tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Returns points and faces of a text file that begins with their numbers."""
+    """Returns points and faces of a text file that begins with their counts."""
     with open(filename, encoding="utf-8") as file:
         points, faces = map(int, file.readline().split())
         rows = [line.split() for line in file if line.strip()]
