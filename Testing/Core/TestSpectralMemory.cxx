@@ -123,11 +123,11 @@ TEST(SpectralMemory, OfGreensFunctions)
   }
 }
 
-// What building and searching graphs takes, and what is said of it before.
+// Memory of building and searching graphs, against its estimates.
 
 namespace
 {
-/// What does not depend on the mesh.
+/// Bytes that do not depend on the mesh.
 constexpr double SmallAllocations = 20000.0;
 }
 

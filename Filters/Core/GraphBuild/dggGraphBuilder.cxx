@@ -31,9 +31,10 @@ namespace
 constexpr Id PatchSize = 256;
 /// Rows that a thread builds in one go.
 constexpr Id BlockSize = 16;
-/// Rows are built in waves because the edges of a wave are stored twice for a while. A wave has at
-/// most this number or this share of all edges, predicted from the rows of earlier waves.
+/// Rows are built in waves, because the edges of a wave are stored twice for a while. The first
+/// wave measures the number of edges per row.
 constexpr Id RowsOfFirstWave = 256;
+/// Number of edges that a later wave may have in any case, and the share of all edges.
 constexpr double EdgesOfWave = 1 << 18;
 constexpr double LargestShareOfWave = 0.125;
 /// Rows built for an estimate.
@@ -135,7 +136,7 @@ private:
   double SumOfSquares = 0.0;
 };
 
-/// Edges that may wait in a wave, when all rows will have `all` edges.
+/// Returns the number of edges that a wave may have if the graph has `all` edges.
 double MostEdgesOfWave(double all)
 {
   return std::max(EdgesOfWave, LargestShareOfWave * all);
@@ -468,8 +469,7 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
       directions.Unite(rows, first, options.Parallel);
     }
     const double degree = std::max(1.0, static_cast<double>(statistics.OutEdges) / last);
-    const double rows = std::min(MostEdgesOfWave(degree * n) / degree, static_cast<double>(n));
-    rowsOfWave = std::max(BlockSize, static_cast<Id>(rows));
+    rowsOfWave = static_cast<Id>(MostEdgesOfWave(degree * n) / degree);
   }
   statistics.Windows = windows;
   return Status::Success();
