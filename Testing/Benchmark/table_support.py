@@ -28,6 +28,15 @@ def write_results(name, results):
     return path
 
 
+def cells_of(lines, start, header):
+    """Returns a row by column: the first row that starts with `start`, in the first table that has
+    the column `header`."""
+    first = next(i for i, line in enumerate(lines) if f"| {header} |" in line)
+    names = [name.strip() for name in lines[first].split("|")[1:-1]]
+    row = next(line for line in lines[first:] if line.startswith(f"| {start} |"))
+    return dict(zip(names, (cell.strip() for cell in row.split("|")[1:-1])))
+
+
 def draw(script, path, name):
     """The first bytes of the picture that a script makes of results."""
     picture = os.path.join(OUTPUT, name)

@@ -30,7 +30,7 @@ from exhibits.local_triangles import local_triangles
 from exhibits.run import Run, TooLong, limited_time
 from Published import bidirectional, green_sums
 from Published.delaunay_mesh import DelaunayMesh
-from table_support import OUTPUT
+from table_support import OUTPUT, cells_of
 
 NAMES = (
     "T3.1 T3.2 T3.4 T5.1 T5.2 T5.3 T5.4 F1.1 F3.6 F3.7 F3.8 F3.9 F3.10 F3.11 F3.12 F3.13 F3.14 F3.15 "
