@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Makes one edge of what was found from both of its ends. Internal.
+/// Unites the two copies of a graph edge that were found from its two ends. Internal.
 #ifndef dggDirectionUnion_h
 #define dggDirectionUnion_h
 
@@ -14,8 +14,8 @@
 
 namespace dgg
 {
-/// Unites both directions: of an edge that was found from both ends, only the copy in the row of
-/// the vertex that comes first is kept; it takes over the other way if that is shorter.
+/// Unites both directions: if an edge was found from both ends, only the copy in the row of the
+/// earlier vertex is kept, with the shorter of the two paths.
 class DirectionUnion
 {
 public:
@@ -23,29 +23,30 @@ public:
   void Unite(RowStore& rows, Id first, const ParallelFor& parallel);
 
 private:
-  /// An edge whose way back is looked for.
+  /// An edge whose reverse edge is searched for.
   struct Wanted
   {
-    Offset Edge; ///< to an earlier row
-    Id Row;      ///< that it is in
-    Id Next;     ///< of those to the same row, NoId after the last
+    Offset Edge; ///< index of the edge; its target is an earlier row
+    Id Row;      ///< row of the edge
+    Id Next;     ///< next candidate with the same target, NoId after the last
   };
 
-  /// Rows are long, and looking for the way back row by row would read the earlier ones again and
-  /// again. So the edges of some rows are gathered by target first, and each target is read once.
+  /// Rows are long, and searching reverse edges row by row would read the earlier rows repeatedly.
+  /// Therefore the edges of a block of rows are first grouped by target, and each target row is
+  /// read once.
   class Workspace
   {
   public:
-    /// Rows [begin, end), not more than RowsAtOnce. Flags, from the edge `base` on, are set for
-    /// what is not to be kept.
+    /// Processes rows [begin, end), at most RowsAtOnce. Sets the flags of edges that are to be
+    /// removed; flags[0] belongs to the edge `base`.
     void Unite(RowStore& rows, Id begin, Id end, Offset base, unsigned char* flags);
 
   private:
-    std::vector<Id> Heads; ///< by target: the last one wanted; else NoId
+    std::vector<Id> Heads; ///< per target, head of its list in AllWanted, or NoId
     std::vector<Id> Targets;
     std::vector<Wanted> AllWanted;
-    std::vector<std::uint32_t> Found; ///< rows with a way back from there, from the first in hand
-    std::vector<Offset> WaysBack;     ///< by row: edge of the target in hand; else -1
+    std::vector<std::uint32_t> Found; ///< rows with a reverse edge, relative to `begin`
+    std::vector<Offset> WaysBack;     ///< per row, the edge from the current target, or -1
   };
   static constexpr Id RowsAtOnce = 256;
 

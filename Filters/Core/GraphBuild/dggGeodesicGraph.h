@@ -16,61 +16,63 @@
 
 namespace dgg
 {
-/// What a graph was built from.
+/// Input from which a graph was built.
 enum class GraphKind : std::uint8_t
 {
-  Mesh = 0, ///< a triangle mesh: edges have directions
-  Cloud = 1 ///< a point cloud: no directions
+  Mesh = 0, ///< a triangle mesh: edges have polar angles
+  Cloud = 1 ///< a point cloud: no polar angles
 };
 
-/// Which rule chose the edges.
+/// Rule that selects the edges.
 enum class GraphConstruction : std::uint8_t
 {
-  Guaranteed = 0,        ///< progress rule: every path within the accuracy, a theorem
-  OneRelay = 1,          ///< published direct rule: nothing bounds the maximum
-  Indirect = 2,          ///< published two-step construction, pruned by progress; not proven
-  SaddleVertexGraph = 3, ///< a number of nearest neighbours (Ying, Wang and He 2013)
-  CloudCurvature = 4,    ///< clouds, scheme A: the reach of a point is the mean of its direct pairs
-  CloudConstant = 5,     ///< clouds, scheme B: all points reach equally far
-  CloudSpacing = 6       ///< clouds, scheme C: the reach is a multiple of the local spacing
+  Guaranteed = 0,        ///< progress rule: the error of every distance is bounded
+  OneRelay = 1,          ///< published direct rule: maximum error unbounded
+  Indirect = 2,          ///< published two-step construction, pruned by progress; unproven
+  SaddleVertexGraph = 3, ///< K nearest vertices (Ying, Wang and He 2013)
+  CloudCurvature = 4,    ///< clouds, scheme A: radius is the mean length of direct pairs
+  CloudConstant = 5,     ///< clouds, scheme B: the same radius for all points
+  CloudSpacing = 6       ///< clouds, scheme C: radius is a multiple of the local spacing
 };
 
-/// 128 bits by which a surface is recognised.
+/// 128-bit hash that identifies a surface.
 using Signature = std::array<std::uint64_t, 2>;
 
-/// Signature of points (x y z each) and triangles (three ids each): of their very bits.
+/// Returns the signature of points (x y z each) and triangles (three ids each), computed from their
+/// bit patterns.
 DGG_CORE_EXPORT Signature ComputeSignature(
   const double* points, Offset numberOfPoints, const Id* triangles, Offset numberOfTriangles);
 
-/// What is to be known of a graph besides its arrays.
+/// Metadata of a graph.
 struct GraphInfo
 {
   GraphKind Kind = GraphKind::Mesh;
   GraphConstruction Construction = GraphConstruction::Guaranteed;
   double Accuracy = 0.0;    ///< relative; 0 for a SaddleVertexGraph
-  Id NumberOfNeighbors = 0; ///< of a SaddleVertexGraph; else 0
+  Id NumberOfNeighbors = 0; ///< K of a SaddleVertexGraph, otherwise 0
   Signature Surface{ { 0, 0 } };
 
-  /// Whether every distance in the graph is within (1 + Accuracy) of the exact one.
+  /// Returns true if every graph distance is within a factor of 1 + Accuracy of the exact distance.
   bool IsGuaranteed() const
   {
     return this->Kind == GraphKind::Mesh && this->Construction == GraphConstruction::Guaranteed;
   }
 };
 
-/// A graph in arrays of somebody else. Row v, [Offsets[v], Offsets[v + 1]), holds the edges that
-/// leave v, sorted by Angles. Every edge is there in both directions, with the same length. An edge
-/// is the length of a real path on the surface: a geodesic without a bend.
+/// Non-owning view of a graph. Row v, [Offsets[v], Offsets[v + 1]), holds the edges that leave v,
+/// sorted by Angles. Every edge is stored in both directions with the same length. The length of an
+/// edge is that of an actual path on the surface, a geodesic that bends at no vertex.
 struct GraphView
 {
   GraphInfo Info;
   Id NumberOfVertices = 0;
   const Offset* Offsets = nullptr; ///< n + 1
   const Id* Targets = nullptr;
-  /// Either Lengths (rounded up, so that no path is shorter than the exact one) or WideLengths.
+  /// Exactly one of Lengths and WideLengths is set. Float lengths are rounded up, so that no graph
+  /// path is shorter than the exact one.
   const float* Lengths = nullptr;
   const double* WideLengths = nullptr;
-  /// Direction of departure: polar angle at the tail, in [0, total angle), as
+  /// Direction of departure: polar angle at the tail in [0, total angle), as returned by
   /// SurfaceMesh::PolarAngle(). Null for clouds.
   const float* Angles = nullptr;
   /// Direction of arrival: polar angle at the target, pointing back to the tail. Null for clouds.
@@ -93,7 +95,7 @@ struct DGG_CORE_EXPORT GeodesicGraph
   Buffer<Offset> Offsets;
   Buffer<Id> Targets;
   Buffer<float> Lengths;
-  Buffer<double> WideLengths; ///< instead of Lengths when the accuracy is below 1e-5
+  Buffer<double> WideLengths; ///< used instead of Lengths if the accuracy is below 1e-5
   Buffer<float> Angles;
   Buffer<float> ArrivalAngles;
 
@@ -102,25 +104,26 @@ struct DGG_CORE_EXPORT GeodesicGraph
     return this->Offsets.IsEmpty() ? 0 : static_cast<Id>(this->Offsets.Size() - 1);
   }
   GraphView View() const;
-  /// Bytes held by the arrays.
+  /// Size of the arrays in bytes.
   std::size_t GetMemorySize() const;
 };
 
-/// Whether lengths have to be double for this accuracy: floats are only good to 1e-7.
+/// Returns true if lengths must be stored as double for this accuracy: the rounding error of a
+/// float is about 1e-7.
 inline bool NeedsWideLengths(double accuracy)
 {
   return accuracy > 0.0 && accuracy < 1e-5;
 }
 
-/// Fails with a message when the arrays are not those of a graph: offsets that do not ascend from
-/// 0, targets out of range or equal to their row, lengths that are not positive and finite, angles
-/// that are not finite or rows that are not sorted by them. `numberOfEdges` is the size of all
-/// arrays but Offsets, which has NumberOfVertices + 1.
+/// Fails if the arrays do not form a graph: offsets that do not ascend from 0, targets that are out
+/// of range or equal to their row, lengths that are not positive and finite, angles that are not
+/// finite, or rows that are not sorted by angle. `numberOfEdges` is the size of all arrays except
+/// Offsets, which has NumberOfVertices + 1 entries.
 DGG_CORE_EXPORT Status CheckGraph(
   const GraphView& graph, Offset numberOfEdges, const ParallelFor& parallel = ParallelFor());
 
-/// Checksum of the arrays: of their very bits. Shows damage that CheckGraph() cannot see.
-/// Offsets must be those of a graph.
+/// Returns a checksum of the bit patterns of the arrays, which reveals damage that CheckGraph()
+/// cannot detect. Offsets must be valid.
 DGG_CORE_EXPORT std::uint64_t ComputeChecksum(
   const GraphView& graph, const ParallelFor& parallel = ParallelFor());
 }

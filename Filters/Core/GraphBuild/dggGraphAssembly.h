@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// From the edges found from each vertex to a symmetric graph. Internal.
+/// Assembles the symmetric graph from the edges found from each vertex. Internal.
 #ifndef dggGraphAssembly_h
 #define dggGraphAssembly_h
 
@@ -13,8 +13,8 @@
 
 namespace dgg
 {
-/// Write the graph from united rows, each edge in both directions, every row sorted by angle, and
-/// give up the rows on the way. `order` lists the final ids of the rows. Fails when `progress`,
+/// Writes the graph from united rows: each edge in both directions, every row sorted by angle.
+/// Releases the rows on the way. `order` lists the final ids of the rows. Fails if `progress`,
 /// which may be empty, asks to stop.
 Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph);

@@ -11,12 +11,12 @@
 
 namespace dgg
 {
-/// Remove from each row s the candidates t that another edge r of the row makes superfluous:
-/// w(s,r) / (1 + accuracy) + w(r,t) <= w(s,t), where (r,t) is any candidate. The published
-/// procedure (Fang 2019, sec. 3.3) compares w(s,r) + w(r,t) with (1 + accuracy) w(s,t), which lets
-/// errors add up; with this condition the argument of the progress rule bounds them, as far as it
-/// goes: to what was a candidate (see CandidateRule). Fails when `progress`, which may be empty,
-/// asks to stop; then the rows are as they were.
+/// Removes from each row s the candidates t that another edge r of the row makes redundant: w(s,r)
+/// / (1 + accuracy) + w(r,t) <= w(s,t), where (r,t) is any candidate. The published procedure (Fang
+/// 2019, sec. 3.3) compares w(s,r) + w(r,t) with (1 + accuracy) w(s,t), so that errors accumulate.
+/// With the condition used here, the argument of the progress rule bounds the error for all pairs
+/// that were candidates (see CandidateRule). Fails if `progress`, which may be empty, asks to stop;
+/// then the rows are unchanged.
 Status PruneCandidates(
   RowStore& rows, double accuracy, const ParallelFor& parallel, const ProgressCallback& progress);
 }

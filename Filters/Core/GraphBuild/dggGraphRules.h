@@ -1,22 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rules by which a graph is built: which vertices become edges, and where a window ends.
-/// Internal.
+/// Rules of the graph construction: they decide which vertices become edges and where a window
+/// ends. Internal.
 ///
-/// A rule says
-/// - what an edge and a relay cost (MakeRelay(), CostOfEdge(), CostBehind()), and whether a vertex
-///   is covered at a cost;
-/// - in Start(), what will end a window with new relays; false when it has ended already;
-/// - in Ends(), whether nothing behind the edge of a window matters any more;
-/// - StartsLate: windows end between vertices, so that it is enough to start and ask once a face
-/// has
-///   been crossed without finding a vertex;
-/// - EndsBesideCovered: when one relay covers a vertex, the window between their rays has ended;
-/// - KeepsOuterRelays: a relay that covers the vertex on the bounding ray goes on to count, as far
-/// as
-///   it sees past that vertex;
-/// - ByDistance: windows have to come in order of distance.
+/// A rule defines
+/// - the cost of an edge and of a relay (MakeRelay(), CostOfEdge(), CostBehind()), and whether a
+///   vertex is covered at a given cost;
+/// - Start(): computes what will end a window with new relays; returns false if the window has
+///   already ended;
+/// - Ends(): returns true if nothing behind the edge of a window needs to be explored;
+/// - StartsLate: windows end between vertices, so that Start() and Ends() are only needed after a
+///   face has been crossed without finding a vertex;
+/// - EndsBesideCovered: if one relay covers a vertex, the window between their rays has ended;
+/// - KeepsOuterRelays: a relay that covers the vertex on the bounding ray remains in use where it
+///   is visible past that vertex;
+/// - ByDistance: windows must be processed in order of distance.
 #ifndef dggGraphRules_h
 #define dggGraphRules_h
 
@@ -28,21 +27,21 @@
 
 namespace dgg
 {
-/// A relay covers the points of a direction e from a certain distance on, and that distance grows
+/// A relay covers the points in direction e from a certain distance on, and that distance grows
 /// with the angle between the relay and e. A window ends as soon as every point of its edge is
-/// covered: what lies behind is then covered too, by way of the edge. The left relay covers an
-/// interval from the left end of the edge, the right one an interval from the right end, and they
-/// cover the whole edge iff they overlap, iff the direction in which both need the same distance is
-/// covered. That direction and that distance do not depend on the edge: they make one point in the
-/// plane, the stop point of the pair of relays, and a window ends at the first edge that has it on
-/// the near side.
+/// covered, since everything behind is then covered too, through the edge. The left relay covers an
+/// interval from the left end of the edge, the right relay an interval from the right end. They
+/// cover the entire edge iff the intervals overlap, that is, iff the direction in which both relays
+/// need the same distance is covered. This direction and distance do not depend on the edge. They
+/// define a point in the plane, the stop point of the pair of relays, and a window ends at the
+/// first edge that has the stop point on the near side.
 inline bool HasPassedStopPoint(const GraphWindow& window)
 {
   return Cross(window.Axis,
            { window.Stop.X - window.Ends[0].X, window.Stop.Y - window.Ends[0].Y }) <= 0.0;
 }
 
-/// The stop point in direction e; in no case farther than anything on a surface can be.
+/// Sets the stop point in direction e. The distance is clamped to a value beyond any surface.
 inline void SetStopPoint(const Point2& e, double distance, GraphWindow& window)
 {
   constexpr double farAway = 1e100;
@@ -50,8 +49,8 @@ inline void SetStopPoint(const Point2& e, double distance, GraphWindow& window)
   window.Stop = { reach * e.X, reach * e.Y };
 }
 
-/// The unit vector e of a window with w.e = k, where w.e grows from left to right: the one to the
-/// left of w.
+/// Returns the unit vector e with w.e = k, where w.e grows from left to right: of the two
+/// solutions, the one to the left of w.
 inline Point2 SolveDirection(const Point2& w, double k)
 {
   const double scale = 1.0 / Dot(w, w);
@@ -61,10 +60,11 @@ inline Point2 SolveDirection(const Point2& w, double k)
 }
 
 /// The progress rule. A relay p has a cost c, an upper bound of kappa w(s,r) + d(r,p), where (s,r)
-/// is an edge of the graph and kappa = 1/(1 + accuracy); it covers x if c + |px| <= |sx|. If each
-/// vertex that the source sees straight is an edge or covered, then no distance in the graph is
-/// longer than (1 + accuracy) times the exact one: by induction over the distances, since the way
-/// by r leaves at most D - kappa w(s,r) to go. The argument of Yao graphs, carried to surfaces.
+/// is an edge of the graph and kappa = 1/(1 + accuracy). It covers x if c + |px| <= |sx|. If each
+/// vertex that is visible from the source along a straight line is an edge or covered, then no
+/// graph distance exceeds (1 + accuracy) times the exact distance. The proof is by induction over
+/// the distances, since the path through r leaves at most D - kappa w(s,r) to go: the argument of
+/// Yao graphs, carried over to surfaces.
 struct ProgressRule
 {
   static constexpr bool StartsLate = true;
@@ -82,7 +82,7 @@ struct ProgressRule
   static bool Covers(double cost, double distance) { return cost <= distance; }
   static Relay MakeRelay(const Point2& position, double distance, double cost)
   {
-    // The straight way itself is no progress, but it is a way.
+    // The straight line makes no progress, but it is a valid path.
     Relay relay(position, distance, std::min(cost, distance));
     relay.Ratio = relay.Cost / distance;
     relay.Weight = (distance - relay.Cost) * (1.0 + relay.Ratio);
@@ -90,12 +90,12 @@ struct ProgressRule
   }
 
   /// In direction e, at an angle of cosine u.e to its own direction u, a relay at distance d covers
-  /// from weight / (2 (u.e - ratio)) on, if that is positive, where ratio = c/d and
-  /// weight = (d^2 - c^2) / d; in its own direction from (d + c) / 2 on, also when c = d.
+  /// points from weight / (2 (u.e - ratio)) on, if that is positive, where ratio = c/d and weight =
+  /// (d^2 - c^2) / d. In its own direction it covers points from (d + c) / 2 on, also if c = d.
   static bool Start(const Relay& left, const Relay& right, GraphWindow& window)
   {
-    // A relay that covers in the direction of the other one, from where that one covers there,
-    // needs no more distance in between either: it covers all.
+    // A relay that covers, in the direction of the other relay, everything that the other one
+    // covers there also covers everything in between: the window has ended.
     const double cosine = Dot(left.Unit, right.Unit);
     const double rightAtLeft = cosine - right.Ratio;
     const double leftAtRight = cosine - left.Ratio;
@@ -104,7 +104,7 @@ struct ProgressRule
     {
       return false;
     }
-    // Both need the same distance where w.e = k.
+    // Both relays need the same distance where w.e = k.
     const Point2 w{ left.Weight * right.Unit.X - right.Weight * left.Unit.X,
       left.Weight * right.Unit.Y - right.Weight * left.Unit.Y };
     const double k = left.Weight * right.Ratio - right.Weight * left.Ratio;
@@ -113,13 +113,14 @@ struct ProgressRule
     const double r = Dot(right.Unit, e) - right.Ratio;
     if (l > 0.0 && r > 0.0)
     {
-      // The larger of the two distances, should they differ by rounding: that is on the safe side.
+      // If the two distances differ by rounding, the larger one is on the safe side.
       const bool byLeft = left.Weight * r >= right.Weight * l;
       SetStopPoint(e, byLeft ? 0.5 * left.Weight / l : 0.5 * right.Weight / r, window);
     }
     else if (left.Ratio > right.Ratio)
     {
-      // The left relay covers only what lies behind it, all else is left to the right one.
+      // The left relay covers only points straight behind it; the right relay has to cover the
+      // rest.
       SetStopPoint(
         left.Unit, rightAtLeft > 0.0 ? 0.5 * right.Weight / rightAtLeft : Infinity, window);
     }
@@ -139,8 +140,9 @@ struct ProgressRule
 };
 
 /// The published direct rule (Fang, "Discrete geodesic graphs", 2019, sec. 5.1, as far as it is
-/// stated): a relay p covers x if |sp| + |px| <= (1 + accuracy) |sx|, whether it is an edge or is
-/// itself covered. Errors add up from relay to relay: nothing bounds the maximum.
+/// specified there): a relay p covers x if |sp| + |px| <= (1 + accuracy) |sx|, whether p is an edge
+/// or is itself covered. Errors accumulate from relay to relay, so that the maximum error is
+/// unbounded.
 struct OneRelayRule
 {
   static constexpr bool StartsLate = true;
@@ -190,8 +192,7 @@ struct OneRelayRule
   double Scale;
 };
 
-/// What rules have in common by which no relay covers anything: all vertices reached are
-/// candidates.
+/// Base of the rules in which no relay covers anything: all vertices reached are candidates.
 struct AllReachedRule
 {
   static constexpr bool StartsLate = false;
@@ -213,18 +214,19 @@ struct AllReachedRule
 
 /// The first step of the published indirect construction (Fang 2019, sec. 3.2): every vertex
 /// reached is a candidate. A window ends beyond the distance from which on a path through an edge
-/// that it has crossed can be bent through an end of that edge at a relative cost of the accuracy.
+/// that the window has crossed can be deflected through an end of that edge at a relative cost of
+/// at most the accuracy.
 ///
 /// With pruning by progress, each candidate t of s is an edge or covered, as the theorem of the
-/// progress rule wants it; what lies beyond the windows is not. For a point t there, the bound says
-/// |sv| + |vt| <= (1 + accuracy) |st| for an end v, in the plane and whether or not anything is in
-/// the way. The theorem wants an edge (s,r) of the graph, one that is kept, with
+/// progress rule requires. Points beyond the windows are not covered by the theorem. For a point t
+/// there, the bound gives |sv| + |vt| <= (1 + accuracy) |st| for an end v, in the plane and
+/// regardless of obstacles. The theorem requires an edge (s,r) that is kept in the graph, with
 /// kappa w(s,r) + d(r,t) <= d(s,t). If v is kept, it is such an r from a certain distance on. But v
-/// may be pruned: then some r is kept with kappa w(s,r) + w(r,v) = c <= w(s,v), and nothing keeps c
-/// from being as large as w(s,v). By way of v that leaves c + d(v,t), which is d(s,t) or less only
-/// if t is straight behind v. So there is no finite distance from which on the ends of an edge
-/// cover all, before it is known which candidates are kept: nothing bounds the maximum of the error
-/// strictly, though no graph has been seen to exceed the accuracy.
+/// may be pruned: then some r is kept with kappa w(s,r) + w(r,v) = c <= w(s,v), and c may be as
+/// large as w(s,v). The path through v then gives c + d(v,t), which is at most d(s,t) only if t is
+/// straight behind v. Hence, before it is known which candidates are kept, there is no finite
+/// distance from which on the ends of an edge cover everything. The maximum error is not strictly
+/// bounded, though no graph has been observed to exceed the accuracy.
 struct CandidateRule : AllReachedRule
 {
   static constexpr bool ByDistance = false;
@@ -234,7 +236,7 @@ struct CandidateRule : AllReachedRule
   {
   }
 
-  /// The bound is inherited and tightened from edge to edge; Stop.X holds its inverse.
+  /// The bound is inherited and tightened from edge to edge; Stop.X stores its inverse.
   bool Ends(const Relay& left, const Relay& right, GraphWindow& window) const
   {
     const double length = Distance(window.Ends[0], window.Ends[1]);
@@ -254,8 +256,8 @@ struct CandidateRule : AllReachedRule
 };
 
 /// The saddle vertex graph (Ying, Wang and He, "Saddle vertex graph (SVG): a novel solution to the
-/// discrete geodesic problem", 2013): the nearest vertices, those of them that are seen straight.
-/// The search ends when there are enough of them.
+/// discrete geodesic problem", 2013): edges to those of the K nearest vertices that are reached by
+/// a straight line. The search ends when K vertices are final.
 struct NearestRule : AllReachedRule
 {
   static constexpr bool ByDistance = true;
@@ -273,14 +275,15 @@ struct NearestRule : AllReachedRule
   Id Count;
 };
 
-/// Whether a point lies between the bounding rays of a window.
+/// Returns true if a point lies between the bounding rays of a window.
 inline bool IsInside(const std::vector<Relay>& relays, const GraphWindow& window, const Point2& x)
 {
   return Cross(x, relays[window.Relays[0]].Position) > 0.0 &&
     Cross(relays[window.Relays[1]].Position, x) > 0.0;
 }
 
-/// Whether the outer relay on a side sees a point of the window past the vertex on the ray.
+/// Returns true if a point of the window is visible from the outer relay on a side, past the vertex
+/// on the bounding ray.
 inline bool IsVisible(
   const std::vector<Relay>& relays, const GraphWindow& window, int side, const Point2& x)
 {
@@ -291,10 +294,10 @@ inline bool IsVisible(
   return side == 0 ? turn < 0.0 : turn > 0.0;
 }
 
-/// Work out what ends a window, with the outer relays if they see the stop point. That is enough:
-/// an outer relay covers the vertex on the ray and the stop point, so by convexity all in between;
-/// and what that vertex hides from it is behind points that it covers. False when the window has
-/// ended already.
+/// Computes what ends a window, with the outer relays if the stop point is visible from them. That
+/// is sufficient: an outer relay covers the vertex on the ray and the stop point, hence by
+/// convexity everything in between; and points that the vertex hides from the outer relay are
+/// behind points that it covers. Returns false if the window has already ended.
 template <typename Rule>
 bool StartWindow(const Rule& rule, const std::vector<Relay>& relays, GraphWindow& window)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A window of straight lines from one source, on its way over the unfolded faces. Internal.
+/// A window of straight lines from one source over the unfolded faces. Internal.
 #ifndef dggGraphWindow_h
 #define dggGraphWindow_h
 
@@ -12,16 +12,16 @@
 
 namespace dgg
 {
-/// A vertex through which a bounding ray of a window passes. The straight segment from it to any
-/// point of the window behind it lies in the faces that the window has swept, so that it is a path
-/// on the surface.
+/// A vertex through which a bounding ray of a window passes. The straight segment from the relay to
+/// any point of the window behind it lies in the faces that the window has swept, so that the
+/// segment is a path on the surface.
 struct Relay
 {
   Point2 Position;
-  Point2 Unit;           ///< its direction
-  double Distance = 0.0; ///< from the source, straight
-  double Cost = 0.0;     ///< what the rule in use makes of the way from the source
-  double Ratio = 0.0;    ///< what else it needs to know
+  Point2 Unit;           ///< direction from the source
+  double Distance = 0.0; ///< straight-line distance from the source
+  double Cost = 0.0;     ///< cost of the path from the source, defined by the rule
+  double Ratio = 0.0;    ///< Ratio and Weight: auxiliary values of the rule
   double Weight = 0.0;
 
   Relay(const Point2& position, double distance, double cost)
@@ -33,36 +33,35 @@ struct Relay
   }
 };
 
-/// Straight lines from the source, unfolded into the plane of the face that it left through: the
-/// source is the origin of the plane. Only straight lines: a window ends at vertices and is never
-/// cut elsewhere, so each of its bounding rays passes through a vertex.
+/// A bundle of straight lines from the source, unfolded into the plane of the face through which
+/// they left; the source is the origin of the plane. A window is cut at vertices only, so that each
+/// of its bounding rays passes through a vertex.
 struct GraphWindow
 {
-  /// The edge that it is about to cross, from Ends[0] on the left, seen from the source, to
-  /// Ends[1].
+  /// The next edge to cross: Ends[0] is on the left as seen from the source, Ends[1] on the right.
   Point2 Ends[2];
   Point2 Axis; ///< unit vector from left to right
-  Point2 Stop; ///< where the window ends, if the rule in use needs a point for that
-  /// Labels of the ends where they are shorter than the straight line: only then can the way
-  /// through them be shorter than the straight line. Else Infinity.
+  Point2 Stop; ///< stop point, if the rule uses one
+  /// Labels of the ends if shorter than the straight line, otherwise Infinity. Only then can a path
+  /// through an end be shorter than the straight line.
   double Labels[2] = { Infinity, Infinity };
   Id Relays[2] = { NoId, NoId }; ///< on the left and the right bounding ray
-  /// A relay farther out on that side that covers the one on the ray, and is better wherever the
-  /// latter does not hide the source from it; else NoId.
+  /// A relay farther out on that side that covers the relay on the ray, and is better wherever that
+  /// relay does not occlude it; otherwise NoId.
   Id Outer[2] = { NoId, NoId };
-  Id Entry = NoId;  ///< crossing of the face behind the edge
+  Id Entry = NoId;  ///< table entry of the face behind the edge
   Id Frame = NoId;  ///< half-edge at the source along the x axis of the plane
-  Id Number = NoId; ///< in the memory of windows, where there is one
+  Id Number = NoId; ///< id in GraphWindowMemory, if in use
 };
 
-/// Where the ray through a point meets the edge of a window.
+/// Returns the intersection of the ray through a point with the line of the window's edge.
 inline Point2 MeetEdge(const GraphWindow& window, const Point2& ray)
 {
   const double t = Cross(window.Ends[0], ray) / Cross(ray, window.Axis);
   return { window.Ends[0].X + t * window.Axis.X, window.Ends[0].Y + t * window.Axis.Y };
 }
 
-/// Distance from the source to the part of its edge that a window reaches.
+/// Returns the distance from the source to the interval of the edge that a window reaches.
 inline double DistanceOfEdge(const Relay& left, const Relay& right, const GraphWindow& window)
 {
   const Point2 l = MeetEdge(window, left.Position);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Remembers which parts of which edges the windows of one source have entered. Internal.
+/// Records the edge intervals through which the windows of one source have entered faces. Internal.
 #ifndef dggGraphWindowMemory_h
 #define dggGraphWindowMemory_h
 
@@ -15,12 +15,12 @@
 namespace dgg
 {
 /// A non-manifold edge sends a copy of every window into each further face, and behind it copies
-/// meet again, as in two sheets that cover each other: their number doubles from edge to edge.
-/// Among triangles that are all but lines windows overlap in the same way. But a window can only
-/// matter where no other one of the same source enters the same face by the same edge on a shorter
-/// way, and no way through a vertex of the face before is shorter: what it finds elsewhere is not
-/// at the end of a shortest path. The window itself is not cut, since its relays count; but it is
-/// followed only while the part of it that may matter, its *live* part, reaches anything.
+/// meet again, as in two layers on top of each other: their number doubles from edge to edge. Among
+/// nearly degenerate triangles windows overlap in the same manner. But a window can carry shortest
+/// paths only where no other window of the same source enters the same face through the same edge
+/// with a shorter path, and no path through a vertex of the previous face is shorter. The window
+/// itself is not cut, since its relays are still needed; but it is followed only while its *live*
+/// part, where none of these dominates, reaches anything.
 class GraphWindowMemory
 {
 public:
@@ -29,34 +29,36 @@ public:
   {
   }
 
-  /// To be called before the first window of a source.
+  /// Must be called before the first window of a source.
   void Prepare(Id numberOfHalfEdges) { this->Last.resize(numberOfHalfEdges, NoId); }
 
   /// An edge through which a window enters a face.
   struct Passage
   {
     Id HalfEdge;     ///< of the face
-    bool IsReversed; ///< whether the edge of the window runs against it
-    Id Origin;       ///< its ends, ids of the table
+    bool IsReversed; ///< true if the edge of the window runs opposite to HalfEdge
+    Id Origin;       ///< ends of the edge, ids of the table
     Id Destination;
-    Id Behind; ///< the third vertex of the face before, if not NoId
+    Id Behind; ///< third vertex of the previous face, or NoId
     Point2 BehindAt;
   };
 
-  /// Take note of a window that enters a face. Returns a number for the window, or NoId when
-  /// nothing of it is live.
+  /// Records a window that enters a face. Returns an id for the window, or NoId if no part of it is
+  /// live.
   Id Admit(
     const Passage& passage, const Relay& left, const Relay& right, const GraphWindow& window);
-  /// Whether anything of an admitted window is still live.
+  /// Returns true if part of an admitted window is still live.
   bool IsLive(Id number) { return this->Trim(this->Entries[number], number); }
 
-  /// Comparisons with other ways since the last Clear(): what most of the time goes into.
+  /// Number of comparisons with other paths since the last Clear(); these dominate the running
+  /// time.
   std::size_t GetWork() const { return this->Work; }
 
   void Clear();
 
 private:
-  /// A point beside the line of a half-edge: its foot on the line, and its distance from it.
+  /// A point relative to the line of a half-edge: position of its foot on the line, and its
+  /// distance from the line.
   struct Image
   {
     double Foot;
@@ -64,7 +66,7 @@ private:
 
     double DistanceAt(double x) const { return Norm(x - this->Foot, this->Depth); }
   };
-  /// A way that starts with a distance at an image.
+  /// Paths that start at an image with an initial distance.
   struct Way
   {
     Image From;
@@ -74,14 +76,14 @@ private:
   struct Entry
   {
     Id HalfEdge;
-    Id Before; ///< the entry before it on the same half-edge
+    Id Before; ///< previous entry on the same half-edge
     bool IsReversed;
     double Begin;
     double End;
     Point2 AtBegin; ///< in the plane of the window
     Point2 AtEnd;
     Image Source;
-    std::array<Id, 3> Corners; ///< of the face before: ends of the half-edge, and the third
+    std::array<Id, 3> Corners; ///< of the previous face: ends of the half-edge, third corner
     std::array<Image, 3> CornersAt;
   };
   struct Interval

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Points on the surface that windows may meet on their way. Internal.
+/// Surface points to which windows measure straight lines. Internal.
 #ifndef dggGraphWindowTargets_h
 #define dggGraphWindowTargets_h
 
@@ -16,7 +16,7 @@
 
 namespace dgg
 {
-/// A point to which a straight line is looked for.
+/// A point to which a straight line is searched.
 struct GraphWindowTarget
 {
   Id Face = NoId; ///< of the mesh
@@ -24,11 +24,11 @@ struct GraphWindowTarget
   std::array<double, 3> Barycentric{ { 0.0, 0.0, 0.0 } };
 };
 
-/// Measures straight ways to targets: the shortest one to a target becomes the number of its Index.
+/// Measures straight lines to targets; `shortest[Index]` becomes the length of the shortest one.
 class GraphWindowTargets
 {
 public:
-  /// `targets` are sorted by face. Both lists must outlive this.
+  /// `targets` must be sorted by face. Both lists must outlive this object.
   GraphWindowTargets(const SurfaceMesh& mesh, const std::vector<GraphWindowTarget>& targets,
     std::vector<double>& shortest)
     : Mesh(mesh)
@@ -37,7 +37,7 @@ public:
   {
   }
 
-  /// Targets in the face of the source.
+  /// Measures targets in the face of the source.
   void ReachFrom(Id f, const std::array<double, 3>& source) const
   {
     this->Reach(f, [&](const GraphWindowTarget& target) {
@@ -45,7 +45,7 @@ public:
     });
   }
 
-  /// Targets in the face that a window enters, and inside the window or on its border.
+  /// Measures targets in the face that a window enters, inside the window or on its border.
   void Reach(const GraphWindow& window, const Relay& left, const Relay& right,
     const FaceCrossing& face) const
   {
@@ -64,10 +64,11 @@ public:
   }
 
 private:
-  /// An angle: what is as close to a bounding ray as that is reached by the windows on both sides.
+  /// Angular tolerance (radians): points this close to a bounding ray are reached by the windows on
+  /// both sides.
   static constexpr double WidthOfBorder = 1e-12;
 
-  /// Offer every target in a face the length that `measure` gives; negative for none.
+  /// Updates every target in a face with the length that `measure` returns; negative means none.
   template <typename Measure>
   void Reach(Id f, Measure&& measure) const
   {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sends windows from one source over a mesh and collects its edges. Internal.
+/// Propagates windows from one source over a mesh and collects the graph edges of the source.
+/// Internal.
 #ifndef dggGraphWindowTracer_h
 #define dggGraphWindowTracer_h
 
@@ -24,26 +25,26 @@
 
 namespace dgg
 {
-/// When a source has gone far enough, or too far.
+/// Work limits of one source.
 struct WindowLimits
 {
-  /// Windows that a source may send out before it is given up.
+  /// Maximum number of windows of a source before construction fails.
   std::size_t Windows;
-  /// Windows of a source that is traced without looking at what its own windows have reached
-  /// before: more than a source on an ordinary mesh has.
+  /// Maximum number of windows in the fast mode, which ignores where earlier windows of the source
+  /// have been. Sources on an ordinary mesh need fewer.
   std::size_t CarelessWindows;
-  /// Work that a source may take; see GraphWindowTracer::GetWork().
+  /// Maximum work of a source; see GraphWindowTracer::GetWork().
   std::size_t Work;
 };
 
 /// Follows windows from one source at a time until the rule ends them.
 ///
-/// Where an edge has more than two triangles, windows can multiply; among triangles that are all
-/// but lines it can run around for long. Most sources meet no such place, or not often, and windows
-/// are then simply followed first in, first out. Where there are many windows they pass bounds of
-/// distances on, which end those that go around a tube or a cone once more. A source that still has
-/// too many is traced again, with care: windows in order of distance, and only where no other one
-/// was there before on a shorter way (GraphWindowMemory).
+/// At non-manifold edges windows can multiply, and among nearly degenerate triangles they can
+/// circulate for long. Most sources meet such configurations rarely or not at all, and their
+/// windows are simply processed first in, first out. If there are many windows, they propagate
+/// upper bounds of distances, which end windows that wind around a tube or a cone again. A source
+/// that still has too many windows is traced again in the careful mode: windows in order of
+/// distance, and only where no earlier window has a shorter path (GraphWindowMemory).
 template <typename Rule>
 class GraphWindowTracer
 {
@@ -60,11 +61,11 @@ public:
 
   void SetRule(const Rule& rule) { this->TheRule = rule; }
 
-  /// The edges of a vertex, an id of the table.
+  /// Returns the edges of a vertex (id of the table).
   const std::vector<FoundEdge>& TraceVertex(Id source)
   {
     return this->TraceFrom([&] {
-      // No cost: where a window meets its own source again, that is no progress.
+      // The source has no cost: a window that returns to its source makes no progress.
       this->Source = source;
       this->Vertices.Touch(source).Label = 0.0;
       const Id v = this->Table.OldVertex(source);
@@ -75,8 +76,8 @@ public:
     });
   }
 
-  /// The edges that a point inside a face would have; for one on an edge, call it with all faces
-  /// around the edge.
+  /// Returns the edges that a point inside a face would have. For a point on an edge, pass all
+  /// faces of the edge.
   const std::vector<FoundEdge>& TracePoint(
     const std::vector<std::pair<Id, std::array<double, 3>>>& positions,
     const GraphWindowTargets& targets)
@@ -92,10 +93,10 @@ public:
     return this->Edges;
   }
 
-  /// Whether the last source had to be given up: its windows multiplied without end.
+  /// Returns true if the last source was abandoned because its windows multiplied without end.
   bool ExceededLimit() const { return this->HasExceededLimit; }
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
-  /// What the last source took, in comparisons of one window with another.
+  /// Work of the last source, in units of one comparison between two windows.
   std::size_t GetWork() const
   {
     return (this->IsCareful ? WorkOfCarefulWindow : WorkOfWindow) *
@@ -104,16 +105,17 @@ public:
   }
 
 private:
-  /// What a window takes besides comparisons, as measured.
+  /// Measured work of a window besides comparisons.
   static constexpr std::size_t WorkOfWindow = 3;
   static constexpr std::size_t WorkOfCarefulWindow = 30;
-  /// Two path lengths this close, relatively, count as equal.
+  /// Relative tolerance within which two path lengths are equal.
   static constexpr double LengthTolerance = 1e-12;
-  /// Narrower windows are dropped: what they reach is on the border of their neighbours, up to the
-  /// square of this.
+  /// Narrower windows are discarded: up to the square of this value, the points that they reach are
+  /// on the border of neighboring windows.
   static constexpr double NarrowestWindow = 1e-12;
-  /// How many more windows may come once they pass labels on, by those that came before.
-  static constexpr std::size_t PassingFactor = 3;
+  /// Additional windows that are allowed once windows propagate labels, relative to the previous
+  /// limit.
+  static constexpr std::size_t PropagationFactor = 3;
 
   template <typename Starter>
   const std::vector<FoundEdge>& TraceFrom(Starter start)
@@ -145,7 +147,7 @@ private:
     this->HasExceededLimit = false;
     this->IsCareful = isCareful;
     this->WindowsBefore = this->NumberOfWindows;
-    this->PassesLabels = false;
+    this->PropagatesLabels = false;
     this->WindowLimit = isCareful ? std::numeric_limits<std::size_t>::max()
                                   : this->NumberOfWindows + this->Limits.CarelessWindows;
     if (isCareful)
@@ -156,22 +158,22 @@ private:
 
   bool HasTooManyWindows() const { return this->NumberOfWindows > this->WindowLimit; }
 
-  /// From now on windows pass labels on along the sides of faces, which ends those that go around
-  /// once more. Returns whether they did not do so before.
-  bool StartPassing()
+  /// From now on windows propagate labels along the sides of faces, which ends those that wind
+  /// around again. Returns false if labels were already propagated.
+  bool EnableBoundPropagation()
   {
-    if (this->PassesLabels || Rule::ByDistance)
+    if (this->PropagatesLabels || Rule::ByDistance)
     {
       return false;
     }
-    this->PassesLabels = true;
+    this->PropagatesLabels = true;
     this->HasOverlap = true;
-    this->WindowLimit += PassingFactor * this->Limits.CarelessWindows;
+    this->WindowLimit += PropagationFactor * this->Limits.CarelessWindows;
     return true;
   }
 
-  /// The face of an outgoing half-edge of the source: its far edge is reached, the two ends of that
-  /// edge are the first relays.
+  /// Starts in the face of an outgoing half-edge of the source: the two ends of the opposite edge
+  /// are the first relays.
   void StartAtCorner(Id g)
   {
     const Id across = SurfaceMesh::Next(g);
@@ -192,9 +194,9 @@ private:
     this->Enter(this->Table.CodeBehind(across), window);
   }
 
-  /// The same for a source inside a face: the three corners and the three edges, but for those
-  /// edges that it lies on. The plane is turned for each edge: directions at the source do not
-  /// matter.
+  /// Starts from a source inside a face: reaches the three corners and the three edges, except
+  /// edges that contain the source. The plane is rotated for each edge, since directions at the
+  /// source are not needed.
   void StartInFace(Id f, const std::array<double, 3>& barycentric)
   {
     for (Id h = 3 * f; h < 3 * f + 3; ++h)
@@ -224,8 +226,8 @@ private:
     this->Targets->ReachFrom(f, barycentric);
   }
 
-  /// A corner of a face that the source lies in is an edge, at the origin of its half-edge of
-  /// arrival. Returns its relay.
+  /// Records the edge to a corner of the source's face, whose half-edge of arrival starts at the
+  /// corner. Returns the relay of the corner.
   Id ReachCorner(FoundEdge edge)
   {
     edge.Target = this->Table.NewVertex(this->Mesh.Origin(edge.Arrival));
@@ -247,7 +249,7 @@ private:
     return static_cast<Id>(this->Relays.size() - 1);
   }
 
-  /// The shortest edge to a vertex counts.
+  /// Records an edge; of several edges to a vertex the shortest one is kept.
   void Record(VertexStates::State& state, const FoundEdge& edge)
   {
     if (state.Edge == NoId)
@@ -261,7 +263,7 @@ private:
     }
   }
 
-  /// Let a window go on behind its edge.
+  /// Queues a window behind its edge.
   void Enter(Id code, GraphWindow& window)
   {
     if (!this->IsCareful)
@@ -311,7 +313,7 @@ private:
     }
     else
     {
-      // First in, first out: close to the order of distance, and much cheaper than a heap.
+      // First in, first out approximates the order of distance, and is much cheaper than a heap.
       for (std::size_t next = 0; next < this->Queue.size() && !this->HasTooManyWindows(); ++next)
       {
         GraphWindow window = this->Queue[next];
@@ -338,7 +340,7 @@ private:
     }
   }
 
-  /// The memory of so many windows is not for keeping.
+  /// Releases buffers that grew beyond their usual size.
   void GiveUp()
   {
     this->HasExceededLimit = true;
@@ -349,8 +351,8 @@ private:
     this->Reached = DistanceHeap();
   }
 
-  /// Windows in order of distance: most of those that others dominate are so before their turn.
-  /// Vertices pass their labels on in the same order.
+  /// Processes windows in order of distance, so that most dominated windows are dominated before
+  /// they are processed. Vertices propagate their labels in the same order.
   void TraceByDistance()
   {
     while (!this->Order.IsEmpty() && !this->HasExceededLimit)
@@ -368,8 +370,8 @@ private:
     }
   }
 
-  /// Windows in order of distance, until enough vertices are final. Edges are those of them that
-  /// are reached straight.
+  /// Processes windows in order of distance until enough vertices are final. The edges are those to
+  /// final vertices that are reached by a straight line.
   void TraceNearest()
   {
     Id count = 0;
@@ -406,19 +408,19 @@ private:
       this->Edges.end());
   }
 
-  /// Follow a window through the faces until a vertex splits it, or it ends.
+  /// Follows a window through the faces until a vertex splits it, or it ends.
   void Follow(GraphWindow& window)
   {
     const Relay& left = this->Relays[window.Relays[0]];
     const Relay& right = this->Relays[window.Relays[1]];
-    // Most windows are split in the first face, and hardly any ends before it: what ends them is
-    // worked out after it.
+    // Most windows are split in the first face, and hardly any ends before it; therefore the stop
+    // point is computed after the first face.
     bool isStarted = !Rule::StartsLate;
     for (;;)
     {
       const FaceCrossing& face = this->Table[window.Entry];
       ++this->NumberOfWindows;
-      if (this->HasTooManyWindows() && !this->StartPassing())
+      if (this->HasTooManyWindows() && !this->EnableBoundPropagation())
       {
         return;
       }
@@ -435,7 +437,7 @@ private:
         this->Split(window, face, apex);
         return;
       }
-      // A branch for either side, with constant indices, keeps the window in registers.
+      // Separate branches with constant indices keep the window in registers.
       const Id code = face.Behind[isRightOfLeft ? FaceCrossing::Left : FaceCrossing::Right];
       if (isRightOfLeft)
       {
@@ -460,7 +462,7 @@ private:
     }
   }
 
-  /// Go on to the left or the right edge of a face: its apex is the right end of the left edge, and
+  /// Advances to the left or right edge of a face: its apex is the right end of the left edge, and
   /// the left end of the right edge.
   void Turn(
     GraphWindow& window, const FaceCrossing& face, FaceCrossing::Side side, const Point2& apex)
@@ -474,9 +476,9 @@ private:
         this->Table.NewVertex(isOrigin ? this->Mesh.Origin(h) : this->Mesh.Destination(h));
       this->BehindAt = window.Ends[end];
     }
-    if (this->PassesLabels)
+    if (this->PropagatesLabels)
     {
-      this->PassLabel(face);
+      this->PropagateLabel(face);
     }
     window.Ends[end] = apex;
     window.Axis = Turned(window.Axis, face.Direction[side]);
@@ -488,8 +490,9 @@ private:
     }
   }
 
-  /// The apex of a face is no farther than its other corners and the sides to them.
-  void PassLabel(const FaceCrossing& face)
+  /// Lowers the label of the apex to the path through another corner and along the side between
+  /// them.
+  void PropagateLabel(const FaceCrossing& face)
   {
     const Id h = face.GetHalfEdge();
     const auto bound = [&](Id corner, Id side) {
@@ -500,9 +503,9 @@ private:
       bound(this->Mesh.Destination(h), SurfaceMesh::Next(h)) });
   }
 
-  /// FILTER: the way through an end of the edge, and along the edge, is shorter at every point that
-  /// the window reaches. Impossible, by the triangle inequality, unless the label of that end is
-  /// shorter than the straight line.
+  /// Window filter: returns true if the path through an end of the edge and along the edge is
+  /// shorter at every point that the window reaches. By the triangle inequality this requires that
+  /// the label of that end is shorter than the straight line.
   bool IsUseless(const GraphWindow& window) const
   {
     return this->HasOverlap && (this->IsUseless(window, 0) || this->IsUseless(window, 1));
@@ -536,9 +539,9 @@ private:
     return { id, cost, this->TheRule.Covers(cost, distance) };
   }
 
-  /// A vertex is reached: it may become an edge, and it is a relay of the two windows beside it. A
-  /// relay that covers the vertex covers all of the edge from its own ray to the vertex: that
-  /// window has ended.
+  /// Splits a window at a vertex: the vertex may become an edge, and it is a relay of the two new
+  /// windows. A relay that covers the vertex covers the part of the edge from its own ray to the
+  /// vertex, so that the window on that side has ended.
   void Split(GraphWindow& window, const FaceCrossing& face, const Point2& apex)
   {
     const double distance = Norm(apex.X, apex.Y);
@@ -573,12 +576,12 @@ private:
 
   static bool IsNarrow(const Point2& apex, double distance, const Relay& relay)
   {
-    // A window of nearly half a turn has a small sine as well.
+    // The sine of a window of nearly pi is small as well.
     return std::abs(Cross(apex, relay.Unit)) <= NarrowestWindow * distance &&
       Dot(apex, relay.Unit) > 0.0;
   }
 
-  /// Send a window on to one side of a relay, unless it has ended.
+  /// Queues the part of a window on one side of a relay, unless it has ended.
   void SendOn(GraphWindow& window, const FaceCrossing& face, FaceCrossing::Side side,
     const Point2& apex, Id relay)
   {
@@ -599,8 +602,8 @@ private:
     }
   }
 
-  /// An apex is reached at a distance, and covered at a cost by the relays of the window: make it
-  /// an edge unless it is covered. Returns its cost as a relay.
+  /// Handles an apex that is reached at a distance and covered at a cost by the relays of the
+  /// window: records an edge unless the apex is covered. Returns the cost of the apex as a relay.
   double ReachApex(const GraphWindow& window, const FaceCrossing& face, const Point2& apex,
     double distance, double costByRelays)
   {
@@ -643,8 +646,8 @@ private:
     }
   }
 
-  /// Vertices that no window reaches count as well, at the distance along mesh edges; and
-  /// with care every label helps to prune.
+  /// Lowers the labels of neighbors along mesh edges. Vertices that no window reaches count as
+  /// well, and in the careful mode every label helps to prune.
   void ReachNeighbours(Id v, double distance)
   {
     const Id old = this->Table.OldVertex(v);
@@ -672,25 +675,25 @@ private:
   WindowLimits Limits;
   VertexStates Vertices;
   bool IsCareful = false;
-  /// Whether a vertex has been reached on a way longer than its label. Before that no window can be
-  /// useless, and nobody looks at the labels.
+  /// True if a vertex has been reached by a path longer than its label. Before that no window can
+  /// be useless, so that labels need not be compared.
   bool HasOverlap = false;
   bool HasExceededLimit = false;
-  /// Whether vertices get bounds from the others of their faces: when there are many windows.
-  bool PassesLabels = false;
+  /// True if labels are propagated along the sides of faces, because there are many windows.
+  bool PropagatesLabels = false;
   Id Source = NoId;
   GraphWindowMemory Memory;
-  Id Behind = NoId; // the vertex that a window has just left behind, with care
+  Id Behind = NoId; // careful mode: the vertex that a window has just passed
   Point2 BehindAt;
   std::vector<FoundEdge> Edges;
   std::vector<Relay> Relays;
   std::vector<GraphWindow> Queue;
-  DistanceHeap Order;   // of the windows, when they come by distance
-  DistanceHeap Reached; // vertices by label, then
+  DistanceHeap Order;   // windows by distance, if processed in this order
+  DistanceHeap Reached; // vertices by label, in the same case
   const GraphWindowTargets* Targets = nullptr;
   std::size_t NumberOfWindows = 0;
-  std::size_t WindowsBefore = 0; // of earlier sources
-  std::size_t WindowLimit = 0;   // of NumberOfWindows, see CarelessWindows
+  std::size_t WindowsBefore = 0; // windows of earlier sources
+  std::size_t WindowLimit = 0;   // limit of NumberOfWindows, see WindowLimits
 };
 }
 

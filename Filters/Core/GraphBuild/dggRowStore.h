@@ -13,7 +13,7 @@
 
 namespace dgg
 {
-/// An edge as it is stored. Lengths are floats, rounded up, unless the graph needs doubles.
+/// A stored edge. Lengths are floats, rounded up, unless the graph needs doubles.
 struct RowEdge
 {
   Id Target;
@@ -22,11 +22,11 @@ struct RowEdge
   float Arrival;
 };
 
-/// The smallest float that is not below a value.
+/// Returns the smallest float that is not below a value.
 DGG_CORE_EXPORT float RoundedUp(double value);
 
-/// The edges of consecutive rows, in flat arrays that grow. One array a property, so that they can
-/// be given up one by one.
+/// The edges of consecutive rows, in flat growing arrays. Each property has its own array, so that
+/// arrays can be released one by one.
 class RowStore
 {
 public:
@@ -42,12 +42,12 @@ public:
   Offset Begin(Id row) const { return this->Begins[row]; }
   Offset End(Id row) const { return this->Begins[row + 1]; }
 
-  /// Make room for where that many rows begin, at once: growing may take up to twice as much.
+  /// Reserves the offsets of `count` rows in one step, since growth may double the memory.
   void ReserveRows(Id count) { this->Begins.reserve(static_cast<std::size_t>(count) + 1); }
   Offset GetCapacityOfRows() const { return static_cast<Offset>(this->Begins.capacity() - 1); }
   void AppendRow(const RowEdge* begin, const RowEdge* end);
   void Set(Offset i, const RowEdge& edge);
-  /// Everything but the target: others may look at targets at the same time.
+  /// Sets all properties except the target, so that other threads may read targets simultaneously.
   void SetWay(Offset i, double length, float departure, float arrival);
   RowEdge Get(Offset i) const;
 
@@ -59,11 +59,11 @@ public:
   float Departure(Offset i) const { return this->Departures[i]; }
   float Arrival(Offset i) const { return this->Arrivals[i]; }
 
-  /// Remove edges from the rows beginning with `first`: those whose flag is set. `flags` are those
-  /// of the edges from Begin(first) on.
+  /// Removes the flagged edges from the rows beginning with `first`. flags[0] belongs to the edge
+  /// Begin(first).
   void Remove(Id first, const std::vector<unsigned char>& flags);
 
-  /// Give back the room that removed edges have left.
+  /// Releases the memory of removed edges.
   void ShrinkToFit();
   void FreeAngles();
   void FreeTargetsAndLengths();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the windows of one source find: edges, and labels of vertices. Internal.
+/// Results of tracing one source: edges found, and vertex labels. Internal.
 #ifndef dggVertexStates_h
 #define dggVertexStates_h
 
@@ -13,17 +13,17 @@
 
 namespace dgg
 {
-/// An edge found from a source, with what it takes to know its directions.
+/// An edge found from a source, with the data from which its directions are computed.
 struct FoundEdge
 {
   Id Target = NoId; ///< id of the table
   double Length = 0.0;
   Point2 Departure;  ///< the target, in the plane of the source
-  Id Frame = NoId;   ///< half-edge along the x axis of the plane: leaves the source, or is one of
-                     ///< the face that it lies in
+  Id Frame = NoId;   ///< half-edge along the x axis of the plane: leaves the source, or belongs to
+                     ///< the face that contains the source
   Point2 Reference;  ///< direction of the half-edge of arrival, in the plane
-  Id Arrival = NoId; ///< that half-edge, leaving the target
-  bool IsMirrored = false; ///< the face of arrival is seen in its mirror image
+  Id Arrival = NoId; ///< half-edge of arrival, leaving the target
+  bool IsMirrored = false; ///< true if the face of arrival is unfolded as its mirror image
 
   /// Polar angle at the source, towards the target.
   double DepartureAngle(const UnfoldingTable& table) const
@@ -39,14 +39,14 @@ struct FoundEdge
   }
 };
 
-/// Kept from source to source; only what a source has touched is reset.
+/// Vertex states, reused from source to source: Reset() visits touched vertices only.
 class VertexStates
 {
 public:
   struct State
   {
     double Label = Infinity; ///< length of a path from the source
-    double Cost = Infinity;  ///< as a relay
+    double Cost = Infinity;  ///< cost as a relay
     Id Edge = NoId;          ///< index into the edges found
     bool IsTouched = false;
   };

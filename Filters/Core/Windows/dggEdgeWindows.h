@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The windows of a finished exact propagation: the distance of every point of the surface.
+/// Windows of a finished exact propagation: they give the distance at every surface point.
 #ifndef dggEdgeWindows_h
 #define dggEdgeWindows_h
 
@@ -14,46 +14,46 @@
 
 namespace dgg
 {
-/// Paths that enter the face of a half-edge h through an interval of it, in the frame of h
-/// (dggUnfolding.h): the distance of a point p of the face that is seen through the interval is
-/// Offset + |p - Image|.
+/// A bundle of paths that enter the face of a half-edge h through an interval of h, in the frame of
+/// h (dggUnfolding.h). The distance of a point p of the face that is visible from the image through
+/// the interval is Offset + |p - Image|.
 struct EdgeWindow
 {
   double Begin = 0.0; ///< 0 <= Begin < End <= length of the half-edge
   double End = 0.0;
-  Point2 Image;        ///< of the pseudo-source, Y < 0
+  Point2 Image;        ///< unfolded position of the pseudo-source, Y < 0
   double Offset = 0.0; ///< distance at the pseudo-source
   Id Root = NoId;      ///< the pseudo-source: a vertex, or ~k for source k inside a face or an edge
 };
 
-/// A source inside a face, or on an edge of it (then once for each face of the edge).
+/// A source inside a face or on an edge; on an edge it is listed once for each incident face.
 struct FaceSource
 {
   Id Face = NoId;
   std::array<double, 3> Barycentric{ { 1.0, 0.0, 0.0 } };
-  double Offset = 0.0; ///< the distance that it starts with
+  double Offset = 0.0; ///< initial distance
   Id Root = NoId;      ///< ~k for source k
 };
 
-/// The windows of the first paths that enter faces, but for a few further ones, edge by edge.
-/// With the labels of the vertices it gives the exact distance at every point of the surface: the
-/// least of those of the windows that the point is seen through, of the ways over the corners of
-/// its face, and of the straight ways from sources in the face.
+/// The windows that carry shortest paths into faces, plus a few redundant ones, grouped by
+/// half-edge. Together with the vertex labels they give the exact distance at every surface point:
+/// the minimum over the windows through which the point is visible, the paths through the corners
+/// of its face, and the straight lines from sources in that face.
 struct DGG_CORE_EXPORT EdgeWindows
 {
-  /// The windows of half-edge h, disjoint and in order: [Offsets[h], Offsets[h + 1]). Empty when
-  /// windows were not kept.
+  /// The windows of half-edge h, disjoint and sorted: [Offsets[h], Offsets[h + 1]). Empty if
+  /// windows were not stored.
   std::vector<Offset> Offsets;
   std::vector<EdgeWindow> Windows;
-  /// In order of faces; those are left out that are nowhere in their face nearer than another one.
+  /// Sorted by face. Sources that are nearest nowhere in their face are omitted.
   std::vector<FaceSource> Sources;
 
   bool IsEmpty() const { return this->Offsets.empty(); }
   const EdgeWindow* Begin(Id h) const { return this->Windows.data() + this->Offsets[h]; }
   const EdgeWindow* End(Id h) const { return this->Windows.data() + this->Offsets[h + 1]; }
 
-  /// Fails with a message when these cannot be the windows of the mesh: numbers that are not finite
-  /// or intervals outside of their edges.
+  /// Fails if these cannot be windows of the mesh: non-finite values, or intervals outside their
+  /// edges.
   Status Check(const SurfaceMesh& mesh) const;
 };
 }

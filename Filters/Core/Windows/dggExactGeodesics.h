@@ -19,16 +19,16 @@ namespace dgg
 {
 class WindowPropagation;
 
-/// Which engine propagates. Both give the same distances.
+/// Propagation engine. Both engines give the same distances.
 enum class ExactEngine
 {
-  /// One window at a time in order of distance, Chen-Han split rule and vertex filter: slow, short,
-  /// written to be checked by reading (Chen and Han 1990; Xin and Wang, "Improving Chen and Han's
-  /// algorithm", 2009).
+  /// One window at a time in order of distance, with the Chen-Han split rule and the vertex filter.
+  /// Slow but short, so that it can be verified by reading (Chen and Han 1990; Xin and Wang,
+  /// "Improving Chen and Han's algorithm", 2009).
   Reference,
-  /// Lists of windows, triangle by triangle in the order of the vertices (the idea of Qin et al.,
-  /// "Fast and exact discrete geodesic computation based on triangle-oriented wavefront
-  /// propagation", 2016), each list kept a lower envelope.
+  /// Lists of windows, triangle by triangle in the order of the vertices (after Qin et al., "Fast
+  /// and exact discrete geodesic computation based on triangle-oriented wavefront propagation",
+  /// 2016), where each list is maintained as a lower envelope.
   Triangle
 };
 
@@ -37,28 +37,29 @@ struct ExactOptions
   ExactEngine Engine = ExactEngine::Triangle;
   /// Vertices and targets farther than this are left unreached.
   double MaximumDistance = Infinity;
-  /// Points whose distance is wanted besides that of the vertices.
+  /// Surface points whose distance is computed besides that of the vertices.
   std::vector<SurfacePoint> Targets;
-  /// Stop as soon as the distances of all targets are final; vertices farther than the farthest
-  /// target are left unreached. Without targets it has no effect.
+  /// Stop as soon as the distances of all targets are final; vertices beyond the farthest target
+  /// remain unreached. No effect without targets.
   bool StopAtTargets = false;
-  /// Whether to fill Windows. Not together with StopAtTargets.
+  /// If true, fill ExactResult::Windows. Cannot be combined with StopAtTargets.
   bool KeepWindows = false;
-  /// Most bytes that the engine and the windows that are kept may take at one time, see
-  /// ExactResult::PeakMemory; more is an error. Zero: no limit.
+  /// Maximum memory of the engine and the stored windows in bytes (see ExactResult::PeakMemory);
+  /// exceeding it is an error. Zero means no limit.
   std::size_t MemoryLimit = 0;
   /// Progress and abort; may be empty.
   ProgressCallback Progress;
 };
 
-/// How a vertex or a target got its distance: enough to trace the path back (window tracing).
+/// The last segment of the shortest path to a vertex or target: enough to trace the path back
+/// through windows.
 struct Predecessor
 {
-  /// The half-edge that the last straight piece crosses before it ends in its face (at its apex,
-  /// for a vertex), or NoId when it stays in one face or on one mesh edge.
+  /// The half-edge that the last straight segment crosses before it ends in its face (for a vertex,
+  /// at the apex); NoId if the segment stays in one face or on one mesh edge.
   Id HalfEdge = NoId;
-  /// Where the piece starts: a vertex, or ~k for the k-th source (inside a face or an edge);
-  /// the vertex itself when it is a source.
+  /// Start of the segment: a vertex, or ~k for the k-th source (inside a face or on an edge). A
+  /// source vertex is its own root.
   Id Root = NoId;
   /// Image of the root in the frame of HalfEdge (y < 0).
   double ImageX = 0.0;
@@ -72,19 +73,20 @@ struct ExactResult
   std::vector<Predecessor> Predecessors;       ///< per vertex
   std::vector<double> TargetDistances;         ///< per target; Infinity where unreached
   std::vector<Id> TargetNearestSource;         ///< per target
-  std::vector<Predecessor> TargetPredecessors; ///< per target; at vertices those of the vertices
+  std::vector<Predecessor> TargetPredecessors; ///< per target; at a vertex, that of the vertex
 
-  /// The distance everywhere on the surface, up to the maximum distance; empty unless asked for.
+  /// The distance at every surface point up to the maximum distance; empty unless KeepWindows is
+  /// set.
   EdgeWindows Windows;
 
   std::size_t NumberOfWindows = 0; ///< windows propagated
-  /// Estimate of the most bytes held by the engine at one time, windows that are kept included;
-  /// mesh and other results apart.
+  /// Estimated peak memory of the engine in bytes, including stored windows but neither the mesh
+  /// nor other results.
   std::size_t PeakMemory = 0;
 };
 
-/// Exact geodesics on one mesh, which must outlive the solver. Run() may be called again and again;
-/// one solver per thread. The result does not depend on earlier runs.
+/// Computes exact geodesics on one mesh, which must outlive the solver. Run() may be called
+/// repeatedly and its result does not depend on earlier runs. Use one solver per thread.
 class DGG_CORE_EXPORT ExactGeodesics
 {
 public:
@@ -93,15 +95,15 @@ public:
   ExactGeodesics(const ExactGeodesics&) = delete;
   ExactGeodesics& operator=(const ExactGeodesics&) = delete;
 
-  /// Distances from the nearest of the sources. Fails when there is no source, or a source or
-  /// target does not exist on the mesh or starts with a distance that is not finite, or more memory
-  /// is needed than the limit; then `result` is empty.
+  /// Computes distances from the nearest source. Fails if there is no source, a source or target
+  /// does not exist on the mesh, an initial distance is not finite, or the memory limit is
+  /// exceeded; then `result` is empty.
   Status Run(
     const std::vector<GeodesicSource>& sources, const ExactOptions& options, ExactResult& result);
 
-  /// The same into a result that stays here, valid until the next run: for many runs that each
-  /// reach few vertices, as to targets nearby. Such a run takes the time of what it reaches, where
-  /// Run() also takes some for each vertex of the mesh.
+  /// Like Run(), but stores the result in the solver, where it is valid until the next run. Meant
+  /// for many runs that each reach few vertices (such as to nearby targets): the cost is
+  /// proportional to the number of vertices reached, whereas Run() also has a cost per mesh vertex.
   Status RunKept(const std::vector<GeodesicSource>& sources, const ExactOptions& options);
   const ExactResult& GetKept() const { return this->Kept; }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Engine R: one window at a time. Internal.
+/// Reference engine for exact geodesics: one window at a time. Internal.
 #ifndef dggReferenceEngine_h
 #define dggReferenceEngine_h
 
@@ -12,8 +12,8 @@
 
 namespace dgg
 {
-/// Windows in order of their smallest distance, the Chen-Han split rule and the vertex filter.
-/// Written to be checked by reading; the other engine is checked against it.
+/// Processes windows in order of their smallest distance, with the Chen-Han split rule and the
+/// vertex filter. Written to be verified by reading; the triangle engine is tested against it.
 class ReferenceEngine : public WindowPropagation
 {
 public:
@@ -41,8 +41,8 @@ private:
     Id Vertex;
     bool operator<(const QueuedVertex& other) const { return this->Key > other.Key; }
   };
-  /// The window that holds the right to two children at a half-edge: its distance at the apex and
-  /// where its ray to the apex crosses the half-edge.
+  /// The window that may have two children at a half-edge (Chen-Han "one angle, one split"): its
+  /// distance at the apex, and where its ray to the apex crosses the half-edge.
   struct Winner
   {
     double Distance = Infinity;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Engine T: lists of windows, triangle by triangle, in the order of the vertices. Internal.
+/// Triangle-oriented engine for exact geodesics: lists of windows, propagated triangle by triangle
+/// in the order of the vertices. Internal.
 #ifndef dggTriangleEngine_h
 #define dggTriangleEngine_h
 
@@ -15,9 +16,9 @@
 namespace dgg
 {
 /// The region of traversed faces grows around one vertex after the other, in order of their labels.
-/// Windows cross faces of the region at once, whole lists at a time, and wait on its front until
-/// one of the ends of their edge has its turn. Each waiting list is a lower envelope, so hardly any
-/// window is propagated that does not carry a shortest path. No split rule is needed then.
+/// Whole lists of windows cross the faces of the region immediately and wait on its front until an
+/// end of their edge is processed. Each waiting list is a lower envelope, so hardly any window is
+/// propagated that carries no shortest path, and no split rule is needed.
 class TriangleEngine : public WindowPropagation
 {
 public:
@@ -30,14 +31,14 @@ protected:
   void Reset() override;
   void ResetReached(const std::vector<Id>& vertices) override;
   void Release() override;
-  /// A list is about to enter the face of half-edge h: an engine that is content with less may
-  /// change it.
+  /// Called before a list enters the face of half-edge h. An approximate engine may simplify the
+  /// list.
   virtual void Simplify(Id, WindowList&) {}
 
 private:
   /// Windows that leave a face through one of its edges. On stretched triangles the children of
-  /// thousands of windows lie across each other; those far from their place wait, as putting each
-  /// among the others at once would take the square of their number.
+  /// thousands of windows overlap. Children far from their sorted position are collected in
+  /// Misplaced and sorted later, because inserting each one immediately would take quadratic time.
   struct ChildList
   {
     WindowList Envelope;
@@ -60,21 +61,21 @@ private:
   bool MeasureMemory();
 
   std::vector<std::pair<double, Id>> Heap; // labels of vertices, lazily deleted
-  std::vector<std::uint8_t> IsOpen;        // per face: in the region
+  std::vector<std::uint8_t> IsOpen;        // per face: true if in the region
   std::vector<std::uint8_t> IsQueued;      // per half-edge
-  std::vector<std::uint8_t> IsVisited;     // per vertex: has had its turn
+  std::vector<std::uint8_t> IsVisited;     // per vertex: true if processed
   std::vector<double> Emitted;             // per vertex: label at its last emission
-  std::vector<Id> Queue;                   // half-edges whose lists can move on, first in first out
+  std::vector<Id> Queue;                   // half-edges with lists to propagate, FIFO
   std::size_t QueueHead = 0;
 
-  // Lists live in a pool: their storage is used again and again.
+  // Lists are taken from a pool to reuse their storage.
   std::vector<Id> ListOf; // per half-edge
   std::vector<WindowList> Pool;
   std::vector<Id> FreeLists;
 
   WindowMemory Memory;
 
-  WindowList Passing; // the list on its way through a face
+  WindowList Passing; // the list that crosses a face now
   ChildList LeftChildren;
   ChildList RightChildren;
   WindowList Merged;

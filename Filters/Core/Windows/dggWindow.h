@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A window: an interval of an edge that one source reaches in one unfolding.
+/// A window: an interval of an edge that is reached from one pseudo-source in one unfolding.
 #ifndef dggWindow_h
 #define dggWindow_h
 
@@ -12,36 +12,37 @@
 
 namespace dgg
 {
-/// Two path lengths this close, relatively, count as equal.
+/// Relative tolerance within which two path lengths are equal.
 constexpr double LengthTolerance = 1e-12;
-/// Intervals narrower than this are dropped; relative, see Window::Tolerance().
+/// Windows narrower than this are discarded; relative, see Window::Tolerance().
 constexpr double IntervalTolerance = 1e-10;
-/// A point this close to an end of a window counts as seen, by the way through that end; relative,
-/// see Window::Tolerance(). So no point on the seam between two windows is missed: lengths are
-/// compared to LengthTolerance, so the place where they are equal is known to the root of that.
+/// A point this close to an end of a window counts as visible, by the path through that end;
+/// relative, see Window::Tolerance(). Thus no point on the seam between two windows is missed:
+/// lengths are compared to LengthTolerance, so the tie point is only accurate to its square root.
 constexpr double SeenTolerance = 2e-6;
-/// An image closer to the axis than this, relative to its edge, and beside the window sees the edge
-/// edge-on and reaches nothing.
+/// An image beside the window that is closer to the axis than this, relative to the edge length,
+/// sees the edge edge-on and reaches nothing.
 constexpr double EdgeOnTolerance = 1e-14;
 
-/// Some roundings of a position on an edge, relative to the edge.
+/// Rounding error of a position on an edge, relative to the edge length (some ulps).
 constexpr double PositionRounding = 4e-15;
 
-/// Paths on their way into the face of a half-edge, in the frame of that half-edge
-/// (dggUnfolding.h). The image of the pseudo-source is kept rather than two end distances: it is
-/// accurate when the image is nearly in line with the edge. The distances at the ends are a cache.
+/// A bundle of paths that enter the face of a half-edge, in the frame of that half-edge
+/// (dggUnfolding.h). The window stores the image of the pseudo-source rather than two end
+/// distances, because the image remains accurate when it is nearly collinear with the edge. The
+/// distances at the ends are cached.
 struct Window
 {
-  double Begin = 0.0; ///< of the interval, 0 <= Begin < End <= length of the half-edge
+  double Begin = 0.0; ///< 0 <= Begin < End <= length of the half-edge
   double End = 0.0;
-  Point2 Image;       ///< of the pseudo-source, Y < 0
-  double Sigma = 0.0; ///< distance at the pseudo-source, initial distance included
+  Point2 Image;       ///< unfolded position of the pseudo-source, Y < 0
+  double Sigma = 0.0; ///< distance of the pseudo-source, including the initial distance
   double DistanceAtBegin = 0.0;
   double DistanceAtEnd = 0.0;
   Id Root = NoId; ///< the pseudo-source: a vertex, or ~k for source k inside a face or an edge
-  /// Has gone through an edge with more than two faces, or a face without area.
+  /// True if an ancestor passed a non-manifold edge or a degenerate face.
   bool HasScattered = false;
-  bool IsKnown = false; ///< has passed here before (WindowMemory)
+  bool IsKnown = false; ///< already recorded in WindowMemory
 
   /// Distance at a point of the axis.
   double DistanceAt(double x) const { return this->Sigma + DistanceToAxis(this->Image, x); }
@@ -52,9 +53,9 @@ struct Window
     return this->Sigma + Norm(p.X - this->Image.X, p.Y - this->Image.Y);
   }
 
-  /// The same for a point that is seen through x on the axis. When that is beyond an end of the
-  /// window, the way bends there: a straight line may be shorter than any path, and such a label
-  /// would trim windows that pass close by.
+  /// Distance at a point that is seen through x on the axis. If x lies beyond an end of the window,
+  /// the path bends at that end: the straight line may be shorter than any path, and a label that
+  /// is too small would trim nearby windows.
   double DistanceThrough(double x, const Point2& p) const
   {
     const double straight = this->DistanceTo(p);
@@ -85,26 +86,26 @@ struct Window
     this->DistanceAtEnd = this->DistanceAt(end);
   }
 
-  /// A tolerance for widths on an edge of the given length. What counts is the angle: close to its
-  /// image a window that is narrow for its edge may reach half of the surface. Rounding of
-  /// positions on the edge sets the floor. Windows that have scattered may come from as close by as
-  /// faces without area are narrow, without meaning anything, and in any number of slivers: there
-  /// the edge counts.
+  /// Tolerance for interval widths on an edge of the given length. The relevant measure is the
+  /// visual angle: close to its image, a window that is narrow for its edge may reach half of the
+  /// surface. The rounding error of positions on the edge is the lower limit. Windows that have
+  /// scattered may start arbitrarily close to their image, since degenerate faces are arbitrarily
+  /// narrow, and in any number of slivers; for these the edge length is used.
   double Tolerance(double relative, double length) const
   {
     const double scale = this->HasScattered ? length : std::min(length, -this->Image.Y);
     return std::max(1e-15 * length, relative * scale);
   }
 
-  /// Whether too narrow for an edge of the given length to be kept.
+  /// Returns true if the window is too narrow to be stored on an edge of the given length.
   bool IsTooNarrow(double length) const
   {
     return this->End - this->Begin < this->Tolerance(IntervalTolerance, length);
   }
 
-  /// False when the image sees the edge edge-on. An image in the window itself does not, however
-  /// close: as after faces without area it is on the edge, and reaches all that is behind. Then it
-  /// is put where it has a side.
+  /// Returns false if the image sees the edge edge-on. An image inside the interval never does,
+  /// however close: after degenerate faces it lies on the edge and reaches everything behind the
+  /// edge. Such an image is moved off the edge to the near side.
   bool FacesEdge(double length)
   {
     const double closest = -EdgeOnTolerance * length;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Lists of windows on one half-edge as lower envelopes: at each point only the shortest window.
+/// Lower envelopes of windows on one half-edge: at each point only the shortest window is stored.
 /// Internal.
 #ifndef dggWindowEnvelope_h
 #define dggWindowEnvelope_h
@@ -14,27 +14,28 @@
 
 namespace dgg
 {
-/// Windows on one half-edge, in order and disjoint.
+/// Windows on one half-edge, sorted and disjoint.
 using WindowList = std::vector<Window>;
 
-/// Cut off what the ways through the ends of the half-edge, at distances `atOrigin` and `atEnd`,
-/// and along it make useless. Returns false when nothing is left.
+/// Trims the parts of a window where a path through an end of the half-edge, at distances
+/// `atOrigin` and `atEnd`, and along the edge is shorter. Returns false if nothing remains.
 bool TrimByEnds(Window& window, double length, double atOrigin, double atEnd);
 
-/// Lower envelope of two envelopes on a half-edge of the given length. `out` must be another list.
+/// Computes the lower envelope of two envelopes on a half-edge of the given length. `out` must be a
+/// different list.
 void MergeEnvelopes(
   const WindowList& first, const WindowList& second, double length, WindowList& out);
 
-/// Lower envelope of windows in any order, in n log n steps for n windows.
+/// Returns the lower envelope of n unsorted windows, in O(n log n).
 WindowList MakeEnvelope(const Window* begin, const Window* end, double length);
 
-/// Insert one window into an envelope, fast when it belongs at the end. Does nothing and returns
-/// false when it begins before the end of more than `mostBeyond` windows.
+/// Inserts a window into an envelope; fast if it belongs at the end. Does nothing and returns false
+/// if the window begins before the end of more than `mostBeyond` windows.
 bool InsertIntoEnvelope(WindowList& list, const Window& window, double length, WindowList& scratch,
   std::ptrdiff_t mostBeyond = std::numeric_limits<std::ptrdiff_t>::max());
 
-/// The point in (begin, end) where two windows tie. `first` must be shorter at begin and longer at
-/// end, or the other way round.
+/// Returns the point in (begin, end) where two windows tie. `first` must be shorter at begin and
+/// longer at end, or vice versa.
 double TiePoint(const Window& first, const Window& second, double begin, double end);
 }
 

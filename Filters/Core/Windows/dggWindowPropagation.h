@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all exact engines share: labels, sources, emission of windows by vertices, targets.
+/// Common base of the exact engines: labels, sources, emission of windows by vertices, targets.
 /// Internal.
 #ifndef dggWindowPropagation_h
 #define dggWindowPropagation_h
@@ -17,8 +17,8 @@
 
 namespace dgg
 {
-/// The state of one run and the steps that do not depend on the order of propagation. An engine
-/// derives from it, says what happens to a new window and a lower label, and runs its own loop.
+/// The state of one run and the steps that do not depend on the order of propagation. A derived
+/// engine handles new windows and lowered labels, and runs its own main loop.
 class WindowPropagation
 {
 public:
@@ -27,42 +27,42 @@ public:
   WindowPropagation(const WindowPropagation&) = delete;
   WindowPropagation& operator=(const WindowPropagation&) = delete;
 
-  /// When it `isAgain`, `result` is always the same one, which nobody else changes: only what the
-  /// last run has reached is reset.
+  /// If `isAgain`, `result` must be the result of the previous run, unmodified: only entries that
+  /// the previous run reached are reset.
   Status Run(const std::vector<GeodesicSource>& sources, const ExactOptions& options,
     ExactResult& result, bool isAgain);
 
 protected:
-  /// A window is about to enter the face of half-edge h, in its frame.
+  /// Called for a window that enters the face of half-edge h, in the frame of h.
   virtual void Receive(Id h, const Window& window) = 0;
-  /// The label of v has become smaller.
+  /// Called after the label of v has been lowered.
   virtual void LabelDropped(Id v) = 0;
-  /// Propagate until nothing is left within the radius; false when aborted or out of memory.
+  /// Propagates until no window within the radius remains. Returns false if aborted or out of
+  /// memory.
   virtual bool Propagate() = 0;
   virtual void Reset() = 0;
-  /// The same after a run that was finished, given the vertices that it has reached.
+  /// Resets after a completed run, given the vertices that the run reached.
   virtual void ResetReached(const std::vector<Id>& vertices) = 0;
-  /// Give back the memory of a finished propagation.
+  /// Releases the memory of a finished propagation.
   virtual void Release() = 0;
 
   double Label(Id v) const { return this->Result->Distances[v]; }
   Id SourceOf(Id root) const { return root >= 0 ? this->Result->NearestSource[root] : ~root; }
   bool IsSource(Id v) const { return this->Result->Predecessors[v].Root == v; }
 
-  /// Lower the label of v if `distance` is smaller. Every label is the length of a real path.
+  /// Lowers the label of v if `distance` is smaller. Every label is the length of an actual path.
   bool Lower(Id v, double distance, const Predecessor& predecessor, Id source);
-  /// Offer to the neighbours of v the way along their mesh edge: the safety net for windows too
-  /// narrow to be kept (and a real path).
+  /// Relaxes the mesh edges around v. A safety net for windows that are too narrow to be stored.
   void RelaxNeighbours(Id v);
 
-  /// Windows of the pseudo-source v into all its faces.
+  /// Emits windows of the pseudo-source v into all its faces.
   void EmitEverywhere(Id v);
-  /// Windows of the pseudo-source v into the directions that a shortest path may take: those that
-  /// make an angle of at least pi with the incoming one on both sides.
+  /// Emits windows of the pseudo-source v into the directions that a shortest path may take: those
+  /// at an angle of at least pi from the incoming direction on both sides.
   void EmitIntoShadow(Id v);
 
-  /// Passes a window that leaves through half-edge `exit` to all faces behind the edge. The frame
-  /// of the window is that of a half-edge that runs against `exit`.
+  /// Passes a window that leaves through half-edge `exit` to all faces behind the edge. The window
+  /// is in the frame of a half-edge that runs opposite to `exit`.
   void Cross(Id exit, Window window)
   {
     window.HasScattered |= this->Scatters(exit);
@@ -71,15 +71,16 @@ protected:
     });
   }
 
-  /// Whether windows that leave through the half-edge have scattered, and what enters has to be
-  /// remembered (WindowMemory): its face has no area, or its edge more than two faces.
+  /// Returns true if windows scatter when they leave through the half-edge, so that the windows
+  /// behind it must be remembered (WindowMemory): its face is degenerate, or its edge is
+  /// non-manifold.
   bool Scatters(Id h) const
   {
     return this->Mesh.IsDegenerate(SurfaceMesh::Face(h)) || this->Mesh.IsNonManifold(h);
   }
 
-  /// The part of a window that leaves its face through the left edge, up to the apex if that
-  /// `isCut`; and through the right edge, from the apex on.
+  /// Computes the part of a window that leaves its face through the left edge (up to the apex if
+  /// `isCut`) or through the right edge (from the apex if `isCut`).
   /// @{
   static void MakeLeftChild(
     const FaceUnfolding& face, const Window& window, bool isCut, Window& child)
@@ -103,20 +104,21 @@ protected:
 
   static Window Mirrored(const Window& window, double length);
 
-  /// A window whose root has been reached on a shorter way is of no use any more.
+  /// Returns true if the root of the window has meanwhile been reached by a shorter path, so that
+  /// the window is useless.
   bool IsStale(const Window& window) const
   {
     return window.Root >= 0 && window.Sigma > this->Label(window.Root) * (1.0 + LengthTolerance);
   }
 
   bool HasTargets(Id f) const { return !this->Targets.empty() && this->TargetFlags[f] != 0; }
-  /// Let a window that enters the face of h reach the targets inside it.
+  /// Updates the targets in the face of h that a window reaches.
   void OfferTargets(Id h, const Window& window);
-  /// Windows and labels beyond this are of no interest. Shrinks as targets are reached.
+  /// Windows and labels beyond this distance are ignored. Shrinks as targets are reached.
   double GetRadius() const { return this->Radius; }
   void UpdateRadius();
-  /// Take note of the bytes that the engine holds, the windows that are kept apart. False when they
-  /// are too many together, or the windows propagated are.
+  /// Updates the peak memory, given the bytes that the engine holds without stored windows. Returns
+  /// false if the memory limit or the maximum number of propagated windows is exceeded.
   bool NoteMemory(std::size_t bytes)
   {
     return this->NoteAllMemory(
@@ -146,8 +148,8 @@ private:
   void ForEachReached(Function&& visit) const;
   bool NoteAllMemory(std::size_t bytes);
   void ForgetBeyondRadius();
-  /// Window of pseudo-source v onto the edge opposite to it in the face of its outgoing half-edge
-  /// g, between the directions `from` and `to`, angles measured from g.
+  /// Emits the window of pseudo-source v onto the edge opposite to it in the face of its outgoing
+  /// half-edge g, between the directions `from` and `to`, angles measured from g.
   void EmitInto(Id g, double sigma, double from, double to);
   bool FindIncomingAngle(Id v, double& angle) const;
   void ReachTarget(std::size_t index, double distance, const Predecessor& predecessor, Id source);
@@ -156,10 +158,10 @@ private:
   std::size_t MostWindows;
   bool IsOutOfMemory = false;
   bool HasExceededLimit = false;
-  bool NotesReached = false;   // in Reached
-  bool KnowsReached = false;   // those of the last run, which was finished, are in Reached
-  std::vector<Id> Reached;     // vertices that have got a label
-  std::vector<Target> Targets; // sorted by face; those at vertices are not in it
+  bool NotesReached = false;             // true if Reached is filled in this run
+  bool KnowsReached = false;             // true if Reached is that of the last, completed run
+  std::vector<Id> Reached;               // vertices with a label
+  std::vector<Target> Targets;           // sorted by face; without targets at vertices
   std::vector<std::uint8_t> TargetFlags; // per face
 };
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What exact engines keep of windows: those of the result, and what has passed. Internal.
+/// Storage of windows for exact engines: the windows of the result, and the windows that have
+/// passed each edge. Internal.
 #ifndef dggWindowStore_h
 #define dggWindowStore_h
 
@@ -14,9 +15,9 @@
 
 namespace dgg
 {
-/// Collects, half-edge by half-edge, the windows that enter faces, and when all is done leaves
-/// those that may carry shortest paths. What windows from the other side of an edge make useless is
-/// not looked for: that is one window in two hundred.
+/// Collects the windows that enter faces, per half-edge, and finally keeps those that may carry
+/// shortest paths. Windows that are only dominated by windows from the other side of their edge are
+/// kept: about one window in two hundred.
 class WindowStore
 {
 public:
@@ -25,23 +26,23 @@ public:
   {
   }
 
-  /// Forget everything, and release its memory. Nothing is kept unless `isOn`.
+  /// Clears the store and releases its memory. Nothing is stored unless `isOn`.
   void Start(bool isOn);
   bool IsOn() const { return !this->Lists.empty(); }
 
-  /// Windows that enter the face of half-edge h, in order and disjoint.
+  /// Adds sorted, disjoint windows that enter the face of half-edge h.
   void Add(Id h, const WindowList& windows);
-  /// A window that enters the face of half-edge h.
+  /// Adds a window that enters the face of half-edge h.
   void Add(Id h, const Window& window);
 
-  /// Drop the windows that carry no shortest path, given the final labels of the vertices.
+  /// Removes the windows that carry no shortest path, given the final vertex labels.
   void Trim(const std::vector<double>& labels);
-  /// Move the windows to `windows`, after Trim(). `shift` is added to distances.
+  /// Moves the windows to `windows`; to be called after Trim(). `shift` is added to distances.
   void MoveTo(EdgeWindows& windows, double shift);
 
   /// Bytes held.
   std::size_t GetMemorySize() const;
-  /// Most bytes held by this and the result during MoveTo().
+  /// Peak memory of the store and the result during MoveTo(), in bytes.
   std::size_t GetMemoryToMove() const;
 
 private:
@@ -51,20 +52,20 @@ private:
 
   const SurfaceMesh& Mesh;
   std::vector<WindowList> Lists; // per half-edge, lower envelopes
-  std::size_t Held = 0;          // windows that they have room for
+  std::size_t Held = 0;          // total capacity of the lists, in windows
   WindowList Scratch;
   WindowList Merged;
 };
 
-/// Labels stop windows that have become longer on their way, and that is enough on a manifold.
-/// Around faces without area they come back no longer than they were, and a non-manifold edge sends
-/// on a copy of it into every further face: there it could run for ever, unless what has passed is
-/// remembered.
+/// Remembers the windows that have entered faces behind degenerate faces and non-manifold edges. On
+/// a manifold, labels suffice to stop windows that have become longer along their path. But around
+/// degenerate faces windows return no longer than before, and a non-manifold edge copies a window
+/// into every further face, so that propagation might never end without such a record.
 class WindowMemory
 {
 public:
-  /// Leave in the envelope only what is shorter than all that has come to h before, and remember
-  /// it.
+  /// Reduces the envelope to the parts that are shorter than all earlier windows at h, and records
+  /// them.
   void KeepNews(Id h, double length, WindowList& list);
 
   void Clear() { this->Known.clear(); }
