@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A queue that is sorted by distance only roughly: into buckets. Internal.
+/// A queue that sorts by distance only approximately, into buckets. Internal.
 #ifndef dggBucketQueue_h
 #define dggBucketQueue_h
 
@@ -13,11 +13,11 @@
 
 namespace dgg
 {
-/// Vertices in buckets of one width of distance each. Within a bucket they come in no order, so the
-/// search has to correct labels; but a push is an append, and it is known ahead what will be
-/// popped, so that memory can be asked for in time. The buckets form a ring; entries beyond it wait
-/// aside.
-class alignas(64) BucketQueue // so that threads may have one each
+/// Vertices in buckets that cover distance ranges of equal width. The order within a bucket is
+/// arbitrary, so the search has to correct labels. In return, a push is an append, and the next
+/// vertices are known ahead, so that their memory can be prefetched. The buckets form a ring;
+/// entries beyond the ring are stored in an overflow list.
+class alignas(64) BucketQueue // avoids false sharing between the queues of threads
 {
 public:
   struct Entry
@@ -26,18 +26,18 @@ public:
     Id Vertex;
   };
 
-  /// Start anew, empty. No distance may be below `origin`.
+  /// Empties the queue. No distance may be below `origin`.
   void Reset(double origin, double width);
 
-  /// The key under which a distance is entered. Always finite: distances without measure, which
-  /// sources may start with, are all the same.
+  /// Returns the key of a distance. The key is always finite: all extremely large distances, which
+  /// sources may start with, have the same key.
   float Key(double distance) const
   {
     const double place = (distance - this->Origin) * this->PerWidth;
     return place < LargestKey ? static_cast<float>(place) : LargestKey;
   }
 
-  /// Distances below the current bucket go into the current bucket.
+  /// Adds a vertex. Distances below the current bucket are put into the current bucket.
   void Push(double distance, Id vertex) { this->Place({ this->Key(distance), vertex }); }
 
   /// Returns true if entries with this distance belong before the current bucket.
@@ -46,13 +46,13 @@ public:
     return this->Key(distance) - this->First < static_cast<double>(this->Cursor);
   }
 
-  /// Go to the first bucket that is not empty; false when there is none.
+  /// Advances to the first non-empty bucket. Returns false if there is none.
   bool Advance() { return Advance(this, 1); }
-  /// The same with several queues of one origin and width, of which any has the first bucket. They
-  /// must not be advanced otherwise.
+  /// Advances several queues with the same origin and width to the first bucket that is non-empty
+  /// in any of them. Such queues must not be advanced separately.
   static bool Advance(BucketQueue* queues, std::size_t count);
 
-  /// Remove the entries of the current bucket for which `isOutdated(entry)` holds.
+  /// Removes the entries of the current bucket for which `isOutdated(entry)` holds.
   template <typename IsOutdated>
   void Sift(const IsOutdated& isOutdated)
   {
@@ -67,11 +67,11 @@ public:
     bucket.resize(kept);
   }
 
-  /// The entries of the current bucket. Grows while vertices are pushed.
+  /// Returns the entries of the current bucket. The list grows while vertices are pushed.
   const std::vector<Entry>& Current() const { return this->Ring[this->Cursor & Mask]; }
 
-  /// The entry that will come up `ahead` entries after the given one of the current bucket, as far
-  /// as can be said now; null if there is none in this bucket or the next.
+  /// Returns the entry `ahead` positions after entry `index` of the current bucket, as far as known
+  /// now; null if neither this bucket nor the next contains it.
   const Entry* LookAhead(std::size_t index, std::size_t ahead) const
   {
     const std::vector<Entry>& bucket = this->Current();
@@ -84,7 +84,7 @@ public:
     return place < next.size() ? &next[place] : nullptr;
   }
 
-  /// Empty the current bucket into `entries`, which are replaced.
+  /// Moves the entries of the current bucket to `entries`, replacing their previous content.
   void TakeCurrent(std::vector<Entry>& entries)
   {
     entries.clear();
@@ -92,7 +92,7 @@ public:
     this->Size -= entries.size();
   }
 
-  /// Empty the current bucket.
+  /// Clears the current bucket.
   void ClearCurrent()
   {
     std::vector<Entry>& bucket = this->Ring[this->Cursor & Mask];
@@ -118,9 +118,9 @@ private:
     ++this->Size;
   }
 
-  /// Put the entries that wait aside where they belong now.
+  /// Moves overflow entries that now lie within the ring to their buckets.
   void PlaceAside();
-  /// With an empty ring: go on at the given key, the nearest one aside.
+  /// Continues an empty ring at the given key, the smallest one in the overflow list.
   void JumpTo(double key);
 
   std::vector<Entry> Ring[NumberOfBuckets];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Label correcting in a graph, over fans of edges or over all of them. Internal.
+/// Label-correcting search in a graph, over fans of edges or over all edges. Internal.
 #ifndef dggBucketSearch_h
 #define dggBucketSearch_h
 
@@ -11,31 +11,34 @@
 
 namespace dgg
 {
-/// Make labels that have been started final. With fans (or null), a path first goes on only over
-/// the fan of the edge on which it came; that leaves a few labels too large, so then all edges are
-/// certified one after the other, and what is found wrong is mended over all edges. The result is
-/// that of Dijkstra's algorithm, up to rounding. `width` is the bucket width of the queue. With
-/// targets, the limit of the labels drops to the largest distance of a target. The cost is
-/// proportional to the number of vertices within the limit. False when aborted.
+/// Computes final labels from labels initialized by SearchLabels::Start(). With fans (or null for
+/// none), a path first continues only over the fan of the edge by which it arrived. This leaves a
+/// few labels too large; therefore all edges are then certified one after the other, and labels
+/// found too large are corrected over all edges. The result is that of Dijkstra's algorithm, up to
+/// rounding. `width` is the bucket width of the queue. With targets, the limit of the labels drops
+/// to the largest distance of a target. The cost is proportional to the number of vertices within
+/// the limit. Returns false if aborted.
 bool RunBucketSearch(const GraphView& graph, const GraphFans* fans,
   const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
   BucketQueue& queue, SearchLabels& labels, SearchEffort& effort);
 
-/// Only the first part of that: labels over the fans, some of them too large. `order` receives the
-/// vertices as they were taken from the queue, which is nearly by distance; a few more than once.
+/// Only the first phase of RunBucketSearch(): labels over the fans, some of them too large. `order`
+/// receives the vertices as they were taken from the queue, nearly sorted by distance; some
+/// vertices occur several times.
 void RunAlongFans(const GraphView& graph, const GraphFans& fans,
   const std::vector<GraphSeed>& seeds, double width, BucketQueue& queue, SearchLabels& labels,
   std::vector<Id>& order);
 
-/// Lower labels that are final already to what they are with more seeds: only vertices that are
-/// nearer to these are looked at. `touched` receives them, a few more than once. The result is that
-/// of a search from all seeds, up to rounding. False when aborted.
+/// Updates final labels after adding further seeds: only vertices that are nearer to these seeds
+/// are visited. `touched` receives these vertices; some occur several times. The result is that of
+/// a search from all seeds, up to rounding. Returns false if aborted.
 bool LowerLabels(const GraphView& graph, const GraphFans* fans, const std::vector<GraphSeed>& seeds,
   double width, const ProgressCallback& progress, BucketQueue& queue, SearchLabels& labels,
   std::vector<Id>& touched);
 
-/// A good width of buckets: about the distance between neighbours. So small that few vertices are
-/// taken from the queue twice, and so large that a bucket holds some vertices to look ahead to.
+/// Returns a suitable bucket width, about the distance between neighbors: small enough that few
+/// vertices are taken from the queue twice, and large enough that a bucket holds several vertices
+/// to prefetch.
 double ChooseBucketWidth(const GraphView& graph);
 }
 

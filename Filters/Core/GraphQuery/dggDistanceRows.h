@@ -24,9 +24,9 @@ struct DistanceRows
 struct DistanceRowsOptions
 {
   double MaximumDistance = Infinity; ///< largest distance that is stored
-  double SearchRadius = Infinity;    ///< not below MaximumDistance; farther points are not searched
+  double SearchRadius = Infinity;    ///< at least MaximumDistance; limits the search
   bool Correct = false;              ///< see ManyOptions
-  double MemoryLimit = Infinity;     ///< bytes that the rows may take
+  double MemoryLimit = Infinity;     ///< maximum size of the rows in bytes
   /// Next point that is merged into the same vertex, per point; NoId after the last. The first
   /// point has the id of the vertex. Empty if no points are merged.
   std::vector<Id> NextPoints;

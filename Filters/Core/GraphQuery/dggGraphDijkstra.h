@@ -12,7 +12,8 @@
 
 namespace dgg
 {
-/// Make labels that have been started final, nearest first. False when aborted.
+/// Computes final labels from labels initialized by SearchLabels::Start(), nearest first. Returns
+/// false if aborted.
 bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
   const ProgressCallback& progress, MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which edges can follow which on a shortest path. Internal.
+/// Restricts the edges that can follow an edge on a shortest path. Internal.
 #ifndef dggGraphFans_h
 #define dggGraphFans_h
 
@@ -15,21 +15,22 @@
 
 namespace dgg
 {
-/// The largest angle between an edge of a guaranteed graph and the geodesic for which it stands;
-/// for other graphs, a guess.
+/// Returns the largest angle between an edge of a guaranteed graph and the geodesic that the edge
+/// approximates; for other graphs, an empirical value.
 double LargestDeviation(const GraphView& graph);
 
-/// A shortest path goes nearly straight on, so of a row only those edges matter that leave roughly
-/// opposite to where the path came from: the fan of that direction. Rows are sorted by angle, so a
-/// fan is found by a guess and a few steps, and nothing needs to be stored for the edges.
+/// A shortest path continues nearly straight, so that only those edges of a row are relevant that
+/// leave roughly opposite to the direction of arrival: the fan of that direction. Rows are sorted
+/// by angle, so that a fan is found by interpolation and a few steps, without storing anything per
+/// edge.
 ///
-/// This is a rule of thumb, not a theorem: whoever uses it has to certify the result.
+/// This is a heuristic, not a theorem: callers have to certify the result.
 class GraphFans
 {
 public:
   GraphFans(const GraphView& graph, const SurfaceMesh& mesh);
 
-  /// Call `relax(edge)` for the edges of the fan of a vertex that was reached from the direction
+  /// Calls `relax(edge)` for the edges of the fan of a vertex that was reached from the direction
   /// `arrival`; negative means that every edge may follow.
   template <typename Relax>
   void ForEach(Id v, float arrival, const Relax& relax) const
@@ -37,7 +38,7 @@ public:
     this->ForEachBeyond(v, arrival, this->Vertices[v].Lead, relax);
   }
 
-  /// The same with another smallest angle between arrival and departure; 0 allows all.
+  /// Like ForEach(), with a given minimum angle between arrival and departure; 0 allows all edges.
   template <typename Relax>
   void ForEachBeyond(Id v, float arrival, float lead, const Relax& relax) const
   {
@@ -50,7 +51,8 @@ public:
       }
       return;
     }
-    // At least the lead away from the arrival on either side, all around.
+    // Directions at an angle of at least `lead` from the arrival on either side, modulo the total
+    // angle.
     if (vertex.Guess(arrival + lead) < vertex.Degree)
     {
       this->ForRange(vertex, arrival + lead, arrival + vertex.Turn - lead, relax);
@@ -61,10 +63,10 @@ public:
     }
   }
 
-  /// Ask for the memory of a vertex.
+  /// Prefetches a vertex.
   void PrefetchVertex(Id v) const { Prefetch(&this->Vertices[v]); }
 
-  /// Ask for the memory of a fan; the vertex should be there already.
+  /// Prefetches a fan; the vertex should be in the cache already.
   template <typename Length>
   void PrefetchFan(const GraphView& graph, const Length* lengths, Id v, float arrival) const
   {
@@ -74,7 +76,7 @@ public:
     {
       guess = vertex.Guess(arrival + vertex.Lead - vertex.Turn);
     }
-    // A fan is some six edges long.
+    // A fan has about six edges.
     for (Offset e : { vertex.Begin + guess - 2, vertex.Begin + guess + 7 })
     {
       Prefetch(graph.Targets + e);
@@ -89,18 +91,18 @@ private:
   {
     Offset Begin = 0; ///< of the row
     std::uint32_t Degree = 0;
-    float Lead = 0.0f;     ///< smallest angle between arrival and departure; 0 allows all
-    float Turn = 0.0f;     ///< angle after which directions repeat
+    float Lead = 0.0f;     ///< minimum angle between arrival and departure; 0 allows all
+    float Turn = 0.0f;     ///< total angle, the period of directions
     float PerAngle = 0.0f; ///< mean number of edges per radian
 
-    /// About how many edges leave at a smaller angle.
+    /// Returns the approximate number of edges that leave at a smaller angle.
     Offset Guess(float angle) const
     {
       return static_cast<Offset>(std::max(0.0f, angle * this->PerAngle));
     }
   };
 
-  /// The edges with angles in [low, high].
+  /// Calls `relax` for the edges with angles in [low, high].
   template <typename Relax>
   void ForRange(const Vertex& vertex, float low, float high, const Relax& relax) const
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Better estimates of the distance than the lengths of graph paths. Internal.
+/// Distance estimates that are more accurate than the lengths of graph paths. Internal.
 #ifndef dggLabelCorrection_h
 #define dggLabelCorrection_h
 
@@ -13,14 +13,14 @@
 
 namespace dgg
 {
-/// How far an exact distance may be below a label, as a factor; 0 when labels do not certify it.
+/// Smallest possible ratio of the exact distance to a label; 0 if labels certify no lower bound.
 inline double LabelShrink(const GraphInfo& info)
 {
   return info.IsGuaranteed() ? 1.0 / (1.0 + info.Accuracy) : 0.0;
 }
 
-/// A label certifies an interval, in which the estimate has to be, whatever the curvature did to
-/// it.
+/// Clamps an estimate to the interval that a label certifies, since curvature may distort the
+/// estimate.
 inline double ClampToLabel(double estimate, double label, double smallestOffset, double shrink)
 {
   const double lowest =
@@ -28,14 +28,14 @@ inline double ClampToLabel(double estimate, double label, double smallestOffset,
   return std::min(std::max(estimate, lowest), label);
 }
 
-/// A path in the graph zigzags about the geodesic that it approximates. Unfolded edge by edge into
-/// the plane it can be straightened: down the tree of paths, each vertex receives the virtual
-/// source of the path. Where the path bends, the vertex of the bend becomes the virtual source of
+/// A graph path zigzags around the geodesic that it approximates. Unfolded edge by edge into the
+/// plane, the path can be straightened: along the tree of paths, each vertex receives the virtual
+/// source of its path. Where the path bends, the vertex of the bend becomes the virtual source of
 /// the vertices behind it.
 class LabelCorrection
 {
 public:
-  /// Virtual source of a vertex, and the estimate of the distance that follows from it.
+  /// Virtual source of a vertex, and the resulting distance estimate.
   struct Estimate
   {
     VirtualSource Source;
@@ -44,19 +44,19 @@ public:
 
   LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh);
 
-  /// Fills Corrected and Virtual of a finished search at the vertices that are reached, from its
+  /// Fills Corrected and Virtual of a finished search at the reached vertices, from the search
   /// tree.
   void Run(const std::vector<GraphSeed>& seeds, const std::vector<TreeStep>& steps,
     SearchResult& result) const;
 
-  /// Returns the estimate of one vertex that is reached over an edge, given that of the tail: for a
-  /// label besides those of a search. `smallestOffset` is that of all seeds.
+  /// Returns the estimate of a vertex that is reached over an edge, given the estimate of the tail;
+  /// `label` need not be a label of the search. `smallestOffset` is the minimum over all seeds.
   Estimate Extend(
     const TreeStep& step, double label, const Estimate& tail, double smallestOffset) const;
 
-  /// Returns the distance that the source of a seed starts with.
+  /// Returns the initial distance of the source of a seed.
   static double OffsetOf(const GraphSeed& seed);
-  /// Returns the estimate of the vertex of a seed.
+  /// Returns the estimate at the vertex of a seed.
   static Estimate EstimateOf(const GraphSeed& seed);
 
 private:
@@ -74,8 +74,8 @@ private:
 
   const GraphView& Graph;
   std::vector<Vertex> Vertices;
-  double Shrink; ///< to the smallest distance that a label certifies; 0 when it does not
-  double Unseen; ///< mean gain of an edge on a rough surface by what is not seen
+  double Shrink; ///< see LabelShrink()
+  double Unseen; ///< mean shortening of an edge by unresolved roughness
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Lower bounds of distances in a graph from the distances of some landmarks. Internal.
+/// Lower bounds of graph distances, from the distances of some landmarks. Internal.
 #ifndef dggLandmarks_h
 #define dggLandmarks_h
 
@@ -17,31 +17,33 @@
 
 namespace dgg
 {
-/// By the triangle inequality two vertices are at least as far apart as their distances from a
-/// landmark differ (Goldberg and Harrelson, "Computing the shortest path: A* search meets graph
-/// theory", 2005). Landmarks are vertices far from each other, at the tips of the surface. Their
-/// distances are rounded to small integers, so that those of one vertex fill one cache line.
+/// By the triangle inequality the distance between two vertices is at least the difference between
+/// their distances from a landmark (Goldberg and Harrelson, "Computing the shortest path: A* search
+/// meets graph theory", 2005). Landmarks are vertices far from each other, at the tips of the
+/// surface. Their distances are rounded to small integers, so that those of one vertex fill one
+/// cache line.
 class Landmarks
 {
 public:
   static constexpr int Count = 32;
 
-  /// Choose landmarks, farthest from all before first, in the larger components. To be called
-  /// before anything else; good for nothing when it is aborted.
+  /// Chooses landmarks by farthest-point sampling in the larger components. Must be called first;
+  /// after an abort the object must not be used.
   Status Choose(const GraphView& graph, const GraphFans* fans, double bucketWidth,
     const ProgressCallback& progress);
 
-  /// At most Count; none where there is no edge.
+  /// Returns at most Count landmarks; none if the graph has no edges.
   const std::vector<Id>& GetVertices() const { return this->Vertices; }
 
-  /// Distances of all vertices from landmark k. To be called once for each, in any order, also by
-  /// several threads at once.
+  /// Stores the distances of all vertices from landmark k. Must be called once for each landmark,
+  /// in any order; several threads may call it simultaneously.
   void SetDistances(std::size_t k, const double* distances);
 
-  /// Whether there is a way.
+  /// Returns true if a path between two vertices exists.
   bool AreConnected(Id a, Id b) const { return this->Components[a] == this->Components[b]; }
 
-  /// What a search looks for: the nearest of some seeds.
+  /// Goal of a search, the nearest of some seeds: bounds of the seeds' distances from each
+  /// landmark.
   struct Goal
   {
     alignas(64) std::array<std::int16_t, Count> Low;
@@ -49,8 +51,9 @@ public:
   };
   void Aim(const std::vector<GraphSeed>& seeds, Goal& goal) const;
 
-  /// A lower bound of the distance of a vertex from the nearest seed of the goal, with that which
-  /// the seed starts with; -Infinity when nothing is known. The vertex is connected with the goal.
+  /// Returns a lower bound of the distance of a vertex from the nearest seed of the goal, including
+  /// the initial distance of the seed; -Infinity if the landmarks give no bound. The vertex must be
+  /// connected with the goal.
   double Bound(Id v, const Goal& goal) const
   {
     const std::int16_t* codes = this->Codes[v].data();
@@ -65,7 +68,7 @@ public:
     return largest > 0 ? largest * this->Step : -Infinity;
   }
 
-  /// Ask for the memory of a vertex.
+  /// Prefetches a vertex.
   void PrefetchVertex(Id v) const { Prefetch(&this->Codes[v]); }
 
 private:
@@ -78,9 +81,9 @@ private:
     const std::vector<Id>& starts, const ProgressCallback& progress);
 
   std::vector<Id> Vertices;
-  std::vector<Id> Components;     ///< of each vertex
-  std::vector<VertexCodes> Codes; ///< of each vertex: distances from all landmarks, rounded down
-  double Step = 1.0;              ///< length of 1
+  std::vector<Id> Components;     ///< per vertex
+  std::vector<VertexCodes> Codes; ///< per vertex, distances from all landmarks, rounded down
+  double Step = 1.0;              ///< distance per unit of a code
 };
 }
 

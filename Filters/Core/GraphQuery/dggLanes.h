@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Eight labels of a vertex, one per source, handled together. Internal.
+/// Eight labels of a vertex, one per source, processed together. Internal.
 #ifndef dggLanes_h
 #define dggLanes_h
 
@@ -9,8 +9,8 @@
 
 namespace dgg
 {
-/// Two labels. With GCC and Clang they are in one register, which these compilers do not find out
-/// by themselves.
+/// Two labels. With GCC and Clang they share a register; these compilers do not vectorize the
+/// generic code.
 #if defined(__GNUC__)
 using LanePair = double __attribute__((vector_size(16)));
 
@@ -54,8 +54,8 @@ inline bool AnyIsLess(const LanePair (&a)[4], const LanePair (&b)[4])
 }
 #endif
 
-/// A cache line of labels. Which of them an edge lowers is as good as random, so nothing that is
-/// done for every edge branches on it.
+/// A cache line of labels. Which labels an edge lowers is unpredictable, so that the operations
+/// performed for every edge are branchless.
 class alignas(64) Lanes
 {
 public:
@@ -64,21 +64,21 @@ public:
   double Get(int lane) const { return this->Pairs[lane / 2][lane % 2]; }
   void Set(int lane, double label) { this->Pairs[lane / 2][lane % 2] = label; }
 
-  /// Lower the labels where an edge of this length from a vertex with the labels `from` does.
+  /// Relaxes an edge of the given length from a vertex with the labels `from`.
   void Pull(const Lanes& from, double length)
   {
     const LanePair step = { length, length };
-    // Not a loop: so the labels stay in registers over many edges.
+    // Unrolled, so that the labels stay in registers over many edges.
     this->Pairs[0] = SmallerOf(from.Pairs[0] + step, this->Pairs[0]);
     this->Pairs[1] = SmallerOf(from.Pairs[1] + step, this->Pairs[1]);
     this->Pairs[2] = SmallerOf(from.Pairs[2] + step, this->Pairs[2]);
     this->Pairs[3] = SmallerOf(from.Pairs[3] + step, this->Pairs[3]);
   }
 
-  /// Whether any label is below that of `old`.
+  /// Returns true if any label is below that of `old`.
   bool AreBelow(const Lanes& old) const { return AnyIsLess(this->Pairs, old.Pairs); }
 
-  /// The smallest of the labels that are below those of `old`; Infinity when none is.
+  /// Returns the smallest label that is below that of `old`; Infinity if there is none.
   double SmallestBelow(const Lanes& old) const
   {
     double smallest = Infinity;

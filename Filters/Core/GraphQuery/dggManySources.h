@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Searches from several sources at once. Internal.
+/// Simultaneous searches from several sources. Internal.
 #ifndef dggManySources_h
 #define dggManySources_h
 
@@ -16,21 +16,23 @@
 
 namespace dgg
 {
-/// The order in which a search from several sources goes over the vertices. Any order gives the
-/// same distances; a good one gives them soon.
+/// The order in which a search from several sources visits the vertices. Any order gives the same
+/// distances; a good order converges quickly.
 struct SweepOrder
 {
-  /// By distance from a source in the middle of the others, about.
+  /// Approximately sorted by distance from a source in the middle of the group.
   std::vector<Id> Vertices;
-  /// So many of them are so close to the sources that each source sees them in another order.
+  /// Number of leading vertices that are so close to the sources that the sources reach them in
+  /// different orders.
   std::size_t NearField = 0;
 };
 
-/// Distances from up to Lanes::Size sources, each a set of seeds, in one search. Sources close
-/// together see the rest of the surface in about the same order. So the vertices are swept in the
-/// order in which one of the sources reaches them, each pulling the shortest way from its
-/// neighbours, for all sources in one go and without a queue. What that leaves too large, because a
-/// way goes against the order, is found by certifying all edges, and mended with a queue.
+/// Computes distances from up to Lanes::Size sources (each a set of seeds) in one search. Sources
+/// close together reach the rest of the surface in about the same order. Therefore the vertices are
+/// swept in the order in which one of the sources reaches them; each vertex pulls the shortest path
+/// from its neighbors, for all sources together and without a queue. Labels that remain too large
+/// because a path runs against the order are found by certifying all edges and corrected with a
+/// queue.
 class ManySources
 {
 public:
@@ -38,12 +40,12 @@ public:
 
   using Sources = std::vector<const std::vector<GraphSeed>*>;
 
-  /// `goes` is asked between parts of the work whether to go on. Returns false when it was stopped.
+  /// `shouldContinue` is called between phases. Returns false if it asked to stop.
   bool Run(const Sources& sources, double radius, const SweepOrder& order,
-    const std::function<bool()>& goes);
+    const std::function<bool()>& shouldContinue);
 
-  /// The distances of all vertices from source `k`, Infinity beyond the radius, and the vertices
-  /// within it.
+  /// Returns the distances of all vertices from source `k` (Infinity beyond the radius), and the
+  /// vertices within the radius.
   void GetField(std::size_t k, std::vector<double>& field, std::vector<Id>& reached) const;
 
 private:
@@ -66,7 +68,7 @@ private:
   double BucketWidth;
   double Radius = Infinity;
   std::vector<Lanes> Labels; ///< per vertex
-  std::vector<float> Keys;   ///< per vertex, under which it waits in the queue
+  std::vector<float> Keys;   ///< per vertex, its key in the queue
   BucketQueue Queue;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The shortest path between two points in a graph. Internal.
+/// Shortest path between two points in a graph. Internal.
 #ifndef dggPointToPoint_h
 #define dggPointToPoint_h
 
@@ -16,7 +16,7 @@
 
 namespace dgg
 {
-/// What helps a search between two points. All but the width of buckets may be null.
+/// Data that accelerates a search between two points. All pointers may be null.
 struct PathGuides
 {
   const GraphFans* Fans = nullptr;
@@ -26,47 +26,48 @@ struct PathGuides
   double BucketWidth = 1.0;          ///< of distances
 };
 
-/// A* (Hart, Nilsson and Raphael 1968): a search that is drawn to the goal by lower bounds of the
-/// way that is left. Vertices wait in buckets, so that some are searched again when their label
-/// drops, but not in a heap. Keeps its memory from call to call; what a call costs depends on the
+/// A* search (Hart, Nilsson and Raphael 1968), directed to the goal by lower bounds of the
+/// remaining distance. Vertices wait in buckets instead of a heap, so that some are expanded again
+/// when their label drops. Buffers are reused between calls; the cost of a call depends on the
 /// vertices between the points, not on the size of the graph.
 class PointToPoint
 {
 public:
   explicit PointToPoint(Id numberOfVertices);
 
-  /// The path is empty and of length Infinity when the two sets of seeds are not connected.
+  /// Finds a shortest path. The path is empty, with length Infinity, if the two sets of seeds are
+  /// not connected.
   void Run(const GraphView& graph, const PathGuides& guides, const std::vector<GraphSeed>& from,
     const std::vector<GraphSeed>& to, GraphPath& path);
 
 private:
   struct alignas(32) Label
   {
-    double ToGo = -Infinity;    ///< lower bound of the way that is left; not known yet
-    Offset Edge = -1;           ///< over which the label came from the tail; -1 for a seed
-    Id Tail = NoId;             ///< of a seed, its index
-    float ArrivalAngle = -1.0f; ///< negative when there is none
+    double ToGo = -Infinity; ///< lower bound of the remaining distance; -Infinity if not computed
+    Offset Edge = -1;        ///< edge from the tail; -1 for a seed
+    Id Tail = NoId;          ///< for a seed, its index
+    float ArrivalAngle = -1.0f; ///< negative if undefined
     float ArrivalLength = 0.0f;
-    Id Goal = NoId; ///< index of the seed to be reached here
+    Id Goal = NoId; ///< index of the goal seed at this vertex
   };
 
   void Forget();
   void Aim(const std::vector<GraphSeed>& to);
   double EstimateToGo(Id v) const;
-  /// Lower the label of a vertex. Returns it, or null when it leads to no shorter path.
+  /// Lowers the label of a vertex. Returns the label, or null if it leads to no shorter path.
   Label* Lower(Id v, double distance);
   void Start(const std::vector<GraphSeed>& from);
   template <typename Length>
   void Search(const GraphView& graph, const Length* lengths);
   template <typename Length>
   void Expand(const GraphView& graph, const Length* lengths, Id v);
-  /// Ask for the memory that EstimateToGo() and Expand() need.
+  /// Prefetches the memory that EstimateToGo() and Expand() need.
   void PrefetchGuides(Id v) const;
   template <typename Length>
   void PrefetchEdges(const GraphView& graph, const Length* lengths, Id v) const;
   void CollectPath(GraphPath& path) const;
 
-  std::vector<double> Distances; ///< labels, apart from the rest: most are only looked at
+  std::vector<double> Distances; ///< labels, stored separately: most are only compared
   std::vector<Label> Labels;
   std::vector<Id> Touched;
   std::vector<Offset> Shorter; ///< edges of a vertex that lower a label
@@ -75,10 +76,10 @@ private:
   const std::vector<GraphSeed>* To = nullptr;
   Landmarks::Goal MarksGoal;
   double Center[3] = {};     ///< of the goal
-  double CenterToGo = 0.0;   ///< lower bound of the way from the center to the goal
+  double CenterToGo = 0.0;   ///< lower bound of the distance from the center to the goal
   double SmallestToGo = 0.0; ///< lower bound everywhere
   double Best = Infinity;    ///< length of the shortest path so far
-  Id End = NoId;             ///< last vertex of that
+  Id End = NoId;             ///< last vertex of the shortest path so far
 };
 }
 

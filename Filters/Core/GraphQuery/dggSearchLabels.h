@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The labels that a search works on. Internal.
+/// Working labels of a search. Internal.
 #ifndef dggSearchLabels_h
 #define dggSearchLabels_h
 
@@ -15,12 +15,12 @@
 
 namespace dgg
 {
-/// How a vertex got its label.
+/// Origin of a vertex label.
 struct LabelOrigin
 {
   Offset Edge = -1;          ///< from the tail; -1 for a seed
   Id Tail = NoId;            ///< for a seed, the index of the seed
-  float ArrivalAngle = -1.0; ///< polar angle pointing back; negative when there is none
+  float ArrivalAngle = -1.0; ///< polar angle pointing back; negative if undefined
 
   bool IsSeed() const { return this->Edge < 0; }
 };
@@ -31,8 +31,8 @@ inline bool AreFew(const std::vector<Id>& vertices, std::size_t numberOfVertices
   return vertices.size() < numberOfVertices / 8;
 }
 
-/// Gives all entries of an array the initial value. `touched` lists the entries that differ from
-/// it, unless the array has another size.
+/// Sets all entries of an array to the initial value. `touched` lists the entries that differ from
+/// it, unless the size of the array changes.
 template <typename Value>
 void ResetTouched(std::vector<Value>& values, std::size_t numberOfVertices,
   const std::vector<Id>& touched, const Value& initial)
@@ -63,18 +63,18 @@ void ForEachTouched(const std::vector<Id>& touched, std::size_t numberOfVertices
   }
 }
 
-/// Distance and origin of every vertex. Vertices without a label have the distance Infinity, and an
-/// origin without meaning.
+/// Distance and origin of every vertex. Vertices without a label have the distance Infinity and an
+/// undefined origin.
 struct SearchLabels
 {
   std::vector<double>& Distances;
   std::vector<LabelOrigin>& Origins;
-  /// Vertices that have received a label since Start(), each once: the next Start() resets these
-  /// alone.
+  /// Vertices that have received a label since Start(), each once; the next Start() resets only
+  /// these.
   std::vector<Id>& Touched;
   double Limit; ///< smallest number above the radius of the search
-  /// The search may stop when the labels of these vertices are final, and leave all vertices that
-  /// are farther unreached. Null: no label is skipped.
+  /// The search may stop when the labels of these vertices are final, and leave all farther
+  /// vertices unreached. Null: no label is skipped.
   const std::vector<Id>* Targets = nullptr;
 
   SearchLabels(std::vector<double>& distances, std::vector<LabelOrigin>& origins,
@@ -116,7 +116,7 @@ struct SearchLabels
     this->Distances[v] = distance;
   }
 
-  /// Enter a seed, the i-th; false when the vertex is no farther without it.
+  /// Enters the i-th seed. Returns false if the label of the vertex is not lowered.
   bool Lower(const GraphSeed& seed, std::size_t i)
   {
     if (!(seed.Distance < std::min(this->Distances[seed.Vertex], this->Limit)))
@@ -145,7 +145,7 @@ struct SearchEffort
   std::size_t Labels = 0; ///< initialized or given to a vertex for the first time
 };
 
-/// Call `use` with the lengths of the graph, float or double.
+/// Calls `use` with the lengths of the graph, float or double.
 template <typename Use>
 auto WithLengths(const GraphView& graph, Use&& use)
 {

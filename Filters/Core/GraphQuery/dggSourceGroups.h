@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which of many sources are neighbours. Internal.
+/// Groups neighboring sources. Internal.
 #ifndef dggSourceGroups_h
 #define dggSourceGroups_h
 
@@ -12,12 +12,13 @@
 
 namespace dgg
 {
-/// Places in a list of sources, close together on the surface; nearest first as seen from the
-/// first.
+/// Indices into a list of sources that are close together on the surface, sorted by distance from
+/// the first.
 using SourceGroup = std::vector<std::size_t>;
 
-/// All sources (vertices) in groups of `groupSize`, and a few smaller ones. The surface is peeled
-/// from its far ends, so that no stragglers are left between the groups.
+/// Partitions sources (vertices) into groups of `groupSize`, and a few smaller ones. Groups are
+/// peeled off from the far ends of the surface, so that no isolated sources remain between the
+/// groups.
 std::vector<SourceGroup> GroupSources(
   const SurfaceMesh& mesh, const std::vector<Id>& sources, std::size_t groupSize);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How sharply a shortest path in a guaranteed graph can turn. Internal.
+/// Bounds how sharply a shortest path in a guaranteed graph can turn. Internal.
 #ifndef dggTurnLimits_h
 #define dggTurnLimits_h
 
@@ -14,30 +14,32 @@
 namespace dgg
 {
 /// A path over edges of lengths a and b that meet in vertex u at an angle phi on the surface is not
-/// a shortest one when phi is small. Around u, up to the nearest opposite edge of its faces, the
-/// surface is a cone; so cutting the corner at the distance x of that edge saves
-/// 2x (1 - sin(phi / 2)). In a guaranteed graph there is a way that is longer than this short-cut
-/// by no more than its accuracy, and shorter than a + b if phi is below a limit.
+/// a shortest one if phi is small. Around u, up to the nearest opposite edge of its faces, the
+/// surface is a cone; cutting the corner at the distance x of that edge saves 2x (1 - sin(phi /
+/// 2)). A guaranteed graph has a path that exceeds this shortcut by at most the accuracy, and that
+/// is shorter than a + b if phi is below a limit.
 ///
-/// Unlike the fans of GraphFans this is a theorem: a search that keeps to it finds all distances.
+/// Unlike the fans of GraphFans this is a theorem: a search that respects these limits finds all
+/// distances.
 class TurnLimits
 {
 public:
   TurnLimits(const GraphView& graph, const SurfaceMesh& mesh);
 
-  /// Whether there can be limits at all.
+  /// Returns true if limits exist for the graph.
   static bool AreKnown(const GraphView& graph);
 
-  /// Smallest angle between arrival over an edge of this length and departure; 0 allows all.
+  /// Returns the minimum angle between arrival over an edge of the given length and departure; 0
+  /// allows all edges.
   float SmallestAngle(Id v, float arrivalLength) const;
 
-  /// Ask for the memory of a vertex.
+  /// Prefetches a vertex.
   void PrefetchVertex(Id v) const { Prefetch(&this->Vertices[v]); }
 
 private:
   struct Vertex
   {
-    float PerLength = 0.0f;   ///< what a unit of length costs of the sine; 0: there is no limit
+    float PerLength = 0.0f;   ///< decrease of the sine per unit of length; 0: no limit
     float LongestEdge = 0.0f; ///< of the row
   };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Shortest paths by exact distances.
+/// Exact shortest paths.
 #ifndef dggExactPath_h
 #define dggExactPath_h
 
@@ -16,7 +16,7 @@
 namespace dgg
 {
 /// Finds exact shortest paths by window tracing: windows are propagated from the source until they
-/// have reached all targets, and the way of each is followed back. One finder per thread.
+/// have reached all targets, and the path to each target is traced back. Use one finder per thread.
 class DGG_CORE_EXPORT ExactPathFinder
 {
 public:
@@ -25,24 +25,24 @@ public:
   ExactPathFinder(const ExactPathFinder&) = delete;
   ExactPathFinder& operator=(const ExactPathFinder&) = delete;
 
-  /// Paths from one point to others, in the order of `to`; empty ones to points that are not
-  /// connected with it, or farther than `maximumDistance`. Fails when a point does not exist, when
-  /// a face of the mesh names a vertex twice, and, which happens only among piles of faces without
-  /// area, when a path cannot be traced back.
+  /// Finds paths from one point to others, in the order of `to`; a path is empty if its point is
+  /// not connected with `from` or farther than `maximumDistance`. Fails if a point does not exist,
+  /// a face of the mesh contains a vertex twice, or a path cannot be traced back, which happens
+  /// only among clusters of degenerate faces.
   Status Find(const SurfacePoint& from, const std::vector<SurfacePoint>& to,
     const ProgressCallback& progress, std::vector<SurfacePath>& paths,
     double maximumDistance = Infinity);
 
-  /// Windows that the last call propagated; none when the solver failed.
+  /// Number of windows that the last call propagated; 0 if the solver failed.
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
 
-  /// Bytes that are kept for the next calls: as many as the call with most of them has taken, and
+  /// Size in bytes of the buffers that are reused by later calls: the maximum over all calls, plus
   /// the distances of the last one.
   std::size_t GetMemorySize() const;
 
 private:
   const SurfaceMesh& Mesh;
-  const Status Fitness; // of the mesh
+  const Status Fitness; // CheckCorners() of the mesh
   std::unique_ptr<ExactGeodesics> Solver;
   std::size_t NumberOfWindows = 0;
   std::size_t MemorySize = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Looks for a shorter path close to another one. Internal.
+/// Finds a shorter path in the vicinity of a given path. Internal.
 #ifndef dggPathCorridor_h
 #define dggPathCorridor_h
 
@@ -14,33 +14,34 @@
 
 namespace dgg
 {
-/// Cuts a corridor out of the mesh, the faces around a path, and finds the exact shortest path in
-/// it. As wide as an ellipse: a detour by way of any vertex in it would be longer than the path by
-/// no more than a given fraction, were the surface flat. Keeps its memory from call to call.
+/// Extracts a corridor from the mesh, the faces around a path, and finds the exact shortest path in
+/// the corridor. The corridor has the width of an ellipse: on a flat surface, a detour through any
+/// vertex of the corridor would exceed the length of the path by at most a given fraction. Buffers
+/// are reused between calls.
 class PathCorridor
 {
 public:
   explicit PathCorridor(const SurfaceMesh& mesh);
 
-  /// Replace the path by the shortest one in its corridor. False when it is not shorter, or the
-  /// solver would take too long: then the path stays as it is.
+  /// Replaces the path by the shortest one in its corridor. Returns false, leaving the path
+  /// unchanged, if the new path is not shorter or the solver would take too long.
   bool Shorten(double detour, SurfacePath& path);
-  /// Whether the solver was stopped in the last call, as it would have taken too long.
+  /// Returns true if the last call stopped the solver because it would have taken too long.
   bool IsStopped() const { return this->WasStopped; }
 
-  /// Bytes that are kept, corridors left out.
+  /// Size of the reused buffers in bytes, excluding corridors.
   std::size_t GetMemorySize() const
   {
     return this->Vertices.size() * sizeof(Vertex) + this->FaceRuns.size() * sizeof(std::uint32_t);
   }
 
 private:
-  /// What is known of a vertex in this run.
+  /// Per-vertex state of the current run.
   struct Vertex
   {
     std::uint32_t Run = 0;
     Id Local = NoId;
-    Point2 Place;        ///< along the path and across
+    Point2 Place;        ///< position along the path and across
     bool IsNear = false; ///< all faces around it are in the corridor
   };
 
@@ -58,7 +59,7 @@ private:
 
   const SurfaceMesh& Mesh;
   std::vector<Vertex> Vertices;
-  std::vector<std::uint32_t> FaceRuns; // per face, the run that it is in the corridor of
+  std::vector<std::uint32_t> FaceRuns; // per face, the last run with the face in the corridor
   std::uint32_t Run = 0;
   std::vector<Id> Faces; // of the corridor
   std::vector<Id> PartVertices;

@@ -21,36 +21,37 @@ class WorkspacePool;
 
 struct PathOptions
 {
-  /// Whether to shorten the path to a locally shortest geodesic.
+  /// If true, shorten the path to a locally shortest geodesic.
   bool Straighten = true;
-  /// Behind every bump there are several locally shortest paths. With Straighten, the shortest path
-  /// among those is found that have detours from the first one of up to this fraction of its
-  /// length: the exact solver runs in the corridor of faces around it. 0: the first one.
+  /// Behind every bump there are several locally shortest paths. With Straighten, the exact solver
+  /// runs in the corridor of faces around the first path, and finds the shortest path among those
+  /// whose detour from the first path is at most this fraction of its length. 0 keeps the first
+  /// path.
   double Detour = 1e-4;
-  /// Accuracy of the links of points that are not vertices. 0: that of the graph, which it needs to
-  /// have (a SaddleVertexGraph has none).
+  /// Accuracy of the links of points that are not vertices. 0 means the accuracy of the graph,
+  /// which must have one (a SaddleVertexGraph has none).
   double LinkAccuracy = 0.0;
 };
 
 /// A path and how it was found.
 struct FoundPath
 {
-  SurfacePath Path; ///< empty when the points are not connected
-  /// Length of the path in the graph, before it was straightened: within the accuracy of the exact
-  /// distance. Infinity when the points are not connected.
+  SurfacePath Path; ///< empty if the points are not connected
+  /// Length of the graph path before straightening: within the accuracy of the exact distance.
+  /// Infinity if the points are not connected.
   double GraphLength = Infinity;
-  bool IsStraightened = false; ///< whether it is a locally shortest geodesic
-  /// Edges of the graph whose direction, stored as a float, did not lead to their head, so that
-  /// they had to be found anew. None expected.
+  bool IsStraightened = false; ///< true if locally shortest
+  /// Number of graph edges whose direction, stored as a float, did not lead to their head, so that
+  /// the geodesic had to be computed again. Expected to be 0.
   Id NumberOfFallbacks = 0;
 };
 
-/// Finds paths in a graph. What it is made from must outlive it. Paths may be found in several
-/// threads at once.
+/// Finds paths in a graph. All constructor arguments must outlive the finder. Several threads may
+/// find paths simultaneously.
 class DGG_CORE_EXPORT PathFinder
 {
 public:
-  /// `positions`, x y z per vertex, guide the search; they may be null. `builder` may be null when
+  /// `positions`, x y z per vertex, guide the search; they may be null. `builder` may be null if
   /// all points are vertices.
   PathFinder(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
     const double* positions);
@@ -58,13 +59,14 @@ public:
   PathFinder(const PathFinder&) = delete;
   PathFinder& operator=(const PathFinder&) = delete;
 
-  /// A path from one point to another, traced on the surface. Its length is at most that in the
-  /// graph. Fails when a point does not exist; points that are not connected are no failure.
+  /// Finds a path from one point to another, traced on the surface. Its length is at most that of
+  /// the graph path. Fails if a point does not exist; points that are not connected are not a
+  /// failure.
   Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
     FoundPath& found) const;
 
-  /// Bytes that are kept for the next paths, as much for each thread that has found one. May be
-  /// called when the mesh is gone.
+  /// Size in bytes of the buffers that are reused for later paths, one set per thread that has
+  /// found a path. May be called after the mesh has been destroyed.
   std::size_t GetMemorySize() const;
 
 private:
@@ -82,7 +84,7 @@ private:
   const GraphSearch& Search;
   const GraphBuilder* Builder;
   const double* Positions;
-  const Status Usable; // whether the mesh is
+  const Status Usable; // error if the mesh cannot be used
   std::unique_ptr<WorkspacePool<Workspace>> Workspaces;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The points that paths on a mesh run through. Internal.
+/// The points through which paths on a mesh run. Internal.
 #ifndef dggPathNodes_h
 #define dggPathNodes_h
 
@@ -18,23 +18,23 @@
 
 namespace dgg
 {
-/// The vertices of a mesh and the points that paths pass, numbered: vertices with their ids, then
-/// points on edges, then points in faces. Points close together are one node; those close to a
-/// vertex are the vertex.
+/// Nodes: the vertices of a mesh and the points on paths, numbered consecutively. Vertices keep
+/// their ids, followed by points on edges, then points inside faces. Points close together are
+/// merged into one node; points close to a vertex are merged with the vertex.
 class PathNodes
 {
 public:
-  /// Points this close together on the grid are one (1e-9, as SurfacePoint snaps).
+  /// Merge distance on the grid (1e-9, the snapping distance of SurfacePoint).
   static constexpr std::int64_t MergeDistance = GridPoint::One / 1000000000;
 
   explicit PathNodes(const SurfaceMesh& mesh);
 
-  /// Add the points of all paths on edges. To be called once, before anything else.
+  /// Adds the points of all paths on edges. Must be called once, before any other function.
   void AddPointsOnEdges(const std::vector<SurfacePath>& paths);
-  /// The node of a point of a path; a point in a face is added when it is new.
+  /// Returns the node of a path point; a new point inside a face is added.
   Id NodeOf(const SurfacePoint& point);
-  /// The node in a face where paths cross: a new one, unless there is one so close that it would be
-  /// the same.
+  /// Returns a node for a crossing of paths inside a face: an existing node within the merge
+  /// distance, otherwise a new one.
   Id AddCrossing(const GridPoint& place, Id face);
 
   bool IsInside(Id node) const
@@ -42,36 +42,36 @@ public:
     return node >= this->NumberOfVertices &&
       this->Nodes[node - this->NumberOfVertices].Face != NoId;
   }
-  /// Nodes on the edge of a half-edge, from the origin of its FindEdge() on. Null when there are
-  /// none.
+  /// Returns the nodes on the edge of a half-edge, sorted from the origin of its FindEdge(). Null
+  /// if there are none.
   const std::vector<Id>* FindOnEdge(Id h) const;
-  /// Nodes inside a face, in the order in which they came. Null when there are none.
+  /// Returns the nodes inside a face, in order of insertion. Null if there are none.
   const std::vector<Id>* FindInFace(Id face) const;
-  /// All nodes of a face: its corners, those on its sides, those inside.
+  /// Returns all nodes of a face: corners, nodes on its sides, nodes inside.
   std::vector<Id> CollectNodes(Id face) const;
 
-  /// Where a node lies in one of its faces.
+  /// Returns the position of a node in one of its faces.
   GridPoint PlaceOf(Id node, Id face) const;
-  /// Whether two nodes lie on one side of a face, and on which: that from corner `side` to the
-  /// next.
+  /// Returns true if two nodes lie on the same side of a face; `side` is that from corner `side` to
+  /// the next corner.
   bool AreOnOneSide(Id a, Id b, Id face, int& side) const;
-  /// The node that follows a on the way to b along a side of a face.
+  /// Returns the node after a towards b along a side of a face.
   Id FindNextOnSide(Id a, Id b, Id face, int side) const;
-  /// Distance of two nodes of a face. Along an edge of the mesh it has the same bits in all faces
-  /// of the edge.
+  /// Returns the distance of two nodes of a face. Along a mesh edge it is bitwise identical in all
+  /// faces of the edge.
   double Measure(Id a, Id b, Id face) const;
 
-  /// All nodes as points of the mesh.
+  /// Returns all nodes as surface points.
   std::vector<SurfacePoint> MakePoints() const;
 
 private:
-  /// Where a path passes.
+  /// A node that is not a vertex.
   struct Node
   {
-    Id Edge = NoId;     // the smallest half-edge of the edge that it is on, or
-    Id Face = NoId;     // the face that it is in
+    Id Edge = NoId;     // on an edge: its smallest half-edge; otherwise NoId
+    Id Face = NoId;     // inside a face: the face; otherwise NoId
     std::int64_t T = 0; // on an edge: from the origin, in units of 1 / One
-    GridPoint Place;    // in a face
+    GridPoint Place;    // inside a face
   };
   using EdgeMark = std::pair<Id, std::int64_t>;
 
@@ -82,11 +82,12 @@ private:
   const SurfaceMesh& Mesh;
   Id NumberOfVertices;
   std::vector<Node> Nodes;              // after the vertices
-  std::vector<EdgeMark> Marks;          // where edges are crossed, sorted
+  std::vector<EdgeMark> Marks;          // crossings of edges, sorted
   std::vector<Id> MarkNodes;            // the nodes of the marks
-  std::map<Id, std::vector<Id>> OnEdge; // per edge crossed, in order
-  std::map<Id, std::vector<Id>> InFace; // nodes inside a face
-  std::set<std::tuple<Id, std::int64_t, std::int64_t, Id>> ByPlace; // the same: face, X, Y, node
+  std::map<Id, std::vector<Id>> OnEdge; // per crossed edge, sorted along the edge
+  std::map<Id, std::vector<Id>> InFace; // per face, nodes inside
+  std::set<std::tuple<Id, std::int64_t, std::int64_t, Id>>
+    ByPlace; // nodes inside faces: face, X, Y, node
 };
 }
 

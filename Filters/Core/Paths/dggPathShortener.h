@@ -14,12 +14,12 @@
 
 namespace dgg
 {
-/// Shortens the path in a strip of faces: the shortest path in the strip, found in the plane, is a
-/// geodesic but for the vertices of the strip that it bends around. Wherever the angle on the other
-/// side of such a vertex is below pi, the strip is led around that side, and the path becomes
+/// Shortens the path in a strip of faces: the shortest path in the strip, computed in the plane, is
+/// a geodesic except at the strip vertices around which it bends. Wherever the angle on the other
+/// side of such a vertex is below pi, the strip is rerouted around that side, and the path becomes
 /// shorter (Xin and Wang, "Efficiently determining a locally exact shortest path on polyhedral
-/// surfaces", 2007). What is left is a locally shortest path: all of its bends have angles of at
-/// least pi on both sides, or are at the boundary. Keeps its memory from call to call.
+/// surfaces", 2007). The result is a locally shortest path: all of its bends have angles of at
+/// least pi on both sides, or lie on the boundary. Buffers are reused between calls.
 class PathShortener
 {
 public:
@@ -28,18 +28,18 @@ public:
   {
   }
 
-  /// Shorten until the path is locally shortest. Returns its length.
+  /// Shortens until the path is locally shortest. Returns its length.
   double Shorten(Strip& strip);
 
-  /// The shortest path in a strip, as points on the surface, appended to a path that ends where the
-  /// strip starts, if it is not empty.
+  /// Appends the shortest path in a strip to `path`, which must be empty or end where the strip
+  /// starts.
   void Append(const Strip& strip, SurfacePath& path);
 
-  /// Crossings that strips had when they were laid out, in all: what takes the time.
+  /// Total number of crossings of unfolded strips, which dominates the running time.
   std::size_t GetWork() const { return this->Work; }
 
 private:
-  /// A vertex of the border of a strip and the portals that end in it.
+  /// A vertex on the border of a strip, and the portals that end in it.
   struct Corner
   {
     Id Vertex;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// From edges of the graph to faces of the mesh. Internal.
+/// Traces graph edges through the faces of the mesh. Internal.
 #ifndef dggPathTracer_h
 #define dggPathTracer_h
 
@@ -15,19 +15,19 @@
 
 namespace dgg
 {
-/// An edge of the graph or a link, to be followed from its tail: a straight line of known length in
-/// a direction known up to rounding.
+/// A graph edge or a link to be traced from its tail: a straight line of known length, in a
+/// direction known up to rounding.
 struct GraphEdge
 {
   Id Tail;
   double Angle;      ///< polar angle at the tail
-  SurfacePoint Head; ///< where it arrives
+  SurfacePoint Head; ///< end point
   double Length;
 };
 
-/// Follows straight lines from vertices. As their directions are floats, no ray is sent out but a
-/// beam, a cone as narrow as the rounding errors. It is split at every vertex that it meets, so
-/// that a head can be missed on neither side.
+/// Traces straight lines from vertices. Since directions are stored as floats, a narrow cone (beam)
+/// of the width of the rounding error is traced instead of a ray. The cone is split at every vertex
+/// inside it, so that the head cannot be missed on either side.
 class GraphEdgeTracer
 {
 public:
@@ -36,25 +36,25 @@ public:
   {
   }
 
-  /// The first face, and the crossings from there to the face of the head. False when the head is
-  /// not where it should be.
+  /// Finds the first face and the crossings from there to the face of the head. Returns false if
+  /// the head is not where it should be.
   bool Trace(const GraphEdge& edge, Id& firstFace, std::vector<EdgeCrossing>& crossings);
 
-  /// How far lengths in the graph may be from those on the mesh.
+  /// Returns the tolerance between lengths in the graph and on the mesh.
   double GetTolerance(double length) const;
 
-  /// Beams followed over an edge in the last call.
+  /// Number of beams that crossed an edge in the last call.
   std::size_t GetNumberOfBeams() const { return this->NumberOfBeams; }
 
 private:
-  /// The part of the beam that goes through one edge, in the plane of the tail.
+  /// The part of the cone that crosses one edge, in the plane of the tail.
   struct Beam
   {
     EdgeCrossing Crossing;
-    bool IsMirrored; ///< whether the face entered is laid out as its mirror image
+    bool IsMirrored; ///< true if the entered face is unfolded as its mirror image
     Point2 Left;     ///< end of the edge
-    Point2 Axis;     ///< unit vector from there to the right end
-    Id Before;       ///< the beam that it is a part of, or NoId
+    Point2 Axis;     ///< unit vector from the left to the right end
+    Id Before;       ///< parent beam, or NoId
   };
 
   double AngleFrom(const GraphEdge& edge, Id g, double halfWidth) const;
@@ -67,16 +67,16 @@ private:
   void Continue(const GraphEdge& edge, Id index);
 
   const SurfaceMesh& Mesh;
-  Point2 Rays[2]; ///< bounds of the beam, left and right
+  Point2 Rays[2]; ///< bounding rays of the cone, left and right
   std::vector<Beam> Beams;
-  std::size_t Limit = 0; ///< of the beams in one face of the tail
+  std::size_t Limit = 0; ///< maximum number of beams per face of the tail
   std::size_t NumberOfBeams = 0;
   Id Found = NoId;
-  double Arrival = 0.0; ///< polar angle at the tail under which the head was found
-  bool IsSplit = false; ///< whether the beam has met a vertex
+  double Arrival = 0.0; ///< polar angle at the tail, towards the head
+  bool IsSplit = false; ///< true if a vertex has split the cone
 };
 
-/// Traces a path, edge by edge, into a chain of strips. Keeps its memory from path to path.
+/// Traces a path, edge by edge, into a chain of strips. Buffers are reused between paths.
 class PathTracer
 {
 public:
@@ -87,23 +87,23 @@ public:
   {
   }
 
-  /// A new path. With `join` false every edge stays a strip of its own.
+  /// Starts a new path. If `join` is false, every edge remains a separate strip.
   void Begin(bool join)
   {
     this->Chain.Clear(join);
     this->NumberOfFallbacks = 0;
   }
-  /// Append an edge, from its tail to its head or the other way round.
+  /// Appends an edge, from its tail to its head or, if `isBackwards`, from head to tail.
   Status Append(const GraphEdge& edge, bool isBackwards = false);
-  /// Append a way of known length that is no edge of the graph, between points close together.
+  /// Appends a path of known length that is no graph edge, between points close together.
   Status Append(const SurfacePoint& from, const SurfacePoint& to, double length);
   void Append(const SurfacePath& path) { this->Chain.Append(path); }
 
   std::vector<Strip>& GetStrips() { return this->Chain.GetStrips(); }
-  /// Edges whose direction did not lead to their head.
+  /// Number of edges whose direction did not lead to their head.
   Id GetNumberOfFallbacks() const { return this->NumberOfFallbacks; }
 
-  /// Bytes of the solver that is kept; nothing else is as large as the mesh.
+  /// Size of the exact solver in bytes; nothing else is as large as the mesh.
   std::size_t GetMemorySize() const { return this->Exact ? this->Exact->GetMemorySize() : 0; }
 
 private:
@@ -113,7 +113,7 @@ private:
   const SurfaceMesh& Mesh;
   GraphEdgeTracer Tracer;
   StripChain Chain;
-  std::unique_ptr<ExactPathFinder> Exact; // made when it is first needed
+  std::unique_ptr<ExactPathFinder> Exact; // created on first use
   Id NumberOfFallbacks = 0;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Straight on over a surface.
+/// Straightest geodesics over a surface.
 #ifndef dggStraightWalk_h
 #define dggStraightWalk_h
 
@@ -10,27 +10,27 @@
 
 namespace dgg
 {
-/// Walk straight on from a point: a straightest geodesic (Polthier and Schmies, "Straightest
-/// geodesics on polyhedral surfaces", 1998). It is straight in every face and across edges; through
-/// a vertex it goes on with equal angles on both sides. It stops at the boundary, vertices of it
-/// included. Across an edge with more than two faces it goes on into the next one in the list of
-/// the edge.
+/// Traces a straightest geodesic from a point (Polthier and Schmies, "Straightest geodesics on
+/// polyhedral surfaces", 1998). It is straight in every face and across edges; at an interior
+/// vertex it continues with equal angles on both sides. It stops at the boundary, including
+/// boundary vertices. At a non-manifold edge it continues into the next face in the list of the
+/// edge.
 ///
-/// The direction is an angle, radians: at a vertex the polar angle of SurfaceMesh::PolarAngle(),
-/// elsewhere that in the frame of the first half-edge of the point's face, 3 * Face. From a point
-/// on an edge it may lead out of that face.
+/// The direction is an angle in radians: at a vertex the polar angle of SurfaceMesh::PolarAngle(),
+/// elsewhere the angle in the frame of the first half-edge of the point's face, 3 * Face. From a
+/// point on an edge it may lead out of that face.
 ///
-/// The path ends after `length`, or earlier where it had to stop: see its Length. One point when
-/// the length is 0 or there is nowhere to go. Fails when the point does not exist, the angle is not
-/// finite or the length is negative or not finite; then the path is empty.
+/// The path ends after `length`, or earlier where it had to stop (see its Length). It has a single
+/// point if the length is 0 or the direction leads nowhere. Fails if the point does not exist, the
+/// angle is not finite, or the length is negative or not finite; then the path is empty.
 ///
-/// A walk that has crossed a million edges stops as well.
+/// The path also ends after crossing a million edges.
 DGG_CORE_EXPORT Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start,
   double angle, double length, SurfacePath& path);
 
-/// A direction in (-pi, pi], as std::atan2() gives it, as one that WalkStraight() takes: on the
-/// boundary polar angles go from 0 to the total angle, and directions that lead out of the surface
-/// become the closer one of these two.
+/// Converts a direction in (-pi, pi], as returned by std::atan2(), to one that WalkStraight()
+/// accepts: on the boundary polar angles range from 0 to the total angle, and directions that lead
+/// out of the surface become the closer of these two limits.
 DGG_CORE_EXPORT double DirectionAt(
   const SurfaceMesh& mesh, const SurfacePoint& point, double angle);
 }

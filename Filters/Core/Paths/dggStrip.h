@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A sequence of faces that a path runs through. Internal.
+/// A sequence of faces through which a path runs. Internal.
 #ifndef dggStrip_h
 #define dggStrip_h
 
@@ -13,21 +13,21 @@
 
 namespace dgg
 {
-/// From one face to another of the same edge: both half-edges are of that edge.
+/// The step from one face to another across an edge; both half-edges belong to that edge.
 struct EdgeCrossing
 {
-  Id Exit;  ///< of the face that is left
-  Id Entry; ///< of the face that is entered
+  Id Exit;  ///< half-edge of the face that is left
+  Id Entry; ///< half-edge of the face that is entered
 };
 
-/// Faces from that of a first to that of a last point, each sharing an edge with the next one. No
-/// face is left through the edge it was entered through, and the ends do not lie on the edges next
-/// to them (see Tidy()).
+/// Faces from that of the start point to that of the end point; consecutive faces share an edge. No
+/// face is left through the edge by which it was entered, and the end points do not lie on the
+/// adjacent crossed edges (see Tidy()).
 struct Strip
 {
   SurfacePoint Start;
   SurfacePoint End;
-  Id FirstFace = NoId; ///< that of Start
+  Id FirstFace = NoId; ///< face of Start
   std::vector<EdgeCrossing> Crossings;
 
   Id LastFace() const
@@ -35,20 +35,20 @@ struct Strip
     return this->Crossings.empty() ? this->FirstFace
                                    : SurfaceMesh::Face(this->Crossings.back().Entry);
   }
-  /// Face before crossing i; the last face for i the number of crossings.
+  /// Returns the face before crossing i; the last face if i is the number of crossings.
   Id FaceBefore(std::size_t i) const
   {
     return i == 0 ? this->FirstFace : SurfaceMesh::Face(this->Crossings[i - 1].Entry);
   }
 };
 
-/// The same crossings from the last to the first.
+/// Reverses the direction of a sequence of crossings.
 void Reverse(std::vector<EdgeCrossing>& crossings);
 
-/// Append a crossing. One that goes back over the edge just crossed takes that crossing back.
+/// Appends a crossing. A crossing back over the previous edge cancels the previous crossing.
 void AppendCrossing(std::vector<EdgeCrossing>& crossings, const EdgeCrossing& crossing);
 
-/// The other edge of a face at vertex c.
+/// Returns the half-edge of the other edge at vertex c in the face of h.
 inline Id OtherEdgeAt(const SurfaceMesh& mesh, Id c, Id h)
 {
   return mesh.Origin(h) == c ? SurfaceMesh::Previous(h) : SurfaceMesh::Next(h);
@@ -57,7 +57,7 @@ inline Id OtherEdgeAt(const SurfaceMesh& mesh, Id c, Id h)
 /// A path around a vertex from one face to another.
 struct Turn
 {
-  double Angle = Infinity; ///< of the faces in between; Infinity if there is no such path
+  double Angle = Infinity; ///< angle of the faces in between; Infinity if there is no such path
   std::vector<EdgeCrossing> Crossings;
 };
 
@@ -65,13 +65,13 @@ struct Turn
 /// face. Crosses manifold edges only.
 Turn WalkAround(const SurfaceMesh& mesh, Id c, Id exit, Id toFace);
 
-/// Append crossings of edges around vertex `c` that lead from one of its faces to another, on the
-/// side where the angle between them is smaller. False when there is no such way: the faces are of
-/// different fans, which touch in the vertex only.
+/// Appends the crossings around vertex `c` from one of its faces to another, on the side with the
+/// smaller angle. Returns false if there is no such path: the faces belong to different fans, which
+/// only touch in the vertex.
 bool AppendTurn(
   const SurfaceMesh& mesh, Id c, Id fromFace, Id toFace, std::vector<EdgeCrossing>& crossings);
 
-/// One end of a way around a vertex: a direction in one of its faces.
+/// One end of a turn around a vertex: a direction in one of its faces.
 struct TurnEnd
 {
   Id Face;
@@ -79,19 +79,20 @@ struct TurnEnd
   double Angle; ///< from that edge to the direction, in the face
 };
 
-/// Crossings of the way around vertex `c` with the smallest angle, through any of its faces.
-/// Returns that angle, Infinity when there is no way.
+/// Finds the turn around vertex `c` with the smallest angle, through any of its faces. Returns that
+/// angle, or Infinity if there is no turn.
 double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEnd& to,
   std::vector<EdgeCrossing>& crossings);
 
-/// Leave out what a strip need not cross: edges crossed to and fro, and edges that an end of the
-/// strip lies on.
+/// Removes redundant crossings: edges crossed forth and back, and edges that contain an end of the
+/// strip.
 void Tidy(const SurfaceMesh& mesh, Strip& strip);
 
-/// The half-edge of a face that a point on an edge lies on; NoId when there is none.
+/// Returns the half-edge of a face that contains a point on an edge; NoId if there is none.
 Id HalfEdgeUnder(const SurfaceMesh& mesh, const SurfacePoint& point, Id face);
 
-/// The half-edge of a face that starts at the given vertex; NoId when it is not one of its corners.
+/// Returns the half-edge of a face that starts at the given vertex; NoId if the vertex is not a
+/// corner.
 inline Id HalfEdgeFrom(const SurfaceMesh& mesh, Id face, Id vertex)
 {
   for (Id h = 3 * face; h < 3 * face + 3; ++h)
@@ -104,9 +105,9 @@ inline Id HalfEdgeFrom(const SurfaceMesh& mesh, Id face, Id vertex)
   return NoId;
 }
 
-/// The faces that a path runs through. Where it passes through a vertex, the faces around the
-/// vertex on one side of it are added, so that there is a single strip, unless faces meet in
-/// nothing but that vertex: there the path is pinned, and a new strip begins.
+/// The faces through which a path runs. Where the path passes through a vertex, the faces around
+/// the vertex on one side are added, so that there is a single strip. Where faces only touch in the
+/// vertex, the path is pinned there, and a new strip begins.
 class StripChain
 {
 public:
@@ -115,16 +116,17 @@ public:
   {
   }
 
-  /// With `join` false every strip stays alone, and the path keeps to the vertices between them.
+  /// Removes all strips. If `join` is false, strips are not joined, and the path passes through the
+  /// vertices between them.
   void Clear(bool join = true)
   {
     this->Strips.clear();
     this->IsJoining = join;
   }
-  /// Append a strip that starts where the last one ends, in a vertex. (Elsewhere, both have to be
-  /// in the same face there.)
+  /// Appends a strip that starts where the last one ends, in a vertex. (Elsewhere, both strips must
+  /// share the face at that point.)
   void Append(const Strip& strip);
-  /// Append the faces that a path runs through.
+  /// Appends the faces through which a path runs.
   void Append(const SurfacePath& path);
 
   std::vector<Strip>& GetStrips() { return this->Strips; }

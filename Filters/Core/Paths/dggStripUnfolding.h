@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A strip of faces laid out in the plane. Internal.
+/// A strip of faces unfolded into the plane. Internal.
 #ifndef dggStripUnfolding_h
 #define dggStripUnfolding_h
 
@@ -13,16 +13,16 @@
 
 namespace dgg
 {
-/// An edge that the strip crosses, as it lies in the plane.
+/// An edge that the strip crosses, in the plane.
 struct Portal
 {
-  /// Its ends, on the left and the right of who walks along the strip.
+  /// Ends of the edge, left and right in the direction of the strip.
   std::array<Point2, 2> Ends;
   std::array<Id, 2> Vertices{ { NoId, NoId } };
 };
 
-/// The faces of a strip side by side in one plane, not turned over: a face of the other orientation
-/// is laid out as its mirror image.
+/// The faces of a strip unfolded into one plane without flips: a face of opposite orientation is
+/// laid out as its mirror image.
 struct StripUnfolding
 {
   static constexpr int Left = 0;
@@ -35,26 +35,27 @@ struct StripUnfolding
   void Unfold(const SurfaceMesh& mesh, const Strip& strip);
 };
 
-/// Where a path touches the border of its strip.
+/// A point where a path touches the border of its strip.
 struct StripBend
 {
-  std::size_t Portal; ///< the first one with this end
+  std::size_t Portal; ///< first portal with this end
   int Side;           ///< StripUnfolding::Left or Right
   Point2 Position;
 };
 
-/// Shortest paths in unfolded strips, in linear time: the funnel between the shortest paths to both
-/// ends of a portal, carried from portal to portal (Lee and Preparata, "Euclidean shortest paths in
-/// the presence of rectilinear barriers", 1984, sec. 2). Keeps its memory from call to call.
+/// Shortest paths in unfolded strips in linear time, by the funnel algorithm (Lee and Preparata,
+/// "Euclidean shortest paths in the presence of rectilinear barriers", 1984, sec. 2): the funnel
+/// between the shortest paths to both ends of a portal is advanced from portal to portal. Buffers
+/// are reused between calls.
 class Funnel
 {
 public:
-  /// The points where the path from start to end bends, or at least touches a vertex, in order.
-  /// Returns its length.
+  /// Finds the points where the path from start to end bends or touches a vertex, in order. Returns
+  /// the length of the path.
   double Run(const StripUnfolding& strip, std::vector<StripBend>& bends);
 
 private:
-  /// A point of the funnel. Its parent is the point before it on the shortest path to it.
+  /// A point of the funnel. Its parent is the previous point on the shortest path to it.
   struct Node
   {
     StripBend Bend;

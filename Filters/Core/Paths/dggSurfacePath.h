@@ -13,46 +13,47 @@
 
 namespace dgg
 {
-/// A polyline on a surface: every piece, between two consecutive points, is straight and lies in
-/// one face, or on an edge of it. Points are vertices, on edges that are crossed, or, at the ends
-/// of a path, anywhere.
+/// A polyline on a surface: every segment between two consecutive points is straight and lies in
+/// one face or on an edge of it. Points are vertices, crossings of edges, or, at the ends of a
+/// path, any surface points.
 struct DGG_CORE_EXPORT SurfacePath
 {
-  /// From start to end. One point when start and end coincide, none when there is no path. A closed
-  /// path (a loop) ends with the point that it starts with.
+  /// From start to end. A single point if start and end coincide, none if there is no path. A
+  /// closed path (a loop) repeats its first point at the end.
   std::vector<SurfacePoint> Points;
-  /// Per piece, the face that it lies in; one less than points.
+  /// Per segment, the face that contains it; one less than points.
   std::vector<Id> Faces;
-  double Length = 0.0; ///< sum of the lengths of the pieces
+  double Length = 0.0; ///< sum of the lengths of the segments
 
   bool IsEmpty() const { return this->Points.empty(); }
   void Clear();
-  /// Appends a point and the piece that leads to the point in a face; the first point has no piece.
-  /// Returns the length of the piece.
+  /// Appends a point and the segment that leads to it in a face; the first point has no segment.
+  /// Returns the length of the segment.
   double Append(const SurfaceMesh& mesh, const SurfacePoint& point, Id face);
 };
 
-/// Coordinates of a point in one of the faces that it lies in, with respect to the corners of
-/// SurfaceMesh::GetTriangle(). False when it does not lie in that face.
+/// Computes the barycentric coordinates of a point in one of its faces, with respect to the corners
+/// of SurfaceMesh::GetTriangle(). Returns false if the point does not lie in that face.
 DGG_CORE_EXPORT bool FindInFace(
   const SurfaceMesh& mesh, const SurfacePoint& point, Id face, std::array<double, 3>& barycentric);
 
-/// A face that contains the point, for points at vertices as well; NoId at isolated vertices.
+/// Returns a face that contains the point, also for points at vertices; NoId at isolated vertices.
 DGG_CORE_EXPORT Id FindFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point);
 
-/// Length of a piece, measured within its face. NaN when it does not lie there.
+/// Returns the length of a segment, measured within its face; NaN if the segment does not lie in
+/// the face.
 DGG_CORE_EXPORT double MeasurePiece(
   const SurfaceMesh& mesh, const SurfacePath& path, std::size_t piece);
 
-/// Fails with a message when a piece of the path does not lie in its face, or the length is not
-/// that of its pieces to 1e-9.
+/// Fails if a segment of the path does not lie in its face, or the length differs from that of the
+/// segments by more than 1e-9 (relative).
 DGG_CORE_EXPORT Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path);
 
-/// Fails when a face names a vertex twice, as SurfaceMesh::FromGluedLengths() allows: a point at
-/// that vertex would be in two places of the face, and paths need one.
+/// Fails if a face contains a vertex twice, as SurfaceMesh::FromGluedLengths() allows: a point at
+/// that vertex would have two positions in the face, and paths require a unique one.
 DGG_CORE_EXPORT Status CheckCorners(const SurfaceMesh& mesh);
 
-/// Position in space, given those of the vertices (x y z each).
+/// Returns the position in space, given those of the vertices (x y z each).
 DGG_CORE_EXPORT std::array<double, 3> PositionOf(
   const SurfaceMesh& mesh, const SurfacePoint& point, const double* positions);
 }
