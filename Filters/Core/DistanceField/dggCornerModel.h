@@ -20,7 +20,7 @@ namespace dgg
 struct CornerModel : VirtualSource
 {
   double Total = 0.0;   ///< total angle of the vertex
-  bool IsOpen = false;  ///< on the boundary, no line passes the vertex outside of the surface
+  bool IsOpen = false;  ///< boundary vertex: no line passes it outside the surface
   bool IsKnown = false; ///< false at Irregular vertices, whose angles must not be used
 
   CornerModel() = default;
@@ -47,7 +47,7 @@ struct CornerModel : VirtualSource
     {
       return angle;
     }
-    // Within one turn, the exact sum equals std::remainder bit for bit and is faster.
+    // Within one turn, the exact sum is bitwise equal to std::remainder and faster.
     return 2.0 * std::abs(angle) < 3.0 * this->Total ? angle - std::copysign(this->Total, angle)
                                                      : std::remainder(angle, this->Total);
   }

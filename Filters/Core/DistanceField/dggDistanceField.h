@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A distance on a surface: values at vertices, and what is known of where they come from.
+/// A distance field on a surface: values at vertices, and optionally their sources.
 #ifndef dggDistanceField_h
 #define dggDistanceField_h
 
@@ -11,22 +11,24 @@
 
 namespace dgg
 {
-/// What a distance inside of faces is computed from. Nothing is owned.
+/// Data from which the distance inside faces is computed. Does not own its arrays.
 ///
-///  - With windows it is exact (Mitchell, Mount and Papadimitriou, "The discrete geodesic problem",
-///    1987): within a face the distance is the least of those of the windows through which a point
-///    is seen, of the ways over corners, and of sources in the face.
-///  - With virtual sources each corner k of a face has a model M_k of the distance around it
-///    (dggCornerModel.h). Where M_k predicts less than the distance d_j at another corner j, the
-///    source of k is not visible there; M_k is raised by what is missing, in proportion to the
-///    barycentric coordinate of j. So is the way over the corner, d_k and the length of the
-///    straight line from k, which predicts too little at j where the values are no distances. The
-///    lesser of the two is what k knows, and the way alone where M_k says nothing. The distance in
-///    the face is the least of the three corners, but no less than d_j minus the length of the
-///    straight line from j: what M_k is raised by may rise faster. That follows arcs and ridges,
-///    and at the corners it is what is given. On an edge it is the least of all faces of the edge
-///    that are reached, which may be less than what one of them says: a wave may come through any.
-///  - Without both it is linear; so it is in faces none of whose corners has a model.
+/// - With windows the distance is exact (Mitchell, Mount and Papadimitriou, "The discrete geodesic
+///   problem", 1987): within a face it is the minimum over the windows through which a point is
+///   visible, the paths through corners, and the sources in the face.
+/// - With virtual sources, each corner k of a face has a model M_k of the distance around it
+///   (dggCornerModel.h). Where M_k predicts less than the distance d_j at another corner j, the
+///   source of k is not visible there; M_k is raised by the deficit, in proportion to the
+///   barycentric coordinate of j. The path through the corner, d_k plus the length of the straight
+///   line from k, is raised in the same manner; it predicts too little at j if the values are not
+///   distances. The estimate of corner k is the smaller of the two, or the path through k if M_k is
+///   undefined. The distance in the face is the minimum over the three corners, but at least d_j
+///   minus the length of the straight line from j, because a raised M_k may grow too fast. This
+///   reproduces arcs and ridges, and interpolates the given values at the corners. On an edge the
+///   distance is the minimum over all reached faces of the edge, which may be less than the
+///   distance in one of them, since the wavefront may arrive through any of them.
+/// - Without either, the distance is linear; the same holds in faces without a corner that has a
+///   model.
 struct DistanceField
 {
   const SurfaceMesh* Mesh = nullptr;
@@ -39,7 +41,7 @@ struct DistanceField
   {
     return !this->HasWindows() && this->Sources && !this->Sources->empty();
   }
-  /// Whether the distance is known everywhere in the face.
+  /// Returns true if the distance is defined everywhere in the face.
   bool IsReached(Id f) const
   {
     return !this->Mesh->IsDropped(f) && this->Distances[this->Mesh->Origin(3 * f)] < Infinity &&
@@ -48,18 +50,18 @@ struct DistanceField
   }
 };
 
-/// The distance at a point, and where it comes from.
+/// The distance at a point, with its gradient and source.
 struct FieldSample
 {
   double Distance = Infinity;
-  Point2 Gradient; ///< points away from the source; of unit length but for linear fields
+  Point2 Gradient; ///< points away from the source; unit length unless linear
   /// The image of the source in the same plane: the level sets are circles around it, of radius
-  /// level - Offset. Of no meaning when not HasImage.
+  /// level - Offset. Undefined unless HasImage.
   Point2 Image;
   double Offset = 0.0;
   bool HasImage = false;
-  /// Which of the candidates it is: equal for two samples of a profile when they belong to the same
-  /// smooth piece.
+  /// Id of the candidate that attains the minimum: equal for two samples of a profile if they
+  /// belong to the same smooth piece.
   Id Candidate = NoId;
 };
 }

@@ -16,13 +16,12 @@
 
 namespace dgg
 {
-/// The distance along an edge as a function of one variable. It depends on the edge and not on the
-/// face that it is looked at from, so what is found on it is the same for all its faces, bit for
-/// bit. An object can be moved from edge to edge, which saves allocations.
+/// The distance along an edge as a function of one variable. It depends on the edge only, not on
+/// the face from which it is evaluated, so that results are bitwise identical for all faces of the
+/// edge. An object can be reused for other edges, which saves allocations.
 ///
-/// With windows, Enter() takes time that grows with the square of the number of windows and of
-/// sources in the faces of the edge: these are few, but for edges of faces with hundreds of
-/// sources.
+/// With windows, the cost of Enter() is quadratic in the number of windows and sources in the faces
+/// of the edge. That number is small, except for faces with hundreds of sources.
 class DGG_CORE_EXPORT EdgeProfile
 {
 public:
@@ -31,43 +30,43 @@ public:
   {
   }
 
-  /// Look at the edge of a half-edge, whose ends must be reached.
+  /// Selects the edge of a half-edge, whose ends must be reached.
   void Enter(Id h);
 
-  /// The half-edge that represents the edge. Abscissae run from its origin to its destination.
+  /// Returns the half-edge that represents the edge. Abscissae run from its origin to its
+  /// destination.
   Id GetHalfEdge() const { return this->HalfEdge; }
   double GetLength() const { return this->Length; }
 
-  /// The distance at an abscissa. At the ends it is that of the vertex.
+  /// Returns the distance at an abscissa. At the ends it is that of the vertex.
   double At(double x) const;
 
-  /// Abscissae from 0 to the length between which the distance has no extremum, up to rounding
-  /// (windows), or such that between two of them there is hardly more than one.
-  /// FindCrossings() looks for that one, where it matters.
+  /// Returns abscissae from 0 to the length that separate the extrema of the distance: with
+  /// windows, there is no extremum between two of them, up to rounding; otherwise rarely more than
+  /// one, which FindCrossings() searches where needed.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
 
-  /// Append the abscissae, in increasing order, at which the distance crosses `level` (points at
-  /// the level count as above it). Their number is even exactly when both ends are on the same
-  /// side.
+  /// Appends the abscissae, in increasing order, at which the distance crosses `level` (points at
+  /// the level count as above). Their number is even iff both ends are on the same side.
   void FindCrossings(double level, std::vector<double>& crossings);
 
 private:
-  /// A window or a source, seen from this edge.
+  /// A window or a source, in the frame of this edge.
   struct Piece
   {
     double Begin;
     double End;
     Point2 Image;
     double Offset;
-    double Slack; // of the interval
+    double Slack; // tolerance of the interval
   };
 
-  /// A face of the edge, through which the wave of the opposite corner may come.
+  /// A face of the edge, through which the wavefront of the opposite corner may arrive.
   struct Opposite
   {
     FaceProfile Profile;
     int Corner = 0;
-    Point2 From; // the ends of the edge in its frame
+    Point2 From; // ends of the edge in the frame of the face
     Point2 To;
   };
 
@@ -78,20 +77,21 @@ private:
   double ExcessOfRising(double begin, double end, double x) const;
   bool FindPeak(double begin, double end, double& peak) const;
   void SetUpOpposites();
-  /// How far the distance at an abscissa is above a level.
+  /// Difference between the distance at an abscissa and a level.
   struct Probe
   {
     double X;
     double Height;
   };
 
-  /// The distance at a break, and on the way from there to the next one, once they are asked for.
+  /// Lazily computed values: the distance at a break and at the crest between it and the next
+  /// break.
   struct BreakState
   {
     double Distance = 0.0;
     double Crest = 0.0;
     bool HasDistance = false;
-    bool HasCrest = false; // not only looked for
+    bool HasCrest = false; // true if a crest was found, not merely searched
     bool IsSearched = false;
   };
 
@@ -113,13 +113,13 @@ private:
   std::array<double, 2> Ends{ { 0.0, 0.0 } };
   std::vector<Piece> Pieces;
   std::array<CornerModel, 2> Models;
-  std::array<CornerModel::Ray, 2> Rays{};        // of the models along the edge
-  std::array<double, 2> Missing{ { 0.0, 0.0 } }; // of the model of an end at the other one
+  std::array<CornerModel::Ray, 2> Rays{};        // rays of the models along the edge
+  std::array<double, 2> Missing{ { 0.0, 0.0 } }; // deficit of the model of an end at the other end
   std::vector<Opposite> Opposites;
-  std::size_t NumberOfOpposites = 0; // the others are kept for their memory
-  bool HasLinearFace = false;        // one that is reached, without models
-  bool IsLinear = false;             // neither end has a model, nor all faces
-  double Steepness = 1.0;            // how much models change at most, per length
+  std::size_t NumberOfOpposites = 0; // further entries are kept to reuse their memory
+  bool HasLinearFace = false;        // true if a reached face has no models
+  bool IsLinear = false;             // true if neither end nor any face has a model
+  double Steepness = 1.0;            // Lipschitz constant of the models
   std::vector<double> Breaks;
   std::vector<BreakState> BreakStates;
 };

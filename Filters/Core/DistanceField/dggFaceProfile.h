@@ -14,10 +14,10 @@
 
 namespace dgg
 {
-/// The distance inside a face as a function of the plane, in the frame of half-edge 3f. On the rim
-/// of the face it is that of EdgeProfile up to rounding when it comes from windows or is linear;
-/// with models, that of EdgeProfile may be shorter, through another face of the edge. An object can
-/// be moved from face to face, which saves allocations.
+/// The distance inside a face as a function in the plane, in the frame of half-edge 3f. On the
+/// boundary of the face it equals that of EdgeProfile up to rounding if it comes from windows or is
+/// linear; with models, the distance of EdgeProfile may be shorter, through another face of the
+/// edge. An object can be reused for other faces, which saves allocations.
 class DGG_CORE_EXPORT FaceProfile
 {
 public:
@@ -26,7 +26,7 @@ public:
   {
   }
 
-  /// Look at a face, which must be reached (DistanceField::IsReached()).
+  /// Selects a face, which must be reached (DistanceField::IsReached()).
   void Enter(Id f);
 
   Id GetFace() const { return this->Face; }
@@ -35,14 +35,14 @@ public:
   Point2 PlaceOf(const std::array<double, 3>& barycentric) const;
   std::array<double, 3> BarycentricOf(const Point2& p) const;
 
-  /// The distance at a point of the face.
+  /// Returns the distance at a point of the face.
   double At(const Point2& p) const { return this->SampleAt(p).Distance; }
   FieldSample SampleAt(const Point2& p) const;
-  /// That of one candidate of models alone, also where another one is nearer.
+  /// Samples a single candidate of models, even where another candidate is nearer.
   FieldSample SampleOfCandidate(Id candidate, const Point2& p) const;
 
-  /// Whether the distance comes from models of the corners, and that of one of them alone at a
-  /// point.
+  /// Returns true if the distance comes from models of the corners; the distance from a single
+  /// model at a point.
   /// @{
   bool IsModelled() const { return this->HasModels; }
   double ModelAt(int k, const Point2& p) const
@@ -50,10 +50,10 @@ public:
     return this->FromModel(k, p, this->BarycentricOf(p)).Distance;
   }
   /// @}
-  /// The most that the model of a corner is raised by at another corner.
+  /// Returns the largest amount by which the model of a corner is raised at another corner.
   double GetLargestRaise(int k) const;
-  /// The least distance that the corners allow at a point, and the corner that says so. -Infinity
-  /// where no model is raised, as no model is below it then.
+  /// Lower bound of the distance at a point, and the corner that implies it. -Infinity if no model
+  /// is raised, because then no model is below the bound.
   struct LowerBound
   {
     double Distance = -Infinity;
@@ -61,11 +61,11 @@ public:
   };
   LowerBound GetLowerBound(const Point2& p) const;
 
-  /// Whether the waves that reach the face come from all sides, so that a point inside it may be
-  /// farther away than all around it. When in doubt, true.
+  /// Returns true if the face may contain a local maximum, because wavefronts arrive from all
+  /// sides. Conservative: true if in doubt.
   bool MayHavePeak() const;
 
-  /// Sources inside the face, or on its edges.
+  /// Returns the sources inside the face or on its edges.
   const std::vector<FieldSample>& GetSources() const { return this->Sources; }
 
 private:
@@ -75,7 +75,7 @@ private:
     double Begin;
     double End;
     Point2 Image; // in the frame of its half-edge
-    Point2 Place; // of the image, in that of the face
+    Point2 Place; // image in the frame of the face
     double Offset;
   };
 
@@ -83,21 +83,21 @@ private:
   struct SeenSource
   {
     Point2 Image;
-    /// Seen from all the face if 0. Else from one side only of the line through image and corner:
-    /// the sign of the cross product of the ways from the corner to the image and to the point.
+    /// 0 if visible from the entire face. Otherwise visible from one side of the line through image
+    /// and corner: the sign of the cross product of the vectors from the corner to the image and to
+    /// the point.
     double Side;
   };
 
-  /// On one side of the tip of the cone around the corner, or on both, if the cut runs through the
-  /// face.
+  /// One virtual source, or two if the cut of the cone around the corner runs through the face.
   struct SeenSources
   {
     std::array<SeenSource, 2> Sources;
     int Count = 0;
   };
 
-  /// What a corner knows of a point: most of a sample, but for its gradient, which only the least
-  /// of three is asked for.
+  /// Prediction of a corner at a point: a sample without the gradient, which is only needed for the
+  /// smallest of the three.
   struct Wave
   {
     double Distance = Infinity;
@@ -124,19 +124,22 @@ private:
   const DistanceField& Field;
   Id Face = NoId;
   std::array<Point2, 3> Corners;
-  std::array<Point2, 3> Axes;  // of the half-edges
+  std::array<Point2, 3> Axes;  // directions of the half-edges
   std::array<Point2, 3> Rises; // gradients of the barycentric coordinates
   std::array<double, 3> Distances{ { 0.0, 0.0, 0.0 } };
-  std::vector<SeenWindow> Windows; // those of the three half-edges, one after the other
+  std::vector<SeenWindow> Windows; // windows of the three half-edges, concatenated
   std::array<std::size_t, 4> FirstWindows{ { 0, 0, 0, 0 } };
   std::vector<FieldSample> Sources;
   std::array<CornerModel, 3> Models;
-  std::array<SeenSources, 3> Seen;                         // of the models
-  std::array<bool, 3> IsRaised{ { false, false, false } }; // whether a model misses something
-  std::array<std::array<double, 3>, 3> Missing{};         // of the model of a corner at another one
-  std::array<std::array<double, 3>, 3> MissingOver{};     // of the way over a corner at another one
-  std::array<double, 3> LowerBounds{ { 0.0, 0.0, 0.0 } }; // of the distance, at corners
-  double Negligible = 0.0;                                // of what is missing
+  std::array<SeenSources, 3> Seen;                         // sources of the models
+  std::array<bool, 3> IsRaised{ { false, false, false } }; // true if the model is raised somewhere
+  std::array<std::array<double, 3>, 3>
+    Missing{}; // deficit of the model of corner [k] at corner [j]
+  std::array<std::array<double, 3>, 3>
+    MissingOver{}; // deficit of the path through corner [k] at corner [j]
+  std::array<double, 3> LowerBounds{ { 0.0, 0.0,
+    0.0 } };               // lower bounds of the distance at the corners
+  double Negligible = 0.0; // threshold for deficits
   bool HasModels = false;
   bool HasLowerBounds = false;
 };

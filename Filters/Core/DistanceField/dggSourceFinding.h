@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Virtual sources of exact distances, of those of graphs, and of any others.
+/// Virtual sources of exact distances, graph distances, and arbitrary distances.
 #ifndef dggSourceFinding_h
 #define dggSourceFinding_h
 
@@ -16,9 +16,9 @@
 
 namespace dgg
 {
-/// The virtual sources of exact distances: the pseudo-source from which the last straight piece of
-/// the path to a vertex starts, or the one before where that explains more, as behind flat
-/// vertices. `sources` are those of the run.
+/// Finds the virtual sources of exact distances: the pseudo-source at the start of the last
+/// straight segment of the path to a vertex, or the preceding pseudo-source where that one explains
+/// more distances, for example behind flat vertices. `sources` are those of the run.
 DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh,
   const std::vector<GeodesicSource>& sources, const ExactResult& result, VirtualSources& found,
   const ParallelFor& parallel = ParallelFor());
@@ -30,14 +30,15 @@ DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh, const SearchRes
   const std::vector<double>& distances, VirtualSources& found,
   const ParallelFor& parallel = ParallelFor());
 
-/// Find for each vertex the virtual source that explains the distances of its neighbours best:
-/// its direction and the curvature of the wave that comes from there, which is one over its
-/// distance. Neighbours whose distance comes another way hardly count. The field may be a foreign
-/// one, from fast marching or heat; of the distance at a source nothing is assumed.
+/// Finds for each vertex the virtual source that best explains the distances of its neighbors: the
+/// direction and the curvature of the wavefront, which is one over the distance from the virtual
+/// source. Neighbors whose distance comes from another direction have little weight. The field may
+/// be computed by any method, such as fast marching or heat; no assumption is made about distances
+/// at sources.
 ///
-/// `distances` are per vertex; Infinity or NaN where unreached. Where there is nothing to fit, as
-/// at a source or an Irregular vertex, the virtual source is the vertex itself. False when stopped;
-/// then nothing is found.
+/// `distances` are per vertex; Infinity or NaN if unreached. Where there is nothing to fit, for
+/// example at a source or an Irregular vertex, the virtual source is the vertex itself. Returns
+/// false if stopped; then `found` must not be used.
 DGG_CORE_EXPORT bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
   const ParallelFor& parallel, VirtualSources& found,
   const ProgressCallback& progress = ProgressCallback());

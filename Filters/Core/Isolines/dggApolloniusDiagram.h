@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The additively weighted Voronoi diagram of sites on the rim of a triangle. Internal.
+/// The additively weighted Voronoi diagram of sites on the boundary of a triangle. Internal.
 #ifndef dggApolloniusDiagram_h
 #define dggApolloniusDiagram_h
 
@@ -14,35 +14,35 @@
 
 namespace dgg
 {
-/// A point on the rim of the triangle, and the distance that it starts with.
+/// A point on the boundary of the triangle with its initial distance.
 struct WeightedSite
 {
-  int Side = 0;   ///< from corner Side to the next one
-  double X = 0.0; ///< abscissa on it, from 0 (the corner) on and less than the length
+  int Side = 0;   ///< side from corner Side to the next corner
+  double X = 0.0; ///< abscissa on the side, in [0, length)
   double Weight = 0.0;
 };
 
-/// Where a diagram's edges meet or end.
+/// A point where edges of the diagram meet or end.
 struct ApolloniusNode
 {
   Point2 Place;
-  double Distance = 0.0; ///< weight + distance of the sites that tie
-  int Side = -1;         ///< of the triangle on which it lies; -1 inside
+  double Distance = 0.0; ///< weight + distance, equal for the tied sites
+  int Side = -1;         ///< side of the triangle that contains the node; -1 inside
   double X = 0.0;        ///< abscissa on the side
 };
 
-/// A point p belongs to the site of least weight + |p - site|. Cells are stars around their sites:
-/// with u a direction, the inverse of the distance to the border with another site is linear in u,
-/// and so is that to a side of the triangle. A cell is therefore found by following the upper
-/// envelope of some functions of one angle, which needs no triples of sites. Sites that are within
-/// reach of another one have no cell.
+/// A point p belongs to the site with the smallest weight + |p - site|. Cells are star-shaped
+/// around their sites: for a direction u, the inverse of the distance to the border with another
+/// site is linear in u, and so is the inverse of the distance to a side of the triangle. A cell is
+/// therefore an upper envelope of functions of one angle, which requires no triples of sites.
+/// Dominated sites have no cell.
 ///
-/// Each cell is found on its own; what several cells say about a node is merged. With ties of many
-/// sites rounding may let edges be missing or short of their ends, never nodes be wrong.
+/// Each cell is computed independently; nodes that several cells find are merged. If many sites
+/// tie, rounding may cause missing or shortened edges, but never wrong nodes.
 class ApolloniusDiagram
 {
 public:
-  /// Corners counter-clockwise.
+  /// Builds the diagram. Corners are in counter-clockwise order.
   void Build(const std::array<Point2, 3>& corners, const std::vector<WeightedSite>& sites);
 
   const std::vector<ApolloniusNode>& GetNodes() const { return this->Nodes; }
@@ -50,7 +50,8 @@ public:
   const std::vector<std::pair<int, int>>& GetEdges() const { return this->Edges; }
 
 private:
-  /// A border seen from the site at work: 1 / distance = A . u - C. A site, or ~side.
+  /// A border as seen from the current site: 1 / distance = A . u - C. Belongs to another site, or
+  /// to a side (~side).
   struct Border
   {
     Point2 A;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Isolines by the published method, as a comparison. Internal.
+/// Isolines by the published method of Apollonius diagrams, for comparison. Internal.
 #ifndef dggApolloniusFace_h
 #define dggApolloniusFace_h
 
@@ -20,36 +20,36 @@ namespace dgg
 {
 class FaceTriangulation;
 
-/// Number of the crossing of a level on an edge (its representative half-edge), between two
-/// neighbouring nodes of it.
+/// Returns the index of the crossing of a level on an edge (its representative half-edge), between
+/// two neighboring nodes of the edge.
 using CrossingFinder = std::function<Id(Id halfEdge, Id interval)>;
 
-/// A face cut into triangles on which the distance is linear: their corners are the nodes of its
-/// three edges (dggHermiteEdge.h) and the nodes of the Apollonius diagram of its sites, and the
-/// edges of the diagram, straightened, are edges of triangles where they can be.
+/// A face subdivided into triangles on which the distance is linear: their corners are the nodes of
+/// the three edges (dggHermiteEdge.h) and the nodes of the Apollonius diagram of the sites. Edges
+/// of the diagram, straightened, are edges of triangles where possible.
 ///
-/// The distance at a node of the diagram is that of the field inside the face (dggFaceProfile.h):
-/// that of the diagram is an over-estimate, as the way to the point need not start at a site.
-/// An object can be moved from face to face, which saves allocations.
+/// The distance at a node of the diagram is that of the field inside the face (dggFaceProfile.h),
+/// because the distance of the diagram is an overestimate: the path to the point need not start at
+/// a site. An object can be reused for other faces, which saves allocations.
 class ApolloniusFace
 {
 public:
-  /// The field must have virtual sources, or windows, or else is linear inside.
+  /// A field with neither virtual sources nor windows is linear inside faces.
   ApolloniusFace(const DistanceField& field, int steinerPoints);
 
-  /// Look at a face, which must be reached (DistanceField::IsReached()).
+  /// Selects a face, which must be reached (DistanceField::IsReached()).
   void Enter(Id f);
 
-  /// Bounds of the distance in the face, as good as can be had from the rim.
+  /// Bounds of the distance in the face, as tight as values on its boundary allow.
   double GetSmallest() const { return this->Smallest; }
   double GetLargest() const { return this->Largest; }
 
-  /// Append the curves on which the distance is `level`, the lower side on their left.
+  /// Appends the curves on which the distance is `level`, with the lower side on their left.
   void FindCurves(
     double level, Id number, const CrossingFinder& crossings, std::vector<FaceCurve>& curves);
 
 private:
-  /// A piece of the rim, as it is run through counter-clockwise.
+  /// A segment of the boundary of the face, counter-clockwise.
   struct RimPiece
   {
     int Begin;
@@ -58,7 +58,7 @@ private:
     Id Interval;
   };
 
-  /// One edge of a triangle, directed.
+  /// A directed edge of a triangle.
   struct TriangleEdge
   {
     int Begin;
@@ -95,20 +95,21 @@ private:
   std::vector<RimPiece> Rim;
   std::vector<std::array<int, 3>> Triangles;
   std::vector<TriangleEdge> TriangleEdges; // sorted
-  std::vector<bool> IsDone;                // triangles that the level has been followed through
+  std::vector<bool> IsDone;                // per triangle, true if the isoline has visited it
 };
 
-/// The isolines of increasing levels, edge by edge and face by face, from the Apollonius diagrams
-/// of points on the rims of faces: cubics along edges, linear in the triangles that the diagrams
-/// cut faces into. Along edges the distance is linear between the nodes of HermiteEdge.
+/// Finds the isolines of increasing levels, edge by edge and face by face, from the Apollonius
+/// diagrams of points on the boundaries of faces: cubics along edges, linear in the triangles into
+/// which the diagrams subdivide faces. Along edges the distance is linear between the nodes of
+/// HermiteEdge.
 ///
-/// Both ends of a curve are crossings of its level; each crossing is an end of one curve in each of
-/// the faces of its edge that are reached, so no curve dangles. Points at the level count as above
-/// it; the lower side is on the left of a curve as seen with the orientation of the face. Curves
-/// are in order of faces and levels. The result does not depend on threads.
+/// Both ends of a curve are crossings of its level. Each crossing is an end of exactly one curve in
+/// each reached face of its edge, so that no curve dangles. Points at the level count as above; the
+/// lower side is on the left of a curve with respect to the orientation of the face. Curves are
+/// sorted by face and level. The result does not depend on the number of threads.
 ///
-/// Directions come from Sources, which may be there besides windows. Where neither is there, they
-/// are fitted to the distances (dggSourceFinding.h). Fails when stopped.
+/// Directions are taken from Sources, which may be set in addition to windows. If neither is set,
+/// directions are fitted to the distances (dggSourceFinding.h). Fails when stopped.
 Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   const std::vector<double>& levels, const ParallelFor& parallel, const ProgressCallback& progress,
   LevelCrossings& crossings, std::vector<FaceCurve>& curves);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The parts of a surface between isolines.
+/// Bands: the regions of a surface between isolines.
 #ifndef dggBands_h
 #define dggBands_h
 
@@ -21,16 +21,16 @@ struct Bands
   /// The levels in increasing order, each once. Band i lies between levels i - 1 and i; the first
   /// one is below all levels, the last one above.
   std::vector<double> Levels;
-  std::vector<Id> BandOf;        ///< per face of the surface; NoId where the distance is not known
+  std::vector<Id> BandOf;        ///< per face of the surface; NoId if unreached
   std::vector<double> Distances; ///< per vertex; on isolines exactly the level
 };
 
-/// Cut a mesh along isolines, those of TraceIsolines() for these levels. Points at a level count as
-/// farther away than it. Faces with corners that are not reached are in no band. Of levels that are
-/// equal, the lines of the first one cut; the others change nothing.
+/// Cuts a mesh along isolines, which must be those of TraceIsolines() for these levels. Points at a
+/// level count as farther than the level. Faces with unreached corners belong to no band. Of equal
+/// levels, only the lines of the first one cut.
 ///
-/// Bands change across isolines and nowhere else, where these are complete; faces of which the
-/// corners do not decide go with their neighbours.
+/// Bands change only across isolines, provided that these are complete; faces whose corners are
+/// undecided take the band of their neighbors.
 DGG_CORE_EXPORT Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   const Isolines& lines, const ProgressCallback& progress, Bands& bands);
 }

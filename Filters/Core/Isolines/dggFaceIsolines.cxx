@@ -373,31 +373,31 @@ bool FaceIsolines::TraceChain(
   curve.Level = level;
   curve.First = chain.First;
   curve.Last = chain.Last;
-  this->Way.clear();
+  this->Curve.clear();
   if (chain.First != NoId)
   {
-    this->Way.push_back(this->LookAtRim(arc, chain.First));
+    this->Curve.push_back(this->LookAtRim(arc, chain.First));
   }
-  std::copy_if(chain.Points.begin(), chain.Points.end(), std::back_inserter(this->Way),
+  std::copy_if(chain.Points.begin(), chain.Points.end(), std::back_inserter(this->Curve),
     [](const LevelPoint& point) { return point.IsOnLevel; });
   this->Points.clear();
   if (chain.First != NoId)
   {
-    this->Way.push_back(this->LookAtRim(arc, chain.Last));
+    this->Curve.push_back(this->LookAtRim(arc, chain.Last));
   }
-  else if (!this->Way.empty())
+  else if (!this->Curve.empty())
   {
-    this->Points.push_back(this->Way.front().Place);
-    this->Way.emplace_back(this->Way.front());
+    this->Points.push_back(this->Curve.front().Place);
+    this->Curve.emplace_back(this->Curve.front());
   }
   bool isGood = true;
-  for (std::size_t i = 1; i < this->Way.size(); ++i)
+  for (std::size_t i = 1; i < this->Curve.size(); ++i)
   {
-    const LevelPoint& from = this->Way[i - 1];
-    const LevelPoint& to = this->Way[i];
+    const LevelPoint& from = this->Curve[i - 1];
+    const LevelPoint& to = this->Curve[i];
     const bool isClose = arc.Refine(from, to, this->Points);
     isGood = isGood && (isClose || !from.IsOnLevel || !to.IsOnLevel);
-    if (i + 1 < this->Way.size())
+    if (i + 1 < this->Curve.size())
     {
       this->Points.push_back(to.Place);
     }

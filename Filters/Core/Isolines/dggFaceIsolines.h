@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Isolines face by face. Internal.
+/// Isolines within one face. Internal.
 #ifndef dggFaceIsolines_h
 #define dggFaceIsolines_h
 
@@ -14,26 +14,26 @@
 
 namespace dgg
 {
-/// Connects the crossings on the rim of a face by curves that do not cross, level by level, and
-/// finds the isolines that are closed within the face: around sources, and around points that are
-/// farther away than all others. An object can be moved from face to face.
+/// Connects the crossings on the boundary of a face by non-intersecting curves, level by level, and
+/// finds the isolines that are closed within the face: around sources, and around local maxima. An
+/// object can be reused for other faces.
 ///
-/// For each level the sources in the face that start below it are looked for in the lattice, one by
-/// one: in a face with hundreds of sources the time grows with the square of their number.
+/// For each level, the sources in the face that start below the level are located in the lattice
+/// one by one: in a face with hundreds of sources the cost is quadratic in their number.
 class FaceIsolines
 {
 public:
-  /// `levels` increase. Curves are as close as `tolerance` to the level sets.
+  /// `levels` must be increasing. Curves approximate the level sets within `tolerance`.
   FaceIsolines(const DistanceField& field, const std::vector<double>& levels, double tolerance,
     const LevelCrossings& crossings);
 
-  /// Append the curves of a face that is reached, in order of levels. Returns how many of them may
-  /// be farther than the tolerance from the level sets.
+  /// Appends the curves of a reached face, sorted by level. Returns the number of curves that may
+  /// exceed the tolerance.
   Id Trace(Id f, std::vector<FaceCurve>& curves);
 
 private:
-  /// A place around which isolines may be closed: of levels above its distance around a source, of
-  /// levels not above it around a peak.
+  /// A point around which isolines may be closed: for levels above its distance around a source,
+  /// for levels not above its distance around a local maximum.
   struct Seed
   {
     Point2 Place;
@@ -59,11 +59,11 @@ private:
   FaceProfile Profile;
   MarchingTriangles Triangles;
   LevelRim Rim;
-  std::array<Id, 3> Edges{ { NoId, NoId, NoId } }; // their half-edges
-  std::array<Id, 3> NextCrossings{ { 0, 0, 0 } };  // on them, while levels rise
+  std::array<Id, 3> Edges{ { NoId, NoId, NoId } }; // half-edges of the sides
+  std::array<Id, 3> NextCrossings{ { 0, 0, 0 } };  // next crossing per side, as levels increase
   std::vector<Seed> Seeds;
   std::vector<Point2> SeedsOfLevel;
-  std::vector<LevelPoint> Way;
+  std::vector<LevelPoint> Curve;
   std::vector<Point2> Points;
 };
 }

@@ -14,7 +14,7 @@
 
 namespace dgg
 {
-/// An end of a piece of a ridge within a face.
+/// An end of a ridge segment within a face.
 struct RidgeEnd
 {
   enum class Support : std::uint8_t
@@ -31,51 +31,51 @@ struct RidgeEnd
   double Angle = 0.0; ///< between the two directions
 };
 
-/// A piece of a ridge from one end to another.
+/// A ridge segment between two ends.
 struct RidgePiece
 {
   Id From = NoId;
   Id To = NoId;
-  std::vector<std::array<double, 3>> Points; ///< those in between
+  std::vector<std::array<double, 3>> Points; ///< points between the ends
 };
 
-/// What a face knows of ridges. The face ends a little inside of its rim, so that what it finds
-/// does not depend on rounding where a ridge runs along an edge; around its corners it ends as
-/// well, and a ridge that goes on there ends at the vertex.
+/// Ridges within a face. The search region ends slightly inside the boundary of the face, so that
+/// the result does not depend on rounding where a ridge runs along an edge. Corners are cut off as
+/// well; a ridge that enters such a corner region ends at the vertex.
 struct FaceRidges
 {
   std::vector<RidgeEnd> Ends;
   std::vector<RidgePiece> Pieces;
-  /// The polar angle of the gradient, in the frame of each half-edge, next to its origin and to its
+  /// The polar angle of the gradient, in the frame of each half-edge, near its origin and near its
   /// destination.
   std::array<std::array<float, 2>, 3> RimAngles{};
 };
 
-/// Finds the ridges in faces, one after the other.
+/// Finds the ridges in faces, one face at a time.
 class FaceRidgeFinder
 {
 public:
   FaceRidgeFinder(const DistanceField& field, double angle, double chordTolerance);
 
-  /// Look at a face, which must be reached.
+  /// Finds the ridges of a face, which must be reached.
   void Find(Id f, FaceRidges& found);
 
-  /// How far the rim that is looked at is from the edges, as a barycentric coordinate.
+  /// Inset of the search region from the edges, as a barycentric coordinate.
   static constexpr double RimInset = 1e-8;
-  /// The same for vertices.
+  /// Inset of the search region from the vertices, as a barycentric coordinate.
   static constexpr double CornerInset = 1e-5;
 
   Id GetNumberOfFallbacks() const { return this->Fallbacks; }
 
 private:
-  /// A point on the rim of a part of the face: one of its corners, or a ridge that comes out.
+  /// A point on the boundary of a subregion of the face: a corner, or a point where a ridge leaves.
   struct RimPoint
   {
     Point2 Place;
     Id Ridge; // index into Crossings, or NoId
   };
   using Rim = std::vector<RimPoint>;
-  using Crossing = FieldJump; // of the ridge: its place is at the tie
+  using Crossing = FieldJump; // a ridge point, located at the tie
 
   Rim MakeRim();
   void AddSide(int k, const Point2& from, const Point2& to, Rim& rim);

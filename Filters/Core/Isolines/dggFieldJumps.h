@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the direction to the source changes all at once. Internal.
+/// Discontinuities of the gradient: points where the direction to the source jumps. Internal.
 #ifndef dggFieldJumps_h
 #define dggFieldJumps_h
 
@@ -12,7 +12,7 @@
 
 namespace dgg
 {
-/// A point between two samples of which the gradients differ.
+/// A point between two samples with different gradients.
 struct FieldJump
 {
   Point2 Place;
@@ -20,43 +20,44 @@ struct FieldJump
   FieldSample After;
 };
 
-/// The angle between two gradients, in [0, pi].
+/// Returns the angle between two gradients, in [0, pi].
 double AngleBetween(const FieldSample& a, const FieldSample& b);
 
-/// Whether two samples belong to the same source, up to rounding; `length` is that of an edge.
+/// Returns true if two samples belong to the same source, up to rounding; `length` is that of an
+/// edge.
 bool HaveOneSource(const FieldSample& a, const FieldSample& b, double length);
 
-/// The distance from the source of a sample to a point.
+/// Returns the distance of a point from the source of a sample.
 double DistanceFromSource(const FieldSample& sample, const Point2& p);
 
-/// Move a point along a direction (of unit length), by at most `limit`, to where it is as far from
-/// both sources. False when there is no such point, and when the sources are not known.
+/// Moves a point along a unit direction, by at most `limit`, to where its distances from both
+/// sources are equal. Returns false if there is no such point, or if the sources are unknown.
 bool MoveToTie(
   const FieldSample& a, const FieldSample& b, const Point2& direction, double limit, Point2& p);
 
-/// Move a point to where it is as far from three sources.
+/// Moves a point to where its distances from three sources are equal.
 bool MoveToTie(const FieldSample& a, const FieldSample& b, const FieldSample& c, Point2& p);
 
 /// Finds jumps of the gradient along segments in a face.
 class FieldJumpFinder
 {
 public:
-  /// `angle` is the smallest jump to be found.
+  /// `angle` is the smallest jump that is detected, in radians.
   FieldJumpFinder(const FaceProfile& profile, double angle)
     : Profile(profile)
     , Angle(angle)
   {
   }
 
-  /// Look at so many places only until the next call, as for a face: where numbers are so large
-  /// that the gradient is rounding there would be jumps everywhere.
+  /// Resets the sample budget; to be called per face. The budget is needed because with very large
+  /// coordinates the gradient is dominated by rounding, and jumps would appear everywhere.
   void Restart() const { this->SamplesLeft = MostSamples; }
-  /// Whether that has been too few, and jumps may be missing.
+  /// Returns true if the sample budget was exhausted, so that jumps may be missing.
   bool IsExhausted() const { return this->SamplesLeft <= 0; }
 
-  /// Append the jumps on the way from p to q, first seen in samples at `count` + 1 places and then
-  /// bisected until they are found to `width`, a part of the way. The gradients point at each
-  /// other: where they point apart, there is a source.
+  /// Appends the jumps on the segment from p to q. They are detected between `count` + 1 samples
+  /// and bisected to `width`, a fraction of the segment. Only converging gradients count: where
+  /// they diverge there is a source.
   void Find(
     const Point2& p, const Point2& q, int count, double width, std::vector<FieldJump>& jumps) const;
 
@@ -81,7 +82,7 @@ private:
     const FieldSample& atEnd) const;
   void Add(const Way& way, double t, const FieldSample& before, const FieldSample& after) const;
 
-  /// A jump takes some 40 of them, a face with ridges some thousand.
+  /// Sample budget: a jump takes about 40 samples, a face with ridges about a thousand.
   static constexpr int MostSamples = 20000;
 
   const FaceProfile& Profile;

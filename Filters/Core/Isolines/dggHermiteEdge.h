@@ -13,22 +13,23 @@
 
 namespace dgg
 {
-/// A point of an edge at which the published isolines know the distance.
+/// A point of an edge at which the published method samples the distance.
 struct RimNode
 {
   double X = 0.0;      ///< abscissa
   double Value = 0.0;  ///< distance
-  bool IsSite = false; ///< an end or a Steiner point; else a tie of two neighbouring sites
+  bool IsSite = false; ///< true for ends and Steiner points; false for ties of neighboring sites
 };
 
-/// The distance along an edge as a cubic with the values and slopes of its ends. The slopes follow
-/// from the directions of the virtual sources, whether the field has windows or not; an end without
-/// one takes the slope of the chord.
+/// The distance along an edge as a cubic that interpolates the values and slopes at its ends. The
+/// slopes follow from the directions of the virtual sources, whether or not the field has windows;
+/// an end without a virtual source takes the slope of the chord.
 ///
-/// Where the ends get their distance on different ways, a cubic would smooth the ridge between
-/// them: there the distance is the smaller one of what the virtual sources of the ends say.
+/// Where the shortest paths to the two ends take different routes, a cubic would smooth the ridge
+/// between them. In that case the distance is the minimum of the distances from the virtual sources
+/// of the two ends.
 ///
-/// All of it depends on the edge and not on the face that it is looked at from.
+/// The result depends only on the edge, not on the face from which it is computed.
 class HermiteEdge
 {
 public:
@@ -38,18 +39,19 @@ public:
   {
   }
 
-  /// Look at the edge of a half-edge, whose ends must be reached.
+  /// Selects the edge of a half-edge, whose ends must be reached.
   void Enter(Id h);
 
-  /// The half-edge that represents the edge. Abscissae run from its origin to its destination.
+  /// Returns the half-edge that represents the edge. Abscissae run from its origin to its
+  /// destination.
   Id GetHalfEdge() const { return this->HalfEdge; }
   double GetLength() const { return this->Length; }
 
-  /// The distance at an abscissa. At the ends it is that of the vertex.
+  /// Returns the distance at an abscissa. At the ends it is that of the vertex.
   double At(double x) const;
 
-  /// The ends, the Steiner points, evenly spaced, and the ties of neighbouring sites, those not
-  /// counted that another site comes before everywhere; in order of abscissae, all different.
+  /// Returns the ends, the evenly spaced Steiner points and the ties of neighboring sites,
+  /// excluding sites that are nearest nowhere; in order of strictly increasing abscissae.
   const std::vector<RimNode>& GetNodes() const { return this->Nodes; }
 
 private:
@@ -61,9 +63,9 @@ private:
   Id HalfEdge = NoId;
   double Length = 0.0;
   std::array<double, 2> Ends{ { 0.0, 0.0 } };
-  std::array<double, 2> Rises{ { 0.0, 0.0 } }; // slope times length, from the origin on
+  std::array<double, 2> Rises{ { 0.0, 0.0 } }; // slope times length, towards the destination
   std::array<CornerModel, 2> Models;
-  std::array<double, 2> PolarAngles{ { 0.0, 0.0 } }; // of the edge at its ends
+  std::array<double, 2> PolarAngles{ { 0.0, 0.0 } }; // polar angles of the edge at its ends
   bool IsSplit = false;
   std::vector<RimNode> Nodes;
   std::vector<RimNode> Kept; // sites that are nearest somewhere on the edge

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Isolines in pieces, edge by edge and face by face, and how they are joined. Internal.
+/// Pieces of isolines per edge and face, and how they are joined. Internal.
 #ifndef dggIsolineParts_h
 #define dggIsolineParts_h
 
@@ -23,33 +23,33 @@ struct LevelCrossing
 {
   Id HalfEdge = NoId; ///< the representative of the edge (FindEdge())
   Id Level = 0;       ///< index into the levels, which increase
-  Id Interval = 0;    ///< of Apollonius: the node of the edge that it comes after
+  Id Interval = 0;    ///< for Apollonius: the preceding node of the edge
   double X = 0.0;     ///< abscissa from the origin of the half-edge, in [0, length]
 };
 
-/// All crossings of all edges of faces that are reached.
+/// All crossings on the edges of reached faces.
 struct LevelCrossings
 {
-  /// In order of half-edges, then levels, then abscissae.
+  /// Sorted by half-edge, level and abscissa.
   std::vector<LevelCrossing> Crossings;
-  /// Those of half-edge h, if it represents its edge: [Offsets[h], Offsets[h + 1]).
+  /// The crossings of half-edge h, if it represents its edge: [Offsets[h], Offsets[h + 1]).
   std::vector<Id> Offsets;
 };
 
-/// A piece of an isoline within one face, from one crossing on its rim to another, or closed. It
-/// has the lower distance on its left.
+/// A piece of an isoline within one face, from one crossing on its boundary to another, or closed.
+/// The lower distance is on its left.
 struct FaceCurve
 {
   Id Face = NoId;
   Id Level = 0;
-  Id First = NoId; ///< crossing that it starts from; NoId for a closed curve
+  Id First = NoId; ///< start crossing; NoId for a closed curve
   Id Last = NoId;
-  /// Coordinates of the points in between, with respect to SurfaceMesh::GetTriangle(); of all
-  /// points of a closed curve, the first one not repeated.
+  /// Barycentric coordinates of the points in between, with respect to SurfaceMesh::GetTriangle().
+  /// For a closed curve, of all points without repeating the first.
   std::vector<std::array<double, 3>> Points;
 };
 
-/// Whether some face of the edge of a half-edge is reached.
+/// Returns true if a face of the edge of a half-edge is reached.
 bool IsEdgeReached(const DistanceField& field, Id h);
 
 /// Runs `work(worker, index, pieces)` for all indices, in blocks, and joins the pieces in order.
@@ -115,10 +115,10 @@ Status CollectCrossings(const SurfaceMesh& mesh, Offset blockSize, const Paralle
   return status;
 }
 
-/// Joins curves of faces where they share crossings, in order of levels, then curves. A line ends
-/// at a crossing that is not shared by exactly two curves: on the boundary, and on edges with more
-/// than two faces. It runs as the first one of its curves does. Lines that shrink to a point, by
-/// snapping to a vertex, are left out. Fails when stopped; then there are no lines.
+/// Joins the curves of faces at shared crossings, sorted by level, then curve. A line ends at a
+/// crossing that is not shared by exactly two curves: on the boundary, and on non-manifold edges. A
+/// line has the direction of its first curve. Lines that collapse to a point because they snap to a
+/// vertex are discarded. Fails when stopped; then there are no lines.
 Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
   const std::vector<FaceCurve>& curves, const ProgressCallback& progress, Isolines& lines);
 }

@@ -14,24 +14,24 @@
 
 namespace dgg
 {
-/// How the distance runs inside of faces.
+/// Interpolation of the distance inside faces.
 enum class IsolineMethod
 {
-  LocalSources, ///< as DistanceField says
+  LocalSources, ///< as defined by DistanceField
   Apollonius    ///< as published, for comparison: dggApolloniusFace.h
 };
 
-/// Most of IsolineOptions::SteinerPoints.
+/// Maximum of IsolineOptions::SteinerPoints.
 constexpr int MaximumSteinerPoints = 50;
 
 struct IsolineOptions
 {
   IsolineMethod Method = IsolineMethod::LocalSources;
-  /// How far a line may be from the level set, a length; 0 means a thousandth of the mean edge
-  /// length.
+  /// Largest distance of a line from the level set, model units; 0 means a thousandth of the mean
+  /// edge length.
   double ChordTolerance = 0.0;
-  /// Of Apollonius, as ChordTolerance is of LocalSources: points per edge that the distance comes
-  /// from; more of them come closer to the field.
+  /// Accuracy setting of Apollonius (ChordTolerance applies to LocalSources only): points per edge
+  /// at which the distance is sampled. More points approximate the field better.
   int SteinerPoints = 2;
 };
 
@@ -40,23 +40,23 @@ struct Isolines
 {
   std::vector<SurfacePath> Lines;
   std::vector<Id> Levels;     ///< per line, the index of its level
-  std::vector<bool> IsClosed; ///< per line: then it ends with the point that it starts with
-  /// Pieces within one face that may be farther from the level set than the tolerance, as where the
-  /// field is not continuous.
+  std::vector<bool> IsClosed; ///< per line; a closed line repeats its first point at the end
+  /// Number of pieces within a face that may exceed the tolerance, for example where the field is
+  /// discontinuous.
   Id Fallbacks = 0;
 };
 
-/// Find all points of some distances, finite ones in any order. Points at the level count as
-/// farther away than it.
+/// Traces the isolines of some levels (finite, in any order). Points at the level count as farther
+/// than the level.
 ///
-/// Lines are continuous across edges. They are closed but for those that end on the boundary, at
-/// faces that are not reached, and on edges with more than two faces.
+/// Lines are continuous across edges. They are closed unless they end on the boundary, at unreached
+/// faces, or on non-manifold edges.
 ///
-/// Of LocalSources this holds besides: within faces the points of lines are at the level up to
-/// rounding, where the field is continuous. Where level sets are arcs of
-/// circles, in faces with windows or virtual sources, points are spread along these; the corners
-/// between arcs are points of the line. Lower distances are on the left of a line, as seen with the
-/// orientation of the face that it starts in.
+/// In addition, LocalSources guarantees that within faces the points of lines are at the level up
+/// to rounding, where the field is continuous. In faces with windows or virtual sources, level sets
+/// are circular arcs: points are distributed along them, and the corners between arcs are points of
+/// the line. Lower distances are on the left of a line, with respect to the orientation of its
+/// first face.
 ///
 /// The result does not depend on `parallel`.
 DGG_CORE_EXPORT Status TraceIsolines(const DistanceField& field, const std::vector<double>& levels,

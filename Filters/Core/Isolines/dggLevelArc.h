@@ -11,36 +11,36 @@
 
 namespace dgg
 {
-/// A point on the way of an isoline, and the field there. At a corner of the isoline there are two
-/// of them, with the field on either side.
+/// A point of an isoline and the field there. At a corner of the isoline there are two such points,
+/// with the field on either side.
 struct LevelPoint
 {
   Point2 Place;
   FieldSample Sample;
-  bool IsOnLevel = false; ///< up to rounding
+  bool IsOnLevel = false; ///< true if at the level, up to rounding
 };
 
-/// Puts points between those of an isoline until it is as close to the level set as is wished.
-/// Level sets are arcs of circles around images of sources, which meet in corners; both are found
-/// exactly. Where the field is no more than smooth, points are found by Newton's method.
+/// Refines an isoline until it approximates the level set within the tolerance. Level sets are
+/// circular arcs around images of sources, which meet in corners; both are computed exactly. Where
+/// the field is merely smooth, points are found by Newton's method.
 ///
 /// Isolines have the lower distance on their left, so that they turn left around sources.
 class LevelArc
 {
 public:
-  /// The curve is to be as close as `tolerance` to the level set.
+  /// `tolerance` is the largest distance of the curve from the level set.
   LevelArc(const FaceProfile& profile, double level, double tolerance);
 
-  /// The field at a point.
+  /// Samples the field at a point.
   LevelPoint Look(const Point2& place) const;
   bool IsInside(const Point2& place) const;
 
-  /// The point of the level between a place below it and one above it. Not on the level when the
-  /// field does not take it in between.
+  /// Returns the point at the level between a point below and a point above. IsOnLevel is false if
+  /// the field does not attain the level between them.
   LevelPoint FindBetween(const LevelPoint& below, const LevelPoint& above) const;
 
-  /// Append the points between two points of the isoline. False when it may be farther from the
-  /// level than wished.
+  /// Appends the points between two points of the isoline. Returns false if the tolerance may be
+  /// exceeded.
   bool Refine(const LevelPoint& from, const LevelPoint& to, std::vector<Point2>& points) const
   {
     return this->RefineChord(from, to, 0, points);
@@ -61,8 +61,8 @@ private:
   const FaceProfile& Profile;
   double Level;
   double Tolerance;
-  double Size;  // of the face
-  double Close; // what counts as on the level
+  double Size;  // size of the face
+  double Close; // tolerance for points at the level
 };
 }
 

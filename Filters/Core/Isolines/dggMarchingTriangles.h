@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which crossings on the rim of a face an isoline connects. Internal.
+/// Connects the crossings of an isoline on the boundary of a face. Internal.
 #ifndef dggMarchingTriangles_h
 #define dggMarchingTriangles_h
 
@@ -15,46 +15,46 @@
 
 namespace dgg
 {
-/// A crossing on the rim of a face.
+/// A crossing on the boundary of a face.
 struct RimCrossing
 {
   double T = 0.0; ///< along the side of the face, from 0 to 1
   Id Index = NoId;
 };
 
-/// What is known of one level on the rim of a face.
+/// One level on the boundary of a face.
 struct LevelRim
 {
-  std::array<std::vector<RimCrossing>, 3> Sides;          ///< in order around the face
-  std::array<bool, 3> IsAbove{ { false, false, false } }; ///< the corners
+  std::array<std::vector<RimCrossing>, 3> Sides; ///< crossings per side, in order around the face
+  std::array<bool, 3> IsAbove{ { false, false, false } }; ///< per corner, true if above the level
 
   void Clear();
   std::size_t CountCrossings() const;
 };
 
-/// A curve of an isoline, roughly: its lower side is on its left.
+/// A coarse curve of an isoline, with the lower side on its left.
 struct LevelChain
 {
-  Id First = NoId; ///< crossings on the rim; NoId for a closed curve
+  Id First = NoId; ///< crossings on the boundary; NoId for a closed curve
   Id Last = NoId;
-  std::vector<LevelPoint> Points; ///< strictly between, or all of a closed one
+  std::vector<LevelPoint> Points; ///< points strictly between, or all points if closed
 };
 
-/// Marching triangles on a fine triangulation of one face, which has nodes between any two
-/// crossings on the rim, and on ridges that lie above the level, and, where there are several
-/// sources in the face, wherever their waves are lowest or meet on sides of its triangles. On the
-/// rim the crossings decide which side of the level nodes are on, and inside the field does, so
-/// that every crossing belongs to exactly one curve, and curves do not cross, whatever the field is
-/// like.
+/// Marching triangles on a fine triangulation of one face. The triangulation has nodes between any
+/// two crossings on the boundary and on ridges above the level. If the face contains several
+/// sources, it also has nodes wherever their wavefronts are lowest or meet on sides of its
+/// triangles. On the boundary the crossings decide on which side of the level a node is, inside the
+/// field decides. Thus every crossing belongs to exactly one curve, and curves do not intersect,
+/// for any field.
 class MarchingTriangles
 {
 public:
-  /// `cells` is the number of parts that the sides of the face are cut into. `seeds` are points
-  /// inside of which small closed curves may be.
+  /// `cells` is the number of segments into which each side of the face is divided. `seeds` are
+  /// interior points around which small closed curves may lie.
   void Build(const FaceProfile& profile, const LevelArc& arc, double level, const LevelRim& rim,
     int cells, const std::vector<Point2>& seeds);
 
-  /// The curves, those that end on the rim first.
+  /// Returns the curves; those that end on the boundary come first.
   const std::vector<LevelChain>& GetChains() const { return this->Chains; }
 
 private:
@@ -62,19 +62,19 @@ private:
   {
     LevelPoint Point;
     bool IsAbove = false;
-    std::array<bool, 3> IsOnSide{ { false, false, false } }; // of the face
-    // The last link and crest whose lower node this is; those before are behind them.
+    std::array<bool, 3> IsOnSide{ { false, false, false } }; // per side of the face
+    // Heads of the lists of links and crests whose lower node this is.
     Id LastLink = NoId;
     Id LastCrest = NoId;
   };
-  /// A side of small triangles that the isoline crosses.
+  /// A side of the triangulation that the isoline crosses.
   struct Link
   {
     Id Low; // nodes
     Id High;
-    Id Before = NoId;   // link of the same lower node
-    Id Crossing = NoId; // on the rim
-    Id Next = NoId;     // that the isoline goes to
+    Id Before = NoId;   // previous link of the same lower node
+    Id Crossing = NoId; // crossing on the boundary
+    Id Next = NoId;     // next link on the isoline
     bool IsReached = false;
   };
   using Triangle = std::array<Id, 3>;
@@ -100,20 +100,21 @@ private:
   void Follow(const LevelArc& arc);
   void FollowFrom(const LevelArc& arc, Id link);
 
-  /// A side of small triangles that a ridge crosses above the level, though both ends are below it.
+  /// A side of the triangulation that a ridge crosses above the level, though both ends are below.
   struct Crest
   {
-    Id High;   // node; the lower one knows its crests
-    Id Before; // crest of the same lower node
-    Id Node;   // on the ridge; NoId when there is none
+    Id High;   // upper node; the lower node stores the list
+    Id Before; // previous crest of the same lower node
+    Id Node;   // node on the ridge, or NoId
   };
 
   std::vector<Node> Nodes;
   std::vector<Crest> Crests;
   std::vector<Link> Links;
   std::vector<Triangle> Triangles;
-  std::array<std::vector<Id>, 3> RimNodes;             // at the cuts of each side
-  std::array<std::vector<std::vector<Id>>, 3> Between; // further nodes between two of them
+  std::array<std::vector<Id>, 3> RimNodes; // nodes at the division points of each side
+  std::array<std::vector<std::vector<Id>>, 3>
+    Between; // additional nodes between two division points
   std::vector<Id> Polygon;
   std::set<Side> Looked;
   std::vector<LevelPoint> Turns;

@@ -16,34 +16,35 @@ namespace dgg
 {
 struct RidgeOptions
 {
-  /// Ridges are shown where the directions to the source differ by more than this angle, radians.
-  /// On a polyhedron a ridge of small angle starts at each convex vertex, which hides the others.
-  /// Angles below a tenth of a degree count as that; with virtual sources, angles below ten
-  /// degrees, where these show how one model gives way to the next.
+  /// Minimum angle between the directions to the source on both sides of a ridge, radians. On a
+  /// polyhedron, a ridge of small angle starts at every convex vertex, and would clutter the
+  /// result. Values below a tenth of a degree are raised to a tenth of a degree; with virtual
+  /// sources, values below ten degrees are raised to ten degrees, because smaller angles show
+  /// transitions between models.
   double MinimumAngle = 20.0 * Pi / 180.0;
-  /// How far a line may be from the ridge, a length; 0 means a thousandth of the mean edge
+  /// Largest distance of a line from the ridge, model units; 0 means a thousandth of the mean edge
   /// length.
   double ChordTolerance = 0.0;
 };
 
-/// Polylines on a surface. They meet at their ends alone.
+/// Polylines on a surface that meet only at their ends.
 struct Ridges
 {
   std::vector<SurfacePath> Lines;
   std::vector<double> Angles; ///< per line, the mean angle between the two directions, radians
-  /// Pieces within one face that may be farther from the ridge than the tolerance, as where the
-  /// field is not continuous.
+  /// Number of pieces within a face that may exceed the tolerance, for example where the field is
+  /// discontinuous.
   Id Fallbacks = 0;
 };
 
-/// Find the ridges (the cut locus) of a distance: the points with two shortest paths or more. They
-/// meet in points with three, and end at convex vertices and where the angle falls below the
-/// minimum; vertices of the mesh that they pass are points of the lines. The two distances of a
-/// point are equal up to rounding inside of faces and where a ridge crosses an edge (Mitchell,
+/// Finds the ridges (the cut locus) of a distance: the points with at least two shortest paths.
+/// Ridges meet in points with three shortest paths, and end at convex vertices and where the angle
+/// falls below the minimum; mesh vertices on a ridge are points of the lines. Inside faces and
+/// where a ridge crosses an edge, the two distances of a point are equal up to rounding (Mitchell,
 /// Mount and Papadimitriou, "The discrete geodesic problem", 1987).
 ///
-/// The field must have windows or virtual sources: values at vertices do not show ridges. Virtual
-/// sources show those of large angles, with gaps.
+/// The field must have windows or virtual sources: values at vertices do not determine ridges. With
+/// virtual sources, only ridges of large angles are found, with gaps.
 ///
 /// The result does not depend on `parallel`.
 DGG_CORE_EXPORT Status FindRidges(const DistanceField& field, const RidgeOptions& options,

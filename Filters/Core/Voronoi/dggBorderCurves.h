@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// From pieces of the borders of Voronoi cells to curves. Internal.
+/// Joins border segments of Voronoi cells into curves. Internal.
 #ifndef dggBorderCurves_h
 #define dggBorderCurves_h
 
@@ -14,34 +14,33 @@ namespace dgg
 {
 struct VoronoiDiagram;
 
-/// A piece of an edge of the mesh along a cell that does not own it: what belongs to a cell on one
-/// side of the edge only.
+/// A segment of a mesh edge along a cell that does not own the segment: a border along the edge.
 struct BorderSide
 {
-  std::array<Id, 2> Points; ///< the smaller one first
-  Id Site;                  ///< of the cell
-  Id Owner;                 ///< of that piece of the edge
+  std::array<Id, 2> Points; ///< in ascending order
+  Id Site;                  ///< site of the cell
+  Id Owner;                 ///< site that owns the segment
   Id HalfEdge;
 };
 
-/// Collects the pieces of borders, and joins those between the same two cells to curves.
+/// Collects border segments, and joins those between the same two cells into curves.
 class BorderCurves
 {
 public:
-  /// A piece between two cells, unless they are the same.
+  /// Adds a segment between two cells; ignored if both are the same.
   void AddPiece(Id site, Id other, const std::array<Id, 2>& points);
   void AddSide(const BorderSide& side) { this->Sides.push_back(side); }
 
-  /// Append curves, as long as they are, to a diagram. A curve ends where another cell is met, at
-  /// the boundary of the surface, or where borders branch, which they do on edges with more than
-  /// two faces. The result does not depend on the order of the pieces.
+  /// Appends maximal curves to a diagram. A curve ends where another cell is adjacent, at the
+  /// boundary of the surface, or where borders branch, which they do on non-manifold edges. The
+  /// result does not depend on the order of the segments.
   void AddTo(const SurfaceMesh& mesh, VoronoiDiagram& diagram);
 
 private:
   using Side = std::vector<BorderSide>::const_iterator;
   void AddPiecesOfSide(const SurfaceMesh& mesh, Side begin, Side end);
 
-  /// Between the smaller site and the other one.
+  /// A segment between two sites, in ascending order.
   struct Piece
   {
     std::array<Id, 2> Sites;

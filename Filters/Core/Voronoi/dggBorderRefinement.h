@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Puts points of borders between Voronoi cells where they belong. Internal.
+/// Corrects the positions of border points of Voronoi cells. Internal.
 #ifndef dggBorderRefinement_h
 #define dggBorderRefinement_h
 
@@ -15,36 +15,35 @@
 
 namespace dgg
 {
-/// Distances in a face that follow from those at its corners are wrong where ways to the corners
-/// lead around different sides of something: in faces that are large compared to cells, and close
-/// to points where geodesics bend. There a border point gets links of its own, as a vertex of the
-/// graph would have them, and is moved to where its distances are equal.
+/// Distances in a face that are interpolated from its corners are wrong where the shortest paths to
+/// the corners pass different sides of an obstacle: in faces that are large compared to cells, and
+/// close to points where geodesics bend. There a border point gets links of its own, like a graph
+/// vertex, and is moved to where its distances are equal.
 ///
-/// Where windows multiply, among non-manifold edges and triangles of near-zero area, links take
-/// long. Their work is limited in proportion to the number of faces; the points after that stay
-/// where they are.
+/// Where windows multiply, at non-manifold edges and among degenerate triangles, computing links is
+/// expensive. The work is limited in proportion to the number of faces; after that, points are not
+/// moved.
 ///
-/// Whether that is needed is seen from the virtual sources of the corners: each of them has its own
-/// idea of the distance at the point. Where all agree, nothing is done.
+/// The need for refinement is detected from the virtual sources of the corners: each of them
+/// predicts the distance at the point. Where all predictions agree, nothing is done.
 class BorderRefinement
 {
 public:
-  /// Everything must outlive the object. `sites` are the places of all sites. Links have the
-  /// `accuracy`; distances may differ by some part of it.
+  /// All arguments must outlive the object. `sites` are the positions of all sites. Links have the
+  /// given `accuracy`; distances may differ by a fraction of it.
   BorderRefinement(const SurfaceMesh& mesh, const SiteDistances& distances,
     const GraphBuilder& builder, double accuracy, const std::vector<SurfacePoint>& sites);
 
-  /// A point on an edge between two sites, the first one on the side of the origin: move its
-  /// parameter within (low, high), and correct its distance.
+  /// Balances a point on an edge between two sites, of which the first is on the side of the
+  /// origin: moves the parameter within (low, high) and corrects the distance.
   void Balance(Id halfEdge, const std::array<Id, 2>& sites, double low, double high,
     double& parameter, double& distance) const;
 
-  /// A point inside a face where three cells meet.
+  /// Balances a point inside a face where three cells meet.
   void Balance(
     Id face, const std::array<Id, 3>& sites, std::array<double, 3>& place, double& distance) const;
 
-  /// What links have taken where windows multiply, see GraphBuilder::Link(), and what they may
-  /// take.
+  /// Work of links where windows multiplied (see GraphBuilder::Link()), and its limit.
   std::size_t GetWork() const { return this->Work; }
   std::size_t GetMostWork() const;
 

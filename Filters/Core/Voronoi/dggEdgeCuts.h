@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the borders of Voronoi cells cross the edges of a mesh. Internal.
+/// Crossings between the borders of Voronoi cells and the edges of a mesh. Internal.
 #ifndef dggEdgeCuts_h
 #define dggEdgeCuts_h
 
@@ -18,20 +18,20 @@ struct VoronoiDiagram;
 /// A point where the nearest site changes.
 struct EdgeCut
 {
-  double Parameter; ///< from the origin to the destination of a half-edge
+  double Parameter; ///< from 0 at the origin to 1 at the destination of a half-edge
   Id Before;        ///< site on the side of the origin
   Id After;
-  Id Point; ///< of the diagram
+  Id Point; ///< point of the diagram
 };
 
-/// Places on an edge, or within a face, closer than this are one; barycentric. Graphs keep
-/// lengths in single precision, so that borders are off by about 1e-7 times the distance. Slivers
-/// where they should pass through a vertex are of no use, and filters that triangulate polygons
-/// may lose the whole polygon for them.
+/// Merge tolerance of positions on an edge or within a face, barycentric. Graphs store lengths in
+/// single precision, so that borders have errors of about 1e-7 times the distance. Without merging,
+/// a border that should pass through a vertex would create slivers, and filters that triangulate
+/// polygons may lose an entire polygon because of them.
 constexpr double SamePlace = 1e-5;
 
-/// The cuts of all edges. They depend on the ends of the edge and its length alone, so all faces
-/// around an edge find the same ones.
+/// The cuts of all edges. They depend only on the ends of an edge and its length, so that all faces
+/// of the edge find the same cuts.
 class EdgeCuts
 {
 public:
@@ -40,12 +40,12 @@ public:
   {
   }
 
-  /// Find the cuts. Appends border points to the diagram, whose nearest sites are known. The
-  /// refinement may be null. False when aborted.
+  /// Finds the cuts. Appends border points to the diagram, whose nearest sites must be known. The
+  /// refinement may be null. Returns false if aborted.
   bool Run(const SiteDistances& distances, const BorderRefinement* refinement,
     const ProgressCallback& progress, VoronoiDiagram& diagram);
 
-  /// The cuts of a half-edge, from its origin on.
+  /// Returns the cuts of a half-edge, sorted from its origin.
   std::vector<EdgeCut> Of(Id halfEdge) const;
 
 private:
@@ -53,7 +53,8 @@ private:
   void Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& diagram);
 
   const SurfaceMesh& Mesh;
-  std::vector<Offset> Offsets; ///< per half-edge, and one more; only those of FindEdge() have cuts
+  std::vector<Offset>
+    Offsets; ///< per half-edge, plus one; only FindEdge() representatives have cuts
   std::vector<EdgeCut> Cuts;
 };
 }

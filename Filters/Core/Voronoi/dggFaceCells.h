@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The parts of Voronoi cells within a face. Internal.
+/// Voronoi cells within a face. Internal.
 #ifndef dggFaceCells_h
 #define dggFaceCells_h
 
@@ -17,36 +17,36 @@ namespace dgg
 {
 class BorderRefinement;
 
-/// Cuts faces along the borders of cells: for each site that a face knows, the face is clipped by
-/// the lines on which the site is as near as another one. What crosses the sides of the face is
-/// taken from the cuts of the edges.
+/// Cuts faces along the borders of cells: for each site at the corners of a face, the face is
+/// clipped by the lines on which the site and another one are equidistant. Crossings with the sides
+/// of the face are taken from the cuts of the edges.
 ///
-/// Where all is tied or a face is a needle, rounding may let the polygons of a face contradict each
-/// other. This is noticed, and the face is cut in a plainer way: from the cuts of its sides to a
-/// point in the middle.
+/// If all sites tie or a face is a needle, rounding may lead to inconsistent polygons. This is
+/// detected, and the face is then cut by a simpler scheme: from the cuts of its sides to a point in
+/// the middle.
 class FaceCells
 {
 public:
-  /// Appends polygons and border points to the diagram, and what separates cells to the borders.
+  /// Polygons and border points are appended to the diagram, separating segments to the borders.
   /// The refinement may be null.
   FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
     const BorderRefinement* refinement, VoronoiDiagram& diagram, BorderCurves& borders);
 
-  /// One face that has not been dropped.
+  /// Cuts a face, which must not be dropped (SurfaceMesh::IsDropped()).
   void Cut(Id face);
 
 private:
   using Coordinates = std::array<double, 3>;
 
-  /// A site and its squared distances at the corners, less the part that all sites have in common.
+  /// A site and its squared distances at the corners, minus the term that is common to all sites.
   struct Site
   {
     Id Number;
     Coordinates Values;
   };
 
-  /// A corner of a polygon, and what the side that leaves it lies on: the side of the face of that
-  /// number, or, from 3 on, the line between the site and that of number Border - 3 in the list.
+  /// A corner of a polygon, and the border on which the side that leaves it lies: the side of the
+  /// face of that index or, from 3 on, the line between the site and site Border - 3 of the list.
   struct Corner
   {
     Coordinates Place;
@@ -54,14 +54,14 @@ private:
   };
   using Polygon = std::vector<Corner>;
 
-  /// A point of the diagram and its place in the face.
+  /// A point of the diagram and its position in the face.
   struct Point
   {
     Id Number;
     Coordinates Place;
   };
 
-  /// The part of the face that belongs to a site.
+  /// The region of the face that belongs to a site.
   struct Cell
   {
     Id Site;
@@ -91,14 +91,14 @@ private:
   VoronoiDiagram& Diagram;
   BorderCurves& Borders;
 
-  // Of the face at work.
+  // State of the current face.
   std::array<std::vector<EdgeCut>, 3> Sides;
-  std::vector<Point> Around; ///< corners and cuts, in order
-  std::vector<Id> Owners;    ///< site of the way from each of these to the next
-  std::vector<Id> HalfEdges; ///< that it lies on
+  std::vector<Point> Around; ///< corners and cuts, in order around the face
+  std::vector<Id> Owners;    ///< site of the segment from each of these points to the next
+  std::vector<Id> HalfEdges; ///< half-edge of each segment
   std::vector<Cell> Cells;
   std::vector<Site> Sites;
-  std::vector<Point> Inside; ///< places before refinement
+  std::vector<Point> Inside; ///< positions before refinement
   std::vector<Point> Refined;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Samples of a surface or a cloud, each as far as possible from those before.
+/// Farthest-point sampling of a surface or a cloud.
 #ifndef dggFarthestPoints_h
 #define dggFarthestPoints_h
 
@@ -17,49 +17,50 @@ class BucketQueue;
 class GraphFans;
 struct LabelOrigin;
 
-/// The vertex that is farthest from all samples.
+/// The vertex farthest from all samples.
 struct FarthestVertex
 {
-  Id Vertex = NoId;      ///< NoId when every vertex is a sample
-  double Distance = 0.0; ///< Infinity where no sample reaches
+  Id Vertex = NoId;      ///< NoId if every vertex is a sample
+  double Distance = 0.0; ///< Infinity if no sample reaches the vertex
 };
 
-/// Farthest point sampling in a graph (Eldar, Lindenbaum, Porat and Zeevi, "The farthest point
-/// strategy for progressive image sampling", 1997). Keeps the distance of every vertex from the
-/// nearest sample; a new sample only touches the vertices that are nearer to it than to all others.
+/// Farthest-point sampling in a graph (Eldar, Lindenbaum, Porat and Zeevi, "The farthest point
+/// strategy for progressive image sampling", 1997). The distance of every vertex from the nearest
+/// sample is maintained; a new sample only visits the vertices that are nearer to it than to all
+/// other samples.
 ///
-/// The farthest distance, the covering radius, never grows, and samples taken one after the other
-/// where it is are at least that far from each other. Vertices that no sample reaches count as
-/// infinitely far, so that every component gets a sample before any gets a second one. Vertices
-/// without edges are left out. Of vertices at the same distance the one with the smallest id is the
-/// farthest.
+/// The farthest distance, the covering radius, never grows. Samples that are placed successively at
+/// the farthest vertex are at least the covering radius apart. Vertices that no sample reaches
+/// count as infinitely far, so that every component gets a sample before any component gets a
+/// second one. Vertices without edges are ignored. Ties are resolved in favor of the smallest
+/// vertex id.
 class DGG_CORE_EXPORT FarthestPoints
 {
 public:
-  /// `mesh` is that of the graph, or null for a cloud. Graph and mesh must outlive the object.
+  /// `mesh` is the mesh of the graph, or null for a cloud. Graph and mesh must outlive the object.
   FarthestPoints(const GraphView& graph, const SurfaceMesh* mesh);
   ~FarthestPoints();
   FarthestPoints(const FarthestPoints&) = delete;
   FarthestPoints& operator=(const FarthestPoints&) = delete;
 
-  /// Forget all samples.
+  /// Removes all samples.
   void Reset();
 
-  /// Add a sample: a vertex, or a surface point by its links. Fails when there is no seed, or one
-  /// does not exist or starts with a distance that is not finite; then nothing changes. After an
+  /// Adds a sample: a vertex, or a surface point by its links. Fails if there is no seed, or a seed
+  /// does not exist or has an initial distance that is not finite; then nothing changes. After an
   /// abort, call Reset().
   Status Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress);
 
-  /// The vertex farthest from all samples, and so the covering radius.
+  /// Returns the vertex farthest from all samples; its distance is the covering radius.
   FarthestVertex Find();
 
-  /// Distance of every vertex from the nearest sample, along the graph.
+  /// Graph distance of every vertex from the nearest sample.
   const std::vector<double>& GetDistances() const { return this->Distances; }
-  /// The nearest sample of every vertex, numbered as they were added; NoId where none reaches.
+  /// Index of the nearest sample of every vertex, in order of insertion; NoId if unreached.
   const std::vector<Id>& GetNearestSamples() const { return this->NearestSamples; }
 
 private:
-  /// A vertex and its distance when it was entered: later it is at most that.
+  /// A vertex and an upper bound of its distance: the distance at the time of insertion.
   struct Candidate
   {
     double Distance;
@@ -71,14 +72,14 @@ private:
   const double BucketWidth;
   std::vector<double> Distances;
   std::vector<LabelOrigin> Origins;
-  std::unique_ptr<GraphFans> Fans; // null where there are no angles
+  std::unique_ptr<GraphFans> Fans; // null if the graph has no angles
   std::unique_ptr<BucketQueue> Queue;
-  std::vector<Id> Touched;        // by the last sample, a few more than once
-  std::vector<Id> Labeled;        // by any sample, each once
+  std::vector<Id> Touched;        // by the last sample; may contain duplicates
+  std::vector<Id> Labeled;        // by any sample, without duplicates
   std::vector<Id> NearestSamples; // per vertex
   Id NumberOfSamples = 0;
-  /// All vertices with edges, a heap. Distances in it are not lowered with the labels, but when
-  /// they come to the top.
+  /// Heap of all vertices with edges. Distances in the heap are updated only when they reach the
+  /// top.
   std::vector<Candidate> Candidates;
 };
 }

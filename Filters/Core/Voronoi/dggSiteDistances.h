@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Distances of vertices from all sites that may matter around them. Internal.
+/// Distances of vertices from all sites that may be nearest in an adjacent face. Internal.
 #ifndef dggSiteDistances_h
 #define dggSiteDistances_h
 
@@ -11,15 +11,15 @@
 
 namespace dgg
 {
-/// For each vertex, the distances from the nearest site and from all sites that may be the nearest
-/// one of a point of a face around it.
+/// For each vertex, the distances from the nearest site and from all sites that may be nearest at a
+/// point of an adjacent face.
 ///
-/// If site j is the nearest one of a point p of a face of vertex v, then
-/// d(j, v) <= d(j, p) + |pv| <= d(v) + 2 |pv|, where d(v) is the distance from the nearest site: so
-/// all sites are needed whose excess d(j, v) - d(v) is at most twice the longest edge of the faces
-/// around v. Along a shortest path from j the excess never shrinks, as d grows by no more than the
-/// length of each step. So labels with a larger excess need not be followed, and few labels are
-/// found away from the borders of cells.
+/// If site j is nearest at a point p of a face of vertex v, then d(j, v) <= d(j, p) + |pv| <= d(v)
+/// + 2 |pv|, where d(v) is the distance from the nearest site. Hence all sites are needed whose
+/// excess d(j, v) - d(v) is at most twice the longest edge of the faces around v. Along a shortest
+/// path from j the excess never decreases, as d grows by at most the length of each step. Therefore
+/// labels with a larger excess need not be followed, and few labels are computed away from the
+/// borders of cells.
 class SiteDistances
 {
 public:
@@ -30,17 +30,17 @@ public:
     VirtualSource Source; ///< unspecified unless HasVirtualSources()
   };
 
-  /// Sources of the seeds are the sites, from 0 on, without initial distances. A site with the very
-  /// seeds of an earlier one is left out: it has no points. Fails as GraphSearch::Run() does.
+  /// The Source of a seed is its site, from 0 on; initial distances are not allowed. A site with
+  /// exactly the seeds of an earlier one is ignored: its cell is empty. Fails like
+  /// GraphSearch::Run().
   Status Run(const GraphSearch& search, const SurfaceMesh& mesh,
     const std::vector<GraphSeed>& seeds, const ProgressCallback& progress);
 
-  /// The sites of a vertex, by their numbers; none where no site reaches.
+  /// The sites of a vertex, sorted by index; none if no site reaches the vertex.
   const Entry* Begin(Id v) const { return this->Entries.data() + this->Offsets[v]; }
   const Entry* End(Id v) const { return this->Entries.data() + this->Offsets[v + 1]; }
 
-  /// The nearest one, of several at the same distance the one with the smallest number; null where
-  /// no site reaches.
+  /// Returns the nearest site of a vertex, on ties that with the smallest index; null if unreached.
   const Entry* Nearest(Id v) const;
 
   /// True if the graph has angles.
@@ -48,7 +48,7 @@ public:
 
 private:
   bool HasDirections = false;
-  std::vector<Offset> Offsets; ///< per vertex, and one more
+  std::vector<Offset> Offsets; ///< per vertex, plus one
   std::vector<Entry> Entries;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Farthest point samples of a surface, at vertices or anywhere.
+/// Farthest-point samples of a surface, at vertices or anywhere.
 #ifndef dggSurfaceSampler_h
 #define dggSurfaceSampler_h
 
@@ -15,20 +15,20 @@ namespace dgg
 {
 struct SamplerOptions
 {
-  /// As many samples, given ones included; fewer when there are no more vertices.
+  /// Number of samples, including given ones; fewer if there are not enough vertices.
   Offset NumberOfSamples = 100;
-  /// Stop as soon as no vertex is farther from the samples than this.
+  /// Stop as soon as no vertex is farther from the samples than this distance.
   double CoveringRadius = 0.0;
-  /// Samples to start with; all of them are kept.
+  /// Initial samples, all of which are part of the result.
   std::vector<SurfacePoint> Given;
-  /// The first sample when none is given. NoId means the vertex that is farthest from the
-  /// first vertex that has edges.
+  /// The first sample if none is given. NoId means the vertex that is farthest from the first
+  /// vertex with edges.
   Id FirstVertex = NoId;
-  /// Whether samples may lie inside faces: instead of the farthest vertex, the farthest point close
-  /// to it is taken, where that is found to be farther along the graph. With fewer than two
-  /// vertices for each sample (and no more than 1000 samples), up to 64 places for each sample
-  /// (10000 in all) inside faces and on edges count as vertices do: they may be samples, and
-  /// covering radii are those of all of them.
+  /// If true, samples may lie inside faces: instead of the farthest vertex, the farthest point
+  /// close to it is used, if it is farther along the graph. If there are fewer than two vertices
+  /// per sample (and at most 1000 samples), up to 64 points per sample (10000 in total) inside
+  /// faces and on edges are treated like vertices: they may be samples, and covering radii include
+  /// them.
   bool InFaces = false;
   ProgressCallback Progress; ///< may be empty
 };
@@ -36,17 +36,16 @@ struct SamplerOptions
 struct SurfaceSample
 {
   SurfacePoint Point;
-  /// The distance from the samples so far, this one included, of the vertex that is farthest from
-  /// them, along the graph; see InFaces as well. Infinity while there are components without a
-  /// sample.
+  /// Graph distance of the farthest vertex (see also InFaces) from the samples so far, including
+  /// this one. Infinity while there are components without a sample.
   double CoveringRadius = 0.0;
 };
 
-/// Farthest point samples, see FarthestPoints. Covering radii never grow from one sample to the
-/// next, and the samples that have not been given are at least as far from all others, along the
-/// graph, as the last covering radius says; in faces as well. `builder` links samples that are not
-/// at vertices with `accuracy`, and may be null when there are none and InFaces is off; `mesh` may
-/// be null for clouds. `samples` is empty on failure.
+/// Computes farthest-point samples, see FarthestPoints. Covering radii never grow from one sample
+/// to the next. Each sample that was not given is at least as far from all others, along the graph,
+/// as the last covering radius; this also holds in faces. `builder` links samples that are not at
+/// vertices with `accuracy`, and may be null if there are none and InFaces is off; `mesh` may be
+/// null for clouds. `samples` is empty on failure.
 DGG_CORE_EXPORT Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh,
   const GraphBuilder* builder, double accuracy, const SamplerOptions& options,
   std::vector<SurfaceSample>& samples);

@@ -16,34 +16,34 @@
 
 namespace dgg
 {
-/// A Voronoi diagram as a mesh. Its points are the vertices of the surface, with their ids, and
-/// after them points on the borders of cells, where these cross edges of the surface or meet inside
-/// faces.
+/// A Voronoi diagram as a mesh. Its points are the vertices of the surface, with their ids,
+/// followed by points on the borders of cells, where these cross edges of the surface or meet
+/// inside faces.
 ///
-/// Every border point has one number, in all faces that it lies in: what crosses an edge is
-/// computed from the distances at the ends of that edge alone. So cells and borders have no gaps.
+/// Every border point has one id in all faces that contain it: crossings of an edge are computed
+/// only from the distances at the ends of that edge. Therefore cells and borders have no gaps.
 struct VoronoiDiagram
 {
-  /// Per vertex, the nearest site, of several at the same distance the first one, and the estimated
-  /// distance from it; NoId and Infinity where no site reaches.
+  /// Per vertex, the nearest site (on ties, the first one) and the estimated distance from it; NoId
+  /// and Infinity if unreached.
   std::vector<Id> NearestSites;
   std::vector<double> Distances;
 
-  /// Border points: number i of them is point n + i, with n vertices.
+  /// Border points: border point i is point n + i, for n vertices.
   std::vector<SurfacePoint> BorderPoints;
-  std::vector<double> BorderDistances; ///< estimated, from the nearest sites
+  std::vector<double> BorderDistances; ///< estimated distances from the nearest sites
 
-  /// Parts of faces: polygon i has the points PolygonPoints[PolygonOffsets[i]] and so on, in the
-  /// order of the corners of SurfaceMesh::GetTriangle(). Together they make up all faces that have
+  /// Subdivision of faces: polygon i has the points PolygonPoints[PolygonOffsets[i]] and so on, in
+  /// the order of the corners of SurfaceMesh::GetTriangle(). The polygons cover all faces that have
   /// not been dropped.
   std::vector<Offset> PolygonOffsets;
   std::vector<Id> PolygonPoints;
-  std::vector<Id> PolygonSites; ///< NoId where no site reaches
+  std::vector<Id> PolygonSites; ///< NoId if unreached
   std::vector<Id> PolygonFaces;
-  std::vector<double> PolygonAreas; ///< by the lengths of the surface
+  std::vector<double> PolygonAreas; ///< computed from the edge lengths of the surface
 
-  /// Borders between two cells: curves of points, straight from one to the next, each within a
-  /// face. A closed one ends with the point that it starts with. The smaller site comes first.
+  /// Borders between two cells: polylines whose segments each lie within a face. A closed curve
+  /// repeats its first point at the end. The smaller site comes first.
   std::vector<Offset> CurveOffsets;
   std::vector<Id> CurvePoints;
   std::vector<std::array<Id, 2>> CurveSites;
@@ -52,35 +52,35 @@ struct VoronoiDiagram
   std::size_t GetNumberOfCurves() const { return this->CurveSites.size(); }
 };
 
-/// Sites, and what it takes to refine their borders.
+/// Sites, and the means to refine their borders.
 struct VoronoiInput
 {
-  /// Source is the number of the site, from 0 on; initial distances are not allowed.
+  /// Source is the index of the site, from 0 on; initial distances are not allowed.
   std::vector<GraphSeed> Seeds;
-  /// For links of border points, with this accuracy; without a builder nothing is refined.
+  /// Computes links of border points with the given accuracy; without a builder nothing is refined.
   const GraphBuilder* Builder = nullptr;
   double Accuracy = 0.01;
-  std::vector<SurfacePoint> Places; ///< of all sites, with a builder
-  /// Only NearestSites and Distances are filled, by a single search.
+  std::vector<SurfacePoint> Places; ///< positions of all sites; only used with a builder
+  /// If true, only NearestSites and Distances are filled, by a single search.
   bool LabelsOnly = false;
 };
 
-/// The diagram of sites. A site at the place of an earlier one has no cell.
+/// Computes the Voronoi diagram of sites. A site at the position of an earlier one has no cell.
 ///
 /// Inside a face, the squared distance from a site is that of a point in the plane of the face:
 /// with barycentric coordinates b, sum b_i d_i^2 - sum b_i b_j l_ij^2, where d_i are the
 /// (corrected) distances at the corners and l_ij the lengths of the sides. This is exact where the
-/// surface is flat, and as the second sum is the same for all sites, borders within a face are
-/// straight lines; cf. Xin et al., "SurfaceVoronoi: efficiently
-/// computing Voronoi diagrams over mesh surfaces with arbitrary distance solvers", 2022. A cell
-/// that reaches into a face but does not contain any of its corners is found when two of the
-/// corners belong to different cells.
+/// surface is flat. Since the second sum is the same for all sites, borders within a face are
+/// straight lines; cf. Xin et al., "SurfaceVoronoi: efficiently computing Voronoi diagrams over
+/// mesh surfaces with arbitrary distance solvers", 2022. A cell that extends into a face without
+/// containing any of its corners is found if two of the corners belong to different cells.
 ///
-/// Where corners of a face see a site on different ways, this is not good enough: in faces that are
-/// large compared to cells, and behind points where geodesics bend. There, border points are linked
-/// to the graph and moved to where both (or all three) distances are equal.
+/// Where the shortest paths from a site to the corners of a face take different routes, this is not
+/// accurate enough: in faces that are large compared to cells, and behind points where geodesics
+/// bend. There, border points are linked to the graph and moved to where both (or all three)
+/// distances are equal.
 ///
-/// `search` is that of a graph of `mesh`. Fails as GraphSearch::Run() does, and when a seed has an
+/// `search` must be that of a graph of `mesh`. Fails like GraphSearch::Run(), and if a seed has an
 /// initial distance or no site; then the diagram is empty.
 DGG_CORE_EXPORT Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh,
   const VoronoiInput& input, const ProgressCallback& progress, VoronoiDiagram& diagram);
