@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Paths over a point cloud that do not zigzag from point to point.
+/// Smooth, shortened paths over a point cloud.
 #ifndef dggBandPath_h
 #define dggBandPath_h
 
@@ -18,24 +18,23 @@ namespace dgg
 struct BandPath
 {
   std::vector<Point3> Points; ///< from start to end
-  std::vector<Id> Vertices;   ///< per point, the point of the cloud that it is, or NoId
-  double Length = 0.0;        ///< of the polyline
+  std::vector<Id> Vertices;   ///< per point, its id if it is a cloud point, otherwise NoId
+  double Length = 0.0;        ///< length of the polyline
 };
 
-/// Makes paths through points of a cloud shorter and smooth. The points of the cloud along edges
-/// are added, and all are moved toward the midpoint of their neighbors and onto the surface fitted
-/// to the points of the cloud around them. Neighborhoods come from the graph, so no search tree is
-/// needed.
+/// Shortens and smooths paths through points of a cloud. Cloud points along edges are added, and
+/// all points are moved toward the midpoint of their neighbors and onto the surface fitted to the
+/// cloud points around them. Neighborhoods come from the graph, so no search tree is needed.
 ///
-/// Every point and every midpoint of a segment stays within 1.5 spacings of a point of the cloud
-/// (in its ball), so that a path crosses no wider gap than edges of the graph do. No point moves
-/// out of the convex hull of the points of the cloud within three spacings: at a rim or a hole,
-/// balls alone would let it cut the corner.
+/// Every point and every midpoint of a segment stays within 1.5 spacings of a cloud point (in its
+/// ball), so that a path crosses no wider gap than graph edges do. No point leaves the convex hull
+/// of the cloud points within three spacings; without this constraint a path could cut the corner
+/// at a boundary or a hole.
 class DGG_CORE_EXPORT BandPathShortener
 {
 public:
-  /// `points` (x y z each), the graph of the cloud and `radii` (CloudGraph::Radii) must outlive it.
-  /// The spacing of a point is its radius by AutomaticBallBySpacing.
+  /// `points` (x y z each), the graph of the cloud and `radii` (CloudGraph::Radii) must outlive the
+  /// object. The spacing of a point is its radius divided by AutomaticBallBySpacing.
   BandPathShortener(const double* points, const GraphView& graph, const double* radii);
 
   /// Shortens a path, `vertices` from start to end. With `start` or `end`, which may be null, the

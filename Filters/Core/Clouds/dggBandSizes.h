@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How large the balls and the voxels of a band are. Internal.
+/// Sizes of the balls and voxels of a band. Internal.
 #ifndef dggBandSizes_h
 #define dggBandSizes_h
 
@@ -15,28 +15,30 @@
 
 namespace dgg
 {
-/// The neighbour whose distance gives the local spacing.
+/// Rank of the neighbor whose distance defines the local spacing.
 constexpr std::size_t SpacingNeighbors = 16;
-/// Voxels along the longest side that can be asked for.
+/// Maximum number of voxels along the longest side.
 constexpr Id LargestResolution = 1 << 19;
 
 /// Automatic ratio of ball radius to spacing. For random samples the balls cover all but 1/10000 of
 /// the surface.
 constexpr double AutomaticBallBySpacing = 1.5;
 
-/// The root of the area that a point has, given its k-th neighbour.
+/// Returns the spacing, the square root of the area per point, from the squared distance of the
+/// k-th neighbor.
 DGG_CORE_EXPORT double SpacingFrom(double squaredDistance, std::size_t k);
 
-/// The spacing of a point, given that of its nearest ones too, its own included, which are
-/// reordered, and their squared distances in ascending order: a point on its own, far off the
-/// surface, must not get a ball that reaches it, nor one at a border a larger one.
+/// Returns a robust spacing of a point, given the spacings of its nearest neighbors (including
+/// itself; reordered by the call) and their squared distances in ascending order. An isolated point
+/// far off the surface must not get a ball that reaches the surface, nor a boundary point a larger
+/// ball.
 DGG_CORE_EXPORT float SmoothSpacing(
   float spacing, const std::vector<double>& squaredDistances, std::vector<float>& around);
 
 struct BandOptions
 {
-  double OffsetInVoxels = 0.0; ///< radius of balls; 0 for one that follows the spacing
-  Id Resolution = 0;           ///< voxels along the longest side; 0 for an automatic one
+  double OffsetInVoxels = 0.0; ///< radius of balls; 0 derives it from the spacing
+  Id Resolution = 0;           ///< voxels along the longest side; 0 for automatic
   double BallBySpacing = AutomaticBallBySpacing;
 };
 
@@ -48,8 +50,8 @@ struct BandSizes
   Id Resolution = 0; ///< voxels along the longest side
 };
 
-/// Choose sizes, in units of nodes, for their places and spacings. Fails where parts of the cloud
-/// are too far apart.
+/// Chooses sizes, in units of nodes, from the positions and spacings of the nodes. Fails if parts
+/// of the cloud are too far apart.
 DGG_CORE_EXPORT Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& places,
   const std::vector<float>& spacings, const BandOptions& options, BandSizes& sizes);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the points of a cloud are, and how large it is. Internal.
+/// Center and extent of a point cloud. Internal.
 #ifndef dggCloudFrame_h
 #define dggCloudFrame_h
 
@@ -15,21 +15,20 @@
 
 namespace dgg
 {
-/// One of `points`, x y z each.
+/// Returns point i of `points`, x y z each.
 inline Point3 PointAt(const double* points, Id i)
 {
   const double* p = points + 3 * static_cast<std::size_t>(i);
   return { p[0], p[1], p[2] };
 }
 
-/// The box around the finite points of a cloud. Local coordinates start in its middle and are
-/// scaled by a power of two, so that no digit is lost by that: into [-1, 1].
+/// The bounding box of the finite points of a cloud. Local coordinates are relative to its center
+/// and scaled into [-1, 1] by a power of two, so that scaling is exact.
 class CloudFrame
 {
 public:
   CloudFrame() = default;
-  /// `points` are x y z per point. Those of which `isLeftOut` is true, of finite ones, do not
-  /// count.
+  /// `points` are x y z per point. Finite points for which `isLeftOut` is true are ignored.
   template <typename Test>
   CloudFrame(const double* points, Id numberOfPoints, Test&& isLeftOut)
   {
@@ -47,7 +46,7 @@ public:
     }
     if (this->NumberOfPoints > 0)
     {
-      // Halves first: the extent of large numbers may be beyond the range of double.
+      // Halved first, since the extent of large numbers may exceed the range of double.
       this->Middle = 0.5 * low + 0.5 * high;
       this->Half = 0.5 * high - 0.5 * low;
     }
@@ -60,10 +59,10 @@ public:
   {
   }
 
-  /// Of those that are finite, and not left out.
+  /// Number of finite points that are not ignored.
   Id GetNumberOfPoints() const { return this->NumberOfPoints; }
-  /// Fails when squares of lengths, and what the arithmetic of lengths needs besides, are not in
-  /// the range of double.
+  /// Fails if squares of lengths and intermediate results of length computations are outside the
+  /// range of double.
   Status CheckRange() const
   {
     const double half = this->GetHalfExtent();
@@ -74,17 +73,17 @@ public:
     return InvalidInput("the points are spread over ", half,
       " units to each side, out of the range of the arithmetic: scale them");
   }
-  /// Half of the longest side of the box.
+  /// Half the length of the longest side of the box.
   double GetHalfExtent() const { return std::max({ this->Half.X, this->Half.Y, this->Half.Z }); }
   double GetDiagonal() const { return 2.0 * std::hypot(this->Half.X, this->Half.Y, this->Half.Z); }
-  /// From units of the points to local ones.
+  /// Factor from units of the points to local units.
   double GetScale() const { return this->Scale; }
   Point3 ToLocal(const Point3& point) const { return this->Scale * (point - this->Middle); }
 
 private:
   Id NumberOfPoints = 0;
   Point3 Middle;
-  Point3 Half; ///< sides of the box
+  Point3 Half; ///< half the side lengths of the box
   double Scale = 1.0;
 };
 }

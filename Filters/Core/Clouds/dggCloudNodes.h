@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The points of a cloud that count. Internal.
+/// Nodes of a cloud: finite, distinct points without outliers. Internal.
 #ifndef dggCloudNodes_h
 #define dggCloudNodes_h
 
@@ -14,25 +14,26 @@
 
 namespace dgg
 {
-/// The points that graphs are built of and marches start from, the nodes: finite, no outliers, no
-/// two in the same place, those that are close to each other close in memory. Their coordinates are
-/// centred and scaled by a power of two to [-1, 1].
+/// The points on which graphs are built and from which marching starts: finite, no outliers, no two
+/// at the same position. Nodes that are close in space are close in memory. Their coordinates are
+/// centered and scaled by a power of two to [-1, 1].
 struct CloudNodes
 {
-  /// Per node, the point with the smallest number that is there.
+  /// Per node, the smallest id of the points at its position.
   std::vector<Id> Originals;
-  /// Points that are far off all others (Outliers), those with the smallest numbers in their
-  /// places.
+  /// Points far from all others (see class Outliers); of points at the same position the smallest
+  /// id.
   std::vector<Id> Outliers;
-  /// Other points: their number, and that of the point above in the same place.
+  /// Remaining points: their id, and the id in Originals or Outliers of the point at the same
+  /// position.
   std::vector<std::pair<Id, Id>> Coincident;
   Id Unused = 0;
-  Id NumberOfOutliers = 0; ///< points, copies included
-  double Scale = 1.0;      ///< from units of the points to units of nodes
-  double Extent = 0.0;     ///< longest side of the box of the nodes
+  Id NumberOfOutliers = 0; ///< number of points, including duplicates
+  double Scale = 1.0;      ///< factor from units of the points to units of nodes
+  double Extent = 0.0;     ///< longest side of the bounding box of the nodes
 };
 
-/// Find the nodes of a cloud. Fails where coordinates are too large for double arithmetic.
+/// Finds the nodes of a cloud. Fails if coordinates are too large for double arithmetic.
 DGG_CORE_EXPORT Status FindNodes(
   const double* points, Id numberOfPoints, CloudNodes& nodes, std::vector<Point3>& places);
 }

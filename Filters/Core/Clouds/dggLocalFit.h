@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The surface around a point of a cloud, fitted to its neighbours.
+/// Local surface around a cloud point, fitted to its neighbors.
 #ifndef dggLocalFit_h
 #define dggLocalFit_h
 
@@ -12,21 +12,22 @@
 
 namespace dgg
 {
-/// A quadratic height field over the plane of the neighbours.
+/// A quadratic height field over the fitted plane of the neighbors.
 struct LocalFit
 {
-  /// Of length 1, to either side; 0 when there is no plane: too few neighbours, or all in a line.
+  /// Unit normal with arbitrary sign; 0 if there is no plane (too few or collinear neighbors).
   Point3 Normal;
-  /// From the point to the fitted surface along the normal of the plane.
+  /// Vector from the point to the fitted surface, along the normal of the plane.
   Point3 ToSurface;
-  /// The largest normal curvature, without sign.
+  /// Largest absolute normal curvature.
   double Curvature = 0.0;
-  /// Root of the mean square of the distances of neighbours from the fitted surface, corrected for
-  /// the numbers that were fitted.
+  /// Root mean square distance of the neighbors from the fitted surface, corrected for the degrees
+  /// of freedom.
   double Residual = 0.0;
 };
 
-/// Fit to `count` neighbours of a point, the point itself included. Near ones weigh more.
+/// Fits a surface to `count` neighbors of a point, including the point itself. Near neighbors have
+/// more weight.
 DGG_CORE_EXPORT LocalFit FitSurface(
   const Point3& point, const Point3* neighbors, std::size_t count);
 }

@@ -11,7 +11,7 @@
 
 namespace dgg
 {
-/// The value below which lies that part of the values. Reorders them.
+/// Returns the value below which the fraction `part` of the values lies. Reorders the values.
 template <typename T>
 T Quantile(std::vector<T>& values, double part)
 {

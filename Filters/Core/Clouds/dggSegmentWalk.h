@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The voxels that a segment goes through.
+/// Voxel traversal along a segment.
 #ifndef dggSegmentWalk_h
 #define dggSegmentWalk_h
 
@@ -14,10 +14,10 @@
 
 namespace dgg
 {
-/// Calls `visit(x, y, z)` for the unit cells that a segment goes through, from start to end, one
-/// step along one axis at a time (Amanatides and Woo 1987). Stops when `visit` returns false, and
-/// then returns false. Where the segment goes through a corner or an edge of cells, one of the
-/// cells around it is visited besides. Coordinates must fit into 32-bit integers.
+/// Calls `visit(x, y, z)` for the unit cells that a segment crosses, from start to end, one step
+/// along one axis at a time (Amanatides and Woo 1987). Stops and returns false if `visit` returns
+/// false. Where the segment passes through a corner or an edge of cells, one of the adjacent cells
+/// is visited in between. Coordinates must fit into 32-bit integers.
 template <typename Visitor>
 bool WalkSegment(const Point3& from, const Point3& to, Visitor&& visit)
 {
@@ -25,8 +25,8 @@ bool WalkSegment(const Point3& from, const Point3& to, Visitor&& visit)
   const std::array<double, 3> end{ to.X, to.Y, to.Z };
   std::array<std::int32_t, 3> cell;
   std::array<std::int32_t, 3> step;
-  std::array<double, 3> next;  // part of the segment up to the next cell along each axis
-  std::array<double, 3> delta; // part of the segment between two such
+  std::array<double, 3> next;  // segment parameter of the next cell boundary along each axis
+  std::array<double, 3> delta; // parameter increment between two boundaries
   std::array<std::int64_t, 3> steps;
   for (int k = 0; k < 3; ++k)
   {
@@ -43,7 +43,8 @@ bool WalkSegment(const Point3& from, const Point3& to, Visitor&& visit)
     delta[k] = 1.0 / std::abs(length);
     next[k] = delta[k] * (step[k] > 0 ? cell[k] + 1 - start[k] : start[k] - cell[k]);
   }
-  // The steps along each axis are known beforehand, so rounding cannot lead past the end.
+  // The number of steps along each axis is computed in advance, so that rounding cannot lead past
+  // the end.
   for (std::int64_t left = steps[0] + steps[1] + steps[2]; left > 0; --left)
   {
     if (!visit(cell[0], cell[1], cell[2]))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The space close to a point cloud, as a sparse set of voxels.
+/// A band around a point cloud, as a sparse set of voxels.
 #ifndef dggVoxelBand_h
 #define dggVoxelBand_h
 
@@ -20,50 +20,50 @@
 
 namespace dgg
 {
-/// A voxel by its place along each axis; the voxel with its lower corner at the origin of the band
-/// is 0, 0, 0.
+/// A voxel by its index along each axis; the voxel whose lower corner is the origin of the band is
+/// 0, 0, 0.
 using Voxel = std::array<std::int32_t, 3>;
 
-/// The band of a cloud (Memoli and Sapiro): the union of balls around its points, rasterised.
-/// A voxel belongs to it when its centre lies in a ball. Voxels are bits in bricks of 8 x 8 x 8;
-/// only bricks that a ball meets are there.
+/// The band of a cloud (Memoli and Sapiro): the union of balls around its points, rasterized. A
+/// voxel belongs to the band if its center lies in a ball. Voxels are bits in bricks of 8 x 8 x 8;
+/// only bricks that intersect a ball are stored.
 class DGG_CORE_EXPORT VoxelBand
 {
 public:
-  /// Voxels along one axis, at most: as many as the 21 bits of a key distinguish in bricks, but for
-  /// one brick on each side.
+  /// Maximum number of voxels along one axis: a key has 21 bits per axis for bricks, minus one
+  /// brick on each side.
   static constexpr std::int32_t MaximumResolution = (1 << 24) - 16;
 
   VoxelBand() = default;
   VoxelBand(VoxelBand&&) = default;
   VoxelBand& operator=(VoxelBand&&) = default;
 
-  /// Mark the balls. `radii` holds one radius per point. Balls that are too small for any voxel
-  /// mark the voxel of their point and its six neighbours. Fails when the voxels are so small that
-  /// there are too many, or when the band would take more than `memoryLimit` bytes (0: no limit),
-  /// before it takes them, and soon where balls are large. Points and radii have to be finite. The
-  /// same for any `parallel`. The band is empty when it fails, or when `progress` asks to stop.
-  /// `remedy` is what messages advise when there would be too many voxels.
+  /// Marks the balls. `radii` holds one radius per point. A ball that contains no voxel center
+  /// marks the voxel of its point and the six neighbors. Points and radii must be finite. Fails if
+  /// the voxels are so small that there are too many, or if the band would exceed `memoryLimit`
+  /// bytes (0: no limit); the limit is checked before memory is allocated, and early if balls are
+  /// large. The result does not depend on `parallel`. The band is empty on failure, and if
+  /// `progress` asks to stop. `remedy` is the advice in messages about too many voxels.
   Status Build(const std::vector<Point3>& points, const std::vector<double>& radii,
     double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
     const ProgressCallback& progress = {}, const std::string& remedy = "use larger voxels");
 
-  /// Whether Build() failed for `memoryLimit`.
+  /// Returns true if Build() failed because of `memoryLimit`.
   bool IsTooLarge() const { return this->TooLarge; }
 
   double GetVoxelSize() const { return this->VoxelSize; }
   const Point3& GetOrigin() const { return this->Origin; }
-  /// Voxels along the longest side of the box of the band.
+  /// Number of voxels along the longest side of the bounding box of the band.
   std::int32_t GetResolution() const { return this->Resolution; }
   std::size_t GetNumberOfBricks() const { return this->Keys.size(); }
   std::size_t GetNumberOfVoxels() const;
   std::size_t GetMemorySize() const;
-  /// Bytes of a band of that many bricks.
+  /// Returns the size in bytes of a band of `bricks` bricks.
   static double PredictMemory(double bricks);
 
-  /// In units of voxels from the origin.
+  /// Converts a point to units of voxels from the origin.
   Point3 ToGrid(const Point3& point) const { return this->InverseSize * (point - this->Origin); }
-  /// Whether a place, in units of voxels, is where there may be voxels; not NaN.
+  /// Returns true if a position, in units of voxels, lies in the bounding box; false for NaN.
   bool IsInBox(const Point3& inGrid) const
   {
     const double size = this->Resolution;
@@ -92,18 +92,18 @@ public:
     return brick >= 0 && this->IsMarked(brick, voxel);
   }
 
-  /// Whether the segment between two points, given in units of voxels, stays in marked voxels. The
-  /// same both ways round.
+  /// Returns true if the segment between two points, in units of voxels, stays in marked voxels.
+  /// The result is symmetric.
   bool ContainsSegment(const Point3& from, const Point3& to) const;
 
-  // For walks that look up each brick once.
+  // For traversals that look up each brick once.
 
   static std::uint64_t BrickKey(const Voxel& voxel)
   {
     return static_cast<std::uint64_t>(voxel[0] >> 3) << 42 |
       static_cast<std::uint64_t>(voxel[1] >> 3) << 21 | static_cast<std::uint64_t>(voxel[2] >> 3);
   }
-  /// Index of a brick, or -1.
+  /// Returns the index of a brick, or -1.
   std::int64_t FindBrick(std::uint64_t key) const;
   bool IsMarked(std::int64_t brick, const Voxel& voxel) const
   {
@@ -112,13 +112,13 @@ public:
         std::memory_order_relaxed);
     return word >> (8 * (voxel[1] & 7) + (voxel[0] & 7)) & 1;
   }
-  /// Place of a voxel in a list of all voxels, marked or not, of all bricks.
+  /// Returns the index of a voxel in a list of all voxels, marked or not, of all bricks.
   static std::size_t PlaceOf(std::int64_t brick, const Voxel& voxel)
   {
     return 512 * static_cast<std::size_t>(brick) +
       static_cast<std::size_t>(64 * (voxel[2] & 7) + 8 * (voxel[1] & 7) + (voxel[0] & 7));
   }
-  /// Lowest voxel of a brick.
+  /// Returns the lowest voxel of a brick.
   Voxel GetBrickVoxel(std::size_t brick) const;
 
 private:
@@ -138,8 +138,8 @@ private:
   double InverseSize = 0.0;
   std::int32_t Resolution = 0;
   bool TooLarge = false;
-  std::vector<std::uint64_t> Keys;                     ///< per brick
-  std::vector<std::int32_t> Table;                     ///< open hash: index of a brick or -1
+  std::vector<std::uint64_t> Keys; ///< per brick
+  std::vector<std::int32_t> Table; ///< open-addressing hash table: index of a brick or -1
   std::unique_ptr<std::atomic<std::uint64_t>[]> Words; ///< eight per brick, one per layer in z
 };
 }

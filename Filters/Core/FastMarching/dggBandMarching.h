@@ -16,7 +16,7 @@
 
 namespace dgg
 {
-/// A place in space where distances start.
+/// A source position in space.
 struct BandSource
 {
   Point3 Place;
@@ -25,39 +25,41 @@ struct BandSource
 
 struct BandMarchingOptions
 {
-  /// Places farther than this may be left unreached.
+  /// Positions farther than this may be left unreached.
   double MaximumDistance = Infinity;
   ProgressCallback Progress; ///< may be empty
 };
 
 struct BandMarchingResult
 {
-  std::vector<double> Distances; ///< per place; Infinity where unreached
-  std::vector<Id> NearestSource; ///< per place, index into the sources; NoId where unreached
+  std::vector<double> Distances; ///< per position; Infinity where unreached
+  std::vector<Id> NearestSource; ///< per position, index into the sources; NoId where unreached
 };
 
-/// Memoli and Sapiro, "Fast computation of weighted distance functions and geodesics on implicit
-/// hyper-surfaces", 2001: the Eikonal equation |grad d| = 1 on the voxels of a band, by first order
-/// upwind differences. Distances in the band are those of the surface but for the square root of
-/// its width; that, and the first order, make errors of some per cent.
+/// Fast marching in a band (Memoli and Sapiro, "Fast computation of weighted distance functions and
+/// geodesics on implicit hyper-surfaces", 2001): solves the Eikonal equation |grad d| = 1 on the
+/// voxels of a band by first-order upwind differences. Distances in the band differ from those on
+/// the surface by an amount proportional to the square root of the band width. Together with the
+/// first-order discretization this causes errors of a few per cent.
 class DGG_CORE_EXPORT BandMarching
 {
 public:
-  /// The band must outlive it.
+  /// The band must outlive the object.
   explicit BandMarching(const VoxelBand& band);
 
-  /// Bytes of a march in a band of that many bricks, without what is on the way.
+  /// Returns the size in bytes of marching in a band of `bricks` bricks, without the queue of the
+  /// front.
   static double PredictMemory(double bricks);
 
-  /// Whether its voxels can be numbered.
+  /// Returns true if the voxels of the band can be indexed.
   static bool CanMarchIn(const VoxelBand& band);
 
-  /// Whether distances can start at a place: a voxel of the band is close.
+  /// Returns true if distances can start at a position, because a voxel of the band is close.
   bool IsNear(const Point3& place) const;
 
-  /// Distances of places from the nearest of the sources. Places as close to a source as the voxels
-  /// that it starts with, on its sheet, have their straight distance. Fails when there is no
-  /// source, or one is not finite or not near. May be called by several threads at once.
+  /// Computes the distances of positions from the nearest source. Positions within the initial
+  /// voxels of a source, on its layer, get their straight distance. Fails if there is no source, or
+  /// a source is not finite or not near the band. May be called by several threads simultaneously.
   Status Run(const std::vector<BandSource>& sources, const std::vector<Point3>& places,
     const BandMarchingOptions& options, BandMarchingResult& result) const;
 
@@ -65,7 +67,7 @@ private:
   class March;
 
   const VoxelBand& Band;
-  /// Per brick, those before and after it along each axis, or -1.
+  /// Per brick, the neighboring bricks before and after it along each axis, or -1.
   std::vector<std::array<std::int32_t, 6>> Neighbors;
 };
 }

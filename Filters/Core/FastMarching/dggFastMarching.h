@@ -17,11 +17,11 @@ namespace dgg
 {
 class UnfoldedTriangles;
 
-/// The shape of the front between two vertices that it has passed.
+/// Shape of the front between two vertices that the front has passed.
 enum class MarchingUpdate
 {
-  Spherical, ///< around a point, as far away as the distances say: exact in the plane
-  Planar     ///< straight, as Kimmel and Sethian have it: the solution of |grad d| = 1
+  Spherical, ///< a circle that matches both distances: exact in the plane
+  Planar     ///< a line, as by Kimmel and Sethian: solves |grad d| = 1
 };
 
 struct MarchingOptions
@@ -37,25 +37,25 @@ struct MarchingResult
 {
   std::vector<double> Distances; ///< per vertex; Infinity where unreached
   std::vector<Id> NearestSource; ///< per vertex, index into the sources; NoId where unreached
-  /// Where the distance seems to come from, by the last update of the vertex, as in SearchResult:
-  /// distance at the virtual source, straight distance from it, polar angle at the vertex towards
-  /// it. Empty unless asked for.
+  /// Virtual source of each vertex, from its last update, as in SearchResult: distance at the
+  /// virtual source, straight distance from it, polar angle at the vertex towards it. Empty unless
+  /// requested.
   VirtualSources Virtual;
 };
 
-/// Kimmel and Sethian, "Computing geodesic paths on manifolds", 1998, on one mesh, which must
-/// outlive it. Vertices become final in the order of their distances, each updated from triangles
-/// of which two corners are final. At obtuse corners the faces beyond are unfolded until a vertex
-/// splits the angle into two that are not obtuse. Nothing bounds the error: 0.1 to 1 % on average
-/// is usual.
+/// Fast marching (Kimmel and Sethian, "Computing geodesic paths on manifolds", 1998) on one mesh,
+/// which must outlive the object. Vertices become final in order of their distances, each updated
+/// from triangles with two final corners. At obtuse corners the faces beyond are unfolded until a
+/// vertex splits the angle into two that are not obtuse. The error is unbounded; 0.1 to 1 % on
+/// average is usual.
 ///
-/// A front that comes round a vertex where geodesics may bend (saddle, boundary, irregular) goes on
-/// around that vertex. Where fronts with different centres meet in one triangle, the one with the
-/// smaller distance at its centre is taken; where sources with different initial distances are
-/// behind them, both go along the edges only.
+/// A front that passes a vertex where geodesics may bend (saddle, boundary, irregular) continues as
+/// a circle around that vertex. Where fronts with different centers meet in one triangle, the one
+/// with the smaller distance at its center is used; if they come from sources with different
+/// initial distances, both are propagated along the edges only.
 ///
-/// Any triangle complex will do: fronts cross into all faces of a non-manifold edge. Run() may be
-/// called by several threads at once.
+/// Any triangle complex is accepted: fronts cross into all faces of a non-manifold edge. Run() may
+/// be called by several threads simultaneously.
 class DGG_CORE_EXPORT FastMarching
 {
 public:
@@ -64,7 +64,7 @@ public:
   FastMarching(const FastMarching&) = delete;
   FastMarching& operator=(const FastMarching&) = delete;
 
-  /// Distances from the nearest of the sources. Fails as ExactGeodesics does.
+  /// Computes distances from the nearest source. Fails like ExactGeodesics::Run().
   Status Run(const std::vector<GeodesicSource>& sources, const MarchingOptions& options,
     MarchingResult& result) const;
 

@@ -18,24 +18,24 @@ namespace dgg
 {
 class HeatSystem;
 
-/// What heat does at the boundary of the surface.
+/// Boundary condition of the heat flow.
 enum class HeatBoundary
 {
-  Neumann,   ///< it stays inside: isolines meet the boundary at right angles
-  Dirichlet, ///< it is cooled away: isolines run along the boundary
-  Average    ///< the mean of both, as Crane, Weischedel and Wardetzky advise
+  Neumann,   ///< insulated: isolines meet the boundary at right angles
+  Dirichlet, ///< zero temperature: isolines run along the boundary
+  Average    ///< mean of both, as Crane, Weischedel and Wardetzky advise
 };
 
-/// The range of the time step factor. At either end the distances have little to do with the true
-/// ones any more: they are off by 15 % on average at the lower end, where heat goes along edges,
-/// and by 23 % at the upper, where it is nearly even. Beyond it rounding takes over.
+/// Range of the time step factor. At both ends the distances are far from the exact ones: their
+/// average error is 15 % at the lower end, where heat flows along edges, and 23 % at the upper end,
+/// where the temperature is nearly uniform. Beyond the range rounding errors dominate.
 /// @{
 constexpr double SmallestTimeStepFactor = 1e-6;
 constexpr double LargestTimeStepFactor = 1e6;
 /// @}
 
-/// Outside of this range of time step factors, and in components with fewer triangles, distances
-/// are off by some 10 % and more on average (measured on spheres, plates, scans and parts).
+/// Outside this range of time step factors, and in components with fewer triangles, the average
+/// error of distances is 10 % and more (measured on spheres, plates, scans and CAD parts).
 /// @{
 constexpr double SmallestUsefulFactor = 0.1;
 constexpr double LargestUsefulFactor = 100.0;
@@ -44,17 +44,18 @@ constexpr Id FewestUsefulTriangles = 50;
 
 struct HeatOptions
 {
-  /// Heat flows for the time c h^2 with this c and the mean edge length h, that of the component
-  /// and after flips.
+  /// Heat flows for the time c h^2 with this factor c and the mean edge length h of the component,
+  /// after flips.
   double TimeStepFactor = 1.0;
-  /// Flip edges until they are Delaunay first: better on meshes with obtuse triangles.
+  /// If true, edges are first flipped until they are Delaunay, which improves results on meshes
+  /// with obtuse triangles.
   bool IntrinsicDelaunay = true;
   HeatBoundary Boundary = HeatBoundary::Neumann;
 };
 
 struct HeatQuery
 {
-  double MaximumDistance = Infinity; ///< vertices farther than this are given as unreached
+  double MaximumDistance = Infinity; ///< vertices farther than this are reported as unreached
   bool WantNearestSource = false;
   bool WantVirtualSource = false;
   ProgressCallback Progress; ///< may be empty
@@ -63,38 +64,39 @@ struct HeatQuery
 struct HeatResult
 {
   std::vector<double> Distances; ///< per vertex; Infinity where unreached
-  /// Per vertex, index into the sources, found by going down the distances along edges; NoId where
-  /// unreached. Empty unless asked for.
+  /// Per vertex, index into the sources, found by descending the distances along edges; NoId where
+  /// unreached. Empty unless requested.
   std::vector<Id> NearestSource;
-  /// Where the distance seems to come from, as in SearchResult: the initial distance of the source,
-  /// the rest, and the polar angle at the vertex against the gradient of the distances. Empty
-  /// unless asked for.
+  /// Virtual source of each vertex, as in SearchResult: the initial distance of the source, the
+  /// remaining distance, and the polar angle at the vertex opposite to the gradient of the
+  /// distances. Empty unless requested.
   VirtualSources Virtual;
   /// Smallest number of triangles of a component with a source; isolated vertices are not counted.
   Id FewestTriangles = std::numeric_limits<Id>::max();
 };
 
-/// Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013, on one mesh, which must outlive it:
-/// heat flows from the sources for a short time; its gradient, made to be of length one, is that of
-/// the distances up to what makes it a gradient. Two linear systems are factorized first; a query
-/// then is two substitutions. Nothing bounds the error: 0.5 to 2.2 % on average is usual on fine
-/// meshes, more on coarse ones and close to sources. Any triangle complex will do; vertices are
-/// reached in the components (through edges and shared vertices) that have a source.
+/// The heat method (Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013) on one mesh, which
+/// must outlive the object: heat flows from the sources for a short time; the normalized gradient
+/// of the temperature is projected onto gradients of functions, which gives the distances. Two
+/// linear systems are factorized in advance; a query requires two substitutions. The error is
+/// unbounded: 0.5 to 2.2 % on average is usual on fine meshes, more on coarse ones and close to
+/// sources. Any triangle complex is accepted; vertices are reached in the components (through edges
+/// and shared vertices) that have a source.
 ///
-/// Where heat is too little for a double, as beyond some 500 edges from the sources, numbers with a
-/// larger range take its place, in which a query takes several times as long.
+/// Where the temperature underflows the range of double, beyond about 500 edges from the sources,
+/// numbers with a larger range are used, with which a query takes several times as long.
 ///
-/// Sources inside faces and edges are loads at the corners. The distances are known up to a
-/// constant per component: it is chosen so that the corners of the sources are at their straight
-/// distances on average, where sources are vertices so that the mean over them is what it should
-/// be. Then distances below the least initial distance are raised to it, and those above what a
-/// source gives to its own corners are lowered to that.
+/// Sources inside faces and on edges are loads at the corners. The distances are determined up to a
+/// constant per component. The constant is chosen so that the corners of the sources have the
+/// correct straight distances on average; for sources at vertices, so that the mean over the
+/// sources is correct. Then distances below the smallest initial distance are raised to it, and
+/// distances at the corners of a source are lowered to the straight distance from that source.
 ///
-/// Initial distances. To shift the result by the initial distance of the nearest source would be
-/// wrong: which one is nearest, and where the gradients turn, depends on the initial distances. As
-/// heat falls like exp(-d / sqrt(t)) with the distance, a source with initial distance o gets
-/// exp(-o / sqrt(t)) of the heat, and the gradients turn where d + o is equal. The constant is then
-/// found from the sources that no other one seems to be closer to.
+/// Initial distances: shifting the result by the initial distance of the nearest source would be
+/// wrong, since the initial distances determine which source is nearest and where the gradients
+/// turn. As the temperature falls like exp(-d / sqrt(t)) with the distance, a source with initial
+/// distance o gets exp(-o / sqrt(t)) of the heat, so that the gradients turn where d + o is equal.
+/// The constant is then computed from the sources that are not dominated by another source.
 class DGG_CORE_EXPORT HeatMethod
 {
 public:
@@ -103,22 +105,23 @@ public:
   HeatMethod(const HeatMethod&) = delete;
   HeatMethod& operator=(const HeatMethod&) = delete;
 
-  /// Triangulation, matrices and their factors: what the options change is done anew, the rest is
-  /// kept. `checkMemory`, which may be empty, is asked before there are more factors than before,
-  /// with GetEstimatedMemory(). After a failure or a stop, a later call starts with the part of the
-  /// work that had not been done. Fails when the time step factor is out of range.
+  /// Computes triangulation, matrices and factorizations; only data affected by changed options is
+  /// recomputed. `checkMemory`, which may be empty, is called with GetEstimatedMemory() before
+  /// additional factorizations. After a failure or a stop, a later call resumes with the remaining
+  /// work. Fails if the time step factor is out of range.
   Status Prepare(const HeatOptions& options, const ProgressCallback& progress,
     const std::function<Status(double bytes)>& checkMemory = {});
-  /// Bytes that all takes when it is factorized, at most twice what they are. After Prepare().
+  /// Returns the estimated size in bytes of all data including factorizations, at most twice the
+  /// actual size. To be called after Prepare().
   double GetEstimatedMemory() const;
 
-  /// Distances from the nearest of the sources, after Prepare(). Fails as ExactGeodesics does; also
-  /// when heat has a Dirichlet boundary and a source lies on it. May be called by several threads
-  /// at once.
+  /// Computes distances from the nearest source, after Prepare(). Fails like ExactGeodesics::Run();
+  /// also if the heat has a Dirichlet boundary and a source lies on it. May be called by several
+  /// threads simultaneously.
   Status Run(
     const std::vector<GeodesicSource>& sources, const HeatQuery& query, HeatResult& result) const;
 
-  /// Factorizations done so far.
+  /// Returns the number of factorizations performed so far.
   int GetNumberOfFactorizations() const;
 
 private:

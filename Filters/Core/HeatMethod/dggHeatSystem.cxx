@@ -82,7 +82,7 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   this->IsAnalyzed = false;
   this->Options = options;
   this->Heat.Clear();
-  this->CooledHeat.Clear();
+  this->DirichletHeat.Clear();
   this->Distance.Clear();
   DGG_RETURN_IF_ERROR(this->Build(options.IntrinsicDelaunay, Infinity, progress));
   this->MeasureEdges();
@@ -160,8 +160,8 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
     double* Key; // of the time step; null where it does not matter
     bool IsCooled;
   };
-  const Part parts[] = { { this->NeedsNeumann(), &this->Heat, &this->HeatFactor, false },
-    { this->NeedsDirichlet(), &this->CooledHeat, &this->CooledFactor, true },
+  const Part parts[] = { { this->NeedsNeumann(), &this->Heat, &this->NeumannFactor, false },
+    { this->NeedsDirichlet(), &this->DirichletHeat, &this->DirichletFactor, true },
     { true, &this->Distance, nullptr, false } };
   // One value of each component is known to be 0.
   std::vector<std::uint8_t> isPinned(this->Components.size(), 0);
@@ -200,8 +200,8 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
 bool HeatSystem::IsReady() const
 {
   const double factor = this->Options.TimeStepFactor;
-  return this->HoldsFactors() && (!this->NeedsNeumann() || this->HeatFactor == factor) &&
-    (!this->NeedsDirichlet() || this->CooledFactor == factor);
+  return this->HoldsFactors() && (!this->NeedsNeumann() || this->NeumannFactor == factor) &&
+    (!this->NeedsDirichlet() || this->DirichletFactor == factor);
 }
 
 template <typename Number>
@@ -228,7 +228,7 @@ std::vector<Number> HeatSystem::SolveHeat(const std::vector<Load>& loads) const
         cooled[load.Vertex] += MakeLoad<Number>(load);
       }
     }
-    this->CooledHeat.Solve(cooled);
+    this->DirichletHeat.Solve(cooled);
     if (heat.empty())
     {
       return cooled;
@@ -336,6 +336,6 @@ bool HeatSystem::HoldsFactors() const
 {
   return this->IsAnalyzed && this->Distance.IsComputed() &&
     (!this->NeedsNeumann() || this->Heat.IsComputed()) &&
-    (!this->NeedsDirichlet() || this->CooledHeat.IsComputed());
+    (!this->NeedsDirichlet() || this->DirichletHeat.IsComputed());
 }
 }

@@ -22,7 +22,7 @@ namespace dgg
 class HeatSystem : public LaplaceSystem
 {
 public:
-  /// Heat put into a vertex: e to the power of Logarithm, times Weight.
+  /// Heat injected at a vertex: e to the power of Logarithm, times Weight.
   struct Load
   {
     Id Vertex;
@@ -36,12 +36,13 @@ public:
   Status Factorize(const ProgressCallback& progress);
   bool IsReady() const;
 
-  /// The result of a query up to a constant per component, per vertex. Empty when `progress` asked
-  /// to stop.
+  /// Returns the result of a query, per vertex, up to a constant per component. Empty if `progress`
+  /// asked to stop.
   std::vector<double> Solve(const std::vector<Load>& loads, const ProgressCallback& progress) const;
 
   const HeatOptions& GetOptions() const { return this->Options; }
-  /// How far heat goes until it has fallen by a factor of e: the square root of the time.
+  /// Returns the distance over which the temperature falls by a factor of e: the square root of the
+  /// time.
   double GetHeatLength(Id component) const;
   Id GetNumberOfTriangles(Id component) const { return this->Triangles[component]; }
 
@@ -74,14 +75,14 @@ private:
 
   HeatOptions Options;
   bool IsAnalyzed = false;
-  double HeatFactor = -1.0;   ///< time step factor of Neumann
-  double CooledFactor = -1.0; ///< time step factor of Dirichlet
+  double NeumannFactor = -1.0;   ///< time step factor of the Neumann system
+  double DirichletFactor = -1.0; ///< time step factor of the Dirichlet system
   int NumberOfFactorizations = 0;
   std::vector<double> MeanEdges; // per component
   std::vector<Id> Triangles;     // number of triangles per component
   std::vector<Frame> Frames;
   SparseFactor Heat;
-  SparseFactor CooledHeat;
+  SparseFactor DirichletHeat;
   SparseFactor Distance;
 };
 }

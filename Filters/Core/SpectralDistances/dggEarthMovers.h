@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The earth mover's distance of two distributions on a surface.
+/// Earth mover's distance between two distributions on a surface.
 #ifndef dggEarthMovers_h
 #define dggEarthMovers_h
 
@@ -15,56 +15,58 @@
 
 namespace dgg
 {
-/// Where the gap cannot be seen any more for rounding.
+/// Smallest gap that can be resolved despite rounding.
 constexpr double LeastEarthMoversGap = 1e-8;
 
 struct EarthMoversOptions
 {
-  /// Most iterations, each a factorization; 0 gives the cost of the flow that is a gradient, which
-  /// is an upper bound. Some 10 to 100 are needed.
+  /// Maximum number of iterations, each a factorization; usually 10 to 100 suffice. 0 gives the
+  /// cost of the gradient flow, which is an upper bound.
   int MostIterations = 200;
-  /// Stop when the bounds are this close, relative to the upper one.
+  /// Stop when the gap between the bounds, relative to the upper bound, is below this value.
   double Tolerance = 1e-2;
   ProgressCallback Progress; ///< may be empty
 };
 
 struct EarthMoversResult
 {
-  /// The cost of the best flow found, mass times length.
+  /// Cost of the best flow found, mass times length.
   double Distance = 0.0;
-  /// No flow through the elements costs less: what a potential with slopes of at most 1 earns.
+  /// Lower bound of the cost of any flow through the elements: the dual value of a potential with
+  /// slopes of at most 1.
   double LowerBound = 0.0;
   int Iterations = 0;
-  /// How far the two may be from the optimum, relative to the distance.
+  /// Returns the gap between the bounds, relative to the distance.
   double GetGap() const
   {
     return this->Distance > 0.0 ? (this->Distance - this->LowerBound) / this->Distance : 0.0;
   }
-  /// The potential of the lower bound, per vertex; mass goes down it.
+  /// Potential of the lower bound, per vertex; mass flows towards smaller values.
   std::vector<double> Potential;
-  /// The best flow, mass per length, per face of the mesh in the frame of its first half-edge (x
-  /// along it, y to the apex). Empty with IntrinsicDelaunay, where elements are not the faces.
+  /// Best flow, mass per length, per mesh face in the frame of its first half-edge (x along the
+  /// half-edge, y towards the apex). Empty with IntrinsicDelaunay, where elements are not the
+  /// faces.
   std::vector<Point2> Flow;
 };
 
-/// Add a point mass to masses per vertex, by barycentric coordinates.
+/// Adds a point mass to per-vertex masses, by barycentric coordinates.
 DGG_CORE_EXPORT Status AddPointMass(
   const SurfaceMesh& mesh, const SurfacePoint& point, double mass, std::vector<double>& masses);
 
-/// The least cost of moving one distribution to the other within the surface, W1 (Beckmann's
+/// The minimal cost of moving one distribution to the other within the surface, W1 (Beckmann's
 /// problem; Solomon, Rustamov, Guibas and Butscher, "Earth mover's distances on discrete surfaces",
 /// 2014): the integral of |J| over flows J, constant per face, whose weak divergence is the
-/// difference of the masses, through no boundary. Found by an interior point method on flows and
-/// potentials, with one factorization in each step, which long triangles hardly slow down. So
-/// gradients, rotations and flows around handles are all considered, where the paper has a basis of
-/// few eigenfunctions.
+/// difference of the masses, with no flow across the boundary. Solved by an interior-point method
+/// on flows and potentials, with one factorization per step; elongated triangles hardly affect
+/// convergence. All flows are admissible (gradients, rotations and flows around handles), whereas
+/// the paper uses a basis of few eigenfunctions.
 ///
-/// Potentials are linear in each face and not steeper than 1. So between two point masses the
-/// optimum, and the lower bound, is never more than the geodesic distance, to which it tends as the
-/// mesh is refined.
+/// Potentials are linear in each face with slopes of at most 1. Hence between two point masses the
+/// optimum, and the lower bound, never exceeds the geodesic distance, to which it converges under
+/// refinement of the mesh.
 ///
-/// The solver must be ready, without given values, and outlive it. Both distributions must have the
-/// same mass in each component, see BalanceMasses().
+/// The solver must be ready, have no given values, and outlive the object. Both distributions must
+/// have the same mass in each component, see BalanceMasses().
 class DGG_CORE_EXPORT EarthMovers
 {
 public:
@@ -73,7 +75,7 @@ public:
   {
   }
 
-  /// Masses per vertex, integrated.
+  /// Computes the distance between two distributions, given as integrated masses per vertex.
   Status Run(const std::vector<double>& from, const std::vector<double>& to,
     const EarthMoversOptions& options, EarthMoversResult& result) const;
 
@@ -81,17 +83,17 @@ private:
   const PoissonSolver& Solver;
 };
 
-/// Masses, as a part of the mass of all, that may be missing in one of two distributions. Sums of
-/// densities in single precision differ by less.
+/// Largest relative difference between the total masses of two distributions. Sums of densities in
+/// single precision differ by less.
 constexpr double MassTolerance = 1e-6;
 
-/// Scale masses per vertex, which must not be negative, so that both distributions sum to 1 (to 0
-/// when there is no mass) and have the same mass in each component. `total` is what they summed to;
-/// 1 when they are to be normalized.
+/// Scales non-negative masses per vertex so that both distributions sum to 1 (to 0 if there is no
+/// mass) and have the same mass in each component. `total` is the original sum; 1 with `normalize`.
 ///
-/// Fails when a mass is negative or not finite, or a sum is not; when totals differ by more than
-/// MassTolerance, unless they are to be normalized, which needs some mass in both; when masses
-/// within a component differ by more than MassTolerance of the total: nothing can get there.
+/// Fails if a mass is negative or not finite, or a sum is not finite; if totals differ by more than
+/// MassTolerance, unless normalized, which requires positive mass in both; or if masses within a
+/// component differ by more than MassTolerance of the total, since no mass can flow between
+/// components.
 DGG_CORE_EXPORT Status BalanceMasses(const SurfaceMesh& mesh, bool normalize,
   std::vector<double>& from, std::vector<double>& to, double& total);
 }

@@ -13,17 +13,18 @@
 
 namespace dgg
 {
-/// The smallest eigenvalues but 0 of L v = lambda M v on one component, with the cotangent
-/// Laplacian L and lumped areas M, in increasing order, and their functions.
+/// The smallest non-zero eigenvalues of L v = lambda M v on one component, with the cotangent
+/// Laplacian L and lumped areas M, in increasing order, and their eigenfunctions.
 struct Eigenpairs
 {
-  std::vector<double> Values; ///< one over square of length
-  std::vector<Id> Vertices;   ///< of the component
-  /// Function k at Vertices[i] is Functions[k * Vertices.size() + i]. They are orthonormal: the sum
-  /// of area times v_i v_j is 1 for i = j, else 0.
+  std::vector<double> Values; ///< unit: 1 / length^2
+  std::vector<Id> Vertices;   ///< vertices of the component
+  /// Function k at Vertices[i] is Functions[k * Vertices.size() + i]. The functions are
+  /// orthonormal: the sum of area times v_i v_j is 1 for i = j, otherwise 0.
   std::vector<double> Functions;
-  /// Whether it was checked (by the signs of the pivots of L - sigma M, Sylvester's law) that none
-  /// is missing below the last gap in the spectrum. Else those in clusters may be.
+  /// True if it was verified (by the signs of the pivots of L - sigma M, Sylvester's law of
+  /// inertia) that no eigenvalue is missing below the last gap in the spectrum. Otherwise members
+  /// of clusters may be missing.
   bool IsComplete = false;
 
   Id GetCount() const { return static_cast<Id>(this->Values.size()); }
@@ -34,14 +35,14 @@ struct Eigenpairs
   }
 };
 
-/// Finds `count` pairs of each component of the solver's system, fewer where a component has fewer
-/// (eigenvalues beyond 1e13 times the first one do not count, as on meshes with needles; components
-/// of thin triangles and vertices without a face have none), to a relative accuracy of 1e-8 of the
-/// values. With `isWanted`, only its components get pairs. By Lanczos' method with implicit
-/// restarts (Spectra), applied to the inverse. Pairs of multiple eigenvalues may be missing at
-/// first: further searches run in the orthogonal complement of the functions found. The solver must
-/// be ready, and its options decide about the boundary. The memory is about that of 3 `count`
-/// functions on the mesh. The same input gives the same result, signs included.
+/// Finds `count` pairs of each component of the solver's system, to a relative accuracy of 1e-8 of
+/// the eigenvalues, by Lanczos' method with implicit restarts (Spectra), applied to the inverse. A
+/// component may have fewer pairs: eigenvalues beyond 1e13 times the first one are ignored, as
+/// occur on meshes with needles; components of thin triangles and vertices without a face have
+/// none. With `isWanted`, only its components get pairs. Since pairs of multiple eigenvalues may be
+/// missing at first, further searches run in the orthogonal complement of the functions found. The
+/// solver must be ready, and its options determine the boundary condition. The memory is about that
+/// of 3 `count` functions on the mesh. The result is deterministic, including signs.
 DGG_CORE_EXPORT Status FindEigenpairs(const PoissonSolver& solver, Id count,
   const ProgressCallback& progress, std::vector<Eigenpairs>& pairs,
   const std::vector<bool>& isWanted = {});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Distances on surfaces made of the Laplacian: biharmonic, commute-time, diffusion.
+/// Spectral distances on surfaces: biharmonic, commute-time, diffusion.
 #ifndef dggSpectralDistance_h
 #define dggSpectralDistance_h
 
@@ -25,61 +25,61 @@ enum class SpectralKind
   /// "Biharmonic distance", 2010). Its square is q(x,x) + q(y,y) - 2 q(x,y), with the Green's
   /// function q of the bi-Laplacian.
   Biharmonic,
-  /// 1 / lambda: a number. Grows without bound as the mesh is refined, since the Green's function
-  /// of the Laplacian is infinite at its pole.
+  /// 1 / lambda: dimensionless. Grows without bound as the mesh is refined, since the Green's
+  /// function of the Laplacian is infinite at its pole.
   CommuteTime,
-  /// exp(-2 t lambda): one over a length (Coifman and Lafon, "Diffusion maps", 2006). From the
-  /// eigenvalues only.
+  /// exp(-2 t lambda): unit 1 / length (Coifman and Lafon, "Diffusion maps", 2006). Only available
+  /// by eigenvalues.
   Diffusion
 };
 
 enum class SpectralMethod
 {
-  Exact,   ///< all eigenvalues, by solving for Green's functions
-  Spectrum ///< the smallest eigenvalues but 0 of each component
+  Exact,   ///< entire spectrum, by solving for Green's functions
+  Spectrum ///< smallest non-zero eigenvalues of each component
 };
 
 struct SpectralOptions
 {
   SpectralKind Kind = SpectralKind::Biharmonic;
   SpectralMethod Method = SpectralMethod::Spectrum;
-  Id NumberOfEigenvalues = 150; ///< of each component
-  /// The time t of diffusion, a length squared. 0: a tenth of the inverse of the first eigenvalue
-  /// of the component.
+  Id NumberOfEigenvalues = 150; ///< per component
+  /// Diffusion time t, unit length^2. 0 means a tenth of the inverse of the first eigenvalue of the
+  /// component.
   double Time = 0.0;
 };
 
-/// Distances on the mesh of a solver, which must be ready and outlive it. Inside of faces,
-/// functions are linear. All are distances of vectors, so metrics on each component; points in
-/// different components are at distance Infinity.
+/// Distances on the mesh of a solver, which must be ready and outlive the object. Functions are
+/// linear inside faces. All distances are norms of differences of vectors, hence metrics on each
+/// component; points in different components have distance Infinity.
 ///
-/// The threads of a parallel loop report its progress, several at once.
+/// Progress of a parallel loop is reported by several threads simultaneously.
 class DGG_CORE_EXPORT SpectralDistance
 {
 public:
   explicit SpectralDistance(const PoissonSolver& solver);
 
-  /// Finds the eigenpairs of the components of `sources` (empty: of all), or with the Exact method
-  /// the diagonal of the Green's function, for which it solves for all vertices. Results of earlier
-  /// calls are kept. Call again for other components, and when the solver is prepared with other
-  /// options.
+  /// Finds the eigenpairs of the components of `sources` (empty means all) or, with the Exact
+  /// method, the diagonal of the Green's function, which requires a solution per vertex. Results of
+  /// earlier calls are reused. Must be called again for other components, and after the solver has
+  /// been prepared with other options.
   Status Prepare(const SpectralOptions& options, const ParallelFor& parallel,
     const ProgressCallback& progress, const std::vector<SurfacePoint>& sources = {});
-  /// Fail when the point does not exist, or has no face; a source, as well when it lies in a
-  /// component whose triangles are too thin. May be asked before Prepare().
+  /// Fails if the point does not exist or has no face; CheckSource() also fails if the triangles of
+  /// its component are too thin. May be called before Prepare().
   /// @{
   Status CheckPlace(const SurfacePoint& point) const;
   Status CheckSource(const SurfacePoint& point) const;
   /// @}
 
-  /// How often eigenvalues have been found.
+  /// Returns the number of spectra computed so far.
   int GetNumberOfSpectra() const { return this->NumberOfSpectra; }
 
-  /// From one point to all vertices.
+  /// Computes the distances from one point to all vertices.
   Status FromPoint(const SurfacePoint& source, std::vector<double>& distances) const;
-  /// Between all of the first and all of the second points, row by row: the exact method solves
-  /// for each point once, also when the second are the first (the same object), and holds the
-  /// solutions, one number for each point and vertex.
+  /// Computes the distances between all of the first and all of the second points, row by row. The
+  /// exact method solves once per point, also if `second` is the same object as `first`, and stores
+  /// the solutions, one value per point and vertex.
   Status Between(const std::vector<SurfacePoint>& first, const std::vector<SurfacePoint>& second,
     const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<double>& distances) const;
@@ -106,8 +106,8 @@ private:
   int NumberOfSpectra = 0;
   std::uint64_t Revision = 0;    // revision of the system at Prepare()
   std::vector<Eigenpairs> Pairs; // per component
-  std::vector<Id> Places;        // per vertex, index in the pairs of its component
-  std::vector<double> Diagonal;  // per vertex, of the Green's function
+  std::vector<Id> Places;        // per vertex, index in Eigenpairs::Vertices
+  std::vector<double> Diagonal;  // per vertex, diagonal of the Green's function
 };
 }
 
