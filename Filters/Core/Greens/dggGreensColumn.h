@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// One Green's function: what is solved for, and what is made of the solution. Internal.
+/// One Green's function: right-hand side and evaluation of the solution. Internal.
 #ifndef dggGreensColumn_h
 #define dggGreensColumn_h
 
@@ -15,7 +15,7 @@
 
 namespace dgg
 {
-/// What threads do not share.
+/// Per-thread workspace.
 struct GreensWorkspace
 {
   explicit GreensWorkspace(const PoissonSystem& system)
@@ -37,31 +37,32 @@ public:
   {
   }
 
-  /// `progress` takes the place of the query's.
+  /// `progress` is used instead of the progress callback of the query.
   Status Start(const SurfacePoint& pole, const GreensQuery& query, const ProgressCallback& progress,
     GreensWorkspace& workspace);
-  /// Per vertex: the load of the pole, and of the logarithm; values where they are given.
+  /// Returns the right-hand side per vertex: the loads of the pole and of the logarithm, or the
+  /// given value.
   std::vector<double> TakeSources() { return std::move(this->Sources); }
-  /// `solution` is changed.
+  /// Computes the result from `solution`, which is modified.
   Status Finish(std::vector<double>& solution, const ProgressCallback& progress,
     GreensWorkspace& workspace, GreensResult& result) const;
 
-  /// Add the logarithm to the regular part, which is changed and given away.
+  /// Adds the logarithm to the regular part in `solution`, which is moved to the result.
   void AddLogarithm(std::vector<double>& solution, GreensResult& result) const;
 
-  /// The same for GreensOrder::BiLaplace, with the result that Finish() has made: the sources of
-  /// the second equation, and the result from its solution.
+  /// For GreensOrder::BiLaplace, given the result of Finish(): the sources of the second equation,
+  /// and the result from its solution.
   /// @{
   std::vector<double> TakeSecondSources(GreensResult& result) const;
   void FinishSecond(std::vector<double>& solution, GreensResult& result) const;
   /// @}
 
-  /// Where the logarithm ends if nothing else is asked for and there are no ridges.
+  /// Returns the default radius of the logarithm, if there are no ridges.
   static double GetUsualRadius(const PoissonSystem& system, Id component);
   static bool IsTooCoarse(const PoissonSystem& system, Id component, double radius);
-  /// Whether triangles are so large beside the usual radius that functions of points in different
-  /// ones would not be symmetric. The same for all poles of a component, which have the same method
-  /// then.
+  /// Returns true if triangles are so large relative to the default radius that functions of points
+  /// in different triangles would not be symmetric. The result is the same for all poles of a
+  /// component, which then use the same method.
   static bool HasLargeTriangles(const PoissonSystem& system, Id component);
 
   bool HasLogarithm() const { return this->Method == GreensMethod::SingularitySubtraction; }
@@ -83,7 +84,7 @@ private:
   const PoissonSystem& System;
   SurfacePoint Pole;
   GreensQuery Query;
-  ProgressCallback Progress; // of what is left of Start()
+  ProgressCallback Progress; // progress of the remaining part of Start()
   GreensMethod Method = GreensMethod::Vertex;
   GreensRemark Remark = GreensRemark::None;
   Id Component = NoId;
@@ -92,19 +93,21 @@ private:
   std::vector<double> Sources;
   std::vector<double> Distances;
   std::vector<double> TargetDistances;
-  std::vector<double> Integrals; // of the logarithm, with loads of its potential where it is needed
+  std::vector<double>
+    Integrals; // integrals of the logarithm, plus loads of its potential if needed
 };
 
-/// Fails when the solver is not ready or the query makes no sense.
+/// Fails if the solver is not ready or the query is invalid.
 Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query);
 
-/// What is asked of the Laplacian first. The order stays, which columns know of.
+/// Returns the query for the first equation, with the Laplacian. Order is unchanged because columns
+/// need it.
 GreensQuery GetFirstQuery(const GreensQuery& query);
-/// Replace the results of the first query by those of GreensOrder::BiLaplace.
+/// Replaces the results of the first query by those of GreensOrder::BiLaplace.
 void RaiseOrder(const PoissonSystem& system, const GreensQuery& query,
   const std::vector<GreensColumn>& columns, GreensResult* results);
 
-/// Value of piecewise linear data at a point.
+/// Returns the value of piecewise linear data at a point.
 double InterpolateAt(
   const SurfaceMesh& mesh, const SurfacePoint& point, const std::vector<double>& values);
 }

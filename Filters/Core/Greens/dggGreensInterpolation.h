@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Green's functions of many points from those of vertices.
+/// Green's functions of many points, interpolated from those of vertices.
 #ifndef dggGreensInterpolation_h
 #define dggGreensInterpolation_h
 
@@ -14,7 +14,7 @@
 namespace dgg
 {
 /// With g = s(d) + r as in GreensMethod::SingularitySubtraction, the regular part r of a point is
-/// that of the corners of its face, weighted with barycentric coordinates:
+/// interpolated from the corners of its face with barycentric coordinates:
 ///
 ///     g(x, y) = s(d(x, y)) + sum_k w_k r_k(y).
 ///
@@ -25,26 +25,26 @@ namespace dgg
 class DGG_CORE_EXPORT GreensInterpolation
 {
 public:
-  /// The solver must be ready and outlive this. Columns beyond the limit of memory push out those
-  /// that have not been used for longest; those of one face are kept in any case. All are found
-  /// again after the solver has been prepared with other options.
+  /// The solver must be ready and outlive the object. If the memory limit is exceeded, least
+  /// recently used columns are discarded; the columns of the current face are always kept. All
+  /// columns are recomputed after the solver has been prepared with other options.
   explicit GreensInterpolation(
     const PoissonSolver& solver, std::size_t memoryLimit = std::size_t(1) << 28);
   ~GreensInterpolation();
   GreensInterpolation(const GreensInterpolation&) = delete;
   GreensInterpolation& operator=(const GreensInterpolation&) = delete;
 
-  /// From the next run on.
+  /// Sets the limit that is used from the next run on.
   void SetMemoryLimit(std::size_t bytes) { this->MemoryLimit = bytes; }
 
-  /// The Green's function of one point. The query's method plays no part, and integrals are those
-  /// of the interpolation. Where the mesh is too coarse, or given values are corners of the face,
-  /// the result is that of GreensFunction. To be called by one thread at a time.
+  /// Computes the Green's function of one point. The method of the query is ignored, and integrals
+  /// are those of the interpolation. Where the mesh is too coarse, or corners of the face have
+  /// given values, the result is that of GreensFunction. Not thread-safe.
   Status Run(const SurfacePoint& pole, const GreensQuery& query, GreensResult& result);
 
-  /// Columns solved for so far, for tests.
+  /// Number of columns solved so far, for tests.
   Id GetNumberOfColumns() const;
-  /// Bytes held.
+  /// Memory in bytes.
   std::size_t GetMemorySize() const;
 
 private:

@@ -12,10 +12,10 @@
 
 namespace dgg
 {
-/// Vertices around the pole whose spline weights are looked at: the nearest ones.
+/// Number of vertices around the pole whose spline weights are used: the nearest ones.
 constexpr Id LocalizedVertices = 60;
-/// Most vertices that these and their neighbours may be. On meshes of usual triangles there are
-/// about 110; many more are there where fans have hundreds of triangles.
+/// Maximum number of these vertices and their neighbors. On ordinary meshes there are about 110;
+/// many more occur where fans have hundreds of triangles.
 constexpr Id MostLocalizedVertices = 400;
 
 /// Change an interpolated Green's function around its pole x, which is not a vertex. In Green's

@@ -35,7 +35,8 @@ inline std::array<double, 3> Cross(const std::array<double, 3>& a, const std::ar
 DGG_CORE_EXPORT bool AreBarycentric(const std::array<double, 3>& coordinates);
 
 /// Returns the barycentric coordinates of the point of a triangle in space that is closest to
-/// `position`. For a triangle without area the edges alone count; on a tie the point is on an edge.
+/// `position`. For a degenerate triangle only the edges are considered; on a tie the point is on an
+/// edge.
 DGG_CORE_EXPORT std::array<double, 3> FindClosestInTriangle(
   const TriangleCorners& corners, const std::array<double, 3>& position, double& squaredDistance);
 

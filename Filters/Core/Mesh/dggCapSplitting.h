@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Takes triangles of zero area out of a triangulation without a change of the surface.
+/// Removes triangles of zero area from a triangulation without changing the surface.
 #ifndef dggCapSplitting_h
 #define dggCapSplitting_h
 
@@ -12,26 +12,26 @@
 
 namespace dgg
 {
-/// What SplitCaps() has done.
+/// Result of SplitCaps().
 struct CapSplitting
 {
-  Offset NumberOfCaps = 0;    ///< left out
-  double LargestHeight = 0.0; ///< sum of those that lie on each other: no point has moved farther
+  Offset NumberOfCaps = 0;    ///< number of removed caps
+  double LargestHeight = 0.0; ///< largest sum of heights of stacked caps: no point moves farther
 };
 
 /// A *cap* is a triangle whose apex lies on its longest edge, up to rounding: a doubled segment, as
-/// CAD programs leave it where a point of one face meets the middle of an edge of another. All
-/// other triangles on the long edge are split at the apex, and the cap is left out. A cap that is
-/// alone on its long edge is left out where both short edges have other triangles.
+/// produced by CAD programs where a vertex of one face lies in the interior of an edge of another
+/// face. All other triangles on the long edge are split at the apex, and the cap is removed. A cap
+/// that is the only triangle on its long edge is removed if both short edges have other triangles.
 ///
-/// The surface stays where it is, up to the heights of the caps, and so do its points; edges and
-/// triangles then have the lengths and areas that their points give them. What is no cap but
-/// degenerate, as triangles with an edge of zero length, stays and is left to
-/// SurfaceMesh::FromPoints(), as are caps that do not end within a few times the number of
-/// triangles.
+/// The surface does not change, up to the heights of the caps, and points do not move; afterwards
+/// edges and triangles have the lengths and areas that their points imply. Other degenerate
+/// triangles, such as those with an edge of zero length, are not changed, and neither are caps that
+/// remain after a number of splits of a few times the number of triangles; both are left to
+/// SurfaceMesh::FromPoints().
 ///
 /// `points` are x y z each, finite. `triangles` are triples of their ids. `parents[f]` becomes the
-/// input triangle that triangle f is, or is a part of.
+/// input triangle that contains triangle f.
 DGG_CORE_EXPORT CapSplitting SplitCaps(
   const double* points, std::vector<Id>& triangles, std::vector<Id>& parents);
 

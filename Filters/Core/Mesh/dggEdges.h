@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Edges, of which a mesh stores half-edges only: the faces behind an edge, and neighbors along
+/// Edges, for which a mesh stores half-edges only: the faces behind an edge, and neighbors along
 /// edges.
 #ifndef dggEdges_h
 #define dggEdges_h
@@ -100,8 +100,8 @@ inline double PolarAngleAtApex(const SurfaceMesh& mesh, Id h, const Point2& dire
     std::atan2(Cross(reference, direction), Dot(reference, direction));
 }
 
-/// Call `visit(neighbor, length, angle)` for the edges from a vertex, once each around a regular
-/// one: the vertex at the other end, the length, and the polar angle of the edge at the vertex.
+/// Calls `visit(neighbor, length, angle)` for the edges of a vertex (once each for a regular
+/// vertex): the other end, the length, and the polar angle of the edge at the vertex.
 template <typename Visitor>
 void ForEachNeighbor(const SurfaceMesh& mesh, Id v, Visitor&& visit)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where distances are measured from.
+/// Sources of distances.
 #ifndef dggGeodesicSource_h
 #define dggGeodesicSource_h
 
@@ -13,21 +13,21 @@
 
 namespace dgg
 {
-/// A source of distance: a point of the surface and the distance that it starts with.
+/// A source: a surface point and its initial distance.
 struct GeodesicSource
 {
   SurfacePoint Point;
   double InitialDistance = 0.0;
 };
 
-/// Fails when there is no source, or one does not exist on the mesh or starts with a distance that
-/// is not finite. The message names it.
+/// Fails if there is no source, or a source does not exist on the mesh or has an initial distance
+/// that is not finite. The message names the source.
 DGG_CORE_EXPORT Status CheckSources(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources);
 
-/// Call `visit(vertex, weight, distance)` for the vertices that a point is seen from within its
-/// faces: itself when it is a vertex, else the corners of its face or of the faces around its edge,
-/// with its barycentric coordinates as weights in the first of these faces (0 in the others).
+/// Calls `visit(vertex, weight, distance)` for the vertices around a point: the vertex itself for a
+/// point at a vertex, otherwise the corners of its face or of all faces of its edge. The weights
+/// are the barycentric coordinates in the first of these faces (0 for other corners).
 template <typename Visitor>
 void ForEachCornerAround(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&& visit)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Some faces of a mesh as a mesh of their own. Internal.
+/// A submesh: some faces of a mesh as a separate mesh. Internal.
 #ifndef dggMeshPart_h
 #define dggMeshPart_h
 
@@ -13,16 +13,16 @@ namespace dgg
 {
 struct MeshPart
 {
-  std::vector<Id> Faces;    ///< of the whole, increasing; none of them dropped
-  std::vector<Id> Vertices; ///< of the whole, in the order in which the faces have them
+  std::vector<Id> Faces;    ///< faces of the parent mesh, ascending; none of them dropped
+  std::vector<Id> Vertices; ///< vertices of the parent mesh, in order of first use by the faces
   SurfaceMesh Mesh;
 
-  /// Make the rest from the faces. Where an edge has faces that are not among them, those that are
-  /// meet each other.
+  /// Builds vertices and mesh from the faces. At an edge with faces outside the submesh, the
+  /// remaining faces are glued to each other.
   Status Build(const SurfaceMesh& whole);
 };
 
-/// The components that have faces.
+/// Returns the components that have faces as submeshes.
 std::vector<MeshPart> FindComponentParts(const SurfaceMesh& mesh);
 }
 

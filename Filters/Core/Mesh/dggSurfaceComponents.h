@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The parts of a mesh that are not connected, each with numbers of its own. Internal.
+/// Connected components of a mesh with local indices. Internal.
 #ifndef dggSurfaceComponents_h
 #define dggSurfaceComponents_h
 
@@ -11,9 +11,9 @@
 
 namespace dgg
 {
-/// The components of a mesh, as SurfaceMesh::ComputeComponents() counts them. In each of them
-/// vertices and faces are numbered from 0, in the order of their ids, so that arrays for one
-/// component take no more memory than it needs. Dropped faces are in none.
+/// The components of a mesh, as numbered by SurfaceMesh::ComputeComponents(). Vertices and faces of
+/// each component have local indices from 0 on, in the order of their ids, so that arrays for one
+/// component only need memory for that component. Dropped faces belong to no component.
 class SurfaceComponents
 {
 public:
@@ -25,10 +25,10 @@ public:
 
   Id GetNumberOfVertices(Id c) const { return this->FirstVertices[c + 1] - this->FirstVertices[c]; }
   Id GetNumberOfFaces(Id c) const { return this->FirstFaces[c + 1] - this->FirstFaces[c]; }
-  /// Face number `local` of a component.
+  /// Returns the face with local index `local` in a component.
   Id GetFace(Id c, Id local) const { return this->Faces[this->FirstFaces[c] + local]; }
 
-  /// Numbers within the component.
+  /// Local indices within the component.
   Id NumberOfVertex(Id v) const { return this->VertexNumbers[v]; }
   Id NumberOfFace(Id f) const { return this->FaceNumbers[f]; }
   Id NumberOfHalfEdge(Id h) const { return 3 * this->FaceNumbers[SurfaceMesh::Face(h)] + h % 3; }
@@ -38,9 +38,9 @@ private:
   std::vector<Id> Components;    // per vertex
   std::vector<Id> VertexNumbers; // per vertex
   std::vector<Id> FaceNumbers;   // per face
-  std::vector<Id> FirstVertices; // per component, how many vertices are in those before
-  std::vector<Id> FirstFaces;    // per component, where its faces start
-  std::vector<Id> Faces;         // component by component
+  std::vector<Id> FirstVertices; // per component, number of vertices in earlier components
+  std::vector<Id> FirstFaces;    // per component, offset of its first face in Faces
+  std::vector<Id> Faces;         // sorted by component
 };
 }
 

@@ -17,77 +17,77 @@ namespace dgg
 /// How geodesics behave at a vertex.
 enum class VertexKind : std::uint8_t
 {
-  Isolated, ///< no (usable) face
+  Isolated, ///< no face that is not dropped
   Convex,   ///< total angle below 2 pi: no geodesic passes
   Flat,     ///< total angle 2 pi
   Saddle,   ///< total angle above 2 pi: geodesics may bend here
   Boundary, ///< on exactly one boundary fan: geodesics may bend here
-  Irregular ///< several fans, a non-manifold edge, a degenerate face or no consistent orientation:
-            ///< angles are not to be trusted, every direction may follow every other
+  Irregular ///< several fans, a non-manifold edge, a degenerate face or inconsistent orientation:
+            ///< angles are unreliable, a path may continue in any direction
 };
 
 class SurfaceMesh;
 
-/// What a mesh made of lengths is a part of: each of its faces is a face of another mesh or lies in
-/// one. What is degenerate there is degenerate in the part as well, its edges have been lengthened
-/// already, and the mean edge length that counts is that of the whole. So a part made of whole
-/// faces has the same lengths, and windows cross it as they cross the whole.
+/// Parent of a mesh that is built from lengths: each face of the mesh is a face of the parent or
+/// lies in one. Faces that are degenerate in the parent are degenerate in the submesh; their edges
+/// have been lengthened already, and the mean edge length of the parent is used. Hence a submesh of
+/// entire faces has the same lengths as its parent, and windows cross it as they cross the parent.
 struct PartOfMesh
 {
-  const SurfaceMesh* Whole = nullptr; ///< another mesh; null when the mesh is not a part
-  const Id* Faces = nullptr;          ///< per triangle, the face of the whole that it lies in
+  const SurfaceMesh* Whole = nullptr; ///< parent mesh; null if there is none
+  const Id* Faces = nullptr;          ///< per triangle, the face of the parent that contains it
 };
 
-/// An intrinsic triangle mesh: what a geodesic sees of a surface. Everything is derived from the
-/// triangles and one length per edge; coordinates are not kept.
+/// An intrinsic triangle mesh, the part of a surface that determines geodesics. Everything is
+/// derived from the triangles and one length per edge; coordinates are not stored.
 ///
 /// Conventions. Half-edge `3f+k` starts at corner `k` of face `f`. Faces keep the ids of the input.
-/// A face with a repeated vertex is *dropped* (it has no area and no three edges): it keeps its id
-/// but takes no part. So is a *duplicate*, a face on the three vertices of an earlier one: it is
-/// congruent to that one and glued to it along all edges, so that no path gains by it. Faces are
+/// A face with a repeated vertex is *dropped* (it has no area and fewer than three edges): it keeps
+/// its id but is ignored. So is a *duplicate*, a face on the three vertices of an earlier one: it
+/// is congruent to that one and glued to it along all edges, so that it shortens no path. Faces are
 /// re-oriented component by component where that makes them consistent (distances do not depend on
 /// orientation); a re-oriented face has its corners 1 and 2 swapped, so always read corners from
 /// GetTriangle() or Origin().
 ///
 /// Any triangle complex is accepted. The half-edges of one edge form a circular list through
 /// Twin(): one entry on the boundary (Twin is NoId), two on a manifold edge, more on a non-manifold
-/// edge, which conducts between all its faces.
+/// edge, which connects all its faces.
 ///
-/// Degenerate faces (zero area, or a triangle inequality lost to rounding) are *mollified*: the
-/// edges of the faces concerned are lengthened by one small delta (GetMollification()), the
-/// smallest that leaves a slack of 1e-13 times the mean edge length (or the longest edge of the
-/// face, if longer) in each of them (Sharp and Crane, "A Laplacian for Nonmanifold Triangle
-/// Meshes", 2020, sec. 4.5). Angles and kinds are those of the lengthened faces; vertices of such
-/// faces are Irregular.
+/// Degenerate faces (zero area, or a triangle inequality violated by rounding) are *mollified*: the
+/// edges of these faces are lengthened by one small delta (GetMollification()), the smallest that
+/// leaves a slack of 1e-13 times the mean edge length (or the longest edge of the face, if longer)
+/// in each of them (Sharp and Crane, "A Laplacian for Nonmanifold Triangle Meshes", 2020, sec.
+/// 4.5). Angles and kinds are those of the lengthened faces; vertices of such faces are Irregular.
 class DGG_CORE_EXPORT SurfaceMesh
 {
 public:
-  /// Build from `numberOfPoints` points (x y z each) and `numberOfTriangles` triples of point ids.
-  /// Fails with a message that names the element when an id is out of range, a coordinate used by a
+  /// Builds a mesh from `numberOfPoints` points (x y z each) and `numberOfTriangles` triples of
+  /// point ids. Fails, naming the element, if an id is out of range, a coordinate used by a
   /// triangle is not finite, an extent is outside [1e-70, 1e70], or there are more than 2^31 - 1
   /// half-edges.
   static Status FromPoints(const double* points, Offset numberOfPoints, const Id* triangles,
     Offset numberOfTriangles, SurfaceMesh& mesh);
 
-  /// As FromPoints(), but faster: TotalAngle(), PolarAngle(), Kind() and IsPassThrough() are not to
-  /// be asked for before MeasureAngles().
+  /// Like FromPoints(), but faster: TotalAngle(), PolarAngle(), Kind() and IsPassThrough() must not
+  /// be called before MeasureAngles().
   static Status FromPointsWithoutAngles(const double* points, Offset numberOfPoints,
     const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh);
 
-  /// Add what a mesh made without angles lacks. Other threads may read all else meanwhile.
+  /// Computes the angles of a mesh built without angles. Other threads may read all other
+  /// properties meanwhile.
   void MeasureAngles();
 
-  /// Build from lengths alone: `lengths[3f+k]` is the length of the edge from corner k to corner
-  /// k+1 of face f. Faces glue along equal vertex pairs. Both halves of an edge must give the same
-  /// length (to 1e-9 relative; the larger one is used). The triangle inequality may be violated by
-  /// 1e-12 of the longest edge of the mesh, the rounding of lengths taken from coordinates. A part
-  /// of a mesh says so by `origin`.
+  /// Builds a mesh from lengths: `lengths[3f+k]` is the length of the edge from corner k to corner
+  /// k+1 of face f. Faces are glued along equal vertex pairs. Both halves of an edge must give the
+  /// same length (to 1e-9 relative; the larger one is used). The triangle inequality may be
+  /// violated by 1e-12 of the longest edge of the mesh, the rounding error of lengths computed from
+  /// coordinates. `origin` describes the parent of a submesh.
   static Status FromLengths(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles,
     const double* lengths, SurfaceMesh& mesh, const PartOfMesh& origin = {});
 
-  /// As FromLengths(), with the gluing given as well: `twins[h]` is the other half of the edge of
-  /// half-edge `h`, or NoId. Needed where faces meet along edges that vertex pairs do not
-  /// distinguish, as on a flat torus of few triangles.
+  /// Like FromLengths(), with explicit gluing: `twins[h]` is the other half of the edge of
+  /// half-edge `h`, or NoId. Needed if edges are not identified by their vertex pairs, as on a flat
+  /// torus of few triangles.
   static Status FromGluedLengths(Offset numberOfVertices, const Id* triangles,
     Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh,
     const PartOfMesh& origin = {});
@@ -106,7 +106,7 @@ public:
   Id Apex(Id h) const { return this->Origins[Previous(h)]; }
   /// Next half-edge in the circular list of the edge; NoId on the boundary.
   Id Twin(Id h) const { return this->Twins[h]; }
-  /// Whether the edge has more than two faces.
+  /// Returns true if the edge has more than two faces.
   bool IsNonManifold(Id h) const
   {
     return this->Twins[h] != NoId && this->Twins[this->Twins[h]] != h;
@@ -116,19 +116,19 @@ public:
   {
     return { this->Origins[3 * f], this->Origins[3 * f + 1], this->Origins[3 * f + 2] };
   }
-  /// Whether the face takes no part, because it repeats a vertex or an earlier face.
+  /// Returns true if the face is ignored because it repeats a vertex or an earlier face.
   bool IsDropped(Id f) const { return (this->FaceFlags[f] & DroppedFlag) != 0; }
-  /// Whether the face was dropped because an earlier one has the same vertices. Faces that were
-  /// glued by hand have no duplicates.
+  /// Returns true if the face was dropped because an earlier one has the same vertices. Meshes with
+  /// explicit gluing have no duplicates.
   bool IsDuplicate(Id f) const { return (this->FaceFlags[f] & DuplicateFlag) != 0; }
-  /// The face that a duplicate repeats; any other face itself.
+  /// Returns the face that a duplicate repeats; for any other face, the face itself.
   Id GetOriginal(Id f) const;
-  /// Whether corners 1 and 2 were swapped with respect to the input.
+  /// Returns true if corners 1 and 2 were swapped with respect to the input.
   bool IsFlipped(Id f) const { return (this->FaceFlags[f] & FlippedFlag) != 0; }
-  /// Whether the face had no area, up to rounding, before its edges were lengthened.
+  /// Returns true if the face had no area, up to rounding, before its edges were lengthened.
   bool IsDegenerate(Id f) const { return (this->FaceFlags[f] & DegenerateFlag) != 0; }
-  /// Whether its edges were lengthened because it is degenerate or became so when a neighbour's
-  /// edges were lengthened: its angles are not to be trusted.
+  /// Returns true if edges of the face were lengthened because the face or a neighbor is
+  /// degenerate, so that its angles are unreliable.
   bool IsMollified(Id f) const { return (this->FaceFlags[f] & MollifiedFlag) != 0; }
 
   /// Position of the apex in the frame of the half-edge: origin at Origin(h), x axis towards
@@ -137,12 +137,12 @@ public:
   double ApexY(Id h) const { return this->ApexYs[h]; }
 
   VertexKind Kind(Id v) const { return this->Kinds[v]; }
-  /// Whether the kind is Irregular, which is known without angles.
+  /// Returns true if the kind is Irregular; does not need angles.
   bool IsIrregular(Id v) const { return (this->VertexFlags[v] & IrregularFlag) != 0; }
   /// Sum of the corner angles at the vertex, radians.
   double TotalAngle(Id v) const { return this->TotalAngles[v]; }
-  /// Whether a shortest path may pass through the vertex with a bend, so that it has to act as a
-  /// pseudo-source. Convex boundary corners are left out: nothing can bend there.
+  /// Returns true if a shortest path may bend at the vertex, so that the vertex must act as a
+  /// pseudo-source. False for convex boundary corners, where no shortest path bends.
   bool IsPassThrough(Id v) const;
 
   /// Outgoing half-edges of the vertex, counter-clockwise, fan after fan. On the boundary a fan
@@ -161,14 +161,14 @@ public:
 
   double GetMeanEdgeLength() const { return this->MeanEdgeLength; }
   double GetMaximumEdgeLength() const { return this->MaximumEdgeLength; }
-  /// Length added to the edges of degenerate faces, at most; 0 when there are none.
+  /// Largest length added to the edges of degenerate faces; 0 if there are none.
   double GetMollification() const { return this->Mollification; }
   /// Number of faces that were lengthened.
   Id GetNumberOfMollifiedFaces() const { return this->NumberOfMollifiedFaces; }
-  /// Degenerate faces of the input: zero area, up to rounding (dropped faces not counted).
+  /// Number of degenerate faces of the input: zero area, up to rounding (without dropped faces).
   Id GetNumberOfDegenerateFaces() const { return this->NumberOfDegenerateFaces; }
 
-  /// Bytes held by the arrays.
+  /// Size of the arrays in bytes.
   std::size_t GetMemorySize() const;
 
 private:
@@ -196,7 +196,7 @@ private:
   std::vector<VertexKind> Kinds;             // n
   std::vector<std::uint8_t> VertexFlags;     // n
   std::vector<std::uint8_t> FaceFlags;       // m
-  std::vector<std::array<Id, 2>> Duplicates; // with their originals, sorted
+  std::vector<std::array<Id, 2>> Duplicates; // duplicates with their originals, sorted
   double MeanEdgeLength = 0.0;
   double MaximumEdgeLength = 0.0;
   double Mollification = 0.0;

@@ -22,21 +22,21 @@ public:
   }
 
   Status TakeTriangles(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles);
-  /// Link the half-edges on equal vertex pairs. Faces that name a vertex twice take no part, nor do
-  /// those with the three vertices of an earlier one.
+  /// Links half-edges with equal vertex pairs. Faces that contain a vertex twice and faces with the
+  /// three vertices of an earlier one are ignored.
   void GlueByVertices();
   Status GlueByTwins(const Id* twins);
   Status MeasureLengths(const double* points);
   Status TakeLengths(const double* lengths);
-  /// Refuse lengths that no triangle can have, rather than mollify them.
+  /// Fails for lengths that violate the triangle inequality, rather than mollifying them.
   Status CheckTriangleInequalities() const;
-  /// Whatever is known of the faces already.
+  /// Copies the properties of faces that are inherited from a parent mesh.
   void TakeOrigin(const PartOfMesh& origin);
-  /// Turn faces over, component by component, where that makes the orientation consistent.
+  /// Flips faces, component by component, where that makes the orientation consistent.
   void Orient();
-  /// Lengthen the edges of degenerate faces.
+  /// Lengthens the edges of degenerate faces.
   void Mollify();
-  /// Everything that follows from connectivity and lengths, but angles.
+  /// Computes everything that follows from connectivity and lengths, except angles.
   void Finish();
 
 private:
@@ -52,10 +52,10 @@ private:
   Status CheckExtent(double extent, const char* what) const;
 
   SurfaceMesh& Mesh;
-  const SurfaceMesh* Whole = nullptr; // what the mesh is a part of
-  /// Per half-edge, whether its edge has two half-edges that run in opposite directions.
+  const SurfaceMesh* Whole = nullptr; // parent mesh, or null
+  /// Per half-edge, true if its edge has two half-edges that run in opposite directions.
   std::vector<std::uint8_t> IsLinked;
-  std::vector<std::pair<Id, Id>> Apexes; // of the faces on an edge, with their half-edges
+  std::vector<std::pair<Id, Id>> Apexes; // apexes of the faces on an edge, with their half-edges
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// An order of the vertices in which neighbours on the surface are close together. Internal.
+/// A vertex order in which neighbors on the surface are close together. Internal.
 #ifndef dggSurfaceOrder_h
 #define dggSurfaceOrder_h
 
@@ -11,9 +11,9 @@
 
 namespace dgg
 {
-/// Vertices patch by patch: each patch grows breadth-first to about the given size, the next one
-/// starts where earlier ones touch it. What a local computation around one vertex reads is then
-/// mostly in the cache from the vertex before. Isolated vertices come last.
+/// Returns the vertices patch by patch: each patch grows breadth-first to about the given size, the
+/// next one starts adjacent to earlier patches. A local computation around a vertex then mostly
+/// reads memory that is in the cache from the previous vertex. Isolated vertices come last.
 std::vector<Id> ComputePatchOrder(const SurfaceMesh& mesh, Id patchSize);
 }
 

@@ -15,9 +15,9 @@
 
 namespace dgg
 {
-/// A point of the surface. What it lies on is decided once, by Snap(): barycentric coordinates
-/// within 1e-9 of a vertex or an edge are on it, which keeps needle triangles away at a metric
-/// perturbation of at most 1e-9 edge lengths.
+/// A point of the surface. Its support (vertex, edge or face) is determined once, by Snap():
+/// barycentric coordinates within 1e-9 of a vertex or an edge are snapped to it, which avoids
+/// needle triangles at a metric perturbation of at most 1e-9 edge lengths.
 struct DGG_CORE_EXPORT SurfacePoint
 {
   enum class Support : std::uint8_t
@@ -32,59 +32,62 @@ struct DGG_CORE_EXPORT SurfacePoint
   Id Vertex = NoId;
   Id HalfEdge = NoId;
   Id Face = NoId;
-  /// Coordinates with respect to the corners of SurfaceMesh::GetTriangle(Face); non-negative,
-  /// sum 1. Of a point near a vertex, the vector from the vertex to it in space.
+  /// Coordinates with respect to the corners of SurfaceMesh::GetTriangle(Face); non-negative, sum
+  /// 1. For a point near a vertex, the vector in space from the vertex to the point.
   std::array<double, 3> Barycentric{ { 1.0, 0.0, 0.0 } };
 
   static SurfacePoint AtVertex(Id vertex);
-  /// Point in space at an offset from a point of a cloud; at it when the offset is zero. There is
-  /// no such point on a mesh.
+  /// Point in space at an offset from a cloud point; the cloud point itself if the offset is zero.
+  /// Not used on meshes.
   static SurfacePoint NearVertex(Id vertex, const std::array<double, 3>& offset);
   /// Point at the given coordinates of a face, snapped. The coordinates refer to the corners of the
-  /// face *in the order of the input*, so that callers need not know of re-oriented faces.
+  /// face *in the order of the input*, so that callers need not consider re-oriented faces.
   static SurfacePoint InFace(
     const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric);
-  /// The same with coordinates that refer to the corners of SurfaceMesh::GetTriangle().
+  /// Like InFace(), with coordinates that refer to the corners of SurfaceMesh::GetTriangle().
   static SurfacePoint InTriangle(
     const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric);
   /// Point at parameter t in [0, 1] from Origin(h) to Destination(h), snapped.
   static SurfacePoint OnEdge(const SurfaceMesh& mesh, Id halfEdge, double t);
-  /// The same, not snapped: t is between 0 and 1.
+  /// Like OnEdge(), without snapping: t must be strictly between 0 and 1.
   static SurfacePoint InsideEdge(Id halfEdge, double t);
 
-  /// Fails with a message when the point does not exist on the mesh.
+  /// Fails if the point does not exist on the mesh.
   Status Check(const SurfaceMesh& mesh) const;
 };
 
-/// Whether a point is at a vertex.
+/// Returns true if a point is at a vertex.
 inline bool IsVertex(const SurfacePoint& point)
 {
   return point.On == SurfacePoint::Support::Vertex;
 }
 
-/// Whether two points are the same, given in the same way: a point on an edge in one of its faces
-/// is not the same as in another one.
+/// Returns true if two points have the same representation: a point on an edge differs from the
+/// same point given in another face of the edge.
 DGG_CORE_EXPORT bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b);
 
-/// Factor of angles by which the tangent plane at a point gets a full turn: 1 but for vertices that
-/// are not on the boundary.
+/// Returns the factor that scales the total angle at a point to 2 pi: 1 except at interior
+/// vertices.
 DGG_CORE_EXPORT double UnrollFactor(const SurfaceMesh& mesh, const SurfacePoint& point);
 
-/// Position of the point with the given barycentric coordinates (in its face) in the frame of
-/// half-edge h.
+/// Returns the position of a point, given by barycentric coordinates in the face of half-edge h, in
+/// the frame of h.
 DGG_CORE_EXPORT Point2 PlaceInFrame(
   const SurfaceMesh& mesh, Id h, const std::array<double, 3>& barycentric);
-/// A direction in the frame of half-edge `from`, in that of half-edge `to` of the same face.
+/// Converts a direction from the frame of half-edge `from` to that of half-edge `to` of the same
+/// face.
 DGG_CORE_EXPORT Point2 DirectionInFrame(
   const SurfaceMesh& mesh, Id from, Id to, const Point2& direction);
-/// Distance inside one face between a point given by barycentric coordinates and corner k.
+/// Returns the distance inside one face between a point given by barycentric coordinates and corner
+/// k.
 DGG_CORE_EXPORT double DistanceToCorner(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric, int k);
-/// Straight distance inside one face between two points given by barycentric coordinates.
+/// Returns the straight distance inside one face between two points given by barycentric
+/// coordinates.
 DGG_CORE_EXPORT double DistanceInFace(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& p, const std::array<double, 3>& q);
 
-/// Coordinates of corner k of a face.
+/// Returns the barycentric coordinates of corner k of a face.
 inline std::array<double, 3> CoordinatesOfCorner(Id k)
 {
   std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
@@ -92,7 +95,8 @@ inline std::array<double, 3> CoordinatesOfCorner(Id k)
   return b;
 }
 
-/// Coordinates, in the face of a half-edge, of the point at parameter t from its origin on.
+/// Returns the barycentric coordinates, in the face of a half-edge, of the point at parameter t
+/// from its origin.
 inline std::array<double, 3> CoordinatesOnEdge(Id halfEdge, double t)
 {
   std::array<double, 3> b{ { 0.0, 0.0, 0.0 } };
@@ -101,8 +105,8 @@ inline std::array<double, 3> CoordinatesOnEdge(Id halfEdge, double t)
   return b;
 }
 
-/// Coordinates of a point of a face that rounding has moved out of it: in a face of near-zero area,
-/// by much more than it moves a place.
+/// Clamps barycentric coordinates that rounding has moved out of a face. In nearly degenerate faces
+/// coordinates have large errors even if the position is accurate.
 DGG_CORE_EXPORT std::array<double, 3> ClampedToFace(std::array<double, 3> barycentric);
 
 /// Calls `visit(face, barycentric)` for the face of a point, or for all faces of the edge that

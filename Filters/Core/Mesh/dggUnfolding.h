@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The plane geometry of unfolding, shared by all window code: where the apex of a triangle lies,
-/// how an image and an interval move on to the next edge, where two windows tie.
+/// Plane geometry of unfolding, shared by all window code: the position of the apex of a triangle,
+/// the transfer of images and intervals to the next edge, ties between windows.
 ///
 /// The frame of a half-edge h: Origin(h) is (0,0), Destination(h) is (Length(h),0), the face of h
 /// lies in y > 0 and the image of the source in y < 0.
@@ -31,13 +31,13 @@ inline double Dot(const Point2& a, const Point2& b)
   return a.X * b.X + a.Y * b.Y;
 }
 
-/// Positive when b lies to the left of a.
+/// Positive if b lies to the left of a.
 inline double Cross(const Point2& a, const Point2& b)
 {
   return a.X * b.Y - a.Y * b.X;
 }
 
-/// The way from b to a.
+/// Vector from b to a.
 inline Point2 Difference(const Point2& a, const Point2& b)
 {
   return { a.X - b.X, a.Y - b.Y };
@@ -48,21 +48,21 @@ inline double Distance(const Point2& a, const Point2& b)
   return Norm(a.X - b.X, a.Y - b.Y);
 }
 
-/// A point given in the frame with the given origin and unit vector as x axis.
+/// Converts a point from the frame with the given origin and x axis (unit vector).
 inline Point2 FromFrame(const Point2& origin, const Point2& axis, const Point2& p)
 {
   return { origin.X + p.X * axis.X - p.Y * axis.Y, origin.Y + p.X * axis.Y + p.Y * axis.X };
 }
 
-/// A direction given in the frame with the given unit vector as x axis.
+/// Converts a direction from the frame with the given x axis (unit vector).
 inline Point2 Turned(const Point2& axis, const Point2& direction)
 {
   return { direction.X * axis.X - direction.Y * axis.Y,
     direction.X * axis.Y + direction.Y * axis.X };
 }
 
-/// Area of a triangle from its edge lengths, accurate for slivers (Kahan, "Miscalculating area and
-/// angles of a needle-like triangle", 2014).
+/// Returns the area of a triangle from its edge lengths, accurate for slivers (Kahan,
+/// "Miscalculating area and angles of a needle-like triangle", 2014).
 inline double TriangleArea(double a, double b, double c)
 {
   if (a < b)
@@ -81,9 +81,10 @@ inline double TriangleArea(double a, double b, double c)
   return 0.25 * std::sqrt(std::max(0.0, product));
 }
 
-/// Abscissa of a point at distance `fromOrigin` and `fromEnd` of the ends of a segment on the x
-/// axis. Which of the equivalent forms of the law of cosines is accurate depends on which edge of
-/// the triangle is the shortest: lengths that are close to each other have to be subtracted first.
+/// Returns the abscissa of a point at distances `fromOrigin` and `fromEnd` from the ends of a
+/// segment on the x axis. Which of the equivalent forms of the law of cosines is accurate depends
+/// on the shortest edge of the triangle: lengths that are close to each other must be subtracted
+/// first.
 inline double FootOnEdge(double length, double fromOrigin, double fromEnd)
 {
   if (fromOrigin <= fromEnd && fromOrigin <= length)
@@ -98,27 +99,28 @@ inline double FootOnEdge(double length, double fromOrigin, double fromEnd)
   return 0.5 * (length + (fromOrigin - fromEnd) * (fromOrigin + fromEnd) / length);
 }
 
-/// Corner of a triangle laid out above the x axis: `fromOrigin` and `fromEnd` are its distances
-/// from the ends of the segment.
+/// Returns the corner of a triangle laid out above the x axis; `fromOrigin` and `fromEnd` are its
+/// distances from the ends of the segment.
 inline Point2 LayOut(double length, double fromOrigin, double fromEnd)
 {
   return { FootOnEdge(length, fromOrigin, fromEnd),
     2.0 * TriangleArea(length, fromOrigin, fromEnd) / length };
 }
 
-/// Distance from an image to the point x on the axis.
+/// Returns the distance from an image to the point x on the axis.
 inline double DistanceToAxis(const Point2& image, double x)
 {
   return Norm(x - image.X, image.Y);
 }
 
-/// Where the segment from the image (below the axis) to `target` (above it) crosses the axis.
+/// Returns where the segment from the image (below the axis) to `target` (above the axis) crosses
+/// the axis.
 inline double Crossing(const Point2& image, const Point2& target)
 {
   return image.X + (target.X - image.X) * (-image.Y) / (target.Y - image.Y);
 }
 
-/// A triangle laid out above the x axis, entered through the edge on the axis. Windows go on
+/// A triangle laid out above the x axis, entered through the edge on the axis. Windows continue
 /// through its left edge, from the origin to the apex, or its right edge, from the apex to the end
 /// of the axis; these are the directions of the half-edges that are entered next on a consistently
 /// oriented mesh.
@@ -163,24 +165,25 @@ public:
       this->RightCosine * image.Y - this->RightSine * x };
   }
 
-  /// Where the ray from the image through x on the axis meets the left edge, measured from the
-  /// origin. `depth` is the distance of the image below the left edge, minus the Y of
+  /// Returns where the ray from the image through x on the axis meets the left edge, measured from
+  /// the origin. `depth` is the distance of the image below the left edge, minus the Y of
   /// ImageInLeft().
   double OnLeft(const Point2& image, double depth, double x) const
   {
     return Meet(x, -image.Y, depth, this->LeftSine, this->Left);
   }
 
-  /// Where the ray from the image through x on the axis meets the right edge, measured from the
-  /// apex.
+  /// Returns where the ray from the image through x on the axis meets the right edge, measured from
+  /// the apex.
   double OnRight(const Point2& image, double depth, double x) const
   {
     return this->Right - Meet(this->Base - x, -image.Y, depth, this->RightSine, this->Right);
   }
 
 private:
-  /// Similar triangles: distance from the corner on the axis at which the ray through the point at
-  /// `x` from that corner meets the edge. The apex when it misses the edge.
+  /// By similar triangles, the distance from the corner on the axis at which the ray through the
+  /// point at distance `x` from that corner meets the edge; clamped to the apex if the ray misses
+  /// the edge.
   static double Meet(double x, double height, double depth, double sine, double length)
   {
     const double denominator = depth - sine * x;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What it takes to unfold faces into the plane of a far source, one cache line a half-edge.
-/// Internal.
+/// Precomputed data for unfolding faces into the plane of a distant source, one cache line per
+/// half-edge. Internal.
 #ifndef dggUnfoldingTable_h
 #define dggUnfoldingTable_h
 
@@ -16,48 +16,47 @@
 
 namespace dgg
 {
-/// How a face is crossed when it is entered through one of its edges. Positions in the plane are
-/// relative to the edge: its origin, and its direction as a unit vector u. The face lies to the
-/// left of u.
+/// Crossing of a face that is entered through one of its edges. Positions in the plane are relative
+/// to the edge: its origin, and its direction as a unit vector u. The face lies to the left of u.
 ///
-/// Directions are turned by the angles of the face rather than taken from differences of unfolded
-/// points: those would lose all accuracy at an edge that is tiny for its distance.
+/// Directions are rotated by the angles of the face rather than computed from differences of
+/// unfolded points, which would lose all accuracy at an edge that is tiny relative to its distance.
 struct alignas(64) FaceCrossing
 {
-  /// A window goes on through the left edge, from the origin to the apex, or through the right
-  /// edge, from the apex to the end.
+  /// Exit edges of a window: the left edge, from the origin to the apex, and the right edge, from
+  /// the apex to the end.
   enum Side
   {
     Left = 0,
     Right = 1
   };
 
-  Point2 Apex;         ///< in the frame of the edge
-  Point2 Direction[2]; ///< of the left and the right edge, unit vectors
-  Id Behind[2];        ///< what follows behind them: codes of UnfoldingTable
+  Point2 Apex;         ///< apex in the frame of the edge
+  Point2 Direction[2]; ///< unit vectors along the left and the right edge
+  Id Behind[2];        ///< what follows behind these edges: codes of UnfoldingTable
   Id ApexVertex;       ///< id of the table
-  Id HalfEdge;         ///< the edge in the mesh; ~h when entered against its direction
+  Id HalfEdge;         ///< the edge in the mesh; ~h if entered as its mirror image
 
-  /// Whether the face is seen in its mirror image.
+  /// Returns true if the face is unfolded as its mirror image.
   bool IsMirrored() const { return this->HalfEdge < 0; }
   Id GetHalfEdge() const { return this->IsMirrored() ? ~this->HalfEdge : this->HalfEdge; }
 };
 
-/// The crossings of all faces, in an order that is kind to the cache, with vertices renumbered
-/// alike. Where the faces of an edge are not oriented alike, or there are more than two of them,
-/// the face behind is crossed in its mirror image: the plane is never flipped.
+/// The crossings of all faces in a cache-friendly order, with vertices renumbered accordingly. At
+/// edges with inconsistent orientation or more than two faces, the face behind is crossed as its
+/// mirror image: the plane is never flipped.
 class UnfoldingTable
 {
 public:
-  /// `order` lists the vertices of the mesh in their new order. The table is good for nothing but
-  /// Check() if that fails.
+  /// `order` lists the vertices of the mesh in their new order. If Check() fails, no other function
+  /// may be called.
   UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order);
 
-  /// Fails with a message when the mesh is too large: crossings are counted by Id, and a mesh that
-  /// needs mirror images has two of them a half-edge.
+  /// Fails if the mesh is too large: crossings are indexed by Id, and a mesh that needs mirror
+  /// images has two per half-edge.
   Status Check() const { return CheckSize(this->Count); }
 
-  /// What decides on the size of a table.
+  /// Quantities that determine the size of a table.
   struct Extent
   {
     Offset HalfEdges = 0;
@@ -69,12 +68,12 @@ public:
 
   const SurfaceMesh& GetMesh() const { return this->Mesh; }
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Order.size()); }
-  /// From new to old ids and back.
+  /// Conversion from new to old ids, and vice versa.
   Id OldVertex(Id v) const { return this->Order[v]; }
   Id NewVertex(Id v) const { return this->Rank[v]; }
 
   const FaceCrossing& operator[](Id entry) const { return this->Crossings[entry]; }
-  /// Have a crossing brought into the cache, if the code is that of one.
+  /// Prefetches a crossing, if the code is that of one.
   void Prefetch(Id code) const
   {
     if (code >= 0)
@@ -82,10 +81,10 @@ public:
       dgg::Prefetch(&this->Crossings[code]);
     }
   }
-  /// The crossing of the face of half-edge h, entered through h.
+  /// Returns the crossing of the face of half-edge h, entered through h.
   Id EntryOf(Id h) const { return 3 * this->FaceRank[SurfaceMesh::Face(h)] + h % 3; }
 
-  /// Call `visit(entry)` for everything that follows a code: nothing on the boundary, one crossing
+  /// Calls `visit(entry)` for everything that follows a code: nothing on the boundary, one crossing
   /// on a manifold edge, more on a non-manifold edge.
   template <typename Visitor>
   void ForEach(Id code, Visitor&& visit) const
@@ -96,7 +95,7 @@ public:
     }
     else if (code < NoId)
     {
-      // Once around the list, from the own place on.
+      // Traverses the circular list once, starting at the own position.
       const Id* const own = this->Branches.data() + (FirstBranch - code);
       for (const Id* next = own + 2;; next += 2)
       {
@@ -112,16 +111,17 @@ public:
       }
     }
   }
-  /// What follows behind half-edge `exit`, left from its own face.
+  /// Returns the code behind half-edge `exit`, left from its own face.
   Id CodeBehind(Id exit) const
   {
     return this->Crossings[this->EntryOf(SurfaceMesh::Next(exit))].Behind[FaceCrossing::Left];
   }
 
-  /// SurfaceMesh::PolarAngle() of a half-edge of the mesh, kept where its face is.
+  /// Returns SurfaceMesh::PolarAngle() of a half-edge of the mesh, stored in the order of the
+  /// table.
   double PolarAngle(Id h) const { return this->PolarAngles[this->EntryOf(h)]; }
-  /// Polar angle at a vertex of the table as it is stored: in [0, total angle), as a float not
-  /// beyond the end of the range.
+  /// Returns the polar angle at a vertex of the table as stored in a graph: in [0, total angle), as
+  /// a float below the end of the range.
   float StoredAngle(Id v, double angle) const
   {
     const AngleRange& range = this->Ranges[v];
@@ -130,9 +130,9 @@ public:
     return stored > 0.0F ? std::min(stored, range.Last) : 0.0F;
   }
 
-  /// Whether there are edges with more than two faces.
+  /// Returns true if there are edges with more than two faces.
   bool HasBranches() const { return !this->Branches.empty(); }
-  /// Whether crossings are there twice, for faces that are not oriented alike.
+  /// Returns true if mirrored crossings are stored as well, because orientations are inconsistent.
   bool NeedsMirrors() const { return this->Count.NeedsMirrors; }
   bool HasDegenerateFaces() const { return this->Mesh.GetNumberOfDegenerateFaces() > 0; }
 
@@ -141,7 +141,7 @@ private:
 
   struct AngleRange
   {
-    double Turn = 0.0; ///< what a full turn adds; nothing on the boundary
+    double Turn = 0.0; ///< total angle; 0 on the boundary
     float Last = 0.0F; ///< largest float below the total angle
   };
 
@@ -161,11 +161,12 @@ private:
   std::vector<FaceCrossing> Crossings;
   std::vector<double> PolarAngles; // per entry
   std::vector<AngleRange> Ranges;  // per new vertex
-  /// For every edge with more than two faces two lists of what is entered through it, an entry for
-  /// each of its half-edges: one list is the mirror image of the other, and they alternate. At the
-  /// end of a list is, negative, the way back to its begin. A code says which place is one's own.
+  /// For every non-manifold edge, two lists of the crossings that are entered through it, with one
+  /// entry per half-edge. The lists are mirror images of each other and interleaved. A negative
+  /// entry at the end of a list is the offset back to its begin. A code contains the position of
+  /// its own half-edge.
   std::vector<Id> Branches;
-  Id Mirrors = 0; // where the mirrored crossings start; 0 when there are none
+  Id Mirrors = 0; // first mirrored crossing; 0 if there are none
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// One propagation of virtual sources, round by round. Internal.
+/// Propagation of virtual sources in synchronous rounds. Internal.
 #ifndef dggPropagation_h
 #define dggPropagation_h
 
@@ -20,16 +20,16 @@
 
 namespace dgg
 {
-/// A part of a round.
+/// A chunk of the work of a round.
 struct alignas(64) PropagationChunk
 {
-  int Thread = 0;                         ///< that works on it
-  std::vector<PropagationLabel> Labels;   ///< of faces or edges
-  std::vector<PropagationLabel> Vertices; ///< of vertices, which are the entries
-  /// Of edges of many faces, by the half-edge that they leave through.
+  int Thread = 0;                         ///< thread that processes the chunk
+  std::vector<PropagationLabel> Labels;   ///< labels of faces or edges
+  std::vector<PropagationLabel> Vertices; ///< labels of vertices; Entry is the vertex
+  /// Labels of non-manifold edges, by the half-edge through which they leave.
   std::vector<PropagationLabel> Edges;
-  std::size_t Known = 0; ///< slots that have been propagated before
-  /// That were found, to be taken after the round.
+  std::size_t Known = 0; ///< number of slots that have been propagated before
+  /// Shortcuts found, to be applied after the round.
   std::vector<PropagationShortcut> Shortcuts;
 
   std::size_t GetNumberOfLabels() const
@@ -38,8 +38,8 @@ struct alignas(64) PropagationChunk
   }
 };
 
-/// One propagation. In `High` quality each edge has a slot, at its smallest half-edge, else each
-/// face.
+/// One propagation. In `High` quality there is one slot per edge, at its smallest half-edge,
+/// otherwise one per face.
 template <bool High>
 class Propagation
 {
@@ -48,15 +48,15 @@ public:
     const ParallelFor& parallel, int threads);
 
   void Start(const std::vector<GeodesicSource>& sources, bool wantsLabels);
-  /// Some rounds. Nothing is left to do when IsDone() holds.
+  /// Performs some rounds. IsDone() holds when no work is left.
   void Advance(RoundTeam& team);
   bool IsDone() const { return this->HasEnded; }
   /// Returns false if the search ended before labels settled.
   bool IsSettled() const { return this->Propagated <= this->MaximumCount(); }
   double GetProgress() const;
 
-  /// Mends what is missing then; to be called once. Returns the ways that vertices have their
-  /// distances from, nearest first, if labels are wanted.
+  /// Relaxes the remaining shortcuts; must be called once, after all rounds. Returns the shortcuts
+  /// that define vertex distances, nearest first, if labels are wanted.
   const std::vector<PropagationShortcut>& FindShortcuts(const ParallelFor& parallel);
 
   double GetDistance(Id v) const
@@ -64,13 +64,14 @@ public:
     return this->Distances[v] * this->Faces.GetUnit() + this->Shift;
   }
   bool IsReached(Id v) const { return this->Distances[v] < UnreachedKey; }
-  /// The label around a vertex that reaches it first; false without one.
+  /// Finds the label of a face or edge at a vertex that gives its shortest distance. Returns false
+  /// if there is none.
   bool FindLabel(Id v, PropagationLabel& label, VirtualPlace& place) const;
-  /// The same of one label that has entered a face at the vertex.
+  /// Returns the path from a label that has entered a face at the vertex.
   Way SeeFrom(Id v, const PropagationLabel& label, VirtualPlace& place) const;
 
 private:
-  /// Labels, about; it takes as many as it takes.
+  /// Approximate number of labels, for progress; the actual number may differ.
   double CountExpected() const;
   /// Returns the largest number of labels to propagate.
   std::size_t MaximumCount() const;
@@ -92,19 +93,20 @@ private:
   const PropagationFaces& Faces;
   const double Shift;
   const float Radius;
-  const Id FirstHub;        ///< slots from here on are those of hubs
-  bool HasRivals = false;   ///< several sources; of one all labels of a face are about as good
-  bool WantsLabels = false; ///< then shortcuts are kept
+  const Id FirstHub; ///< first slot of hubs
+  bool HasRivals =
+    false; ///< true for several sources; labels of a single source hardly differ within a face
+  bool WantsLabels = false; ///< if true, shortcuts are stored
   std::unique_ptr<PropagationSlot[]> Slots;
-  /// Lengths of ways to the vertices.
+  /// Lengths of the shortest paths found to the vertices.
   std::unique_ptr<std::atomic<float>[]> Distances;
   PropagationRounds Rounds;
-  std::vector<std::vector<BucketQueue::Entry>> Entries; ///< of a round, by threads
-  std::vector<std::vector<PropagationChunk>> Chunks;    ///< the same in parts
-  std::vector<PropagationShortcut> Shortcuts;           ///< of all rounds
+  std::vector<std::vector<BucketQueue::Entry>> Entries; ///< entries of a round, per thread
+  std::vector<std::vector<PropagationChunk>> Chunks; ///< entries of a round in chunks, per thread
+  std::vector<PropagationShortcut> Shortcuts;        ///< shortcuts of all rounds
   bool IsShared = false;
   bool HasEnded = false;
-  std::size_t Propagated = 0; ///< labels
+  std::size_t Propagated = 0; ///< number of labels propagated
 };
 }
 

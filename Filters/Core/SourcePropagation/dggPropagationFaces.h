@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The faces that virtual sources are propagated over, in single precision. Internal.
+/// Faces in single precision, for the propagation of virtual sources. Internal.
 #ifndef dggPropagationFaces_h
 #define dggPropagationFaces_h
 
@@ -21,15 +21,15 @@ inline int PreviousOf(int k)
   return k == 0 ? 2 : k - 1;
 }
 
-/// A face in single precision, one cache line. Lengths are in mean edges.
+/// A face in single precision, one cache line. Lengths are in units of the mean edge length.
 struct alignas(64) PropagationFace
 {
-  float Lengths[3]; ///< of its half-edges
-  float Cosines[3]; ///< of the corner angles at their origins
-  float Sines[3];   ///< of the same
-  Id Behind[3];     ///< the twin where it is the only one and oriented alike; else a code
+  float Lengths[3]; ///< lengths of its half-edges
+  float Cosines[3]; ///< cosines of the corner angles at their origins
+  float Sines[3];   ///< sines of the same angles
+  Id Behind[3];     ///< the twin, if it is unique and consistently oriented; otherwise a code
   Id Corners[3];    ///< the origins
-  bool IsIrregular; ///< whether a corner is a hub
+  bool IsIrregular; ///< true if a corner is a hub
 };
 
 class PropagationFaces
@@ -37,22 +37,23 @@ class PropagationFaces
 public:
   /// Codes of PropagationFace::Behind. From FirstGate on down: a hub, FirstGate - code.
   static constexpr Id Nothing = NoId;
-  static constexpr Id AskMesh = -2; ///< a few faces, or one that is not oriented alike
+  static constexpr Id AskMesh = -2; ///< a few faces, or one of opposite orientation
   static constexpr Id FirstGate = -3;
 
   explicit PropagationFaces(const SurfaceMesh& mesh);
 
   const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
   double GetUnit() const { return this->Unit; }
-  /// Whether a way can bend anywhere. If not, as in the plane, a source that seems to be too early
-  /// is only earlier than others.
+  /// Returns true if paths can bend somewhere. If not, as in the plane, a source that appears to be
+  /// too early is merely earlier than others.
   bool HasShadows() const { return this->IsAnyBend; }
 
-  /// Where a label goes on into many faces: irregular vertices, and edges of many faces.
+  /// Number of hubs, where a label continues into many faces: irregular vertices and edges with
+  /// many faces.
   Id GetNumberOfHubs() const { return this->NumberOfHubs; }
-  /// These come first.
+  /// Number of vertex hubs, which come first.
   Id GetNumberOfVertexHubs() const { return this->NumberOfVertexHubs; }
-  /// NoId where the vertex is none.
+  /// Returns the hub of a vertex, or NoId.
   Id GetHub(Id v) const { return this->VertexHubs.empty() ? NoId : this->VertexHubs[v]; }
 
 private:
@@ -60,11 +61,11 @@ private:
   void FindEdgeHubs(const SurfaceMesh& mesh);
 
   std::vector<PropagationFace> Faces;
-  std::vector<Id> VertexHubs; // empty when no vertex is irregular
+  std::vector<Id> VertexHubs; // empty if no vertex is irregular
   Id NumberOfHubs = 0;
   Id NumberOfVertexHubs = 0;
   bool IsAnyBend = false;
-  double Unit; // the mean edge
+  double Unit; // mean edge length
 };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Virtual sources as faces see them. Internal.
+/// Virtual sources in the frames of faces. Internal.
 #ifndef dggPropagationLabel_h
 #define dggPropagationLabel_h
 
@@ -11,8 +11,9 @@
 #include <cmath>     // for std::sqrt
 #include <limits>    // for UnreachedKey
 
-/// Labels are small structures that are handed on while they change: they have to stay in registers
-/// all the way, or what is written piece by piece and read as a whole stalls (twice the time).
+/// Labels are small structures that are modified while they are passed between functions. They must
+/// stay in registers, since writing single members and reading the entire structure stalls on store
+/// forwarding (twice the running time).
 #if defined(__GNUC__)
 #define DGG_INLINE inline __attribute__((always_inline))
 #else
@@ -21,23 +22,23 @@
 
 namespace dgg
 {
-/// Distances that differ by less, relative, are the same. Labels that are nearer by less would go
-/// round in circles, for a gain by rounding each time.
+/// Relative difference below which distances are equal. Otherwise labels could circulate forever,
+/// with a tiny gain by rounding each time.
 constexpr float PropagationRounding = 5e-7F;
 inline constexpr float UnreachedKey = std::numeric_limits<float>::max();
 
-/// A virtual source as a face sees it.
+/// A virtual source in the frame of the half-edge through which it entered a face.
 struct PropagationLabel
 {
-  float X; ///< in the frame of Entry, below its axis
+  float X; ///< position in the frame of Entry, below its axis
   float Y;
   float Offset; ///< distance at the virtual source
   Id Entry;     ///< the half-edge through which it was unfolded
-  Id Root;      ///< which source it comes from
+  Id Root;      ///< index of the source
 };
 
-/// An order of labels with the same key, so that of several that arrive at once the same one is
-/// kept, whoever comes first.
+/// An order of labels with equal keys, so that among simultaneous arrivals the same label is kept
+/// regardless of the order of threads.
 inline bool ComesBefore(const PropagationLabel& a, const PropagationLabel& b)
 {
   if (a.Entry != b.Entry)
@@ -56,12 +57,12 @@ inline float PlaneLength(float x, float y)
   return std::sqrt(x * x + y * y);
 }
 
-/// How far beyond an end of the axis a line may pass, about, as a part of the axis: ways straight
-/// through a vertex do not bend there by rounding.
+/// Tolerance by which a line may pass beyond an end of the axis, relative to the length of the
+/// axis: paths straight through a vertex must not bend because of rounding.
 constexpr float BendSlack = 1e-4F;
 
-/// The end of the axis, if the straight line from the source of a label to a point above the axis
-/// passes beyond that end, becomes the source.
+/// If the straight line from the source of a label to a point above the axis passes beyond an end
+/// of the axis, that end becomes the source.
 inline void BendAround(PropagationLabel& label, float length, float x, float y)
 {
   const float slack = BendSlack * length * (y - label.Y + std::abs(x - label.X));
@@ -79,14 +80,14 @@ inline void BendAround(PropagationLabel& label, float length, float x, float y)
   }
 }
 
-/// The way from a virtual source to a corner of the face that it has entered: straight, or bent
+/// The path from a virtual source to a corner of the face that it has entered: straight, or bent
 /// around an end of the entry.
 struct Way
 {
-  PropagationLabel Label; ///< after the bend
-  float X;                ///< the corner, in the frame of the entry
+  PropagationLabel Label; ///< label after the bend
+  float X;                ///< position of the corner, in the frame of the entry
   float Y;
-  float Length; ///< from the label
+  float Length; ///< distance from the label to the corner
 
   float GetDistance() const { return this->Label.Offset + this->Length; }
 };
@@ -110,10 +111,11 @@ DGG_INLINE Way WayTo(int corner, const PropagationLabel& label, const Propagatio
   return way;
 }
 
-/// Turn a label into the frame of the twin of one of the two half-edges that it leaves through.
+/// Transforms a label into the frame of the twin of one of the two half-edges through which it
+/// leaves.
 DGG_INLINE void UnfoldTo(int side, PropagationLabel& label, const PropagationFace& face)
 {
-  // As in FaceUnfolding.
+  // Same formulas as in FaceUnfolding.
   const int k = label.Entry % 3;
   const float length = face.Lengths[side];
   const bool isLeft = side == PreviousOf(k);
@@ -125,7 +127,8 @@ DGG_INLINE void UnfoldTo(int side, PropagationLabel& label, const PropagationFac
   label.X = isLeft ? along : length - along;
   if (label.Y > 0.0F)
   {
-    // The source is on the far side, as behind a hole: the way bends around the nearer end.
+    // The source is on the far side, for example behind a hole: the path bends around the nearer
+    // end.
     const float end = 2.0F * label.X < length ? 0.0F : length;
     label.Offset += PlaneLength(label.X - end, label.Y);
     label.X = end;
@@ -133,11 +136,13 @@ DGG_INLINE void UnfoldTo(int side, PropagationLabel& label, const PropagationFac
   }
 }
 
-/// How much earlier than any way found so far a source may reach the end of an edge, as a part of
-/// the edge. Ways that have yet to be found are shorter by less than that, shadows hide more.
+/// Tolerance by which a source may reach the end of an edge earlier than any path found so far,
+/// relative to the edge length. Paths that are found later are shorter by less than that; shadows
+/// cause larger differences.
 constexpr float ShadowTolerance = 0.05F;
 
-/// Move a source to where it does not reach an end of the axis earlier than is known so far.
+/// Moves a source so that it does not reach an end of the axis earlier than the distance known so
+/// far.
 DGG_INLINE void StayOutOfShadows(PropagationLabel& label, float length, float knownA, float knownB)
 {
   const float tolerance = ShadowTolerance * length;
@@ -164,8 +169,8 @@ DGG_INLINE void StayOutOfShadows(PropagationLabel& label, float length, float kn
   }
 }
 
-/// Whether the source is the vertex that the entry starts at. Then its other end need not be behind
-/// any edge that is crossed.
+/// Returns true if the source is the origin of the entry. Then the other end of the entry need not
+/// be behind any crossed edge.
 inline bool IsAtOrigin(const PropagationLabel& label)
 {
   return label.X == 0.0F && label.Y == 0.0F;

@@ -12,21 +12,21 @@
 
 namespace dgg
 {
-/// A virtual source as a vertex sees it.
+/// A virtual source as seen from a vertex.
 struct VirtualPlace
 {
   double Length = 0.0; ///< straight distance
-  Id HalfEdge = NoId;  ///< of the vertex, from which the angle is measured; NoId at the source
+  Id HalfEdge = NoId;  ///< half-edge at the vertex from which Angle is measured; NoId at the source
   double Angle = 0.0;
 };
 
 class PropagationOutput
 {
 public:
-  /// Rounding at the largest distance that is asked for, relative.
+  /// Relative tolerance at the maximum distance.
   static constexpr double LimitSlack = 1e-6;
 
-  /// `shift` is the least initial distance.
+  /// `shift` is the smallest initial distance.
   PropagationOutput(const SurfaceMesh& mesh, const PropagationOptions& options, double shift,
     PropagationResult& result);
 
@@ -34,9 +34,10 @@ public:
   {
     return this->Options.WantNearestSource || this->Options.WantVirtualSource;
   }
-  /// False when it is beyond the maximum distance. Several threads may set different vertices.
+  /// Sets the distance of a vertex. Returns false if it is beyond the maximum distance. Several
+  /// threads may set different vertices.
   bool SetDistance(Id v, double distance);
-  /// Whether that is what it has been set to.
+  /// Returns true if the distance of a vertex was set to this value.
   bool IsAt(Id v, double distance) const
   {
     return this->Result.Distances[v] == std::min(distance, this->Options.MaximumDistance);
@@ -46,8 +47,8 @@ public:
   {
     return this->Options.WantNearestSource ? this->Result.NearestSource[v] : NoId;
   }
-  /// The sources themselves, and the corners of the faces that they lie in, are known exactly; no
-  /// label has come to them.
+  /// Sets the exact distances of the sources and of the corners of their faces, which no label has
+  /// reached.
   void TakeSources(const std::vector<GeodesicSource>& sources);
 
 private:

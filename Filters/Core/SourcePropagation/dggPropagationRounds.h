@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which labels of virtual sources are propagated at one time. Internal.
+/// Selects the labels that are propagated in each round. Internal.
 #ifndef dggPropagationRounds_h
 #define dggPropagationRounds_h
 
@@ -15,12 +15,12 @@
 namespace dgg
 {
 /// The best label of a face or an edge.
-struct alignas(32) PropagationSlot // not on two cache lines
+struct alignas(32) PropagationSlot // does not straddle cache lines
 {
   std::atomic<float> Key;
-  std::atomic<bool> IsPending; ///< has changed and not been propagated since
+  std::atomic<bool> IsPending; ///< changed since it was last propagated
   std::atomic<bool> IsLocked;
-  float Threshold; ///< what a key has to be below: that propagated last, less rounding
+  float Threshold; ///< upper limit of new keys: last propagated key minus rounding
   PropagationLabel Best;
 
   void Clear()
@@ -33,24 +33,26 @@ struct alignas(32) PropagationSlot // not on two cache lines
   }
 };
 
-/// Slots that wait to be propagated, nearest first: a round takes a bucket one mean edge wide, or a
-/// part of one where triangles are much smaller than that. Each thread has a queue of its own: what
-/// it has pushed is in its cache. Which thread that is does not change what a round consists of.
+/// Slots that wait to be propagated, nearest first: a round takes a bucket with a width of one mean
+/// edge, or a part of a bucket if triangles are much smaller. Each thread has its own queue, since
+/// the entries that it has pushed are in its cache. The contents of a round do not depend on the
+/// assignment to threads.
 class PropagationRounds
 {
 public:
   explicit PropagationRounds(int threads);
 
   void Push(int thread, float key, Id slot) { this->Queues[thread].Push(key, slot); }
-  /// Which entries to look at in the next round, by threads; false when there are none left.
+  /// Returns the entries of the next round, per thread; false if there are none left.
   bool Next(const PropagationSlot* slots, std::vector<std::vector<BucketQueue::Entry>>& entries);
-  /// After a round: how many labels it has propagated, and how many of slots that had been
-  /// propagated before.
+  /// Adapts the width after a round, given the number of propagated labels, and of labels from
+  /// slots that had been propagated before.
   void AdjustWidth(std::size_t labels, std::size_t known);
 
 private:
   std::vector<BucketQueue> Queues;
-  /// Where buckets are too wide: entries up to the current bucket, the nearest one in front.
+  /// If buckets are too wide: a heap of the entries up to the current bucket, the nearest one in
+  /// front.
   std::vector<BucketQueue::Entry> Near;
   float Width = 1.0F;
   std::size_t WindowLabels = 0;

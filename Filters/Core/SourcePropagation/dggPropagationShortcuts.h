@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Ways that the virtual sources of faces and edges have missed. Internal.
+/// Paths that the virtual sources stored per face or edge have missed. Internal.
 #ifndef dggPropagationShortcuts_h
 #define dggPropagationShortcuts_h
 
@@ -14,17 +14,17 @@
 
 namespace dgg
 {
-/// A way to a vertex by a label that no face or edge keeps.
+/// A path to a vertex by a label that no face or edge stores.
 struct PropagationShortcut
 {
   Id Vertex;
   float Distance;
-  /// Has entered a face at the vertex. Its root is NoId where it follows an edge from the vertex
-  /// that its entry starts at: then it is the root of that vertex.
+  /// Label that has entered a face at the vertex. If the path follows an edge from the origin of
+  /// its entry, its root is NoId and stands for the root of that vertex.
   PropagationLabel Label;
 };
 
-/// The way from one corner of a face to another one along their edge.
+/// The path from one corner of a face to another along their edge.
 inline PropagationShortcut WayAlongEdge(
   Id f, const PropagationFace& face, int from, int to, float start)
 {
@@ -32,13 +32,13 @@ inline PropagationShortcut WayAlongEdge(
   return { face.Corners[to], start + length, { 0.0F, 0.0F, start, 3 * f + from, NoId } };
 }
 
-/// Lower the distances of vertices to those along edges: none is farther than a neighbour and the
-/// edge between them, up to rounding and up to the radius. Appends the ways.
+/// Relaxes all mesh edges up to the radius: no distance exceeds that of a neighbor plus the edge
+/// length, up to rounding. Appends the resulting paths.
 void TakeWaysAlongEdges(const SurfaceMesh& mesh, const PropagationFaces& faces, float radius,
   const ParallelFor& parallel, std::atomic<float>* distances,
   std::vector<PropagationShortcut>& shortcuts);
 
-/// Keep those that vertices have their distances from, nearest first, in an order of their own.
+/// Keeps the shortcuts that define vertex distances, nearest first, in a deterministic order.
 void KeepShortest(const std::atomic<float>* distances, std::vector<PropagationShortcut>& shortcuts);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Threads that share many short loops, one after the other. Internal.
+/// A team of threads for many consecutive short loops. Internal.
 #ifndef dggRoundTeam_h
 #define dggRoundTeam_h
 
@@ -20,23 +20,24 @@
 
 namespace dgg
 {
-/// A loop over thousands of short rounds, each of which is parallel: to start threads for each
-/// round would take longer than the rounds. So threads are started once; one leads, and the others
-/// wait actively for chunks of the round that it is at. The leader never waits for a thread that
-/// has not taken a chunk, so that they need not come.
+/// Runs thousands of short rounds, each of which is parallel. Starting threads for each round would
+/// take longer than the rounds. Therefore threads are started once; one leads, and the others wait
+/// actively for chunks of the current round. The leader never waits for a thread that has not taken
+/// a chunk, so that threads may be missing.
 ///
-/// What one thread writes and another one reads takes as long as several labels. So each chunk
-/// belongs to a thread, others only take what it has not begun, and what a thread writes is on
-/// cache lines of its own.
+/// Transferring a cache line between threads costs as much as several labels. Therefore each chunk
+/// belongs to a thread, other threads only take chunks that it has not begun, and each thread
+/// writes to cache lines of its own.
 class RoundTeam
 {
 public:
-  /// More threads would not find enough to do.
+  /// Maximum team size; more threads would not find enough work.
   static constexpr int LargestTeam = 16;
-  using Counts = std::array<Offset, LargestTeam>; ///< by threads
+  using Counts = std::array<Offset, LargestTeam>; ///< per thread
 
-  /// Calls lead(team) in this thread, with up to so many threads in all. What it throws reaches the
-  /// caller. It must not wait for loops of others: their threads may be in this one.
+  /// Calls lead(team) in this thread, with up to `threads` threads in total. Exceptions are
+  /// forwarded to the caller. `lead` must not wait for parallel loops of other threads, which may
+  /// be members of this team.
   template <typename Lead>
   static void Run(const ParallelFor& parallel, int threads, Lead&& lead)
   {
@@ -52,12 +53,12 @@ public:
     });
   }
 
-  /// Whether others have come to help. Asked once a round: it decides whether the steps of a round
-  /// need protection from each other.
+  /// Returns true if other threads have joined. Queried once per round: it decides whether the
+  /// steps of a round need synchronization.
   bool IsShared() const { return this->NumberOfMembers.load(std::memory_order_acquire) > 1; }
 
-  /// Calls chunk(owner, i, thread) for all i below counts[owner], several at once if the round is
-  /// shared. Only for the leader, who is thread 0.
+  /// Calls chunk(owner, i, thread) for all i below counts[owner], concurrently if the round is
+  /// shared. Only for the leader, which is thread 0.
   template <typename Chunk>
   void ForEach(const Counts& counts, bool isShared, const Chunk& chunk)
   {
@@ -100,11 +101,13 @@ public:
 
 private:
   static constexpr int SpinsBeforeYield = 256;
-  /// Who finds nothing to do for longer leaves the processor to others, such as the leader.
+  /// Threads without work sleep after this many spins, to leave the processor to others, such as
+  /// the leader.
   static constexpr int SpinsBeforeSleep = 2000;
   static constexpr std::chrono::microseconds Nap{ 50 };
 
-  /// Chunks that nobody has begun: their owner takes the first one, others the last one.
+  /// Chunks that have not been started: their owner takes the first one, other threads the last
+  /// one.
   struct alignas(8) Range
   {
     std::int32_t Begin;
@@ -113,11 +116,11 @@ private:
   struct Member
   {
     alignas(64) std::atomic<Range> Left{ Range{ 0, 0 } };
-    std::atomic<int> Round{ 0 };               ///< that the range belongs to
-    alignas(64) std::atomic<Offset> Done{ 0 }; ///< chunks that this thread has done
+    std::atomic<int> Round{ 0 };               ///< round of the range
+    alignas(64) std::atomic<Offset> Done{ 0 }; ///< number of chunks completed by this thread
   };
 
-  /// Tells the others that it is over, also when something is thrown.
+  /// Signals the end to other members, also on exceptions.
   struct End
   {
     RoundTeam& Team;
@@ -171,7 +174,7 @@ private:
     return false;
   }
 
-  /// Own chunks, then those of others; whether there were any.
+  /// Processes own chunks, then those of other members. Returns true if there were any.
   bool Work(int self)
   {
     bool hasWorked = false;
@@ -203,7 +206,7 @@ private:
     return hasWorked;
   }
 
-  /// Work until the end.
+  /// Works until the end is signaled.
   void Follow()
   {
     const int self = this->NumberOfMembers.fetch_add(1, std::memory_order_acq_rel);
@@ -225,11 +228,11 @@ private:
     }
   }
 
-  const int Size; ///< chunks of who has not come are done by others
+  const int Size; ///< chunks of missing members are done by others
   std::array<Member, LargestTeam> Members;
   std::function<void(int, Offset, int)> Body;
   int Round = 0;
-  std::atomic<int> NumberOfMembers{ 1 }; ///< the leader is the first one
+  std::atomic<int> NumberOfMembers{ 1 }; ///< including the leader
   alignas(64) std::atomic<bool> IsOver{ false };
   std::mutex Mutex;
   std::exception_ptr Thrown;

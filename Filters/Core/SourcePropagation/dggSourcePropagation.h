@@ -15,11 +15,11 @@
 
 namespace dgg
 {
-/// What keeps a virtual source of its own.
+/// Elements that store a virtual source.
 enum class PropagationQuality
 {
-  Fast, ///< each face
-  High  ///< each edge: more accurate, and slower
+  Fast, ///< one source per face
+  High  ///< one source per edge: more accurate, and slower
 };
 
 struct PropagationOptions
@@ -36,40 +36,41 @@ struct PropagationOptions
 struct PropagationResult
 {
   std::vector<double> Distances; ///< per vertex; Infinity where unreached
-  /// Per vertex, index into the sources; NoId where unreached. Empty unless asked for.
+  /// Per vertex, index into the sources; NoId where unreached. Empty unless requested.
   std::vector<Id> NearestSource;
-  /// As in SearchResult. Empty unless asked for.
+  /// As in SearchResult. Empty unless requested.
   VirtualSources Virtual;
-  /// False if the search ended before distances settled. They are lengths of paths that were found,
-  /// and may be far too long.
+  /// False if the search ended before distances settled. The distances are then lengths of paths,
+  /// but may be far too long.
   bool IsSettled = true;
 };
 
 class PropagationFaces;
 
-/// Trettner, Bommes and Kobbelt, "Geodesic distance computation via virtual source propagation",
-/// 2021, on one mesh, which must outlive it. A virtual source is unfolded from face to face, as
-/// long as the straight line from it to the next face crosses the edge between them; else the
-/// nearer end of the edge becomes the virtual source. Each face (or edge) keeps the best one that
-/// has reached it. No distance is longer than the shortest way along mesh edges. Nothing else
-/// bounds the error: where sources pass a saddle vertex, what lies in the shadow may be reached too
-/// early, and single vertices too late.
+/// Virtual source propagation (Trettner, Bommes and Kobbelt, "Geodesic distance computation via
+/// virtual source propagation", 2021) on one mesh, which must outlive the object. A virtual source
+/// is unfolded from face to face as long as the straight line from it to the next face crosses the
+/// edge between them; otherwise the nearer end of the edge becomes the virtual source. Each face
+/// (or edge) stores the best source that has reached it. No distance is longer than the shortest
+/// path along mesh edges. Otherwise the error is unbounded: where sources pass a saddle vertex,
+/// points in its shadow may be reached too early, and single vertices too late.
 ///
-/// Five things differ from the paper.
-///  - Faces are visited in synchronous rounds over buckets of distance, so that the result does not
-///    depend on the number of threads.
-///  - Of sources that are equally near, up to rounding, that with the smaller offset is kept: it
-///    explains more of the mesh. On regular and flat meshes this decides on the accuracy.
-///  - A source that would reach an end of the edge earlier than any way found so far is moved to
-///    where it does not: that end lies in a shadow. Not so where no way can bend, as in the plane.
-///  - Faces have corners that are nearest to other sources than the one they keep. A way that is
-///    shorter along an edge, or from one of several sources that a face has turned down, counts for
-///    the vertex that it leads to.
-///  - Irregular vertices, and edges of many faces, keep the best source as well and pass it on to
-///    all their faces, once a round at most.
+/// The implementation differs from the paper in five respects.
+/// - Faces are visited in synchronous rounds over buckets of distance, so that the result does not
+///   depend on the number of threads.
+/// - Of sources at equal distance, up to rounding, the one with the smaller offset is kept: it
+///   explains more of the mesh. On regular and flat meshes this determines the accuracy.
+/// - A source that would reach an end of the edge earlier than any path found so far is moved so
+///   that it does not, because that end lies in a shadow. This is skipped where no path can bend,
+///   as in the plane.
+/// - Corners of a face may be nearest to a source other than that of the face. A shorter path along
+///   an edge, or from one of several sources that a face has rejected, is used for the vertex to
+///   which it leads.
+/// - Irregular vertices, and edges with many faces, store the best source as well and pass it on to
+///   all their faces, at most once per round.
 ///
-/// Single precision inside, relative to the mean edge and to the largest distance. Any triangle
-/// complex will do. Run() may be called by several threads at once.
+/// Computations use single precision, relative to the mean edge length and to the largest distance.
+/// Any triangle complex is accepted. Run() may be called by several threads simultaneously.
 class DGG_CORE_EXPORT SourcePropagation
 {
 public:
@@ -78,9 +79,10 @@ public:
   SourcePropagation(const SourcePropagation&) = delete;
   SourcePropagation& operator=(const SourcePropagation&) = delete;
 
-  /// Distances from the nearest of the sources. Fails as ExactGeodesics does, and with initial
-  /// distances more than 1e30 mean edges apart. On some meshes of small needles, distances do
-  /// not settle in single precision. The search then ends; see PropagationResult::IsSettled.
+  /// Computes distances from the nearest source. Fails like ExactGeodesics::Run(), and if initial
+  /// distances differ by more than 1e30 mean edge lengths. On some meshes of small needles,
+  /// distances do not settle in single precision. The search then ends; see
+  /// PropagationResult::IsSettled.
   Status Run(const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
     PropagationResult& result) const;
 
