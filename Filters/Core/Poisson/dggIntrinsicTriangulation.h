@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A triangulation that is nothing but lengths and gluing, whose edges can be flipped. Internal.
+/// An intrinsic triangulation, given by lengths and gluing, whose edges can be flipped. Internal.
 #ifndef dggIntrinsicTriangulation_h
 #define dggIntrinsicTriangulation_h
 
@@ -14,8 +14,8 @@
 namespace dgg
 {
 /// The faces of a mesh as triangles glued along their edges. Half-edges have the conventions of
-/// SurfaceMesh, but the faces that it drops are missing, so that ids differ. Several edges between
-/// the same two vertices and edges from a vertex to itself are legal.
+/// SurfaceMesh, but dropped faces are omitted, so that ids differ. Several edges between the same
+/// two vertices and edges from a vertex to itself are allowed.
 class IntrinsicTriangulation
 {
 public:
@@ -32,45 +32,46 @@ public:
   Id Twin(Id h) const { return this->Twins[h]; }
   double Length(Id h) const { return this->Lengths[h]; }
 
-  /// The smallest of the half-edges of the edge.
+  /// Returns the smallest half-edge of the edge.
   Id FirstOfEdge(Id h) const;
-  /// The corner of a face across from its first side, in the plane with that on the x axis.
+  /// Returns the corner of a face opposite to its first side, in the plane with that side on the x
+  /// axis.
   Point2 Apex(Id face) const;
 
   /// Cotangent of the corner at the origin of the half-edge, inside its face. Accurate for slivers.
   double Cotangent(Id h) const;
   double Area(Id face) const;
 
-  /// Whether exactly two different faces meet at the edge.
+  /// Returns true if exactly two different faces meet at the edge.
   bool IsFlippable(Id h) const;
 
-  /// Replace the edge by the other diagonal of its two faces, laid out in the plane. False, and
-  /// nothing has changed, when the edge cannot be flipped or a triangle would lose its area.
+  /// Replaces the edge by the other diagonal of its two faces, laid out in the plane. Returns false
+  /// without any change if the edge cannot be flipped or a triangle would become degenerate.
   bool Flip(Id h);
 
 private:
   bool IsPair(Id h) const;
-  /// The half-edge whose twin is h; NoId on the boundary.
+  /// Returns the half-edge whose twin is h; NoId on the boundary.
   Id FindPredecessor(Id h) const;
-  /// Exchange corners 1 and 2 of a face.
+  /// Swaps corners 1 and 2 of a face.
   void TurnOver(Id face);
 
   Id NumberOfVertices = 0;
   std::vector<Id> Origins;
   std::vector<Id> Twins;
   std::vector<double> Lengths;
-  /// Of an edge between two faces: whether its half-edges run in the same direction. The origins do
-  /// not decide for an edge from a vertex to itself.
+  /// Per half-edge of an edge between two faces, true if both half-edges run in the same direction.
+  /// The origins do not determine this for an edge from a vertex to itself.
   std::vector<std::uint8_t> RunsAlong;
 };
 
-/// Flip edges until those between two faces are Delaunay: the cotangents that face them do not add
-/// up to less than 0, but for rounding (Bobenko and Springborn, "A discrete Laplace-Beltrami
+/// Flips edges until those between two faces are Delaunay: the sum of the cotangents opposite to an
+/// edge is not negative, up to rounding (Bobenko and Springborn, "A discrete Laplace-Beltrami
 /// operator for simplicial surfaces", 2007; Fisher et al., "An algorithm for the construction of
-/// intrinsic Delaunay triangulations", 2007). Lengths on the surface, angles and areas stay what
-/// they are. Edges on the boundary, with more than two faces, or with the same face on both sides
-/// stay, as do those whose faces would lose their area to rounding. At most 100 flips per edge,
-/// where ordinary meshes need less than one. `flips` is the number of them.
+/// intrinsic Delaunay triangulations", 2007). The metric of the surface does not change. Edges on
+/// the boundary, with more than two faces, or with the same face on both sides are kept, as are
+/// those whose faces would become degenerate by rounding. At most 100 flips per edge are made;
+/// ordinary meshes need less than one. `flips` receives the number of flips.
 Status MakeDelaunay(
   IntrinsicTriangulation& triangulation, const ProgressCallback& progress, Offset& flips);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The Poisson equation on a surface: what Green's functions and their kin share.
+/// Solver of the Poisson equation on a surface, shared by Green's functions and related methods.
 #ifndef dggPoissonSolver_h
 #define dggPoissonSolver_h
 
@@ -18,46 +18,47 @@ namespace dgg
 {
 class PoissonSystem;
 
-/// How messages name a point of a surface.
+/// Returns the name of a surface point for messages.
 DGG_CORE_EXPORT std::string NameOf(const SurfacePoint& point);
 
-/// What happens at the boundary of the surface.
+/// Boundary condition.
 enum class PoissonBoundary
 {
-  Neumann,  ///< nothing flows through it
-  Dirichlet ///< values are given there; 0 for Green's functions
+  Neumann,  ///< no flux through the boundary
+  Dirichlet ///< values are given; 0 for Green's functions
 };
 
-/// How sources are balanced, and means taken, where no values are given.
+/// Weights of vertices for balancing sources and for means, in components without given values.
 enum class PoissonWeights
 {
-  Area,   ///< in proportion to the area around a vertex
-  Uniform ///< the same for all vertices (Lipman, Rustamov and Funkhouser, "Biharmonic distance",
-          ///< 2010): right for cells of equal area only
+  Area,   ///< proportional to the area around a vertex
+  Uniform ///< equal for all vertices (Lipman, Rustamov and Funkhouser, "Biharmonic distance",
+          ///< 2010): correct only for cells of equal area
 };
 
 struct PoissonOptions
 {
   PoissonBoundary Boundary = PoissonBoundary::Neumann;
   PoissonWeights Weights = PoissonWeights::Area;
-  /// Vertices whose values are given besides those of a Dirichlet boundary, in any order; they may
-  /// repeat.
+  /// Vertices with given values, in addition to a Dirichlet boundary, in any order, possibly
+  /// repeated.
   std::vector<Id> DirichletVertices;
-  /// Flip edges until they are Delaunay first: then there are no negative weights, and the maximum
-  /// principle holds. For meshes with obtuse triangles.
+  /// If true, edges are first flipped until they are Delaunay: then no weight is negative, and the
+  /// maximum principle holds. For meshes with obtuse triangles.
   bool IntrinsicDelaunay = false;
 };
 
-/// -Laplace u = f by linear finite elements (cotangents, lumped areas) on a mesh that must outlive
-/// it. The system is factorized once (L D L^T with approximate minimum degree) and kept.
+/// Solves -Laplace u = f by linear finite elements (cotangents, lumped areas) on a mesh that must
+/// outlive the object. The system is factorized once (L D L^T with approximate minimum degree) and
+/// reused.
 ///
-/// Any triangle complex will do: edges with more than two faces conduct between all of them,
-/// vertices with several fans between these, and orientation plays no part. Where nothing is
-/// given in a component, sources are balanced (PoissonWeights), since
-/// what flows in must flow out, and the solution has mean 0. Vertices without a face get 0.
-/// Elements with cotangents beyond 1e6 are made softer, see MakeCotanLaplacian(); where these are
-/// not a few, but carry more than 1 % of the energy of a solution, Factorize() fails; where that is
-/// so of a small component only, sources there are refused.
+/// Any triangle complex is accepted: edges with more than two faces connect all of them, vertices
+/// connect all their fans, and orientation is irrelevant. In components without given values,
+/// sources are balanced (PoissonWeights), because total inflow and outflow must agree, and the
+/// solution has mean 0. Vertices without a face get 0. Elements with cotangents beyond 1e6 are
+/// softened, see CotanLaplacian. If these are not just a few, but carry more than 1 % of the energy
+/// of a solution, Factorize() fails; if this concerns a small component only, sources in that
+/// component are rejected.
 class DGG_CORE_EXPORT PoissonSolver
 {
 public:
@@ -66,53 +67,54 @@ public:
   PoissonSolver(const PoissonSolver&) = delete;
   PoissonSolver& operator=(const PoissonSolver&) = delete;
 
-  /// Asked before the factorization with the bytes that the solver will take, and with those of
-  /// them that it does not hold yet. Fails when they are too many.
+  /// Called before the factorization with the bytes that the solver will need in total, and the
+  /// part of them that is not yet allocated. Fails if memory is insufficient.
   using MemoryCheck = std::function<Status(double bytes, double missing)>;
 
-  /// Analyze and factorize the system; what the options do not change is kept. Progress is
-  /// reported, and a stop heeded, between the parts of the work.
+  /// Analyzes and factorizes the system; unaffected data is reused. Progress is reported, and
+  /// aborts are handled, between the steps.
   Status Prepare(const PoissonOptions& options, const ProgressCallback& progress,
     const MemoryCheck& checkMemory = nullptr);
-  /// Bytes that all takes while it is factorized, at most twice what they are.
+  /// Returns the estimated peak memory of the factorization in bytes, at most twice the actual
+  /// size.
   double GetEstimatedMemory() const;
   bool IsReady() const;
 
-  /// Replace integrated sources, b_i = integral of f phi_i with the hat function of vertex i, by
-  /// the solution; where values are given, replace the given value by itself.
-  /// Fails when there are not as many as vertices, or some are not finite, or a thousandth of them
-  /// is in components whose triangles are too thin (PoissonSystem::IsThin()).
+  /// Replaces integrated sources, b_i = integral of f phi_i with the hat function of vertex i, by
+  /// the solution; given values are returned unchanged. Fails if the size differs from the number
+  /// of vertices, a value is not finite, or a thousandth of the sources is in components whose
+  /// triangles are too thin (PoissonSystem::IsThin()).
   Status Solve(std::vector<double>& values) const;
-  /// Several right-hand sides, such as the channels of a colour: all or, where one is wrong, none.
-  /// More than four are solved for together, eight at a time.
+  /// Solves for several right-hand sides, such as color channels: all of them or, if one is
+  /// invalid, none. More than four are solved together, eight at a time.
   Status Solve(std::vector<std::vector<double>>& columns) const;
-  /// The same for Laplace^2 u = f: with the matrix L of the Laplacian and the areas M it is
-  /// L M^-1 L u = b, so that u is the solution for that of -Laplace u = f. With Dirichlet
-  /// conditions both are 0 where values are given; with Neumann conditions nothing of either flows
-  /// out.
+  /// Like Solve(), for Laplace^2 u = f: with the matrix L of the Laplacian and the areas M, solves
+  /// L M^-1 L u = b, i.e. two Poisson equations in sequence. With Dirichlet conditions both u and
+  /// Laplace u are 0 at given values; with Neumann conditions both have no flux through the
+  /// boundary.
   Status SolveBiLaplace(std::vector<std::vector<double>>& columns) const;
-  /// Fails when there are not as many as vertices, or some are not finite.
+  /// Fails if the size differs from the number of vertices, or a value is not finite.
   Status CheckNumbers(const std::vector<double>& values) const;
-  /// What Solve() fails for.
+  /// Fails if Solve() would.
   Status CheckValues(const std::vector<double>& values) const;
 
   const SurfaceMesh& GetMesh() const;
   const PoissonOptions& GetOptions() const;
   /// Per vertex, a third of the areas of its faces.
   const std::vector<double>& GetAreas() const;
-  /// The part of a vertex in means over its component.
+  /// Weight of a vertex in means over its component.
   double GetWeight(Id v) const;
-  /// Whether the value of a vertex is given.
+  /// Returns true if the value of a vertex is given.
   bool IsFixed(Id v) const;
 
-  /// Fails when a point is not on the mesh, or a vertex without a face.
+  /// Fails if a point is not on the mesh, or is a vertex without a face.
   Status CheckPlace(const SurfacePoint& point) const;
-  /// Fails when a point is no place for a pole: not on the mesh, without a face, or on a boundary
-  /// where values are given, or in a closed component although Dirichlet conditions are asked for,
-  /// or in a component whose triangles are too thin.
+  /// Fails if a point cannot be a pole: not on the mesh, without a face, on a boundary with given
+  /// values, in a closed component although Dirichlet conditions are requested, or in a component
+  /// whose triangles are too thin.
   Status CheckPole(const SurfacePoint& point) const;
 
-  /// Factorizations done so far, for tests.
+  /// Number of factorizations so far, for tests.
   int GetNumberOfFactorizations() const;
   Offset GetNumberOfFactorEntries() const;
 

@@ -18,43 +18,45 @@
 
 namespace dgg
 {
-/// L u = b with the cotangent Laplacian L, positive semidefinite, on a mesh that must outlive it.
+/// L u = b with the cotangent Laplacian L, positive semidefinite, on a mesh that must outlive the
+/// object.
 ///
-/// In a component without given values, L has the constants as kernel. There b is balanced: what
-/// it sums to is taken off in proportion to the weights w. One value is held at 0, the rest is
-/// solved for, and the weighted mean of the solution is made 0. With P = I - 1 w^T, w summing to 1,
-/// that is P L^+ P^T, which is symmetric. Components (through edges and shared vertices) do not
-/// know of each other. Any triangle complex will do; orientation plays no part.
+/// In a component without given values, the kernel of L consists of the constants. There b is
+/// balanced: its sum is subtracted in proportion to the weights w. One value is fixed at 0, the
+/// others are solved for, and the weighted mean of the solution is shifted to 0. With P = I - 1
+/// w^T, w summing to 1, that is P L^+ P^T, which is symmetric. Components (through edges and shared
+/// vertices) are independent of each other. Any triangle complex is accepted; orientation is
+/// irrelevant.
 class PoissonSystem : public LaplaceSystem
 {
 public:
-  /// Cotangents beyond this are scaled down (MakeCotanLaplacian()). Edges that short conduct so
-  /// well that values at their ends are the same either way.
+  /// Cotangents beyond this are scaled down (CotanLaplacian). Such edges conduct so well that the
+  /// values at their ends agree in either case.
   static constexpr double LargestCotangent = 1e6;
 
   explicit PoissonSystem(const SurfaceMesh& mesh);
 
-  /// Triangulation, matrices, order of elimination.
+  /// Computes the triangulation, the matrices and the elimination order.
   Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
   /// After Analyze().
   Status Factorize(const ProgressCallback& progress = {});
-  /// Grows whenever other options change the matrix or the weights, which makes what was computed
-  /// with them out of date.
+  /// Increases whenever changed options modify the matrix or the weights, which invalidates derived
+  /// data.
   std::uint64_t GetRevision() const { return this->Revision; }
   bool IsReady() const { return this->IsAnalyzed && this->Factor.IsComputed(); }
 
   const PoissonOptions& GetOptions() const { return this->Options; }
   const SurfaceMesh& GetMesh() const { return this->Mesh; }
-  /// The triangles whose hat functions are the elements; those of the mesh where nothing was
-  /// flipped, in the same order, without the dropped ones.
+  /// Returns the triangles of the elements; without flips, those of the mesh in the same order,
+  /// without dropped faces.
   const IntrinsicTriangulation& GetTriangulation() const { return this->Triangulation; }
   std::array<double, 3> GetCotangents(Id face) const;
-  /// Which triangle a face of the mesh is, as long as nothing is flipped; NoId for a dropped face.
+  /// Returns the triangle of a face of the mesh, if no edge is flipped; NoId for a dropped face.
   Id GetTriangleOf(Id face) const { return this->TriangleOfFace[face]; }
 
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Components.size()); }
   using LaplaceSystem::GetComponent;
-  /// Of a point that is on the mesh.
+  /// Returns the component of a point on the mesh.
   Id GetComponent(const SurfacePoint& point) const
   {
     return this->Components[IsVertex(point) ? point.Vertex : this->Mesh.Origin(3 * point.Face)];
@@ -62,58 +64,60 @@ public:
   /// A third of the areas of the faces around a vertex.
   const std::vector<double>& GetAreas() const { return this->Areas; }
   double GetArea(Id v) const { return this->Areas[v]; }
-  /// Part of the vertex in means over its component.
+  /// Weight of the vertex in means over its component.
   double GetWeight(Id v) const { return this->Weights[v]; }
   double GetComponentArea(Id c) const { return this->ComponentAreas[c]; }
   double GetMeanEdge(Id c) const { return this->MeanEdges[c]; }
-  /// The longest sides of triangles, in the mean over the area: more than the mean edge where many
-  /// small triangles are beside large ones, as on parts of machines.
+  /// Area-weighted mean of the longest sides of triangles: larger than the mean edge if many small
+  /// triangles occur beside large ones, as on CAD models.
   double GetMeanLongestSide(Id c) const { return this->MeanLongestSides[c]; }
   bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
-  /// Whether the value of the vertex is given.
+  /// Returns true if the value of the vertex is given.
   bool IsFixed(Id v) const { return this->Fixed[v] != 0; }
-  /// Whether all corners that matter to a point have given values.
+  /// Returns true if all corners with non-zero weight at a point have given values.
   bool IsFixed(const SurfacePoint& point) const;
-  /// Whether no value is given in the component.
+  /// Returns true if no value is given in the component.
   bool IsFree(Id c) const { return this->ComponentHasDirichlet[c] == 0; }
 
-  /// Whether the triangles of the component are too thin for solutions there to be right. A few
-  /// thin ones do no harm. After Factorize(), which fails when that is so of the whole surface.
+  /// Returns true if the triangles of the component are too thin for accurate solutions; a few thin
+  /// triangles are harmless. To be called after Factorize(), which fails if this holds for the
+  /// entire surface.
   bool IsThin(Id c) const { return this->ComponentIsThin[c] != 0; }
-  /// Whether that is so of any component, also where it is what Factorize() failed for.
+  /// Returns true if any component is too thin, also after Factorize() failed for that reason.
   bool HasThin() const;
 
-  /// L f.
+  /// Returns L f.
   std::vector<double> Multiply(const std::vector<double>& f) const;
-  /// L, vertex by vertex.
+  /// Returns L, indexed by vertices.
   const Eigen::SparseMatrix<double>& GetStiffness() const { return this->Stiffness; }
   const EliminationOrder& GetOrder() const { return this->Order; }
-  /// Whether the value of the vertex is the one that is held at 0 in its component. After
-  /// Analyze().
+  /// Returns true if the value of the vertex is the one fixed at 0 in its component. To be called
+  /// after Analyze().
   bool IsPinned(Id v) const { return this->Pinned[this->Components[v]] == v; }
 
-  /// Replace integrated sources (at vertices with given values, these values) by the solution. May
-  /// be called by several threads at once.
+  /// Replaces integrated sources (at vertices with given values, these values) by the solution. May
+  /// be called by several threads simultaneously.
   void Solve(std::vector<double>& values) const;
-  /// Several right-hand sides. More than four are solved for together, eight at a time, in about
-  /// half the time for each.
+  /// Solves for several right-hand sides. More than four are solved together, eight at a time, in
+  /// about half the time per right-hand side.
   void Solve(std::vector<std::vector<double>>& columns) const;
-  /// As many systems as lanes, for loops that need them side by side.
+  /// Solves for one right-hand side per lane, for loops that need them interleaved.
   void Solve(std::vector<SparseLanes>& block) const;
 
-  /// Replace a density by sources: its integrals with lumped areas, 0 where values are given.
+  /// Replaces a density by sources: its integrals with lumped areas, 0 at given values.
   void Integrate(std::vector<double>& density) const;
-  /// L M^-1 L u = b, M the areas: solve, integrate, solve. Given values are 0.
+  /// Solves L M^-1 L u = b, with the areas M: solve, integrate, solve. Given values are 0.
   void SolveBiLaplace(std::vector<std::vector<double>>& columns) const;
 
-  /// Take the weighted mean off in components without given values.
+  /// Subtracts the weighted mean in components without given values.
   template <typename Number>
   void Center(std::vector<Number>& values) const;
 
-  /// Bytes that all takes while it is factorized, at most twice what they are. After Analyze().
+  /// Returns the estimated peak memory of the factorization in bytes, at most twice the actual
+  /// size. To be called after Analyze().
   double GetEstimatedMemory() const;
   Offset GetNumberOfFactorEntries() const { return this->Order.GetNumberOfFactorEntries(); }
-  /// Factorizations done so far, for tests.
+  /// Number of factorizations so far, for tests.
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
 private:
@@ -138,7 +142,7 @@ private:
 
   std::vector<Id> TriangleOfFace;
   std::vector<double> Weights;                     // per vertex
-  std::vector<double> Diagonal;                    // per vertex, of the stiffness
+  std::vector<double> Diagonal;                    // per vertex, diagonal of the stiffness
   std::vector<std::uint8_t> Fixed;                 // per vertex
   std::vector<double> ComponentAreas;              // per component
   std::vector<double> MeanEdges;                   // per component

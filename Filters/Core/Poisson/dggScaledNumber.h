@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Numbers with the precision of double and a range without end. Internal.
+/// Numbers with the precision of double and an unlimited range. Internal.
 #ifndef dggScaledNumber_h
 #define dggScaledNumber_h
 
@@ -10,8 +10,9 @@
 
 namespace dgg
 {
-/// Mantissa * 2^(512 Exponent), with a mantissa of absolute value in [2^-256, 2^256), or 0. Heat
-/// falls by a factor of about three per edge: beyond some 700 edges it is too small for a double.
+/// Mantissa * 2^(512 Exponent), with a mantissa of absolute value in [2^-256, 2^256), or 0.
+/// Temperature falls by a factor of about three per edge: beyond some 700 edges it is too small for
+/// a double.
 class ScaledNumber
 {
 public:
@@ -21,7 +22,7 @@ public:
   {
     this->Normalize();
   }
-  /// e to the power of x.
+  /// Returns e to the power of x.
   static ScaledNumber Exp(double x)
   {
     constexpr double step = 512.0 * 0.693147180559945309417232;
@@ -34,7 +35,7 @@ public:
   bool IsZero() const { return this->Mantissa == 0.0; }
   std::int64_t GetExponent() const { return this->Exponent; }
 
-  /// The value times 2^(-512 exponent), as far as a double goes.
+  /// Returns the value times 2^(-512 exponent) as a double, which may underflow or overflow.
   double Relative(std::int64_t exponent) const
   {
     switch (this->Exponent - exponent)
@@ -67,7 +68,7 @@ public:
     }
     else if (!other.IsZero())
     {
-      // A difference of two exponents is a factor of 2^-512 at least: nothing is left of that.
+      // If exponents differ by at least two, the smaller number is below the rounding error.
       if (this->Exponent >= other.Exponent)
       {
         this->Mantissa += other.Relative(this->Exponent);

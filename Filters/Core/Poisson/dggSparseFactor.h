@@ -15,21 +15,21 @@
 
 namespace dgg
 {
-/// In which order unknowns are eliminated so that a factor has few entries: approximate minimum
-/// degree. Factors of all matrices with the same pattern share it.
+/// Elimination order that keeps the number of entries of a factor small: approximate minimum
+/// degree. Shared by the factors of all matrices with the same pattern.
 class EliminationOrder
 {
 public:
   EliminationOrder() = default;
-  /// From both triangles of a symmetric matrix.
+  /// Computes the order from a symmetric matrix with both triangles stored.
   explicit EliminationOrder(const Eigen::SparseMatrix<double>& matrix);
 
-  /// Off-diagonal entries that a factor has (Liu, "The role of elimination trees in sparse
+  /// Number of off-diagonal entries of a factor (Liu, "The role of elimination trees in sparse
   /// factorization", 1990).
   Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
-  /// Bytes that a factor takes while it is computed.
+  /// Returns the peak memory in bytes while a factor is computed.
   double EstimateFactorMemory() const;
-  /// The unknown of each part that is eliminated last.
+  /// Returns, for each part, the unknown that is eliminated last.
   std::vector<Id> FindLast(const std::vector<Id>& parts, Id numberOfParts) const;
 
 private:
@@ -37,12 +37,12 @@ private:
 
   Eigen::SparseMatrix<double> Permute(const Eigen::SparseMatrix<double>& matrix) const;
 
-  /// Where entries of a factor are, by places in the order.
+  /// Positions of the entries of a factor, indexed by the elimination order.
   struct Pattern
   {
-    std::vector<Id> Places;      ///< of unknowns
-    std::vector<Id> Parents;     ///< the row of the first entry of each column, NoId for none
-    std::vector<Offset> Columns; ///< where the entries of each column begin, and their number
+    std::vector<Id> Places;      ///< position of each unknown in the order
+    std::vector<Id> Parents;     ///< row of the first entry of each column, NoId for none
+    std::vector<Offset> Columns; ///< offset of the entries of each column, and total number
   };
 
   std::shared_ptr<const Pattern> Shared;
@@ -50,33 +50,36 @@ private:
   Offset FactorEntries = 0;
 };
 
-/// The same unknown of several systems.
+/// One unknown of several systems.
 using SparseLanes = Eigen::Array<double, 8, 1>;
 
-/// L D L^T of a symmetric matrix, without pivoting. Eigen's factorization of it takes seconds on
-/// large meshes, and can neither report progress nor be stopped; only its ordering is used.
+/// L D L^T factorization of a symmetric matrix, without pivoting. Eigen's factorization takes
+/// seconds on large meshes and can neither report progress nor be stopped; only its ordering is
+/// used.
 class SparseFactor
 {
 public:
-  /// From a matrix with the pattern of the order and all entries of the diagonal, of which the
-  /// upper triangle is read. Equations of unknowns that are known, if flags are given, say that
-  /// the unknown is its right-hand side, and no other equation has it. Where rounding leaves a
-  /// pivot of 0, as among faces with next to no area, the diagonal is raised by 1e-10 of its
-  /// largest entry; it is an error when that fails, too. Progress is reported after each few
+  /// Factorizes a matrix with the pattern of the order and all diagonal entries, of which the upper
+  /// triangle is read. If `isKnown` is not empty, the equations of flagged unknowns are replaced by
+  /// "unknown = right-hand side", and these unknowns are removed from all other equations. If
+  /// rounding leads to a zero pivot, as among nearly degenerate faces, the diagonal is increased by
+  /// 1e-10 of its largest entry; an error if that fails as well. Progress is reported every few
   /// million operations.
   Status Compute(const EliminationOrder& order, const Eigen::SparseMatrix<double>& matrix,
     const std::vector<std::uint8_t>& isKnown = {}, const ProgressCallback& progress = {});
   bool IsComputed() const { return this->Computed; }
-  /// Whether the diagonal was raised: solutions then are those of a system nearby.
+  /// Returns true if the diagonal was increased, so that solutions are those of a slightly
+  /// perturbed system.
   bool IsRaised() const { return this->Raised; }
-  /// Pivots below 0: as many as eigenvalues (Sylvester).
+  /// Returns the number of negative pivots, which equals that of negative eigenvalues (Sylvester's
+  /// law of inertia).
   Id CountNegative() const;
   void Clear();
 
-  /// Replace the right-hand side by the solution. `Number` is double, ScaledNumber, or
-  /// SparseLanes for that many systems at once, which costs half as much for each. Nothing is
-  /// subtracted from numbers of the same sign where the matrix is an M-matrix and the right-hand
-  /// side not negative: then every value has a small relative error, however small it is.
+  /// Replaces the right-hand side by the solution. `Number` is double, ScaledNumber, or SparseLanes
+  /// for that many systems together, at half the cost per system. For an M-matrix and a
+  /// non-negative right-hand side there is no cancellation: every value has a small relative error,
+  /// however small the value is.
   template <typename Number>
   void Solve(std::vector<Number>& values) const;
 
@@ -86,7 +89,7 @@ private:
   void SolveInOrder(std::vector<Number>& values) const;
 
   std::shared_ptr<const EliminationOrder::Pattern> Pattern;
-  std::vector<Id> Rows; ///< of the entries of L below the diagonal, column by column
+  std::vector<Id> Rows; ///< rows of the entries of L below the diagonal, column by column
   std::vector<double> Entries;
   std::vector<double> Diagonal; ///< D
   bool Computed = false;

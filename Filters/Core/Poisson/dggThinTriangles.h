@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether triangles are too thin for the Poisson equation. Internal.
+/// Detects triangles that are too thin for the Poisson equation. Internal.
 #ifndef dggThinTriangles_h
 #define dggThinTriangles_h
 
@@ -15,26 +15,27 @@ namespace dgg
 {
 class PoissonSystem;
 
-/// What thin triangles take from the solution of a problem with random sources, per component as a
-/// part of it: the larger of these two.
-///  - The energy in triangles that were made softer (PoissonSystem::LargestCotangent), as far as
-///    they were. A few thin ones have next to none, as the values at their ends are the same; where
-///    a surface is thin altogether they have all of it.
-///  - How much the solution changes when diagonal entries of the matrix change in their last bit.
-///    The sum of conductances around a vertex forgets those that are 1e16 times less than others.
+/// Relative error caused by thin triangles in the solution of a problem with random sources, per
+/// component: the maximum of the following two.
+/// - The fraction of energy in softened triangles (PoissonSystem::LargestCotangent), weighted by
+///   the degree of softening. A few thin triangles have almost no energy, as the values at their
+///   ends agree; if a surface is thin everywhere, they have all of it.
+/// - The change of the solution if diagonal entries of the matrix change in their last bit. The sum
+///   of conductances around a vertex loses those that are 1e16 times smaller than others.
 std::vector<double> MeasureThinTriangles(const PoissonSystem& system);
 
-/// Reports which components lose more than 1 %. Fails when the mean of what they lose, over the
-/// area, is more than that. For a system that is factorized.
+/// Flags the components with an error of more than 1 %. Fails if the area-weighted mean of the
+/// errors exceeds 1 %. The system must be factorized.
 Status CheckThinTriangles(const PoissonSystem& system, std::vector<std::uint8_t>& isThin);
 
-/// What a part of a surface that is thin, beside others that are not, is refused for.
+/// Errors for requests in a thin component of a surface that is usable elsewhere.
 /// @{
-/// Fails when the component is thin. `where` is what messages begin with.
+/// Fails if the component is thin. `where` is the beginning of the message.
 Status CheckThinPlace(const PoissonSystem& system, Id component, const std::string& where);
-/// Fails when a thousandth of the integrated sources, which messages call by `noun`, is in thin
-/// components. Densities that are everywhere put less than that into debris. Slivers that curves
-/// with given values cut off are not meant: these values hold the solution.
+/// Fails if a thousandth of the integrated sources (called `noun` in messages) is in thin
+/// components. Densities that cover the entire surface put less than that into small debris
+/// components. Slivers that curves with given values cut off are exempt, since these values
+/// determine the solution.
 Status CheckThinSources(
   const PoissonSystem& system, const std::vector<double>& sources, const std::string& noun);
 /// @}

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Smooth interpolation of values that are given at sites on a surface.
+/// Smooth interpolation of values at sites on a surface.
 #ifndef dggBiharmonicSplines_h
 #define dggBiharmonicSplines_h
 
@@ -18,41 +18,42 @@ namespace dgg
 /// Biharmonic splines of sites x_1 ... x_k anywhere on a surface: with the Green's functions q_j of
 /// the bi-Laplacian (GreensOrder::BiLaplace, linear in faces),
 ///
-///     u = c + sum_j w_j q_j,  sum_j w_j = 0,
+///     u = c + sum_j w_j q_j, sum_j w_j = 0,
 ///
-/// with a constant and a sum for each component without given values; where values are given, u is
-/// 0 there, and there is neither. Of all functions with the same values at the sites u has the
-/// least integral of (Laplace u)^2, in numbers u^T L M^-1 L u, as splines on a line have of u''^2.
-/// Through a boundary with Neumann conditions nothing of u flows, nor of Laplace u, so that only
-/// constants are reproduced: where values follow a slope, u flattens within about one distance of
-/// sites from the boundary (P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines",
-/// 2012, whose functions span the same space; G. Wahba, "Spline interpolation and smoothing on the
-/// sphere", 1981).
+/// with one constant and one side condition per component without given values. In components with
+/// given values there is neither, and u is 0 at given values. Among all functions with the same
+/// values at the sites, u minimizes the integral of (Laplace u)^2, discretely u^T L M^-1 L u, as
+/// cubic splines on a line minimize that of u''^2. With Neumann conditions, neither u nor Laplace u
+/// has flux through the boundary, so that only constants are reproduced: where values follow a
+/// slope, u flattens within about one site spacing from the boundary (P. Feng, J. Warren, "Discrete
+/// bi-Laplacians and biharmonic b-splines", 2012, whose functions span the same space; G. Wahba,
+/// "Spline interpolation and smoothing on the sphere", 1981).
 class DGG_CORE_EXPORT BiharmonicSplines
 {
 public:
-  /// The solver must be ready and outlive this.
+  /// The solver must be ready and outlive the object.
   explicit BiharmonicSplines(const PoissonSolver& solver);
   ~BiharmonicSplines();
   BiharmonicSplines(const BiharmonicSplines&) = delete;
   BiharmonicSplines& operator=(const BiharmonicSplines&) = delete;
 
-  /// Solve for the functions of the sites, eight at a time, and factorize a dense matrix. Fails as
-  /// CheckSplinePlaces() does, and where sites are in the same place, or more than the corners of
-  /// the faces that hold them, since functions are linear there: at most three in one face, two on
-  /// one edge. To be done again when the solver has been prepared with other options. Progress is
-  /// reported by the threads of `parallel`, several at once.
+  /// Solves for the functions of the sites, eight at a time, and factorizes a dense matrix. Fails
+  /// like CheckSplinePlaces(), if sites coincide, or if a face contains too many sites, since
+  /// functions are linear in faces: at most three in one face, two on one edge. Must be repeated
+  /// after the solver has been prepared with other options. Progress is reported by the threads of
+  /// `parallel`, several simultaneously.
   Status Prepare(const std::vector<SurfacePoint>& sites, const ParallelFor& parallel,
     const ProgressCallback& progress);
 
-  /// Functions per vertex, one for each column of values, one per site. They have these values to
-  /// 1e-9 of their differences, mostly 1e-13, or it fails; it does where values are not finite.
+  /// Computes functions per vertex, one for each column of values, one value per site. They
+  /// interpolate the values to 1e-9 of their range (1e-13 usually), otherwise the call fails; it
+  /// also fails if values are not finite.
   Status Interpolate(const std::vector<std::vector<double>>& siteValues,
     const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<std::vector<double>>& functions) const;
 
-  /// The functions that are 1 at one site and 0 at the others. They sum to 1 in components without
-  /// given values.
+  /// Computes the functions that are 1 at one site and 0 at the others. They sum to 1 in components
+  /// without given values.
   Status FindBasis(const ParallelFor& parallel, const ProgressCallback& progress,
     const HarmonicSplines::Consumer& consume) const;
 

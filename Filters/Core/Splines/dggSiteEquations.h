@@ -15,8 +15,8 @@
 
 namespace dgg
 {
-/// sum_j lambda_j f_j(x_i) = v_i for sites x_i and as many functions f_j, which are linear in
-/// faces. Those of the sites of a component without given values contain the constants there.
+/// sum_j lambda_j f_j(x_i) = v_i for sites x_i and equally many functions f_j, which are linear in
+/// faces. In a component without given values, the functions of its sites span the constants.
 class SiteEquations
 {
 public:
@@ -25,15 +25,15 @@ public:
   {
   }
 
-  /// `atSites(i, j)` is f_j(x_i). Fails where functions depend on each other.
+  /// `atSites(i, j)` is f_j(x_i). Fails if functions are linearly dependent.
   Status Prepare(const std::vector<SurfacePoint>& sites, const Eigen::MatrixXd& atSites);
 
   /// Replaces coefficients by functions per vertex, column by column.
   using Combine = std::function<Status(std::vector<std::vector<double>>& columns)>;
 
-  /// The functions that have the values of each column, eight at a time, refined until they do.
-  /// Constants are so to the last bit. Fails where values are not finite, there are not as many as
-  /// sites, or 1e-9 of their differences is left.
+  /// Computes the functions that interpolate each column of values, eight at a time, with iterative
+  /// refinement. Constants are reproduced exactly. Fails if values are not finite, their number
+  /// differs from that of the sites, or a residual of 1e-9 of their range remains.
   Status Solve(const std::vector<std::vector<double>>& siteValues, const Combine& combine,
     const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<std::vector<double>>& functions) const;

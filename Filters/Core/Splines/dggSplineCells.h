@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The cells of harmonic B-splines, and how well they conduct. Internal.
+/// The cells of harmonic B-splines, and their conductances. Internal.
 #ifndef dggSplineCells_h
 #define dggSplineCells_h
 
@@ -15,31 +15,31 @@
 namespace dgg
 {
 /// The geodesic Voronoi diagram of sites, which are vertices, as a partition of the vertices
-/// without given values, and its Laplacian by finite volumes with fluxes between two points: what
-/// flows from cell i to cell j is c_ij (f_i - f_j),
+/// without given values, and its Laplacian by finite volumes with two-point fluxes: the flux from
+/// cell i to cell j is c_ij (f_i - f_j),
 ///
 ///     c_ij = length of the border between the cells / geodesic distance of the sites.
 ///
-/// Borders cross mesh edges (u, v), so they are made of the edges dual to these, which are w_uv
-/// |uv| long, w_uv the cotangent weight. These go to and fro: their lengths, added up, are too
-/// large by 10 to 30 %, however fine the mesh is. What counts is the part along the border. In the
-/// plane the function (d_i^2 - d_j^2) / (2 d_ij), d_i the distance from site i, is linear with
-/// slope 1 across the border, so its flux through the dual edges is the length of the straight
-/// border between their ends:
+/// Borders cross mesh edges (u, v), so they consist of the edges dual to these, which have the
+/// length w_uv |uv| with the cotangent weight w_uv. Dual edges zigzag: their total length is too
+/// large by 10 to 30 %, however fine the mesh is, and only the component along the border counts.
+/// In the plane the function (d_i^2 - d_j^2) / (2 d_ij), with the distance d_i from site i, is
+/// linear with slope 1 across the border, so its flux through the dual edges is the length of the
+/// straight border between their ends:
 ///
 ///     c_ij = sum over cut edges, u in cell i, v in cell j, of
 ///            w_uv (d_i(v)^2 - d_i(u)^2 + d_j(u)^2 - d_j(v)^2) / (2 d_ij^2).
 ///
-/// The bracket is not negative, as u is nearer to i and v to j. When u and v are the sites it is
-/// 2 d_ij^2: with all vertices as sites, K is the cotangent Laplacian itself, whatever the mesh.
+/// The bracket is not negative, as u is nearer to i and v to j. If u and v are the sites it equals
+/// 2 d_ij^2: with all vertices as sites, K is the cotangent Laplacian itself, for any mesh.
 ///
-/// To given values, at distance e(u) from vertex u, flows w_uv e(u) / (mean of e over the cell) for
-/// each edge from u to a vertex with a given value: again the length of the border, over the
-/// distance. With the mean in place of the distance of the site, basis functions sum to 1 away from
-/// given values on a boundary.
+/// The flux to given values, at distance e(u) from vertex u, is w_uv e(u) / (mean of e over the
+/// cell) for each edge from u to a vertex with a given value: again the length of the border over
+/// the distance. The mean over the cell is used instead of the distance of the site, so that basis
+/// functions sum to 1 away from given values on a boundary.
 struct SplineCells
 {
-  /// What flows from a cell to a vertex with a given value.
+  /// Flux from a cell to a vertex with a given value.
   struct Rim
   {
     Id Site;
@@ -47,23 +47,23 @@ struct SplineCells
     double Coefficient;
   };
 
-  std::vector<Id> Cells;       ///< per vertex, the site; NoId with given values or without a face
+  std::vector<Id> Cells;       ///< per vertex, its site; NoId with given values or without a face
   std::vector<Id> Components;  ///< per site
   std::vector<double> Weights; ///< per site, the sum of PoissonSystem::GetWeight()
-  /// K: -c_ij off the diagonal. Rows sum to what flows to given values, so to 0 without these.
+  /// K: -c_ij off the diagonal. Rows sum to the flux to given values, hence to 0 without these.
   Eigen::SparseMatrix<double> Stiffness;
   std::vector<Rim> Rims;
 };
 
-/// The sites must have been checked. A vertex at the same distance from several sites goes to any
-/// of them, always the same.
+/// Computes the cells; sites must have been checked. Ties between sites are resolved
+/// deterministically.
 Status FindSplineCells(const PoissonSystem& system, const std::vector<Id>& sites,
   const ParallelFor& parallel, const ProgressCallback& progress, SplineCells& cells);
 
-/// Solve K lambda = b. The right-hand side is per vertex: integrated sources, or given values.
-/// `coefficients` of the sites in `given` are given. Components where nothing is given are
-/// balanced, and have the mean 0. False when some cells do not conduct, or conduct so badly that
-/// the equations cannot be solved to 1e-8.
+/// Solves K lambda = b. The right-hand side is per vertex: integrated sources, or given values. The
+/// coefficients of the sites in `given` are given. Components where nothing is given are balanced,
+/// and their solution has mean 0. Returns false if some cells have no conductance, or if the
+/// conductances are so small that the equations cannot be solved to 1e-8.
 bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,
   const std::vector<double>& rightHandSide, const std::vector<Id>& given,
   std::vector<double>& coefficients);

@@ -15,29 +15,30 @@
 
 namespace dgg
 {
-/// Vertices that are far from each other and from those with given values, one after the other the
-/// farthest one along the edges of the mesh (FarthestPoints). Every component that has a vertex
-/// without a given value gets a site, so there may be more than asked for; there are fewer when the
-/// mesh has fewer such vertices. Where triangles are too thin, a component has no more than one.
-/// The solver must be ready.
+/// Chooses vertices that are far from each other and from those with given values, by
+/// farthest-point sampling along the edges of the mesh (FarthestPoints). Every component that has a
+/// vertex without a given value gets a site, so that there may be more than `count` sites; there
+/// are fewer if the mesh has fewer such vertices. A component whose triangles are too thin gets at
+/// most one site. The solver must be ready.
 DGG_CORE_EXPORT Status ChooseSplineSites(
   const PoissonSolver& solver, Id count, const ProgressCallback& progress, std::vector<Id>& sites);
 
-/// The components that have a vertex without a given value: how many sites there are at least.
+/// Returns the number of components that have a vertex without a given value, which is the minimum
+/// number of sites.
 DGG_CORE_EXPORT Id CountSplineComponents(const PoissonSolver& solver);
 
-/// Fails, with a message that names the site by its number, when there is none, or one does not
-/// exist, has no face, has a given value (or is where all corners have), or is the same vertex as
-/// an earlier one; when a component with a vertex without given value has no site, or one with
-/// triangles that are too thin has several.
+/// Fails, naming the index of the site, if there are no sites; if a site does not exist, has no
+/// face, has a given value (or lies where all corners have), or is the same vertex as an earlier
+/// one; if a component with a vertex without given value has no site; or if a component whose
+/// triangles are too thin has several sites.
 /// @{
 DGG_CORE_EXPORT Status CheckSplinePlaces(
   const PoissonSolver& solver, const std::vector<SurfacePoint>& sites);
 DGG_CORE_EXPORT Status CheckSplineSites(const PoissonSolver& solver, const std::vector<Id>& sites);
 /// @}
 
-/// Fails when there are no sites, or the system is not that of this revision any more: what was
-/// prepared is not there, or out of date.
+/// Fails if there are no sites, or the revision of the system has changed, so that prepared data is
+/// missing or outdated.
 Status CheckPreparedSites(
   const PoissonSystem& system, std::size_t numberOfSites, std::uint64_t revision);
 }
