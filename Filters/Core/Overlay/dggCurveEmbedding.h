@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Meshes in which curves are chains of edges.
+/// Embeds curves into meshes as chains of edges.
 #ifndef dggCurveEmbedding_h
 #define dggCurveEmbedding_h
 
@@ -17,27 +17,28 @@ namespace dgg
 /// A curve as a chain of edges of a refined surface.
 struct CurveChain
 {
-  /// The vertices that the curve runs through; each is a neighbour of the next. A closed curve ends
-  /// with the vertex that it starts with, unless it is all in one place: then there is one vertex.
+  /// The vertices of the curve; consecutive vertices are neighbors. A closed curve repeats its
+  /// first vertex at the end, unless it degenerates to one point: then there is one vertex.
   std::vector<Id> Vertices;
-  /// Per vertex, where it is among the given points, as SurfaceCurve::Parameters. Does not fall.
-  /// Where given points follow each other in one place, that of the first.
+  /// Per vertex, its parameter as in SurfaceCurve::Parameters; non-decreasing. Where consecutive
+  /// given points coincide, that of the first.
   std::vector<double> Parameters;
-  /// Per given point, its place among the vertices.
+  /// Per given point, its index in Vertices.
   std::vector<Offset> GivenPoints;
 };
 
-/// Split the faces of a mesh so that every curve is a chain of edges: RefineAlongPaths() with
+/// Splits the faces of a mesh so that every curve is a chain of edges: RefineAlongPaths() with
 /// crossings. Path i of the surface is curve i. Curves may share points, cross, run along edges of
-/// the mesh or each other, and do so with themselves; whatever is within 1e-9, in barycentric
-/// coordinates, becomes one vertex. A curve that has a single edge, which does not touch the
-/// boundary, gets a vertex in its middle: cut open it would have no vertex with two sides. The
-/// surface is the same one: each face lies in a face of the mesh and is oriented as that one, and
-/// edges are split in all of their faces, however many they have.
+/// the mesh or each other, and intersect themselves; points within 1e-9, in barycentric
+/// coordinates, become one vertex. A curve with a single edge that does not touch the boundary gets
+/// a vertex in its middle, because otherwise it would have no vertex with two sides when cut open.
+/// The surface is unchanged: each face lies in a face of the mesh and has its orientation, and
+/// edges are split in all of their faces, including non-manifold edges.
 DGG_CORE_EXPORT Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves,
   const ProgressCallback& progress, RefinedSurface& surface);
 
-/// A curve on the surface that EmbedCurves() made of several, or that was refined afterwards.
+/// Returns the chain of curve `number` on the surface that EmbedCurves() made of `curves`, possibly
+/// refined afterwards.
 DGG_CORE_EXPORT CurveChain FollowCurve(
   const RefinedSurface& surface, const std::vector<SurfaceCurve>& curves, std::size_t number);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Splits edges of a refined surface in the middle. Internal.
+/// Splits edges of a refined surface at their midpoints. Internal.
 #ifndef dggEdgeSplitting_h
 #define dggEdgeSplitting_h
 
@@ -11,14 +11,14 @@
 
 namespace dgg
 {
-/// Whether the middle of an edge is a point of its own: at least 2e-9, in barycentric coordinates,
-/// from sides of faces of the old mesh, unless the edge lies there.
+/// Returns true if the midpoint of an edge is a distinct point: at least 2e-9, in barycentric
+/// coordinates, from the sides of faces of the old mesh, unless the edge lies on such a side.
 bool HasMiddle(const SurfaceMesh& oldMesh, const RefinedSurface& surface, Id halfEdge);
 
-/// Split edges in the middle, and faces into two to four parts accordingly: the same surface with
-/// more vertices. Paths get the new vertices, too. `isSplit`, per half-edge: one half of an edge is
-/// enough. Edges must have a middle. `parents` gets, per face, the one that it was a part of; may
-/// be null.
+/// Splits edges at their midpoints, and faces into two to four parts accordingly. New vertices are
+/// also inserted into paths. `isSplit` is per half-edge; one half-edge of an edge is sufficient.
+/// Edges must have a midpoint (HasMiddle()). `parents` receives, per face, the face that contains
+/// it; may be null.
 void SplitEdges(const SurfaceMesh& oldMesh, const std::vector<char>& isSplit,
   RefinedSurface& surface, std::vector<Id>* parents = nullptr);
 }

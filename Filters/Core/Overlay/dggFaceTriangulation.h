@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Triangulates one triangle with points and segments in it. Internal.
+/// Constrained triangulation of one face with points and segments. Internal.
 #ifndef dggFaceTriangulation_h
 #define dggFaceTriangulation_h
 
@@ -17,8 +17,8 @@
 namespace dgg
 {
 /// A point of a triangle on a fine grid: the barycentric coordinates of corners 1 and 2 in units of
-/// 1 / One. On the grid every orientation test is exact, points of a side are in line, and the
-/// shape of the triangle does not matter; coordinates are doubles without rounding.
+/// 1 / One. On the grid every orientation test is exact, points on a side are exactly collinear,
+/// and the shape of the triangle is irrelevant; the conversion to double is exact.
 struct GridPoint
 {
   static constexpr std::int64_t One = std::int64_t(1) << 50;
@@ -31,37 +31,37 @@ struct GridPoint
   bool operator==(const GridPoint& other) const { return this->X == other.X && this->Y == other.Y; }
 };
 
-/// 1 when a, b, c turn left, -1 when they turn right, 0 when they are in line. Exact.
+/// Returns 1 if a, b, c turn left, -1 if they turn right, 0 if they are collinear. Exact.
 int Orientation(const GridPoint& a, const GridPoint& b, const GridPoint& c);
 
-/// Whether the segments ab and cd cross at a point inside both.
+/// Returns true if the segments ab and cd cross at a point interior to both.
 bool CrossProperly(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d);
 
-/// A constrained triangulation, Delaunay in the plane of the face where the segments allow it, up
-/// to rounding. Points are found by walking from the last one.
+/// A constrained Delaunay triangulation in the plane of the face, up to rounding. Points are
+/// located by walking from the previous one.
 class FaceTriangulation
 {
 public:
-  /// Starts with the triangle of the three corners, points 0, 1 and 2, given their places in the
-  /// plane, counter-clockwise.
+  /// Starts with the triangle of the three corners, points 0, 1 and 2, given by their positions in
+  /// the plane, counter-clockwise.
   explicit FaceTriangulation(const std::array<Point2, 3>& corners);
 
-  /// Add a point that differs from the others; returns its index.
+  /// Adds a point that must differ from all others. Returns its index.
   int AddPoint(const GridPoint& point);
-  /// Make two points neighbours. No other point may lie between them, and no segment cross. False
-  /// when that is not so.
+  /// Inserts an edge between two points. Returns false if another point lies on the segment or a
+  /// constrained segment crosses it.
   bool AddSegment(int a, int b);
-  /// Improve the triangles once more without touching segments.
+  /// Restores the Delaunay property without changing segments.
   void MakeDelaunay();
 
   /// Counter-clockwise.
   const std::vector<std::array<int, 3>>& GetTriangles() const { return this->Triangles; }
 
 private:
-  /// What lies beyond a side of a triangle.
+  /// The neighborhood across a side of a triangle.
   struct Side
   {
-    int Twin = -1; // the half-edge of the neighbour
+    int Twin = -1; // half-edge of the neighbor
     char IsSegment = 0;
   };
   using Sides = std::array<Side, 3>;
@@ -88,20 +88,19 @@ private:
   void Improve(std::vector<int>& edges);
 
   Point2 First;  // from corner 0 of the face to corner 1, scaled
-  Point2 Second; // and to corner 2
+  Point2 Second; // from corner 0 of the face to corner 2, scaled
   std::vector<GridPoint> Points;
   std::vector<std::array<int, 3>> Triangles;
-  std::vector<int> Twins;      // per half-edge; -1 on the rim
+  std::vector<int> Twins;      // per half-edge; -1 on the boundary
   std::vector<char> IsSegment; // per half-edge
   std::vector<int> Starts;     // per point, a half-edge that starts there
-  int LastTriangle = 0;        // where the last point came in
+  int LastTriangle = 0;        // triangle of the last insertion
 };
 
-/// An order of points in which FaceTriangulation::AddPoint() takes the same time for each, however
-/// many there are: rounds of points picked at random, each one twice as large as the one before and
-/// in the order of a curve that fills the triangle (Amenta, Choi and Rote, "Incremental
-/// constructions con BRIO", 2003). Depends on the points only. Segments are added fast in the order
-/// of points on them.
+/// Returns an insertion order for FaceTriangulation::AddPoint() with constant expected time per
+/// point: rounds of randomly chosen points, each twice as large as the previous one and sorted
+/// along a space-filling curve (Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003).
+/// Deterministic. Segments are inserted fast in the order of points on them.
 std::vector<std::size_t> MakeInsertionOrder(const std::vector<GridPoint>& points);
 }
 

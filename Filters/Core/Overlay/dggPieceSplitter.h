@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Splits pieces of paths where they meet. Internal.
+/// Splits path segments at their intersections. Internal.
 #ifndef dggPieceSplitter_h
 #define dggPieceSplitter_h
 
@@ -12,16 +12,16 @@
 
 namespace dgg
 {
-/// A straight piece of a path within one face.
+/// A straight segment of a path within one face.
 struct PathPiece
 {
   Id Path = NoId;
-  std::vector<Id> Nodes;  ///< its ends, and between them what it passes
-  std::size_t Number = 0; ///< among the pieces of the path
+  std::vector<Id> Nodes;  ///< its ends, and the nodes on it in between
+  std::size_t Number = 0; ///< index among the segments of the path
 };
 
-/// Split the pieces in a face, those at `places`, at nodes that they pass and where they cross each
-/// other, which adds nodes. Fails when they cross and crossings are not to be inserted.
+/// Splits the segments in a face, those with the indices `places`, at nodes on them and at
+/// crossings, which adds nodes. Fails if segments cross and crossings must not be inserted.
 Status SplitPieces(PathNodes& nodes, std::vector<PathPiece>& pieces, bool insertCrossings, Id face,
   const std::vector<std::size_t>& places, const ProgressCallback& progress);
 }

@@ -17,28 +17,26 @@ namespace dgg
 /// points may lie inside faces.
 struct SurfaceCurve
 {
-  /// The curve; of a closed one the last point is the first one again.
+  /// The path of the curve; a closed curve repeats its first point at the end.
   SurfacePath Path;
-  /// Per point of the path, where it is among the given points: i at given point i, and between two
-  /// of them i plus the part of the way, by length, that lies behind. A closed curve of n given
-  /// points ends with n.
+  /// Per point of the path, its parameter: i at given point i, and i plus the fraction of the
+  /// length in between. A closed curve of n given points ends with n.
   std::vector<double> Parameters;
-  /// Per given point, its place in the path. Each has one of its own, also where two follow each
-  /// other in the same place.
+  /// Per given point, its index in the path. Indices are distinct, even if consecutive given points
+  /// coincide.
   std::vector<Offset> GivenPoints;
   bool IsClosed = false;
 };
 
-/// Join points of a surface by a curve, in their order and, when it is to be closed, the last with
-/// the first. Two points of one face are joined straight, others by an exact shortest path. Nothing
-/// is left out: points may be repeated, and the curve may cross itself.
+/// Joins surface points by a curve, in their order and, if it is to be closed, the last with the
+/// first. Two points of one face are joined by a straight segment, others by an exact shortest
+/// path. Points may be repeated, and the curve may cross itself.
 ///
-/// Fails when a point is not on the mesh, and when two points that follow each other are not
-/// connected.
+/// Fails if a point is not on the mesh, or consecutive points are not connected.
 DGG_CORE_EXPORT Status JoinPoints(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points,
   bool isClosed, const ProgressCallback& progress, SurfaceCurve& curve);
 
-/// The smallest face that both points lie in; NoId when there is none.
+/// Returns the face with the smallest id that contains both points; NoId if there is none.
 DGG_CORE_EXPORT Id FindCommonFace(
   const SurfaceMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 }

@@ -12,24 +12,23 @@
 
 namespace dgg
 {
-/// A surface cut open: its faces are those of the surface that was cut, in the same order. A vertex
-/// has one copy for each sector that the cuts leave of the faces around it; the first copy has the
-/// id of the vertex, further ones follow after all vertices. Paths and Places are
-/// empty.
+/// A surface cut open: its faces are those of the original surface, in the same order. A vertex has
+/// one copy for each sector into which the cuts divide the faces around it; the first copy has the
+/// id of the vertex, further copies follow after all vertices. Paths and Places are empty.
 struct CutSurface : RefinedSurface
 {
-  std::vector<Id> VertexOf; ///< per vertex, the one that it is a copy of
+  std::vector<Id> VertexOf; ///< per vertex, the original vertex
 };
 
-/// What happens to vertices with several fans of faces, where sheets touch, and no chain.
+/// Treatment of vertices with several fans of faces that are not on a chain.
 enum class PinchedVertices
 {
-  Stay, ///< they are as they were
-  Split ///< they get a copy for each fan, as if a chain went through
+  Stay, ///< unchanged
+  Split ///< one copy per fan, as if a chain passed through
 };
 
-/// Cut along chains of vertices, such as RefinedSurface::Paths. Fails when two consecutive vertices
-/// are not neighbours.
+/// Cuts along chains of vertices, such as RefinedSurface::Paths. Fails if two consecutive vertices
+/// are not neighbors.
 DGG_CORE_EXPORT Status CutAlongChains(const RefinedSurface& surface,
   const std::vector<std::vector<Id>>& chains, CutSurface& cut,
   PinchedVertices pinched = PinchedVertices::Stay);

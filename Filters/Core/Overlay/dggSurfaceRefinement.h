@@ -14,15 +14,15 @@ namespace dgg
 {
 struct RefinementOptions
 {
-  /// What to do where paths cross: insert a vertex, or fail.
+  /// If true, a vertex is inserted where paths cross; otherwise crossings are an error.
   bool InsertCrossings = false;
   /// Progress and abort; may be empty.
   ProgressCallback Progress;
 };
 
-/// Split the faces of a mesh along paths, which may share points, touch, and run along edges of the
-/// mesh or each other. Points within 1e-9, in barycentric coordinates, become one vertex. Fails
-/// when a path is not on the mesh, or, unless crossings are to be inserted, where two paths cross.
+/// Splits the faces of a mesh along paths, which may share points, touch, and run along edges of
+/// the mesh or each other. Points within 1e-9, in barycentric coordinates, become one vertex. Fails
+/// if a path is not on the mesh, or if paths cross and InsertCrossings is false.
 DGG_CORE_EXPORT Status RefineAlongPaths(const SurfaceMesh& mesh,
   const std::vector<SurfacePath>& paths, const RefinementOptions& options, RefinedSurface& refined);
 }

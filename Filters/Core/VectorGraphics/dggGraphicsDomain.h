@@ -14,26 +14,27 @@
 
 namespace dgg
 {
-/// Two cuts of the same surface. Faces are the same ones in both, in the same order.
+/// Two cuts of the same surface. Both have the same faces in the same order.
 struct GraphicsDomain
 {
-  /// Along diffusion curves: what the equation is solved on.
+  /// Cut along diffusion curves: the domain of the equation.
   CurveCut Solved;
   SurfaceMesh SolvedMesh;
-  /// Along Poisson curves as well: where colours are.
+  /// Cut along Poisson curves as well: the domain of colors.
   CurveCut Drawn;
-  SurfaceMesh DrawnMesh;          ///< made only if there is a Poisson curve
-  std::vector<Id> SolvedVertexOf; ///< per vertex of Drawn
-  /// Per curve, the numbers of its sides in Solved (of diffusion curves) and in Drawn (of both).
+  SurfaceMesh DrawnMesh;          ///< only built if there is a Poisson curve
+  std::vector<Id> SolvedVertexOf; ///< per vertex of Drawn, the vertex of Solved
+  /// Per curve, the index of its sides in Solved (for diffusion curves) and in Drawn (for both
+  /// types).
   std::vector<std::size_t> SidesInSolved;
   std::vector<std::size_t> SidesInDrawn;
 };
 
-/// How messages name a curve of that number.
+/// Returns the name of a curve with the given index for messages.
 std::string NameOf(const GraphicsCurve& curve, std::size_t number);
 
-/// Call `visit(vertex, isLeft, parameter)` for both ends of every edge of a curve, on its left and
-/// then on its right, where there is a face.
+/// Calls `visit(vertex, isLeft, parameter)` for both ends of every edge of a curve, first on its
+/// left and then on its right, wherever there is a face.
 template <typename Visitor>
 void ForEachEnd(const CurveSides& sides, const CurveChain& chain, Visitor&& visit)
 {
@@ -51,22 +52,22 @@ void ForEachEnd(const CurveSides& sides, const CurveChain& chain, Visitor&& visi
   }
 }
 
-/// Fails when a curve has no length, or no sides.
+/// Cuts a surface for graphics. Fails if a curve has no length or no sides.
 Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   GraphicsDomain& domain);
 
-/// The numbers of a curve at a place among its given points (CurveChain::Parameters).
+/// Interpolates the values of a curve at a parameter (CurveChain::Parameters).
 void InterpolateOnCurve(
   const std::vector<double>& values, int channels, bool isClosed, double parameter, double* result);
 
-/// The vertices of the solved surface on diffusion curves, sorted.
+/// Returns the vertices of the solved surface on diffusion curves, sorted.
 std::vector<Id> FindDirichletVertices(const GraphicsDomain& domain,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves);
 
-/// At these vertices, replace loads by what the bands, per vertex of the drawn surface, have not
-/// made of the given colours already. A vertex that bands have cut has several values of theirs, of
-/// which the mean counts. Columns are channels.
+/// At the vertices of FindDirichletVertices(), replaces loads by the given colors minus the
+/// contribution of the bands, which is per vertex of the drawn surface. For a vertex that bands
+/// have cut, the mean of its copies is used. Columns are channels.
 void SetDirichletValues(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, const std::vector<double>& bands,
   std::vector<std::vector<double>>& columns);

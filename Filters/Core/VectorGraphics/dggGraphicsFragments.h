@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Coloured points of a surface.
+/// Colored points of a surface.
 #ifndef dggGraphicsFragments_h
 #define dggGraphicsFragments_h
 
@@ -13,18 +13,18 @@
 
 namespace dgg
 {
-/// Coloured points spread over a surface: a texture that needs no parametrization. None is on a
-/// curve, so that each has one colour.
+/// Colored points distributed over a surface: a texture without parametrization. No point lies on a
+/// curve, so that each has one color.
 struct GraphicsFragments
 {
-  std::vector<SurfacePoint> Places; ///< on the mesh that curves were drawn on
-  std::vector<Id> Faces;            ///< per fragment, the face of that mesh
-  std::vector<double> Values;       ///< all channels of a fragment after each other
+  std::vector<SurfacePoint> Places; ///< points of the mesh on which curves were drawn
+  std::vector<Id> Faces;            ///< per fragment, its face in that mesh
+  std::vector<double> Values;       ///< all channels of a fragment consecutively
 };
 
-/// Divide faces of a coloured surface into division^2 parts of one size and shape, and take the
-/// middle of each. The mean over the fragments of a face is that over the face.
-/// `faces` are those of `surface`; `values` has `channels` numbers for each of its vertices.
+/// Subdivides faces of a colored surface into division^2 congruent triangles, and samples the
+/// center of each. The mean over the fragments of a face equals the mean over the face. `faces` are
+/// faces of `surface`; `values` has `channels` values per vertex.
 DGG_CORE_EXPORT GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
   const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Finer faces for vector graphics.
+/// Mesh refinement for vector graphics.
 #ifndef dggGraphicsRefinement_h
 #define dggGraphicsRefinement_h
 
@@ -13,35 +13,34 @@
 
 namespace dgg
 {
-/// Which faces are made finer.
+/// Faces to be refined.
 enum class RefinedPart
 {
   Everything,
-  AroundCurves, ///< those that touch a curve; RefineFaces() takes a ring along for further levels
-  Faces         ///< those that are given
+  AroundCurves, ///< faces that touch a curve; RefineFaces() adds rings for further levels
+  Faces         ///< the given faces
 };
 
-/// Where faces are made finer, and by how much, before the colours are solved for. The solution on
-/// the finer mesh takes the place of evaluations of the coarse one between its vertices by Green's
-/// identity, u(x) = mean + sum_y g(x, y) (L u)_y: these cost one Green's function each, and are no
-/// better than linear interpolation, since the values at the vertices have errors as large. For a
-/// spherical harmonic of degree 5 on the unit sphere with 10 242 vertices, errors inside of faces
-/// (root of the mean square) were 1.6e-3 by linear interpolation and 1.9e-3 by Green's identity;
-/// one level finer they were 4.9e-4.
+/// Refinement before colors are computed. An alternative would be to evaluate the coarse solution
+/// between vertices by Green's identity, u(x) = mean + sum_y g(x, y) (L u)_y. That costs one
+/// Green's function per point and is not better than linear interpolation, since the values at the
+/// vertices have errors of the same size. For a spherical harmonic of degree 5 on the unit sphere
+/// with 10 242 vertices, the root mean square errors inside faces were 1.6e-3 by linear
+/// interpolation and 1.9e-3 by Green's identity; with one level of refinement they were 4.9e-4.
 struct GraphicsRefinement
 {
-  /// How often faces are split in four.
+  /// Number of times that faces are split in four.
   int Levels = 0;
   RefinedPart Part = RefinedPart::Everything;
-  /// Of the mesh that curves were drawn on, for RefinedPart::Faces. They must exist.
+  /// For RefinedPart::Faces: faces of the mesh on which curves were drawn. They must exist.
   std::vector<Id> Faces;
-  /// More faces are an error, before they are made.
+  /// Maximum number of faces, checked before refinement; exceeding it is an error.
   Offset MostFaces = std::numeric_limits<Id>::max() / 3;
   ProgressCallback Progress; ///< may be empty
 };
 
-/// Refine a surface that EmbedCurves() has made of a mesh. `parts` gets the faces of the refined
-/// surface that lie in faces that were chosen, not those that neighbours were split into; may be
+/// Refines a surface that EmbedCurves() has made of a mesh. `parts` receives the faces of the
+/// refined surface that lie in chosen faces, without those into which neighbors were split; may be
 /// null.
 DGG_CORE_EXPORT Status RefineForGraphics(const SurfaceMesh& mesh,
   const GraphicsRefinement& refinement, RefinedSurface& surface, std::vector<Id>* parts = nullptr);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sources of colour in regions and along curves. Internal.
+/// Color sources in regions and along curves. Internal.
 #ifndef dggGraphicsSources_h
 #define dggGraphicsSources_h
 
@@ -14,15 +14,15 @@
 
 namespace dgg
 {
-/// The half-edges of the edges of chains, looked up once for all of them.
+/// Lookup of the half-edges of the edges of all chains.
 class ChainEdges
 {
 public:
-  /// Of the chains for which `isMeant`.
+  /// Contains the chains for which `isMeant` is set.
   ChainEdges(const RefinedSurface& surface, const std::vector<CurveChain>& chains,
     const std::vector<char>& isMeant);
 
-  /// All half-edges between two vertices, in either direction.
+  /// Returns all half-edges between two vertices, in either direction.
   std::vector<Id> Find(Id a, Id b) const;
   const RefinedSurface& GetSurface() const { return this->Surface; }
 
@@ -31,15 +31,16 @@ private:
   std::vector<std::pair<std::pair<Id, Id>, Id>> HalfEdges; // by ends, smaller vertex first; sorted
 };
 
-/// Finds the faces on the left of closed curves. One curve costs as much as it has edges and faces.
+/// Finds the faces on the left of closed curves. The cost of a curve is proportional to its number
+/// of edges and faces.
 class LeftFaces
 {
 public:
-  /// The edges, and their surface, must live on.
+  /// The edges and their surface must outlive the object.
   explicit LeftFaces(const ChainEdges& edges);
 
-  /// Fails when the curve is open, runs along edges without two sides, or one can walk from its
-  /// left to its right.
+  /// Fails if the curve is open, runs along edges without two sides, or does not separate its left
+  /// from its right.
   Status Find(const CurveChain& chain, bool isClosed, std::vector<Id>& faces);
 
 private:
@@ -55,19 +56,20 @@ private:
 
   const ChainEdges& Edges;
   const RefinedSurface& Surface;
-  std::vector<char> IsFound; // per face; all 0 between two curves
-  std::vector<char> IsWall;  // per half-edge; likewise
+  std::vector<char> IsFound; // per face; all 0 between calls
+  std::vector<char> IsWall;  // per half-edge; all 0 between calls
 };
 
-/// Adds the sources of regions, see GraphicsRegion. One region costs as much as it has faces.
+/// Adds the sources of regions, see GraphicsRegion. The cost of a region is proportional to its
+/// number of faces.
 class RegionSources
 {
 public:
   RegionSources(const SurfaceMesh& mesh, const CutSurface& surface);
 
-  /// Add the integrals of the sources of a region against hat functions. Faces are those of the
-  /// surface and may repeat. Loads are those of vertices, one array per channel; those of a patch
-  /// sum to 0 to rounding if it has a rim.
+  /// Adds the integrals of the sources of a region against hat functions. Faces are those of the
+  /// surface and may repeat. Loads are per vertex, one array per channel; the loads of a patch with
+  /// a boundary sum to 0 up to rounding.
   void Add(const std::vector<Id>& faces, const std::vector<double>& strength,
     std::vector<std::vector<double>>& loads);
 
@@ -91,21 +93,21 @@ private:
   std::vector<Id> Rim;       // half-edges, one per edge
 };
 
-/// A half-edge of a chain, which gets a part of what flows in along its edge.
+/// A half-edge of a chain, which receives a share of the flux along its edge.
 struct ChainPart
 {
-  std::size_t Edge = 0; ///< of the chain
+  std::size_t Edge = 0; ///< index of the edge in the chain
   Id HalfEdge = NoId;
-  bool IsBackward = false; ///< against the chain
-  double Length = 0.0;     ///< of the edge, shared evenly by its faces
+  bool IsBackward = false; ///< true if directed opposite to the chain
+  double Length = 0.0;     ///< length of the edge divided by its number of faces
 };
 
-/// The parts of a chain.
+/// Returns the parts of a chain.
 std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain);
 
-/// Add the integrals of a flow per length along a curve, linear in between, against hat functions.
-/// `parts` are those of SplitChain(). What flows into a face goes to its own corners: where the
-/// surface is cut at a vertex of the curve, to the copy of this face.
+/// Adds the integrals of a flux per length along a curve, piecewise linear, against hat functions.
+/// `parts` are those of SplitChain(). The flux into a face is assigned to its own corners: where
+/// the surface is cut at a vertex of the curve, to the copy of this face.
 void AddLineSource(const CutSurface& surface, const CurveChain& chain,
   const std::vector<ChainPart>& parts, const GraphicsCurve& curve,
   std::vector<std::vector<double>>& loads);
@@ -114,22 +116,22 @@ void AddLineSource(const CutSurface& surface, const CurveChain& chain,
 class GraphicsLoads
 {
 public:
-  /// Find where the sources of curves are on a refinement of a mesh with so many faces. Chain k
-  /// belongs to curve k. `checkMemory`, which may be empty, is asked with the bytes that the
-  /// faces of regions take, which are more than the surface has where there are many. Fails where a
-  /// region's curve is open or does not separate its left from its right.
+  /// Locates the sources of curves on a refinement of a mesh with `numberOfFaces` faces. Chain k
+  /// belongs to curve k. `checkMemory`, which may be empty, is called with the bytes that the faces
+  /// of regions take, which may exceed the size of the surface if there are many regions. Fails if
+  /// a region's curve is open or does not separate its left from its right.
   Status Prepare(const RefinedSurface& surface, Id numberOfFaces,
     const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
     const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress);
 
-  /// Add the integrals of all sources against hat functions to columns, one per channel.
+  /// Adds the integrals of all sources against hat functions to columns, one per channel.
   /// `strengths` are those of regions.
   Status Add(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
     const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const std::vector<std::vector<double>>& strengths, const ProgressCallback& progress,
     std::vector<std::vector<double>>& columns) const;
 
-  /// About how many bytes are held.
+  /// Returns the approximate memory in bytes.
   double GetMemorySize() const;
 
 private:
@@ -137,9 +139,9 @@ private:
     const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
     const ProgressCallback& progress);
 
-  Id NumberOfFaces = 0;                           // of the mesh
-  std::vector<std::vector<Id>> RegionFaces;       // per curve, where it is a region
-  std::vector<std::vector<ChainPart>> ChainParts; // per curve, where it is a source
+  Id NumberOfFaces = 0;                           // number of faces of the mesh
+  std::vector<std::vector<Id>> RegionFaces;       // per curve, if it is a region
+  std::vector<std::vector<ChainPart>> ChainParts; // per curve, if it is a source
 };
 }
 
