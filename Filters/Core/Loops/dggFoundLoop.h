@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A closed path and how smooth it is.
+/// A closed path with its kink angle.
 #ifndef dggFoundLoop_h
 #define dggFoundLoop_h
 
@@ -11,15 +11,15 @@ namespace dgg
 {
 struct FoundLoop
 {
-  /// Angles smaller than pi by no more than this count as straight: what a shorter loop could gain
-  /// there is the square.
+  /// Angles that are smaller than pi by at most this tolerance count as straight: the possible gain
+  /// of a shorter loop is of second order.
   static constexpr double KinkTolerance = 1e-5;
 
-  /// Closed: the last point is the first one again. Empty when there is no loop.
+  /// The closed path: the last point equals the first. Empty if there is no loop.
   SurfacePath Loop;
-  /// The smaller angle of the loop, radians, pi at most, at the points that it was asked to go
-  /// through, the smallest when there are several: less than pi when it has a kink there, pi when
-  /// it is a closed geodesic.
+  /// The smaller of the two angles of the loop at a required point, radians, at most pi; the
+  /// minimum over all required points. Less than pi if the loop has a kink there, pi for a closed
+  /// geodesic.
   double Angle = Pi;
 
   bool IsKinked() const { return this->Angle < Pi - KinkTolerance; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Closed geodesics that cannot be contracted.
+/// Non-contractible closed geodesics.
 #ifndef dggHandleLoops_h
 #define dggHandleLoops_h
 
@@ -13,15 +13,16 @@
 
 namespace dgg
 {
-/// Closed geodesics, independent of each other modulo 2, of each component: two for each handle,
-/// one for each boundary but the last, one for each cross-cap. They are pulled tight from the
-/// shortest loops of mesh edges through some vertices. Components come by their smallest vertices,
-/// the loops of each the shortest first. A loop that cannot be moved, as it has to pass through a
-/// vertex in which faces meet in nothing else, is an empty one after the others of its component.
+/// Finds closed geodesics of each component that are independent modulo 2: two for each handle, one
+/// for each boundary loop but the last, one for each cross-cap. They are shortened from the
+/// shortest loops of mesh edges through certain vertices. Components are sorted by their smallest
+/// vertices, the loops of each by length. A loop that cannot be moved, because it has to pass
+/// through a vertex in which faces only touch, is represented by an empty loop after the others of
+/// its component.
 ///
-/// Fails when a component has a non-manifold edge. No loops when it is stopped. `steps`, if given,
-/// receives the number of vertices, faces and half-edges that were looked at, again and again: for
-/// each component a multiple of its size.
+/// Fails if a component has a non-manifold edge. Returns no loops if stopped. `steps`, if given,
+/// receives the number of visits to vertices, faces and half-edges: for each component a multiple
+/// of its size.
 DGG_CORE_EXPORT Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress,
   std::vector<FoundLoop>& loops, std::size_t* steps = nullptr);
 }

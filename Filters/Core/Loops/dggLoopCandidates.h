@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Edges of the graph at which ways around the surface meet. Internal.
+/// Graph edges that close loops around the surface. Internal.
 #ifndef dggLoopCandidates_h
 #define dggLoopCandidates_h
 
@@ -12,7 +12,7 @@
 
 namespace dgg
 {
-/// A way from the source to the tail of an edge, over it, and back from its head.
+/// A loop from the source to the tail of an edge, over the edge, and back from its head.
 struct LoopCandidate
 {
   double Length;
@@ -22,13 +22,13 @@ struct LoopCandidate
 
 struct LoopCandidates
 {
-  std::vector<LoopCandidate> Narrow; ///< with kinks no wider than those of paths in the graph
-  std::vector<LoopCandidate> Wide;   ///< with others that a loop beside their vertices may have
+  std::vector<LoopCandidate> Narrow; ///< with kinks as small as those of graph paths
+  std::vector<LoopCandidate>
+    Wide; ///< with larger kinks, which a loop close to their vertices may have
 };
 
-/// The ways there and back that pass straight through both ends of an edge, but for kinks. Most
-/// others contract to the source. `result` is that of a search from one source, whose seeds it was
-/// given.
+/// Finds the loops that pass nearly straight through both ends of an edge. Most others contract to
+/// the source. `result` is that of a search from one source with the given seeds.
 LoopCandidates FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
   const std::vector<GraphSeed>& seeds, const SearchResult& result);
 }

@@ -14,31 +14,32 @@
 
 namespace dgg
 {
-/// Finds closed geodesics. What it is made from must outlive it. Loops may be found in several
-/// threads at once.
+/// Finds closed geodesics. All constructor arguments must outlive the finder. Several threads may
+/// find loops simultaneously.
 class DGG_CORE_EXPORT LoopFinder
 {
 public:
-  /// As PathFinder::PathFinder(). `linkAccuracy` is that of the links of points that are not
-  /// vertices; 0: that of the graph, or 0.01 when it has none (a SaddleVertexGraph).
+  /// Arguments as of PathFinder. `linkAccuracy` is the accuracy of the links of points that are not
+  /// vertices; 0 means that of the graph, or 0.01 if it has none (a SaddleVertexGraph).
   LoopFinder(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
     const double* positions, double linkAccuracy = 0.0);
   ~LoopFinder();
   LoopFinder(const LoopFinder&) = delete;
   LoopFinder& operator=(const LoopFinder&) = delete;
 
-  /// The shortest geodesic from a point back to itself that was found: ways through the graph that
-  /// come from the point on two sides and meet without a wide kink are straightened, the shortest
-  /// first, at most 256 of them. The loop has a kink at the point unless `taut`: then it is let go
-  /// there, and pulled tight to a closed geodesic close to it. Empty when there is none, as on most
-  /// surfaces without a handle or a limb.
+  /// Finds a shortest geodesic from a point back to itself: graph paths that leave the point in two
+  /// directions and meet without a large kink are straightened, shortest first, at most 256 of
+  /// them. The loop has a kink at the point unless `taut`: then it is released there and shortened
+  /// to a nearby closed geodesic. Empty if there is none, as on most surfaces without a handle or a
+  /// limb.
   Status ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop,
     const ProgressCallback& progress = {}) const;
 
-  /// A rope through points in cyclic order, the last one being joined to the first one: shortest
-  /// paths between them, or, when `taut`, what they become when the rope is let go at the points
-  /// and pulled tight. Empty when the points are not connected or the rope contracts to a point;
-  /// `isConnected` distinguishes these. Stopped before any of the paths, there is no rope.
+  /// Finds a closed curve through points in cyclic order, with the last point joined to the first:
+  /// shortest paths between them or, if `taut`, the closed geodesic that results when the curve is
+  /// released at the points and shortened. Empty if the points are not connected or the curve
+  /// contracts to a point; `isConnected` distinguishes these cases. Also empty if stopped before
+  /// the first path is found.
   Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop,
     bool& isConnected, const ProgressCallback& progress = {}) const;
 

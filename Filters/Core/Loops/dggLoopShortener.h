@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pulls closed paths tight. Internal.
+/// Shortens closed paths to closed geodesics. Internal.
 #ifndef dggLoopShortener_h
 #define dggLoopShortener_h
 
@@ -14,18 +14,18 @@
 
 namespace dgg
 {
-/// Shortens a closed path, which may move everywhere, to a closed geodesic, in turns: the shortest
-/// closed path in its ring of faces is found; it bends around vertices, unless it is straight all
-/// around. It is cut open at one of them, shortened with both ends there, and led around that
-/// vertex if it is shorter there. Where straight closed paths lie side by side, as around a
-/// cylinder, all are as long: it ends at the one in the middle of its ring. Where they are parallel
-/// only up to FoundLoop::KinkTolerance, as with rounded coordinates, it ends there if it would
-/// contract to a point otherwise.
+/// Shortens a closed path, which may move everywhere, to a closed geodesic by iteration: the
+/// shortest closed path in its ring of faces is computed; unless straight, it bends around
+/// vertices. The ring is cut open at one of them, shortened with both ends there, and rerouted
+/// around the other side of that vertex if that is shorter. If straight closed paths are parallel,
+/// as around a cylinder, all have equal length, and the iteration ends at the one in the middle of
+/// its ring. If they are parallel only up to FoundLoop::KinkTolerance, as with rounded coordinates,
+/// the iteration ends there if the path would otherwise contract to a point.
 class LoopShortener
 {
 public:
-  /// A closed path may be smaller than pi at a vertex by this much: what could be gained is the
-  /// square.
+  /// Tolerance by which the angle of a closed path at a vertex may be smaller than pi: the possible
+  /// gain is of second order.
   static constexpr double AngleTolerance = 1e-9;
 
   explicit LoopShortener(const SurfaceMesh& mesh)
@@ -34,16 +34,16 @@ public:
   {
   }
 
-  /// `ring` are the crossings of the closed path, in order; the last one leads into the face that
-  /// the first one leaves. False when the path contracts to a point.
+  /// `ring` contains the crossings of the closed path, in order; the last one leads into the face
+  /// that the first one leaves. Returns false if the path contracts to a point.
   bool Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop);
 
-  /// The same for a path whose last point is its first one. False as well when it passes through a
-  /// vertex in which faces meet in nothing else: there it cannot be moved.
+  /// Like Shorten(), for a path whose last point equals its first. Also returns false if the path
+  /// passes through a vertex in which faces only touch, where it cannot be moved.
   bool PullTight(const SurfacePath& path, SurfacePath& loop);
 
-  /// The smaller angle that a closed path makes with itself where a piece starts, pi at most: pi
-  /// for a geodesic.
+  /// Returns the smaller of the two angles of a closed path at the start of a segment, at most pi;
+  /// pi for a geodesic.
   static double AngleAt(const SurfaceMesh& mesh, const SurfacePath& loop, std::size_t piece);
 
 private:
@@ -51,8 +51,8 @@ private:
   struct Cut
   {
     Strip Open;
-    Point2 Starts[2]; ///< the two ends of the edge, where the strip starts
-    Point2 Ends[2];   ///< and where it ends
+    Point2 Starts[2]; ///< the two ends of the edge, at the start of the strip
+    Point2 Ends[2];   ///< the two ends of the edge, at the end of the strip
   };
 
   bool Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop, SurfacePath& spare);

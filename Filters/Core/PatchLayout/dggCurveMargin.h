@@ -12,13 +12,13 @@
 
 namespace dgg
 {
-/// Take a narrow margin away from a surface that has been cut open along curves, and around single
-/// points, so that a shortest path on what is left keeps clear of them. The margin ends at 0.3
-/// of the edges that leave the vertices in question. What was connected stays connected.
+/// Removes a narrow margin along the curves along which a surface has been cut open, and around
+/// single points, so that shortest paths on the rest keep a distance from them. The margin extends
+/// over 0.3 of the edges that leave the vertices in question. Connectivity is preserved.
 ///
-/// `isBlocked`, per vertex: stay away from it. `isCut`, per half-edge: on a curve; at least one of
-/// its ends is blocked. Vertices keep their ids; blocked ones lose their faces. Edges may
-/// have two faces at most.
+/// `isBlocked`, per vertex: keep away from the vertex. `isCut`, per half-edge: on a curve; at least
+/// one of its ends is blocked. Vertices keep their ids; blocked ones lose their faces. Edges may
+/// have at most two faces.
 void RemoveMargin(const SurfaceMesh& oldMesh, const RefinedSurface& surface,
   const std::vector<char>& isBlocked, const std::vector<char>& isCut, RefinedSurface& rest);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A layout on its way onto one surface. Internal.
+/// Incremental drawing of a layout on one surface. Internal.
 #ifndef dggLayoutDrawing_h
 #define dggLayoutDrawing_h
 
@@ -30,24 +30,24 @@ public:
     this->Surface.IsDrawn.assign(edges.size(), 0);
   }
 
-  /// Start with no curve. Fails when the surface or the landmarks are unfit.
+  /// Starts without curves. Fails if the surface or the landmarks are unsuitable.
   Status Begin();
 
-  /// Shortest paths between the landmarks of all edges, whatever they cross: their lengths, and
-  /// the order in which they leave the landmarks.
+  /// Computes shortest paths between the landmarks of all edges, ignoring crossings: their lengths,
+  /// and the order in which they leave the landmarks.
   Status Survey(const ProgressCallback& progress, std::vector<double>& lengths,
     std::vector<EdgeOrder>& orders) const;
 
-  /// Draw an edge between the curves that come before and after it in the order around its
-  /// landmarks; where that is not known, anywhere, and then it becomes known.
+  /// Draws an edge between its neighbors in the order around its landmarks; if the order is
+  /// unknown, anywhere, and the order is updated.
   Status Draw(Id edge, std::vector<EdgeOrder>& orders, const ProgressCallback& progress);
 
-  /// All corners, and the Euler characteristic of each part. A disk has 1.
+  /// Finds all sectors, and the Euler characteristic of each part; that of a disk is 1.
   void FindParts(std::vector<LayoutSector>& sectors, std::vector<Id>& characteristics) const;
 
   std::vector<SurfacePath>& GetCurves() { return this->Curves; }
   const std::string& GetName() const { return this->Name; }
-  /// Boundary loop of the surface that each landmark is on, NoId in the interior.
+  /// Returns for each landmark the boundary loop that contains it, NoId in the interior.
   std::vector<Id> FindBoundaryLoops() const;
 
 private:
@@ -84,7 +84,7 @@ private:
   std::string Name;
   std::vector<SurfacePath> Curves; // per edge
   DrawnSurface Surface;
-  std::vector<LayoutSector> Sectors; // without Part
+  std::vector<LayoutSector> Sectors; // Part is not set
 };
 }
 

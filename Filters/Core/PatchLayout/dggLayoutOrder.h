@@ -17,25 +17,26 @@ namespace dgg
 struct EdgeOrder
 {
   std::vector<Id> Edges;
-  /// Whether the order is that of all edges of the landmark. Otherwise it grows as they are traced.
+  /// True if all edges of the landmark are ordered. Otherwise the order grows as edges are traced.
   bool IsKnown = false;
-  /// Whether there is a gap between the last edge and the first: the order is a line.
+  /// True if there is a gap between the last edge and the first, so that the order is linear rather
+  /// than cyclic.
   bool HasGap = false;
 
   EdgeOrder Reversed() const;
 };
 
-/// The edges of a layout, without repetition, and what is known of their order.
+/// The edges of a layout, without repetition, and their order as far as it is known.
 class LayoutOrder
 {
 public:
-  /// Fails when a landmark is out of range, an edge joins a landmark with itself or occurs twice,
-  /// a patch has fewer than three sides, or patches do not fit together along their sides.
+  /// Fails if a landmark is out of range, an edge joins a landmark with itself or occurs twice, a
+  /// patch has fewer than three sides, or patches do not fit together along their sides.
   Status Read(const PatchLayout& layout, Id numberOfLandmarks);
 
   const std::vector<std::array<Id, 2>>& GetEdges() const { return this->Edges; }
   const std::vector<EdgeOrder>& GetOrders() const { return this->Orders; }
-  /// The edge that joins two landmarks; NoId when there is none.
+  /// Returns the edge that joins two landmarks; NoId if there is none.
   Id FindEdge(Id a, Id b) const;
 
 private:
@@ -47,38 +48,39 @@ private:
   std::vector<EdgeOrder> Orders; // per landmark
 };
 
-/// A corner of what lies between the curves: a sector of a landmark, from a curve
-/// counter-clockwise to the next one; NoId is the boundary of the surface.
+/// A corner of a region between the curves: a sector of a landmark, from a curve counter-clockwise
+/// to the next one; NoId is the boundary of the surface.
 struct LayoutSector
 {
   Id Landmark = NoId;
   Id Begin = NoId;
   Id End = NoId;
-  bool IsWhole = false; ///< goes all the way round: there is no curve yet
-  Id Vertex = NoId;     ///< of the surface cut open
-  Id Part = NoId;       ///< of the surface, as the curves divide it
+  bool IsWhole = false; ///< full turn: there is no curve at the landmark yet
+  Id Vertex = NoId;     ///< vertex of the surface cut open
+  Id Part = NoId;       ///< part into which the curves divide the surface
 };
 
-/// A surface with what has been drawn of a layout on it.
+/// A surface with the part of a layout that has been drawn.
 struct DrawnSurface
 {
-  /// Split along the landmarks' single points, its first paths, and the curves, the others.
+  /// Split at the landmarks (its first paths, single points), and along the curves (the remaining
+  /// paths).
   RefinedSurface Refined;
-  std::vector<Id> DrawnEdges; ///< of the layout, in the order of their curves
+  std::vector<Id> DrawnEdges; ///< edges of the layout, in the order of their curves
   std::vector<char> IsDrawn;  ///< per edge of the layout
   CutSurface Opened;          ///< cut open along all of them
   SurfaceMesh OpenedMesh;
 };
 
-/// All sectors, without Part. `edges` are those of the layout, by their landmarks.
+/// Returns all sectors, without setting Part. `edges` are those of the layout, by their landmarks.
 std::vector<LayoutSector> FindSectors(
   const DrawnSurface& surface, const std::vector<std::array<Id, 2>>& edges);
 
-/// The sectors of a landmark into which the order puts an edge.
+/// Returns the sectors of a landmark in which the order allows an edge.
 std::vector<LayoutSector> FindAllowedSectors(const std::vector<LayoutSector>& sectors,
   const DrawnSurface& surface, Id landmark, const EdgeOrder& order, Id edge);
 
-/// A new edge, in its sector at a landmark, among those that were drawn before.
+/// Inserts a new edge, in its sector at a landmark, among those drawn before.
 void InsertIntoOrder(EdgeOrder& order, const LayoutSector& sector, Id edge);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A hash of the bits of arrays, to distinguish them from others and to notice damage. Internal.
+/// A hash of the bit patterns of arrays, to identify them and to detect damage. Internal.
 #ifndef dggBitHash_h
 #define dggBitHash_h
 
@@ -12,14 +12,13 @@
 
 namespace dgg
 {
-/// Eats arrays and gives 128 bits. Each step is a bijection of the state for any word, so two
-/// arrays that differ in one word never have the same hash; otherwise they have it with the odds
-/// of chance. No protection against somebody who wants a collision. Depends on the byte order of
-/// the machine.
+/// Hashes arrays to 128 bits. Each step is a bijection of the state for any word, so that two
+/// arrays that differ in one word never have the same hash; other collisions have random
+/// probability. Not secure against deliberate collisions. Depends on the byte order of the machine.
 class DGG_CORE_EXPORT BitHash
 {
 public:
-  /// Eat an array. Where one array ends and the next begins matters.
+  /// Adds an array to the hash. The boundaries between arrays affect the hash.
   template <typename T>
   void Add(const T* values, std::size_t count)
   {
@@ -31,7 +30,7 @@ public:
 private:
   void AddBytes(const void* bytes, std::size_t size);
 
-  // Several lanes at a time, as a multiplication takes some cycles.
+  // Several lanes in parallel hide the latency of multiplications.
   static constexpr std::size_t NumberOfLanes = 4;
   static constexpr std::size_t BlockSize = NumberOfLanes * sizeof(std::uint64_t);
   using State = std::array<std::uint64_t, NumberOfLanes>;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A flat array that is not initialised and can be handed over to another owner.
+/// A flat uninitialized array that can be handed over to another owner.
 #ifndef dggBuffer_h
 #define dggBuffer_h
 
@@ -13,8 +13,8 @@
 
 namespace dgg
 {
-/// Memory for `size` values from std::malloc. Unlike a std::vector it costs nothing before it is
-/// written, and Release() hands it over without a copy, to be freed by std::free.
+/// Memory for `size` values from std::malloc. Unlike a std::vector it is not initialized, and
+/// Release() hands it over without a copy, to be freed by std::free.
 template <typename T>
 class Buffer
 {
@@ -58,8 +58,8 @@ public:
   const T* begin() const { return this->Values; }
   const T* end() const { return this->Values + this->Count; }
 
-  /// Change the size; what fits is kept. Large blocks are moved without a copy where the system
-  /// can. Throws std::bad_alloc; then nothing has changed.
+  /// Changes the size, preserving the values that fit. Large blocks are moved without a copy if the
+  /// system supports it. Throws std::bad_alloc; then nothing has changed.
   void Resize(std::size_t size)
   {
     if (size == 0)
@@ -76,7 +76,8 @@ public:
     this->Count = size;
   }
 
-  /// Give the memory away; it has to be freed by std::free. The buffer is empty afterwards.
+  /// Releases ownership of the memory, which must be freed by std::free. The buffer is empty
+  /// afterwards.
   T* Release()
   {
     this->Count = 0;

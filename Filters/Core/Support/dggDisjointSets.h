@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Things that are joined step by step. Internal.
+/// Disjoint sets (union-find). Internal.
 #ifndef dggDisjointSets_h
 #define dggDisjointSets_h
 
@@ -14,8 +14,8 @@
 
 namespace dgg
 {
-/// Disjoint sets of the numbers from 0 on, each number in a set of its own at first. The smallest
-/// number of a set represents it.
+/// Disjoint sets of the integers from 0 on, initially singletons. A set is represented by its
+/// smallest element.
 class DisjointSets
 {
 public:
@@ -25,7 +25,7 @@ public:
     std::iota(this->Parents.begin(), this->Parents.end(), 0);
   }
 
-  /// The number that represents the set of a number.
+  /// Returns the representative of the set of an element.
   Id Find(Id i)
   {
     while (this->Parents[i] != i)
@@ -36,7 +36,7 @@ public:
     return i;
   }
 
-  /// False when they are in the same set already.
+  /// Merges two sets. Returns false if the elements are already in the same set.
   bool Join(Id i, Id j)
   {
     i = this->Find(i);

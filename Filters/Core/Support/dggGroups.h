@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Elements by the group that each is in. Internal.
+/// Elements sorted by group. Internal.
 #ifndef dggGroups_h
 #define dggGroups_h
 
@@ -13,14 +13,14 @@
 
 namespace dgg
 {
-/// Those of group g are Members[Begins[g]] up to Members[Begins[g + 1]], in their order.
+/// The members of group g are [Begins[g], Begins[g + 1]) of Members, in ascending order.
 struct Groups
 {
   std::vector<Offset> Begins;
   std::vector<Id> Members;
 };
 
-/// `groupOf(i)` is the group of an element, or NoId.
+/// Sorts elements by group; `groupOf(i)` is the group of an element, or NoId.
 template <typename GroupOf>
 Groups MakeGroups(Id numberOfElements, Id numberOfGroups, const GroupOf& groupOf)
 {
@@ -46,7 +46,7 @@ Groups MakeGroups(Id numberOfElements, Id numberOfGroups, const GroupOf& groupOf
   return made;
 }
 
-/// `groups` has the group of each element, or NoId.
+/// Sorts elements by group; `groups` contains the group of each element, or NoId.
 inline Groups MakeGroups(const std::vector<Id>& groups, std::size_t numberOfGroups)
 {
   return MakeGroups(static_cast<Id>(groups.size()), static_cast<Id>(numberOfGroups),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The smallest key first: a heap with four children per node. Internal.
+/// A min-heap with four children per node. Internal.
 #ifndef dggHeap_h
 #define dggHeap_h
 
@@ -13,12 +13,11 @@
 
 namespace dgg
 {
-/// Keys are never changed: a vertex whose key drops is pushed again, and the one who pops sees that
-/// the older entry is out of date. Four children make the heap half as high as two, and they share
-/// a cache line.
+/// Keys are never changed: a vertex whose key drops is pushed again, and callers have to skip
+/// outdated entries. Four children make the heap half as high as two, and they share a cache line.
 ///
-/// With `BreaksTies` the smaller index comes first of equal keys, whatever else is in the heap:
-/// what windows find does not depend on ties.
+/// With `BreaksTies`, the smaller index comes first among equal keys, independent of the other
+/// contents of the heap, so that results of window propagation do not depend on ties.
 template <bool BreaksTies>
 class Heap
 {
@@ -69,7 +68,7 @@ private:
     return a.Key < b.Key || (BreaksTies && a.Key == b.Key && a.Index < b.Index);
   }
 
-  /// Put an entry into the gap at the top.
+  /// Moves an entry from the gap at the top to its position.
   void SiftDown(const Entry& entry)
   {
     const std::size_t size = this->Entries.size();

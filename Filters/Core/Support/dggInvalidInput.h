@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Messages in parts. Internal.
+/// Composition of messages. Internal.
 #ifndef dggInvalidInput_h
 #define dggInvalidInput_h
 
@@ -12,7 +12,7 @@
 
 namespace dgg
 {
-/// Texts and numbers as one text.
+/// Concatenates texts and numbers.
 template <typename... Parts>
 std::string JoinText(const Parts&... parts)
 {
@@ -21,7 +21,7 @@ std::string JoinText(const Parts&... parts)
   return text.str();
 }
 
-/// Status::Invalid() with a message of texts and numbers.
+/// Returns Status::Invalid() with a message composed of texts and numbers.
 template <typename... Parts>
 Status InvalidInput(const Parts&... parts)
 {

@@ -15,7 +15,7 @@ namespace dgg
 /// each other.
 inline std::uint64_t GetMortonCode(double x, double y, double z)
 {
-  // Places two zero bits between the bits of the number of a cell along one axis.
+  // Inserts two zero bits between the bits of a cell index along one axis.
   const auto spread = [](double coordinate) {
     constexpr double cells = 1 << 21;
     auto bits = static_cast<std::uint64_t>(

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How the kernel, which has no threads of its own, lets its caller run loops in parallel.
+/// Interface by which callers run the loops of the kernel in parallel; the kernel starts no
+/// threads.
 #ifndef dggParallel_h
 #define dggParallel_h
 
@@ -11,14 +12,14 @@
 
 namespace dgg
 {
-/// Runs `body(begin, end)` over disjoint ranges of about `grain` that make up [0, size), at the
-/// same time if it likes. The calling thread runs the range that begins at 0, without waiting for
-/// others before; what that throws reaches it after the loop. Empty means one after the other.
-/// Results never depend on it.
+/// Runs `body(begin, end)` over disjoint ranges of about `grain` elements that cover [0, size),
+/// possibly in parallel. The calling thread runs the range that begins at 0, without waiting for
+/// others before; exceptions of that range are forwarded to the caller after the loop. An empty
+/// function means sequential execution. Results never depend on it.
 using ParallelFor =
   std::function<void(Offset size, Offset grain, const std::function<void(Offset, Offset)>& body)>;
 
-/// Run a loop as the caller wants it.
+/// Runs a loop in parallel if `parallel` is set, otherwise sequentially.
 inline void ForRange(const ParallelFor& parallel, Offset size, Offset grain,
   const std::function<void(Offset, Offset)>& body)
 {

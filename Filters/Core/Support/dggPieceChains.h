@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// From pieces of curves to curves. Internal.
+/// Joins segments of curves into chains. Internal.
 #ifndef dggPieceChains_h
 #define dggPieceChains_h
 
@@ -13,24 +13,23 @@
 
 namespace dgg
 {
-/// A piece as a chain runs through it.
+/// A segment with its direction in a chain.
 struct PiecePassage
 {
   std::size_t Piece;
   bool IsBackward;
 };
 
-/// Pieces of which each ends where the next one begins.
+/// Consecutive segments of a chain.
 struct PieceChain
 {
   std::vector<PiecePassage> Passages;
   bool IsClosed = false;
 };
 
-/// Join pieces, given by the points that they begin and end in, wherever two of their ends meet,
-/// and no more. Chains that begin where fewer or more meet come first, then closed ones; those of
-/// each kind by the points that they begin in, then by their first pieces. Each piece is in one
-/// chain.
+/// Joins segments, given by their start and end points, at all points where exactly two segment
+/// ends meet. Open chains come first, then closed ones; each group is sorted by start point, then
+/// by first segment. Each segment belongs to exactly one chain.
 std::vector<PieceChain> JoinPieces(const std::vector<std::array<Id, 2>>& pieces);
 }
 

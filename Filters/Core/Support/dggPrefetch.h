@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Asks for memory ahead of its use. Internal.
+/// Prefetching of memory. Internal.
 #ifndef dggPrefetch_h
 #define dggPrefetch_h
 
@@ -12,7 +12,7 @@ inline void Prefetch(const void* address)
 {
 #if defined(__GNUC__)
   __builtin_prefetch(address);
-  // GCC takes a function that does nothing but prefetch for one without effect and drops the call.
+  // GCC considers a function that only prefetches to have no effect and removes the call.
   __asm__ volatile("" : : "r"(address));
 #else
   static_cast<void>(address);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The progress of one step of many. Internal.
+/// Progress of one step of a sequence. Internal.
 #ifndef dggProgressPart_h
 #define dggProgressPart_h
 
@@ -9,20 +9,20 @@
 
 namespace dgg
 {
-/// Report progress. Whether the work is to go on.
+/// Reports progress. Returns true if the work should continue.
 inline bool Goes(const ProgressCallback& progress, double fraction)
 {
   return !progress || progress(fraction);
 }
 
-/// The same, as the outcome of a step.
+/// Like Goes(), but returns a Status.
 inline Status ReportTo(const ProgressCallback& progress, double fraction)
 {
   return Goes(progress, fraction) ? Status::Success() : Status::Abort();
 }
 
-/// What a step is given that makes the part [begin, end] of all: its fractions 0 and 1 are these
-/// ones of `progress`. Empty when `progress` is.
+/// Returns the progress callback of a step that covers the interval [begin, end] of the total:
+/// fractions 0 and 1 of the step map to the ends of the interval. Empty if `progress` is empty.
 inline ProgressCallback ProgressPart(const ProgressCallback& progress, double begin, double end)
 {
   if (!progress)

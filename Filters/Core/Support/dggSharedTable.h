@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Objects that several users share. Internal.
+/// A table of shared objects. Internal.
 #ifndef dggSharedTable_h
 #define dggSharedTable_h
 
@@ -12,8 +12,8 @@
 
 namespace dgg
 {
-/// Objects in use, by a key that identifies them. The table owns nothing: an object is released
-/// with its last user.
+/// Objects in use, identified by a key. The table owns nothing: an object is released with its last
+/// user.
 template <typename Key, typename Value>
 class SharedTable
 {

@@ -23,8 +23,8 @@ constexpr Id NoId = -1;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Outcome of a kernel call. The kernel never throws on bad input and never prints: it says what
-/// was wrong, and the caller decides how to show it.
+/// Outcome of a kernel call. The kernel never throws on bad input and never prints: it returns a
+/// description of the error, and the caller decides how to show it.
 class Status
 {
 public:
@@ -47,7 +47,7 @@ public:
   bool IsAborted() const { return this->Kind == Code::Aborted; }
   Code GetCode() const { return this->Kind; }
   const std::string& GetMessage() const { return this->Message; }
-  /// The same with a message that begins with `subject`, what the error is about.
+  /// Returns the status with a message that begins with `subject`, the subject of the error.
   Status Of(const std::string& subject) const
   {
     return this->Kind == Code::InvalidInput ? Invalid(subject + ": " + this->Message) : *this;
@@ -64,15 +64,15 @@ private:
   std::string Message;
 };
 
-/// Return the status that an expression gives from this function, unless it went well.
+/// Evaluates an expression that returns a Status, and returns from this function unless it is Ok.
 #define DGG_RETURN_IF_ERROR(...)                                \
   if (dgg::Status dggStatus = (__VA_ARGS__); !dggStatus.IsOk()) \
   {                                                             \
     return dggStatus;                                           \
   }
 
-/// Called now and then by long loops, from any of their threads, with the finished fraction in
-/// [0, 1]; returns false to stop.
+/// Called periodically by long loops, from any of their threads, with the finished fraction in [0,
+/// 1]; returns false to stop.
 using ProgressCallback = std::function<bool(double)>;
 }
 

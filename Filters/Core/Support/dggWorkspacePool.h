@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Memory that searches use one after the other. Internal.
+/// A pool of reusable workspaces. Internal.
 #ifndef dggWorkspacePool_h
 #define dggWorkspacePool_h
 
@@ -13,13 +13,12 @@
 
 namespace dgg
 {
-/// Keeps workspaces that are not in use, as many as searches ever ran at the same time. May be used
-/// by several threads at once.
+/// Stores idle workspaces, as many as were ever in use simultaneously. Thread-safe.
 template <typename Workspace>
 class WorkspacePool
 {
 public:
-  /// A workspace; when it goes, the workspace returns to the pool.
+  /// A borrowed workspace, returned to the pool by the destructor.
   class Loan
   {
   public:
@@ -39,7 +38,7 @@ public:
     std::unique_ptr<Workspace> Value;
   };
 
-  /// A new one is made from `arguments` when all workspaces are in use.
+  /// Borrows a workspace; a new one is created from `arguments` if none is idle.
   template <typename... Arguments>
   Loan Borrow(const Arguments&... arguments)
   {
@@ -53,7 +52,7 @@ public:
       }
       else
       {
-        // Room for all that will come back, so that Return() cannot fail.
+        // Reserves space for all workspaces, so that Return() cannot fail.
         this->Idle.reserve(++this->NumberOfWorkspaces);
       }
     }
@@ -61,7 +60,7 @@ public:
       *this, workspace ? std::move(workspace) : std::make_unique<Workspace>(arguments...));
   }
 
-  /// Bytes of the workspaces that are not in use.
+  /// Size in bytes of the idle workspaces.
   std::size_t GetMemorySize() const
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
