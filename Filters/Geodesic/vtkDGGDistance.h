@@ -4,24 +4,21 @@
  * @class   vtkDGGDistance
  * @brief   distances along a surface within a guaranteed error, in milliseconds
  *
- * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm, with `GeodesicUpperBound` on
- * request. The graph is that on the input, or built here, see vtkGeodesicAlgorithm. On a cloud
- * distances are those in its graph: Correction does nothing, GeodesicUpperBound is the distance.
+ * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm, plus `GeodesicUpperBound` on
+ * request. The graph is that on the input; without one the filter builds its own, see
+ * vtkGeodesicAlgorithm. On a cloud, distances are those in its graph.
  *
  * <b>Guarantee and cost</b>. With Correction (the default), for every point
  *
  *     |result - exact distance| <= accuracy * (exact distance - o),
  *
- * up to rounding (1e-6) and GetMollification(), where accuracy is that of the graph and o the least
- * initial distance of a source. Without Correction results are lengths of real paths, never below
- * the exact distance, and a metric; their mean error is larger. Sources that are no vertices are
- * linked to the graph, with the same promise. Graphs by a rule without a guarantee (OneRelay,
- * SaddleVertexGraph) promise nothing. Only the first update takes long, if it builds the graph.
+ * up to rounding (1e-6) and GetMollification(), where accuracy is that of the graph and o the
+ * smallest initial distance of a source. Sources inside triangles have the same bound. Without
+ * Correction, results are lengths of paths in the graph. Graphs by a rule without a guarantee
+ * (OneRelay, SaddleVertexGraph) have no bound. Only an update that builds a graph takes long.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: an Accuracy outside [1e-6, 0.5]; a
- * graph, or links of points that are no vertices (some 250 bytes per triangle), that take more than
- * MemoryLimit; GenerateVirtualSource on a cloud.
- *
+ * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; a graph, or links of sources inside
+ * triangles (about 250 bytes per triangle), beyond MemoryLimit; GenerateVirtualSource on a cloud.
  * @code
  * vtkNew<vtkDGGDistance> distance;
  * distance->SetInputConnection(reader->GetOutputPort());
@@ -31,10 +28,7 @@
  * distance->SetSourceIds({ 10, 20 });
  * distance->Update(); // milliseconds
  * @endcode
- *
- * <b>Source</b>. Graphs: see vtkDiscreteGeodesicGraph. The search corrects labels, in buckets of
- * increasing distance, over edges that lead straight ahead (the fans of X. Wang et al. 2017); a
- * pass over all edges certifies the result.
+ * <b>Source</b>. See vtkDiscreteGeodesicGraph and, for fans, X. Wang et al. 2017 there.
  *
  * @sa vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix vtkExactGeodesicDistance
  */
@@ -58,19 +52,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Ways to search the graph. All find the same distances in it.
+   * Algorithms that search the graph. All find the same distances.
    */
   enum SearchType
   {
-    Certified = 0,       ///< the fastest
-    LabelCorrecting = 1, ///< the same over all edges
+    Certified = 0,       ///< label correction over edges that lead straight ahead; fastest
+    LabelCorrecting = 1, ///< label correction over all edges
     Dijkstra = 2         ///< the reference
   };
 
   ///@{
   /**
-   * Whether to report the best estimate within the promised interval, rather than the length of the
-   * path in the graph. Default on.
+   * If on, results are the best estimates within the certified interval. If off, they are the
+   * lengths of paths in the graph: a metric that is never below the exact distance, with larger
+   * mean errors. Not used on clouds. Default on.
    */
   vtkSetMacro(Correction, bool);
   vtkGetMacro(Correction, bool);
@@ -79,7 +74,7 @@ public:
 
   ///@{
   /**
-   * How to search. Default Certified; the others are there to compare with.
+   * Algorithm of the search. Default Certified; the others are for comparison.
    */
   vtkSetClampMacro(Search, int, Certified, Dijkstra);
   vtkGetMacro(Search, int);
@@ -91,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Whether to add the point array `GeodesicUpperBound` (double): the length of the path in the
-   * graph, which the exact distance does not exceed. Default off.
+   * If on, add the point array `GeodesicUpperBound` (double): the length of the path in the graph,
+   * which the exact distance does not exceed. On clouds it equals the distance. Default off.
    */
   vtkSetMacro(GenerateUpperBound, bool);
   vtkGetMacro(GenerateUpperBound, bool);
@@ -101,22 +96,23 @@ public:
 
   ///@{
   /**
-   * Name of this point array. Default "GeodesicUpperBound".
+   * Name of the point array with upper bounds. Default "GeodesicUpperBound".
    */
   vtkDGGStringMacro(UpperBoundArrayName);
   ///@}
 
   ///@{
   /**
-   * Properties of the graph, which all filters that search one have, and numbers of it.
+   * Properties that all filters with a graph have, and values of the graph.
    *
-   *  - Accuracy: largest relative error of the graph that is built when the input has none, in
-   *    [1e-6, 0.5]; another value is an error even if that on the input is used. Default 0.01.
-   *  - AcceptCoarserGraph: whether a graph on the input that promises less than an Accuracy that
-   *    was set is used without a warning. Default off.
-   *  - Of the graph of the last update, zero without: whether it is that on the input, its accuracy
-   *    (0 for a SaddleVertexGraph), number of directed edges, bytes with what searches and links
-   *    need; whether it keeps to its accuracy, and when this filter built one last.
+   *  - Accuracy: largest relative error of the graph that is built if the input has none. Default
+   *    0.01; a value outside [1e-6, 0.5] is an error even if the graph on the input is used.
+   *  - AcceptCoarserGraph: if on, a graph on the input that is coarser than an explicitly set
+   *    Accuracy is used without a warning. Default off.
+   *  - Values of the graph of the last update, zero without a graph: true if it comes from the
+   *    input, its accuracy (0 for a SaddleVertexGraph), number of directed edges, bytes including
+   *    search buffers and links; true if its rule guarantees the accuracy, and the time of the
+   *    last build by this filter.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

@@ -2,66 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDiscreteGeodesicGraph
- * @brief   builds a sparse graph in which shortest paths are geodesics up to a known error
+ * @brief   builds a sparse graph in which shortest paths are geodesics up to a bounded error
  *
- * The vertices of the graph are the points of the surface; an edge is a geodesic between two of
- * them that does not bend, with its length. vtkDGGDistance and others search it, see
- * vtkGeodesicAlgorithm.
- *
- * <b>Input and output</b>. Output 0 is the input plus arrays in the field data. n is the number of
- * points, m that of directed edges; each edge is there both ways, with one length.
- *
- *  - `DGG.Offsets` (int64, n + 1): edges of point i: [Offsets[i], Offsets[i + 1]);
+ * <b>Input and output</b>. Output 0 is the input plus a graph in the field data, which
+ * vtkDGGDistance and others search (see vtkGeodesicAlgorithm). Vertices are the n points of the
+ * surface; the m directed edges are straight geodesics, each stored in both directions with one
+ * length.
+ *  - `DGG.Offsets` (int64, n + 1): edges of point i are [Offsets[i], Offsets[i + 1]);
  *  - `DGG.Targets` (int32, m): point at the end of each edge;
- *  - `DGG.Lengths` (float32, m): length, rounded up; float64 below an Accuracy of 1e-5;
- *  - `DGG.Angles` (float32, m): direction of departure, sorted in each row;
- *  - `DGG.ArrivalAngles` (float32, m): direction of arrival, pointing back;
- *  - `DGG.Info` (int64, 12): see below.
+ *  - `DGG.Lengths` (float32, m): length in units of the coordinates, rounded up; float64 below an
+ *    Accuracy of 1e-5 and for extents beyond the range of floats;
+ *  - `DGG.Angles`, `DGG.ArrivalAngles` (float32, m): directions of departure, sorted in each row,
+ *    and of arrival, pointing back; radians, counter-clockwise as the triangles are oriented;
+ *  - `DGG.Info` (int64, 12): parameters, signature of points and polygons, checksum.
  *
- * Lengths are in units of the coordinates, and float64 too for extents out of the range of floats.
- * Directions are polar angles in radians, counter-clockwise as the triangles are oriented. Zero is,
- * at a point with triangles all around, the edge to the corner that follows it in its first
- * triangle; at a boundary point the boundary edge with the triangles counter-clockwise of it.
- *
- * `DGG.Info` holds: the format version (1); the kind (0: mesh); Construction; the bits of Accuracy
- * (0 for a SaddleVertexGraph); NumberOfNeighbors (0 for others); MergeCoincidentPoints; a signature
- * of the surface (2 values); 0; the bits of MergeTolerance; 0; a checksum. Any change of points or
- * polygons, a rigid motion included, invalidates the graph. A valid one on the input with the same
- * parameters is passed on. Output 1 has the edges as lines, if GenerateGraphLines is on.
+ * A valid graph on the input with the same parameters is passed on. Output 1: GenerateGraphLines.
  *
  * <b>Guarantee and cost</b>. With the default construction, for all pairs of points of a component,
  *
  *     exact distance <= distance in the graph <= (1 + Accuracy) * exact distance,
  *
- * up to rounding (1e-6) and GetMollification(). It takes 16 bytes per directed edge; edges grow as
- * 1 / sqrt(Accuracy). All threads of vtkSMPTools build it; it is kept until mesh or parameters
- * change.
+ * up to rounding (1e-6) and GetMollification(). A directed edge takes 16 bytes; m is proportional
+ * to 1 / sqrt(Accuracy). All threads of vtkSMPTools build the graph.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: an Accuracy outside [1e-6, 0.5]; a
- * NumberOfNeighbors below 1; a graph predicted to take more than MemoryLimit.
- *
- * @code
- * vtkNew<vtkDiscreteGeodesicGraph> graph;
- * graph->SetInputConnection(reader->GetOutputPort());
- * graph->SetAccuracy(0.01);
- * vtkNew<vtkDGGDistance> distance;
- * distance->SetInputConnection(graph->GetOutputPort());
- * distance->AddSourceId(0);
- * distance->Update(); // builds the graph
- * distance->SetSourceIds({ 100 });
- * distance->Update(); // milliseconds
- * @endcode
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm; a graph predicted to exceed MemoryLimit. The page
+ * Filters/Geodesic/Distances.md has code, details of the arrays, rules and lifetime.
  *
  * <b>Source</b>. X. Wang et al., "Discrete geodesic graph (DGG) for computing geodesic distances on
  * polyhedral surfaces", CAGD 52-53, 2017; Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang
- * Technological University, 2019. The default rule makes progress towards every target, as in Yao
- * graphs, which bounds errors of whole paths. OneRelay and Indirect (chapter 3) are the rules of
- * the thesis, repaired where it is silent or does not work as printed: the search of OneRelay ends
- * behind edges of which every point is covered; with Indirect a window inherits the bound of its
- * parent and is compared by its nearest point, an edge st is pruned when |sr| / (1 + Accuracy) +
- * |rt| <= |st| for another edge sr, and there are no pseudo-vertices. SaddleVertexGraph: X. Ying et
- * al., "Saddle vertex graph (SVG)", ACM Trans. Graph. 32(6), 2013.
- *
+ * Technological University, 2019.
  * @sa vtkDGGDistance vtkGeodesicDistanceMatrix vtkPointCloudDGG
  */
 
@@ -87,20 +56,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Rules that choose the edges.
+   * Rules that choose the edges. Guaranteed makes progress toward every target, as in Yao graphs,
+   * which bounds the errors of whole paths. OneRelay and Indirect are the rules of Fang's thesis,
+   * chapter 3, with corrections. The search of OneRelay ends behind edges whose points are all
+   * covered. With Indirect a window inherits the bound of its parent and is compared by its nearest
+   * point; an edge st is pruned if |sr| / (1 + Accuracy) + |rt| <= |st| for another edge sr; there
+   * are no pseudo-vertices. SaddleVertexGraph: X. Ying et al., "Saddle vertex graph (SVG)", ACM
+   * Trans. Graph. 32(6), 2013.
    */
   enum ConstructionType
   {
-    Guaranteed = 0, ///< every distance within Accuracy
-    OneRelay = 1,   ///< the direct rule of the thesis; bounds no maximum
-    Indirect = 2,   ///< the two steps of the thesis, pruned; no violation known, no proof; slow
-    SaddleVertexGraph = 3 ///< the nearest neighbours, whatever the error
+    Guaranteed = 0,       ///< every distance within Accuracy; proven; proven
+    OneRelay = 1,         ///< direct rule of the thesis; does not bound the largest error
+    Indirect = 2,         ///< two steps of the thesis, pruned; no violation known, no proof; slow
+    SaddleVertexGraph = 3 ///< visible points among the nearest neighbors; error not bounded
   };
 
   ///@{
   /**
-   * Largest relative error of a distance in the graph, in [1e-6, 0.5]. Default 0.01. Not used by
-   * SaddleVertexGraph.
+   * Largest relative error of a distance in the graph. Default 0.01; values outside [1e-6, 0.5] are
+   * errors. Not used by SaddleVertexGraph.
    */
   vtkSetMacro(Accuracy, double);
   vtkGetMacro(Accuracy, double);
@@ -108,7 +83,7 @@ public:
 
   ///@{
   /**
-   * The rule. Default Guaranteed; the others are there to compare with.
+   * Rule that chooses the edges. Default Guaranteed; the others are for comparison.
    */
   vtkSetClampMacro(Construction, int, Guaranteed, SaddleVertexGraph);
   vtkGetMacro(Construction, int);
@@ -121,8 +96,8 @@ public:
 
   ///@{
   /**
-   * Nearest points that each point of a SaddleVertexGraph looks at. Default 30; at least 1. Time
-   * and memory grow with it.
+   * Number of nearest points that each point of a SaddleVertexGraph may connect to. Default 30; at
+   * least 1. Time and memory grow with it.
    */
   vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
@@ -130,8 +105,8 @@ public:
 
   ///@{
   /**
-   * Whether output 1 has the edges as straight lines, each once, with the cell array `Length`
-   * (double). They take about 32 bytes each; more than MemoryLimit is an error. Default off.
+   * If on, output 1 contains the edges as straight lines, each once, with the cell array `Length`
+   * (double). A line takes about 32 bytes; more than MemoryLimit is an error. Default off.
    */
   vtkSetMacro(GenerateGraphLines, bool);
   vtkGetMacro(GenerateGraphLines, bool);
@@ -139,37 +114,37 @@ public:
   ///@}
 
   /**
-   * The output of port 1.
+   * Returns output 1.
    */
   vtkPolyData* GetGraphLines();
 
   /**
-   * Predict the memory of the graph from the edges of some points, with the input brought up to
-   * date. Returns GetEstimatedMemory(); 0 after an error, an abort or, with a warning, for an empty
-   * input. GetErrorCode() changes by an error only. On several processes the graph is that of the
-   * piece that is here; all must call it.
+   * Predicts the memory of the graph from the edges of some points, after an update of the input.
+   * Returns GetEstimatedMemory(); 0 after an error, an abort or, with a warning, for an empty
+   * input. Only an error changes GetErrorCode(). With several processes the prediction is that of
+   * the local piece; all processes must call the function.
    */
   vtkTypeUInt64 EstimateMemory();
 
   ///@{
   /**
-   * Bytes predicted last: for the graph, and at most at one time while it is built. 0 before, and
-   * when the graph of the input was passed on.
+   * Returns the last prediction in bytes: size of the graph, and largest memory during the build. 0
+   * without a prediction, and if the graph of the input was passed on.
    */
   vtkTypeUInt64 GetEstimatedMemory() const;
   vtkTypeUInt64 GetEstimatedPeakMemory() const;
   ///@}
 
   /**
-   * Release the graph that is kept between updates, so that the output alone has it. The next
-   * update that runs builds it anew.
+   * Releases the graph that is kept between updates, so that only the output refers to it. The next
+   * update that executes builds the graph again.
    */
   void ReleaseGraph();
 
   ///@{
   /**
-   * The graph of the last update, zero without: number of directed edges, edges per point, bytes of
-   * the arrays.
+   * Values of the graph of the last update: number of directed edges, mean number of edges per
+   * point, bytes of the arrays; zero without a graph.
    */
   vtkIdType GetNumberOfGraphEdges() const;
   double GetMeanDegree() const;
@@ -177,13 +152,13 @@ public:
   ///@}
 
   /**
-   * What is damaged in the graph on the input, which the last update replaced with a warning; else
-   * empty. It is set before WarningEvent.
+   * Returns the defect of the graph on the input that the last update replaced with a warning;
+   * otherwise empty. The value is set before WarningEvent.
    */
   std::string GetInputGraphDamage() const;
 
   /**
-   * Time stamp of the last time that a graph was built.
+   * Returns the time stamp of the last build of a graph.
    */
   vtkMTimeType GetGraphBuildTime() const;
 

@@ -6,13 +6,12 @@
  *
  * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm, with windows on request.
  *
- * <b>Guarantee and cost</b>. Distances on the polyhedron of the triangles, exact up to rounding
- * (relative errors around 1e-12). Windows of straight paths are propagated over the triangles, in
- * one thread; time grows a little faster than linearly with the number of points.
+ * <b>Guarantee and cost</b>. Distances on the polyhedron that the triangles form, exact up to
+ * rounding (relative errors around 1e-12). Windows of straight paths are propagated over the
+ * triangles by one thread; time grows slightly faster than linearly with the number of points.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: windows that take more than
- * MemoryLimit.
- *
+ * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; windows beyond MemoryLimit. The module page
+ * is Filters/Geodesic/Distances.md.
  * @code
  * vtkNew<vtkExactGeodesicDistance> distance;
  * distance->SetInputConnection(reader->GetOutputPort());
@@ -21,7 +20,6 @@
  * distance->Update();
  * vtkDataArray* d = distance->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
  * @endcode
- *
  * <b>Source</b>. J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
  * problem", SIAM J. Comput. 16, 1987; J. Chen, Y. Han, "Shortest paths on a polyhedron", SoCG 1990;
  * order of propagation: Y. Qin et al., "Fast and exact discrete geodesic computation based on
@@ -44,17 +42,17 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Ways to propagate. Both give the same distances.
+   * Algorithms of propagation. Both give the same distances.
    */
   enum EngineType
   {
-    Reference = 0, ///< one window at a time: slow, simple
-    Triangle = 1   ///< triangle by triangle: fast
+    Reference = 0, ///< one window at a time; simple and slow
+    Triangle = 1   ///< triangle by triangle; fast
   };
 
   ///@{
   /**
-   * How to propagate. Default Triangle; Reference is there to verify it.
+   * Algorithm of propagation. Default Triangle; Reference is for verification.
    */
   vtkSetClampMacro(Engine, int, Reference, Triangle);
   vtkGetMacro(Engine, int);
@@ -64,9 +62,9 @@ public:
 
   ///@{
   /**
-   * Whether to add the windows as field data, with which vtkApolloniusIsolines and vtkGeodesicProbe
-   * know the exact distance anywhere. They take 1 to 2 KB per point, and are ignored, with a
-   * warning, when distances or surface are changed. Default off.
+   * If on, add the windows to the field data, from which vtkApolloniusIsolines and vtkGeodesicProbe
+   * compute the exact distance at any surface point. They take 1 to 2 KB per point. Windows are
+   * ignored with a warning after distances or surface have changed. Default off.
    */
   vtkSetMacro(GenerateWindows, bool);
   vtkGetMacro(GenerateWindows, bool);

@@ -2,28 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGeodesicDistanceAlgorithm
- * @brief   what all filters that compute a distance along a surface have in common
+ * @brief   base class of filters that compute distances along a surface
  *
- * <b>Input and output</b>. Each point gets the distance from the nearest source. The output is the
+ * <b>Input and output</b>. Each point gets the distance from its nearest source. The output is the
  * input, in the same order, plus the point array `GeodesicDistance` (double, in units of the
- * coordinates), which becomes the active scalars; on request also the nearest and virtual sources.
+ * coordinates), which becomes the active scalars. Nearest sources and virtual sources are optional.
  *
  * Sources are point ids (SetSourceIds()) and the points of a vtkPolyData on the optional input port
- * 1 (SetSourceConnection()), each moved to the closest point of the surface, or identified by point
- * arrays, see vtkGeodesicAlgorithm. They are numbered from 0, ids first. A source starts with the
- * distance given with its id, or in the point array `InitialDistance` of port 1: any finite number,
- * 0 by default. One on a point that no polygon uses reaches that point only, with a warning.
+ * 1 (SetSourceConnection()). Such a point is moved to the closest point of the surface, or
+ * identified by point arrays, see vtkGeodesicAlgorithm. Sources are numbered from 0, ids first.
+ * Each may start with an initial distance. A source at a point that no polygon uses reaches only
+ * that point, with a warning.
  *
- * Points that no source reaches, and those beyond MaximumDistance, get UnreachedValue, and -1 as
+ * Points that no source reaches and points beyond MaximumDistance get UnreachedValue, and -1 as
  * nearest source.
  *
- * <b>Guarantee and cost</b>. See the subclasses and vtkGeodesicAlgorithm.
+ * <b>Guarantee and cost</b>. See the subclasses.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
- *  - no source; a source id out of range; a source point that is not finite, or farther from the
- *    surface than ProjectionTolerance; initial distances that are not finite, or not one per point;
- *  - a MaximumDistance or ProjectionTolerance that is negative or NaN; an array name that is empty
- *    or used twice.
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm, no source, and
+ *  - a source id out of range; a source point that is not finite, or farther from the surface
+ *    than ProjectionTolerance; initial distances that are not finite, or not one per point;
+ *  - an array name that is empty or used twice.
+ *
+ * The module page is Filters/Geodesic/Distances.md.
  *
  * @sa vtkDGGDistance vtkExactGeodesicDistance vtkHeatGeodesicDistance
  */
@@ -51,10 +52,10 @@ public:
 
   ///@{
   /**
-   * Sources by point id of the input, with the distances that they start with: any finite number, 0
-   * by default. None by default; ids may repeat, one out of range is an error of the update. Python
-   * takes any sequence of integers. A null list removes all. A list of distances of another length
-   * than that of the ids is an error at once, and changes nothing.
+   * Sources by point id of the input, each with an initial distance: any finite number, default 0.
+   * None by default. Ids may repeat; an id out of range is an error of the update. Python takes any
+   * sequence of integers. A null list removes all. A list of distances that differs in length from
+   * the list of ids is an immediate error and changes nothing.
    */
   void AddSourceId(vtkIdType id) { this->AddSourceId(id, 0.0); }
   void AddSourceId(vtkIdType id, double initialDistance);
@@ -74,12 +75,12 @@ public:
   void RemoveAllSources();
 
   /**
-   * The i-th source id; -1 when there is none.
+   * Returns the i-th source id; -1 if there is none.
    */
   vtkIdType GetSourceId(vtkIdType i) const VTK_EXPECTS(0 <= i && i < GetNumberOfSourceIds());
 
   /**
-   * The distance that the i-th source id starts with; 0 when there is none.
+   * Returns the initial distance of the i-th source id; 0 if there is none.
    */
   double GetSourceInitialDistance(vtkIdType i) const
     VTK_EXPECTS(0 <= i && i < GetNumberOfSourceIds());
@@ -95,9 +96,9 @@ public:
 
   ///@{
   /**
-   * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
-   * surface's bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on
-   * the surface, up to rounding.
+   * Largest distance of a point of port 1 from the surface, as a fraction of the diagonal of the
+   * surface's bounding box; a farther point is an error. Default 0.01; not negative. 0 accepts
+   * points on the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -105,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Points farther away, in units of the coordinates, are left unreached, which saves time. Default
-   * VTK_DOUBLE_MAX; not negative or NaN; infinity is no limit.
+   * Distance, in units of the coordinates, at which the search stops; farther points remain
+   * unreached. Default VTK_DOUBLE_MAX; negative values and NaN are errors; infinity is no limit.
    */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
@@ -115,9 +116,9 @@ public:
   ///@{
   /**
    * Distance of points that are not reached. Default NaN, which ranges and lookup tables of VTK
-   * ignore, but contour filters do not. With a finite number that marks points, the point array
-   * `GeodesicDistance.Unreached` (unsigned char) is 1 at these and 0 elsewhere;
-   * vtkApolloniusIsolines and vtkGeodesicProbe read it. That of upper bounds is
+   * ignore, but contour filters do not. If a finite value marks points, the point array
+   * `GeodesicDistance.Unreached` (unsigned char) is 1 at these points and 0 elsewhere;
+   * vtkApolloniusIsolines and vtkGeodesicProbe read it. The array of upper bounds is
    * `GeodesicUpperBound.Unreached`.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
@@ -126,8 +127,8 @@ public:
 
   ///@{
   /**
-   * Whether to add the point array `GeodesicSource` (int): number of the nearest source, -1 where
-   * unreached; of sources at the same distance, any. Default off.
+   * If on, add the point array `GeodesicSource` (int): index of the nearest source, -1 where
+   * unreached; any of several sources at the same distance. Default off.
    */
   vtkSetMacro(GenerateNearestSource, bool);
   vtkGetMacro(GenerateNearestSource, bool);
@@ -136,10 +137,10 @@ public:
 
   ///@{
   /**
-   * Whether each point gets the point arrays of port 1 from its nearest source, such as names and
-   * labels. Where that is one of SourceIds, or there is none: NaN, 0 or the empty string. Arrays of
-   * the surface and results of the filter stay, where names are the same; arrays of another length
-   * than the points are left out. Default off.
+   * If on, each point gets the point arrays of port 1 from its nearest source, such as names and
+   * labels. Where that source is one of SourceIds, or there is none, values are NaN, 0 or the empty
+   * string. Arrays of the surface and results of the filter take precedence over arrays of the same
+   * name; arrays of another length than the points are skipped. Default off.
    */
   vtkSetMacro(PassSourceArrays, bool);
   vtkGetMacro(PassSourceArrays, bool);
@@ -148,11 +149,10 @@ public:
 
   ///@{
   /**
-   * Whether to add the point array `GeodesicVirtualSource` (double, 3 components): where the
-   * distance of a point seems to come from. These are the distance at that virtual source, the
-   * straight distance from it, and its direction, the polar angle at the point in radians as in
-   * `DGG.Angles`, but not reduced to one turn. For vtkApolloniusIsolines and vtkGeodesicProbe.
-   * Default off.
+   * If on, add the point array `GeodesicVirtualSource` (double, 3 components) for
+   * vtkApolloniusIsolines and vtkGeodesicProbe: the distance with which the virtual source of the
+   * point starts, the straight distance from that source, and its direction, a polar angle at the
+   * point in radians as in `DGG.Angles`, but not reduced to one turn. Default off.
    */
   vtkSetMacro(GenerateVirtualSource, bool);
   vtkGetMacro(GenerateVirtualSource, bool);
@@ -161,8 +161,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the distances. Default "GeodesicDistance". It replaces an array of
-   * this name in the input, and what belongs to that: windows, nearest and virtual sources.
+   * Name of the point array with the distances. Default "GeodesicDistance". The array replaces an
+   * array of this name in the input together with its windows, nearest and virtual sources.
    */
   vtkDGGStringMacro(DistanceArrayName);
   ///@}
@@ -183,7 +183,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array of port 1 with initial distances. Default "InitialDistance".
+   * Name of the point array of port 1 with initial distances: one finite number per point. Default
+   * "InitialDistance"; without the array all are 0.
    */
   vtkDGGStringMacro(InitialDistanceArrayName);
   ///@}
@@ -204,14 +205,15 @@ protected:
   std::string GetMemoryRemedy() const override;
 
   /**
-   * Fill the results of the task. Called with a mesh and at least one source, both checked.
-   * Returns an error, which is shown to the user, or that the task's Progress asked to stop. May
+   * Fills the results of the task. Called with a mesh and at least one source, both checked.
+   * Returns an error, which is reported, or the status of an abort by the task's Progress. May
    * throw.
    */
   virtual dgg::Status ComputeDistances(DGGDistanceTask& task) = 0;
 
   /**
-   * Point arrays that ComputeDistances() fills besides distances and nearest sources. Default none.
+   * Returns the point arrays that ComputeDistances() fills besides distances and nearest sources.
+   * Default none.
    */
   virtual std::vector<DGGPointArray> DeclareArrays() const;
 

@@ -4,31 +4,28 @@
  * @class   vtkHeatGeodesicDistance
  * @brief   approximate distances along a surface by the heat method
  *
- * Heat flows from the sources for a short time; distances are the function whose gradient has its
- * direction everywhere. They are smoother than the true ones.
+ * Heat flows from the sources for a short time. The distance is the function whose gradient points
+ * away from the heat everywhere. It is smoother than the exact distance.
  *
- * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm. MaximumDistance saves no time.
- * The heat of a source falls with its initial distance o like exp(-o / sqrt(t)), t the time of the
- * flow.
+ * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm. The heat of a source with initial
+ * distance o is proportional to exp(-o / sqrt(t)), where t is the time of the flow. MaximumDistance
+ * saves no time.
  *
- * <b>Guarantee and cost</b>. Nothing bounds the error, which grows with the edges beside the
- * features of the surface, and is large on long triangles (QualityWarning); the page of the module
- * has figures. Two sparse systems are factorized, and kept until mesh or properties change; a query
- * is two substitutions. A factorization cannot be interrupted.
+ * <b>Guarantee and cost</b>. Errors have no bound, and are large on long triangles
+ * (QualityWarning); the module page, Filters/Geodesic/Distances.md, has figures. Two sparse systems
+ * are factorized and kept until mesh or properties change; a query takes two solves. A
+ * factorization cannot be aborted.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicDistanceAlgorithm: a TimeStepFactor outside [1e-6,
- * 1e6]; factorizations that take more than MemoryLimit, of 1 to 2 KiB per point usually; a source
- * on the boundary when Boundary is Dirichlet.
- *
+ * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; factorizations beyond MemoryLimit, usually
+ * 1 to 2 KiB per point; with Boundary Dirichlet, a source on the boundary.
  * @code
  * vtkNew<vtkHeatGeodesicDistance> distance;
  * distance->SetInputConnection(reader->GetOutputPort());
  * distance->AddSourceId(0);
  * distance->Update(); // factorizes
  * distance->SetSourceIds({ 10 });
- * distance->Update(); // two substitutions
+ * distance->Update(); // two solves
  * @endcode
- *
  * <b>Source</b>. K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat: a new approach to
  * computing distance based on heat flow", ACM Trans. Graph. 32(5), 2013.
  *
@@ -52,20 +49,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What heat does at the boundary of the surface.
+   * Conditions for heat at the boundary of the surface.
    */
   enum BoundaryType
   {
-    Neumann = 0,   ///< it stays inside
-    Dirichlet = 1, ///< it is cooled away
+    Neumann = 0,   ///< no heat leaves
+    Dirichlet = 1, ///< the boundary has no heat
     Average = 2    ///< the mean of both flows
   };
 
   ///@{
   /**
-   * The time of the flow, in squares of the mean edge length of each component, after flips. Larger
-   * ones smooth the distances. Default 1; in [1e-6, 1e6], of which 0.5 to 10 is of use. There is a
-   * warning outside of [0.1, 100].
+   * Time of the flow, in squares of the mean edge length of each component after edge flips. Larger
+   * values smooth the distances. Default 1; useful from 0.5 to 10. Outside [0.1, 100] there is a
+   * warning, outside [1e-6, 1e6] an error.
    */
   vtkSetMacro(TimeStepFactor, double);
   vtkGetMacro(TimeStepFactor, double);
@@ -73,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Whether to flip edges until they are Delaunay first, which improves results on long or obtuse
-   * triangles. The surface does not change. Default on.
+   * If on, edges are first flipped until they are Delaunay, which improves results on long or
+   * obtuse triangles. The surface does not change. Default on.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
@@ -83,7 +80,7 @@ public:
 
   ///@{
   /**
-   * What heat does at the boundary. Default Neumann. Average costs a third factorization.
+   * Condition for heat at the boundary. Default Neumann. Average takes a third factorization.
    */
   vtkSetClampMacro(Boundary, int, Neumann, Average);
   vtkGetMacro(Boundary, int);
@@ -94,20 +91,20 @@ public:
   ///@}
 
   /**
-   * Bytes kept for the factorizations, about; zero before there are any.
+   * Returns the approximate number of bytes of the factorizations; 0 before the first update.
    */
   vtkTypeUInt64 GetMemorySize() const;
 
   /**
-   * Factorizations so far: two for a new mesh, one for another TimeStepFactor, none for other
-   * sources.
+   * Returns the number of factorizations so far: two for a new mesh, one for another
+   * TimeStepFactor, none for other sources.
    */
   int GetNumberOfFactorizations() const;
 
   /**
    * True if distances of the last update may be far off: GetMeanAnisotropy() is above 2, a source
-   * is on a component of fewer than 50 triangles, or TimeStepFactor is outside of [0.1, 100].
-   * A warning is reported once for each mesh and reason.
+   * is on a component of fewer than 50 triangles, or TimeStepFactor is outside [0.1, 100]. A
+   * warning is reported once for each mesh and reason.
    */
   vtkGetMacro(QualityWarning, bool);
 

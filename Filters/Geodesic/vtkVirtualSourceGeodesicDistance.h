@@ -2,31 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkVirtualSourceGeodesicDistance
- * @brief   approximate distances along a surface, without precomputation
+ * @brief   approximate distances along a surface, without preparation
  *
- * Sources are unfolded from triangle to triangle, one virtual source for each. For what has to
- * follow the mouse, for previews, and for a first look at large meshes.
+ * Sources are unfolded from triangle to triangle; each triangle keeps one virtual source, each edge
+ * with Quality High. For interaction, previews and large meshes.
  *
  * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm.
  *
- * <b>Guarantee and cost</b>. No distance is longer than the shortest way along mesh edges, up to
- * rounding, for any number of sources. Nothing else bounds the error. Of 10 sources on each of 27
- * real meshes: on scans and fine parts 0.1 to 0.4 % on the mean, single distances up to 4 % too
- * short, where a ridge hides what lies behind, and up to 13 % too long. On coarse or broken CAD
- * models the mean error is 0.6 to 6 %, and single distances are up to 55 % too short or 60 % too
- * long, or several times too long on rough sides (see QualityWarning); there
- * vtkExactGeodesicDistance is fast enough. Triangles may be so irregular that distances do not
- * settle: the search then ends with the shortest ones found so far, and a warning. With a thousand
- * sources the mean error is smaller. With about as many sources as triangles, or on long triangles,
- * single distances may be several times too long and the mean error is 3 %, because a triangle
- * stores one source only. Five million points take a second on one thread, and less on several;
- * several sources take a third longer. Results have single precision: about six digits of the
- * largest distance, initial distances included. Along strips of ten thousand triangles, rounding
- * errors add up to 1e-4 of that distance.
+ * <b>Guarantee and cost</b>. Up to rounding, no distance is longer than the shortest path along
+ * mesh edges, for any number of sources. Errors have no other bound: the mean is usually 0.1 to 0.4
+ * % on scans and 0.6 to 6 % on coarse CAD models, where single distances may be half as long or
+ * several times as long as exact ones (QualityWarning). If distances do not converge, the filter
+ * warns and keeps the shortest distances found. Five million points take about a second on one
+ * thread. Results have single precision: six digits of the largest distance, including initial
+ * distances; along strips of ten thousand triangles, rounding errors add up to 1e-4 of that
+ * distance.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; initial distances that differ by more than
- * 1e30 mean edges.
- *
+ * 1e30 mean edge lengths. The module page is Filters/Geodesic/Distances.md.
  * @code
  * vtkNew<vtkVirtualSourceGeodesicDistance> distance;
  * distance->SetInputConnection(reader->GetOutputPort());
@@ -34,10 +27,8 @@
  * distance->Update();
  * vtkDataArray* d = distance->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
  * @endcode
- *
  * <b>Source</b>. P. Trettner, D. Bommes, L. Kobbelt, "Geodesic distance computation via virtual
- * source propagation", Computer Graphics Forum 40(5), 2021. Rounds, ties and shadows are our own:
- * see the page of the module.
+ * source propagation", Computer Graphics Forum 40(5), 2021; rounds, ties and shadows differ.
  *
  * @sa vtkDGGDistance vtkExactGeodesicDistance vtkDGGFastMarchingDistance
  */
@@ -61,13 +52,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What has a virtual source of its own.
+   * Elements with a virtual source of their own.
    */
   enum QualityType
   {
     Automatic = 0, ///< High if GetMeanAnisotropy() is above 2, else Fast
     Fast = 1,      ///< each triangle
-    High = 2       ///< each edge: more accurate, in some 1.6 times the time
+    High = 2       ///< each edge: more accurate, takes about 1.6 times as long
   };
 
   ///@{
@@ -83,9 +74,9 @@ public:
   ///@}
 
   /**
-   * True if distances of the last update may be far off: GetMeanAnisotropy() is above 2, or they
-   * did not settle. Also true on flat grids of long cells, where distances are good. A warning is
-   * reported once for each mesh and reason.
+   * True if distances of the last update may be far off: GetMeanAnisotropy() is above 2, or
+   * distances did not converge. Also true on flat grids of long cells, where distances are
+   * accurate. A warning is reported once for each mesh and reason.
    */
   vtkGetMacro(QualityWarning, bool);
 
