@@ -14,9 +14,9 @@ namespace dgg
 {
 namespace
 {
-/// Rows that a thread checks at a time.
+/// Rows per task of the check.
 constexpr Offset RowsPerTask = 1024;
-/// Bytes of an array that have a sum of their own. Another number makes other checksums.
+/// Bytes per partial checksum. Changing this value changes checksums.
 constexpr std::size_t BlockSize = std::size_t(1) << 20;
 
 struct ByteRange
@@ -25,8 +25,8 @@ struct ByteRange
   std::size_t Size;
 };
 
-/// Blocks of an array, at least one: where one array ends and the next begins matters, and whether
-/// there is one.
+/// Appends the blocks of an array, at least one, so that the boundaries between arrays, and whether
+/// an array is present, affect the checksum.
 template <typename T>
 void AddBlocks(const T* values, std::size_t count, std::vector<ByteRange>& blocks)
 {
@@ -52,7 +52,7 @@ Status DamagedEdge(Id row, Offset edge, const std::string& what)
   return Damaged("edge ", edge, " (of vertex ", row, ") ", what);
 }
 
-/// Positive and finite; not NaN.
+/// Returns true if a value is positive and finite.
 template <typename T>
 bool IsLength(T value)
 {
@@ -64,7 +64,7 @@ bool IsAngle(float value)
   return value >= 0.0f && value <= std::numeric_limits<float>::max();
 }
 
-/// Whether all arrays are there that there should be.
+/// Checks that all required arrays are present.
 Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
 {
   if (graph.NumberOfVertices < 0 || numberOfEdges < 0)
@@ -104,8 +104,8 @@ Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
   return Status::Success();
 }
 
-// Each of the following goes over one row without a branch, for speed: it only says whether
-// something is wrong there, not what.
+// Each of the following functions checks one row without branches, for speed. FindDamage()
+// determines the error.
 
 bool AreTargetsValid(const GraphView& graph, Id row, Offset begin, Offset end)
 {
@@ -158,7 +158,7 @@ bool IsRowValid(const GraphView& graph, Id row, Offset numberOfEdges)
     (!graph.Angles || AreAnglesValid(graph, begin, end));
 }
 
-/// What is wrong in a row in which something is.
+/// Returns the error of a damaged row.
 Status FindDamage(const GraphView& graph, Id row, Offset numberOfEdges)
 {
   const Offset begin = graph.Offsets[row];
@@ -240,7 +240,7 @@ Status CheckGraph(const GraphView& graph, Offset numberOfEdges, const ParallelFo
 {
   DGG_RETURN_IF_ERROR(CheckArrays(graph, numberOfEdges));
   const Id n = graph.NumberOfVertices;
-  std::atomic<Id> damaged(n); // the first row of them, whichever is found first
+  std::atomic<Id> damaged(n); // smallest damaged row, independent of the order of threads
   ForRange(parallel, n, RowsPerTask, [&](Offset begin, Offset end) {
     for (auto row = static_cast<Id>(begin); row < static_cast<Id>(end); ++row)
     {
@@ -259,7 +259,7 @@ Status CheckGraph(const GraphView& graph, Offset numberOfEdges, const ParallelFo
 
 std::uint64_t ComputeChecksum(const GraphView& graph, const ParallelFor& parallel)
 {
-  // Of blocks of the arrays, so that several threads can do it, and then of these.
+  // Checksums of blocks, which threads compute in parallel, and then a checksum of these.
   const auto n = static_cast<std::size_t>(graph.NumberOfVertices);
   const auto edges = static_cast<std::size_t>(graph.GetNumberOfEdges());
   std::vector<ByteRange> blocks;

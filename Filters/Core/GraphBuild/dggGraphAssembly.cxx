@@ -13,8 +13,8 @@ namespace
 {
 constexpr Offset RowGrain = 256;
 
-/// Calls `visit(slot of the first end, slot of the second end, index in the rows)` for every edge:
-/// the place of each of its two directions in the graph, before rows are sorted.
+/// Calls `visit(slot of the first end, slot of the second end, index in the rows)` for every edge,
+/// with the slots of its two directions in the graph before rows are sorted.
 template <typename Visitor>
 void ForEachEdge(const RowStore& rows, const std::vector<Id>& order, const Buffer<Offset>& offsets,
   Visitor&& visit)
@@ -57,8 +57,8 @@ public:
   {
     const Offset begin = graph.Offsets[row];
     const auto size = static_cast<std::size_t>(graph.Offsets[row + 1] - begin);
-    // Bits of floats that are not negative are in the order of the floats: one integer is both key
-    // and index.
+    // The bit patterns of non-negative floats are ordered like the floats: one integer holds both
+    // key and index.
     this->Order.resize(size);
     for (std::size_t i = 0; i < size; ++i)
     {
@@ -107,7 +107,7 @@ Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   graph.Offsets = Buffer<Offset>(n + 1);
   CountEdges(rows, order, graph.Offsets);
 
-  // Property by property, so that the rows can be given up half by half.
+  // Property by property, so that the arrays of the rows can be released in two steps.
   graph.Angles = Buffer<float>(edges);
   graph.ArrivalAngles = Buffer<float>(edges);
   ForRange(parallel, 2, 1, [&](Offset begin, Offset end) {

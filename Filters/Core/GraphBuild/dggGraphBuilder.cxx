@@ -26,51 +26,51 @@ namespace dgg
 {
 namespace
 {
-/// Vertices that are close to each other in the tables: what a thread reads around them fits into
-/// its cache.
+/// Size of the patches of neighboring vertices in the tables: the data that a thread reads around
+/// them fits into its cache.
 constexpr Id PatchSize = 256;
-/// Rows that a thread builds in one go.
+/// Rows per task.
 constexpr Id BlockSize = 16;
-/// Rows are built in waves, because the edges of a wave are stored twice for a while. The first
+/// Rows are built in waves, because the edges of a wave are temporarily stored twice. The first
 /// wave measures the number of edges per row.
 constexpr Id RowsOfFirstWave = 256;
-/// Number of edges that a later wave may have in any case, and the share of all edges.
+/// Maximum number of edges of a later wave: at least the first constant, or this fraction of all
+/// edges.
 constexpr double EdgesOfWave = 1 << 18;
 constexpr double LargestShareOfWave = 0.125;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 128;
-/// Bytes of rows and graph together, while one becomes the other, by those of the graph; measured,
-/// and some more.
+/// Memory of rows and graph during assembly, relative to that of the graph; measured, with a
+/// margin.
 constexpr double PeakOfAssembly = 1.35;
-/// What arrays of rows take, by what is in them.
+/// Capacity of the arrays of rows, relative to their contents.
 constexpr double GrowthOfRows = 1.5;
-/// Bytes that a thread takes for each vertex, and for each window of a source.
+/// Memory of a thread in bytes, per vertex and per window of a source.
 constexpr double BytesPerVertex = 48.0;
 constexpr double BytesPerWindow = 512.0;
-/// Bytes of the tables of the mesh, by face.
+/// Memory of the tables of the mesh in bytes, per face.
 constexpr double BytesPerFace = 3.0 * (sizeof(FaceCrossing) + sizeof(double)) + 20.0;
 
-/// The work that a graph may take, in units of GraphWindowTracer::GetWork(), per face at an
-/// accuracy of 1 %: some twenty times what a mesh of good triangles takes. One vertex may take a
-/// share of it. No rule keeps the work from growing with the number of ways around where windows
-/// can multiply, or with the square of the number of faces where all of these are as long as the
-/// mesh.
+/// Maximum work of a graph, in units of GraphWindowTracer::GetWork(), per face at an accuracy of 1
+/// %: about twenty times that of a mesh of well-shaped triangles. A single vertex may take a
+/// fraction of it. Without this limit, the work could grow with the number of routes where windows
+/// can multiply, or with the square of the number of faces where all faces are as long as the mesh.
 constexpr double MostWorkOfFace = 1e4;
-constexpr double LargestShareOfSample = 2.0; // by a fair one
-constexpr std::size_t ShareOfVertex = 16;    // its inverse
-/// Of fewer faces, and at a coarser accuracy, any takes little; where windows multiply they take
-/// more time each.
+constexpr double LargestShareOfSample = 2.0; // relative to the average
+constexpr std::size_t ShareOfVertex = 16;    // inverse of the maximum share of one vertex
+/// Minimum number of faces for the limit: smaller meshes, and coarser accuracies, take little time
+/// in any case. Where windows multiply, each face takes more time.
 constexpr double SmallestMesh = 20000.0;
 constexpr double SmallestBranchingMesh = 1000.0;
-/// Windows of a vertex at an accuracy of 1 % that are more than those of ordinary meshes; where
-/// windows cannot multiply, those of a plate without points inside, where each vertex sees all
-/// faces.
-constexpr double CarelessWindows = 2000.0;
-constexpr double CarelessWindowsPerFace = 4.0;
-/// The other rules end windows later; as a factor.
+/// Maximum number of windows per vertex in the fast mode at an accuracy of 1 %, more than on
+/// ordinary meshes. Where windows cannot multiply, the limit is that of a plate without interior
+/// points, where each vertex sees all faces.
+constexpr double FastWindows = 2000.0;
+constexpr double FastWindowsPerFace = 4.0;
+/// Factor by which the other rules use more windows.
 constexpr double WindowsOfOtherRules = 16.0;
 
-/// What part of the progress a step takes: as measured.
+/// Measured progress weights of the steps.
 struct ShareOfSteps
 {
   double Rows;
@@ -82,8 +82,8 @@ ShareOfSteps SharesOf(GraphConstruction construction)
                                                      : ShareOfSteps{ 0.9, 0.0 };
 }
 
-/// Edges of a graph by edges found, as measured on many meshes: uniting both directions adds some,
-/// pruning candidates takes most away.
+/// Ratio of graph edges to edges found, measured on many meshes: uniting both directions adds some,
+/// pruning candidates removes most.
 double UnitedShare(GraphConstruction construction)
 {
   switch (construction)
@@ -97,7 +97,7 @@ double UnitedShare(GraphConstruction construction)
   }
 }
 
-/// `source` says whose windows they are.
+/// Returns the error of an exceeded limit; `source` describes the origin of the windows.
 Status LimitExceeded(const std::string& source, bool canMultiply, const GraphOptions& options)
 {
   return InvalidInput("the windows of ", source,
@@ -111,7 +111,7 @@ Status LimitExceeded(const std::string& source, bool canMultiply, const GraphOpt
       : JoinText("a larger accuracy (it is ", options.Accuracy, ")"));
 }
 
-/// The numbers of edges found from some vertices.
+/// Sample of the number of edges found per vertex.
 class DegreeSample
 {
 public:
@@ -122,7 +122,7 @@ public:
     this->SumOfSquares += degree * degree;
   }
   double GetMean() const { return this->Sum / this->Count; }
-  /// What the mean of all vertices hardly exceeds: three standard errors more.
+  /// Upper bound of the mean over all vertices: three standard errors above the sample mean.
   double GetLargestMean() const
   {
     const double mean = this->GetMean();
@@ -142,10 +142,10 @@ double MostEdgesOfWave(double all)
   return std::max(EdgesOfWave, LargestShareOfWave * all);
 }
 
-/// Rows that one thread has built.
+/// Rows built by one thread.
 struct RowBlock
 {
-  Id LimitExceeded = NoId; ///< first row that had to be given up
+  Id LimitExceeded = NoId; ///< first row whose limit was exceeded
   std::vector<std::size_t> Sizes;
   std::vector<RowEdge> Edges;
 
@@ -160,7 +160,7 @@ struct RowBlock
   }
 };
 
-/// Direction of an edge from a point that is not a vertex, in the frame of its face.
+/// Returns the direction of an edge from a point that is not a vertex, in the frame of its face.
 double DepartureAngle(const SurfaceMesh& mesh, const SurfacePoint& point, const FoundEdge& edge)
 {
   Id frame = edge.Frame;
@@ -199,7 +199,7 @@ public:
     std::vector<double>& direct, std::size_t& work) const;
 
 private:
-  /// Call `use(rule)` with the rule of a construction.
+  /// Calls `use(rule)` with the rule of a construction.
   template <typename User>
   static auto WithRule(const GraphOptions& options, User&& use)
   {
@@ -216,11 +216,11 @@ private:
     }
   }
 
-  /// Rows of some vertices: how many edges they have, and most windows of one.
+  /// Builds the rows of some vertices to measure their degrees and the maximum number of windows.
   template <typename Rule>
   Status SampleRows(
     const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const;
-  /// The rows of all vertices. With `unite`, both directions of an edge are one.
+  /// Builds the rows of all vertices. With `unite`, both directions of an edge are united.
   template <typename Rule>
   Status BuildRows(const Rule& rule, const GraphOptions& options, bool unite, RowStore& rows,
     GraphStatistics& statistics) const;
@@ -236,7 +236,7 @@ private:
   bool CanMultiply() const { return this->Table.HasBranches() || this->Table.HasDegenerateFaces(); }
   WindowLimits LimitWindows(const GraphOptions& options) const;
   bool NeedsWide(const GraphOptions& options) const;
-  /// Rows [begin, end).
+  /// Builds rows [begin, end).
   template <typename Tracer>
   void FillBlock(Tracer& tracer, Id begin, Id end, std::size_t mostWork,
     std::atomic<std::size_t>& work, RowBlock& block) const;
@@ -323,7 +323,8 @@ Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
 //------------------------------------------------------------------------------
 WindowLimits GraphBuilder::Implementation::LimitWindows(const GraphOptions& options) const
 {
-  // The windows of a vertex of a manifold mesh grow by this power, or with its neighbours.
+  // The number of windows per vertex of a manifold mesh grows with this power of the accuracy, or
+  // with the number of neighbors.
   const double growth = options.Construction == GraphConstruction::SaddleVertexGraph
     ? std::max(1.0, options.NumberOfNeighbors / 50.0)
     : std::pow(0.01 / options.Accuracy, 2.0 / 3.0);
@@ -333,21 +334,21 @@ WindowLimits GraphBuilder::Implementation::LimitWindows(const GraphOptions& opti
   const double fewest = this->CanMultiply() ? SmallestBranchingMesh : SmallestMesh;
   const double work =
     growth * (options.Construction == GraphConstruction::Indirect ? WindowsOfOtherRules : 1.0);
-  WindowLimits limits{ this->GraphWindowLimit, static_cast<std::size_t>(CarelessWindows * windows),
+  WindowLimits limits{ this->GraphWindowLimit, static_cast<std::size_t>(FastWindows * windows),
     static_cast<std::size_t>(
       MostWorkOfFace * std::max(fewest * std::max(1.0, work), faces * work)) /
       ShareOfVertex };
   if (!this->CanMultiply())
   {
     limits.CarelessWindows = std::max(
-      limits.CarelessWindows, static_cast<std::size_t>(CarelessWindowsPerFace * windows * faces));
+      limits.CarelessWindows, static_cast<std::size_t>(FastWindowsPerFace * windows * faces));
   }
   return limits;
 }
 
 bool GraphBuilder::Implementation::NeedsWide(const GraphOptions& options) const
 {
-  // Sums of lengths must stay within the range of float as well, and lengths above its denormals.
+  // Sums of lengths must also stay within the range of float, and lengths above its denormals.
   const double longest =
     this->Mesh.GetMaximumEdgeLength() * std::max<Id>(1, this->Mesh.GetNumberOfFaces());
   const double mean = this->Mesh.GetMeanEdgeLength();
@@ -376,9 +377,9 @@ Status GraphBuilder::Implementation::Estimate(
   estimate.Edges = unite(degrees.GetMean());
   estimate.Memory = estimate.Edges * bytes + 8.0 * (n + 1.0);
 
-  // While edges are found, half of those of the graph are there, in arrays that grow, and those of
-  // a wave wait in blocks up to twice as large as they would have to be; then rows become the
-  // graph. All candidates of the indirect construction are there before any is pruned.
+  // While edges are found, about half of the graph edges are stored in growing arrays, and those of
+  // a wave in blocks of up to twice their size; then rows are converted to the graph. In the
+  // indirect construction all candidates are stored before any is pruned.
   const double out = n * degrees.GetLargestMean();
   const double wave = std::min(out, MostEdgesOfWave(out)) * 2.0 * sizeof(RowEdge);
   const double graph = unite(degrees.GetLargestMean()) * bytes + 8.0 * (n + 1.0);
@@ -396,12 +397,12 @@ Status GraphBuilder::Implementation::SampleRows(
   const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const
 {
   const Id n = this->Table.GetNumberOfVertices();
-  // Every k-th vertex of an order in which neighbours are close together.
+  // Every k-th vertex of an order in which neighbors are close together.
   const Id count = std::min(n, SampleSize);
   const WindowLimits limits = this->LimitWindows(options);
   GraphWindowTracer<Rule> tracer(this->Table, rule, limits);
   std::size_t work = 0;
-  // Some of them may take most of what all take.
+  // A few vertices may require most of the total work.
   const double mostWork = static_cast<double>(ShareOfVertex * limits.Work) *
     std::min(1.0, LargestShareOfSample * count / n);
   for (Id i = 0; i < count; ++i)
@@ -450,7 +451,7 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
           mostWork, work, blocks[b]);
         windows += tracer->GetNumberOfWindows() - before;
       }));
-    // It only grows: with any number of threads the limit is exceeded, or it is not.
+    // Work only grows, so that for any number of threads the limit is either exceeded or not.
     if (work > mostWork)
     {
       return this->MeshLimitExceeded(options);

@@ -13,8 +13,8 @@ namespace dgg
 {
 namespace
 {
-/// Stored lengths may be floats, rounded up: a candidate has to be superfluous by what it really
-/// measures, or errors would add up from relay to relay.
+/// Stored lengths may be floats, rounded up: a candidate must be redundant with respect to its true
+/// length, or errors would accumulate from relay to relay.
 constexpr double LeastShareOfStored = 1.0 - 1.2e-7;
 
 class CandidatePruner
@@ -26,8 +26,8 @@ public:
   {
   }
 
-  /// Candidates from the shortest on: an edge that is kept lowers the reach of what its candidates
-  /// lead to; a candidate that is reached in time is superfluous.
+  /// Visits candidates from the shortest on: an edge that is kept lowers the reach of the targets
+  /// of its candidates; a candidate that is already reached is redundant.
   void Prune(Id row, double kappa, unsigned char* flags)
   {
     const Offset begin = this->Rows.Begin(row);
@@ -71,7 +71,7 @@ public:
 
 private:
   const RowStore& Rows;
-  std::vector<double> Reach; // kappa w(s,r) + w(r,t), smallest over the edges kept
+  std::vector<double> Reach; // kappa w(s,r) + w(r,t), minimum over the edges kept
   std::vector<Id> Touched;
   std::vector<Offset> Order;
 };

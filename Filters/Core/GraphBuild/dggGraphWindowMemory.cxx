@@ -9,11 +9,11 @@ namespace dgg
 {
 namespace
 {
-/// Relative; distances this close count as equal.
+/// Relative tolerance within which distances are equal.
 constexpr double Tolerance = 1e-12;
-/// Gaps between intervals narrower than this are rounding; relative.
+/// Narrower gaps between intervals are ignored as rounding errors; relative.
 constexpr double GapTolerance = 1e-9;
-/// Steps to where two ways are equally long.
+/// Maximum number of steps of the search for a tie.
 constexpr int TieSteps = 10;
 }
 
@@ -60,8 +60,8 @@ Id GraphWindowMemory::Admit(
   return this->Last[entry.HalfEdge];
 }
 
-/// Cut dominated parts off at both ends. False when nothing is left. A new entry, `number` NoId, is
-/// dominated by equal ones as well.
+/// Trims dominated parts at both ends. Returns false if nothing is left. A new entry (`number` is
+/// NoId) is also dominated by equal ones.
 bool GraphWindowMemory::Trim(Entry& entry, Id number)
 {
   this->FindDominated(entry, number);
@@ -93,7 +93,7 @@ bool GraphWindowMemory::Trim(Entry& entry, Id number)
   return end - begin > slack;
 }
 
-/// Where other ways are as short or shorter.
+/// Finds the intervals where other paths are at least as short.
 void GraphWindowMemory::FindDominated(const Entry& entry, Id number)
 {
   this->Dominated.clear();
@@ -103,7 +103,7 @@ void GraphWindowMemory::FindDominated(const Entry& entry, Id number)
   {
     const double label =
       entry.Corners[k] == NoId ? Infinity : (*this->Vertices)[entry.Corners[k]].Label;
-    if (label > 0.0 && label < longest) // the source itself is no other way
+    if (label > 0.0 && label < longest) // the source itself is not an alternative
     {
       this->Compare(entry, { entry.CornersAt[k], label }, entry.Begin, entry.End, 1.0 - Tolerance);
     }
@@ -122,9 +122,9 @@ void GraphWindowMemory::FindDominated(const Entry& entry, Id number)
   }
 }
 
-/// Points that are nearer to one focus than to another by a difference are on the inner side of a
-/// branch of a hyperbola, which is convex: another way is shorter on one interval. What is
-/// dominated between two points that are not is of no interest.
+/// The points that are nearer to one focus than to another by a given difference form a convex
+/// region bounded by a branch of a hyperbola; therefore another path is shorter on a single
+/// interval. Dominated intervals between two points that are not dominated are ignored.
 void GraphWindowMemory::Compare(
   const Entry& entry, const Way& other, double begin, double end, double factor)
 {
@@ -141,7 +141,7 @@ void GraphWindowMemory::Compare(
   double inside = fromBegin ? end : begin;
   if (atBegin > 0.0 || atEnd > 0.0)
   {
-    // The Illinois method.
+    // Regula falsi, Illinois variant.
     inside = fromBegin ? begin : end;
     double outside = fromBegin ? end : begin;
     double atInside = fromBegin ? atBegin : atEnd;

@@ -33,7 +33,7 @@ void RowStore::Reserve(Offset size)
   {
     return;
   }
-  // Memory that is not written yet costs nothing, so this may be generous.
+  // Unwritten memory is not committed, so that this may be generous.
   this->SetCapacity(std::max<Offset>(size, this->Capacity + this->Capacity / 2 + 1024));
 }
 

@@ -67,7 +67,7 @@ void BucketQueue::PlaceAside()
 
 void BucketQueue::JumpTo(double key)
 {
-  // The nearest one lands in bucket 0, so that there is progress whatever rounding does.
+  // The nearest entry is put into bucket 0, which ensures progress despite rounding.
   this->First = std::floor(key);
   this->Cursor = 0;
   this->PlaceAside();

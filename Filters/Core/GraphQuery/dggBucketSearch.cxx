@@ -11,12 +11,12 @@ namespace dgg
 {
 namespace
 {
-/// Vertices between two reports: some milliseconds.
+/// Vertices between two progress reports: some milliseconds.
 constexpr std::size_t ProgressInterval = 16384;
-/// How many queue entries ahead the memory of a vertex and that of its edges are asked for.
+/// Number of queue entries by which vertices, and their edges, are prefetched.
 constexpr std::size_t VertexLookahead = 12;
 constexpr std::size_t EdgesLookahead = 6;
-/// Relative; below it a shorter way is one of rounding.
+/// Relative tolerance below which a shorter path is ignored as rounding.
 constexpr double Slack = 1e-12;
 
 template <typename Length>
@@ -83,7 +83,7 @@ public:
     {
       return false;
     }
-    // Where no label has changed there is nothing to certify.
+    // Vertices whose label has not changed need no certification.
     this->Queue.Reset(NearestOf(seeds), width);
     for (const Id v : touched)
     {
@@ -115,7 +115,7 @@ private:
     }
   }
 
-  /// Empty the queue, bucket by bucket.
+  /// Processes the queue, bucket by bucket.
   template <bool OverFans>
   bool Propagate()
   {
@@ -125,7 +125,7 @@ private:
     while (this->Queue.Advance() && !this->AreTargetsPassed())
     {
       this->Queue.Sift(isOutdated);
-      // Grows while it is worked on: vertices close by land in the same bucket.
+      // The bucket grows during the loop: nearby vertices are put into the same bucket.
       const std::vector<BucketQueue::Entry>& bucket = this->Queue.Current();
       const std::size_t pops = this->Effort.Pops;
       for (std::size_t i = 0; i < bucket.size(); ++i)
@@ -174,8 +174,8 @@ private:
     return true;
   }
 
-  /// Ask for the memory that vertices further back in the queue will need. Without this a search
-  /// does little but wait.
+  /// Prefetches the data of vertices further back in the queue. Without prefetching a search is
+  /// bound by memory latency.
   template <bool OverFans>
   void LookAhead(std::size_t i) const
   {
@@ -208,7 +208,7 @@ private:
 
   void PrefetchRow(Offset begin, Offset end) const
   {
-    // Of a long row the beginning; then the processor sees by itself what is going on.
+    // Only the begin of a long row; the rest is left to the hardware prefetcher.
     end = std::min<Offset>(end, begin + 96);
     for (Offset e = begin; e < end; e += 16)
     {
@@ -220,7 +220,7 @@ private:
   template <bool OverFans>
   void RelaxFrom(Id v, double label)
   {
-    // Local copies: the compiler cannot know that labels do not overlap with members.
+    // Local copies, because the compiler cannot exclude aliasing between labels and members.
     const double* const distances = this->Labels.Distances.data();
     LabelOrigin* const origins = this->Labels.Origins.data();
     const Id* const targets = this->Graph.Targets;
@@ -252,8 +252,8 @@ private:
     this->Effort.Relaxations += relaxations;
   }
 
-  /// Look at every edge for a shorter way; there are few. Going through the arrays from front to
-  /// back, this costs less per edge than anything that jumps.
+  /// Checks every edge for a shorter path; there are few. The sequential pass through the arrays is
+  /// cheaper per edge than any random access.
   void Certify()
   {
     const Id n = this->Graph.NumberOfVertices;
@@ -269,7 +269,7 @@ private:
       }
       return;
     }
-    // Ascending ids, as above: rounding depends on the order.
+    // Ascending ids, as above, because rounding depends on the order.
     std::vector<Id> waiting = touched;
     const auto isAfter = std::greater<Id>();
     std::make_heap(waiting.begin(), waiting.end(), isAfter);
@@ -336,13 +336,13 @@ private:
     }
   }
 
-  /// The largest difference of the label at the end of an edge and its length: if it is not above
-  /// the label at the start, no edge of the row is a shorter way. Without branches.
+  /// Returns the largest difference between the label at the end of an edge and its length: unless
+  /// it exceeds the label at the start, no edge of the row gives a shorter path. Branchless.
   double LargestDifference(Offset begin, Offset end) const
   {
     const double* const distances = this->Labels.Distances.data();
     const Id* const targets = this->Graph.Targets;
-    // Four chains, as a maximum takes some cycles.
+    // Four independent chains hide the latency of the maximum.
     double largest[4] = { -Infinity, -Infinity, -Infinity, -Infinity };
     Offset e = begin;
     for (; e + 4 <= end; e += 4)
@@ -360,7 +360,7 @@ private:
     return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
   }
 
-  /// Count vertices, and report now and then. False when aborted.
+  /// Counts vertices, and reports progress periodically. Returns false if aborted.
   bool Report(std::size_t pops)
   {
     this->PopsSinceReport += pops;
@@ -428,7 +428,7 @@ bool LowerLabels(const GraphView& graph, const GraphFans* fans, const std::vecto
 
 double ChooseBucketWidth(const GraphView& graph)
 {
-  // The mean of the shortest edges of some vertices.
+  // Mean of the shortest edges of some vertices.
   constexpr Id sampleSize = 1000;
   const Id step = std::max<Id>(1, graph.NumberOfVertices / sampleSize);
   double sum = 0.0;

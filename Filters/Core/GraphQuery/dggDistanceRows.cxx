@@ -20,7 +20,7 @@ struct Entry
 
 using Row = std::vector<Entry>;
 
-/// Bytes of an entry while rows are collected and compressed.
+/// Bytes per entry while rows are collected and compressed.
 constexpr std::size_t BytesPerEntry = sizeof(Entry) + sizeof(Id) + sizeof(double);
 
 void FillRow(const double* distances, const std::vector<Id>& reached,

@@ -6,7 +6,7 @@ namespace dgg
 {
 namespace
 {
-/// Vertices between two reports: some milliseconds.
+/// Vertices between two progress reports: some milliseconds.
 constexpr std::size_t ProgressInterval = 16384;
 
 template <typename Length>
@@ -18,7 +18,7 @@ bool Run(const GraphView& graph, const Length* lengths, const ProgressCallback& 
   {
     const MinimumHeap::Entry top = heap.Pop();
     const Id v = top.Index;
-    if (top.Key > distances[v]) // a smaller label came later
+    if (top.Key > distances[v]) // the label has been lowered since
     {
       continue;
     }

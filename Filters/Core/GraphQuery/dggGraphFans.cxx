@@ -8,11 +8,11 @@ namespace dgg
 {
 namespace
 {
-/// Half of the width of a fan in units of the angle that one edge of the graph may deviate by. Two
-/// edges in a row may differ by 2. Below that the certification finds a few vertices more to mend
-/// (one in 300 to 10,000 at 1.6), which is cheaper than longer fans; at 1.2 it no longer is.
+/// Half the width of a fan, in units of the maximum deviation angle of an edge. Consecutive edges
+/// may differ by up to 2. With smaller values the certification has to correct a few more vertices
+/// (one in 300 to 10,000 at 1.6), which is cheaper than wider fans; at 1.2 it no longer is.
 constexpr double FanWidth = 1.6;
-/// The mean degree of a guaranteed graph is about this over the root of the accuracy.
+/// The mean degree of a guaranteed graph is about this factor divided by the root of the accuracy.
 constexpr double DegreeFactor = 5.3;
 
 }
@@ -22,7 +22,7 @@ double LargestDeviation(const GraphView& graph)
   double accuracy = graph.Info.Accuracy;
   if (graph.Info.Construction == GraphConstruction::SaddleVertexGraph)
   {
-    // That of a guaranteed graph of the same degree.
+    // The accuracy of a guaranteed graph with the same degree.
     const double degree =
       static_cast<double>(graph.GetNumberOfEdges()) / std::max<double>(1.0, graph.NumberOfVertices);
     accuracy = std::pow(DegreeFactor / std::max(degree, DegreeFactor), 2.0);
@@ -47,8 +47,9 @@ GraphFans::GraphFans(const GraphView& graph, const SurfaceMesh& mesh)
       continue;
     }
     const bool isBoundary = kind == VertexKind::Boundary;
-    // Straight on is half of the total angle where that is less than pi; where it is more, every
-    // departure is straight that leaves pi on both sides. The outside of a boundary is wide.
+    // Straight continuation leaves half of the total angle on both sides if that is less than pi;
+    // otherwise every departure that leaves pi on both sides is straight. The exterior of a
+    // boundary counts as wide.
     const double straight = std::min(Pi, isBoundary ? total : 0.5 * total);
     vertex.Lead = static_cast<float>(straight - this->Tolerance);
     vertex.Turn = static_cast<float>(isBoundary ? 3.0 * total : total);

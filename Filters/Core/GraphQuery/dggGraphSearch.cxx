@@ -54,12 +54,12 @@ Status CheckRadius(double maximumDistance)
                                      : Status::Success();
 }
 
-/// Mean number of edges per vertex from which on fans pay.
+/// Mean number of edges per vertex from which on fans are worthwhile.
 constexpr Offset ShortestLongRow = 55;
-/// A search from this many sources at once costs about as much as single ones do.
+/// A joint search from this many sources costs about as much as single searches.
 constexpr std::size_t SmallestGroup = 4;
-/// How far the near field of a group of sources reaches, in units of the distance from one in the
-/// middle to the farthest. Beyond, they see the surface in about the same order.
+/// Radius of the near field of a group of sources, in units of the distance from a central source
+/// to the farthest one. Beyond it, all sources reach the surface in about the same order.
 constexpr double NearFieldReach = 2.0;
 /// Progress of a search from many sources is reported at least this many times, more often if more
 /// than VerticesPerReport vertices are searched between two reports. FewestGroups groups between
@@ -71,14 +71,13 @@ constexpr Offset FewestGroups = 4;
 /// reports.
 constexpr Offset VerticesPerTask = Offset(1) << 12;
 constexpr Offset FewestTasks = 64;
-/// Part of the preparation of landmarks that their choice takes.
+/// Progress weight of choosing landmarks.
 constexpr double ChoiceShare = 0.2;
-/// Sources with a larger part of the surface than this as near field are better searched one by
-/// one.
+/// Sources whose near field exceeds this fraction of the surface are searched separately.
 constexpr double LargestNearField = 0.4;
-/// Searches that reach less than this part of the surface are local, whatever their sources.
+/// Searches that reach less than this fraction of the surface are local.
 constexpr double LargestLocalPart = 0.25;
-/// Bytes per vertex, about: of the tables of a mesh, the labels of a search, and landmarks.
+/// Approximate bytes per vertex: tables of a mesh, labels of a search, landmarks.
 constexpr std::size_t BytesOfTables = 40;
 constexpr std::size_t BytesOfSearch = 84;
 constexpr std::size_t BytesOfLandmarks = Landmarks::Count * sizeof(std::int16_t) + sizeof(Id);
@@ -117,7 +116,7 @@ void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Tr
     {
       return;
     }
-    // Up the tree to a vertex whose seed is known, and down again.
+    // Climb the tree to a vertex with known seed, then descend.
     while (result.Seeds[v] == NoId && !labels.Origins[v].IsSeed())
     {
       climbed.push_back(v);
@@ -141,7 +140,7 @@ void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Tr
   });
 }
 
-/// What one search needs besides its result.
+/// Workspace of one search.
 struct SearchWorkspace
 {
   SearchResult Result; ///< of a search from one of many sources
@@ -151,7 +150,7 @@ struct SearchWorkspace
   BucketQueue Queue;
 };
 
-/// What a search from a group of sources needs.
+/// Workspace of a search from a group of sources.
 struct ManyWorkspace
 {
   ManyWorkspace(const GraphView& graph, double bucketWidth)
@@ -224,12 +223,12 @@ public:
   double BucketWidth;
   std::unique_ptr<GraphFans> Fans;             ///< null where there are no angles
   std::unique_ptr<LabelCorrection> Correction; ///< null where there are no angles
-  std::unique_ptr<TurnLimits> Limits;          ///< null where nothing is known of them
+  std::unique_ptr<TurnLimits> Limits;          ///< null if unknown
   mutable WorkspacePool<SearchWorkspace> Workspaces;
   mutable WorkspacePool<ManyWorkspace> ManyWorkspaces;
   mutable WorkspacePool<PointToPoint> PointWorkspaces;
   mutable std::mutex MarksMutex;
-  mutable std::weak_ptr<const Landmarks> Marks; ///< those that any copy uses
+  mutable std::weak_ptr<const Landmarks> Marks; ///< landmarks in use by any copy
 
   bool FindDistances(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
     SearchWorkspace& workspace, SearchLabels& labels, SearchEffort& effort) const
@@ -244,15 +243,15 @@ public:
       workspace.Queue, labels, effort);
   }
 
-  /// Whether looking for the fan in a row costs less than relaxing all of it.
+  /// Returns true if locating the fan in a row costs less than relaxing the entire row.
   bool HasLongRows() const
   {
     return this->Graph.GetNumberOfEdges() >
       ShortestLongRow * static_cast<Offset>(this->Graph.NumberOfVertices);
   }
 
-  /// Distances from the nearest seed; on request the tree, which estimates need, and these. False
-  /// when aborted.
+  /// Computes distances from the nearest seed; on request also the tree, which estimates require,
+  /// and the estimates. Returns false if aborted.
   bool RunSingle(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
     const std::vector<Id>* targets, bool withTree, SearchWorkspace& workspace,
     SearchResult& result) const
@@ -297,11 +296,11 @@ public:
     return groups;
   }
 
-  /// Finds distances from each source of a group, given by their indices, until `goes` returns
-  /// false. Returns the number of labels that were written.
+  /// Computes distances from each source of a group, given by their indices, until `shouldContinue`
+  /// returns false. Returns the number of labels that were written.
   std::size_t ConsumeGroup(const std::vector<std::vector<GraphSeed>>& sources,
     const std::vector<std::size_t>& group, const ManyOptions& options,
-    const std::function<bool()>& goes, const FieldConsumer& consume) const
+    const std::function<bool()>& shouldContinue, const FieldConsumer& consume) const
   {
     if (group.size() >= SmallestGroup && this->Fans && !options.Correct)
     {
@@ -314,7 +313,7 @@ public:
       if (this->PlanSweep(members, options, workspace->Order))
       {
         const bool isDone =
-          workspace->Search.Run(members, options.MaximumDistance, workspace->Order, goes);
+          workspace->Search.Run(members, options.MaximumDistance, workspace->Order, shouldContinue);
         for (std::size_t k = 0; k < group.size() && isDone; ++k)
         {
           workspace->Search.GetField(k, workspace->Field, workspace->Reached);
@@ -327,7 +326,7 @@ public:
     single.MaximumDistance = options.MaximumDistance;
     single.Correct = options.Correct;
     std::size_t labels = 0;
-    for (std::size_t i = 0; i < group.size() && goes(); ++i)
+    for (std::size_t i = 0; i < group.size() && shouldContinue(); ++i)
     {
       const auto workspace = this->Workspaces.Borrow();
       SearchResult& result = workspace->Result;
@@ -370,8 +369,9 @@ public:
     return reach;
   }
 
-  /// False when a group is better searched one by one: its sources are far apart, or few vertices
-  /// are within the radius or in front of the targets (all edges will be certified).
+  /// Plans the joint search of a group. Returns false if separate searches are cheaper: the sources
+  /// are far apart, or few vertices are within the radius or nearer than the targets (all edges
+  /// will be certified).
   bool PlanSweep(
     const ManySources::Sources& group, const ManyOptions& options, SweepOrder& order) const
   {
@@ -515,13 +515,14 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
     const Offset size = std::min(step, numberOfGroups - first);
     ForRange(parallel, size, grain, [&](Offset begin, Offset end) {
       const double done = static_cast<double>(first) / static_cast<double>(numberOfGroups);
-      const auto goes = [&] {
+      const auto shouldContinue = [&] {
         isStopped = isStopped || !Goes(progress, done);
         return !isStopped;
       };
-      for (Offset i = begin; i < end && goes(); ++i)
+      for (Offset i = begin; i < end && shouldContinue(); ++i)
       {
-        labels += internals.ConsumeGroup(sources, groups[first + i], options, goes, consume);
+        labels +=
+          internals.ConsumeGroup(sources, groups[first + i], options, shouldContinue, consume);
       }
     });
     if (isStopped)

@@ -12,23 +12,24 @@ namespace dgg
 {
 namespace
 {
-// A virtual source is seen in a direction that is not quite right where the surface between is not
-// flat: nobody looked at that part of it. So, by regression to the mean, a large deviation from the
-// straight way is on average a bit too large, and a small one too small. The three numbers are
-// fitted to exact distances on scans. Without them estimates are too short on rough surfaces, with
-// mean errors larger by up to a quarter and largest errors by up to a half; on smooth ones they
-// cost up to a quarter.
+// The direction to a virtual source has an error where the intermediate surface is not flat,
+// because that part of the surface is not visited. By regression to the mean, a large deviation
+// from the straight line is on average overestimated, and a small one underestimated. The three
+// constants are fitted to exact distances on scans. Without them estimates are too short on rough
+// surfaces, with mean errors larger by up to a quarter and maximum errors by up to a half; on
+// smooth surfaces they increase errors by up to a quarter.
 
-/// Mean angle defect of both ends of an edge, radians, from which on the surface counts as rough.
+/// Mean angle defect of the ends of an edge, radians, from which on the surface counts as rough.
 constexpr double RoughDefect = 0.04;
-/// Part of a deviation that is not real on a rough surface.
+/// Spurious fraction of a deviation on a rough surface.
 constexpr double SpuriousPart = 0.06;
-/// What is real though it is not seen: mean square in units of the largest deviation of an edge.
+/// Mean square of unobserved deviations, in units of the largest deviation of an edge.
 constexpr double UnseenPart = 0.01;
 
-/// Rounding of angles, which are floats, radians: along the boundary they end at its directions.
+/// Rounding error of angles stored as floats, radians. Along the boundary, angles end exactly at
+/// its directions.
 constexpr double AngleSlack = 1e-5;
-/// How many vertices ahead memory is asked for.
+/// Number of vertices by which data is prefetched.
 constexpr std::size_t Lookahead = 8;
 }
 
@@ -132,7 +133,7 @@ void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphS
   }
 }
 
-/// Along an edge, from the tail to the vertex.
+/// Transfers an estimate along an edge, from the tail to the vertex.
 LabelCorrection::Estimate LabelCorrection::Follow(
   const TreeStep& step, double edge, const Estimate& from) const
 {
@@ -151,9 +152,9 @@ LabelCorrection::Estimate LabelCorrection::Follow(
   {
     return restarted;
   }
-  // The triangle of virtual source, tail and vertex is nearly flat: its angle at the tail is pi
-  // less the deviation. Written so that nothing cancels where that is small; single precision is
-  // what the angles of the graph have.
+  // The triangle of virtual source, tail and vertex is nearly degenerate: its angle at the tail is
+  // pi minus the deviation. The formula avoids cancellation for small deviations; single precision
+  // suffices, since the angles of the graph are floats.
   const double roughness = std::min(1.0, (tail.Defect + vertex.Defect) / (2.0 * RoughDefect));
   const double deviation = (1.0 - roughness * SpuriousPart) * std::max(0.0, Pi - std::abs(turn));
   const double half = std::sin(static_cast<float>(0.5 * deviation));
@@ -168,7 +169,7 @@ LabelCorrection::Estimate LabelCorrection::Follow(
   const double angle = arrival + (turn > 0.0 ? tilt : -tilt);
   if (vertex.Angle < 0.0f && !(angle >= -AngleSlack && angle <= AngleSlack - vertex.Angle))
   {
-    return restarted; // the straight way leaves the surface
+    return restarted; // the straight line leaves the surface
   }
   const double length = std::max(0.0, sum - gain);
   return { { source.Offset, length, angle }, source.Offset + length };

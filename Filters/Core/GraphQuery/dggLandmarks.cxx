@@ -15,14 +15,14 @@ namespace dgg
 namespace
 {
 constexpr std::int16_t LargestCode = std::numeric_limits<std::int16_t>::max();
-/// Rounding of the distances themselves, in steps; far more than there is.
+/// Bound of the rounding error of the distances themselves, in steps; far larger than necessary.
 constexpr double RoundingOfSteps = 1e-6;
-/// Part of the choice that each of the two searches of all vertices takes.
+/// Progress weight, within the choice, of each of the two full searches.
 constexpr double SearchShare = 0.15;
-/// Components smaller than this part of the surface are searched without landmarks.
+/// Components smaller than this fraction of the surface (inverse) are searched without landmarks.
 constexpr Id SmallestShare = 2 * Landmarks::Count;
 
-/// Distances from the nearest of vertices that come one after the other.
+/// Distances from the nearest of incrementally added vertices.
 class GrowingField
 {
 public:
@@ -34,7 +34,7 @@ public:
   {
   }
 
-  /// Only these. False when aborted.
+  /// Starts with the given vertices only. Returns false if aborted.
   bool Start(const std::vector<Id>& vertices, const ProgressCallback& progress)
   {
     std::vector<GraphSeed> seeds;
@@ -49,7 +49,7 @@ public:
       this->Labels, effort);
   }
 
-  /// One more. Goes no farther than where another one is nearer; not certified.
+  /// Adds a vertex; only visits the region where it is nearest. Not certified.
   void Add(Id v)
   {
     std::vector<GraphSeed> seeds(1);
@@ -66,7 +66,7 @@ public:
       this->Graph, nullptr, seeds, this->BucketWidth, nullptr, this->Queue, this->Labels, effort);
   }
 
-  /// 0 where none can be reached.
+  /// Returns the distance of a vertex; 0 if unreached.
   double GetDistance(Id v) const { return this->Labels.IsReached(v) ? this->Distances[v] : 0.0; }
 
   Id FindFarthest() const
@@ -108,7 +108,7 @@ Status Landmarks::Choose(const GraphView& graph, const GraphFans* fans, double b
   return isDone ? Status::Success() : Status::Abort();
 }
 
-/// A vertex of each of the larger components, from the largest on.
+/// Returns a vertex of each of the larger components, in order of decreasing size.
 std::vector<Id> Landmarks::ChooseComponents(const GraphView& graph)
 {
   DisjointSets sets(static_cast<std::size_t>(graph.NumberOfVertices));
@@ -120,7 +120,7 @@ std::vector<Id> Landmarks::ChooseComponents(const GraphView& graph)
     }
   }
   std::vector<Id> sizes(static_cast<std::size_t>(graph.NumberOfVertices), 0);
-  std::vector<Id> starts; // the first vertex of each
+  std::vector<Id> starts; // first vertex of each component
   this->Components.resize(sizes.size());
   for (Id v = 0; v < graph.NumberOfVertices; ++v)
   {
@@ -140,7 +140,7 @@ std::vector<Id> Landmarks::ChooseComponents(const GraphView& graph)
   return starts;
 }
 
-/// False when aborted.
+/// Chooses landmarks in the components of `starts`. Returns false if aborted.
 bool Landmarks::ChooseFrom(const GraphView& graph, const GraphFans* fans, double bucketWidth,
   const std::vector<Id>& starts, const ProgressCallback& progress)
 {
@@ -148,7 +148,7 @@ bool Landmarks::ChooseFrom(const GraphView& graph, const GraphFans* fans, double
   {
     return true;
   }
-  // The first landmark of a component is a tip of it: farthest from any vertex.
+  // The first landmark of a component is a tip: the vertex farthest from an arbitrary vertex.
   GrowingField field(graph, fans, bucketWidth);
   if (!field.Start(starts, ProgressPart(progress, 0.0, SearchShare)))
   {
@@ -169,8 +169,8 @@ bool Landmarks::ChooseFrom(const GraphView& graph, const GraphFans* fans, double
     return false;
   }
   Id farthest = field.FindFarthest();
-  // Of distances that are larger than that of a landmark at one tip from another tip, if there are
-  // any, just as much counts: cut off there, they still differ by no more than vertices are apart.
+  // Distances larger than that between two tips are clamped; the difference of clamped distances is
+  // still at most the distance between two vertices.
   this->Step = field.GetDistance(farthest) / LargestCode;
   while (this->Vertices.size() < Count && field.GetDistance(farthest) > 0.0)
   {
@@ -191,7 +191,7 @@ void Landmarks::SetDistances(std::size_t k, const double* distances)
   const double perStep = 1.0 / this->Step;
   for (std::size_t v = 0; v < this->Codes.size(); ++v)
   {
-    // 0 in other components: differences within one say nothing then, and are not wrong.
+    // 0 in other components: there the differences carry no information, but remain valid bounds.
     this->Codes[v][k] = distances[v] < Infinity ? Clamp(distances[v] * perStep) : 0;
   }
 }
@@ -202,7 +202,7 @@ void Landmarks::Aim(const std::vector<GraphSeed>& seeds, Goal& goal) const
   goal.High.fill(LargestCode);
   for (std::size_t k = 0; k < this->Vertices.size(); ++k)
   {
-    // In steps; a code c means distances in [c, c + 1].
+    // In steps; a code c represents distances in [c, c + 1].
     double low = Infinity;
     double high = -Infinity;
     for (const GraphSeed& seed : seeds)

@@ -12,13 +12,14 @@ namespace dgg
 {
 namespace
 {
-/// Key of a vertex that does not wait.
+/// Key of a vertex that is not in the queue.
 constexpr float NotWaiting = std::numeric_limits<float>::infinity();
-/// How many vertices ahead in a sweep the edges of a vertex are asked for.
+/// Number of vertices by which edges are prefetched in a sweep.
 constexpr std::size_t RowLookahead = 4;
-/// How many edges ahead the labels at their ends are asked for.
+/// Number of edges by which the labels at their ends are prefetched.
 constexpr Offset LabelLookahead = 8;
-/// How often the near field is swept there and back. More leaves less to mend, and costs more.
+/// Number of sweeps of the near field in both directions. More sweeps leave fewer labels to
+/// correct, but cost more.
 constexpr int NearFieldRounds = 2;
 }
 
@@ -28,8 +29,8 @@ ManySources::ManySources(const GraphView& graph, double bucketWidth)
 {
 }
 
-bool ManySources::Run(
-  const Sources& sources, double radius, const SweepOrder& order, const std::function<bool()>& goes)
+bool ManySources::Run(const Sources& sources, double radius, const SweepOrder& order,
+  const std::function<bool()>& shouldContinue)
 {
   const auto n = static_cast<std::size_t>(this->Graph.NumberOfVertices);
   this->Radius = radius;
@@ -39,17 +40,17 @@ bool ManySources::Run(
   bool isDone = false;
   WithLengths(this->Graph, [&](const auto* lengths) {
     this->SweepNearField(lengths, order);
-    if (!goes())
+    if (!shouldContinue())
     {
       return;
     }
     this->Sweep(lengths, order.Vertices);
-    if (!goes())
+    if (!shouldContinue())
     {
       return;
     }
     this->Certify(lengths);
-    if (!goes())
+    if (!shouldContinue())
     {
       return;
     }
@@ -76,7 +77,7 @@ void ManySources::GetField(
   }
 }
 
-/// Labels of the seeds. Returns the smallest.
+/// Sets the labels of the seeds. Returns the smallest one.
 double ManySources::Start(const Sources& sources)
 {
   double smallest = Infinity;
@@ -93,7 +94,8 @@ double ManySources::Start(const Sources& sources)
   return smallest;
 }
 
-/// There and back, as the sources lie on all sides. What is wrong here would be wrong everywhere.
+/// Sweeps in both directions, as the sources lie on all sides. Errors in the near field would
+/// propagate to all vertices.
 template <typename Length>
 void ManySources::SweepNearField(const Length* lengths, const SweepOrder& order)
 {
@@ -127,7 +129,7 @@ void ManySources::Sweep(const Length* lengths, const std::vector<Id>& order)
   }
 }
 
-/// Look for a shorter way to every vertex; there are few.
+/// Searches a shorter path to every vertex; there are few.
 template <typename Length>
 void ManySources::Certify(const Length* lengths)
 {
@@ -137,7 +139,7 @@ void ManySources::Certify(const Length* lengths)
   }
 }
 
-/// Vertices that were lowered lower their neighbours.
+/// Propagates lowered labels to neighbors.
 template <typename Length>
 void ManySources::Mend(const Length* lengths)
 {
@@ -148,7 +150,7 @@ void ManySources::Mend(const Length* lengths)
   {
     this->Queue.Sift(isOutdated);
     const std::vector<BucketQueue::Entry>& bucket = this->Queue.Current();
-    // NOLINTNEXTLINE(modernize-loop-convert): the bucket grows while it is worked on
+    // NOLINTNEXTLINE(modernize-loop-convert): the bucket grows during the loop
     for (std::size_t i = 0; i < bucket.size(); ++i)
     {
       if (!isOutdated(bucket[i]))
@@ -162,7 +164,8 @@ void ManySources::Mend(const Length* lengths)
   }
 }
 
-/// The shortest ways to a vertex from its neighbours; edges are as long in either direction.
+/// Returns the shortest paths to a vertex through its neighbors; edges have the same length in both
+/// directions.
 template <typename Length>
 Lanes ManySources::Pull(const Length* lengths, Id v) const
 {
@@ -189,7 +192,7 @@ void ManySources::Push(const Length* lengths, Id v)
   }
 }
 
-/// Take the labels, none above those there; if some are lower, the vertex has to wait in the queue.
+/// Stores labels, none of which exceeds the present one; if some are lower, the vertex is queued.
 void ManySources::Lower(Id v, const Lanes& labels)
 {
   if (!labels.AreBelow(this->Labels[v]))

@@ -9,12 +9,12 @@ namespace dgg
 {
 namespace
 {
-/// Width of the buckets in units of that of a search without aim. Along a path to the goal, label
-/// and bound together hardly grow; in wide buckets vertices are searched over and over.
+/// Width of the buckets relative to that of a search without goal. Along a path to the goal, the
+/// sum of label and bound hardly grows; in wide buckets vertices would be expanded many times.
 constexpr double WidthShare = 0.02;
-/// Relative; what rounding may take from the length of a path in comparison with a straight line.
+/// Relative rounding error of the length of a path compared to a straight line.
 constexpr double StraightMargin = 1e-9;
-/// How many queue entries ahead the label of a vertex and its edges are asked for.
+/// Number of queue entries by which labels, and edges, are prefetched.
 constexpr std::size_t VertexLookahead = 12;
 constexpr std::size_t EdgesLookahead = 6;
 
@@ -81,8 +81,8 @@ void PointToPoint::Aim(const std::vector<GraphSeed>& to)
   {
     return;
   }
-  // About where the seeds are the links of. Any point would do: the straight line to it says how
-  // far it is at least to each of them.
+  // Approximate position of the point whose links are the seeds. Any point would be valid: its
+  // straight-line distance yields a lower bound for each seed.
   double center[3] = {};
   double sum = 0.0;
   const double tiny = 1e-3 * this->Guides.BucketWidth;
@@ -160,7 +160,7 @@ PointToPoint::Label* PointToPoint::Lower(Id v, double distance)
     label.ToGo = this->EstimateToGo(v);
     this->Touched.push_back(v);
   }
-  // Also when the vertex is too far away: it need not be looked at again.
+  // Also if the vertex is too far away, so that it is not examined again.
   this->Distances[v] = distance;
   const double through = distance + label.ToGo;
   if (through >= this->Best)
@@ -192,9 +192,9 @@ void PointToPoint::Search(const GraphView& graph, const Length* lengths)
   };
   while (this->Queue.Advance())
   {
-    // Grows while it is worked on.
+    // The bucket grows during the loop.
     const std::vector<BucketQueue::Entry>& bucket = this->Queue.Current();
-    if (std::all_of(bucket.begin(), bucket.end(), isPast)) // as is all that is in later buckets
+    if (std::all_of(bucket.begin(), bucket.end(), isPast)) // and so are all later buckets
     {
       return;
     }
@@ -275,7 +275,7 @@ void PointToPoint::Expand(const GraphView& graph, const Length* lengths, Id v)
   for (const Offset e : this->Shorter)
   {
     const double longer = distance + lengths[e];
-    // Unless there are two edges to this target.
+    // The second comparison handles two edges to the same target.
     Label* next = longer < distances[targets[e]] ? this->Lower(targets[e], longer) : nullptr;
     if (next)
     {

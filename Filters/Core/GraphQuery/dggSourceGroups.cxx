@@ -19,14 +19,14 @@ public:
   {
   }
 
-  /// From a vertex over its component, until `visit(vertex)` returns false.
+  /// Visits the component of a vertex, until `visit(vertex)` returns false.
   template <typename Visit>
   void Run(Id start, const Visit& visit)
   {
     ++this->Walk;
     this->Queue.clear();
     this->Reach(start);
-    // NOLINTNEXTLINE(modernize-loop-convert): the queue grows while it is worked on
+    // NOLINTNEXTLINE(modernize-loop-convert): the queue grows during the loop
     for (std::size_t next = 0; next < this->Queue.size(); ++next)
     {
       const Id v = this->Queue[next];
@@ -54,11 +54,11 @@ private:
 
   const SurfaceMesh& Mesh;
   std::vector<Id> Queue;
-  std::vector<Offset> LastWalk; ///< per vertex, number of the last walk that came by
+  std::vector<Offset> LastWalk; ///< per vertex, index of the last walk that visited it
   Offset Walk = 0;
 };
 
-/// Per vertex, when a walk from the first vertex of its component comes by.
+/// Returns, per vertex, its rank in a walk from the first vertex of its component.
 std::vector<Id> ComputeRemoteness(const SurfaceMesh& mesh)
 {
   constexpr Id unknown = -1;
@@ -87,7 +87,7 @@ std::vector<SourceGroup> GroupSources(
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b) { return remoteness[sources[a]] > remoteness[sources[b]]; });
-  // Sources that are still to be placed, by vertex; there may be several at one.
+  // Ungrouped sources per vertex; a vertex may have several.
   std::vector<SourceGroup> waiting(mesh.GetNumberOfVertices());
   for (std::size_t place : order)
   {

@@ -14,7 +14,7 @@ constexpr double AccuracyMargin = 1e-5;
 /// Subtracted from the angle, radians.
 constexpr float AngleMargin = 1e-4f;
 
-/// Radius around a vertex up to which the surface is a cone.
+/// Returns the radius around a vertex within which the surface is a cone.
 double ConeRadius(const SurfaceMesh& mesh, Id v)
 {
   double radius = Infinity;
@@ -43,7 +43,7 @@ TurnLimits::TurnLimits(const GraphView& graph, const SurfaceMesh& mesh)
     {
       continue;
     }
-    // No edge is shorter: there is no vertex inside the cone.
+    // No edge is shorter, since there is no vertex inside the cone.
     const double radius = ConeRadius(mesh, v);
     double longest = 0.0;
     for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
@@ -51,7 +51,7 @@ TurnLimits::TurnLimits(const GraphView& graph, const SurfaceMesh& mesh)
       longest = std::max(longest, graph.Length(e));
     }
     const double perLength = 0.5 * excess / radius;
-    if (perLength * longest < 1.0) // otherwise there is never a limit
+    if (perLength * longest < 1.0) // otherwise there is no limit
     {
       this->Vertices[v] = { static_cast<float>(perLength), static_cast<float>(longest) };
     }

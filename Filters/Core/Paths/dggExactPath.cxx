@@ -14,35 +14,36 @@ namespace dgg
 {
 namespace
 {
-/// How close to the distance a path has to be, relatively and in lengths of an edge nearby. Close
-/// together in almost all cases; where faces are narrow, what windows reach just beyond their ends
-/// makes a difference.
-struct Closeness
+/// Tolerance of the length of a path: relative to the distance, and relative to the length of an
+/// adjacent edge. The smallest tolerance nearly always suffices; among narrow faces, points that
+/// windows reach just beyond their ends require larger ones.
+struct LengthTolerance
 {
   double Relative;
   double Rounding;
 };
-constexpr Closeness Closenesses[] = { { 1e-12, 4e-15 }, { 5e-11, 4e-15 }, { 1e-9, 1e-13 },
-  { 1e-7, 1e-12 } };
-/// Points this close together, in lengths of an edge nearby, are one.
+constexpr LengthTolerance LengthTolerances[] = { { 1e-12, 4e-15 }, { 5e-11, 4e-15 },
+  { 1e-9, 1e-13 }, { 1e-7, 1e-12 } };
+/// Points this close together, relative to an adjacent edge, coincide.
 constexpr double CoincidenceTolerance = 4e-15;
-/// Labels that are wrong by more than this, relatively, show that a way is lost.
+/// Larger relative errors of labels indicate that the trace is wrong.
 constexpr double LabelTolerance = 1e-7;
-/// A crossing this close to the end of an edge, in lengths of the edge, is at the vertex.
+/// A crossing this close to the end of an edge, relative to the edge length, is at the vertex.
 constexpr double VertexTolerance = 1e-13;
-/// How far beyond the end of its edge a crossing may be. Windows reach farther beyond their ends
-/// (SeenTolerance), but ways bend there.
+/// Tolerance by which a crossing may lie beyond the end of its edge. Windows extend farther beyond
+/// their ends (SeenTolerance), but paths bend there.
 constexpr double CrossingTolerance = 1e-8;
-/// Directions this close to that of an apex, as a sine, may pass it on either side.
+/// Directions this close to that of an apex, as a sine, may pass on either side.
 constexpr double ApexTolerance = 1e-9;
-/// What rounding does to the place of an image, relative to its distance: it counts where edges are
-/// very short.
+/// Rounding error of the position of an image, relative to its distance; relevant for very short
+/// edges.
 constexpr double SlackTolerance = 1e-13;
-/// Branches tried per face of the mesh, and at least, before giving up.
+/// Maximum number of branches tried per face of the mesh, and its minimum.
 constexpr std::size_t BranchesPerFace = 16;
 constexpr std::size_t LeastBranches = 4096;
 
-/// A point of an edge, not snapped beyond rounding, so that short pieces keep their length.
+/// Returns a point of an edge, snapped only within rounding, so that short segments keep their
+/// length.
 SurfacePoint PointOnEdge(const SurfaceMesh& mesh, Id h, double t)
 {
   if (t <= VertexTolerance)
@@ -80,15 +81,15 @@ void ForEachFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&&
 /// Traces paths back through the faces that their windows have crossed (window tracing, as in
 /// Mitchell, Mount and Papadimitriou, "The discrete geodesic problem", 1987).
 ///
-/// A window says where the straight way to its root runs as long as it is known which faces it
-/// unfolds. That is not always so: an edge of more than two faces can have been reached from any of
-/// the others, and a way that runs through a vertex, up to rounding, may leave it on either side.
-/// Then one choice is tried after the other. What decides is the length: any way as long as the
-/// distance is a shortest path, whichever window it came from.
+/// A window determines the straight line to its root if the sequence of unfolded faces is known.
+/// This is not always the case: a non-manifold edge may have been reached from any other face, and
+/// a line that passes through a vertex, up to rounding, may leave it on either side. Then all
+/// choices are tried in turn. The length decides: any path whose length equals the distance is a
+/// shortest path, no matter from which window.
 class WindowTracer
 {
 public:
-  /// `result` is that of a run from one source alone, at distance 0.
+  /// `result` must be that of a run from one source with initial distance 0.
   WindowTracer(const SurfaceMesh& mesh, const SurfacePoint& source, const ExactResult& result)
     : Mesh(mesh)
     , Source(source)
@@ -96,21 +97,21 @@ public:
   {
   }
 
-  /// Path from the source to a point that was reached, given its distance and how it got it. False
-  /// when it cannot be retraced.
+  /// Traces the path from the source to a reached point, given its distance and predecessor.
+  /// Returns false if the path cannot be traced back.
   bool Trace(
     const SurfacePoint& target, double distance, const Predecessor& last, SurfacePath& path);
 
 private:
-  /// A way that leaves a face and enters another one.
+  /// A possible continuation from one face into another.
   struct Branch
   {
-    Id Left = NoId;               ///< the half-edge of the face that is left
-    double X = 0.0;               ///< where it is crossed
-    Id Entered = NoId;            ///< the half-edge of the face that is entered
-    Point2 Image;                 ///< of the root, in the frame of Entered; Y > 0
-    std::size_t PointsBefore = 0; ///< of the path
-    double LengthSoFar = 0.0;     ///< of this straight piece
+    Id Left = NoId;               ///< half-edge of the face that is left
+    double X = 0.0;               ///< position of the crossing
+    Id Entered = NoId;            ///< half-edge of the face that is entered
+    Point2 Image;                 ///< image of the root, in the frame of Entered; Y > 0
+    std::size_t PointsBefore = 0; ///< number of path points before the branch
+    double LengthSoFar = 0.0;     ///< length of this straight segment so far
   };
 
   bool TraceBack(const SurfacePoint& target, double distance, const Predecessor& last);
@@ -127,14 +128,14 @@ private:
   const SurfacePoint& Source;
   const ExactResult& Result;
   std::vector<SurfacePoint> Points; // from the target to the source
-  std::vector<Id> Faces;            // of the pieces between them
-  std::vector<Branch> Branches;     // not tried yet
-  Id Root = NoId;                   // of the straight piece on its way
-  double Distance = 0.0;            // at its start
+  std::vector<Id> Faces;            // faces of the segments
+  std::vector<Branch> Branches;     // branches not tried yet
+  Id Root = NoId;                   // root of the current segment
+  double Distance = 0.0;            // distance at the start of the current segment
   double PieceLength = 0.0;
-  double Tolerance = 0.0; // of lengths
+  double Tolerance = 0.0; // tolerance of lengths
   std::size_t FirstFace = 0;
-  double Slack = 0.0; // of places, within this piece
+  double Slack = 0.0; // tolerance of positions, within this segment
 };
 
 bool WindowTracer::Trace(
@@ -147,7 +148,7 @@ bool WindowTracer::Trace(
     path.Points.assign(1, target);
     return true;
   }
-  for (const Closeness& close : Closenesses)
+  for (const LengthTolerance& close : LengthTolerances)
   {
     this->Tolerance = close.Relative * distance + close.Rounding * edge;
     if (this->TraceBack(target, distance, last))
@@ -160,7 +161,7 @@ bool WindowTracer::Trace(
         path.Length += MeasurePiece(this->Mesh, path, piece);
       }
       return std::abs(path.Length - distance) <=
-        2.0 * (Closenesses[3].Relative * distance + Closenesses[3].Rounding * edge);
+        2.0 * (LengthTolerances[3].Relative * distance + LengthTolerances[3].Rounding * edge);
     }
   }
   return false;
@@ -190,7 +191,7 @@ bool WindowTracer::TraceBack(const SurfacePoint& target, double distance, const 
   return true;
 }
 
-/// Trace one straight piece; `reached` is what it starts from, a vertex or ~0 for the source.
+/// Traces one straight segment; `reached` receives its start, a vertex or ~0 for the source.
 bool WindowTracer::TracePiece(
   const SurfacePoint& start, double distance, const Predecessor& last, Id& reached)
 {
@@ -232,16 +233,16 @@ bool WindowTracer::TracePiece(
   return this->EndAtCorner(start, reached);
 }
 
-/// Leave the face of h through it, from a point of the face towards the image: one branch for each
-/// face behind.
+/// Leaves the face of h through h, from a point of the face towards the image: adds one branch for
+/// each face behind.
 void WindowTracer::Leave(Id h, const Point2& from, const Point2& image, double lengthSoFar)
 {
   const double length = this->Mesh.Length(h);
   if (image.Y >= 0.0 || from.Y < 0.0)
   {
-    return; // not on the way
+    return; // not on the path
   }
-  // From the point, not from the image, which may be far away.
+  // Computed from the point, not from the image, which may be far away.
   const double crossing = from.X + (image.X - from.X) * (from.Y / (from.Y - image.Y));
   const double beyond = CrossingTolerance * length + this->Slack;
   if (!(crossing >= -beyond && crossing <= length + beyond))
@@ -271,12 +272,12 @@ void WindowTracer::Leave(Id h, const Point2& from, const Point2& image, double l
   });
 }
 
-/// Go through one more face. True when the piece ends there.
+/// Crosses one more face. Returns true if the segment ends there.
 bool WindowTracer::Follow(const Branch& branch, Id& reached)
 {
   const Id e = branch.Entered;
   const double length = this->Mesh.Length(e);
-  if (branch.LengthSoFar > 0.0) // else the piece starts on the edge
+  if (branch.LengthSoFar > 0.0) // otherwise the segment starts on the edge
   {
     const SurfacePoint point = PointOnEdge(this->Mesh, branch.Left, branch.X / length);
     this->Add(point, SurfaceMesh::Face(branch.Left));
@@ -314,7 +315,7 @@ bool WindowTracer::Follow(const Branch& branch, Id& reached)
   const Point2 toImage{ branch.Image.X - from.X, branch.Image.Y };
   const double sine = dgg::Cross({ apex.X - from.X, apex.Y }, toImage);
   const double band = (ApexTolerance * toApex + this->Slack) * Norm(toImage.X, toImage.Y);
-  // The unfolding gives frames in which the face lies below the axis.
+  // In the frames of the unfolding the face lies below the axis.
   auto leaveLeft = [&]() {
     const Point2 p = face.ImageInLeft(from);
     const Point2 image = face.ImageInLeft(branch.Image);
@@ -327,7 +328,7 @@ bool WindowTracer::Follow(const Branch& branch, Id& reached)
     this->Leave(SurfaceMesh::Next(e), { face.GetRight() - p.X, -p.Y },
       { face.GetRight() - image.X, -image.Y }, branch.LengthSoFar);
   };
-  // The likelier one last: it is tried first.
+  // The more likely branch is pushed last, because it is tried first.
   if (sine > 0.0)
   {
     if (sine <= band)
@@ -347,7 +348,7 @@ bool WindowTracer::Follow(const Branch& branch, Id& reached)
   return false;
 }
 
-/// A piece within one face: along a mesh edge, or between points of the face.
+/// Ends with a segment within one face: along a mesh edge, or between points of the face.
 bool WindowTracer::EndInSharedFace(const SurfacePoint& start, Id root)
 {
   const SurfacePoint end = root >= 0 ? SurfacePoint::AtVertex(root) : this->Source;
@@ -373,8 +374,8 @@ bool WindowTracer::EndInSharedFace(const SurfacePoint& start, Id root)
   return true;
 }
 
-/// The last resort, where the way of a window is lost among faces without area: through a corner of
-/// a face of the start, if that is as short.
+/// Last resort if the path of a window is lost among degenerate faces: ends through a corner of a
+/// face of the start, if that is equally short.
 bool WindowTracer::EndAtCorner(const SurfacePoint& start, Id& reached)
 {
   Id best = NoId;
@@ -395,8 +396,8 @@ bool WindowTracer::EndAtCorner(const SurfacePoint& start, Id& reached)
   return best != NoId && this->EndInSharedFace(start, best);
 }
 
-/// Whether the way to a vertex and on from there is as short as the straight one. It is always so
-/// at the root; elsewhere the labels must fall, else the way could come back.
+/// Returns true if the path through a vertex is as short as the straight line. This always holds at
+/// the root; elsewhere labels must decrease, otherwise the path could return.
 bool WindowTracer::MayEndAt(Id vertex, double lengthSoFar) const
 {
   const double label = this->Result.Distances[vertex];
@@ -404,14 +405,14 @@ bool WindowTracer::MayEndAt(Id vertex, double lengthSoFar) const
     (vertex == this->Root || label < this->Distance);
 }
 
-/// Whether the distance at a point of h, if the way runs there, can be that far from the labels of
-/// the ends. It cannot be when the way is lost.
+/// Returns true if the distance at a point of h, assuming that the path runs there, is consistent
+/// with the labels of the ends. It is not if the trace is wrong.
 bool WindowTracer::AgreesWithLabels(Id h, double x, double lengthSoFar) const
 {
   const double here = this->Distance - lengthSoFar;
   const double slack = LabelTolerance * this->Distance;
   auto agrees = [&](double label, double away) {
-    // Labels beyond the last target have been forgotten.
+    // Labels beyond the last target have been discarded.
     return here <= label + away + slack && (label == Infinity || label <= here + away + slack);
   };
   return agrees(this->Result.Distances[this->Mesh.Origin(h)], x) &&

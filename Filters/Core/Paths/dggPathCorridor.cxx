@@ -11,13 +11,13 @@ namespace dgg
 {
 namespace
 {
-/// A path has to be shorter by this much, relatively, to be worth a change.
+/// Minimum relative gain for which a path is replaced.
 constexpr double LengthTolerance = 1e-13;
-/// How far beyond the length of the path the solver looks, relatively: for rounding errors.
+/// Relative margin of the solver's radius beyond the length of the path, for rounding errors.
 constexpr double Margin = 1e-9;
-/// When the solver is stopped: after so many reports, one for 20000 windows, and one more for so
-/// many faces. Twenty windows a face are common in corridors of thousands of faces; it is stopped
-/// at more than a hundred.
+/// The solver is stopped after this minimum number of progress reports (one per 20000 windows),
+/// plus one per this number of faces. Twenty windows per face are common in corridors of thousands
+/// of faces; the solver is stopped beyond a hundred.
 constexpr std::size_t LeastReports = 10;
 constexpr std::size_t FacesPerReport = 200;
 }
@@ -117,7 +117,7 @@ void PathCorridor::AddFace(Id f)
   }
 }
 
-/// The path becomes the x axis.
+/// Lays out the path along the x axis.
 void PathCorridor::LayPath(const SurfacePath& path)
 {
   double x = 0.0;
@@ -146,10 +146,10 @@ void PathCorridor::LayPath(const SurfacePath& path)
   }
 }
 
-/// Face by face, over edges with an end that is near.
+/// Grows the corridor face by face, over edges with an end that is near.
 void PathCorridor::Grow()
 {
-  // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
+  // NOLINTNEXTLINE(modernize-loop-convert): the list grows during the loop
   for (std::size_t next = 0; next < this->Faces.size(); ++next)
   {
     const Id f = this->Faces[next];
@@ -172,7 +172,8 @@ void PathCorridor::Grow()
   }
 }
 
-/// Where the apex behind an edge lies, on the other side of the edge than the own apex.
+/// Returns the position of the apex behind an edge, on the other side of the edge than its own
+/// apex.
 Point2 PathCorridor::PlaceBehind(Id exit, Id entry)
 {
   const Point2& a = this->Vertices[this->Mesh.Origin(entry)].Place;
@@ -219,7 +220,7 @@ SurfacePoint PathCorridor::ToPart(const SurfaceMesh& part, const SurfacePoint& p
   std::array<double, 3> barycentric{};
   FindInFace(this->Mesh, point, face, barycentric);
   const auto place = std::find(this->Faces.begin(), this->Faces.end(), face);
-  // The corners of the face were handed over in the order in which the mesh has them.
+  // The corners of the face were passed in the order of the mesh.
   return SurfacePoint::InFace(part, static_cast<Id>(place - this->Faces.begin()), barycentric);
 }
 
@@ -229,7 +230,7 @@ SurfacePoint PathCorridor::FromPart(const SurfaceMesh& part, const SurfacePoint&
   {
     return SurfacePoint::AtVertex(this->PartVertices[point.Vertex]);
   }
-  // Back to the order in which the part was given its corners.
+  // Restore the order in which the submesh was given its corners.
   std::array<double, 3> barycentric = point.Barycentric;
   if (part.IsFlipped(point.Face))
   {

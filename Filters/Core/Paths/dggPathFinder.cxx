@@ -12,7 +12,7 @@
 
 namespace dgg
 {
-/// What the finder of one path works with.
+/// Workspace for finding one path.
 struct PathFinder::Workspace
 {
   explicit Workspace(const SurfaceMesh& mesh)
@@ -22,13 +22,13 @@ struct PathFinder::Workspace
   {
   }
 
-  /// What is as large as the mesh.
+  /// Memory of the buffers that are as large as the mesh.
   std::size_t GetMemorySize() const
   {
     return this->Corridor.GetMemorySize() + this->Tracer.GetMemorySize();
   }
 
-  /// Replace a path by the one in the chain, shortened.
+  /// Replaces a path by the shortened path of the chain.
   void Straighten(SurfacePath& path)
   {
     path.Clear();
@@ -44,11 +44,11 @@ struct PathFinder::Workspace
   PathCorridor Corridor;
 };
 
-/// How two points are linked to the graph.
+/// Links of two points to the graph.
 struct PathFinder::Ends
 {
-  std::vector<GraphLink> Links[2]; ///< of the first and the last point
-  double Direct = Infinity;        ///< length of the straight way between them
+  std::vector<GraphLink> Links[2]; ///< links of the first and the last point
+  double Direct = Infinity;        ///< length of the straight line between them
 };
 
 PathFinder::PathFinder(const SurfaceMesh& mesh, const GraphSearch& search,

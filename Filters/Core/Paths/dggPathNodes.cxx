@@ -64,7 +64,8 @@ Id PathNodes::Append(const Node& node)
   return this->NumberOfVertices + static_cast<Id>(this->Nodes.size()) - 1;
 }
 
-/// Points on edges: those close together are one, those close to an end are the vertex there.
+/// Merges points on edges that are close together; points close to an end are merged with the
+/// vertex.
 void PathNodes::AddPointsOnEdges(const std::vector<SurfacePath>& paths)
 {
   for (const SurfacePath& path : paths)
@@ -115,7 +116,7 @@ Id PathNodes::NodeOf(const SurfacePoint& point)
 
 Id PathNodes::AddCrossing(const GridPoint& place, Id face)
 {
-  Id first = NoId; // of those that are close
+  Id first = NoId; // first node within the merge distance
   for (auto other = this->ByPlace.lower_bound({ face, place.X - MergeDistance, 0, 0 });
        other != this->ByPlace.end() && std::get<0>(*other) == face &&
        std::get<1>(*other) <= place.X + MergeDistance;
@@ -177,7 +178,8 @@ bool PathNodes::AreOnOneSide(Id a, Id b, Id face, int& side) const
   return false;
 }
 
-/// Place of a node among those of a side of a face: 0 at its first corner; -1 when it is not there.
+/// Returns the position of a node on a side of a face, from 0 at its first corner; -1 if the node
+/// is not on the side.
 int PathNodes::PositionOnSide(Id node, Id face, int side) const
 {
   const Id h = 3 * face + side;
@@ -196,7 +198,7 @@ int PathNodes::PositionOnSide(Id node, Id face, int side) const
   {
     return -1;
   }
-  // Numbers grow along the edge.
+  // Ids increase along the edge.
   const auto place = std::lower_bound(found->second.begin(), found->second.end(), node);
   const int position = static_cast<int>(place - found->second.begin());
   return this->Mesh.Origin(edge) == this->Mesh.Origin(h) ? position + 1 : count - position;
@@ -223,7 +225,7 @@ double PathNodes::Measure(Id a, Id b, Id face) const
   int side = 0;
   if (this->AreOnOneSide(a, b, face, side))
   {
-    // The same bits in all faces of the edge.
+    // Bitwise identical in all faces of the edge.
     const Id edge = FindEdge(this->Mesh, 3 * face + side);
     auto mark = [&](Id node) {
       return node == this->Mesh.Origin(edge)   ? std::int64_t(0)

@@ -9,13 +9,13 @@ namespace dgg
 {
 namespace
 {
-/// An angle that is smaller than pi by less than this is left as it is: what could be gained is its
-/// square.
+/// Angles that are smaller than pi by less than this are kept: the possible gain is of second
+/// order.
 constexpr double AngleTolerance = 1e-9;
-/// Rounds that gain nothing, because of rounding errors, until the path is left as it is.
+/// Maximum number of rounds without gain, which may occur by rounding errors.
 constexpr int MaximumIdleRounds = 8;
-/// Rounds of shortening, each of which leads the strip around all bends that give way. Ten or
-/// twenty are common; this is a stop for paths that rounding errors keep moving.
+/// Maximum number of rounds, each of which reroutes the strip around all bends where that is
+/// shorter. Ten or twenty are common; the limit stops paths that rounding errors keep moving.
 constexpr int MaximumRounds = 10000;
 
 double AngleBetween(const Point2& a, const Point2& b)
@@ -59,17 +59,17 @@ double PathShortener::Shorten(Strip& strip)
   return length;
 }
 
-/// Lead the strip around the other side of every bend where the path is shorter there. False when
-/// there is none.
+/// Reroutes the strip around the other side of every bend where the path is shorter there. Returns
+/// false if there is none.
 bool PathShortener::Reroute(Strip& strip)
 {
   this->Crossings.clear();
-  std::size_t done = 0; // crossings of the strip that have been dealt with
+  std::size_t done = 0; // number of processed crossings of the strip
   bool isChanged = false;
   for (std::size_t b = 0; b < this->Bends.size(); ++b)
   {
     const Corner corner = this->CornerAt(this->Bends[b]);
-    if (corner.First < done) // shares an edge with one that was just led around: next round
+    if (corner.First < done) // shares an edge with a rerouted bend: next round
     {
       continue;
     }
@@ -102,7 +102,7 @@ bool PathShortener::Reroute(Strip& strip)
   return isChanged;
 }
 
-/// The angle at a vertex between two points of the path, on the side of the strip.
+/// Returns the angle at a vertex between two points of the path, on the side of the strip.
 double PathShortener::AngleInStrip(
   const Strip& strip, const Corner& corner, const Point2& before, const Point2& after) const
 {
@@ -118,15 +118,15 @@ double PathShortener::AngleInStrip(
   return angle;
 }
 
-/// Whether a path that bends around a vertex becomes shorter on its other side, and how to get
-/// there.
+/// Returns true if a path that bends around a vertex becomes shorter on its other side; `detour`
+/// receives the crossings there.
 bool PathShortener::IsShorterBehind(const Strip& strip, const Corner& corner, const Point2& before,
   const Point2& after, std::vector<EdgeCrossing>& detour) const
 {
   const VertexKind kind = this->Mesh.Kind(corner.Vertex);
   if (kind == VertexKind::Boundary)
   {
-    return false; // there is nothing behind
+    return false; // there are no faces behind
   }
   const double angle = this->AngleInStrip(strip, corner, before, after);
   if (kind != VertexKind::Irregular)
@@ -134,7 +134,7 @@ bool PathShortener::IsShorterBehind(const Strip& strip, const Corner& corner, co
     return this->Mesh.TotalAngle(corner.Vertex) - angle < Pi - AngleTolerance &&
       this->WalkBehind(strip, corner, detour);
   }
-  // Any way around the vertex will do that is below pi.
+  // Any turn around the vertex with an angle below pi is suitable.
   const auto toFarEnd = [&](std::size_t portal) {
     return Difference(this->Plane.Portals[portal].Ends[1 - corner.Side], corner.Position);
   };
@@ -146,7 +146,7 @@ bool PathShortener::IsShorterBehind(const Strip& strip, const Corner& corner, co
   return best < std::min(Pi, angle) - AngleTolerance;
 }
 
-/// The crossings on the other side of a vertex inside the surface.
+/// Collects the crossings on the other side of an interior vertex.
 bool PathShortener::WalkBehind(
   const Strip& strip, const Corner& corner, std::vector<EdgeCrossing>& detour) const
 {
@@ -187,7 +187,7 @@ void PathShortener::Append(const Strip& strip, SurfacePath& path)
       from = this->Bends[bend].Position;
       ++bend;
     }
-    // Which way along the edge the portal runs in the face that is entered.
+    // Direction of the portal along the edge, in the face that is entered.
     const Id h = strip.Crossings[i].Entry;
     const bool isForward = this->Mesh.Origin(h) == portal.Vertices[StripUnfolding::Left];
     double t = 0.0; // from left to right

@@ -16,17 +16,17 @@ namespace dgg
 {
 namespace
 {
-/// Half the width of a beam, radians. Floats below 8 are good to 2.4e-7, those below 32 (saddles of
-/// five turns) to 1e-6.
+/// Half the opening angle of a beam, radians. Floats below 8 have a rounding error of 2.4e-7, those
+/// below 32 (saddles of five turns) of 1e-6.
 constexpr double HalfWidths[] = { 1.5e-6, 1e-4 };
 constexpr double RefinedHalfWidth = 1e-12;
-/// Lengths are floats as well, and tiny ones next to long edges have the rounding errors of those.
+/// Lengths are floats as well; tiny ones next to long edges have the rounding errors of the long
+/// edges.
 constexpr double RelativeLength = 1e-6;
 constexpr double RelativeRounding = 1e-14;
-/// Edges that a beam may cross before it is tried in the next face of the tail; the factor by which
-/// that grows when the head was found in none; and where it ends. A shortest path crosses no face
-/// twice: beyond that a beam runs around, or is split over and over, among triangles that are all
-/// but lines.
+/// Number of edges that a beam may cross before the next face of the tail is tried; growth factor
+/// of that limit if the head was found in no face; and its maximum. A shortest path crosses no face
+/// twice: beyond this a beam circulates, or is split repeatedly, among nearly degenerate triangles.
 constexpr std::size_t FewBeams = 4096;
 constexpr std::size_t Growth = 8;
 constexpr std::size_t BeamsPerFace = 4;
@@ -56,8 +56,8 @@ bool GraphEdgeTracer::Trace(
   return false;
 }
 
-/// A beam that meets vertices before it finds the head may have gone around one that is close to
-/// the line on the wrong side. Now that the direction is known exactly, follow that.
+/// A beam that meets vertices before the head may have passed a vertex close to the line on the
+/// wrong side. Now that the direction is known exactly, it is traced again.
 void GraphEdgeTracer::Refine(
   const GraphEdge& edge, Id& firstFace, std::vector<EdgeCrossing>& crossings)
 {
@@ -107,8 +107,8 @@ bool GraphEdgeTracer::TraceBeam(
   }
 }
 
-/// The direction of an edge, measured from an outgoing half-edge of its tail; NaN when the beam
-/// misses the face of that.
+/// Returns the direction of an edge, measured from an outgoing half-edge of its tail; NaN if the
+/// beam misses the face of the half-edge.
 double GraphEdgeTracer::AngleFrom(const GraphEdge& edge, Id g, double halfWidth) const
 {
   const double turn =
@@ -125,12 +125,12 @@ double GraphEdgeTracer::AngleFrom(const GraphEdge& edge, Id g, double halfWidth)
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Through the face of the outgoing half-edge g, whose frame becomes that of the plane.
+/// Traces through the face of the outgoing half-edge g, whose frame becomes that of the plane.
 bool GraphEdgeTracer::TraceFrom(const GraphEdge& edge, Id g, double angle, double halfWidth)
 {
   this->Beams.clear();
   this->Found = NoId;
-  // Next to an edge of the tail, the line may as well start on the other side of it.
+  // Close to an edge of the tail, the line may also start on the other side of the edge.
   this->IsSplit = angle < halfWidth || angle > this->Mesh.CornerAngle(g) - halfWidth;
   this->Rays[0] = { std::cos(angle + halfWidth), std::sin(angle + halfWidth) };
   this->Rays[1] = { std::cos(angle - halfWidth), std::sin(angle - halfWidth) };
@@ -147,7 +147,7 @@ bool GraphEdgeTracer::TraceFrom(const GraphEdge& edge, Id g, double angle, doubl
   const FaceUnfolding face = EnteredFace(this->Mesh, g).Plane;
   this->Cross(SurfaceMesh::Next(g), false, face.GetApex(),
     { face.GetRightCosine(), -face.GetRightSine() }, NoId);
-  // The shortest strip first: one that runs around does not keep from the others.
+  // Breadth-first, so that a circulating beam does not block others.
   for (Id index = 0; static_cast<std::size_t>(index) < std::min(this->Beams.size(), this->Limit);
        ++index)
   {
@@ -164,7 +164,7 @@ bool GraphEdgeTracer::TraceFrom(const GraphEdge& edge, Id g, double angle, doubl
   return false;
 }
 
-/// Into all faces behind an edge.
+/// Enters all faces behind an edge.
 void GraphEdgeTracer::Cross(
   Id exit, bool mirrored, const Point2& left, const Point2& axis, Id before)
 {
@@ -173,7 +173,8 @@ void GraphEdgeTracer::Cross(
   });
 }
 
-/// Whether the head lies in the face that is entered, in the beam and at the right distance.
+/// Returns true if the head lies in the face that is entered, in the beam and at the right
+/// distance.
 bool GraphEdgeTracer::Reaches(const GraphEdge& edge, const Beam& beam, Point2& arrival) const
 {
   const Id h = beam.Crossing.Entry;
@@ -276,7 +277,7 @@ Status PathTracer::Append(const SurfacePoint& from, const SurfacePoint& to, doub
   return Status::Success();
 }
 
-/// The exact way; false when there is none within the length.
+/// Finds the exact path. Returns false if there is none within the length.
 bool PathTracer::FindExactly(
   const SurfacePoint& from, const SurfacePoint& to, double length, SurfacePath& path)
 {

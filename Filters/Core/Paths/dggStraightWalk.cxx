@@ -12,31 +12,31 @@ namespace dgg
 {
 namespace
 {
-/// So many pieces without any length, one after the other, are a walk that does not get away.
+/// Maximum number of consecutive segments of zero length: a longer sequence makes no progress.
 constexpr int MostEmptyPieces = 1000;
-/// Among faces without area a walk may turn around for ever.
+/// Maximum number of segments: among degenerate faces a walk may circulate forever.
 constexpr std::size_t MostPieces = 1000000;
 
-/// A place in a face and a direction, in the frame of a half-edge of it.
+/// A position in a face and a direction, in the frame of a half-edge of the face.
 struct Ray
 {
   Id HalfEdge = NoId;
   Point2 Place;
   Point2 Direction; ///< unit vector
-  /// Whether the place is the origin of the half-edge: then the ray can only leave through the edge
-  /// on the other side.
+  /// True if the position is the origin of the half-edge: then the ray can only leave through the
+  /// opposite edge.
   bool IsAtCorner = false;
 };
 
-/// Where a ray leaves its face.
+/// The exit of a ray from its face.
 struct Exit
 {
-  Id HalfEdge = NoId; ///< NoId when it does not
+  Id HalfEdge = NoId; ///< NoId if the ray does not leave
   double Distance = Infinity;
   double Parameter = 0.0; ///< along the half-edge
 };
 
-/// Coordinates of a place in the frame of half-edge h with respect to the corners of its face.
+/// Returns the barycentric coordinates of a position given in the frame of half-edge h.
 std::array<double, 3> CoordinatesOf(const SurfaceMesh& mesh, Id h, const Point2& place)
 {
   std::array<double, 3> b{};
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  /// A direction from a point on an edge that leads out of its face belongs to the next one.
+  /// Moves the ray into the next face if its direction leads out of the face of a point on an edge.
   bool LeaveEdge(const SurfacePoint& start, Ray& ray) const
   {
     ray = this->InFrameOf(start.HalfEdge, ray);
@@ -97,7 +97,7 @@ private:
       this->CrossEdge(start.HalfEdge, start.Barycentric[(start.HalfEdge + 1) % 3], ray);
   }
 
-  /// The same ray in the frame of another half-edge of its face.
+  /// Returns the same ray in the frame of another half-edge of its face.
   Ray InFrameOf(Id h, const Ray& ray) const
   {
     const Point2 start = CornersInFrame(this->Mesh, ray.HalfEdge)[(h - ray.HalfEdge + 3) % 3];
@@ -106,7 +106,7 @@ private:
       DirectionInFrame(this->Mesh, ray.HalfEdge, h, ray.Direction), false };
   }
 
-  /// From a vertex in a direction. False when there is no face.
+  /// Starts from a vertex in a direction. Returns false if there is no face.
   bool LeaveVertex(Id vertex, double angle, Ray& ray) const
   {
     const double total = this->Mesh.TotalAngle(vertex);
@@ -116,7 +116,7 @@ private:
     for (const Id* g = this->Mesh.FanBegin(vertex); g != this->Mesh.FanEnd(vertex); ++g)
     {
       const double corner = this->Mesh.CornerAngle(*g);
-      // The last one takes what rounding leaves over.
+      // The last corner absorbs rounding errors.
       if (angle - this->Mesh.PolarAngle(*g) <= corner || g + 1 == this->Mesh.FanEnd(vertex))
       {
         const double turn = std::min(std::max(angle - this->Mesh.PolarAngle(*g), 0.0), corner);
@@ -151,7 +151,8 @@ private:
     return exit;
   }
 
-  /// To the end of the walk or to the border of the face, and into the next one. False at the end.
+  /// Advances to the end of the walk, or through the boundary of the face into the next one.
+  /// Returns false at the end.
   bool CrossFace(Ray& ray)
   {
     const Id face = SurfaceMesh::Face(ray.HalfEdge);
@@ -192,7 +193,7 @@ private:
     }
   }
 
-  /// `ray` is in the frame of the half-edge and leads across it.
+  /// Crosses an edge; `ray` is in the frame of the half-edge and leads across it.
   bool CrossEdge(Id h, double parameter, Ray& ray) const
   {
     const Id twin = this->Mesh.Twin(h);
@@ -208,7 +209,7 @@ private:
     return true;
   }
 
-  /// `ray` is in the frame of the half-edge, at one end of it.
+  /// Passes a vertex; `ray` is in the frame of the half-edge, at one end of it.
   bool CrossVertex(Id vertex, const Exit& exit, Ray& ray) const
   {
     if (this->Mesh.Kind(vertex) == VertexKind::Boundary)

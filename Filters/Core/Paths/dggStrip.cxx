@@ -64,7 +64,7 @@ void AppendCrossing(std::vector<EdgeCrossing>& crossings, const EdgeCrossing& cr
     crossings.push_back(crossing);
     return;
   }
-  // Back over the same edge, to where it came from or to a third face.
+  // Back over the same edge, to the previous face or to a third one.
   const Id exit = crossings.back().Exit;
   crossings.pop_back();
   if (exit != crossing.Entry)
@@ -73,7 +73,7 @@ void AppendCrossing(std::vector<EdgeCrossing>& crossings, const EdgeCrossing& cr
   }
 }
 
-/// Dijkstra over the few edges around the vertex, non-manifold ones included.
+/// Dijkstra's algorithm over the few edges around the vertex, including non-manifold ones.
 double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEnd& to,
   std::vector<EdgeCrossing>& crossings)
 {
@@ -102,7 +102,7 @@ double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEn
     });
   };
   const auto corner = [&](Id face) { return mesh.CornerAngle(HalfEdgeFrom(mesh, face, c)); };
-  /// The angle in the last face of what has come in through its half-edge e.
+  /// The angle in the last face if entered through its half-edge e.
   const auto inLast = [&](Id e) {
     return e == to.HalfEdge ? to.Angle : std::max(0.0, corner(to.Face) - to.Angle);
   };

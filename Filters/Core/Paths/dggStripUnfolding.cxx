@@ -12,8 +12,8 @@ namespace dgg
 {
 namespace
 {
-/// Where a point lies in the frame of half-edge h, or, `mirrored`, in that of the same edge the
-/// other way round.
+/// Returns the position of a point in the frame of half-edge h or, if `mirrored`, in that of the
+/// reversed edge.
 Point2 Place(const SurfaceMesh& mesh, const SurfacePoint& point, Id h, bool mirrored)
 {
   std::array<double, 3> barycentric{ { 1.0, 0.0, 0.0 } };
@@ -22,9 +22,9 @@ Point2 Place(const SurfaceMesh& mesh, const SurfacePoint& point, Id h, bool mirr
 }
 }
 
-/// The face about to be left lies on the left of `axis`, which runs from `origin` along the edge
-/// that it was entered through (half-edge h), from left to right. Directions are turned by the
-/// angles of the faces: differences of points far out would lose those of tiny edges.
+/// Invariant: the current face lies on the left of `axis`, which runs from `origin` along its entry
+/// edge (half-edge h), from left to right. Directions are rotated by the angles of the faces,
+/// because differences of distant points would lose the precision of tiny edges.
 void StripUnfolding::Unfold(const SurfaceMesh& mesh, const Strip& strip)
 {
   this->Portals.clear();
@@ -35,7 +35,7 @@ void StripUnfolding::Unfold(const SurfaceMesh& mesh, const Strip& strip)
   this->Start = Place(mesh, strip.Start, h, mirrored);
   if (!strip.Crossings.empty() && strip.Crossings.front().Exit == h)
   {
-    h = SurfaceMesh::Next(h); // the first face has no edge it was entered through
+    h = SurfaceMesh::Next(h); // the first face has no entry edge
     this->Start = Place(mesh, strip.Start, h, mirrored);
   }
   for (const EdgeCrossing& crossing : strip.Crossings)
@@ -69,12 +69,11 @@ void StripUnfolding::Unfold(const SurfaceMesh& mesh, const Strip& strip)
 
 namespace
 {
-/// A path this close to a vertex, as an angle, touches it.
+/// A path touches a vertex if it is this close, as an angle.
 constexpr double TouchAngle = 1e-13;
 
-/// Whether the shortest path from a to c bends around b, or at least touches it, b being on the
-/// given side of the strip. Vertices that are only touched count: the other side of them may be
-/// shorter.
+/// Returns true if the shortest path from a to c bends around b, or at least touches it, where b is
+/// on the given side of the strip. Touched vertices count, because their other side may be shorter.
 bool BendsAround(const Point2& a, const Point2& b, const Point2& c, int side)
 {
   const Point2 in = Difference(b, a);
@@ -121,9 +120,9 @@ double Funnel::Run(const StripUnfolding& strip, std::vector<StripBend>& bends)
   return length;
 }
 
-/// The next point on one side of the strip: the chain on that side is shortened as far as it is not
-/// needed any more to get around, and beyond the apex, where the point hides behind the other
-/// chain, the way to it bends around that.
+/// Adds the next point on one side of the strip: the chain on that side is shortened as far as its
+/// points are no longer needed. If the point lies beyond the apex, hidden by the other chain, the
+/// path to it bends around that chain.
 std::size_t Funnel::Attach(int side, const StripBend& point)
 {
   const bool isLeft = side == StripUnfolding::Left;

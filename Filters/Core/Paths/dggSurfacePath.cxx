@@ -11,7 +11,7 @@ namespace dgg
 {
 namespace
 {
-/// How far a length may be from the sum of its pieces, relatively.
+/// Relative tolerance between a length and the sum of its segments.
 constexpr double LengthTolerance = 1e-9;
 }
 

@@ -10,7 +10,7 @@ namespace dgg
 {
 namespace
 {
-/// Rounding of the ends of intervals, relative to the edge.
+/// Tolerance of the ends of intervals, relative to the edge length.
 constexpr double EndTolerance = 1e-9;
 
 bool IsValid(const EdgeWindow& w, double length)

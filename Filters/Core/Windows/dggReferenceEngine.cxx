@@ -9,7 +9,7 @@ namespace dgg
 {
 namespace
 {
-/// Two rays to an apex that cross the half-edge this close together coincide, relative to its
+/// Two rays to an apex coincide if they cross the half-edge this close together, relative to its
 /// length.
 constexpr double CoincidenceTolerance = 1e-9;
 constexpr std::size_t ProgressInterval = 4096;
@@ -38,8 +38,8 @@ void ReferenceEngine::LabelDropped(Id v)
   this->Vertices.push({ this->Label(v), v });
 }
 
-/// FILTER: the way through an end of the half-edge and along it is at least as short at every point
-/// of the interval, or nothing behind it can be within the radius.
+/// Window filter: returns true if the path through an end of the half-edge and along it is at least
+/// as short at every point of the interval, or if nothing behind it can be within the radius.
 bool ReferenceEngine::IsUseless(Id h, const Window& w) const
 {
   const double length = this->Mesh.Length(h);
@@ -70,8 +70,7 @@ bool ReferenceEngine::Propagate()
       this->UpdateRadius();
       if (this->Options->Progress)
       {
-        // Windows come in order of distance, so the vertices that have had their turn are the
-        // finished ones.
+        // Windows are processed in order of distance, so that processed vertices are final.
         const auto done = std::count_if(this->Emitted.begin(), this->Emitted.end(),
           [](double label) { return label < Infinity; });
         if (!this->Options->Progress(static_cast<double>(done) / n))
@@ -106,7 +105,8 @@ bool ReferenceEngine::Propagate()
   return true;
 }
 
-/// Process what is new of a window, where what has passed has to be remembered; else all of it.
+/// Processes the new parts of a window if earlier windows are remembered (WindowMemory); otherwise
+/// the entire window.
 void ReferenceEngine::ProcessNews(Id h, const Window& w)
 {
   if (!this->Scatters(h))
@@ -126,7 +126,7 @@ void ReferenceEngine::ProcessVertex(const QueuedVertex& queued)
 {
   const Id v = queued.Vertex;
   const double label = this->Label(v);
-  // Emit once for each label, up to rounding.
+  // Emit once per label, up to rounding.
   if (queued.Key != label || this->Emitted[v] <= label * (1.0 + 0.1 * LengthTolerance) ||
     label > this->GetRadius())
   {
@@ -153,7 +153,8 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   }
   const FaceUnfolding face = EnteredFace(this->Mesh, h).Plane;
   const double crossing = Crossing(w.Image, face.GetApex());
-  // Only pieces have seams with vertices on them (ProcessNews); elsewhere flat vertices emit again.
+  // Only split windows have seams with vertices on them (ProcessNews); elsewhere flat vertices emit
+  // again.
   const bool mayBePiece = w.HasScattered || this->Scatters(h);
   const double tolerance = mayBePiece ? w.Tolerance(SeenTolerance, face.GetBase()) : 0.0;
   if (crossing >= w.Begin - tolerance && crossing <= w.End + tolerance)
@@ -181,13 +182,15 @@ void ReferenceEngine::ProcessWindow(Id h, const Window& w)
   }
 }
 
-/// The Chen-Han rule: of all windows that reach an apex through a half-edge only the one that is
-/// shortest there needs both children; a loser keeps the one on its own side of the winner's ray:
-/// the winner's path, followed back, has to cross the loser's rays to the other side. Not applied
-/// - when the rays coincide: the winner may be a pseudo-source on the loser's very ray;
-/// - when the winner is rooted inside a face or an edge: that root can lie inside the loser's cone;
-/// - when either has scattered: across a non-manifold edge they may have come through different
-///   sheets, and their paths need not cross.
+/// The Chen-Han rule: of all windows that reach an apex through a half-edge, only the one that is
+/// shortest there has two children. A loser keeps the child on its own side of the winner's ray,
+/// because the winner's path, followed back, would have to cross the loser's rays to the other
+/// side. Not applied
+/// - if the rays coincide: the winner may be a pseudo-source exactly on the loser's ray;
+/// - if the winner is rooted inside a face or on an edge: that root can lie inside the loser's
+///   cone;
+/// - if either has scattered: across a non-manifold edge they may have come through different
+///   layers, so that their paths need not cross.
 void ReferenceEngine::DecideChildren(
   Id h, const Window& w, double crossing, bool& left, bool& right)
 {

@@ -9,12 +9,12 @@ namespace dgg
 {
 namespace
 {
-/// Windows and vertices between two reports: some milliseconds.
+/// Windows and vertices between two progress reports: some milliseconds.
 constexpr std::size_t ProgressInterval = 20000;
-/// Windows and vertices between two looks at the radius, at least: few, so that targets close to
-/// the source end the run soon.
+/// Minimum number of windows and vertices between two updates of the radius: small, so that a run
+/// with targets close to the source ends soon.
 constexpr std::size_t RadiusInterval = 64;
-/// A child is put among those before it one by one, but not before that many of them.
+/// A child is inserted into the envelope directly if at most this many windows lie beyond it.
 constexpr std::ptrdiff_t MostBeyond = 64;
 }
 
@@ -30,12 +30,13 @@ void TriangleEngine::Reset()
   this->ResetRun();
 }
 
-/// Vertices without a label have had no turn, and open no faces. Nothing is queued at the end.
+/// Vertices without a label have not been processed and have opened no faces. Nothing is queued at
+/// the end of a run.
 void TriangleEngine::ResetReached(const std::vector<Id>& vertices)
 {
   if (this->FreeLists.size() != this->Pool.size() || this->Emitted.empty())
   {
-    this->Reset(); // a list waits on an edge, or the arrays were given back
+    this->Reset(); // a list waits on an edge, or the arrays were released
     return;
   }
   for (const Id v : vertices)
@@ -50,7 +51,7 @@ void TriangleEngine::ResetReached(const std::vector<Id>& vertices)
   this->ResetRun();
 }
 
-/// What does not grow with the mesh.
+/// Resets state whose size does not depend on the mesh.
 void TriangleEngine::ResetRun()
 {
   this->Heap.clear();
@@ -102,29 +103,29 @@ void TriangleEngine::Receive(Id h, const Window& window)
 
 bool TriangleEngine::Propagate()
 {
-  bool goesOn = true;
-  while (goesOn && !this->IsFinished())
+  bool shouldContinue = true;
+  while (shouldContinue && !this->IsFinished())
   {
     const std::pair<double, Id> top = this->Heap.front();
     std::pop_heap(this->Heap.begin(), this->Heap.end(), std::greater<std::pair<double, Id>>());
     this->Heap.pop_back();
-    if (top.first <= this->Label(top.second)) // else a smaller label came later
+    if (top.first <= this->Label(top.second)) // otherwise the label has been lowered since
     {
-      goesOn = this->ProcessVertex(top.second);
+      shouldContinue = this->ProcessVertex(top.second);
     }
   }
-  return goesOn && this->MeasureMemory();
+  return shouldContinue && this->MeasureMemory();
 }
 
-/// Nothing left within the radius. A window may be nearer than both ends of its edge, so the labels
-/// alone do not decide.
+/// Returns true if nothing is left within the radius. A window may be nearer than both ends of its
+/// edge, so that labels alone do not decide.
 bool TriangleEngine::IsFinished() const
 {
   return this->Heap.empty() ||
     (this->Heap.front().first > this->GetRadius() && this->FreeLists.size() == this->Pool.size());
 }
 
-/// Count work that was done, and report now and then. False when aborted.
+/// Counts work, and reports progress periodically. Returns false if aborted.
 bool TriangleEngine::Report(std::size_t work)
 {
   this->WorkSinceReport += work;
@@ -149,7 +150,7 @@ bool TriangleEngine::ProcessVertex(Id v)
 {
   this->NumberOfVisited += this->IsVisited[v] ? 0 : 1;
   this->RelaxNeighbours(v);
-  // Emit once for each label, up to rounding.
+  // Emit once per label, up to rounding.
   if ((this->IsSource(v) || this->Mesh.IsPassThrough(v)) &&
     this->Label(v) * (1.0 + 0.1 * LengthTolerance) < this->Emitted[v] &&
     this->Label(v) <= this->GetRadius())
@@ -233,14 +234,14 @@ std::size_t TriangleEngine::PropagateList(Id h)
   }
   this->ReachApex(h, face);
   this->MakeChildren(h, face);
-  this->Passing.swap(this->Pool[slot]); // give the storage back
+  this->Passing.swap(this->Pool[slot]); // return the storage
   this->Pool[slot].clear();
   this->Deliver(SurfaceMesh::Previous(h), this->LeftChildren.Envelope);
   this->Deliver(SurfaceMesh::Next(h), this->RightChildren.Envelope);
   return windows;
 }
 
-/// The label of the apex first: it trims the children.
+/// Updates the label of the apex first, because it trims the children.
 void TriangleEngine::ReachApex(Id h, const FaceUnfolding& face)
 {
   const Id apex = this->Mesh.Apex(h);
@@ -328,7 +329,7 @@ void TriangleEngine::Deliver(Id exit, WindowList& list)
   ForEachFaceBehind(this->Mesh, exit, false, [&](Id e, bool isMirrored) {
     if (!isMirrored && !this->Mesh.IsNonManifold(exit))
     {
-      this->Join(e, list); // the only face, which may take the list
+      this->Join(e, list); // the only face, which may take over the list
       return;
     }
     WindowList copy = list;
@@ -344,7 +345,7 @@ void TriangleEngine::Deliver(Id exit, WindowList& list)
   });
 }
 
-/// Merge a list into the one that waits on h. May take its storage.
+/// Merges a list into the list that waits on h. May take over its storage.
 void TriangleEngine::Join(Id h, WindowList& list)
 {
   if (this->Scatters(h))
@@ -378,7 +379,7 @@ void TriangleEngine::Join(Id h, WindowList& list)
   }
 }
 
-/// False when it is too much.
+/// Updates the memory statistics. Returns false if the limit is exceeded.
 bool TriangleEngine::MeasureMemory()
 {
   std::size_t windows = 0;

@@ -11,28 +11,29 @@ namespace dgg
 {
 namespace
 {
-/// Pieces narrower than this, for them and for a neighbour that touches them, are left to that
-/// neighbour; relative, see Window::Tolerance(). Its paths then leave their strip by that much at
-/// most, which changes lengths by the square. Where shadows of several pseudo-sources in line meet,
-/// rounding would make a window of its own of each sliver.
+/// Pieces narrower than this, by their own scale and that of an adjacent neighbor, are merged into
+/// that neighbor; relative, see Window::Tolerance(). Its paths then leave their strip by at most
+/// that much, which changes lengths by the square. Without merging, rounding would create separate
+/// windows for slivers where shadows of several collinear pseudo-sources meet.
 constexpr double PieceTolerance = 1e-9;
 
-/// Two distances this close, relatively, are a tie of windows: a few roundings.
+/// Relative tolerance of ties between windows (some ulps).
 constexpr double TieTolerance = 4e-15;
 
-/// Relative precision of ties found by bisection, and largest number of steps: as many as from the
+/// Relative precision of ties found by bisection, and maximum number of steps: the number from the
 /// largest to the smallest double.
 constexpr double TiePrecision = 1e-15;
 constexpr int MaximumBisections = 2100;
 
-/// Abscissa where the way over the origin (at distance `u` beyond the pseudo-source) and along the
-/// axis is as long as the straight way from the image: |x - I| = u + x.
+/// Returns the abscissa where the path through the origin (at distance `u` beyond the
+/// pseudo-source) and along the axis is as long as the straight line from the image: |x - I| = u +
+/// x.
 double EqualWayOverOrigin(double imageX, double imageY, double u)
 {
   return (imageX * imageX + imageY * imageY - u * u) / (2.0 * (imageX + u));
 }
 
-/// Append the part [begin, end] of a window to an envelope that ends at or before it.
+/// Appends the part [begin, end] of a window to an envelope that ends at or before it.
 void Append(WindowList& out, const Window& w, double begin, double atBegin, double end,
   double atEnd, double length)
 {
@@ -65,8 +66,8 @@ void Append(WindowList& out, const Window& w, double begin, double atBegin, doub
   back.DistanceAtEnd = atEnd;
 }
 
-/// Where the difference of two windows has its only extremum, if within (begin, end): the line
-/// through their images meets the axis there. The difference is monotone on both sides.
+/// Finds the only extremum of the difference of two windows, if within (begin, end): the point
+/// where the line through their images meets the axis. The difference is monotone on both sides.
 bool ExtremumOfDifference(
   const Window& a, const Window& b, double begin, double end, double& extremum)
 {
@@ -84,8 +85,8 @@ bool IsRounding(double one, double other)
   return std::abs(one - other) <= TieTolerance * one;
 }
 
-/// Whether two windows tie at x, up to rounding, and part there. They may tie at an end of the
-/// interval as well, where they do not part.
+/// Returns true if two windows tie at x, up to rounding, and their order changes there. They may
+/// also tie at an end of the interval, where the order does not change.
 bool IsTie(const Window& a, const Window& b, double begin, double end, double x)
 {
   if (!IsRounding(a.DistanceAt(x), b.DistanceAt(x)))
@@ -97,7 +98,8 @@ bool IsTie(const Window& a, const Window& b, double begin, double end, double x)
   {
     return true;
   }
-  // Close to an end: all the rest must belong to the window that is shorter at the other end.
+  // Close to an end, the entire remaining interval must belong to the window that is shorter at the
+  // other end.
   const double middle = 0.5 * (begin + end);
   const double other = x < middle ? end : begin;
   const double near = x < middle ? begin + 2.0 * margin : end - 2.0 * margin;
@@ -115,7 +117,7 @@ double BisectForTie(const Window& a, const Window& b, double begin, double end)
     [&](double x) { return (difference(x) < 0.0) == beginIsNegative; });
 }
 
-/// Reads an envelope window by window; the front one may be cut from the left.
+/// Reads an envelope window by window; the front window may be trimmed from the left.
 class Reader
 {
 public:
@@ -151,7 +153,7 @@ private:
   bool Done = false;
 };
 
-/// Merge of two envelopes: sweep from left to right, piece by piece.
+/// Merges two envelopes in a sweep from left to right, piece by piece.
 class Sweep
 {
 public:
@@ -218,9 +220,9 @@ private:
     reader.CutAt(x, atX);
   }
 
-  /// Both fronts begin at the same point: write the shorter one, or both in turn, up to the first
-  /// end. Where rounding alone decides, on a width of rounding, the one with the nearer image is
-  /// taken: the same width is a wider angle there, which would be missed.
+  /// Both fronts begin at the same point: writes the shorter one, or both in sequence, up to the
+  /// first end. If only rounding decides, within the rounding error, the window with the nearer
+  /// image is used: the same width is a wider angle there, which would be missed otherwise.
   void ResolveOverlap()
   {
     const Window& a = this->A.Front;
@@ -244,7 +246,7 @@ private:
       const Window& winner = aWinsAtBegin ? a : b;
       const Window& loser = aWinsAtBegin ? b : a;
       const double winnerEnd = aWinsAtBegin ? aEnd : bEnd;
-      // The loser may still be shorter in between when its image is the nearer one.
+      // The loser may still be shorter in between if its image is nearer.
       double middle = 0.0;
       if (loser.Image.Y > winner.Image.Y &&
         ExtremumOfDifference(winner, loser, begin, end, middle) &&
@@ -263,7 +265,7 @@ private:
     this->B.CutAt(end, bEnd);
   }
 
-  /// `first` is shorter at begin, `second` at end.
+  /// Writes both windows; `first` is shorter at begin, `second` at end.
   void WriteBoth(
     const Window& first, const Window& second, double begin, double end, double secondAtEnd)
   {
@@ -286,7 +288,7 @@ bool TrimByEnds(Window& w, double length, double atOrigin, double atEnd)
   constexpr double shorter = 1.0 - LengthTolerance;
   if (atOrigin + w.Begin < w.DistanceAtBegin * shorter)
   {
-    // |x - I| - x falls with x, so what is useless lies at the left.
+    // |x - I| - x decreases with x, so that the useless part is on the left.
     if (atOrigin + w.End <= w.DistanceAtEnd * shorter)
     {
       return false;
@@ -317,8 +319,8 @@ bool TrimByEnds(Window& w, double length, double atOrigin, double atEnd)
 double TiePoint(const Window& first, const Window& second, double begin, double end)
 {
   // Squaring sigma1 + |x - I1| = sigma2 + |x - I2| twice gives a quadratic equation (Surazhsky et
-  // al., "Fast exact and approximate geodesics on meshes", 2005, appendix A). Abscissae from
-  // `begin`.
+  // al., "Fast exact and approximate geodesics on meshes", 2005, appendix A). Abscissae are
+  // relative to `begin`.
   const double x1 = first.Image.X - begin;
   const double x2 = second.Image.X - begin;
   const double alpha = x2 - x1;
@@ -340,7 +342,7 @@ double TiePoint(const Window& first, const Window& second, double begin, double 
     const double a = (alpha - beta) * (alpha + beta);
     const double b = 0.5 * alpha * gamma + beta * beta * x2;
     const double c = 0.25 * gamma * gamma - beta * beta * square2;
-    // Where the shadow of a pseudo-source begins, both roots coincide up to rounding.
+    // At the begin of the shadow of a pseudo-source, both roots coincide up to rounding.
     const double root = std::sqrt(std::max(0.0, b * b - a * c));
     const double q = -(b + std::copysign(root, b));
     for (double x : { q / a, c / q })
@@ -389,7 +391,7 @@ bool InsertIntoEnvelope(
     Append(list, w, w.Begin, w.DistanceAtBegin, w.End, w.DistanceAtEnd, length);
     return true;
   }
-  // The usual overlap: the children of neighbours cross, each is shorter on its own side.
+  // The common case: children of neighboring windows overlap, and each is shorter on its own side.
   Window& back = list.back();
   if (back.Begin < w.Begin && back.End < w.End && back.DistanceAt(w.Begin) < w.DistanceAtBegin &&
     w.DistanceAt(back.End) < back.DistanceAtEnd)

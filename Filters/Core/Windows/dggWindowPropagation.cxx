@@ -11,16 +11,17 @@ namespace dgg
 {
 namespace
 {
-/// Directions this close to the edge of a shadow are taken to be in it, radians: more than rounding
-/// can do to an angle, and less than what makes a window of its own (PieceTolerance of the
-/// envelopes). With 1e-6 half of all windows were overlaps of this kind.
+/// Directions this close to the border of a shadow count as inside, radians: larger than rounding
+/// errors of angles, and smaller than the angle of a separate window (PieceTolerance of the
+/// envelopes). With 1e-6, half of all windows were overlaps of this kind.
 constexpr double ShadowSlack = 1e-10;
-/// A manifold mesh of n faces takes 0.2 n^1.5 windows, as measured on finely divided spheres. One
-/// whose windows scatter may take some twenty times as many; one of long strips without points
-/// inside, where each vertex sees all faces, a hundred times, as these windows are simple.
-constexpr double MostScattered = 4.4; // of a face, by the root of the number of faces
+/// A manifold mesh of n faces requires 0.2 n^1.5 windows, as measured on finely divided spheres. A
+/// mesh whose windows scatter may require about twenty times as many; a mesh of long strips without
+/// interior points, where each vertex sees all faces, a hundred times, but these windows are cheap.
+constexpr double MostScattered =
+  4.4; // windows per face, divided by the root of the number of faces
 constexpr double MostOnManifold = 20.0;
-constexpr double FewWindows = 1e6; // take no time anyhow
+constexpr double FewWindows = 1e6; // always allowed, because they take little time
 
 std::size_t LimitWindows(const SurfaceMesh& mesh)
 {
@@ -34,8 +35,8 @@ std::size_t LimitWindows(const SurfaceMesh& mesh)
   return static_cast<std::size_t>(std::max(FewWindows, most));
 }
 
-/// Which of the sources of one face are nowhere in it nearer than another one. Of those that start
-/// with the same distance only copies are, so that thousands of them take no time.
+/// Finds the sources of a face that are nearest nowhere in the face. Among sources with equal
+/// initial distances only duplicates are dominated, which makes thousands of them cheap.
 void FindDominated(
   const SurfaceMesh& mesh, const FaceSource* begin, const FaceSource* end, std::vector<bool>& found)
 {
@@ -70,7 +71,7 @@ void FindDominated(
   }
 }
 
-/// Drop sources, in order of faces, that are nowhere in their face nearer than another one there.
+/// Removes sources, sorted by face, that are nearest nowhere in their face.
 void DropDominated(const SurfaceMesh& mesh, std::vector<FaceSource>& sources)
 {
   std::vector<bool> isDominated;
@@ -123,10 +124,10 @@ WindowPropagation::WindowPropagation(const SurfaceMesh& mesh)
 Status WindowPropagation::Run(const std::vector<GeodesicSource>& sources,
   const ExactOptions& options, ExactResult& result, bool isAgain)
 {
-  const bool isPart = isAgain && this->KnowsReached;
-  this->KnowsReached = false; // until all has gone well
+  const bool isLocal = isAgain && this->KnowsReached;
+  this->KnowsReached = false; // until the run has succeeded
   this->NotesReached = isAgain;
-  if (!isPart)
+  if (!isLocal)
   {
     result = ExactResult();
   }
@@ -138,8 +139,8 @@ Status WindowPropagation::Run(const std::vector<GeodesicSource>& sources,
     return status;
   }
 
-  // Labels must not be negative (tolerances are relative), so negative initial distances shift the
-  // origin.
+  // Labels must not be negative, because tolerances are relative; therefore negative initial
+  // distances shift the origin.
   double shift = Infinity;
   for (const GeodesicSource& source : sources)
   {
@@ -158,8 +159,8 @@ Status WindowPropagation::Run(const std::vector<GeodesicSource>& sources,
   this->HasExceededLimit = false;
 
   this->Store.Start(options.KeepWindows);
-  this->ResetResult(isPart);
-  if (isPart)
+  this->ResetResult(isLocal);
+  if (isLocal)
   {
     this->ResetReached(this->Reached);
   }
@@ -205,11 +206,12 @@ Status WindowPropagation::Run(const std::vector<GeodesicSource>& sources,
   return Status::Success();
 }
 
-/// Nothing is reached. Where it `isPart`, all but what the last run has reached is so already.
-void WindowPropagation::ResetResult(bool isPart)
+/// Resets the result to unreached. If `isLocal`, only entries that the last run has reached are
+/// reset.
+void WindowPropagation::ResetResult(bool isLocal)
 {
   ExactResult& result = *this->Result;
-  if (isPart)
+  if (isLocal)
   {
     for (const Id v : this->Reached)
     {
@@ -310,12 +312,13 @@ void WindowPropagation::EmitIntoShadow(Id v)
     const double corner = this->Mesh.CornerAngle(*g);
     if (boundary)
     {
-      // No way around through the outside: both ends of the range of directions are open.
+      // No path leads around the vertex outside the surface: both ends of the range of directions
+      // are open.
       this->EmitInto(*g, sigma, begin - angle, corner);
       this->EmitInto(*g, sigma, 0.0, incoming - Pi + ShadowSlack - angle);
       continue;
     }
-    // The shadow may begin before this corner or, a turn further, after it has begun.
+    // The shadow may begin before this corner or, one turn further, inside the corner.
     double before = std::fmod(begin - angle, total);
     before -= before > 0.0 ? total : 0.0; // in (-total, 0]
     this->EmitInto(*g, sigma, before, before + width);
@@ -366,7 +369,8 @@ void WindowPropagation::EmitInto(Id g, double sigma, double from, double to)
   }
   const Id exit = SurfaceMesh::Next(g);
   const double length = this->Mesh.Length(exit);
-  // Where the direction `angle` meets the edge, as a fraction from its origin; in the frame of g.
+  // Intersection of the direction `angle` with the edge, as a fraction from its origin; in the
+  // frame of g.
   const double reach = this->Mesh.Length(g);
   auto meet = [&](double angle) {
     const double bx = this->Mesh.ApexX(g);
@@ -374,13 +378,13 @@ void WindowPropagation::EmitInto(Id g, double sigma, double from, double to)
     const double sine = std::sin(angle);
     return sine * reach / (std::cos(angle) * by - sine * (bx - reach));
   };
-  // As seen from very close to the edge, rounding of a position on it is more than ShadowSlack.
+  // Very close to the edge, the rounding error of a position on the edge exceeds ShadowSlack.
   const double first =
     from <= 0.0 ? 0.0 : std::min(1.0, std::max(0.0, meet(from) - PositionRounding));
   const double last =
     to >= corner ? 1.0 : std::min(1.0, std::max(0.0, meet(to) + PositionRounding));
   Window window;
-  // Seen from the other side of the edge. Not length - ApexX(exit), which is inaccurate for
+  // In the frame of the other side of the edge. Not length - ApexX(exit), which is inaccurate for
   // needles.
   window.Image = { FootOnEdge(length, this->Mesh.Length(SurfaceMesh::Next(exit)), reach),
     -this->Mesh.ApexY(exit) };
@@ -440,7 +444,7 @@ void WindowPropagation::StartInFace(Id f, const std::array<double, 3>& b, double
     window.SetInterval(0.0, length);
     this->Cross(h, window);
   }
-  // Targets in the same face are seen directly.
+  // Targets in the same face are reached directly.
   if (this->HasTargets(f))
   {
     for (const Target& target : this->Targets)
@@ -457,7 +461,7 @@ void WindowPropagation::StartInFace(Id f, const std::array<double, 3>& b, double
 
 void WindowPropagation::RegisterTargets()
 {
-  for (const Target& target : this->Targets) // those of the last run
+  for (const Target& target : this->Targets) // targets of the last run
   {
     this->TargetFlags[target.Face] = 0;
   }
@@ -514,7 +518,8 @@ void WindowPropagation::UpdateRadius()
   {
     return;
   }
-  // Nothing beyond the farthest target matters. Upper bounds will do: they only get smaller.
+  // Nothing beyond the farthest target needs to be computed. Upper bounds suffice, since they only
+  // decrease.
   double farthest = 0.0;
   for (std::size_t t = 0; t < this->Options->Targets.size(); ++t)
   {
@@ -561,14 +566,14 @@ void WindowPropagation::FinishTargets()
   }
 }
 
-/// False when there is not enough memory.
+/// Moves the windows to the result. Returns false if memory is insufficient.
 bool WindowPropagation::FinishWindows(const std::vector<GeodesicSource>& sources, double shift)
 {
   if (!this->Store.IsOn())
   {
     return true;
   }
-  this->Release(); // before there are windows in two places
+  this->Release(); // before windows are stored twice
   this->Store.Trim(this->Result->Distances);
   if (!this->NoteAllMemory(this->Store.GetMemoryToMove()))
   {

@@ -138,7 +138,7 @@ private:
     std::array<double, 3> Barycentric;
   };
 
-  void ResetResult(bool isPart);
+  void ResetResult(bool isLocal);
   void Start(const std::vector<GeodesicSource>& sources);
   void StartInFace(Id f, const std::array<double, 3>& barycentric, double offset, Id source);
   void RegisterTargets();

@@ -13,11 +13,11 @@ namespace dgg
 {
 namespace
 {
-/// Lists between two calls of GiveBackMemory().
+/// Number of lists between two calls of GiveBackMemory().
 constexpr std::size_t ListsAtOnce = 65536;
 
-/// Millions of small lists are freed to the heap of the process, which would keep their memory, so
-/// that no large array could have it.
+/// Returns freed memory to the operating system. Millions of small lists would otherwise remain in
+/// the heap of the process, unavailable to large arrays.
 void GiveBackMemory()
 {
 #if defined(__GLIBC__)
@@ -115,7 +115,8 @@ std::size_t WindowStore::CountWindows() const
   return count;
 }
 
-/// A root that was reached on a shorter way later: its windows were sent out again.
+/// Removes windows whose root was later reached by a shorter path, and whose windows were emitted
+/// again.
 void WindowStore::RemoveStale(WindowList& list, const std::vector<double>& labels) const
 {
   const auto stale = std::remove_if(list.begin(), list.end(), [&](const Window& w) {
@@ -145,7 +146,7 @@ void WindowMemory::KeepNews(Id h, double length, WindowList& list)
   WindowList passed = list;
   for (Window& w : passed)
   {
-    // Made a little shorter, so that an equal one that comes later loses.
+    // Slightly shortened, so that an equal window that arrives later loses.
     const double bias = LengthTolerance * std::max(w.DistanceAtBegin, w.DistanceAtEnd);
     w.Sigma -= bias;
     w.DistanceAtBegin -= bias;
