@@ -4,58 +4,33 @@
  * @class   vtkDGGLoop
  * @brief   closed geodesics on a surface, as closed polylines
  *
- * Finds loops by Mode: ThroughPoint, for each point the shortest loop from there back to it that
- * was found; AroundHandles, independent loops that cannot be contracted, two for each handle, one
- * for each boundary but the last and for each cross-cap, short but not always shortest; Rope, one
- * loop through all points, in their order. Loops through points may have kinks there. With Taut
- * they are released and pulled tight: they become closed geodesics, or contract to a point.
- *
  * <b>Input and output</b>. Points are ids and the points of the optional input port 1
- * (SetPointConnection()), projected to the surface; ids come first. The graph is that on the input,
- * or built here, see vtkGeodesicAlgorithm; AroundHandles needs neither points nor graph. Outputs
- * are new geometry. Output 0 has a polyline for each loop, which ends with the point that it begins
- * with:
- *  - Cell data: `Length` (double); `LoopId`, the number of the point or of the loop; `Angle`
- *    (double, radians), the smallest one of the loop at its points, pi for a closed geodesic;
- *    `Kinked` (int), whether that is below pi by more than 1e-5.
+ * (SetPointConnection()), projected to the surface; ids come first. AroundHandles needs neither
+ * points nor a graph; other modes search the graph on the input or build one, see
+ * vtkGeodesicAlgorithm. Outputs are new geometry. Output 0 has a polyline per loop, which ends with
+ * its first point:
+ *  - Cell data: `Length` (double); `LoopId`, index of the point or of the loop; `Angle` (double,
+ *    radians), smallest angle of the loop at its points, pi for a closed geodesic; `Kinked`
+ *    (int), 1 if that is below pi by more than 1e-5.
  *  - Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
- *  - Field data: `LoopStatus` (int), for each loop asked for: 0 found; 1 none, as it contracts to a
- *    point, or for AroundHandles as it has to pass a point in which sheets touch; 2 points of the
- *    rope that are not connected. Loops that are not found are left out, with a warning that counts
- *    them.
+ *  - Field data: `LoopStatus` (int) per loop: 0 found; 1 contracted to a point (AroundHandles:
+ *    has to pass a pinched vertex); 2 points of the rope are not connected. Loops that are not
+ *    found have no polyline; a warning counts them.
  *
- * Output 1 has offset curves, if TapeWidth is positive: at half of it on either side of a loop,
- * where there is room, more of them where a loop crosses itself. They are closed or end at the
- * boundary, and have the arrays `Length`, `LoopId` and the point data of output 0.
+ * Output 1 contains the offset curves of TapeWidth.
  *
- * <b>Guarantee and cost</b>. No curve next to a loop is shorter; next to a kinked one, none through
- * the same points. Where there are several loops, the shortest is found of those that the graph
- * distinguishes, in a limited number of tries. Points of offset curves are exact to 1e-5 of the
- * width, their lengths to about 1e-3; ones shorter than the width may be missed. A loop through a
- * point takes a search over the surface, AroundHandles up to 17 along edges for each component,
- * offset curves about a second for each hundred widths of loop.
+ * <b>Guarantee and cost</b>. No nearby curve (through the points of a kinked loop) is shorter. Of
+ * several loops, the result is the shortest that the graph distinguishes within a limited number of
+ * attempts. A loop through a point takes a search over the surface, AroundHandles up to 17 searches
+ * along edges per component.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
- *  - no point, or fewer than three of a rope; an id out of range; a point that is not finite, or
- *    farther from the surface than ProjectionTolerance;
- *  - edges with more than two triangles, with AroundHandles;
- *  - a ProjectionTolerance or TapeWidth that is negative or NaN, an infinite TapeWidth; an Accuracy
- *    outside [1e-6, 0.5]; a graph that takes more than MemoryLimit.
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no point, or fewer than three for a rope; an id out
+ * of range; a point that is not finite or beyond ProjectionTolerance; edges with more than two
+ * triangles with AroundHandles; a graph beyond MemoryLimit. The module page is
+ * Filters/Geodesic/Curves.md.
  *
- * @code
- * vtkNew<vtkDGGLoop> loop;
- * loop->SetInputConnection(reader->GetOutputPort());
- * loop->SetModeToAroundHandles();
- * loop->SetTapeWidth(0.1);
- * loop->Update();
- * std::cout << loop->GetOutput()->GetNumberOfLines() << " loops\n"; // two for each handle
- * vtkPolyData* curves = loop->GetTape();
- * @endcode
- *
- * <b>Source</b>. Paths in the graph that meet are straightened as in vtkDGGPath; loops around
- * handles come from shortest loops of edges (J. Erickson, K. Whittlesey, "Greedy optimal homotopy
- * and homology generators", SODA 2005).
- *
+ * <b>Source</b>. Straightening: see vtkDGGPath. Handles: J. Erickson, K. Whittlesey, "Greedy
+ * optimal homotopy and homology generators", SODA 2005.
  * @sa vtkDGGPath vtkDiscreteGeodesicGraph vtkGeodesicPatchBoundaries
  */
 
@@ -80,18 +55,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Loops that can be asked for.
+   * Kinds of loops. Loops of AroundHandles are not always the shortest; there are two per handle,
+   * one per boundary but the last, and one per cross-cap.
    */
   enum ModeType
   {
-    ThroughPoint = 0,  ///< one through each point
-    AroundHandles = 1, ///< all that cannot be contracted
-    Rope = 2           ///< one through all points
+    ThroughPoint = 0,  ///< for each point, the shortest loop found through it
+    AroundHandles = 1, ///< short independent loops that do not contract to a point
+    Rope = 2           ///< one loop through all points, in their order
   };
 
   ///@{
   /**
-   * Which loops to find. Default ThroughPoint.
+   * Kind of loops. Default ThroughPoint.
    */
   vtkSetClampMacro(Mode, int, ThroughPoint, Rope);
   vtkGetMacro(Mode, int);
@@ -104,7 +80,7 @@ public:
   ///@{
   /**
    * Points by point id of the input. None by default; an id out of range is an error of the update.
-   * A null list removes all; the i-th id is -1 where there is none.
+   * A null list removes all; the i-th id is -1 if there is none.
    */
   vtkDGGIdsMacro(Point);
   ///@}
@@ -124,7 +100,8 @@ public:
 
   ///@{
   /**
-   * Whether to release loops at their points and pull them tight. Default off.
+   * If on, loops are released at their points and pulled tight: they become closed geodesics or
+   * contract to a point. Default off.
    */
   vtkSetMacro(Taut, bool);
   vtkGetMacro(Taut, bool);
@@ -133,9 +110,13 @@ public:
 
   ///@{
   /**
-   * Distance between the two offset curves of a loop, in units of the coordinates. Default 0: none;
-   * finite, not negative. Loops more than 450 times as long have none, with a warning that names
-   * the width that is enough.
+   * Distance between two offset curves along a loop, in units of the coordinates. Default 0: no
+   * curves; finite, not negative. Curves lie on either side at half of the width, where there is
+   * room; a loop that crosses itself has more than two. They are closed or end at the boundary, and
+   * have `Length`, `LoopId` and the point data of output 0. Points are accurate to 1e-5 of the
+   * width, lengths to about 1e-3; curves shorter than the width may be missing. A loop longer than
+   * 450 widths has none, with a warning that states the smallest sufficient width. A hundred widths
+   * of loop take about a second.
    */
   vtkSetMacro(TapeWidth, double);
   vtkGetMacro(TapeWidth, double);
@@ -151,9 +132,9 @@ public:
 
   ///@{
   /**
-   * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
-   * surface's bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on
-   * the surface, up to rounding.
+   * Largest distance of a point of port 1 from the surface, as a fraction of the diagonal of the
+   * surface's bounding box; a farther point is an error. Default 0.01; not negative. 0 accepts
+   * points on the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -161,9 +142,9 @@ public:
 
   ///@{
   /**
-   * Properties of the graph, see vtkDGGDistance: Accuracy of one that is built, in [1e-6, 0.5],
-   * default 0.01; whether a coarser one on the input is accepted without a warning, default off.
-   * And numbers of the graph of the last update that needed one.
+   * Properties of the graph, see vtkDGGDistance: Accuracy of a graph that is built (default 0.01;
+   * outside [1e-6, 0.5] an error), AcceptCoarserGraph (default off), and values of the graph of the
+   * last update that used one.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

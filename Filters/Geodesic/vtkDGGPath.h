@@ -4,59 +4,31 @@
  * @class   vtkDGGPath
  * @brief   shortest paths on a surface, as polylines
  *
- * Paths between pairs of points are found in a graph and shortened to geodesics, or exact.
+ * <b>Input and output</b>. Pairs of points are ids (AddPair()) and the lines of a vtkPolyData on
+ * input port 1, each from its first to its last point, projected to the surface; pairs by id come
+ * first. The graph is that on the input or built by this filter, see vtkGeodesicAlgorithm. The
+ * output is new geometry: a polyline per pair, from start to end; of length 0 with two points if
+ * both are at the same position. Pairs that are not connected have none; a warning counts them.
+ *  - Cell data: `Length` (double); `GraphLength` (double), the length before straightening, NaN
+ *    with Method Exact; `Straightened` (int); `PairId`; cell data of the lines of port 1, for
+ *    pairs by id zeros and empty strings.
+ *  - Point data: `FaceId` (-1 on clouds), `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
+ *  - Field data: `PathStatus` (int) per pair: 0 for a path, 1 if not connected.
  *
- * <b>Input and output</b>. Pairs are point ids (AddPair()) and the lines of a vtkPolyData on input
- * port 1, each from its first to its last point, which are projected to the surface. Pairs by id
- * come first. The graph is that on the input, or built here, see vtkGeodesicAlgorithm. The output
- * is new geometry: a polyline for each pair, from start to end; points in the same place give one
- * of length 0 with two points. Pairs that are not connected are left out, with a warning that
- * counts them.
- *  - Cell data: `Length` (double), `GraphLength` (double, before it was shortened; NaN with Method
- *    Exact), `Straightened` (int), `PairId`, and the cell data of the lines of port 1; pairs by id
- *    have zeros and empty texts there.
- *  - Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
- *  - Field data: `PathStatus` (int), for each pair: 0 for a path, 1 for points that are not
- *    connected.
+ * <b>Guarantee and cost</b>. On surfaces, exact distance <= `Length` <= `GraphLength` <= (1 +
+ * accuracy) * exact distance, up to rounding (1e-6), if the rule of the graph has a guarantee. All
+ * threads of vtkSMPTools search pairs; from the 256th pair on, distances from 32 landmarks (68
+ * bytes per point) accelerate searches.
  *
- * On a cloud, `GraphLength` is the distance in its graph and `FaceId` is -1. Straighten smooths
- * paths along the sampled surface; they need not be shortest. Points of a smooth path are within
- * one spacing of a point of the cloud. A spacing is `DGG.Radii` divided by 1.5. Between two of them
- * a path crosses no wider gap than edges of the graph do. At rims and holes it stays among the
- * points. Where a smooth path is longer than `GraphLength` by more than 1 %, that from point to
- * point is kept, unless it is longer still, and `Straightened` is 0. Method Exact is an error.
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no pair; points on port 1 without lines; an id out
+ * of range; a point that is not finite or beyond ProjectionTolerance; a graph beyond MemoryLimit;
+ * Method Exact on a cloud, or an exact path through faces so narrow that rounding hides them. The
+ * module page is Filters/Geodesic/Curves.md.
  *
- * <b>Guarantee and cost</b>. On surfaces, exact distance <= `Length` <= `GraphLength`, which is at
- * most (1 + accuracy) * exact distance up to rounding (1e-6), if the rule of the graph has a
- * guarantee. With Straighten no path next to it is shorter. Pairs are searched by all threads of
- * vtkSMPTools; from the 256th pair on, distances from 32 landmarks (68 bytes per point) make
- * searches faster. Method Exact takes one propagation for each starting point, as far as the
- * farthest end.
- *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
- *  - no pair; points on port 1 that no line connects; an id out of range; a point that is not
- *    finite, or farther from the surface than ProjectionTolerance;
- *  - a negative ProjectionTolerance; an Accuracy outside [1e-6, 0.5]; a graph that takes more than
- *    MemoryLimit;
- *  - an exact path that cannot be retraced, through faces so narrow that rounding hides them.
- *
- * @code
- * vtkNew<vtkDGGPath> path;
- * path->SetInputConnection(reader->GetOutputPort());
- * path->AddPair(0, 10);
- * path->AddPair(0, 20);
- * path->Update();
- * vtkDataArray* lengths = path->GetOutput()->GetCellData()->GetArray("Length");
- * std::cout << lengths->GetComponent(0, 0) << "\n"; // from 0 to 10
- * @endcode
- *
- * <b>Source</b>. Shortening in strips of faces: D. T. Lee, F. P. Preparata, "Euclidean shortest
- * paths in the presence of rectilinear barriers", Networks 14, 1984; S.-Q. Xin, G.-J. Wang,
- * "Efficiently determining a locally exact shortest path on polyhedral surfaces", Computer-Aided
- * Design 39, 2007. Exact paths: see vtkExactGeodesicDistance.
- *
- * @sa vtkDiscreteGeodesicGraph vtkDGGDistance vtkGeodesicDistanceMatrix
- * vtkDijkstraGraphGeodesicPath
+ * <b>Source</b>. D. T. Lee, F. P. Preparata, "Euclidean shortest paths in the presence of
+ * rectilinear barriers", Networks 14, 1984; S.-Q. Xin, G.-J. Wang, "Efficiently determining a
+ * locally exact shortest path on polyhedral surfaces", Computer-Aided Design 39, 2007.
+ * @sa vtkDiscreteGeodesicGraph vtkDGGDistance vtkDijkstraGraphGeodesicPath
  */
 
 #ifndef vtkDGGPath_h
@@ -77,17 +49,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Ways to find a path.
+   * Methods that find a path.
    */
   enum MethodType
   {
-    Graph = 0, ///< in the graph, then shortened
-    Exact = 1  ///< by exact distances
+    Graph = 0, ///< search in the graph, then straightening
+    Exact = 1  ///< exact distances
   };
 
   ///@{
   /**
-   * How to find paths. Default Graph. Exact uses neither Straighten, Detour nor the graph.
+   * Method that finds paths. Default Graph. Exact uses neither Straighten, Detour nor the graph; it
+   * takes one propagation per starting point, up to the farthest end.
    */
   vtkSetClampMacro(Method, int, Graph, Exact);
   vtkGetMacro(Method, int);
@@ -98,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Add a pair of points by ids of the input, remove these pairs, count them. None by default; a
-   * pair may occur more than once. Lines of port 1 do not count.
+   * Add a pair of points by ids of the input, remove all such pairs, return their number. None by
+   * default; pairs may repeat. Lines of port 1 do not count.
    */
   void AddPair(vtkIdType from, vtkIdType to);
   void RemoveAllPairs();
@@ -108,7 +81,7 @@ public:
 
   ///@{
   /**
-   * The ends of the i-th pair by id; -1 when there is no such pair.
+   * Ends of the i-th pair by id; -1 if there is no such pair.
    */
   vtkIdType GetPairStart(vtkIdType i) const;
   vtkIdType GetPairEnd(vtkIdType i) const;
@@ -124,9 +97,9 @@ public:
 
   ///@{
   /**
-   * How far from the surface an end of a line of port 1 may be, as a fraction of the diagonal of
-   * the surface's bounding box; farther is an error. Default 0.01; not negative; 0 accepts points
-   * on the surface, up to rounding.
+   * Largest distance of an end of a line of port 1 from the surface, as a fraction of the diagonal
+   * of the surface's bounding box; a farther end is an error. Default 0.01; not negative. 0 accepts
+   * points on the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -134,8 +107,10 @@ public:
 
   ///@{
   /**
-   * Whether to shorten paths to locally shortest geodesics. Default on; off, paths are those in the
-   * graph, with small bends.
+   * If on, paths are shortened to locally shortest geodesics. If off, they are those in the graph,
+   * with small bends. Default on. On clouds paths are smoothed along the sampled surface and need
+   * not be shortest. A smooth path that is longer than `GraphLength` by more than 1 % is replaced
+   * by the path from point to point, unless that is longer, and `Straightened` is 0.
    */
   vtkSetMacro(Straighten, bool);
   vtkGetMacro(Straighten, bool);
@@ -144,25 +119,25 @@ public:
 
   ///@{
   /**
-   * Behind every bump there are several locally shortest paths. The shortest is taken of those that
-   * are longer than the first one by up to this fraction, in [0, 0.1]. Default 1e-4; 0 takes the
-   * first one.
+   * Largest relative excess over the first path found up to which other locally shortest paths, as
+   * around the other side of a bump, are compared; the shortest is the result. In [0, 0.1]. Default
+   * 1e-4; 0 takes the first path.
    */
   vtkSetClampMacro(Detour, double, 0.0, 0.1);
   vtkGetMacro(Detour, double);
   ///@}
 
   /**
-   * Edges of the last update whose direction, a float, did not lead to their end, and whose path
-   * was found anew. None are expected; paths are right all the same.
+   * Number of edges of the last update whose float direction did not lead to their end, so that
+   * their path was searched again. Expected to be 0; paths are correct in any case.
    */
   vtkGetMacro(NumberOfFallbacks, vtkIdType);
 
   ///@{
   /**
-   * Properties of the graph, see vtkDGGDistance: Accuracy of one that is built, in [1e-6, 0.5],
-   * default 0.01; whether a coarser one on the input is accepted without a warning, default off.
-   * And numbers of the graph of the last update with Method Graph.
+   * Properties of the graph, see vtkDGGDistance: Accuracy of a graph that is built (default 0.01;
+   * outside [1e-6, 0.5] an error), AcceptCoarserGraph (default off), and values of the graph of the
+   * last update with Method Graph.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

@@ -5,9 +5,8 @@
  * @brief   builds a sparse graph in which shortest paths are geodesics up to a bounded error
  *
  * <b>Input and output</b>. Output 0 is the input plus a graph in the field data, which
- * vtkDGGDistance and others search (see vtkGeodesicAlgorithm). Vertices are the n points of the
- * surface; the m directed edges are straight geodesics, each stored in both directions with one
- * length.
+ * vtkDGGDistance and others search. Vertices are the n points of the surface; the m directed edges
+ * are straight geodesics, each stored in both directions with one length.
  *  - `DGG.Offsets` (int64, n + 1): edges of point i are [Offsets[i], Offsets[i + 1]);
  *  - `DGG.Targets` (int32, m): point at the end of each edge;
  *  - `DGG.Lengths` (float32, m): length in units of the coordinates, rounded up; float64 below an

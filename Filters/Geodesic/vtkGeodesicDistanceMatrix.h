@@ -5,39 +5,31 @@
  * @brief   distances along a surface between two sets of points
  *
  * <b>Input and output</b>. Rows are point ids (SetRowIds()) and the points of a vtkPolyData on
- * input port 1, projected to the surface; ids come first. Columns are given alike by SetColumnIds()
- * and port 2; without any they are the rows, and the matrix is symmetric. The graph is that on the
- * input, or built here, see vtkGeodesicAlgorithm. GetMatrix() has a tuple for each row and a
- * component for each column: the distance (double, in units of the coordinates), UnreachedValue
- * between components and beyond MaximumDistance. The output is the same as a vtkTable with columns
- * "0", "1" and so on (GenerateTable). An id of a point that no polygon uses is a warning; it is
- * connected to itself only. With CompressedRows the output is a sparse matrix of the rows and all
- * points of the input within MaximumDistance of them.
+ * input port 1, projected to the surface; ids come first. Columns are those of SetColumnIds() and
+ * port 2; without any they are the rows, and the matrix is symmetric. The graph is that on the
+ * input or built by this filter, see vtkGeodesicAlgorithm. GetMatrix() has a tuple per row and a
+ * component per column: the distance (double, units of the coordinates). The output is a vtkTable:
+ * the same numbers in columns "0", "1" and so on, or a sparse matrix (CompressedRows). A point that
+ * no polygon uses is connected only to itself, with a warning.
  *
  * <b>Guarantee and cost</b>. exact distance <= result <= (1 + accuracy) * exact distance, up to
- * rounding (1e-6), if the rule of the graph has a guarantee. Between points of the mesh distances
- * are a metric, which corrected ones are not. One search over the surface for each point of the
- * smaller set, on all threads of vtkSMPTools; about 120 bytes per point of the mesh and thread. A
- * search ends at MaximumDistance or at the farthest point of the other set.
+ * rounding (1e-6), if the rule of the graph has a guarantee. There is one search per point of the
+ * smaller set, on all threads of vtkSMPTools, with about 120 bytes per point of the mesh and
+ * thread.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
- *  - no rows; an id out of range; a point that is not finite, or farther from the surface than
- *    ProjectionTolerance; a ProjectionTolerance or MaximumDistance that is negative or NaN;
- *  - an Accuracy outside [1e-6, 0.5]; chosen columns with CompressedRows; a graph or matrix, or
- *    compressed rows, that take more than MemoryLimit.
- *
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no rows; an id out of range; a point that is not
+ * finite or beyond ProjectionTolerance; columns with CompressedRows; a graph, matrix or compressed
+ * rows beyond MemoryLimit. The module page is Filters/Geodesic/Distances.md.
  * @code
  * vtkNew<vtkGeodesicDistanceMatrix> matrix;
  * matrix->SetInputConnection(reader->GetOutputPort());
  * matrix->SetRowIds({ 0, 10, 20 });
- * matrix->GenerateTableOff(); // the matrix is enough
+ * matrix->GenerateTableOff(); // GetMatrix() suffices
  * matrix->Update();
  * std::cout << matrix->GetMatrix()->GetComponent(0, 2) << "\n"; // from 0 to 20
  * @endcode
  *
- * <b>Source</b>. See vtkDiscreteGeodesicGraph.
- *
- * @sa vtkDiscreteGeodesicGraph vtkDGGDistance
+ * @sa vtkDiscreteGeodesicGraph (literature) vtkDGGDistance
  */
 
 #ifndef vtkGeodesicDistanceMatrix_h
@@ -87,9 +79,9 @@ public:
 
   ///@{
   /**
-   * How far from the surface a point of port 1 or 2 may be, as a fraction of the diagonal of the
-   * surface's bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on
-   * the surface, up to rounding.
+   * Largest distance of a point of port 1 or 2 from the surface, as a fraction of the diagonal of
+   * the surface's bounding box; a farther point is an error. Default 0.01; not negative. 0 accepts
+   * points on the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -97,7 +89,8 @@ public:
 
   ///@{
   /**
-   * How far to search, in units of the coordinates; not negative. Default: no limit.
+   * Distance at which a search stops, in units of the coordinates. Default: no limit; negative
+   * values and NaN are errors.
    */
   vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
@@ -105,7 +98,7 @@ public:
 
   ///@{
   /**
-   * Distance of pairs that are not connected, or farther apart. Default NaN.
+   * Distance of pairs that are not connected or farther apart than MaximumDistance. Default NaN.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
@@ -113,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Whether to fill the output, a copy of the matrix. One of more than 10,000 columns is refused
-   * with a warning and stays empty; the matrix is there. Default on.
+   * If on, the output is a copy of the matrix. With more than 10,000 columns the output stays
+   * empty, with a warning; GetMatrix() contains the result. Default on.
    */
   vtkSetMacro(GenerateTable, bool);
   vtkGetMacro(GenerateTable, bool);
@@ -123,13 +116,13 @@ public:
 
   ///@{
   /**
-   * If on, the output is a sparse matrix, and GetMatrix() is empty. Its columns are all points of
-   * the input; none may be chosen. The table has a row for each pair within MaximumDistance,
-   * including the pair of a point with itself: "Column" (int, the id of the point; ascending in
-   * each row of the matrix) and "GeodesicDistance". The field data array "RowOffsets" (64-bit
-   * integers) has one tuple more than the matrix has rows: row i is [RowOffsets[i],
-   * RowOffsets[i + 1]). The cost is proportional to the number of pairs. GenerateTable has no
-   * effect. Set MaximumDistance: without it every reached point is stored. Default off.
+   * If on, the output is a sparse matrix of the rows and all points of the input; GetMatrix() is
+   * empty and columns must not be set. The table has a row for each pair within MaximumDistance,
+   * including the pair of a point with itself: "Column" (int, point id; ascending in each row of
+   * the matrix) and "GeodesicDistance". The field data array "RowOffsets" (64-bit integers) has one
+   * tuple more than the matrix has rows: row i is [RowOffsets[i], RowOffsets[i + 1]). The cost is
+   * proportional to the number of pairs. GenerateTable has no effect. Without MaximumDistance every
+   * reached point is stored. Default off.
    */
   vtkSetMacro(CompressedRows, bool);
   vtkGetMacro(CompressedRows, bool);
@@ -149,28 +142,29 @@ public:
 
   ///@{
   /**
-   * The output. These hide functions of vtkPolyDataAlgorithm, which return null for this filter.
+   * Return the output. These hide functions of vtkPolyDataAlgorithm, which return null for this
+   * filter.
    */
   vtkTable* GetOutput();
   vtkTable* GetOutput(int port);
   ///@}
 
   /**
-   * The result of the last update, not a copy; without tuples if there is none. The next update
-   * makes another array.
+   * Returns the result of the last update, not a copy; without tuples if there is none. The next
+   * update creates another array.
    */
   vtkDoubleArray* GetMatrix();
 
   /**
-   * Release matrix and table; the next update computes them anew.
+   * Releases matrix and table; the next update computes them again.
    */
   void ReleaseMatrix();
 
   ///@{
   /**
-   * Properties of the graph, see vtkDGGDistance: Accuracy of one that is built, in [1e-6, 0.5],
-   * default 0.01; whether a coarser one on the input is accepted without a warning, default off.
-   * And numbers of the graph of the last update.
+   * Properties of the graph, see vtkDGGDistance: Accuracy of a graph that is built (default 0.01;
+   * outside [1e-6, 0.5] an error), AcceptCoarserGraph (default off), and values of the graph of the
+   * last update.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}

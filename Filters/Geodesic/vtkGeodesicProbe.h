@@ -2,38 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGeodesicProbe
- * @brief   a distance that is known at the points of a surface, at any other point of it
+ * @brief   evaluates distances, given at the points of a surface, at any other surface points
  *
- * <b>Input and output</b>. Port 0 takes a surface with a point array of distances, the one of
- * SetInputArrayToProcess(), else of DistanceArrayName; port 1 a vtkPolyData whose points are the
- * places, projected to the surface. The output is the input of port 1 plus a point array of the
- * name of the distances (double), NaN in triangles with an unreached corner. As in
- * vtkApolloniusIsolines, arrays of windows and virtual sources that do not belong to the distances
- * are ignored, with a warning.
+ * <b>Input and output</b>. Port 0 takes a surface with a point array of distances, that of
+ * SetInputArrayToProcess() or otherwise DistanceArrayName; port 1 a vtkPolyData whose points are
+ * projected to the surface. The output is the input of port 1 plus a point array of the name of the
+ * distances (double), NaN in triangles with an unreached corner. Windows and virtual sources that
+ * do not belong to the distances are ignored, with a warning.
  *
- * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) exact;
- * with virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to the
- * distances without, better than linear interpolation, but without a bound: inside the long
- * triangles of CAD models, which are reached from many sides, they may be off by half of the
- * largest distance. A warning recommends windows if GetMeanAnisotropy() is above 2. One search in
- * the surface for each place.
+ * <b>Guarantee and cost</b>. Exact with windows (vtkExactGeodesicDistance::GenerateWindowsOn()).
+ * With virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to the
+ * distances, more accurate than linear interpolation but without a bound: in long triangles, as in
+ * CAD models, errors may be half of the largest distance. A warning recommends windows if
+ * GetMeanAnisotropy() is above 2. There is one search in the surface per point.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: no points on port 1; a point that is not
- * finite, or farther from the surface than ProjectionTolerance; no array of distances, or one
- * without one number per point.
- *
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no points on port 1; a point that is not finite or
+ * beyond ProjectionTolerance; no array of distances with one number per point. The module page is
+ * Filters/Geodesic/Distances.md.
  * @code
- * vtkNew<vtkExactGeodesicDistance> distance;
- * distance->SetInputConnection(reader->GetOutputPort());
- * distance->AddSourceId(0);
- * distance->GenerateWindowsOn();
+ * distance->GenerateWindowsOn(); // a vtkExactGeodesicDistance
  * vtkNew<vtkGeodesicProbe> probe;
  * probe->SetInputConnection(distance->GetOutputPort());
  * probe->SetProbeData(points);
  * probe->Update();
  * vtkDataArray* d = probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
  * @endcode
- *
  * <b>Source</b>. J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
  * problem", SIAM J. Comput. 16, 1987, section 3.
  *
@@ -58,7 +51,7 @@ public:
 
   ///@{
   /**
-   * The places: the points of a vtkPolyData on input port 1.
+   * Points to evaluate: those of a vtkPolyData on input port 1.
    */
   void SetProbeConnection(vtkAlgorithmOutput* output);
   void SetProbeData(vtkPolyData* points);
@@ -66,7 +59,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the distances, unless SetInputArrayToProcess() names another one.
+   * Name of the point array with the distances, unless SetInputArrayToProcess() names another.
    * Default "GeodesicDistance"; empty: the active point scalars. An array without a name is
    * "GeodesicDistance" in the output.
    */
@@ -75,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the virtual sources, which may be missing. Default
+   * Name of the point array with virtual sources, which is optional. Default
    * "GeodesicVirtualSource".
    */
   vtkDGGStringMacro(VirtualSourceArrayName);
@@ -83,8 +76,8 @@ public:
 
   ///@{
   /**
-   * Number of unreached points besides NaN and infinity, for distances from elsewhere; those of the
-   * distance filters are recognised. Default NaN.
+   * Value of unreached points in addition to NaN and infinity, for distances of other origin;
+   * values of the distance filters are recognized. Default NaN.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
@@ -92,9 +85,9 @@ public:
 
   ///@{
   /**
-   * How far from the surface a place may be, as a fraction of the diagonal of the surface's
-   * bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on the surface,
-   * up to rounding.
+   * Largest distance of a point of port 1 from the surface, as a fraction of the diagonal of the
+   * surface's bounding box; a farther point is an error. Default 0.01; not negative. 0 accepts
+   * points on the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
