@@ -2,63 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkApolloniusIsolines
- * @brief   isolines of distances that are curved and turn where the distance does
+ * @brief   isolines, ridges and bands of distances, curved inside triangles
  *
- * vtkContourFilter treats a distance as linear in each triangle. This filter draws circles as such,
- * and the corners where waves from two sides meet.
- *
- * <b>Input and output</b>. Port 0 takes a surface with a point array of distances along it, the one
- * of SetInputArrayToProcess(), else of DistanceArrayName. NaN, infinity and the UnreachedValue of
- * distance filters are unreached points. Windows and virtual sources that do not belong to the
- * distances or the surface are ignored, with a warning; that they are of this surface, and that the
- * values are distances in units of the points, is the user's word. Values without virtual sources
- * that change along more than a tenth of the edges by more than 1.1 times their length are linear
- * in each triangle, with a warning; SetMethodToLinear() is for other fields. Outputs are new
- * geometry, see vtkGeodesicAlgorithm.
- *  - Output 0: isolines in order of increasing values, with lower distances on the left, closed but
- *    for those that end at the boundary, unreached triangles or edges with more than two triangles.
- *    Cell data: `IsoValue` (double). Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`,
+ * <b>Input and output</b>. Port 0 takes a surface with a point array of distances along it, that of
+ * SetInputArrayToProcess() or otherwise DistanceArrayName. NaN, infinity and UnreachedValue mark
+ * unreached points. Windows and virtual sources that do not belong to the distances or the surface
+ * are ignored, with a warning. Values that are not distances in units of the points are not always
+ * recognized. Outputs are new geometry, see vtkGeodesicAlgorithm.
+ *  - Output 0: isolines in order of increasing values, lower distances on the left; closed unless
+ *    they end at the boundary, unreached triangles or edges with more than two triangles. Cell
+ *    data: `IsoValue` (double). Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`,
  *    `ArcLength`.
- *  - Output 1 (GetRidges()): ridges, with GenerateRidges; the same point data, and the cell array
- *    `RidgeAngle` (double, degrees), the mean angle between the two directions.
- *  - Output 2 (GetBands()): the reached triangles cut along the isolines, with GenerateBands. Cell
- *    data: `Band` (int), 0 below the smallest value; `BandMinimum`, `BandMaximum` (double), the
- *    values around it, outermost the smallest and largest distance; `FaceId`. Point data: the
- *    distances, `vtkOriginalPointIds`.
+ *  - Output 1 (GetRidges()), see GenerateRidges; output 2 (GetBands()), see GenerateBands.
  *
- * A value out of the range of the distances has no line. When there are no lines, and neither
- * ridges nor bands are wanted, a warning names the range, once until there are lines again.
+ * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()), points
+ * of lines have their value up to rounding, and ridges are exact. Virtual sources
+ * (GenerateVirtualSourceOn() of any distance filter), or those fitted to the distances, have no
+ * bound: errors in long triangles, as in CAD models, may exceed half of the largest distance, and
+ * some ridges are spurious. A warning recommends windows if GetMeanAnisotropy() is above 2.
  *
- * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()) points of
- * lines are at their value up to rounding, and ridges exact. With virtual sources
- * (GenerateVirtualSourceOn() of any distance filter), or those fitted to the distances without,
- * lines are better than linear ones but without a bound, and some ridges are spurious: inside long
- * triangles, as of CAD models, they may be off by more than half of the largest distance. A warning
- * recommends windows if GetMeanAnisotropy() is above 2. Pieces of lines are within ChordTolerance
- * of the curve; the number of points grows like one over its square root.
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no array of distances with one number per point; a
+ * distance of minus infinity; a value that is not finite. If there is no line, and neither ridges
+ * nor bands are requested, a warning states the range of the distances. The module page,
+ * Filters/Geodesic/Curves.md, has the accuracy by input and the treatment of other values.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm: no array of distances, or one without one
- * number per point; a distance of minus infinity; a value that is not finite; a ChordTolerance
- * below 1e-6; SteinerPoints outside [0, 50]; a MinimumRidgeAngle outside [0, 180].
- *
- * @code
- * vtkNew<vtkExactGeodesicDistance> distance;
- * distance->SetInputConnection(reader->GetOutputPort());
- * distance->AddSourceId(0);
- * distance->GenerateWindowsOn();
- * vtkNew<vtkApolloniusIsolines> isolines;
- * isolines->SetInputConnection(distance->GetOutputPort());
- * isolines->GenerateValues(20, 0.0, 5.0);
- * isolines->Update();
- * @endcode
- *
- * <b>Source</b>. Inside of triangles: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The
- * discrete geodesic problem", SIAM J. Comput. 16, 1987, section 3. Method Apollonius: Z. Fang,
- * "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, section 5.3, with
- * two rules repaired. On an edge that crosses a ridge, the cubic, which would smooth it, is
- * replaced by the smaller one of the distances that its ends give; points of the diagram inside a
- * triangle have the distance of the field, as that of the diagram is too large.
- *
+ * <b>Source</b>. J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
+ * problem", SIAM J. Comput. 16, 1987, section 3; Z. Fang, "Discrete geodesic graphs", PhD thesis,
+ * Nanyang Technological University, 2019, section 5.3.
  * @sa vtkGeodesicProbe vtkExactGeodesicDistance vtkDGGDistance vtkContourFilter
  */
 
@@ -91,8 +61,8 @@ public:
 
   ///@{
   /**
-   * The values of the isolines, as in vtkContourFilter. Default one, 0. GenerateValues() makes
-   * evenly spaced ones, with the ends of the range.
+   * Values of the isolines, as in vtkContourFilter. Default: one value, 0. GenerateValues() makes
+   * evenly spaced values, including both ends of the range.
    */
   void SetValue(int i, double value);
   double GetValue(int i);
@@ -105,23 +75,27 @@ public:
   ///@}
 
   /**
-   * Values count as properties of the filter.
+   * Returns the modification time, including that of the values.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * How the distance runs inside of triangles.
+   * Interpolation of the distance in triangles. Apollonius is the construction of Fang's thesis,
+   * section 5.3, with two rules corrected: on an edge that crosses a ridge, the cubic, which would
+   * smooth the ridge, is replaced by the smaller of the distances from both ends; points of a
+   * diagram inside a triangle have the distance of the field, since that of the diagram is too
+   * large.
    */
   enum MethodType
   {
-    LocalSources = 0, ///< by windows or virtual sources, see above
-    Apollonius = 1,   ///< by Apollonius diagrams of points on edges, repaired; for comparison
-    Linear = 2        ///< it is linear in each triangle, whatever else is known; for comparison
+    LocalSources = 0, ///< windows or virtual sources of the input, or fitted ones
+    Apollonius = 1,   ///< Apollonius diagrams of points on edges; for comparison
+    Linear = 2        ///< linear in each triangle, for other fields and for comparison
   };
 
   ///@{
   /**
-   * How to find isolines. Default LocalSources.
+   * Interpolation of the distance in triangles. Default LocalSources.
    */
   vtkSetClampMacro(Method, int, LocalSources, Linear);
   vtkGetMacro(Method, int);
@@ -133,8 +107,9 @@ public:
 
   ///@{
   /**
-   * How far pieces of lines may be from the curves that they approximate, as a fraction of the mean
-   * edge length. Default 0.001; at least 1e-6. For LocalSources and ridges.
+   * Largest distance of segments from the curve that they approximate, as a fraction of the mean
+   * edge length. Default 0.001; below 1e-6 an error. The number of points is proportional to one
+   * over the square root. For LocalSources and ridges.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
@@ -142,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Points of the diagrams of Method Apollonius on each edge, besides its ends, in [0, 50]. Default
-   * 2. More improve little and take far longer.
+   * Number of points of the diagrams of Method Apollonius on each edge, ends excluded. Default 2;
+   * values outside [0, 50] are errors. More points improve little and take far longer.
    */
   vtkSetMacro(SteinerPoints, int);
   vtkGetMacro(SteinerPoints, int);
@@ -151,9 +126,10 @@ public:
 
   ///@{
   /**
-   * Whether to find ridges (the cut locus: points with two shortest paths or more). Not reliable
-   * without windows and virtual sources, and none where distances are linear; both are warnings.
-   * Default off.
+   * If on, output 1 contains ridges (the cut locus: points with two or more shortest paths) with
+   * the point data of isolines and the cell array `RidgeAngle` (double, degrees), the mean angle
+   * between the two directions. Not reliable without windows and virtual sources; no ridges where
+   * distances are linear. Both cause warnings. Default off.
    */
   vtkSetMacro(GenerateRidges, bool);
   vtkGetMacro(GenerateRidges, bool);
@@ -162,9 +138,9 @@ public:
 
   ///@{
   /**
-   * Smallest angle between the directions of two shortest paths on a ridge, in degrees, in [0,
-   * 180]. Default 20: ridges of small angles start at every convex point. Without windows at least
-   * 10.
+   * Smallest angle between the directions of two shortest paths on a ridge, degrees; outside [0,
+   * 180] an error. Default 20, since ridges of small angles start at every convex point. Without
+   * windows at least 10.
    */
   vtkSetMacro(MinimumRidgeAngle, double);
   vtkGetMacro(MinimumRidgeAngle, double);
@@ -180,7 +156,10 @@ public:
 
   ///@{
   /**
-   * Whether to cut the surface along the isolines into bands. Default off.
+   * If on, output 2 contains the reached triangles cut along the isolines. Cell data: `Band` (int),
+   * 0 below the smallest value; `BandMinimum`, `BandMaximum` (double), the adjacent values, or the
+   * smallest and the largest distance; `FaceId`. Point data: distances, `vtkOriginalPointIds`.
+   * Default off.
    */
   vtkSetMacro(GenerateBands, bool);
   vtkGetMacro(GenerateBands, bool);
@@ -197,16 +176,16 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the distances, unless SetInputArrayToProcess() names another one.
-   * Default "GeodesicDistance"; empty: the active point scalars. Another array is never used in its
-   * place. An array without a name is "GeodesicDistance" in the outputs.
+   * Name of the point array with the distances, unless SetInputArrayToProcess() names another.
+   * Default "GeodesicDistance"; empty: the active point scalars. No other array is used instead. An
+   * array without a name is "GeodesicDistance" in the outputs.
    */
   vtkDGGStringMacro(DistanceArrayName);
   ///@}
 
   ///@{
   /**
-   * Name of the point array with the virtual sources, which may be missing. Default
+   * Name of the point array with virtual sources, which is optional. Default
    * "GeodesicVirtualSource".
    */
   vtkDGGStringMacro(VirtualSourceArrayName);
@@ -214,8 +193,8 @@ public:
 
   ///@{
   /**
-   * Number of unreached points besides NaN and infinity, for distances from elsewhere; those of the
-   * distance filters are recognised. Default NaN.
+   * Value of unreached points in addition to NaN and infinity, for distances of other origin;
+   * values of the distance filters are recognized. Default NaN.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
   vtkGetMacro(UnreachedValue, double);
@@ -223,15 +202,15 @@ public:
 
   ///@{
   /**
-   * Whether the last update used windows, or virtual sources of the input or fitted ones.
+   * True if the last update used windows, or virtual sources (of the input or fitted).
    */
   vtkGetMacro(UsedWindows, bool);
   vtkGetMacro(UsedVirtualSources, bool);
   ///@}
 
   /**
-   * Pieces of lines of the last update that may be farther from the curve than ChordTolerance:
-   * where the distance is not continuous, as with virtual sources of approximate distances.
+   * Number of segments of the last update that may be farther from the curve than ChordTolerance,
+   * because the distance is not continuous, as with virtual sources of approximate distances.
    */
   vtkGetMacro(NumberOfFallbacks, vtkIdType);
 
@@ -274,7 +253,7 @@ private:
   bool UsedWindows;
   bool UsedVirtualSources;
   vtkIdType NumberOfFallbacks;
-  bool WasEmpty; ///< no line, and nothing else wanted, in the last update
+  bool WasEmpty; ///< true if the last update had no line and no other output
 };
 
 #endif

@@ -7,8 +7,8 @@
  * <b>Input and output</b>. Points are ids and the points of the optional input port 1
  * (SetPointConnection()), projected to the surface; ids come first. AroundHandles needs neither
  * points nor a graph; other modes search the graph on the input or build one, see
- * vtkGeodesicAlgorithm. Outputs are new geometry. Output 0 has a polyline per loop, which ends with
- * its first point:
+ * vtkGeodesicAlgorithm. Outputs are new geometry; output 1 contains the offset curves of TapeWidth.
+ * Output 0 has a polyline per loop, which ends with its first point:
  *  - Cell data: `Length` (double); `LoopId`, index of the point or of the loop; `Angle` (double,
  *    radians), smallest angle of the loop at its points, pi for a closed geodesic; `Kinked`
  *    (int), 1 if that is below pi by more than 1e-5.
@@ -16,8 +16,6 @@
  *  - Field data: `LoopStatus` (int) per loop: 0 found; 1 contracted to a point (AroundHandles:
  *    has to pass a pinched vertex); 2 points of the rope are not connected. Loops that are not
  *    found have no polyline; a warning counts them.
- *
- * Output 1 contains the offset curves of TapeWidth.
  *
  * <b>Guarantee and cost</b>. No nearby curve (through the points of a kinked loop) is shorter. Of
  * several loops, the result is the shortest that the graph distinguishes within a limited number of

@@ -2,58 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGeodesicVoronoi
- * @brief   which of some sites is nearest along a surface
+ * @brief   nearest sites, and their cells, along a surface
  *
  * <b>Input and output</b>. Sites are point ids and the points of the optional input port 1
- * (SetSiteConnection()), projected to the surface and numbered from 0, ids first. One in the place
- * of an earlier one has no cell. The graph is that on the input, or built here, see
- * vtkGeodesicAlgorithm. Outputs 1 to 3 are new geometry.
- *  - Output 0: the input with the point arrays `GeodesicSource` (int), the nearest site, the first
- *    one of several, and `GeodesicDistance` (double), the distance from it; -1 and UnreachedValue
- *    where no site reaches. With Centroidal the field array `Energy` (double), at the start and
- *    after each iteration.
- *  - Output 1 (GetBoundaries()): borders between cells as polylines; cell array `SiteId` (int, two
- *    components, the smaller one first), point array `GeodesicDistance`.
- *  - Output 2 (GetCells()): the surface cut into polygons along the borders, without gaps; cell
- *    arrays `SiteId` (int, -1 where no site reaches), `CellArea` (double), the area of the whole
- *    cell, `FaceId`. The first points are those of the input; point array `GeodesicDistance`.
- *  - Output 3 (GetSites()): the sites, moved, with verts; point arrays `SiteId`, `CellArea`,
- *    `vtkOriginalPointIds` (-1 for a site that is no point of the input), `FaceId`,
- *    `Barycentric`.
+ * (SetSiteConnection()), projected to the surface and numbered from 0, ids first. A site at the
+ * position of an earlier one has no cell. The graph is that on the input or built by this filter,
+ * see vtkGeodesicAlgorithm. Outputs 1 to 3 are new geometry.
+ *  - Output 0: the input with the point arrays `GeodesicSource` (int), the nearest site (the
+ *    first of several), and `GeodesicDistance` (double), its distance; -1 and UnreachedValue if
+ *    no site reaches the point. With Centroidal also the field array `Energy`.
+ *  - Output 1 (GetBoundaries()): borders of cells as polylines; cell array `SiteId` (int, two
+ *    components, the smaller first), point array `GeodesicDistance`.
+ *  - Output 2 (GetCells()): the surface cut into polygons along the borders, without gaps. Cell
+ *    arrays `SiteId` (int, -1 if unreached), `CellArea` (double; area of the cell of the site),
+ *    `FaceId`; point array `GeodesicDistance`. The first points are those of the input.
+ *  - Output 3 (GetSites()): sites, after moves, with verts; point arrays `SiteId`, `CellArea`,
+ *    `vtkOriginalPointIds`, `FaceId`, `Barycentric`.
  *
- * Centroidal moves each site towards the mean of its cell (Lloyd's iteration) and so reduces the
- * energy: the sum over points of area times squared distance from the nearest site. It stops after
- * NumberOfIterations, or when no site would move by more than Tolerance, or energy does not fall.
- *
- * On a cloud, outputs 1 and 2 are empty and output 3 has no CellArea. Centroidal sites are points
- * of the cloud, each point counts the same, and Tolerance does nothing.
+ * On a cloud, outputs 1 and 2 are empty and output 3 has no CellArea.
  *
  * <b>Guarantee and cost</b>. Distances at points of the input are within the accuracy of the graph,
- * if its rule has a guarantee. Borders are straight in each triangle, which is exact where the
- * surface is flat; RefineBoundaries improves them elsewhere, with limited work. Where triangles are
- * as large as cells, subdivide the surface first. Borders that pass a point within 1e-5 of an edge
- * pass through it. The search goes on into neighbouring cells as far as they may matter; not so
- * with GenerateCellsOff().
+ * if its rule has a guarantee. Borders are straight in each triangle, which is exact on flat parts;
+ * those that pass a point within 1e-5 of an edge pass through it. If triangles are as large as
+ * cells, subdivide the surface first.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
- *  - no site; a site id out of range; a site point that is not finite, or farther from the surface
- *    than ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or NaN; a
- *    negative NumberOfIterations; an array name that is empty or used twice;
- *  - an Accuracy outside [1e-6, 0.5]; a graph that takes more than MemoryLimit; Preview with
- *    Centroidal or on a cloud.
- *
- * @code
- * vtkNew<vtkGeodesicVoronoi> voronoi;
- * voronoi->SetInputConnection(reader->GetOutputPort());
- * voronoi->SetSiteIds({ 0, 1000, 2000 });
- * voronoi->CentroidalOn();
- * voronoi->Update();
- * vtkPolyData* cells = voronoi->GetCells(); // colour by SiteId
- * @endcode
- *
- * <b>Source</b>. Q. Du, V. Faber, M. Gunzburger, "Centroidal Voronoi tessellations", SIAM Rev.
- * 41(4), 1999, with distances in the graph of vtkDiscreteGeodesicGraph.
- *
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no site; an id out of range; a site that is not
+ * finite or beyond ProjectionTolerance; an array name that is empty or used twice; a graph beyond
+ * MemoryLimit. The module page is Filters/Geodesic/Curves.md.
  * @sa vtkGeodesicSampler vtkDGGDistance
  */
 
@@ -86,7 +61,7 @@ public:
   ///@{
   /**
    * Sites by point id of the input. None by default; an id out of range is an error of the update.
-   * A null list removes all; the i-th id is -1 where there is none.
+   * A null list removes all; the i-th id is -1 if there is none.
    */
   vtkDGGIdsMacro(Site);
   ///@}
@@ -106,7 +81,11 @@ public:
 
   ///@{
   /**
-   * Whether to move the sites to the middle of their cells. Default off.
+   * If on, each site moves toward the mean of its cell (Lloyd's iteration: Q. Du, V. Faber, M.
+   * Gunzburger, "Centroidal Voronoi tessellations", SIAM Rev. 41(4), 1999). This reduces the
+   * energy: the sum over points of area times squared distance from the nearest site. The field
+   * array `Energy` (double) of output 0 contains it at the start and after each iteration. On
+   * clouds sites are points and each point has the same weight. Default off.
    */
   vtkSetMacro(Centroidal, bool);
   vtkGetMacro(Centroidal, bool);
@@ -115,7 +94,8 @@ public:
 
   ///@{
   /**
-   * Most times that sites are moved. Default 20; not negative.
+   * Largest number of moves of the sites. Default 20; not negative. Moves also stop when the energy
+   * no longer decreases.
    */
   vtkSetMacro(NumberOfIterations, int);
   vtkGetMacro(NumberOfIterations, int);
@@ -123,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Sites stop when none would move farther than this, as a fraction of the mean edge length.
-   * Default 0.001; not negative.
+   * Sites stop if none would move farther than this, as a fraction of the mean edge length. Default
+   * 0.001; not negative. Not used on clouds.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -132,9 +112,9 @@ public:
 
   ///@{
   /**
-   * Whether to make cells and borders. Off, outputs 1 and 2 are empty, there is no CellArea, and
-   * labels come from a single search before distances are corrected: many times faster, but a point
-   * about as far from two sites may get the other one. Default on.
+   * If off, outputs 1 and 2 are empty, there is no CellArea, and labels come from a single search
+   * before distances are corrected. This is many times faster, but a point at nearly the same
+   * distance from two sites may get the other one. Default on.
    */
   vtkSetMacro(GenerateCells, bool);
   vtkGetMacro(GenerateCells, bool);
@@ -143,10 +123,10 @@ public:
 
   ///@{
   /**
-   * Whether to label points at once, without a graph, by vtkVirtualSourceGeodesicDistance: nothing
-   * bounds the errors of the distances, and points about as far from two sites may get the other
-   * one. As with GenerateCellsOff(), outputs 1 and 2 are empty. An error with Centroidal and on
-   * clouds. Default off.
+   * If on, points are labeled immediately and without a graph by vtkVirtualSourceGeodesicDistance.
+   * Errors of distances have no bound, and a point at nearly the same distance from two sites may
+   * get the other one. As with GenerateCellsOff(), outputs 1 and 2 are empty. An error with
+   * Centroidal and on clouds. Default off.
    */
   vtkSetMacro(Preview, bool);
   vtkGetMacro(Preview, bool);
@@ -155,8 +135,9 @@ public:
 
   ///@{
   /**
-   * Whether border points whose place the triangles around do not determine well enough are linked
-   * to the graph and moved. Takes longer the larger triangles are beside cells. Default on.
+   * If on, border points that the triangles around them do not determine accurately are linked to
+   * the graph and moved, with limited work. Takes longer the larger triangles are relative to
+   * cells. Default on.
    */
   vtkSetMacro(RefineBoundaries, bool);
   vtkGetMacro(RefineBoundaries, bool);
@@ -165,9 +146,9 @@ public:
 
   ///@{
   /**
-   * Whether the points of output 0, the cells of output 2 and the sites of output 3 also get the
-   * point arrays of port 1, such as names of the sites: see
-   * vtkGeodesicDistanceAlgorithm::SetPassSourceArrays(). Default off.
+   * If on, points of output 0, cells of output 2 and sites of output 3 also get the point arrays of
+   * port 1, such as names of the sites: see vtkGeodesicDistanceAlgorithm::SetPassSourceArrays().
+   * Default off.
    */
   vtkSetMacro(PassSiteArrays, bool);
   vtkGetMacro(PassSiteArrays, bool);
@@ -176,7 +157,7 @@ public:
 
   ///@{
   /**
-   * Distance of points that no site reaches. Default NaN; other numbers are marked as by
+   * Distance of points that no site reaches. Default NaN; finite values are marked as in
    * vtkGeodesicDistanceAlgorithm.
    */
   vtkDGGSetNumberMacro(UnreachedValue);
@@ -199,7 +180,7 @@ public:
 
   ///@{
   /**
-   * The outputs besides GetOutput().
+   * Return the outputs other than GetOutput().
    */
   vtkPolyData* GetBoundaries();
   vtkPolyData* GetCells();
@@ -211,9 +192,9 @@ public:
 
   ///@{
   /**
-   * How far from the surface a point of port 1 may be, as a fraction of the diagonal of the
-   * surface's bounding box; farther is an error. Default 0.01; not negative; 0 accepts points on
-   * the surface, up to rounding.
+   * Largest distance of a point of port 1 from the surface, as a fraction of the diagonal of the
+   * surface's bounding box; a farther point is an error. Default 0.01; not negative. 0 accepts
+   * points on the surface, up to rounding.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -221,9 +202,9 @@ public:
 
   ///@{
   /**
-   * Properties of the graph, see vtkDGGDistance: Accuracy of one that is built, in [1e-6, 0.5],
-   * default 0.01; whether a coarser one on the input is accepted without a warning, default off.
-   * And numbers of the graph of the last update.
+   * Properties of the graph, see vtkDGGDistance: Accuracy of a graph that is built (default 0.01;
+   * outside [1e-6, 0.5] an error), AcceptCoarserGraph (default off), and values of the graph of the
+   * last update.
    */
   vtkDGGGraphPropertiesMacro();
   ///@}
