@@ -14,15 +14,16 @@ namespace dgg
 {
 namespace
 {
-/// A point this close to the end of a window is seen through it, relative (dggWindow.h).
+/// A point this close to the end of a window is visible through it, relative (dggWindow.h).
 constexpr double WindowSlack = 1e-9;
-/// Pieces into which an edge is cut to find extrema between models.
+/// Number of intervals into which an edge is divided to find extrema between models.
 constexpr int NumberOfModelBreaks = 8;
-/// The step by which slopes are measured, in the interval that a crest is looked for in, and the
-/// interval that is as good as the crest itself, in the length of the edge.
+/// Finite-difference step for slopes, relative to the search interval of a crest, and width of an
+/// interval that is considered converged, relative to the edge length.
 constexpr double SlopeStep = 1e-3;
 constexpr double NarrowestCrest = 1e-10;
-/// Rounding of a model, with much to spare: of the length of the edge, and of the distance.
+/// Generous bound of the rounding error of a model, relative to the edge length and to the
+/// distance.
 constexpr double SlackOfLength = 1e-9;
 constexpr double SlackOfDistance = 1e-12;
 /// The search for a root stops at this relative difference from the level, or after the number of
@@ -54,7 +55,7 @@ void EdgeProfile::Enter(Id h)
     });
     if (mesh.Twin(representative) == NoId)
     {
-      this->CollectThroughFace(representative); // nobody has kept what leaves the surface
+      this->CollectThroughFace(representative); // outgoing boundary windows are not stored
     }
     this->FindWindowBreaks();
   }
@@ -85,7 +86,7 @@ void EdgeProfile::CollectWindows(Id h)
   }
 }
 
-/// Sources in the face of the half-edge see all of its edge.
+/// Sources in the face of the half-edge are visible from the entire edge.
 void EdgeProfile::CollectSources(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -104,8 +105,8 @@ void EdgeProfile::CollectSources(Id h)
   }
 }
 
-/// What reaches a boundary edge from within its face: the apex, and the windows of the other two
-/// sides.
+/// Collects what reaches a boundary edge from within its face: the apex, and the windows of the
+/// other two sides.
 void EdgeProfile::CollectThroughFace(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -121,7 +122,8 @@ void EdgeProfile::CollectThroughFace(Id h)
          w != this->Field.Windows->End(side); ++w)
     {
       const Point2 image = FromFrame(from, axis, w->Image);
-      // Where the ray through a point of the side meets the edge; it may run away from it.
+      // Intersection of the ray through a point of the side with the edge; the ray may diverge from
+      // the edge.
       auto meet = [&](double x) {
         const Point2 p = FromFrame(from, axis, { x, 0.0 });
         const double fall = image.Y - p.Y;
@@ -129,7 +131,7 @@ void EdgeProfile::CollectThroughFace(Id h)
         const double reach = fall > 0.0 ? image.X + (p.X - image.X) * (image.Y / fall) : away;
         return std::min(this->Length, std::max(0.0, reach));
       };
-      // From the destination of h towards its origin, as the sides run.
+      // From the destination of h towards its origin, as the sides are directed.
       const double end = meet(w->Begin);
       const double begin = meet(w->End);
       if (begin < end)
@@ -141,8 +143,8 @@ void EdgeProfile::CollectThroughFace(Id h)
   }
 }
 
-/// Between the ends of windows and the feet of their images each of them rises or falls, so that
-/// their least rises, falls, or rises up to a tie and falls from there.
+/// Between the ends of windows and the feet of their images each distance is monotone, so that
+/// their minimum rises, falls, or rises up to a tie and falls from there.
 void EdgeProfile::FindWindowBreaks()
 {
   std::vector<double>& breaks = this->Breaks;
@@ -161,7 +163,7 @@ void EdgeProfile::FindWindowBreaks()
       add(piece.Image.X);
     }
   }
-  add(0.5 * (this->Length + this->Ends[1] - this->Ends[0])); // where the ways along the edge meet
+  add(0.5 * (this->Length + this->Ends[1] - this->Ends[0])); // where the paths along the edge meet
   breaks.push_back(0.0);
   breaks.push_back(this->Length);
   std::sort(breaks.begin(), breaks.end());
@@ -215,7 +217,7 @@ void EdgeProfile::SetUpModels()
   const SurfaceMesh& mesh = *this->Field.Mesh;
   const VirtualSources& sources = *this->Field.Sources;
   const Id h = this->HalfEdge;
-  // The edge as it leaves its ends: h itself, and the side of the same face that comes before.
+  // Half-edges at both ends: h itself, and for the destination the previous side of the same face.
   const Id next = SurfaceMesh::Next(h);
   const std::array<double, 2> polarAngles{ { mesh.PolarAngle(h),
     mesh.PolarAngle(next) + mesh.CornerAngle(next) } };
@@ -231,8 +233,8 @@ void EdgeProfile::SetUpModels()
   }
 }
 
-/// The faces of the edge: without the models of their opposite corners the edge would see a crest
-/// where a wave comes across, and faces would not.
+/// Sets up the faces of the edge. Without the models of their opposite corners, the edge would have
+/// a crest where a wavefront crosses it, inconsistent with the faces.
 void EdgeProfile::SetUpOpposites()
 {
   this->NumberOfOpposites = 0;
@@ -273,7 +275,7 @@ void EdgeProfile::SetUpOpposites()
     (this->HasLinearFace || this->NumberOfOpposites == 0);
 }
 
-/// The raised model of an end (dggDistanceField.h).
+/// Returns the raised model of an end (dggDistanceField.h).
 double EdgeProfile::ModelAt(int end, double x) const
 {
   const double rho = end == 0 ? x : this->Length - x;
@@ -290,10 +292,11 @@ void EdgeProfile::FindModelBreaks()
   }
 }
 
-/// No model changes faster than the distance from its source and what it is raised by.
+/// A model changes at most as fast as the distance from its source plus the amount by which it is
+/// raised.
 void EdgeProfile::FindSteepness()
 {
-  double raise = std::abs(this->Ends[1] - this->Ends[0]) - this->Length; // of what is linear
+  double raise = std::abs(this->Ends[1] - this->Ends[0]) - this->Length; // of linear fields
   if (this->Field.HasSources())
   {
     raise = std::max({ raise, this->Missing[0], this->Missing[1] });
@@ -317,8 +320,8 @@ double EdgeProfile::AtBreak(std::size_t i)
   return state.Distance;
 }
 
-/// Where the models of both ends meet on the edge, the distance rises from either side. Looks
-/// between a break and the next one.
+/// Finds the crest between a break and the next one: where the models of both ends meet, the
+/// distance rises from either side.
 const EdgeProfile::BreakState& EdgeProfile::FindCrest(std::size_t i)
 {
   BreakState& state = this->BreakStates[i];
@@ -400,7 +403,7 @@ void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings)
   }
 }
 
-/// Halves the way between two breaks of models, and leaves out what does not come near the level:
+/// Bisects the interval between two breaks of models, skipping parts that cannot reach the level:
 /// most of an edge.
 void EdgeProfile::CrossBetweenBreaks(
   double level, std::size_t first, std::size_t last, std::vector<double>& crossings)

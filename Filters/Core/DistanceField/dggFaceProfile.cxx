@@ -12,13 +12,14 @@ namespace dgg
 {
 namespace
 {
-/// A point this close to the edge of a window is seen through it, relative (dggWindow.h).
+/// A point this close to the border of a window is visible through it, relative (dggWindow.h).
 constexpr double WindowSlack = 1e-9;
 
-/// A model that misses less than this is right, relative.
+/// Relative deficit below which a model is exact.
 constexpr double Rounding = 1e-13;
 
-/// The first candidates of models, after the ways over three corners, and of lower bounds.
+/// Index of the first candidate of models, after the paths through three corners, and of the first
+/// lower bound.
 constexpr Id FirstImageCandidate = 3;
 constexpr Id LeastCandidate = 9;
 
@@ -27,7 +28,7 @@ double LargestOf(const std::array<double, 3>& values)
   return std::max({ std::abs(values[0]), std::abs(values[1]), std::abs(values[2]) });
 }
 
-/// The field of one source.
+/// Returns the field of one source.
 FieldSample FromSource(const Point2& image, double offset, const Point2& p)
 {
   FieldSample sample;
@@ -44,7 +45,8 @@ FieldSample FromSource(const Point2& image, double offset, const Point2& p)
   return sample;
 }
 
-/// A distance, and what is missing at the corners in proportion to barycentric coordinates.
+/// Returns a distance raised by the deficits at the corners, in proportion to barycentric
+/// coordinates.
 double Raised(
   double distance, const std::array<double, 3>& missing, const std::array<double, 3>& barycentric)
 {
@@ -72,7 +74,7 @@ void FaceProfile::Enter(Id f)
     const double length = mesh.Length(3 * f + k);
     this->Axes[k] = { (to.X - from.X) / length, (to.Y - from.Y) / length };
     this->Distances[k] = this->Field.Distances[mesh.Origin(3 * f + k)];
-    // The coordinate of the corner opposite to the edge grows across the edge.
+    // The barycentric coordinate of the corner opposite to the edge increases across the edge.
     const double height = mesh.ApexY(3 * f + k);
     this->Rises[(k + 2) % 3] = { -this->Axes[k].Y / height, this->Axes[k].X / height };
   }
@@ -106,7 +108,7 @@ std::array<double, 3> FaceProfile::BarycentricOf(const Point2& p) const
   std::array<double, 3> b{};
   for (int k = 0; k < 3; ++k)
   {
-    const Point2& opposite = this->Corners[(k + 1) % 3]; // the coordinate is 0 there
+    const Point2& opposite = this->Corners[(k + 1) % 3]; // the barycentric coordinate is 0 there
     b[k] = Dot({ p.X - opposite.X, p.Y - opposite.Y }, this->Rises[k]);
   }
   return b;
@@ -164,7 +166,7 @@ void FaceProfile::SetUpModels()
     this->Missing[k] = { { 0.0, 0.0, 0.0 } };
     for (int j = 0; j < 3; ++j)
     {
-      // Ways over corners miss something in fields that are no distances.
+      // Paths through corners have deficits in fields that are not distances.
       const double missing =
         this->Distances[j] - this->Distances[k] - Distance(this->Corners[j], this->Corners[k]);
       this->MissingOver[k][j] = missing > this->Negligible ? missing : 0.0;
@@ -175,8 +177,8 @@ void FaceProfile::SetUpModels()
     {
       continue;
     }
-    // Measured: without models that miss much, or with linear faces in their place, errors are
-    // larger on CAD models and on scans.
+    // Measured: excluding models with large deficits, or replacing them by linear faces, increases
+    // errors on CAD models and scans.
     this->FindSources(k);
     for (const int j : { (k + 1) % 3, (k + 2) % 3 })
     {
@@ -190,7 +192,7 @@ void FaceProfile::SetUpModels()
     }
   }
   double raise = 0.0;
-  double excess = 0.0; // of differences between corners, over their distance
+  double excess = 0.0; // of differences between corners beyond their distance
   for (int k = 0; k < 3; ++k)
   {
     raise = std::max(raise, LargestOf(this->Missing[k]));
@@ -203,8 +205,8 @@ void FaceProfile::SetUpModels()
   }
 }
 
-/// Where the source of corner k is seen less than half a turn away from some direction into the
-/// face, on the side of the corner where the angle is smaller (CornerModel::AngleFrom()).
+/// Finds the images of the source of corner k that are less than pi away from some direction into
+/// the face, on the side of the corner with the smaller angle (CornerModel::AngleFrom()).
 void FaceProfile::FindSources(int k)
 {
   const CornerModel& model = this->Models[k];
@@ -228,8 +230,8 @@ void FaceProfile::FindSources(int k)
   }
 }
 
-/// The straight distance to the source of corner k, and where that is seen; `nearest` stays as it
-/// is where the source lies behind the corner.
+/// Returns the straight distance to the source of corner k, and the nearest image; `nearest` is
+/// unchanged if the source lies behind the corner.
 double FaceProfile::DistanceToSource(int k, const Point2& p, int& nearest) const
 {
   const Point2& corner = this->Corners[k];
@@ -272,7 +274,8 @@ double FaceProfile::GetLargestRaise(int k) const
 
 bool FaceProfile::MayHavePeak() const
 {
-  // Gradients at the middle of the face; where they lie in one half-plane, that way is uphill.
+  // Gradients at the center of the face; if they lie in one half-plane, the distance increases in
+  // that direction.
   const std::array<double, 3> b{ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } };
   const Point2 middle = this->PlaceOf(b);
   std::vector<Point2> gradients;
@@ -315,7 +318,7 @@ FieldSample FaceProfile::SampleAt(const Point2& p) const
   return this->HasModels ? this->FromModels(p) : this->Linear(p);
 }
 
-/// The way over a corner.
+/// Returns the path through a corner.
 FieldSample FaceProfile::FromCorner(int k, const Point2& p) const
 {
   FieldSample sample = FromSource(this->Corners[k], this->Distances[k], p);
@@ -371,7 +374,8 @@ FieldSample FaceProfile::FromWindows(const Point2& p) const
   return best;
 }
 
-/// The model of a corner, raised, or the way over the corner, raised (dggDistanceField.h).
+/// Returns the raised model of a corner, or the raised path through the corner
+/// (dggDistanceField.h).
 FaceProfile::Wave FaceProfile::FromModel(
   int k, const Point2& p, const std::array<double, 3>& barycentric) const
 {
@@ -386,12 +390,12 @@ FaceProfile::Wave FaceProfile::FromModel(
     wave.Candidate = FirstImageCandidate + 2 * k + nearest;
     if (!this->IsRaised[k])
     {
-      return wave; // no more than the way over the corner
+      return wave; // already the path through the corner
     }
     wave.Distance = Raised(wave.Distance, this->Missing[k], barycentric);
   }
-  // That is all that there is where the source is behind the corner: what is missing must not end
-  // there at once.
+  // The path through the corner is the only one where the source is behind the corner; its deficit
+  // must not end there abruptly.
   const double over =
     Raised(this->Distances[k] + Distance(p, this->Corners[k]), this->MissingOver[k], barycentric);
   if (over < wave.Distance)
@@ -441,7 +445,8 @@ FieldSample FaceProfile::FromModels(const Point2& p) const
   }
   const FieldSample sample = this->SampleOf(best, p, b);
   const LowerBound bound = this->GetLowerBound(p);
-  return bound.Distance > sample.Distance + this->Negligible // not at the corner, which is as given
+  return bound.Distance >
+      sample.Distance + this->Negligible // not at corners, where the value is given
     ? this->FromLowerBound(bound.Corner, p)
     : sample;
 }

@@ -13,14 +13,15 @@ namespace dgg
 {
 namespace
 {
-/// What a longer virtual source may predict too little, of what the shorter one predicts too much.
-/// Measured on scans and CAD models, with exact distances and those of graphs: with less, some of
-/// the errors along rims stay; with more, the mean error inside of faces grows on coarse models.
+/// Maximum underestimate of a longer virtual source, relative to the overestimate of the shorter
+/// one. Measured on scans and CAD models, with exact and graph distances: with smaller values, some
+/// of the errors along hole boundaries remain; with larger values, the mean error inside faces
+/// grows on coarse models.
 constexpr double LargestShortfall = 0.2;
 constexpr Offset VerticesPerTask = 1024;
 
-/// Whether the longer of two models of a vertex, which see the source in one direction, is the
-/// better one, by its neighbours.
+/// Returns true if the neighbors confirm that the longer of two models of a vertex, whose sources
+/// lie in the same direction, is better.
 bool IsConfirmed(const SurfaceMesh& mesh, Id v, const CornerModel& shorter,
   const CornerModel& longer, const std::vector<double>& distances)
 {
@@ -41,7 +42,7 @@ bool IsConfirmed(const SurfaceMesh& mesh, Id v, const CornerModel& shorter,
   return LargestShortfall * gain > shortfall;
 }
 
-/// Returns the start of the last straight piece of the path to a vertex, without its offset.
+/// Returns the start of the last straight segment of the path to a vertex, without its offset.
 VirtualSource FindLastPiece(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, Id v, const Predecessor& p)
 {
@@ -86,7 +87,7 @@ VirtualSource FindLastPiece(
   return start;
 }
 
-/// The vertices of a forest, each behind its parent.
+/// Returns the vertices of a forest, each after its parent.
 std::vector<Id> SortForest(const std::vector<Id>& parents)
 {
   std::vector<Id> order;
@@ -105,19 +106,20 @@ std::vector<Id> SortForest(const std::vector<Id>& parents)
   return order;
 }
 
-/// Lengthen virtual sources to those before them.
+/// Replaces virtual sources by their predecessors where these are better.
 ///
-/// The last straight piece of a way to a vertex starts at its relay: a vertex at which the way
-/// bends, or which it only passes. Ways over the relay reach no more than a narrow wedge behind it;
-/// beside that, distances are those from the virtual source of the relay itself, which may explain
-/// more of what is around the vertex. Along the rim of a hole the wedges are as narrow as the
-/// pieces are short, and faces may be long.
+/// The last straight segment of a path to a vertex starts at its relay: a vertex at which the path
+/// bends, or which it merely passes. Paths through the relay reach only a narrow wedge behind it;
+/// beside the wedge, distances are those from the virtual source of the relay itself, which may
+/// explain more distances around the vertex. Along the boundary of a hole the wedges are as narrow
+/// as the segments are short, and faces may be long.
 ///
-/// Distances of neighbours decide. Where the model with the relay predicts too much, another wave
-/// may be the nearer one; where that with the source before predicts too little, this source is not
-/// visible. So it may miss little in exchange for what it explains.
+/// The distances of neighbors decide. Where the model with the relay overestimates, another
+/// wavefront may be nearer; where the model of the preceding source underestimates, that source is
+/// not visible. Therefore the latter may only underestimate slightly in exchange for the distances
+/// that it explains.
 ///
-/// `relays` has NoId where the virtual source is a source.
+/// `relays` is NoId where the virtual source is a source.
 void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
   const std::vector<Id>& relays, const ParallelFor& parallel, VirtualSources& sources)
 {
@@ -129,7 +131,7 @@ void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
     const CornerModel before(mesh, v, { 0.0, longer, pieces[v].Angle }, distances[v]);
     return here.IsKnown && IsConfirmed(mesh, v, here, before, distances) ? longer : length;
   };
-  // First with every relay as it was found, then once more behind those that were merged.
+  // First with the relays as found, then once more behind merged relays.
   std::vector<double> lengths(relays.size());
   ForRange(
     parallel, static_cast<Offset>(relays.size()), VerticesPerTask, [&](Offset begin, Offset end) {
@@ -162,7 +164,8 @@ void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
     const Id tail = result.Tails[v];
     if (tail != NoId)
     {
-      // With the offset of the tail, the way goes straight on over it; else it is the relay.
+      // With the offset of the tail, the path continues straight through the tail; otherwise the
+      // tail is the relay.
       const bool isStraight = found[v].Offset == found[tail].Offset;
       relays[v] = isStraight ? relays[tail] : tail;
     }

@@ -13,54 +13,54 @@ namespace dgg
 {
 namespace
 {
-/// Vertices that one thread does in a row.
+/// Vertices per task.
 constexpr Offset VerticesPerTask = 512;
-/// Vertices between two calls of the progress.
+/// Vertices between two progress reports.
 constexpr Offset VerticesAtOnce = 16384;
-/// A neighbour whose distance is off by this part of the edge counts half as much as before.
+/// A neighbor whose residual is this fraction of the edge length has half the weight.
 constexpr double SmallTolerance = 0.02;
-/// Where the fit leaves somebody out, it is tried again from one in which all neighbours count:
-/// with the tolerance that many times as large.
+/// If the fit excludes a neighbor, it is repeated from a fit in which all neighbors count: with the
+/// tolerance multiplied by this factor.
 constexpr double WideFactor = 25.0;
 constexpr double GoodMisfit = 0.2;
-/// Curvatures are between these, over the mean length of the edges. The smallest one means a
-/// plane wave: on closed surfaces and behind extended sources waves are flatter than those of a
-/// point source at the same distance.
+/// Range of curvatures, divided by the mean length of the edges. The smallest one represents a
+/// plane wave: on closed surfaces and behind extended sources wavefronts are flatter than those of
+/// a point source at the same distance.
 constexpr double SmallestCurvature = 1e-6;
 constexpr double LargestCurvature = 1e4;
 constexpr int MostSteps = 20;
 /// Damping of the steps, relative to the diagonal of the equations.
 constexpr double FirstDamping = 1e-3;
 constexpr double LargestDamping = 1e6;
-/// After a step shorter than this, in angle and curvature over the mean length, the next one would
-/// change nothing.
+/// The fit has converged after a step shorter than this, in angle and in curvature times the mean
+/// length.
 constexpr double SmallestStep = 1e-8;
-/// Directions tried at a vertex that is less far than all of its neighbours.
+/// Number of directions tried at a local minimum.
 constexpr int NumberOfDirections = 6;
 
 struct Neighbor
 {
   double Length;
   double Angle;
-  double Rise; // of the distance
+  double Rise; // increase of the distance
 };
 
-/// A virtual source seen from the vertex.
+/// A candidate virtual source, in polar coordinates of the vertex.
 struct Guess
 {
   double Angle = 0.0;
   double Curvature = 0.0;
 };
 
-/// The direction in which a field falls fastest from a vertex.
+/// Direction of steepest descent at a vertex.
 struct SteepestDescent
 {
-  double Slope = 0.0;   // 0 when it falls nowhere
+  double Slope = 0.0;   // 0 at a local minimum
   double Angle = 0.0;   // polar angle at the vertex
-  bool IsKnown = false; // whether there is a value at the vertex and at a neighbour
+  bool IsKnown = false; // true if the vertex and a neighbor have values
 };
 
-/// Of a field that is linear in faces and known where its values are finite.
+/// Finds the steepest descent of a field that is linear in faces; non-finite values are ignored.
 SteepestDescent FindSteepestDescent(const SurfaceMesh& mesh, const double* values, Id v)
 {
   SteepestDescent best;
@@ -103,7 +103,7 @@ SteepestDescent FindSteepestDescent(const SurfaceMesh& mesh, const double* value
   return best;
 }
 
-/// Fits one vertex after the other.
+/// Fits the virtual source of one vertex at a time.
 class VertexFit
 {
 public:
@@ -113,7 +113,7 @@ public:
   {
   }
 
-  /// False when the vertex itself is the best virtual source.
+  /// Returns false if the vertex itself is the best virtual source.
   bool Fit(Id v, Guess& best);
 
 private:
@@ -124,7 +124,7 @@ private:
     double AngleAngle = 0.0;
     double AngleCurvature = 0.0;
     double CurvatureCurvature = 0.0;
-    double Angle = 0.0; // right sides
+    double Angle = 0.0; // right-hand sides
     double Curvature = 0.0;
   };
 
@@ -133,8 +133,8 @@ private:
   Equations Evaluate(const Guess& guess) const;
   double MisfitOfVertex() const;
   double Improve(Guess& guess) const;
-  /// Geman and McClure's: bounded, so that a neighbour on another way costs what it costs and pulls
-  /// no more.
+  /// Geman-McClure penalty: bounded, so that a neighbor reached by another path adds a constant
+  /// cost and no gradient.
   static double Penalty(double residual)
   {
     const double square = residual * residual;
@@ -144,7 +144,7 @@ private:
   const SurfaceMesh& Mesh;
   const double* Distances;
   std::vector<Neighbor> Neighbors;
-  CornerModel Around; // only for its angles
+  CornerModel Around; // only its angles are used
   double MeanLength = 0.0;
   double Tolerance = SmallTolerance;
 };
@@ -163,7 +163,8 @@ void VertexFit::CollectNeighbors(Id v)
   this->MeanLength /= std::max<double>(1.0, static_cast<double>(this->Neighbors.size()));
 }
 
-/// By how much the distance of a neighbour is more than that of the vertex, and derivatives.
+/// Returns the predicted increase of the distance from the vertex to a neighbor, and its
+/// derivatives.
 double VertexFit::Predict(
   const Neighbor& n, const Guess& guess, double& byAngle, double& byCurvature) const
 {
@@ -176,7 +177,7 @@ double VertexFit::Predict(
   {
     return n.Length;
   }
-  // (sqrt(1 - 2 k l cos + k^2 l^2) - 1) / k, good for small k as well.
+  // (sqrt(1 - 2 k l cos + k^2 l^2) - 1) / k, accurate for small k as well.
   const double cosine = std::cos(angle);
   const double bend = guess.Curvature * n.Length;
   const double root = std::sqrt((1.0 - bend) * (1.0 - bend) + 2.0 * bend * (1.0 - cosine));
@@ -189,7 +190,7 @@ double VertexFit::Predict(
   return rise;
 }
 
-/// The misfit of a guess, and what leads to a better one. The unknowns are the angle and the
+/// Computes the misfit of a guess and the normal equations. The unknowns are the angle and the
 /// curvature times the mean length.
 VertexFit::Equations VertexFit::Evaluate(const Guess& guess) const
 {
@@ -224,8 +225,8 @@ double VertexFit::MisfitOfVertex() const
   return misfit;
 }
 
-/// Steps of Gauss and Newton, damped (Levenberg and Marquardt), with the weights of the penalty.
-/// Returns the misfit.
+/// Improves a guess by damped Gauss-Newton steps (Levenberg-Marquardt) with the weights of the
+/// penalty. Returns the misfit.
 double VertexFit::Improve(Guess& guess) const
 {
   Equations e = this->Evaluate(guess);
@@ -245,7 +246,7 @@ double VertexFit::Improve(Guess& guess) const
     next.Angle = guess.Angle + (e.Angle * cc - e.Curvature * ac) / determinant;
     if (this->Around.IsOpen)
     {
-      // The field may be cut off where it comes from beyond the boundary.
+      // The field may be truncated where it comes from beyond the boundary.
       next.Angle = std::min(this->Around.Total + Pi, std::max(-Pi, next.Angle));
     }
     next.Curvature =
@@ -306,7 +307,7 @@ bool VertexFit::Fit(Id v, Guess& best)
   const SteepestDescent descent = FindSteepestDescent(this->Mesh, this->Distances, v);
   if (descent.Slope > 0.0)
   {
-    // As if all the distance came from one source.
+    // As if the entire distance came from one source.
     const double curvature = 1.0 / std::max(this->MeanLength, std::abs(this->Distances[v]));
     attempt(descent.Angle, curvature, false);
     if (bestMisfit > GoodMisfit)

@@ -11,13 +11,13 @@ namespace dgg
 {
 namespace
 {
-/// A site is dominated when less than this part of its distance to another one is its own.
+/// A site is dominated if its advantage is below this fraction of its distance to another site.
 constexpr double DominationTolerance = 1e-9;
-/// Angles that differ by less are the same, radians.
+/// Angles that differ by less are equal, radians.
 constexpr double AngleTolerance = 1e-10;
-/// Nodes closer than this are one, relative to the longest side.
+/// Nodes closer than this are merged, relative to the longest side.
 constexpr double MergeTolerance = 1e-8;
-/// What keeps away from a side that a site lies on, up to rounding, relative.
+/// Minimum relative distance of a site from a side; closer sites lie on the side, up to rounding.
 constexpr double SmallestHeight = 1e-14;
 }
 
@@ -57,8 +57,8 @@ void ApolloniusDiagram::DropDominated()
 {
   const std::size_t n = this->Sites.size();
   this->IsDropped.assign(n, false);
-  // In order of weights a site can only be dominated by an earlier one, which is still there or
-  // was itself dominated by one that dominates this one as well.
+  // In order of weights, a site can only be dominated by an earlier one. If that one was removed,
+  // the site that dominated it dominates this one as well.
   std::vector<std::size_t> order(n);
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -78,8 +78,8 @@ void ApolloniusDiagram::DropDominated()
   }
 }
 
-/// The borders of a site with the others and with the sides that it does not lie on, in the frame
-/// of the given axis.
+/// Collects the borders of a site with other sites and with the sides that do not contain it, in
+/// the frame of the given axis.
 void ApolloniusDiagram::CollectBorders(std::size_t i, const Point2& axis)
 {
   this->Borders.clear();
@@ -112,7 +112,7 @@ void ApolloniusDiagram::CollectBorders(std::size_t i, const Point2& axis)
   }
 }
 
-/// The border that comes first in the direction of an angle, or right after it.
+/// Returns the nearest border in the direction of an angle, or directly after it.
 std::size_t ApolloniusDiagram::FindOutermost(double angle) const
 {
   const double cosine = std::cos(angle);
@@ -132,7 +132,8 @@ std::size_t ApolloniusDiagram::FindOutermost(double angle) const
   return best;
 }
 
-/// Where the next border comes before the current one, after `angle` and not after `end`.
+/// Finds where another border becomes nearer than the current one, after `angle` and not after
+/// `end`.
 bool ApolloniusDiagram::FindNext(
   std::size_t current, double angle, double end, std::size_t& next, double& at) const
 {
@@ -145,7 +146,7 @@ bool ApolloniusDiagram::FindNext(
     {
       continue;
     }
-    // It is first where the cosine of the angle from the middle is more than the ratio.
+    // It is nearer where the cosine of the angle from the middle exceeds the ratio.
     const Border& to = this->Borders[b];
     const Point2 way = Difference(to.A, from.A);
     const double size = Norm(way.X, way.Y);
@@ -159,7 +160,7 @@ bool ApolloniusDiagram::FindNext(
     double begin = std::remainder(middle - half - angle, 2.0 * Pi);
     if (begin < 0.0)
     {
-      // It is already, or becomes so after a turn, which is too late.
+      // It is nearer already, or only after a full turn, which is too late.
       begin = begin + 2.0 * half > AngleTolerance ? 0.0 : begin + 2.0 * Pi;
     }
     if (angle + begin < at)
@@ -215,7 +216,7 @@ void ApolloniusDiagram::FollowCell(std::size_t i)
   std::size_t current = this->FindOutermost(angle);
   int node =
     this->Borders[current].Name >= 0 ? addNode(this->Borders[current], 0.0, site.Side) : -1;
-  // Each pair of borders changes places twice at most.
+  // Each pair of borders is swapped at most twice.
   for (std::size_t step = 0; step < 4 * this->Borders.size() + 4; ++step)
   {
     const Border& border = this->Borders[current];

@@ -12,9 +12,9 @@ namespace dgg
 {
 namespace
 {
-/// A node of the diagram on a side is this close to a node of the edge, relative to its length.
+/// Tolerance between a diagram node on a side and a node of the edge, relative to the edge length.
 constexpr double RimTolerance = 1e-6;
-/// Nodes inside keep this distance from the sides, in barycentric coordinates.
+/// Minimum distance of interior nodes from the sides, in barycentric coordinates.
 constexpr double InnerDistance = 1e-7;
 }
 
@@ -39,7 +39,7 @@ void ApolloniusFace::Enter(Id f)
   this->AddRim();
   this->IsBuilt = false;
   const auto range = std::minmax_element(this->Values.begin(), this->Values.end());
-  // Every point is this close to the rim, and that to a node.
+  // Every point is this close to the boundary, and every boundary point to a node.
   double around = 0.0;
   double longest = 0.0;
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -54,7 +54,7 @@ void ApolloniusFace::Enter(Id f)
   this->Largest = *range.second + reach;
 }
 
-/// The triangles, which are not needed where no level comes by.
+/// Builds the triangles, which are only needed if a level crosses the face.
 void ApolloniusFace::Build()
 {
   this->IsBuilt = true;
@@ -78,11 +78,11 @@ void ApolloniusFace::Build()
   }
   std::sort(this->TriangleEdges.begin(), this->TriangleEdges.end());
   std::sort(this->Rim.begin(), this->Rim.end(), [](const RimPiece& a, const RimPiece& b) {
-    return a.Begin < b.Begin; // each node starts one piece
+    return a.Begin < b.Begin; // each node starts one segment
   });
 }
 
-/// Nodes of the three edges, in their order around the face.
+/// Adds the nodes of the three edges, in order around the face.
 void ApolloniusFace::AddRim()
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -140,9 +140,9 @@ int ApolloniusFace::FindRimNode(int side, double x) const
   return best;
 }
 
-/// Nodes of the diagram inside the face, and its edges. An edge that ends on the rim where two
-/// sites of different sides tie has no node there, as the neighbour across that side does not know
-/// of it; it is left out.
+/// Adds the interior nodes of the diagram, and its edges. If an edge ends on the boundary where two
+/// sites of different sides tie, there is no node at the end, because the adjacent face would not
+/// have it; such an edge is omitted.
 void ApolloniusFace::AddDiagram(FaceTriangulation& triangulation)
 {
   std::vector<int> numbers;
@@ -156,7 +156,7 @@ void ApolloniusFace::AddDiagram(FaceTriangulation& triangulation)
     else
     {
       const std::array<double, 3> b = this->Profile.BarycentricOf(node.Place);
-      const double value = this->Profile.At(node.Place); // not finite where numbers overflow
+      const double value = this->Profile.At(node.Place); // not finite on overflow
       if (std::min(b[0], std::min(b[1], b[2])) > InnerDistance && std::isfinite(value))
       {
         number = static_cast<int>(this->Values.size());
@@ -173,12 +173,12 @@ void ApolloniusFace::AddDiagram(FaceTriangulation& triangulation)
     const int b = numbers[edge.second];
     if (a >= 0 && b >= 0 && a != b)
     {
-      triangulation.AddSegment(a, b); // or not, if straight lines cross that were arcs
+      triangulation.AddSegment(a, b); // may fail: arcs replaced by segments may cross
     }
   }
 }
 
-/// The triangle on the left of a directed edge; -1 when there is none.
+/// Returns the triangle on the left of a directed edge; -1 if there is none.
 int ApolloniusFace::TriangleOf(int begin, int end) const
 {
   const TriangleEdge wanted{ begin, end, 0 };
@@ -187,10 +187,10 @@ int ApolloniusFace::TriangleOf(int begin, int end) const
   return found != this->TriangleEdges.end() && !(wanted < *found) ? found->Triangle : -1;
 }
 
-/// Where the distance has a level between two nodes.
+/// Returns the point between two nodes where the distance attains a level.
 std::array<double, 3> ApolloniusFace::PlaceBetween(int a, int b, double level) const
 {
-  const double below = 0.5 * this->Values[a]; // halves, as differences may overflow
+  const double below = 0.5 * this->Values[a]; // halved, because differences may overflow
   const double t = (0.5 * level - below) / (0.5 * this->Values[b] - below);
   std::array<double, 3> place{};
   for (int k = 0; k < 3; ++k)
@@ -200,9 +200,9 @@ std::array<double, 3> ApolloniusFace::PlaceBetween(int a, int b, double level) c
   return place;
 }
 
-/// From the directed edge on, which leads up across the level, through triangles to the rim or back
-/// to where it started. Adds the points on the edges passed. Returns the edge by which it leaves,
-/// directed as the triangle has it.
+/// Follows an isoline from a directed edge, which crosses the level upward, through triangles to
+/// the boundary or back to its start. Adds the points on crossed edges. Returns the exit edge,
+/// directed as in its triangle.
 std::pair<int, int> ApolloniusFace::Follow(int begin, int end, double level, FaceCurve& curve)
 {
   std::pair<int, int> exit{ end, begin };
@@ -251,7 +251,7 @@ void ApolloniusFace::FindCurves(
       curves.push_back(std::move(curve));
     }
   }
-  // What is left goes around within the face.
+  // The remaining isolines are closed within the face.
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
     for (int k = 0; k < 3 && !this->IsDone[t]; ++k)

@@ -10,15 +10,15 @@ namespace dgg
 {
 namespace
 {
-/// Edges or faces that one thread does in a row.
+/// Edges or faces per task.
 constexpr Offset BlockSize = 64;
-/// Where in the progress the fit and the edges are done.
+/// Progress after the fit and after the edges.
 constexpr double FitDone = 0.1;
 constexpr double EdgesDone = 0.2;
-/// No point of a triangle is farther from its corners than this part of the longest side.
+/// Maximum distance of a point of a triangle from its nearest corner, relative to the longest side.
 constexpr double FarthestFromCorners = 0.58;
 
-/// The first level that is at least as large.
+/// Returns the first level that is not below a value.
 Id FirstFrom(const std::vector<double>& levels, double value)
 {
   return static_cast<Id>(std::lower_bound(levels.begin(), levels.end(), value) - levels.begin());
@@ -49,7 +49,7 @@ void CrossEdge(
   }
 }
 
-/// The number of the crossing of a level between two neighbouring nodes of an edge.
+/// Returns the index of the crossing of a level between two neighboring nodes of an edge.
 Id FindCrossing(const LevelCrossings& crossings, Id h, Id level, Id interval)
 {
   const auto begin = crossings.Crossings.begin();
@@ -75,7 +75,7 @@ void CrossFace(ApolloniusFace& face, const DistanceField& field, Id f,
     high = std::max(high, d);
     longest = std::max(longest, mesh.Length(h));
   }
-  // What is possible for a distance; a cubic may go beyond by as much again.
+  // Range of a distance; a cubic may exceed it by the same amount.
   const double reach = 2.0 * FarthestFromCorners * longest;
   const auto count = static_cast<Id>(levels.size());
   const Id first = FirstFrom(levels, low - reach);

@@ -17,10 +17,10 @@ namespace dgg
 {
 namespace
 {
-/// Shares of the progress.
+/// Progress after each step.
 constexpr double CutDone = 0.7;
 constexpr double CornersDone = 0.8;
-/// Points of lines that are so close in a face, in barycentric coordinates, become one vertex
+/// Points of lines within this distance in a face, in barycentric coordinates, become one vertex
 /// (dggSurfaceRefinement.h).
 constexpr double MergeDistance = 2e-9;
 
@@ -49,8 +49,8 @@ Status CheckArguments(
   return Status::Success();
 }
 
-/// The lines of the first of equal levels. Those of the others lie upon them, and would all be cut
-/// with each other.
+/// Returns the lines without those of repeated levels, which coincide with the first ones and would
+/// all be intersected with each other.
 Isolines WithoutRepeatedLevels(const std::vector<double>& levels, const Isolines& lines)
 {
   std::map<double, Id> firstOf;
@@ -95,12 +95,12 @@ private:
   const DistanceField& Field;
   Bands& Result;
   FaceProfile Profile;
-  const double Close;                   // to a level: the line there may have become a vertex
-  std::vector<Id> LevelAt;              // per vertex, the level of the lines that pass it, or NoId
-  std::set<std::pair<Id, Id>> Segments; // of the lines, smaller vertex first
+  const double Close;      // tolerance of a level whose line may have collapsed to a vertex
+  std::vector<Id> LevelAt; // per vertex, the level of the lines that pass it, or NoId
+  std::set<std::pair<Id, Id>> Segments; // edges of the lines, smaller vertex first
 };
 
-/// The first band that reaches the distance from above.
+/// Returns the first band whose upper level is above the distance.
 Id BandFinder::BandAt(double distance) const
 {
   const std::vector<double>& levels = this->Result.Levels;
@@ -112,7 +112,8 @@ bool BandFinder::IsReached(Id face) const
   return this->Field.IsReached(this->Result.Surface.Faces[face]);
 }
 
-/// Levels at lines, given distances elsewhere: lines pass all vertices that are new.
+/// Sets the distances of vertices: levels on lines, given distances elsewhere. All new vertices are
+/// on lines.
 void BandFinder::FindDistances(const std::vector<double>& levels, const std::vector<Id>& levelOf)
 {
   const RefinedSurface& surface = this->Result.Surface;
@@ -141,8 +142,8 @@ void BandFinder::FindDistances(const std::vector<double>& levels, const std::vec
   }
 }
 
-/// The first and the last band that a face may belong to, as its corners say. Empty when they do
-/// not agree.
+/// Returns the first and the last band to which a face may belong according to its corners. The
+/// range is empty if they contradict each other.
 std::pair<Id, Id> BandFinder::BandsOf(Id face) const
 {
   Id first = 0;
@@ -183,8 +184,8 @@ bool BandFinder::IsOnLine(Id h) const
   return this->Segments.count(std::minmax(a, b)) > 0;
 }
 
-/// First the faces that their corners decide, then their neighbours that are not beyond a line, and
-/// then, one after the other, what is left.
+/// Assigns bands: first to faces that are determined by their corners, then to their neighbors that
+/// are not separated by a line, and finally to the rest one by one.
 void BandFinder::FindBands()
 {
   const RefinedSurface& surface = this->Result.Surface;
@@ -220,7 +221,7 @@ void BandFinder::FindBands()
   }
 }
 
-/// From faces to neighbours that may be in the same band, the nearest first.
+/// Spreads bands from faces to neighbors that may be in the same band, nearest first.
 void BandFinder::Spread(std::vector<Id>& front)
 {
   const RefinedSurface& surface = this->Result.Surface;
@@ -272,7 +273,7 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   const bool isRepeated = bands.Levels.size() < levels.size();
   const Isolines distinct = isRepeated ? WithoutRepeatedLevels(levels, lines) : Isolines();
   const Isolines& cuts = isRepeated ? distinct : lines;
-  // Lines that touch may cross by rounding, and those of fields that jump do cross.
+  // Touching lines may cross by rounding, and lines of discontinuous fields do cross.
   RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = ProgressPart(progress, 0.0, CutDone);

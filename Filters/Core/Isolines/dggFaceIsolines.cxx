@@ -10,19 +10,18 @@ namespace dgg
 {
 namespace
 {
-/// Grids that are tried one after the other.
+/// Grid resolutions, tried in this order.
 constexpr std::array<int, 5> CellsOfMarchingTriangles{ { 4, 8, 16, 32, 64 } };
-/// Twice the cells that a lattice has for each place around which lines may be closed, but for the
-/// finest lattice.
+/// Minimum number of lattice cells per seed (times two), except for the finest lattice.
 constexpr double CellsPerSeed = 4.0;
-/// A source this close to the rim is on it, in barycentric coordinates.
+/// A source this close to the boundary is on it, in barycentric coordinates.
 constexpr double OnRim = 1e-9;
-/// Where the field is looked at to see what is in the face.
+/// Barycentric coordinate of the samples close to corners.
 constexpr double NearCorner = 0.8;
-/// Rows of the lattice that a farthest point is looked for on, and its points.
+/// Rows of the lattice on which a maximum is searched, and number of its points.
 constexpr int PeakRows = 4;
 constexpr int PeakSamples = PeakRows * (PeakRows + 1) / 2;
-/// The step at which the search for the farthest point begins, and how often it is halved.
+/// Initial step of the search for a maximum, number of halvings, and number of directions.
 constexpr double FirstStep = 0.1;
 constexpr int StepsOfPeak = 50;
 constexpr int WaysOfPeak = 16;
@@ -43,7 +42,7 @@ FaceIsolines::FaceIsolines(const DistanceField& field, const std::vector<double>
 {
 }
 
-/// A guess on the safe side, for little.
+/// A cheap conservative test.
 bool FaceIsolines::MayHoldSource(Id f) const
 {
   if (this->Field.HasWindows())
@@ -73,7 +72,7 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   Id last = -1;
   double nearest = Infinity;
   double farthest = -Infinity;
-  double reach = 0.0; // of the nearest corner within the face
+  double reach = 0.0; // reach of the nearest corner within the face
   double longest = 0.0;
   for (int k = 0; k < 3; ++k)
   {
@@ -100,7 +99,7 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   const auto end = this->Levels.end();
   if (!isLinear)
   {
-    // No more than the way over a corner; no less than from a source inside.
+    // Levels between the distance of a source inside and that of the path through a corner.
     const auto above = std::upper_bound(begin, end, farthest);
     for (auto level = above; level != end && *level <= nearest + reach; ++level)
     {
@@ -138,9 +137,9 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   return fallbacks;
 }
 
-/// Places around which isolines may be closed within the face. The source of a corner may be one
-/// even where its model misses a little, as with the rounded angles of graphs: the distance there
-/// decides.
+/// Finds the points around which isolines may be closed within the face. The source of a corner may
+/// be one even if its model has a small deficit, as with the rounded angles of graphs: the distance
+/// there decides.
 void FaceIsolines::FindSeeds()
 {
   for (const FieldSample& source : this->Profile.GetSources())
@@ -186,7 +185,7 @@ void FaceIsolines::AddSource(const FieldSample& sample)
   this->Seeds.push_back({ place, distance, false });
 }
 
-/// The farthest point of the face, if that is not on its rim: isolines may be closed around it.
+/// Finds the maximum of the face, unless it is on the boundary: isolines may be closed around it.
 void FaceIsolines::FindPeak()
 {
   if (!this->Profile.MayHavePeak())
@@ -212,8 +211,8 @@ void FaceIsolines::FindPeak()
     [](const FieldSample& a, const FieldSample& b) { return a.Distance < b.Distance; });
   std::array<double, 3> best = places[farthest - samples.begin()];
   double value = farthest->Distance;
-  // Uphill between two waves leads along a ridge, whichever way that runs: all ways are tried,
-  // other ones in each step.
+  // Between two wavefronts, the ascent runs along a ridge of unknown direction: all directions are
+  // tried, different ones in each step.
   double step = FirstStep;
   for (int i = 0; i < StepsOfPeak; ++i)
   {
@@ -257,7 +256,7 @@ void FaceIsolines::CollectSeeds(Id level)
   }
 }
 
-/// The crossings of one level, after those of lower ones.
+/// Collects the crossings of one level; levels must be visited in increasing order.
 void FaceIsolines::CollectRim(Id level)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -320,7 +319,7 @@ Id FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
   {
     if (cells < CellsOfMarchingTriangles.back() && cells * cells < CellsPerSeed * seeds)
     {
-      continue; // triangles between seeds would be long and thin
+      continue; // triangles between seeds would be slivers
     }
     failures = 0;
     curves.resize(size);
@@ -342,7 +341,7 @@ Id FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
   return failures;
 }
 
-/// A single curve from one crossing to another, when it is as simple as it looks.
+/// Traces a single curve between two crossings, if it is simple.
 bool FaceIsolines::TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves)
 {
   LevelChain chain;
@@ -364,8 +363,8 @@ bool FaceIsolines::TraceDirectly(const LevelArc& arc, Id level, std::vector<Face
   return isGood;
 }
 
-/// What does not lie on the level is left out, up to the crossings on the rim. Returns whether the
-/// curve is as close to the level set as wished.
+/// Traces a chain, skipping points that are not at the level, except for crossings on the boundary.
+/// Returns true if the curve is within the tolerance of the level set.
 bool FaceIsolines::TraceChain(
   const LevelArc& arc, const LevelChain& chain, Id level, FaceCurve& curve)
 {

@@ -11,30 +11,31 @@ namespace dgg
 {
 namespace
 {
-/// Samples with which the search for jumps starts.
+/// Initial numbers of samples of the search for jumps.
 constexpr int SamplesOfSide = 8;
 constexpr int SamplesOfCorner = 2;
 constexpr int SamplesOfCut = 6;
-/// How far they are bisected: at corners, more would show rounding.
+/// Bisection widths; at corners, smaller ones would reveal rounding.
 constexpr double WidthOfSide = 1e-12;
 constexpr double WidthOfCorner = 1e-4;
-/// How far a jump may be from the tie, relative to the longest edge: more on the rim, which is
-/// looked at a little inside.
+/// Tolerance between a jump and the tie, relative to the longest edge; larger on the boundary,
+/// which is sampled slightly inside.
 constexpr double RimSlack = 1e-4;
 constexpr double CutSlack = 1e-6;
-/// Parts of a face that are so small, relative, are not divided further: where ridges meet, and
-/// where one ends because its angle falls.
+/// Minimum relative size of subregions that are divided further: where ridges meet, and where a
+/// ridge ends because its angle decreases.
 constexpr double SmallestPart = 1e-7;
 constexpr double SmallestDeadEnd = 1e-2;
-/// So are parts that are much smaller than the tolerance.
+/// Subregions smaller than this fraction of the tolerance are not divided either.
 constexpr double SmallShare = 0.1;
-/// Where parts are divided and how much the cut is turned: nothing that a regular mesh knows.
+/// Position and rotation of cuts: arbitrary values that do not coincide with symmetries of regular
+/// meshes.
 constexpr double CutPlace = 0.4871;
 constexpr double CutTurn = 0.1373;
-/// From a tie, a step of this length, relative, leads to where one source alone is the nearest.
+/// Relative step from a tie to a point where a single source is nearest.
 constexpr double TieStep = 1e-6;
 constexpr int MaximumDepth = 12;
-/// A curve whose ends belong to different sources is halved at least so often.
+/// Minimum number of bisections of a curve whose ends belong to different sources.
 constexpr int MinimumDepth = 2;
 
 bool HavePair(const FieldSample& a, const FieldSample& b, const FieldSample& c,
@@ -64,7 +65,8 @@ void FaceRidgeFinder::Find(Id f, FaceRidges& found)
   this->Connect(this->MakeRim());
 }
 
-/// The six corners of the face without its corners, and what comes out between them.
+/// Returns the boundary of the search region: the hexagon that remains after cutting the corners
+/// off, with the ridge points that leave between its corners.
 FaceRidgeFinder::Rim FaceRidgeFinder::MakeRim()
 {
   std::array<std::array<Point2, 2>, 3> ends;
@@ -95,7 +97,7 @@ FaceRidgeFinder::Rim FaceRidgeFinder::MakeRim()
   return rim;
 }
 
-/// What comes out through an edge, at the tie on the edge itself.
+/// Adds the ridges that leave through an edge, located at the tie on the edge itself.
 void FaceRidgeFinder::AddSide(int k, const Point2& from, const Point2& to, Rim& rim)
 {
   std::vector<FieldJump> jumps;
@@ -124,7 +126,7 @@ void FaceRidgeFinder::AddSide(int k, const Point2& from, const Point2& to, Rim& 
   }
 }
 
-/// What ends at a corner, or passes it.
+/// Adds the ridges that end at a corner or pass it.
 void FaceRidgeFinder::AddCorner(int k, const Point2& from, const Point2& to, Rim& rim)
 {
   std::vector<FieldJump> jumps;
@@ -147,7 +149,7 @@ Id FaceRidgeFinder::AddEnd(const RidgeEnd& end, const Crossing& crossing)
   return static_cast<Id>(this->Crossings.size()) - 1;
 }
 
-/// Connect what comes out of a convex part of the face.
+/// Connects the ridges that leave a convex subregion.
 void FaceRidgeFinder::Connect(const Rim& rim)
 {
   std::vector<Id> ridges;
@@ -168,7 +170,8 @@ void FaceRidgeFinder::Connect(const Rim& rim)
   }
   if (ridges.size() == 2)
   {
-    // Not one line, when there is nothing between: two that end, or more with smaller angles.
+    // If there is nothing in between, this is not a single line: two ridges end, or there are more
+    // with smaller angles.
     if (!this->AddPiece(ridges[0], ridges[1], size <= SmallestDeadEnd * this->Size))
     {
       this->Divide(rim);
@@ -193,7 +196,7 @@ void FaceRidgeFinder::Connect(const Rim& rim)
   }
 }
 
-/// Cut a part in two across its longest diagonal.
+/// Divides a subregion across its longest diagonal.
 void FaceRidgeFinder::Divide(const Rim& rim)
 {
   if (this->Jumps.IsExhausted())
@@ -224,7 +227,7 @@ void FaceRidgeFinder::Divide(const Rim& rim)
   auto height = [&](std::size_t i) {
     return Dot(across, Difference(rim[i % rim.size()].Place, through));
   };
-  std::vector<std::size_t> cuts; // each before the point after it
+  std::vector<std::size_t> cuts; // each cut is before the point of this index
   for (std::size_t i = 0; i < rim.size(); ++i)
   {
     if ((height(i) < 0.0) != (height(i + 1) < 0.0))
@@ -259,7 +262,7 @@ void FaceRidgeFinder::Divide(const Rim& rim)
     cut.push_back({ jump.Place, this->AddEnd(end, { place, jump.Before, jump.After }) });
   }
   cut.push_back({ places[1], NoId });
-  // What lies between the cuts, and the rest.
+  // The region between the cuts, and the rest.
   Rim part(rim.begin() + static_cast<std::ptrdiff_t>(cuts[0]) + 1,
     rim.begin() + static_cast<std::ptrdiff_t>(cuts[1]) + 1);
   part.insert(part.end(), cut.rbegin(), cut.rend());
@@ -270,8 +273,8 @@ void FaceRidgeFinder::Divide(const Rim& rim)
   this->Connect(part);
 }
 
-/// The point with three shortest paths, when there are three sources around a part and it lies in
-/// it.
+/// Finds the point with three shortest paths, if there are three sources around a subregion and the
+/// point lies inside.
 bool FaceRidgeFinder::FindJunction(
   const std::vector<Id>& ridges, const Rim& rim, Point2& place) const
 {
@@ -307,7 +310,7 @@ bool FaceRidgeFinder::FindJunction(
   {
     return false;
   }
-  // In the part, but for the inset of the rim.
+  // Inside the subregion, up to the inset of the boundary.
   for (std::size_t i = 0; i < rim.size(); ++i)
   {
     const Point2& p = rim[i].Place;
@@ -329,14 +332,15 @@ void FaceRidgeFinder::MakeJunction(const std::vector<Id>& ridges, const Point2& 
   const Id junction = this->AddEnd(end, { place, first.Before, first.After });
   for (const Id ridge : ridges)
   {
-    // The same sources at both ends, so that the curve between them is found at once.
+    // Use the same sources at both ends, so that the curve between them is found directly.
     this->Crossings[junction].Before = this->Crossings[ridge].Before;
     this->Crossings[junction].After = this->Crossings[ridge].After;
     this->AddPiece(ridge, junction, true);
   }
 }
 
-/// False when there is no ridge between two points and there must be one.
+/// Adds a ridge segment between two points. Returns false if no ridge is found although there must
+/// be one.
 bool FaceRidgeFinder::AddPiece(Id from, Id to, bool mayFail)
 {
   RidgePiece piece;
@@ -354,7 +358,7 @@ bool FaceRidgeFinder::AddPiece(Id from, Id to, bool mayFail)
   return true;
 }
 
-/// Points between two, by halves. False when some were not found.
+/// Adds points between two ridge points by bisection. Returns false if some were not found.
 bool FaceRidgeFinder::Refine(
   const Crossing& from, const Crossing& to, int depth, std::vector<std::array<double, 3>>& points)
 {
@@ -380,8 +384,8 @@ bool FaceRidgeFinder::Refine(
   return this->Refine(between, to, depth + 1, points) && isFound;
 }
 
-/// The point of the ridge across the middle of a chord: at the tie of the sources of an end, or
-/// else found anew.
+/// Finds the point of the ridge across the middle of a chord: at the tie of the sources of an end,
+/// otherwise by a new search.
 bool FaceRidgeFinder::FindBetween(const Crossing& from, const Crossing& to, Crossing& between) const
 {
   const double length = Distance(from.Place, to.Place);
@@ -395,7 +399,7 @@ bool FaceRidgeFinder::FindBetween(const Crossing& from, const Crossing& to, Cros
       return true;
     }
   }
-  // Across the chord, as far as the face goes.
+  // Perpendicular to the chord, within the face.
   const std::array<double, 3> here = this->Profile.BarycentricOf(middle);
   const std::array<double, 3> there =
     this->Profile.BarycentricOf({ middle.X + normal.X, middle.Y + normal.Y });
@@ -433,7 +437,7 @@ bool FaceRidgeFinder::FindBetween(const Crossing& from, const Crossing& to, Cros
   return true;
 }
 
-/// Whether a point of the face is as far from both sources as from anything.
+/// Returns true if both sources of a crossing are nearest at its point.
 bool FaceRidgeFinder::IsTie(const Crossing& crossing) const
 {
   const std::array<double, 3> b = this->Profile.BarycentricOf(crossing.Place);
@@ -445,8 +449,8 @@ bool FaceRidgeFinder::IsTie(const Crossing& crossing) const
     this->IsNearest(crossing.After, crossing.Place);
 }
 
-/// Whether a source is seen from a point, as the nearest one or one of several: a step towards it,
-/// it alone is.
+/// Returns true if a source is nearest at a point, possibly tied: after a step towards the source
+/// it must be the only nearest one.
 bool FaceRidgeFinder::IsNearest(const FieldSample& source, const Point2& p) const
 {
   const Point2 way = Difference(source.Image, p);

@@ -9,12 +9,12 @@ namespace dgg
 {
 namespace
 {
-/// How far the images of one source may be apart, relative.
+/// Relative tolerance between images of one source.
 constexpr double ImageTolerance = 1e-8;
-/// How clearly gradients must point apart to be those around a source.
+/// Minimum divergence of gradients that indicates a source between them.
 constexpr double ApartTolerance = 0.05;
 constexpr int NewtonSteps = 12;
-/// A step this small, relative, is rounding.
+/// Smaller relative steps are rounding errors.
 constexpr double LastStep = 1e-15;
 
 Point2 DirectionFromSource(const FieldSample& sample, const Point2& p)
@@ -122,12 +122,13 @@ void FieldJumpFinder::Find(
   }
 }
 
-/// Half the angle is followed: the gradient may turn back before and after a jump.
+/// Intervals with at least half the angle are bisected, because the gradient may turn back before
+/// and after a jump.
 void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& atBegin, double end,
   const FieldSample& atEnd) const
 {
   const double angle = AngleBetween(atBegin, atEnd);
-  // Where numbers overflow there is no angle, and nothing that halving would find.
+  // On overflow the angle is undefined, and bisection is useless.
   if (!(angle >= 0.5 * this->Angle) || HaveOneSource(atBegin, atEnd, way.Length))
   {
     return;
@@ -155,7 +156,7 @@ void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& at
   }
 }
 
-/// Most often there are two sources and nothing else: the jump is where they tie.
+/// The usual case: there are only two sources, and the jump is at their tie.
 bool FieldJumpFinder::SearchTie(const Way& way, double begin, const FieldSample& atBegin,
   double end, const FieldSample& atEnd) const
 {

@@ -11,10 +11,10 @@ namespace dgg
 {
 namespace
 {
-/// A model that misses the distance of the other end by more than this part of the length belongs
-/// to another way.
+/// A model whose error at the other end exceeds this fraction of the edge length belongs to another
+/// path.
 constexpr double BranchTolerance = 1e-9;
-/// Nodes keep this distance, relative to the length of the edge.
+/// Minimum distance between nodes, relative to the edge length.
 constexpr double NodeDistance = 1e-9;
 }
 
@@ -35,7 +35,7 @@ void HermiteEdge::SetUpEnds()
   const SurfaceMesh& mesh = *this->Field.Mesh;
   const Id h = this->HalfEdge;
   const std::array<Id, 2> vertices{ { mesh.Origin(h), mesh.Destination(h) } };
-  // The edge as it leaves its ends: h itself, and the side of the same face that comes before.
+  // Half-edges at both ends: h itself, and for the destination the previous side of the same face.
   const Id next = SurfaceMesh::Next(h);
   this->PolarAngles = { { mesh.PolarAngle(h), mesh.PolarAngle(next) + mesh.CornerAngle(next) } };
   this->Length = mesh.Length(h);
@@ -78,7 +78,7 @@ double HermiteEdge::At(double x) const
         this->Models[1].At(this->Length - x, this->PolarAngles[1]))
     : s * s * ((1.0 + 2.0 * t) * this->Ends[0] + t * this->Rises[0]) +
       t * t * ((1.0 + 2.0 * s) * this->Ends[1] - s * this->Rises[1]);
-  // Of numbers so large that these overflow, a straight line is left.
+  // On overflow, fall back to linear interpolation.
   return std::isfinite(value) ? value : s * this->Ends[0] + t * this->Ends[1];
 }
 
@@ -91,7 +91,7 @@ void HermiteEdge::PlaceNodes()
     const double x = i == count ? this->Length : this->Length * i / count;
     this->Nodes.push_back({ x, this->At(x), true });
   }
-  // Sites that are nearest somewhere: the others lie within the reach of one before or behind.
+  // Keep sites that are nearest somewhere; the others are dominated by a site before or behind.
   this->Kept.clear();
   for (const RimNode& node : this->Nodes)
   {

@@ -12,18 +12,19 @@ namespace dgg
 {
 namespace
 {
-/// Lines between two reports.
+/// Lines between two progress reports.
 constexpr std::size_t ProgressInterval = 1024;
 
-/// The curves of each line. A line runs as its curve of smallest number does, and begins with it
-/// when it is closed. Lines are in the order of levels, then of those curves.
+/// Joins curves into lines. A line has the direction of its curve with the smallest index, and
+/// starts with it if closed. Lines are sorted by level, then by that curve.
 std::vector<PieceChain> JoinCurves(const std::vector<FaceCurve>& curves)
 {
   std::vector<std::array<Id, 2>> ends;
   ends.reserve(curves.size());
   for (const FaceCurve& curve : curves)
   {
-    const Id own = -2 - static_cast<Id>(ends.size()); // of a closed one, which meets nothing
+    const Id own =
+      -2 - static_cast<Id>(ends.size()); // unique end of a closed curve, which meets no other
     ends.push_back(
       { { curve.First == NoId ? own : curve.First, curve.First == NoId ? own : curve.Last } });
   }
@@ -60,7 +61,7 @@ std::vector<PieceChain> JoinCurves(const std::vector<FaceCurve>& curves)
   return sorted;
 }
 
-/// Makes lines of points.
+/// Converts chains of curves into lines.
 class Drawing
 {
 public:
@@ -112,7 +113,7 @@ private:
       this->Mesh, c.HalfEdge, std::min(1.0, std::max(0.0, c.X / this->Mesh.Length(c.HalfEdge))));
   }
 
-  /// Appends a point unless the line ends there.
+  /// Appends a point unless it equals the last point of the line.
   void Append(const SurfacePoint& point, Id face, SurfacePath& line) const
   {
     if (line.Points.empty() || !IsSamePoint(line.Points.back(), point))

@@ -20,7 +20,7 @@ namespace
 constexpr Offset HalfEdgesInBlock = 1024;
 constexpr Offset FacesInBlock = 512;
 constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
-/// Shares of the progress.
+/// Progress after each step.
 constexpr double CrossingsDone = 0.3;
 constexpr double FacesDone = 0.9;
 
@@ -54,7 +54,7 @@ Status CheckArguments(
   return CheckCorners(*field.Mesh);
 }
 
-/// What is used again from edge to edge.
+/// State that is reused between edges.
 struct EdgeWorker
 {
   EdgeProfile Profile;
@@ -68,8 +68,7 @@ void CrossEdge(const DistanceField& field, const std::vector<double>& levels, Id
   const SurfaceMesh& mesh = *field.Mesh;
   const double a = field.Distances[mesh.Origin(h)];
   const double b = field.Distances[mesh.Destination(h)];
-  // Within these bounds a function of slope 1 at most stays, but for rounding; a field may be
-  // steeper than that.
+  // Bounds of a function with slopes of at most 1, up to rounding; a field may be steeper.
   const double length = (1.0 + 1e-9) * mesh.Length(h);
   const bool isLinear = !field.HasWindows() && !field.HasSources();
   const double lowest = isLinear ? std::min(a, b) : std::min({ a, b, 0.5 * (a + b - length) });
@@ -91,7 +90,7 @@ void CrossEdge(const DistanceField& field, const std::vector<double>& levels, Id
   }
 }
 
-/// The pieces of LocalSources.
+/// Finds the crossings and curves of LocalSources.
 Status FindLocalParts(const DistanceField& field, const std::vector<double>& levels,
   double tolerance, const ParallelFor& parallel, const ProgressCallback& progress,
   LevelCrossings& crossings, std::vector<FaceCurve>& curves, Id& fallbacks)

@@ -12,33 +12,34 @@ namespace dgg
 {
 namespace
 {
-/// Rounding of distances, relative.
+/// Relative rounding error of distances.
 constexpr double Rounding = 4e-13;
-/// Points closer than this are the same, relative to the face.
+/// Points closer than this coincide, relative to the face.
 constexpr double SamePoint = 1e-10;
-/// Images that are closer than this may be the same, relative.
+/// Images closer than this may coincide, relative.
 constexpr double SameImage = 1e-9;
-/// How far outside of the face a point may be, in barycentric coordinates.
+/// Tolerance of points outside the face, in barycentric coordinates.
 constexpr double Outside = 1e-13;
-/// A chord is halved this often at most.
+/// Maximum number of bisections of a chord.
 constexpr int DeepestChord = 12;
 constexpr int MostNewtonSteps = 6;
-/// How far they may lead away from the middle of a chord, in its lengths: not to its ends.
+/// Maximum distance of Newton steps from the middle of a chord, in chord lengths, so that they do
+/// not reach its ends.
 constexpr double NewtonReach = 0.8;
-/// How far from a chord its isoline is looked for, in its lengths.
+/// Initial search distance from a chord to its isoline, in chord lengths.
 constexpr double NearestSearch = 1.0 / 16.0;
-constexpr int StepsOfSearch = 15; // each twice as far
+constexpr int StepsOfSearch = 15; // the distance doubles in each step
 constexpr int MostRootSteps = 80;
-/// Of pieces that are found one below the other where a corner is looked for.
+/// Maximum number of pieces, each below the previous one, in the search for a corner.
 constexpr int MostPieces = 8;
-/// Largest turn between two points of an arc, and of an arc within a face.
+/// Maximum turning angle between two points of an arc, and of an arc within a face.
 constexpr double LargestStep = Pi / 6.0;
 constexpr double LargestTurn = 1.4 * Pi;
-/// Corners that turn by less are not seen, radians.
+/// Corners that turn by less are not visible, radians.
 constexpr double SmallTurn = 0.05;
 /// Sine of half the angle of the sharpest corners.
 constexpr double SharpestWedge = 1e-3;
-/// Pieces this short have none, in tolerances.
+/// Pieces shorter than this fraction of the tolerance have no corners.
 constexpr double SmallPart = 0.01;
 constexpr double MostPointsOfArc = 4096.0;
 
@@ -76,7 +77,7 @@ LevelPoint LevelArc::FindBetween(const LevelPoint& below, const LevelPoint& abov
 {
   struct Probe
   {
-    double X; // 0 below, 1 above
+    double X; // 0 at the point below, 1 at the point above
     double Height;
     LevelPoint Point;
   };
@@ -95,7 +96,7 @@ LevelPoint LevelArc::FindBetween(const LevelPoint& below, const LevelPoint& abov
   return FindRoot(begin, end, 1e-3 * this->Close, MostRootSteps, look).Point;
 }
 
-/// Whether both belong to the same smooth piece of the field.
+/// Returns true if both points belong to the same smooth piece of the field.
 bool LevelArc::IsSamePiece(const LevelPoint& a, const LevelPoint& b) const
 {
   if (!a.Sample.HasImage || !b.Sample.HasImage)
@@ -107,8 +108,8 @@ bool LevelArc::IsSamePiece(const LevelPoint& a, const LevelPoint& b) const
     std::abs(a.Sample.Offset - b.Sample.Offset) <= close;
 }
 
-/// Whether there may be a corner between two points that is seen, or higher than the tolerance:
-/// gradients turn by as much as the isoline does.
+/// Returns true if there may be a corner between two points that is visible, or higher than the
+/// tolerance: gradients turn as much as the isoline does.
 bool LevelArc::MayTurn(const LevelPoint& a, const LevelPoint& b) const
 {
   const double turn = Distance(a.Sample.Gradient, b.Sample.Gradient);
@@ -155,7 +156,7 @@ bool LevelArc::RefineChord(
   const Point2 chord = Difference(to.Place, from.Place);
   const double length = Norm(chord.X, chord.Y);
   const double height = std::abs(Cross(chord, Difference(middle.Place, from.Place))) / length;
-  // Between the ends there may be a corner that the middle does not show.
+  // There may be a corner between the ends that the middle does not reveal.
   if (height <= this->Tolerance && (this->IsSamePiece(from, to) || !this->MayTurn(from, to)))
   {
     return true;
@@ -169,8 +170,8 @@ bool LevelArc::RefineChord(
   return this->RefineChord(middle, to, depth + 1, points) && isFirst;
 }
 
-/// Both ends have the same source: evenly spaced points of its circle. Does nothing when one of
-/// them is not on the level: something else is nearer there.
+/// If both ends have the same source, adds evenly spaced points of its circle. Does nothing and
+/// returns false if one of them is not at the level because another source is nearer there.
 bool LevelArc::AddArc(
   const LevelPoint& from, const LevelPoint& to, std::vector<Point2>& points) const
 {
@@ -188,7 +189,7 @@ bool LevelArc::AddArc(
   {
     return false;
   }
-  // An arc of angle a is farther from its chord than (1 - cos(a / 2)) radius nowhere.
+  // The distance of an arc of angle a from its chord is at most (1 - cos(a / 2)) radius.
   const double sine = std::sqrt(std::min(0.5, 0.5 * this->Tolerance / radius));
   const double step = std::min(LargestStep, 4.0 * std::asin(sine));
   const double count = std::max(1.0, std::min(MostPointsOfArc, std::ceil(turn / step)));
@@ -213,8 +214,8 @@ bool LevelArc::AddArc(
   return isThere;
 }
 
-/// The corner between two pieces of the isoline, or where a third one is nearer there, which may be
-/// too short to be met otherwise, that with the third one.
+/// Finds the corner between two pieces of the isoline. If a third piece is nearer there, which may
+/// be too short to be found otherwise, finds the corner with that piece.
 bool LevelArc::FindCorner(
   const LevelPoint& from, const LevelPoint& to, LevelPoint& before, LevelPoint& after) const
 {
@@ -249,7 +250,8 @@ bool LevelArc::FindCorner(
   {
     return false;
   }
-  // Where circles nearly coincide, they meet anywhere: a line must not run back along either.
+  // Nearly coinciding circles intersect at arbitrary points; a line must not run backward along
+  // either circle.
   const auto runsBack = [&](const FieldSample& sample, const Point2& p, const Point2& q) {
     return sample.HasImage &&
       Cross(Difference(p, sample.Image), Difference(q, sample.Image)) <
@@ -264,7 +266,8 @@ bool LevelArc::FindCorner(
   return true;
 }
 
-/// Of the two points at the right distances from both images, the one that lies at the chord.
+/// Intersects two circles around the images; of the two intersections, chooses the one at the
+/// chord.
 bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2& corner) const
 {
   const Point2 way = Difference(to.Sample.Image, from.Sample.Image);
@@ -290,7 +293,8 @@ bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2&
   {
     std::swap(places[0], places[1]);
   }
-  // What is below is on the left of the isoline: a middle above it, on its right.
+  // Lower distances are on the left of the isoline: if the middle is above the level, the isoline
+  // is on the left of the middle.
   const Point2 chord = Difference(to.Place, from.Place);
   const bool isLeft = this->Profile.At(middle) >= this->Level;
   const bool isBeside = (Cross(chord, Difference(places[0], from.Place)) >= 0.0) == isLeft;
@@ -299,8 +303,8 @@ bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2&
   return true;
 }
 
-/// The point where the level sets of both pieces meet, by Newton's method from the middle of the
-/// chord on.
+/// Finds the intersection of the level sets of both pieces, by Newton's method starting at the
+/// middle of the chord.
 bool LevelArc::MeetCandidates(const LevelPoint& from, const LevelPoint& to, Point2& corner) const
 {
   const Point2 middle = Between(from.Place, to.Place, 0.5);
@@ -326,7 +330,7 @@ bool LevelArc::MeetCandidates(const LevelPoint& from, const LevelPoint& to, Poin
   return true;
 }
 
-/// A point of the level beside the middle of a chord.
+/// Returns a point at the level beside the middle of a chord.
 LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
 {
   const double reach = NewtonReach * Distance(from.Place, to.Place);

@@ -13,14 +13,14 @@ namespace dgg
 {
 namespace
 {
-/// Waves between two others are looked for this deep.
+/// Maximum recursion depth of the search for wavefronts between two others.
 constexpr int MostDepth = 12;
-/// Steps of the bisection for the point where two waves tie.
+/// Bisection steps for the point where two wavefronts tie.
 constexpr int StepsOfTie = 40;
-/// Points closer to an end than this, relative, are at the end.
+/// Points closer to an end than this, relative, coincide with the end.
 constexpr double AtEnd = 1e-7;
 
-/// Points of a line at which the field may turn.
+/// Points of a line where the field may have an extremum.
 class Line
 {
 public:
@@ -48,7 +48,7 @@ private:
     }
   }
 
-  /// Where a wave is lowest.
+  /// Adds the minimum of a wavefront.
   void AddFoot(const FieldSample& wave, double begin, double end)
   {
     const double t = Dot(Difference(wave.Image, this->From), this->Way) / Dot(this->Way, this->Way);
@@ -58,7 +58,7 @@ private:
     }
   }
 
-  /// In order, from one place to another, and what is nearest there.
+  /// Collects ties and minima between two positions, given the nearest sources there, in order.
   void Collect(
     double begin, const FieldSample& first, double end, const FieldSample& last, int depth)
   {
@@ -102,7 +102,8 @@ void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const Le
     return;
   }
   const Line line(arc, from.Point, to.Point);
-  const LevelPoint* best = nullptr; // of those on one side of the level, the farthest from it
+  const LevelPoint* best =
+    nullptr; // of consecutive points on one side of the level, the farthest from it
   bool isAbove = from.IsAbove;
   const auto finish = [&] {
     if (best)
@@ -110,7 +111,7 @@ void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const Le
       turns.push_back(*best);
     }
   };
-  bool isFirst = true; // these go with the first end
+  bool isFirst = true; // these belong to the first end
   for (const LevelPoint& point : line.GetPoints())
   {
     const bool isPointAbove = point.Sample.Distance >= level;

@@ -10,15 +10,16 @@ namespace dgg
 {
 namespace
 {
-/// A ridge is looked for by this many halvings of a side.
+/// Bisection steps of the search for a ridge on a side.
 constexpr int StepsOfCrest = 16;
-/// The lowest point of a ridge is looked for by this many steps, each of which leaves two thirds.
+/// Steps of the search for the lowest point of a ridge, each of which reduces the interval to two
+/// thirds.
 constexpr int StepsOfDip = 12;
 /// A point this close to a side of a triangle is on it, relative to the largest part of the
 /// triangle.
 constexpr double OnSide = 1e-12;
-/// How often all triangles are looked at for waves between their nodes, and how many nodes these
-/// may cost, in nodes that there are.
+/// Maximum number of passes that search all triangles for wavefronts between their nodes, and
+/// maximum ratio of added nodes to existing ones.
 constexpr int RoundsOfTurns = 12;
 constexpr std::size_t MostNodes = 20;
 
@@ -72,7 +73,7 @@ Id MarchingTriangles::AddNode(const LevelArc& arc, double level, const Point2& p
   return static_cast<Id>(this->Nodes.size()) - 1;
 }
 
-/// The nodes on the rim, and the crossings between them.
+/// Adds the nodes on the boundary, and the crossings between them.
 void MarchingTriangles::AddRim(
   const FaceProfile& profile, const LevelArc& arc, const LevelRim& rim, int cells)
 {
@@ -175,7 +176,7 @@ void MarchingTriangles::AddTriangles(
   }
 }
 
-/// A cell with further nodes on its sides is cut from its middle.
+/// Adds a cell; a cell with further nodes on its sides is divided from its center.
 void MarchingTriangles::AddCell(const LevelArc& arc, double level, const Triangle& corners,
   const std::array<const std::vector<Id>*, 3>& between)
 {
@@ -207,7 +208,7 @@ void MarchingTriangles::AddCell(const LevelArc& arc, double level, const Triangl
   }
 }
 
-/// Cut the triangle in which the seed lies.
+/// Inserts a seed into the triangle that contains it.
 void MarchingTriangles::InsertSeed(const LevelArc& arc, double level, const Point2& seed)
 {
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
@@ -221,14 +222,14 @@ void MarchingTriangles::InsertSeed(const LevelArc& arc, double level, const Poin
     }
     const double least = std::min({ areas[0], areas[1], areas[2] });
     const double largest = std::max({ areas[0], areas[1], areas[2] });
-    // By rounding a seed on the side of two triangles may be in neither.
+    // Because of rounding, a seed on the common side of two triangles may be in neither.
     if (!(largest > 0.0) || !(least >= -OnSide * largest))
     {
       continue;
     }
     if (areas[0] + areas[1] + areas[2] - largest <= 1e-9 * largest)
     {
-      return; // at a node, which is as good
+      return; // coincides with a node
     }
     const Id node = this->AddNode(arc, level, seed);
     const auto nearest =
@@ -245,7 +246,7 @@ void MarchingTriangles::InsertSeed(const LevelArc& arc, double level, const Poin
   }
 }
 
-/// Cut the triangles on both sides of a and b at a node between these.
+/// Divides the triangles on both sides of edge ab at a node between a and b.
 void MarchingTriangles::CutSide(Id a, Id b, Id node)
 {
   const std::size_t count = this->Triangles.size();
@@ -266,9 +267,10 @@ void MarchingTriangles::CutSide(Id a, Id b, Id node)
   }
 }
 
-/// Waves of several sources in the face may be narrower than its small triangles: cut these until
-/// no side is crossed more than once, and where three waves meet. All sides come before those that
-/// are new, which may lead to slivers along a side that is to be cut itself.
+/// Wavefronts of several sources in the face may be narrower than the triangles: divides these
+/// until no side is crossed more than once, and where three wavefronts meet. Existing sides are
+/// processed before new ones, which could lead to slivers along a side that has to be divided
+/// itself.
 void MarchingTriangles::AddTurns(const LevelArc& arc, double level)
 {
   this->Looked.clear();
@@ -338,8 +340,8 @@ bool MarchingTriangles::CutAtMeeting(const LevelArc& arc, double level, std::siz
   return true;
 }
 
-/// Cut small triangles where a ridge crosses their sides, so that the narrow strip above the level
-/// along it is not lost between nodes. Where it crosses two sides it runs from one to the other.
+/// Divides triangles where a ridge crosses their sides, so that the narrow strip above the level
+/// along the ridge is not missed between nodes. If the ridge crosses two sides, it connects them.
 void MarchingTriangles::AddCrests(const LevelArc& arc, double level)
 {
   this->Crests.clear();
@@ -358,8 +360,8 @@ void MarchingTriangles::AddCrests(const LevelArc& arc, double level)
     {
       continue;
     }
-    // Turn it so that the first side is the one that is left whole of three, or the one that is
-    // cut.
+    // Rotate the triangle so that the first side is the undivided one of three, or the only divided
+    // one.
     while (found == 3 ? false : (crests[0] != NoId) != (found == 1))
     {
       std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
@@ -402,7 +404,8 @@ void MarchingTriangles::AddCrests(const LevelArc& arc, double level)
   }
 }
 
-/// A node above the level between two that are below it, with a rise from either of them.
+/// Returns a node above the level between two nodes below it, if the distance rises from both of
+/// them.
 Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
 {
   if (this->Nodes[a].IsAbove || this->Nodes[b].IsAbove)
@@ -424,7 +427,7 @@ Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
   const FieldSample& atBegin = this->Nodes[low].Point.Sample;
   const FieldSample& atEnd = this->Nodes[high].Point.Sample;
   Id found = NoId;
-  // At a corner of the face there may be no gradient.
+  // At a corner of the face the gradient may be undefined.
   if (Dot(atBegin.Gradient, way) >= 0.0 && Dot(atEnd.Gradient, way) <= 0.0 &&
     0.5 * (atBegin.Distance + atEnd.Distance + Norm(way.X, way.Y)) > level &&
     !this->IsOnRim(low, high))
@@ -448,15 +451,15 @@ Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
   return found;
 }
 
-/// A node below the level on the ridge between two nodes above it, if it falls that low: there, the
-/// two waves have met, and the strip is cut. Along the ridge of two waves the distance falls, then
-/// rises.
+/// Returns a node below the level on the ridge between two nodes above it, if the ridge falls that
+/// low: there, the two wavefronts have met, and the strip is interrupted. Along the ridge of two
+/// wavefronts the distance falls, then rises.
 Id MarchingTriangles::FindDip(const LevelArc& arc, double level, Id a, Id b)
 {
   const Point2 begin = this->Nodes[a].Point.Place;
   const Point2 way = Difference(this->Nodes[b].Point.Place, begin);
   const Point2 side{ -way.Y, way.X };
-  // The ridge beside the straight way, within the face: in a long one, the rim is near.
+  // The ridge beside the straight line, within the face; in an elongated face the boundary is near.
   const auto look = [&](double t) {
     const Point2 base{ begin.X + t * way.X, begin.Y + t * way.Y };
     double left = -0.5;
@@ -499,7 +502,7 @@ Id MarchingTriangles::FindDip(const LevelArc& arc, double level, Id a, Id b)
   return NoId;
 }
 
-/// Whether the side between two nodes lies on the rim, where the crossings decide.
+/// Returns true if the side between two nodes lies on the boundary, where the crossings decide.
 bool MarchingTriangles::IsOnRim(Id a, Id b) const
 {
   for (int k = 0; k < 3; ++k)
@@ -519,7 +522,7 @@ Id MarchingTriangles::AddLink(Id low, Id high)
   return this->Nodes[low].LastLink;
 }
 
-/// The link between two nodes.
+/// Returns the link between two nodes.
 Id MarchingTriangles::FindLink(Id a, Id b)
 {
   const Id low = std::min(a, b);
@@ -547,7 +550,7 @@ void MarchingTriangles::March()
       const bool isAbove = this->Nodes[from].IsAbove;
       if (isAbove != this->Nodes[to].IsAbove)
       {
-        // Entering where the rim rises, it has what is lower on its left.
+        // The isoline enters where the boundary rises, so that lower distances are on its left.
         (isAbove ? last : first) = this->FindLink(from, to);
       }
     }

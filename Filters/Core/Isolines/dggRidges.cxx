@@ -19,11 +19,11 @@ namespace
 {
 constexpr Offset FacesInBlock = 512;
 constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
-/// With windows, and with virtual sources.
+/// Smallest angles with windows, and with virtual sources.
 constexpr double SmallestAngle = 0.1 * Pi / 180.0;
 constexpr double SmallestAngleOfModels = 10.0 * Pi / 180.0;
-constexpr double FacesDone = 0.9; // share of the progress
-/// What two faces find on their edge is the same point when it is so close, in lengths of the edge.
+constexpr double FacesDone = 0.9; // progress after the faces
+/// Points that two faces find on their edge are merged within this distance, in edge lengths.
 constexpr double MergeDistance = 1e-4;
 
 Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
@@ -50,8 +50,8 @@ Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
   return CheckCorners(*field.Mesh);
 }
 
-/// Pieces of ridges, and how they hang together: nodes are points of a surface, arcs polylines
-/// within one face.
+/// Ridge segments and their connectivity: nodes are points of a surface, arcs polylines within one
+/// face.
 class RidgeGraph
 {
 public:
@@ -71,7 +71,7 @@ public:
     return static_cast<Id>(this->Nodes.size()) - 1;
   }
 
-  /// The node at a vertex, of which there is one.
+  /// Returns the node of a vertex.
   Id AddVertex(Id v)
   {
     if (this->NodeOfVertex[v] == NoId)
@@ -82,7 +82,7 @@ public:
     return this->NodeOfVertex[v];
   }
 
-  /// An arc in a face; nothing when it is empty.
+  /// Adds an arc in a face, unless it is empty.
   void AddArc(Id from, Id to, Id face, double angle, std::vector<SurfacePoint> between)
   {
     if (from != to || !between.empty())
@@ -92,7 +92,8 @@ public:
     }
   }
 
-  /// Polylines from nodes that do not have two arcs to others, and closed ones.
+  /// Joins arcs into polylines, which end at nodes that do not have exactly two arcs, and closed
+  /// ones.
   void MakeLines(Ridges& ridges) const
   {
     for (const PieceChain& chain : JoinPieces(this->Ends))
@@ -130,7 +131,7 @@ private:
                                                : arc.Between[i];
         if (line.Append(this->Mesh, point, arc.Face) == 0.0)
         {
-          // The same point twice; the later one is the node.
+          // Duplicate point; the later one is the node.
           line.Points.erase(line.Points.end() - 2);
           line.Faces.pop_back();
         }
@@ -147,11 +148,11 @@ private:
   const SurfaceMesh& Mesh;
   std::vector<Id> NodeOfVertex;
   std::vector<SurfacePoint> Nodes;
-  std::vector<std::array<Id, 2>> Ends; // of the arcs
+  std::vector<std::array<Id, 2>> Ends; // end nodes of the arcs
   std::vector<Arc> Arcs;
 };
 
-/// Connects what faces found across their edges.
+/// Connects the ridges of adjacent faces across their edges.
 class EdgeJoiner
 {
 public:
@@ -171,13 +172,13 @@ public:
   void Run();
 
 private:
-  /// What a face found on the edge, or the end of the edge.
+  /// A ridge end that a face found on the edge, or an end of the edge.
   struct Meeting
   {
-    double X = 0.0; // from the origin of the first half-edge
+    double X = 0.0; // abscissa from the origin of the first half-edge
     Id Face = NoId;
     Id End = NoId;    // index into the ends of the face
-    Id Vertex = NoId; // else
+    Id Vertex = NoId; // otherwise the vertex
     Id Node = NoId;
   };
 
@@ -218,7 +219,7 @@ void EdgeJoiner::Run()
   }
 }
 
-/// Does nothing but for the first half-edge of an edge among reached faces.
+/// Only acts for the first half-edge of an edge among reached faces.
 void EdgeJoiner::JoinEdge(Id h)
 {
   std::vector<Id> halfEdges{ h };
@@ -262,8 +263,8 @@ void EdgeJoiner::Collect(Id h, Id first, std::vector<Meeting>& meetings) const
   }
 }
 
-/// What several faces found in one place becomes one node, where the first of them found it. Leaves
-/// those that one face alone has found.
+/// Merges ends that several faces found at one position into one node, at the position of the
+/// first. Leaves those that only one face has found.
 void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
 {
   const double length = this->Mesh.Length(h);
@@ -307,7 +308,8 @@ void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
   meetings.swap(alone);
 }
 
-/// Ridges that run along the edge, from where one face alone has found them, or from an end.
+/// Joins ridges that run along the edge, from ends that only one face has found, or from an end of
+/// the edge.
 void EdgeJoiner::JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings)
 {
   const bool isMirrored = this->Mesh.Origin(twin) == this->Mesh.Origin(h);
@@ -347,8 +349,8 @@ void EdgeJoiner::JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings)
   }
 }
 
-/// Whether the gradients on both sides of an edge, in the frames of its half-edges, point at each
-/// other with at least the angle.
+/// Returns true if the gradients on both sides of an edge, in the frames of its half-edges, point
+/// at each other with at least the minimum angle.
 bool EdgeJoiner::IsRidge(double left, double right, bool isMirrored) const
 {
   const double opposite = isMirrored ? -right : right + Pi;
@@ -356,7 +358,7 @@ bool EdgeJoiner::IsRidge(double left, double right, bool isMirrored) const
     std::sin(left) < std::sin(opposite);
 }
 
-/// The polar angle of the gradient next to an edge, within the face.
+/// Returns the polar angle of the gradient near an edge, within the face.
 double EdgeJoiner::GradientAngle(FaceProfile& profile, Id h, double x) const
 {
   const int k = h % 3;

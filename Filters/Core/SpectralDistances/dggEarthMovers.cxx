@@ -18,16 +18,16 @@ namespace dgg
 {
 namespace
 {
-/// What is aimed at in a step, as a part of the gap that there is: less after long steps, more
-/// after short ones, which were stopped by slopes that are near 1.
+/// Target gap of a step as a fraction of the present gap: smaller after long steps, larger after
+/// short ones, which were limited by slopes close to 1.
 constexpr double FirstAim = 0.4;
 constexpr double LeastAim = 0.1;
 constexpr double LongStep = 0.7;
 constexpr double ShortStep = 0.5;
-/// Part of the way to a slope of 1 that a step goes.
+/// Fraction of the step to a slope of 1 that is taken.
 constexpr double StepMargin = 0.8;
-/// Triangles with a larger cotangent are all but lines. Those that PoissonSystem takes as they are
-/// have smaller ones: to make them larger would make flow through them cost more.
+/// Triangles with a larger cotangent are nearly degenerate. Those that PoissonSystem uses unchanged
+/// have smaller ones: enlarging them would increase the cost of flow through them.
 constexpr double MostCotangent = 1e7;
 /// Slope of the first potential.
 constexpr double FirstSlope = 0.9;
@@ -47,10 +47,11 @@ struct LinearFlow
   }
 };
 
-/// On the central path the flow is the slope times e + sqrt(e^2 + |flow|^2), with a small e: it
-/// goes up the slope, which is below 1, and near 1 where there is flow. This is Newton's linear
-/// model of that, made symmetric (Andersen, Christiansen, Conn and Overton, "An efficient
-/// primal-dual interior-point method for minimizing a sum of Euclidean norms", 2000).
+/// On the central path the flow is the slope times e + sqrt(e^2 + |flow|^2), with a small e: it has
+/// the direction of the slope, which is below 1, and close to 1 where there is flow. This is
+/// Newton's linear model of that relation, made symmetric (Andersen, Christiansen, Conn and
+/// Overton, "An efficient primal-dual interior-point method for minimizing a sum of Euclidean
+/// norms", 2000).
 LinearFlow Linearize(const Point2& flow, const Point2& slope, double e)
 {
   const double size = Norm(flow.X, flow.Y);
@@ -65,7 +66,7 @@ LinearFlow Linearize(const Point2& flow, const Point2& slope, double e)
     half * (flow.X * slope.Y + flow.Y * slope.X), factor + 2.0 * half * flow.Y * slope.Y };
 }
 
-/// Vectors constant per triangle, in frames with the first side as x axis.
+/// Piecewise constant vectors per triangle, in frames with the first side as x axis.
 class Flows
 {
 public:
@@ -83,9 +84,8 @@ public:
       }
       face.Length = triangulation.Length(h);
       face.Apex = triangulation.Apex(f);
-      // Where the element was made softer, so is the flow, for both to fit together. A triangle
-      // of near-zero area is made larger, which conducts the same: slopes across it would be
-      // noise.
+      // If the element was softened, so is the flow, for consistency. A triangle of near-zero area
+      // is enlarged, which preserves its conductance: slopes across it would be noise.
       const std::array<double, 3> allowed = system.GetCotangents(f);
       double softness = 1.0;
       double largest = 0.0;
@@ -116,7 +116,7 @@ public:
     return { x, (rise - x * face.Apex.X) / face.Apex.Y };
   }
 
-  /// Add, per vertex, the integral of the flow against the gradient of the hat function.
+  /// Adds, per vertex, the integral of the flow against the gradient of the hat function.
   void AddDivergence(std::size_t f, const Point2& flow, std::vector<double>& values) const
   {
     const Face& face = this->Faces[f];
@@ -127,8 +127,8 @@ public:
     values[face.Corners[2]] += third;
   }
 
-  /// Call `visit(v, w, entry)` for all pairs of corners, with the integral of grad phi_v . A grad
-  /// phi_w of their hat functions, A symmetric.
+  /// Calls `visit(v, w, entry)` for all pairs of corners, with the integral of grad phi_v . A grad
+  /// phi_w of their hat functions, for symmetric A.
   template <typename Visitor>
   void ForEachEntry(std::size_t f, const LinearFlow& a, Visitor&& visit) const
   {
@@ -164,14 +164,14 @@ private:
     double Length = 0.0;
     Point2 Apex;
     double Area = 0.0;
-    double Scale = 1.0; // of the triangle that is laid out
+    double Scale = 1.0; // scale of the triangle as laid out
   };
 
   std::vector<Face> Faces;
 };
 
-/// The stiffness with a matrix in each element, another one in each step. The pattern and the order
-/// of elimination are those of the system.
+/// The stiffness matrix with a tensor per element, which changes in each step. The pattern and the
+/// elimination order are those of the system.
 class StepMatrix
 {
 public:
@@ -196,7 +196,7 @@ public:
     }
   }
 
-  /// Replace sources by the solution, 0 where it is pinned.
+  /// Replaces sources by the solution, 0 at pinned vertices.
   Status Solve(std::vector<double>& values, const ProgressCallback& progress)
   {
     DGG_RETURN_IF_ERROR(
@@ -227,18 +227,19 @@ double SteepestOf(const Flows& flows, const std::vector<double>& values)
   return steepest;
 }
 
-/// How many times the change may be added to a slope until that is 1; 0 where it is more already.
+/// Returns the factor with which the change can be added to a slope until its norm is 1; 0 if it
+/// already exceeds 1.
 double FindLongestStep(const Point2& slope, const Point2& change)
 {
   const double a = Dot(change, change);
   const double b = Dot(slope, change);
   const double c = std::max(0.0, 1.0 - Dot(slope, slope));
-  // The form without cancellation: b is positive where the step is short.
+  // Form without cancellation: b is positive if the step is short.
   const double root = std::sqrt(b * b + a * c);
   return b + root > 0.0 ? (b > 0.0 ? c / (b + root) : (root - b) / a) : Infinity;
 }
 
-/// Per face of the mesh; nothing where the elements are others.
+/// Returns the flow per face of the mesh; empty if the elements are not the faces.
 std::vector<Point2> FlowInFaces(
   const PoissonSystem& system, const Flows& flows, const std::vector<Point2>& flow)
 {
@@ -257,8 +258,8 @@ std::vector<Point2> FlowInFaces(
   return result;
 }
 
-/// Make masses sum to 1, in two steps since their sum may be too large for a number. `total` is
-/// what they summed to; with 0, nothing is done.
+/// Scales masses to the sum 1, in two steps since their sum may overflow. `total` is the original
+/// sum; if 0, nothing is done.
 Status ScaleToOne(std::vector<double>& masses, double& total)
 {
   double largest = 0.0;
@@ -286,7 +287,7 @@ Status ScaleToOne(std::vector<double>& masses, double& total)
                               : Status::Invalid("the sum of the masses is not finite: scale them");
 }
 
-/// Differences within the tolerance are taken off the second distribution.
+/// Subtracts differences within the tolerance from the second distribution.
 Status BalanceComponents(
   const SurfaceMesh& mesh, std::vector<double>& from, std::vector<double>& to)
 {
@@ -346,7 +347,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     return Status::Invalid("mass must not leave through boundaries: use Neumann conditions");
   }
   const std::size_t n = from.size();
-  // The weak divergence that flows must have; mass goes down potentials.
+  // Required weak divergence of flows; mass flows towards smaller potentials.
   std::vector<double> sources(n);
   for (std::size_t v = 0; v < n; ++v)
   {
@@ -410,7 +411,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   {
     return Status::Success();
   }
-  // An interior point method: slopes stay below 1, flows keep their divergence, and e goes to 0.
+  // Interior-point method: slopes stay below 1, flows keep their divergence, and e tends to 0.
   const double firstGap = result.Distance - result.LowerBound;
   const double tolerance = std::max(options.Tolerance, LeastEarthMoversGap);
   const double scale = FirstSlope / SteepestOf(flows, potential);
@@ -456,7 +457,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
       break;
     }
     std::fill(rest.begin(), rest.end(), 0.0);
-    double longest = Infinity; // until a slope is 1
+    double longest = Infinity; // step until a slope is 1
     for (std::size_t f = 0; f < m; ++f)
     {
       const LinearFlow linear = linearFlow(f);
@@ -466,7 +467,7 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
       flows.AddDivergence(f, exact[f], rest);
       longest = std::min(longest, FindLongestStep(slope, change));
     }
-    // What rounding has left of the divergence.
+    // Residual of the divergence due to rounding.
     for (std::size_t v = 0; v < n; ++v)
     {
       rest[v] = sources[v] - rest[v];

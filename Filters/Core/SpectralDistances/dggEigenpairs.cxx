@@ -21,30 +21,30 @@ namespace dgg
 namespace
 {
 constexpr double Tolerance = 1e-8;
-/// Meshes with fewer vertices that count are left to a dense solver. Up to so many vertices, so are
-/// requests for more than a part of the spectrum.
+/// Components with fewer relevant vertices use a dense solver. So do components of up to the second
+/// number of vertices if more than a fraction (inverse) of the spectrum is requested.
 constexpr Id DenseVertices = 300;
 constexpr Id MostDenseVertices = 1000;
 constexpr Id DensePart = 5;
-/// The basis has half as many vectors again as there are values to find, and so many.
+/// The basis has 1.5 times as many vectors as requested eigenvalues, plus this number.
 constexpr Id MoreVectors = 20;
 constexpr int MostIterations = 100;
-/// Relative difference of eigenvalues that makes a gap.
+/// Relative difference between eigenvalues that counts as a gap.
 constexpr double Gap = 1e-4;
-/// Searches for those of multiple eigenvalues that one starting vector does not lead to.
+/// Maximum number of searches for multiple eigenvalues, which one starting vector does not find.
 constexpr int MostSearches = 5;
-/// Part of the progress that the first search takes.
+/// Progress after the first search.
 constexpr double SearchDone = 0.9;
-/// Eigenvalues of the inverse below this part of the largest are rounding.
+/// Eigenvalues of the inverse below this fraction of the largest are rounding errors.
 constexpr double Rounding = 1e-13;
 
-/// Leaves Spectra, whose loops have no other way out. Never thrown out of FindLargest().
+/// Aborts the loops of Spectra, which offer no other exit. Never propagates out of FindLargest().
 struct Aborted
 {
 };
 
-/// L and M, and the inverse of M^-1/2 L M^-1/2 off its kernel and off the eigenvectors that are
-/// known, as Spectra wants it.
+/// L and M, and the inverse of M^-1/2 L M^-1/2 in the orthogonal complement of its kernel and of
+/// the known eigenvectors, with the interface that Spectra requires.
 class Operator
 {
 public:
@@ -71,18 +71,18 @@ public:
       }
     }
     this->Rank -= this->Nullity;
-    // Spectra has thresholds that make sense for numbers of about 1.
+    // Thresholds of Spectra are meant for values of about 1.
     this->Scale = this->Roots.squaredNorm() > 0.0 ? 1.0 / this->Roots.squaredNorm() : 1.0;
   }
 
-  /// How many eigenvalues there are besides 0, and how often that is one.
+  /// Number of non-zero eigenvalues, and multiplicity of 0.
   Id GetRank() const { return this->Rank; }
   Id GetNullity() const { return this->Nullity; }
-  /// What eigenvalues of the inverse have been multiplied with.
+  /// Factor by which eigenvalues of the inverse are scaled.
   double GetScale() const { return this->Scale; }
   const Eigen::VectorXd& GetRoots() const { return this->Roots; }
 
-  /// Whether a dense solver takes less for so many eigenvalues.
+  /// Returns true if a dense solver is cheaper for `count` eigenvalues.
   bool IsSmall(Eigen::Index count) const
   {
     return this->Rank <= DenseVertices || count >= this->Rank ||
@@ -90,7 +90,7 @@ public:
   }
 
   void SetKnown(const Eigen::MatrixXd& vectors) { this->Known = vectors; }
-  /// Reported to with the number of applications, from the next one on.
+  /// Sets a callback that receives the number of applications, counted from now on.
   void SetProgress(const std::function<bool(Id)>& progress)
   {
     this->Applied = 0;
@@ -115,8 +115,8 @@ public:
     to = this->Off(this->Scale * inner.cwiseProduct(this->Roots));
   }
 
-  /// How many eigenvalues of L v = lambda M v are below sigma, 0 included; -1 when that cannot be
-  /// found out, or progress asks to stop.
+  /// Returns the number of eigenvalues of L v = lambda M v below sigma, including 0; -1 if it
+  /// cannot be determined, or if progress asks to stop.
   Id CountBelow(double sigma, const ProgressCallback& progress) const
   {
     Eigen::SparseMatrix<double> matrix = this->System.GetStiffness();
@@ -141,7 +141,7 @@ public:
   }
 
 private:
-  /// What is left of a vector off those that are known.
+  /// Projects a vector onto the orthogonal complement of the known vectors.
   Eigen::VectorXd Off(const Eigen::VectorXd& x) const
   {
     return x - this->Known * (this->Known.transpose() * x);
@@ -157,7 +157,7 @@ private:
   mutable Id Applied = 0;
 };
 
-/// Eigenvalues of L v = lambda M v, increasing, and M^1/2 v.
+/// Stores eigenvalues of L v = lambda M v, increasing, and eigenvectors, given M^1/2 v.
 void Put(const Operator& op, const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors,
   Eigenpairs& pairs)
 {
@@ -168,7 +168,7 @@ void Put(const Operator& op, const Eigen::VectorXd& values, const Eigen::MatrixX
   for (Eigen::Index k = 0; k < values.size(); ++k)
   {
     double* function = pairs.Functions.data() + k * n;
-    // The sign is that of the first value that is not small.
+    // The sign is normalized by the first value that is not small.
     double largest = 0.0;
     for (Eigen::Index v = 0; v < n; ++v)
     {
@@ -187,8 +187,8 @@ void Put(const Operator& op, const Eigen::VectorXd& values, const Eigen::MatrixX
   }
 }
 
-/// How many of the largest eigenvalues of the inverse stand out of rounding. Those below belong to
-/// eigenvalues that are as good as infinite: they can have any sign.
+/// Returns how many of the largest eigenvalues of the inverse exceed rounding errors. The others
+/// belong to practically infinite eigenvalues and may have any sign.
 Eigen::Index CountDefinite(const Eigen::VectorXd& inverses)
 {
   Eigen::Index count = 0;
@@ -199,8 +199,8 @@ Eigen::Index CountDefinite(const Eigen::VectorXd& inverses)
   return count;
 }
 
-/// All of the inverse, of which the largest eigenvalues are accurate, as those of the matrix itself
-/// are not where it has entries of very different size.
+/// Returns the dense inverse. Its largest eigenvalues are accurate, whereas the smallest ones of
+/// the matrix itself are not if its entries differ widely in magnitude.
 Eigen::MatrixXd MakeInverse(const Operator& op)
 {
   const Eigen::Index n = op.rows();
@@ -216,7 +216,8 @@ Eigen::MatrixXd MakeInverse(const Operator& op)
   return 0.5 * (inverse + inverse.transpose());
 }
 
-/// Add the largest eigenvalues of the inverse off those that are known, in decreasing order.
+/// Adds the largest eigenvalues of the inverse in the complement of the known vectors, in
+/// decreasing order.
 Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressCallback& progress,
   Eigen::VectorXd& values, Eigen::MatrixXd& vectors)
 {
@@ -257,7 +258,7 @@ Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressC
   {
     return Status::Invalid("the eigenvalues could not be found: make better triangles");
   }
-  // With those that are known, in order.
+  // Merged with the known ones, in order.
   const Eigen::Index known = values.size();
   std::vector<Eigen::Index> order(known + newValues.size());
   std::iota(order.begin(), order.end(), 0);
@@ -289,7 +290,7 @@ Status FindOnComponent(
     pairs.IsComplete = true;
     return Status::Success();
   }
-  // One more than asked for, to see the gap behind the last one.
+  // One more than requested, to detect the gap behind the last one.
   const auto wanted = static_cast<Id>(std::min<Eigen::Index>(count + 1, op.GetRank()));
   const bool isDense = op.IsSmall(wanted);
   Eigen::VectorXd inverses;
@@ -327,7 +328,7 @@ Status FindOnComponent(
   return !status.IsOk() || Goes(progress, 1.0) ? status : Status::Abort();
 }
 
-/// The options for a part.
+/// Returns the options for a submesh.
 PoissonOptions OptionsOf(const PoissonSystem& system, const MeshPart& part)
 {
   PoissonOptions options = system.GetOptions();

@@ -19,21 +19,21 @@ namespace dgg
 {
 namespace
 {
-/// Vertices that the diagonal is solved for at once.
+/// Number of vertices solved together for the diagonal.
 constexpr Offset BlockSize = SparseLanes::SizeAtCompileTime;
-/// Part of the progress of distances between points.
+/// Progress after the solves of distances between points.
 constexpr double SolvesDone = 0.9;
-/// Numbers that a block of points works on, about: some milliseconds. Larger ones take as long as a
-/// point does.
+/// Approximate number of values per block of points: some milliseconds. Larger points form blocks
+/// of their own.
 constexpr double NumbersPerBlock = 1e6;
 
-/// How many points make a block when each works on so many numbers.
+/// Returns the number of points per block if each processes `numbers` values.
 Offset BlockOf(double numbers)
 {
   return static_cast<Offset>(std::max(1.0, NumbersPerBlock / std::max(1.0, numbers)));
 }
 
-/// Differences of squares, never below 0 by rounding.
+/// Returns the root of a square, which may be slightly negative by rounding.
 double Root(double square)
 {
   return std::sqrt(std::max(0.0, square));
@@ -184,7 +184,7 @@ Status SpectralDistance::CheckPreparedSource(const SurfacePoint& point) const
                      " has no eigenpairs: call Prepare() with this source");
 }
 
-/// Unit load, 0 where values are given.
+/// Returns a unit load at a point, 0 at given values.
 std::vector<double> SpectralDistance::LoadOf(const SurfacePoint& point) const
 {
   const PoissonSystem& system = this->Solver.GetSystem();
@@ -201,7 +201,8 @@ std::vector<double> SpectralDistance::PotentialOf(const SurfacePoint& point) con
   return values;
 }
 
-/// Of potentials of points: the Green's function at the one, of the other. `load` is that of a.
+/// Returns the Green's function of one point at another from the potentials of both. `load` is that
+/// of a.
 double SpectralDistance::Product(
   const std::vector<double>& load, const std::vector<double>& a, const std::vector<double>& b) const
 {
@@ -215,7 +216,7 @@ double SpectralDistance::Product(
   return sum;
 }
 
-/// The vector whose distances are the distances.
+/// Returns the embedding of a point: spectral distances are Euclidean distances of embeddings.
 std::vector<double> SpectralDistance::EmbeddingOf(const SurfacePoint& point) const
 {
   const Eigenpairs& pairs = this->Pairs[this->Solver.GetSystem().GetComponent(point)];
@@ -230,16 +231,15 @@ std::vector<double> SpectralDistance::EmbeddingOf(const SurfacePoint& point) con
   return embedding;
 }
 
-/// The value of the Green's function at each vertex for a pole there: solves for all vertices,
-/// eight at a time, which takes as long as that many columns. Components are solved for at the same
-/// time.
+/// Computes the value of the Green's function at each vertex for a pole there: solves for all
+/// vertices, eight at a time, at the cost of that many columns. Components are solved together.
 Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const ProgressCallback& progress)
 {
   const PoissonSystem& system = this->Solver.GetSystem();
   const auto n = static_cast<std::size_t>(system.GetNumberOfVertices());
   const bool isBiharmonic = this->Options.Kind == SpectralKind::Biharmonic;
   std::vector<double> diagonal(n, 0.0);
-  // One vertex of each component at a time, which do not know of each other.
+  // One vertex of each component at a time, since components are independent.
   std::vector<std::vector<Id>> rounds;
   std::vector<std::size_t> counts(static_cast<std::size_t>(system.GetNumberOfComponents()), 0);
   for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
@@ -283,7 +283,7 @@ Status SpectralDistance::FindDiagonal(const ParallelFor& parallel, const Progres
   return Status::Success();
 }
 
-/// The Green's function of a point from its potential.
+/// Returns the Green's function of a point from its potential.
 std::vector<double> SpectralDistance::ColumnOf(std::vector<double> potential) const
 {
   const PoissonSystem& system = this->Solver.GetSystem();
@@ -315,7 +315,7 @@ Status SpectralDistance::FromPoint(const SurfacePoint& source, std::vector<doubl
     }
     if (IsVertex(source))
     {
-      squares[source.Vertex] = 0.0; // not what rounding leaves
+      squares[source.Vertex] = 0.0; // not a rounding error
     }
   }
   else
@@ -353,13 +353,14 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
     for (std::size_t k = 0; k < points->size(); ++k)
     {
       const SurfacePoint& point = (*points)[k];
-      // In a thin component the distance is not known, but to those in others it is Infinity.
+      // In a thin component distances are unknown, but distances to other components are Infinity.
       DGG_RETURN_IF_ERROR(
         (points == &first ? this->CheckPreparedSource(point) : this->CheckPlace(point))
           .Of("point " + std::to_string(k)));
     }
   }
-  // Vectors whose distances are the distances: potentials, with areas as weights, or embeddings.
+  // Vectors whose Euclidean distances are the spectral distances: potentials, weighted by areas, or
+  // embeddings.
   const bool isExact = this->Options.Method == SpectralMethod::Exact;
   const auto findVectors = [&](const std::vector<SurfacePoint>& points, double begin, double end,
                              std::vector<std::vector<double>>& vectors) {
@@ -397,7 +398,7 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
     double square = 0.0;
     if (isExact && !isBiharmonic)
     {
-      // Potential difference of the two points while a unit flows from one to the other.
+      // Potential difference between the two points for a unit flow from one to the other.
       const SurfaceMesh& mesh = this->Solver.GetMesh();
       square = InterpolateAt(mesh, first[i], a) - InterpolateAt(mesh, second[j], a) -
         InterpolateAt(mesh, first[i], b) + InterpolateAt(mesh, second[j], b);
@@ -430,7 +431,7 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   return status;
 }
 
-/// Of the factor, which is gone through twice.
+/// Number of values per solve: the entries of the factor, which is traversed twice.
 double SpectralDistance::GetNumbersOfSolve() const
 {
   return 2.0 * static_cast<double>(this->Solver.GetSystem().GetNumberOfFactorEntries());

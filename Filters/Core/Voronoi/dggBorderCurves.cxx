@@ -19,8 +19,8 @@ void BorderCurves::AddPiece(Id site, Id other, const std::array<Id, 2>& points)
   }
 }
 
-/// All cells along a piece of an edge: those that were added, and its owner where there are more
-/// faces.
+/// Adds borders between all cells along an edge segment: those that were added, and the owner if
+/// there are more faces.
 void BorderCurves::AddPiecesOfSide(const SurfaceMesh& mesh, Side begin, Side end)
 {
   std::vector<Id> sites;
@@ -63,7 +63,7 @@ void BorderCurves::AddTo(const SurfaceMesh& mesh, VoronoiDiagram& diagram)
   this->Pieces.erase(last, this->Pieces.end());
   for (auto begin = this->Pieces.cbegin(); begin != this->Pieces.cend();)
   {
-    std::vector<std::array<Id, 2>> points; // of the pieces between one pair of cells
+    std::vector<std::array<Id, 2>> points; // segments between one pair of cells
     auto end = begin;
     for (; end != this->Pieces.cend() && end->Sites == begin->Sites; ++end)
     {

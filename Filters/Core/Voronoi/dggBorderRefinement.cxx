@@ -11,26 +11,27 @@ namespace dgg
 {
 namespace
 {
-/// How far ideas of a distance may differ, in units of the accuracy, relatively.
-constexpr double Doubt = 0.6;
-/// How far distances from two sites may differ in the end.
-constexpr double Balanced = 0.05;
-/// Steps for a point on an edge, and for one inside a face.
+/// Maximum difference between predictions of a distance, relative, in units of the accuracy.
+constexpr double PredictionTolerance = 0.6;
+/// Final tolerance between the distances from two sites, relative, in units of the accuracy.
+constexpr double BalanceTolerance = 0.05;
+/// Maximum number of steps for a point on an edge, and inside a face.
 constexpr int MostEdgeSteps = 12;
 constexpr int MostFaceSteps = 6;
-/// Points on edges keep away from the ends of their ranges, or they would be the same (SamePlace).
+/// Minimum distance of points on edges from the ends of their ranges, so that they are not merged
+/// (SamePlace).
 constexpr double Margin = 2e-5;
-/// Coordinates by which distances are differentiated.
+/// Step of finite differences, in barycentric coordinates.
 constexpr double DifferenceStep = 1e-3;
 
-/// Work of links per face: some twenty times what a diagram of a clean mesh takes.
+/// Maximum work of links per face: about twenty times that of a diagram of a clean mesh.
 constexpr std::size_t MostWorkOfFace = 3000;
-constexpr std::size_t SmallestMesh = 2500; // of fewer faces any takes little
+constexpr std::size_t SmallestMesh = 2500; // minimum number of faces for the limit
 
-/// The part of the way to a side of the face that a step may take.
+/// Maximum step, as a fraction of the distance to a side of the face.
 constexpr double LargestPart = 0.9;
 
-/// A step that does not leave the face.
+/// Returns the result of a step that does not leave the face.
 std::array<double, 3> Step(
   const std::array<double, 3>& place, const std::array<double, 3>& direction)
 {
@@ -87,7 +88,7 @@ void BorderRefinement::Balance(Id halfEdge, const std::array<Id, 2>& sites, doub
   {
     return;
   }
-  // Regula falsi in the Illinois variant; before both ends are known, half of the way to the end.
+  // Regula falsi, Illinois variant; until the root is bracketed, half the distance to the end.
   double ends[2] = { low, high };
   double values[2] = { -Infinity, Infinity };
   double best = Infinity;
@@ -99,14 +100,14 @@ void BorderRefinement::Balance(Id halfEdge, const std::array<Id, 2>& sites, doub
     {
       return;
     }
-    const double excess = found[0] - found[1]; // negative where the first site is nearer
+    const double excess = found[0] - found[1]; // negative if the first site is nearer
     if (std::abs(excess) < best)
     {
       best = std::abs(excess);
       parameter = t;
       distance = 0.5 * (found[0] + found[1]);
     }
-    if (best <= Balanced * this->Accuracy * distance)
+    if (best <= BalanceTolerance * this->Accuracy * distance)
     {
       return;
     }
@@ -137,7 +138,7 @@ void BorderRefinement::Balance(
   {
     return;
   }
-  // Newton's method with differences, as long as it gets better.
+  // Newton's method with finite differences, as long as it improves.
   double best = Infinity;
   Coordinates next = place;
   for (int step = 0; step < MostFaceSteps; ++step)
@@ -161,8 +162,8 @@ void BorderRefinement::Balance(
     const double h = next[0] > 2.0 * DifferenceStep ? DifferenceStep : -DifferenceStep;
     const Coordinates a{ { next[0] - h, next[1] + h, next[2] } };
     const Coordinates b{ { next[0] - h, next[1], next[2] + h } };
-    if (best <= Balanced * this->Accuracy * distance || !this->Measure(face, a, sites, along) ||
-      !this->Measure(face, b, sites, across))
+    if (best <= BalanceTolerance * this->Accuracy * distance ||
+      !this->Measure(face, a, sites, along) || !this->Measure(face, b, sites, across))
     {
       return;
     }
@@ -180,7 +181,7 @@ void BorderRefinement::Balance(
   }
 }
 
-/// Whether a corner of the face that knows the site has another idea of its distance.
+/// Returns true if a corner of the face that is reached by the site predicts a different distance.
 bool BorderRefinement::IsDoubtful(Id face, const Coordinates& place, Id site, double distance) const
 {
   for (Id h = 3 * face; h < 3 * face + 3; ++h)
@@ -191,7 +192,7 @@ bool BorderRefinement::IsDoubtful(Id face, const Coordinates& place, Id site, do
       continue;
     }
     const double predicted = this->Predict(h, *entry, PlaceInFrame(this->Mesh, h, place));
-    if (!(std::abs(predicted - distance) <= Doubt * this->Accuracy * distance))
+    if (!(std::abs(predicted - distance) <= PredictionTolerance * this->Accuracy * distance))
     {
       return true;
     }
@@ -211,7 +212,8 @@ double BorderRefinement::Predict(
     : std::nan("");
 }
 
-/// Distances of a point from sites, through links of its own. False when one is not known.
+/// Computes the distances of a point from sites through links of its own. Returns false if one is
+/// unknown.
 bool BorderRefinement::Measure(
   const SurfacePoint& point, const Id* sites, std::size_t count, double* distances) const
 {

@@ -13,7 +13,7 @@ namespace dgg
 {
 namespace
 {
-/// Visit all vertices that a search has reached, each after its tail.
+/// Visits all vertices that a search has reached, each after its tail.
 template <typename Visitor>
 void VisitTailsFirst(const SearchResult& result, Visitor&& visit)
 {
@@ -33,13 +33,13 @@ void VisitTailsFirst(const SearchResult& result, Visitor&& visit)
   }
 }
 
-/// Lloyd's iteration, from a current state on. Energies are those at the start and after each step
-/// that decreases the energy; after others, steps are halved.
+/// Lloyd's iteration from a current state. `energies` receives the energy at the start and after
+/// each step that decreases it; after other steps, the step size is halved.
 template <typename Centers>
 Status Iterate(Centers& centers, const CentroidalOptions& options, typename Centers::State& current,
   std::vector<double>& energies)
 {
-  double reported = 0.0; // a step may search several times, and does not go back then
+  double reported = 0.0; // never decreases, although a step may search several times
   const auto report = [&](double done) {
     reported = std::max(reported, std::min(1.0, done / (options.NumberOfIterations + 1)));
     return !options.Progress || options.Progress(reported);
@@ -77,28 +77,28 @@ Status Iterate(Centers& centers, const CentroidalOptions& options, typename Cent
   return status;
 }
 
-/// A length that others are measured in: a power of two, so that this changes no digit. Energies
-/// are of the fourth power of lengths, and so are intermediate results.
+/// Returns a unit of length: a power of two, so that scaling is exact. Energies are fourth powers
+/// of lengths, and so are intermediate results.
 double ChooseUnit(const SurfaceMesh& mesh)
 {
   const double length = mesh.GetMeanEdgeLength();
   return length > 0.0 ? std::ldexp(1.0, std::ilogb(length)) : 1.0;
 }
 
-/// On a surface.
+/// Lloyd's iteration on a surface.
 class SurfaceCenters
 {
 public:
-  /// How often steps are halved before the iteration ends.
+  /// Number of halvings of the step before the iteration ends.
   static constexpr int MostHalvings = 6;
 
-  /// Sites, and where they would like to go.
+  /// Sites, and the means of their cells.
   struct State
   {
     std::vector<SurfacePoint> Sites;
     std::vector<double> Angles;  ///< per site, direction to the mean of its cell
-    std::vector<double> Lengths; ///< per site, distance of it
-    double Energy = Infinity;    ///< in units of lengths
+    std::vector<double> Lengths; ///< per site, distance to the mean of its cell
+    double Energy = Infinity;    ///< in powers of the unit
   };
 
   SurfaceCenters(const GraphSearch& search, const SurfaceMesh& mesh, const GraphBuilder& builder,
@@ -121,7 +121,7 @@ public:
     }
   }
 
-  /// Energy and means of sites.
+  /// Computes the energy and the means of a state.
   Status Look(State& state, const ProgressCallback& progress)
   {
     LinkedSites linked;
@@ -134,7 +134,7 @@ public:
     {
       return Status::Invalid("sites cannot be moved over a graph without directions");
     }
-    // The direction in which the way to each vertex leaves its site.
+    // The direction in which the path to each vertex leaves its site.
     this->Directions.assign(this->Mesh.GetNumberOfVertices(), 0.0);
     VisitTailsFirst(
       this->Result, [&](Id v) { this->Directions[v] = this->FindDirection(v, linked); });
@@ -172,14 +172,14 @@ public:
     return Status::Success();
   }
 
-  /// An energy in units of the mesh.
+  /// Converts an energy to units of the mesh.
   double ToModel(double energy) const
   {
     const double square = this->Unit * this->Unit;
     return energy * square * square;
   }
 
-  /// Whether no site would move far.
+  /// Returns true if no site would move far.
   bool IsSettled(const State& state, double tolerance) const
   {
     const auto farthest = std::max_element(state.Lengths.begin(), state.Lengths.end());
@@ -187,7 +187,7 @@ public:
       tolerance * this->Mesh.GetMeanEdgeLength();
   }
 
-  /// Walk a part of the way to the means.
+  /// Moves the sites by a fraction of the distance to the means.
   Status Step(const State& from, double part, const ProgressCallback& progress, State& to)
   {
     SurfacePath path;
@@ -201,7 +201,7 @@ public:
   }
 
 private:
-  /// That of a vertex whose tail has one.
+  /// Returns the direction of a vertex, given that of its tail.
   double FindDirection(Id v, const LinkedSites& linked) const
   {
     const SearchResult& result = this->Result;
@@ -215,9 +215,9 @@ private:
     const Offset edge = result.Edges[v];
     if (result.Tails[u] == NoId && linked.Seeds[seed].ArrivalAngle < 0.0)
     {
-      return graph.Angles[edge]; // from the site itself, a vertex
+      return graph.Angles[edge]; // first edge: from the site itself, a vertex
     }
-    // As the distance, the way is straight as long as its virtual source is the site.
+    // Like the distance, the path is straight as long as its virtual source is the site.
     if (result.Virtual[v].Offset != 0.0 || result.Virtual[u].Offset != 0.0)
     {
       return this->Directions[u];
@@ -247,11 +247,11 @@ private:
   std::vector<double> Directions; ///< per vertex, at its site
 };
 
-/// On a cloud.
+/// Lloyd's iteration on a cloud.
 class CloudCenters
 {
 public:
-  /// Steps that are smaller than this part of what the means ask for are of no use.
+  /// Number of halvings of the step; smaller steps are useless.
   static constexpr int MostHalvings = 5;
 
   /// Sites and what a search found from them.
@@ -268,8 +268,8 @@ public:
   {
   }
 
-  /// Search from the sites of a state. The first state chooses the unit of length, so that squares
-  /// neither overflow nor vanish.
+  /// Searches from the sites of a state. The first state determines the unit of length, so that
+  /// squares neither overflow nor vanish.
   Status Look(State& state, const ProgressCallback& progress)
   {
     std::vector<GraphSeed> seeds;
@@ -300,7 +300,8 @@ public:
     return Status::Success();
   }
 
-  /// Move all sites by a part of the way to the means of their cells. Returns whether any moves.
+  /// Moves all sites by a fraction of the distance to the means of their cells. Returns true if any
+  /// site moves.
   bool Move(const State& from, double part, State& to) const
   {
     const std::vector<Point3> aims = this->FindAims(from, part);
@@ -310,7 +311,7 @@ public:
     {
       closest[i] = this->SquaredDistance(aims[i], from.Sites[i]);
     }
-    // In the order of ids, so that of several points at the same distance the first one is taken.
+    // In order of ids, so that ties are resolved in favor of the first point.
     const std::vector<Id>& cells = from.Result.Seeds;
     for (Id v = 0; v < static_cast<Id>(cells.size()); ++v)
     {
@@ -325,9 +326,8 @@ public:
     return to.Sites != from.Sites;
   }
 
-  /// The moves from one state to the next that are good for the cells that the sites had: where the
-  /// points of the cell are closer to the new sites together. Returns whether there are any, but
-  /// not all.
+  /// Selects the moves that improve the previous cells of the sites, that is, after which the
+  /// points of the cell are closer in total. Returns true if there are some, but not all.
   bool SelectMoves(const State& from, const State& to, State& selected) const
   {
     std::vector<double> gains(from.Sites.size(), 0.0);
@@ -352,7 +352,8 @@ public:
   double ToModel(double energy) const { return energy * this->Unit * this->Unit; }
   bool IsSettled(const State& /*state*/, double /*tolerance*/) const { return false; }
 
-  /// Move all sites, or else those alone that are closer to the points of their cells then.
+  /// Moves all sites or, failing that, only those that are then closer to the points of their
+  /// cells.
   Status Step(const State& from, double part, const ProgressCallback& progress, State& to)
   {
     if (!this->Move(from, part, to))
@@ -372,7 +373,7 @@ public:
 private:
   Point3 At(Id v) const { return PointAt(this->Positions, v); }
 
-  /// In units.
+  /// Returns a squared distance in units.
   double SquaredDistance(const Point3& p, Id v) const
   {
     const Point3 d = p - this->At(v);
@@ -380,8 +381,8 @@ private:
     return Dot(inUnits, inUnits);
   }
 
-  /// Per vertex, the first vertex after its site on the way to it; NoId for sites and where no site
-  /// reaches.
+  /// Returns, per vertex, the first vertex after its site on the path to it; NoId for sites and
+  /// unreached vertices.
   std::vector<Id> FindDepartures(const State& state) const
   {
     const std::vector<Id>& tails = state.Result.Tails;
@@ -395,7 +396,7 @@ private:
     return departures;
   }
 
-  /// Where the sites are to go.
+  /// Returns the target positions of the sites.
   std::vector<Point3> FindAims(const State& state, double part) const
   {
     const std::vector<Id> departures = this->FindDepartures(state);
@@ -415,7 +416,7 @@ private:
       }
       const Point3 way = this->At(departures[v]) - this->At(state.Sites[site]);
       const double length = std::hypot(way.X, way.Y, way.Z);
-      if (length > 0.0) // not so for points in the same place
+      if (length > 0.0) // zero for coincident points
       {
         const double distance = state.Result.Distances[v];
         sums[site] =

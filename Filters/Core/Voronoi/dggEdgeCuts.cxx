@@ -14,11 +14,11 @@ namespace dgg
 {
 namespace
 {
-/// Half-edges between two reports: some milliseconds, with refinement more.
+/// Half-edges between two progress reports: some milliseconds, more with refinement.
 constexpr Id ProgressInterval = 8192;
 
-/// A site seen along an edge: squared distances at both ends, less the part that all sites have in
-/// common in between.
+/// A site along an edge: squared distances at both ends, minus the term in between that is common
+/// to all sites.
 struct Line
 {
   Id Site;
@@ -31,7 +31,7 @@ double Square(double x)
   return x * x;
 }
 
-/// The sites that both ends know, and the nearest ones of both.
+/// Returns the sites that are known at both ends, and the nearest sites of both ends.
 std::vector<Line> LinesOf(const SiteDistances& distances, Id origin, Id destination, double length)
 {
   std::vector<Line> lines;
@@ -47,8 +47,8 @@ std::vector<Line> LinesOf(const SiteDistances& distances, Id origin, Id destinat
       lines.push_back({ a->Site, Square(a->Distance), Square(b->Distance) });
     }
   }
-  // Rounding and shortcuts of the search may leave out one of these two at the other end; it is no
-  // farther there than along the edge.
+  // Because of rounding and shortcuts of the search, the nearest site of one end may be unknown at
+  // the other end; its distance there is at most that along the edge.
   const auto isKnown = [&lines](Id site) {
     return std::any_of(
       lines.begin(), lines.end(), [site](const Line& line) { return line.Site == site; });
@@ -98,7 +98,7 @@ bool EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* refin
   return true;
 }
 
-/// Move the cuts of the edge that was cut last, each between its neighbours.
+/// Refines the cuts of the most recent edge, each between its neighbors.
 void EdgeCuts::Refine(Id halfEdge, const BorderRefinement& refinement, VoronoiDiagram& diagram)
 {
   const auto n = static_cast<Id>(diagram.Distances.size());
@@ -128,9 +128,9 @@ void EdgeCuts::Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& 
   const Id last = diagram.NearestSites[destination];
   if (first == last)
   {
-    return; // lines that are above another one at both ends are so in between
+    return; // a line above another one at both ends is above it in between
   }
-  // From line to line, always the next one that goes below.
+  // Follows the lower envelope from line to line.
   const std::vector<Line> lines =
     LinesOf(distances, origin, destination, this->Mesh.Length(halfEdge));
   const auto find = [&lines](Id site) {
@@ -159,7 +159,7 @@ void EdgeCuts::Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& 
         parameter = t;
       }
     }
-    next = next == lines.end() ? end : next; // as low at the end, and a smaller number
+    next = next == lines.end() ? end : next; // tied at the end, with a smaller index
     const bool isSame = before >= 0.0 && parameter - before < SamePlace;
     Id point = NoId;
     if (isSame)

@@ -31,7 +31,7 @@ Coordinates Between(const Coordinates& a, const Coordinates& b, double t)
     (1.0 - t) * a[2] + t * b[2] } };
 }
 
-/// The part of the squared distance that all sites have in common: minus sum b_i b_j l_ij^2.
+/// Returns the term of the squared distance that is common to all sites: minus sum b_i b_j l_ij^2.
 double CommonPart(const SurfaceMesh& mesh, Id face, const Coordinates& place)
 {
   double sum = 0.0;
@@ -80,7 +80,7 @@ void FaceCells::Cut(Id face)
   this->AddPieces();
 }
 
-/// The cuts of the sides, and what lies between them.
+/// Collects the cuts of the sides, and the segments between them.
 void FaceCells::WalkAround(Id face)
 {
   this->Around.clear();
@@ -138,7 +138,8 @@ void FaceCells::CutByLines(Id face)
   }
 }
 
-/// Whether every side of a cell is that of another one as well, or one of the way around.
+/// Returns true if every side of a cell is also a side of another cell, or a segment of the
+/// boundary.
 bool FaceCells::IsConsistent() const
 {
   using Side = std::pair<Id, Id>;
@@ -162,7 +163,7 @@ bool FaceCells::IsConsistent() const
   }
   std::sort(sides.begin(), sides.end());
   std::sort(opposite.begin(), opposite.end());
-  // After refinement cells need not be convex, but must not be turned inside out.
+  // After refinement cells need not be convex, but must not be inverted.
   return sides == opposite && std::adjacent_find(sides.begin(), sides.end()) == sides.end() &&
     std::all_of(this->Cells.begin(), this->Cells.end(),
       [](const Cell& cell) { return PartOf(cell) >= -1e-12; });
@@ -174,7 +175,7 @@ void FaceCells::CutPlainly(Id face)
   this->Refined.clear();
   this->Cells.clear();
   const std::size_t size = this->Around.size();
-  std::vector<std::size_t> changes; // of the owner
+  std::vector<std::size_t> changes; // indices where the owner changes
   Coordinates middle{ { 0.0, 0.0, 0.0 } };
   for (std::size_t i = 0; i < size; ++i)
   {
@@ -236,7 +237,7 @@ void FaceCells::AddWhole(Id face)
   this->AddPolygon(face, { this->Diagram.NearestSites[points[0].Number], points });
 }
 
-/// All sites that every corner knows, and those on the sides.
+/// Collects all sites that are known at every corner, and those on the sides.
 void FaceCells::CollectSites(Id face)
 {
   std::vector<Id> numbers;
@@ -288,8 +289,8 @@ void FaceCells::CollectSites(Id face)
   }
 }
 
-/// The part of a face where a site is the nearest (Sutherland and Hodgman, "Reentrant polygon
-/// clipping", 1974).
+/// Clips a polygon to the region where a site is nearest (Sutherland and Hodgman, "Reentrant
+/// polygon clipping", 1974).
 void FaceCells::Clip(std::size_t site, Polygon& polygon) const
 {
   const Coordinates& own = this->Sites[site].Values;
@@ -306,7 +307,7 @@ void FaceCells::Clip(std::size_t site, Polygon& polygon) const
     {
       if (other < site)
       {
-        polygon.clear(); // the same distances everywhere
+        polygon.clear(); // equal distances everywhere
       }
       continue;
     }
@@ -339,7 +340,7 @@ void FaceCells::Clip(std::size_t site, Polygon& polygon) const
   }
 }
 
-/// The point of the diagram at a corner of a polygon, between two of its sides.
+/// Returns the point of the diagram at a corner of a polygon, between two of its sides.
 FaceCells::Point FaceCells::PointOf(Id face, std::size_t site, int before, const Corner& corner)
 {
   const int after = corner.Border;
@@ -366,7 +367,8 @@ FaceCells::Point FaceCells::PointOf(Id face, std::size_t site, int before, const
   return this->PointInside(face, sites, corner.Place, squaredDistance);
 }
 
-/// The cut of a side between two sites; if rounding has hidden it, the nearest one of that side.
+/// Returns the cut of a side between two sites; if rounding has removed it, the nearest cut of that
+/// side.
 FaceCells::Point FaceCells::PointOnSide(
   Id face, int side, Id site, Id other, const Coordinates& place) const
 {
@@ -390,7 +392,7 @@ FaceCells::Point FaceCells::PointOnSide(
   return best;
 }
 
-/// A point in a face; one that is there already if it is at the same place.
+/// Returns a point in a face: an existing one at the same position, otherwise a new one.
 FaceCells::Point FaceCells::PointInside(
   Id face, const std::array<Id, 3>& sites, Coordinates place, double squaredDistance)
 {
@@ -432,8 +434,7 @@ FaceCells::Point FaceCells::PointInside(
   return this->Refined.back();
 }
 
-/// The sides of cells that separate them from others: within the face, and along its sides where
-/// these belong to another cell.
+/// Adds the borders of cells: within the face, and along its sides that belong to another cell.
 void FaceCells::AddPieces()
 {
   std::vector<std::pair<std::array<Id, 2>, Id>> inside; // points and site
@@ -471,7 +472,7 @@ void FaceCells::AddPieces()
   }
 }
 
-/// A cell of the points, without those that follow themselves. None when it has no area.
+/// Adds a cell with the given points, without consecutive duplicates. Skipped if it has no area.
 void FaceCells::AddCell(Id site, const std::vector<Point>& points)
 {
   std::vector<Point> distinct;
@@ -492,7 +493,7 @@ void FaceCells::AddCell(Id site, const std::vector<Point>& points)
   }
 }
 
-/// Its part of the area of the face.
+/// Returns the fraction of the face covered by a cell.
 double FaceCells::PartOf(const Cell& cell)
 {
   double part = 0.0;

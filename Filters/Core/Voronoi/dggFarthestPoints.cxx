@@ -23,7 +23,7 @@ FarthestPoints::FarthestPoints(const GraphView& graph, const SurfaceMesh* mesh)
 
 FarthestPoints::~FarthestPoints() = default;
 
-/// Whether `a` comes after `b`.
+/// Heap order: returns true if `a` comes after `b`.
 bool FarthestPoints::IsNearer(const Candidate& a, const Candidate& b)
 {
   return a.Distance < b.Distance || (a.Distance == b.Distance && a.Vertex > b.Vertex);

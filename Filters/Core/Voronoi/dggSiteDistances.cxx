@@ -17,31 +17,31 @@ namespace dgg
 {
 namespace
 {
-/// Share of the progress that the search for the nearest sites takes.
+/// Progress weight of the search for the nearest sites.
 constexpr double NearestShare = 0.5;
-/// Labels between two reports.
+/// Labels between two progress reports.
 constexpr std::size_t ProgressInterval = 16384;
-/// Rounds over the mesh by which the reach of a vertex becomes that of the largest one around it:
-/// paths lead over vertices whose own faces may be smaller.
+/// Number of passes in which the reach of a vertex becomes the maximum over its neighborhood,
+/// because paths may pass vertices whose own faces are smaller.
 constexpr int ReachRounds = 1;
-/// Labels of a vertex from which on they are not looked for one after the other: on faces that are
-/// large compared to cells, vertices know hundreds of sites.
+/// Number of labels of a vertex from which on a hash table replaces linear search: on faces that
+/// are large compared to cells, vertices have hundreds of sites.
 constexpr Id LongList = 12;
 
-/// A distance besides that of the nearest site.
+/// A distance from a site other than the nearest one.
 struct Label
 {
   double Distance;
   LabelCorrection::Estimate Estimate;
-  Offset Edge; ///< over which the vertex is reached; -1 for a seed
+  Offset Edge; ///< edge to the vertex; -1 for a seed
   Id Site;
   Id Vertex;
-  Id Tail;      ///< vertex of that edge; index of the seed when there is no edge
-  Id TailLabel; ///< label at the tail; NoId when it is that of the nearest site
-  Id Next;      ///< label of the same vertex; NoId at the end
+  Id Tail;      ///< tail of the edge; index of the seed if there is no edge
+  Id TailLabel; ///< label at the tail; NoId for the label of the nearest site
+  Id Next;      ///< next label of the same vertex, or NoId
 };
 
-/// The seeds without those of sites that are the same as earlier ones.
+/// Returns the seeds without those of duplicate sites.
 std::vector<GraphSeed> WithoutDuplicates(const std::vector<GraphSeed>& seeds)
 {
   using Place = std::vector<std::pair<Id, double>>;
@@ -67,7 +67,7 @@ std::vector<GraphSeed> WithoutDuplicates(const std::vector<GraphSeed>& seeds)
   return kept;
 }
 
-/// Longest edge of the faces around each vertex, and around its neighbours.
+/// Returns the longest edge of the faces around each vertex and its neighbors.
 std::vector<double> MeasureReach(const SurfaceMesh& mesh)
 {
   std::vector<double> reach(mesh.GetNumberOfVertices(), 0.0);
@@ -94,7 +94,7 @@ std::vector<double> MeasureReach(const SurfaceMesh& mesh)
   return reach;
 }
 
-/// Finds the labels besides those of the nearest sites.
+/// Computes the labels other than those of the nearest sites.
 class FartherSites
 {
 public:
@@ -113,7 +113,7 @@ public:
     }
     for (Id v = 0; v < graph.NumberOfVertices; ++v)
     {
-      // Labels are up to the accuracy longer than distances.
+      // Labels exceed distances by up to the accuracy.
       this->Limits[v] = nearest.Distances[v] * (1.0 + graph.Info.Accuracy) + 2.0 * this->Limits[v];
     }
   }
@@ -126,7 +126,7 @@ public:
     {
       const MinimumHeap::Entry top = this->Heap.Pop();
       const Id index = top.Index;
-      if (top.Key > this->Labels[index].Distance) // a smaller one came later
+      if (top.Key > this->Labels[index].Distance) // the label has been lowered since
       {
         continue;
       }
@@ -157,7 +157,7 @@ private:
     return seed == NoId ? NoId : this->Seeds[seed].Source;
   }
 
-  /// All labels that follow from those of the nearest sites.
+  /// Creates all labels that follow from those of the nearest sites.
   void Start()
   {
     for (std::size_t i = 0; i < this->Seeds.size(); ++i)
@@ -188,7 +188,7 @@ private:
     return (static_cast<std::uint64_t>(v) << 32) | static_cast<std::uint32_t>(site);
   }
 
-  /// The label of a vertex for a site; NoId when there is none.
+  /// Returns the label of a vertex for a site; NoId if there is none.
   Id Find(Id v, Id site) const
   {
     if (this->Counts[v] >= LongList)
@@ -239,7 +239,7 @@ private:
     }
   }
 
-  /// The estimate of a label that is final, as is that of its tail.
+  /// Computes the estimate of a final label, whose tail is finished.
   void Finish(Id index)
   {
     Label& label = this->Labels[index];
@@ -267,11 +267,12 @@ private:
   const SearchResult& Nearest;
   std::unique_ptr<LabelCorrection> Correction; ///< null where there are no angles
   std::vector<Id> Heads;                       ///< per vertex, its first label
-  std::vector<double> Limits;                  ///< per vertex, of labels that matter
+  std::vector<double> Limits;                  ///< per vertex, upper limit of relevant labels
   std::vector<Label> Labels;
-  std::vector<Id> Counts;                       ///< per vertex, of its labels
-  std::unordered_map<std::uint64_t, Id> Places; ///< of the labels of vertices with many
-  MinimumHeap Heap;                             ///< of labels
+  std::vector<Id> Counts; ///< per vertex, number of its labels
+  std::unordered_map<std::uint64_t, Id>
+    Places;         ///< hash table of the labels of vertices with many labels
+  MinimumHeap Heap; ///< queue of labels
 };
 }
 

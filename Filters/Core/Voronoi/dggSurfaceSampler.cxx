@@ -18,27 +18,27 @@ namespace dgg
 {
 namespace
 {
-/// With fewer vertices for each sample than this, places between them count as well.
+/// With fewer vertices per sample than this, points between vertices are used as well.
 constexpr Offset VerticesPerSample = 2;
-/// As many places for each sample, and for no more samples than that.
+/// Number of such points per sample, and limits of the number of points and samples.
 constexpr Offset PlacesPerSample = 64;
 constexpr Offset MostPlaces = 10000;
 constexpr Offset MostSamplesInside = 1000;
-/// Share of the progress for linking them.
+/// Progress weight of linking these points.
 constexpr double PlacesShare = 0.3;
 
-/// The distance from a sample around a vertex: |x|^2 - 2 x.Image + Constant is its square, where x
-/// is a place in the tangent plane of the vertex.
+/// The distance from a sample around a vertex: its square is |x|^2 - 2 x.Image + Constant, where x
+/// is a position in the tangent plane of the vertex.
 struct PlanarImage
 {
   Point2 Image;
   double Constant = 0.0;
 
-  /// Without the part that all images have in common.
+  /// Evaluates the squared distance without the term |x|^2, which is common to all images.
   double Evaluate(const Point2& x) const { return this->Constant - 2.0 * Dot(x, this->Image); }
 };
 
-/// Least squares over neighbours of a vertex: (x, y, 1) . (a, b, c) = value.
+/// Least squares over the neighbors of a vertex: (x, y, 1) . (a, b, c) = value.
 class PlaneFit
 {
 public:
@@ -55,7 +55,7 @@ public:
     }
   }
 
-  /// False when the points do not determine a plane.
+  /// Returns false if the points do not determine a plane.
   bool Solve(std::array<double, 3>& solution) const
   {
     const auto& m = this->Matrix;
@@ -91,7 +91,7 @@ private:
   std::array<double, 3> Right{};
 };
 
-/// Where three images are equally far; false when they are in line.
+/// Finds the point at equal distances from three images. Returns false if they are collinear.
 bool Meet(const PlanarImage& a, const PlanarImage& b, const PlanarImage& c, Point2& meet)
 {
   const Point2 u{ b.Image.X - a.Image.X, b.Image.Y - a.Image.Y };
@@ -103,9 +103,9 @@ bool Meet(const PlanarImage& a, const PlanarImage& b, const PlanarImage& c, Poin
   return std::abs(determinant) > 0.0 && std::isfinite(meet.X) && std::isfinite(meet.Y);
 }
 
-/// Places inside faces and on edges, as dense as the samples will be several times over, and their
-/// distances from the samples: the more samples there are compared to vertices, the less vertices
-/// sample the surface between them.
+/// Points inside faces and on edges, several times as dense as the samples will be, and their
+/// distances from the samples. The more samples there are compared to vertices, the less the
+/// vertices represent the surface in between.
 class InnerPlaces
 {
 public:
@@ -121,7 +121,7 @@ public:
     {
       area += Matters(graph, mesh, f) ? AreaOf(mesh, f) : 0.0;
     }
-    // The spacing of a lattice of `count` points.
+    // Spacing of a lattice of `count` points.
     const double spacing = std::sqrt(area / static_cast<double>(count));
     for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
     {
@@ -153,7 +153,7 @@ public:
     return Status::Success();
   }
 
-  /// After a sample has been added; `distances` are those of the vertices.
+  /// Updates distances after a sample has been added; `distances` are those of the vertices.
   Status Update(const SurfacePoint& sample, const std::vector<double>& distances)
   {
     std::vector<double> direct;
@@ -187,7 +187,7 @@ public:
     return Status::Success();
   }
 
-  /// Of the farthest place; 0 when there is none.
+  /// Returns the distance of the farthest point; 0 if there is none.
   double GetDistance() const
   {
     return this->Farthest == NoId ? 0.0 : this->Distances[this->Farthest];
@@ -202,14 +202,14 @@ private:
   };
 
   static constexpr std::size_t ProgressInterval = 64;
-  static constexpr int FewestPieces = 2; // of the sides of a face
+  static constexpr int FewestPieces = 2; // minimum subdivision of the sides of a face
 
   static double AreaOf(const SurfaceMesh& mesh, Id f)
   {
     return 0.5 * mesh.Length(3 * f) * mesh.ApexY(3 * f);
   }
 
-  /// Faces with area, of vertices that have edges in the graph.
+  /// Returns true for faces with area whose vertices have edges in the graph.
   static bool Matters(const GraphView& graph, const SurfaceMesh& mesh, Id f)
   {
     bool matters = !mesh.IsDropped(f) && !mesh.IsMollified(f);
@@ -230,7 +230,7 @@ private:
       {
         const int k = pieces - i - j;
         const bool isCorner = i == pieces || j == pieces || k == pieces;
-        // Those on a side belong to one of its faces.
+        // Points on a side belong to one of its faces.
         const auto isOther = [&](Id h) { return FindEdge(mesh, h) != h; };
         const bool isElsewhere = (k == 0 && isOther(3 * f)) || (i == 0 && isOther(3 * f + 1)) ||
           (j == 0 && isOther(3 * f + 2));
@@ -290,14 +290,14 @@ public:
   }
 
 private:
-  /// What makes a surface point a sample.
+  /// Seeds of a surface point as a sample.
   struct Linked
   {
     std::vector<GraphSeed> Seeds;
-    double Distance = Infinity; ///< from others, by straight ways
+    double Distance = Infinity; ///< straight-line distance from other samples
   };
 
-  /// Where there are about as many samples as vertices, places in between count as well.
+  /// Prepares points between vertices if there are about as many samples as vertices.
   Status PrepareInside()
   {
     const auto isUsed = [this](
@@ -319,7 +319,7 @@ private:
     return this->Inside->LinkAll(ProgressPart(this->Options.Progress, 0.0, PlacesShare));
   }
 
-  /// How far the farthest vertex or place is from the samples.
+  /// Returns the distance of the farthest vertex or point from the samples.
   double GetRadius() const
   {
     const double radius = this->Farthest.Vertex == NoId ? 0.0 : this->Farthest.Distance;
@@ -374,7 +374,7 @@ private:
     {
       Linked linked;
       DGG_RETURN_IF_ERROR(this->Link(point, this->Inner, linked));
-      // Only a point that is farther for certain keeps away from the others as a vertex does.
+      // A point only qualifies if it is verified to be farther from other samples than the vertex.
       double distance = linked.Distance;
       for (const GraphSeed& seed : linked.Seeds)
       {
@@ -439,7 +439,8 @@ private:
     return status;
   }
 
-  /// Look for a point close to a vertex that is farther from the samples. False when there is none.
+  /// Searches a point close to a vertex that is farther from the samples. Returns false if there is
+  /// none.
   bool FindBetter(Id v, SurfacePoint& point) const
   {
     if (!this->Mesh || !this->Graph.Angles || !(this->Farthest.Distance < Infinity) ||
@@ -486,7 +487,7 @@ private:
     return point.On != SurfacePoint::Support::Vertex;
   }
 
-  /// Square of the distance from the samples.
+  /// Returns the squared distance from the samples.
   static double ValueAt(const std::vector<PlanarImage>& images, const Point2& place)
   {
     double least = Infinity;
@@ -497,7 +498,7 @@ private:
     return least + Dot(place, place);
   }
 
-  /// The samples around a vertex as its neighbours in the graph see them.
+  /// Fits the images of the samples around a vertex to the distances of its graph neighbors.
   std::vector<PlanarImage> FitImages(Id v) const
   {
     const double unroll = UnrollFactor(*this->Mesh, SurfacePoint::AtVertex(v));
@@ -533,7 +534,7 @@ private:
   FarthestPoints Points;
   FarthestVertex Farthest;
   std::vector<SurfacePoint> Inner;     ///< samples that are not vertices
-  std::unique_ptr<InnerPlaces> Inside; ///< null where vertices are close enough
+  std::unique_ptr<InnerPlaces> Inside; ///< null if vertices are dense enough
   double ProgressAtStart = 0.0;
 };
 }

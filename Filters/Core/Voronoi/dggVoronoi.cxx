@@ -15,10 +15,10 @@ namespace dgg
 {
 namespace
 {
-/// Shares of the progress: where the distances are done, and the cuts of edges.
+/// Progress after the distances, and after the cuts of edges.
 constexpr double DistancesDone = 0.4;
 constexpr double CutsDone = 0.8;
-/// Faces between two reports: some milliseconds.
+/// Faces between two progress reports: some milliseconds.
 constexpr Id ProgressInterval = 8192;
 
 Status CheckSites(const VoronoiInput& input)
@@ -41,7 +41,7 @@ Status CheckSites(const VoronoiInput& input)
   return Status::Success();
 }
 
-/// The nearest site of each vertex and nothing else.
+/// Computes only the nearest site of each vertex.
 Status FillLabels(const GraphSearch& search, const VoronoiInput& input,
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
@@ -58,8 +58,8 @@ Status FillLabels(const GraphSearch& search, const VoronoiInput& input,
   return status;
 }
 
-/// A graph of too few edges may reach a vertex and not its neighbour: then nothing is known of what
-/// lies between them.
+/// Fails if a graph with too few edges reaches a vertex but not its neighbor: then the region
+/// between them is undefined.
 Status CheckNeighbours(const SurfaceMesh& mesh, const SiteDistances& distances)
 {
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
