@@ -2,44 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkDGGMeshWriter
- * @brief   write surfaces and point clouds with all digits
+ * @brief   writes surfaces and point clouds with all digits
  *
  * <b>Input and output</b>. The extension of the file name chooses the format; the case is ignored.
- * Coordinates that are read back are equal to those of the input.
- *  - `.ply`: points, polygons, all point arrays and, for polygons, all cell arrays of numbers.
- *    Binary; coordinates are float if those of the input are, otherwise double. Components of
- *    arrays become properties `name_0`, `name_1` and so on; integers of 64 bits become double if 32
- *    bits do not suffice, with a warning from 2^53 on. Blanks in names become `_`. Verts are
- *    skipped.
- *  - `.obj`: points, verts, lines, polygons, active normals, texture coordinates and colors without
- *    alpha.
- *  - `.off`: the same with alpha, and colors of cells. Each point of a vert is a face of one
- * corner, a line a face of two corners; polylines of more points are an error.
- *  - `.stl`: triangles, at least one; polygons are triangulated, verts are skipped. Binary if
- *    float32 holds all coordinates, otherwise text.
- *  - `.xyz`: points; verts and polygons are skipped.
- *  - `.pcd`: points and point arrays, binary; verts and polygons are skipped. See vtkPCDWriter for
- *    other modes.
+ * Coordinates that are read back are equal to those of the input. The module page,
+ * Readers/README.md, lists what each format stores and which cells are errors.
+ *  - `.ply`: binary; verts are skipped. Components of arrays become properties `name_0`, `name_1`
+ *    and so on; blanks in names become `_`. Coordinates are float if those of the input are,
+ *    otherwise double.
+ *  - `.obj`: verts, lines, polygons; active normals, texture coordinates, colors without alpha.
+ *  - `.off`: as `.obj`, with alpha and colors of cells. A point of a vert is a face of one
+ *    corner, a line a face of two.
+ *  - `.stl`: at least one triangle. Binary if float32 represents all coordinates, otherwise text;
+ *    verts are skipped.
+ *  - `.xyz`: points. `.pcd`: points and point arrays; vtkPCDWriter has other modes.
  *
- * Lines are an error of all formats but `.obj` and `.off`. Triangle strips become triangles without
- * cell arrays; cells without points are skipped. Arrays of strings cause a warning in formats that
- * store arrays. Colors are an array `RGB` or `RGBA`, or the active scalars, of three or
- * four unsigned chars.
+ * Triangle strips become triangles without cell arrays. Colors are an array `RGB` or `RGBA`, or the
+ * active scalars, of three or four unsigned chars.
  *
- * <b>Errors</b>. A missing input or file name, another extension, a file that cannot be written or
- * a full disk cause an error with the name of the file. Write() then returns 0, and GetErrorCode()
- * is vtkErrorCode::NoFileNameError, UnrecognizedFileTypeError (extension), FileFormatError (data
- * that the format cannot store), CannotOpenFileError, OutOfDiskSpaceError, or UnknownError if
- * memory is exhausted or a filter upstream fails. After an abort it is zero. The file is written as
+ * <b>Errors</b>. An error names the file. Write() then returns 0, and GetErrorCode() is
+ * vtkErrorCode::NoFileNameError, UnrecognizedFileTypeError (extension), FileFormatError (data that
+ * the format cannot store), CannotOpenFileError, OutOfDiskSpaceError, or UnknownError if memory is
+ * exhausted or a filter upstream fails. After an abort it is zero. The file is written as
  * `<name>.part` and renamed at the end: after a failure or an abort an older file is unchanged.
- *
  * @code
- * vtkNew<vtkDGGMeshWriter> writer;
- * writer->SetInputData(mesh);
+ * writer->SetInputData(mesh); // a vtkDGGMeshWriter
  * writer->SetFileName("mesh.ply");
  * bool isWritten = writer->Write() == 1;
  * @endcode
- *
  * @sa vtkDGGOBJReader vtkDGGOFFReader vtkDGGPLYReader vtkDGGSTLReader vtkDGGXYZReader vtkPCDWriter
  */
 #ifndef vtkDGGMeshWriter_h

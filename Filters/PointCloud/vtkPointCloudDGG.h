@@ -2,68 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPointCloudDGG
- * @brief   builds a graph of a point cloud in which shortest paths are geodesics of what it samples
+ * @brief   builds a graph of a point cloud in which shortest paths approximate geodesics
  *
- * Two points are connected when the straight line between them stays in a band around the cloud,
- * and they are within the reach of either of them. vtkDGGDistance, vtkDGGPath, vtkGeodesicSampler,
- * vtkGeodesicVoronoi and vtkGeodesicDistanceMatrix search the graph. All parameters have automatic
- * defaults that follow from the sampling; GetUsedOffsetInVoxels() and others report what was used.
+ * Points within reach are connected if the straight line between them stays in a band around the
+ * cloud. vtkDGGDistance, vtkDGGPath, vtkGeodesicSampler, vtkGeodesicVoronoi and
+ * vtkGeodesicDistanceMatrix search the graph. Defaults follow from the sampling.
  *
- * <b>Input and output</b>. Port 0 takes the cloud (vtkPolyData): its points and, with
- * UseInputNormals, their normals; cells are not used. The output is the input plus the point array
- * `Component` (int): the connected part of each point, from the largest on, -1 where a point is not
- * finite; with EstimateNormals the point array `Normals` (double); and the graph in the field data.
- * n is the number of points, m that of directed edges; each edge is there both ways, with one
- * length.
+ * <b>Input and output</b>. Port 0 takes the points of a vtkPolyData and, with UseInputNormals,
+ * their normals; cells are not used. The output is the input plus the point array `Component` (int;
+ * 0 is the largest component, -1 for points that are not finite), `Normals` (EstimateNormals), and
+ * the graph in the field data, with n points and m directed edges, each edge in both directions:
+ *  - `DGG.Offsets` (int64, n + 1): edges of point i are [Offsets[i], Offsets[i + 1]);
+ *  - `DGG.Targets` (int32, m): point at the end of each edge, ascending within each row;
+ *  - `DGG.Lengths` (float32, m): length in units of the coordinates; float64 for 0 < Accuracy <
+ *    1e-5 and for extents beyond the range of floats;
+ *  - `DGG.Radii` (float64, n): radius of the ball around each point, 0 at outliers;
+ *  - `DGG.Info` (int64, 12): parameters, signature of the points, checksum.
  *
- *  - `DGG.Offsets` (int64, n + 1): edges of point i: [Offsets[i], Offsets[i + 1]);
- *  - `DGG.Targets` (int32, m): point at the end of each edge, sorted within each row;
- *  - `DGG.Lengths` (float32, m): length; float64 for 0 < Accuracy < 1e-5;
- *  - `DGG.Radii` (float64, n): radius of the ball around each point, 0 if not finite or an outlier;
- *  - `DGG.Info` (int64, 12): see below.
+ * <b>Guarantee and cost</b>. Distances have no error bound; errors depend on the sampling. The
+ * graph is bitwise identical for any number of threads, and kept until points, normals in use or
+ * parameters change; any motion of the points invalidates it. Points that are not finite and
+ * outliers are kept with a warning; copies of a point are joined by edges of near-zero length.
+ * Fewer threads build where all would exceed MemoryLimit.
  *
- * Lengths are in units of the coordinates, and float64 too for extents out of the range of floats.
- * `DGG.Info` is as in vtkDiscreteGeodesicGraph: the format version (1); the kind (1: cloud); 4 +
- * Scheme; the bits of Accuracy; 0; 0; a signature of the points (2 values); the bits of the size of
- * voxels; 0; 0; a checksum. Any change of points, a rigid motion included, invalidates the graph.
- *
- * Points that are not finite, and outliers, are kept with a warning that counts
- * them. Outliers, each more than 1000 times as far from the cloud's middle as any other point and
- * in fewer than 17 places, are components of their own that do not change the graph of the others.
- * Copies of a point are joined by edges of near-zero length.
- *
- * <b>Guarantee and cost</b>. Nothing is promised: errors depend on the sampling. The page of the
- * module says what happens at noise, close sheets, gaps and uneven density. The graph is the same
- * for any number of threads, and kept until points, normals that are used or parameters change.
- * Warnings come when it is built; getters report their cause after every update.
- *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
- *  - an OffsetInVoxels not in [0.5, 1000], an Alpha not in [1e-3, 1e6] or an Accuracy not in [1e-6,
- *    0.5], unless 0; a Resolution not in [0, 524288]; a NumberOfNeighbors below 3; an empty array
- *    name;
- *  - normals of another number of components or tuples;
- *  - parts farther apart than 2^23 automatic voxels, or 2^30 spacings, reach;
- *  - a graph and its band that take more than MemoryLimit on a single thread: fewer threads build
- *    where all of them would. The process grows by somewhat more, as the allocator rounds up.
- *
- * @code
- * vtkNew<vtkPointCloudDGG> graph;
- * graph->SetInputConnection(reader->GetOutputPort());
- * vtkNew<vtkDGGDistance> distance;
- * distance->SetInputConnection(graph->GetOutputPort());
- * distance->AddSourceId(0);
- * distance->Update(); // builds the graph
- * distance->SetSourceIds({ 100 });
- * distance->Update(); // milliseconds
- * @endcode
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm and of the module page,
+ * Filters/PointCloud/README.md: such as graph and band beyond MemoryLimit.
  *
  * <b>Source</b>. Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University,
- * 2019, chapter 5, for the band and schemes A and B. Their defaults are our own, so that errors are
- * not those printed there: automatic Alpha is 1 for A, with at least six direct neighbours, where
- * the thesis uses 2.5 to 4.2; for B it makes a reach of six spacings; balls follow the spacing, not
- * a fixed number of voxels; lengths are those of arcs (ArcLengthWeights); edges are pruned
- * (Accuracy).
- *
+ * 2019, chapter 5, for the band and schemes A and B; see the page for the differences.
  * @sa vtkDGGDistance vtkDGGPath vtkDiscreteGeodesicGraph
  */
 
@@ -90,18 +56,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Reach of the edges of a point. The spacing is the root of the area that a point has.
+   * Reach of the edges of a point. The spacing is the square root of the area per point. A and B
+   * are those of Fang's thesis with other defaults: see the module page.
    */
   enum SchemeType
   {
-    A = 0, ///< less far where the surface bends
-    B = 1, ///< equally far everywhere
-    C = 2  ///< by the spacing of the points
+    A = 0, ///< shorter where the surface bends
+    B = 1, ///< the same everywhere
+    C = 2  ///< proportional to the local spacing
   };
 
   ///@{
   /**
-   * The scheme. Default C.
+   * Scheme of the reach. Default C.
    */
   vtkSetClampMacro(Scheme, int, A, C);
   vtkGetMacro(Scheme, int);
@@ -113,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Radius of the balls that make the band, in voxels, in [0.5, 1000]. Default 0, automatic: it
-   * follows the spacing around each point.
+   * Radius of the balls whose union is the band, in voxels. Default 0: automatic, follows the
+   * spacing around each point. Other values outside [0.5, 1000] are errors.
    */
   vtkSetMacro(OffsetInVoxels, double);
   vtkGetMacro(OffsetInVoxels, double);
@@ -122,8 +89,9 @@ public:
 
   ///@{
   /**
-   * Voxels along the longest side of the bounding box of the points, outliers left out; at most
-   * 524288. Default 0, automatic. Voxels larger than the median spacing are a warning.
+   * Number of voxels along the longest side of the bounding box of the points without outliers.
+   * Default 0: automatic. Values outside [0, 524288] are errors; voxels larger than the median
+   * spacing cause a warning.
    */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
@@ -131,8 +99,9 @@ public:
 
   ///@{
   /**
-   * Parameter of the reach, by Scheme, in [1e-3, 1e6]. A: the mean length of direct pairs is
-   * divided by it; B: voxels added to OffsetInVoxels; C: spacings. Default 0, automatic.
+   * Parameter of the reach. Scheme A: divisor of the mean length of direct connections; B: voxels
+   * added to OffsetInVoxels; C: spacings. Default 0: automatic. Other values outside [1e-3, 1e6]
+   * are errors.
    */
   vtkSetMacro(Alpha, double);
   vtkGetMacro(Alpha, double);
@@ -140,8 +109,8 @@ public:
 
   ///@{
   /**
-   * How much longer distances may become by pruning edges, relatively, in [1e-6, 0.5]; 0 keeps all
-   * edges. Default 0.001.
+   * Largest relative increase of distances by pruning edges. Default 0.001; 0 keeps all edges.
+   * Other values outside [1e-6, 0.5] are errors.
    */
   vtkSetMacro(Accuracy, double);
   vtkGetMacro(Accuracy, double);
@@ -149,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Whether lengths are those of arcs that fit the normals, not of straight lines, which are too
-   * short. Default on.
+   * If on, lengths of edges are those of arcs that fit the normals; if off, those of straight
+   * lines, which are too short. Default on.
    */
   vtkSetMacro(ArcLengthWeights, bool);
   vtkGetMacro(ArcLengthWeights, bool);
@@ -159,8 +128,9 @@ public:
 
   ///@{
   /**
-   * Whether point normals of the input are used. Without, and where they are 0 or not finite, they
-   * are found from the points. Turn it off for coarse normals, as of flat facets. Default on.
+   * If on, point normals of the input are used. If off, or where normals are 0 or not finite,
+   * normals are estimated from the points. Turn off for coarse normals, such as those of flat
+   * facets. Default on.
    */
   vtkSetMacro(UseInputNormals, bool);
   vtkGetMacro(UseInputNormals, bool);
@@ -169,9 +139,9 @@ public:
 
   ///@{
   /**
-   * Whether normals of the input all point to the same side: then points whose normals differ by
-   * more than 100 degrees are not connected, which keeps sheets back to back apart. Without such
-   * normals it has no effect, with a warning. Default off.
+   * If on, normals of the input all point to the same side: points whose normals differ by more
+   * than 100 degrees are not connected, which separates layers back to back. Without such normals
+   * it has no effect, with a warning. Default off.
    */
   vtkSetMacro(OrientedNormals, bool);
   vtkGetMacro(OrientedNormals, bool);
@@ -180,9 +150,9 @@ public:
 
   ///@{
   /**
-   * Whether to add point normals `Normals` (length 1, or 0 where there is no plane; of arbitrary
-   * side) when the input has none that are used, by planes through NumberOfNeighbors points, and to
-   * build with these. Default off: surfaces of second order give normals.
+   * If on and no normals of the input are used, add point normals `Normals` (double, length 1,
+   * arbitrary side; 0 where points have no plane) from planes through NumberOfNeighbors points, and
+   * use them for the graph. Default off: normals come from surfaces of second order.
    */
   vtkSetMacro(EstimateNormals, bool);
   vtkGetMacro(EstimateNormals, bool);
@@ -191,7 +161,7 @@ public:
 
   ///@{
   /**
-   * Points that a plane is fitted to, with the point itself. Default 16; at least 3.
+   * Number of points that a plane is fitted to, including the point itself. Default 16; at least 3.
    */
   vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
@@ -199,9 +169,9 @@ public:
 
   ///@{
   /**
-   * Whether an output of points without cells gets one vertex cell of all of them, which makes them
-   * visible and takes 8 bytes per point, as that of vtkPointCloudFilter. Default off: the cells are
-   * those of the input.
+   * If on, an output without cells gets one vertex cell with all points, which makes them visible
+   * and takes 8 bytes per point, as in vtkPointCloudFilter. Default off: cells are those of the
+   * input.
    */
   vtkSetMacro(GenerateVertices, bool);
   vtkGetMacro(GenerateVertices, bool);
@@ -210,36 +180,37 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the connected parts. Default "Component".
+   * Name of the point array with the components. Default "Component"; not empty.
    */
   vtkDGGStringMacro(ComponentArrayName);
   ///@}
 
   /**
-   * Predict the memory of the graph from the edges of some points, with the input brought up to
-   * date. Returns GetEstimatedMemory(); 0 after an error, an abort or, with a warning, for an empty
-   * input. GetErrorCode() changes by an error only. On several processes the graph is that of the
-   * piece that is here; all must call it.
+   * Predicts the memory of the graph from the edges of some points, after an update of the input.
+   * Returns GetEstimatedMemory(); 0 after an error, an abort or, with a warning, for an empty
+   * input. Only an error changes GetErrorCode(). With several processes the prediction is that of
+   * the local piece; all processes must call the function.
    */
   vtkTypeUInt64 EstimateMemory();
 
   ///@{
   /**
-   * Bytes predicted last: for the graph, and at most at one time while it is built. 0 before.
+   * Returns the last prediction in bytes: size of the graph, and largest memory during the build. 0
+   * without a prediction.
    */
   vtkTypeUInt64 GetEstimatedMemory() const;
   vtkTypeUInt64 GetEstimatedPeakMemory() const;
   ///@}
 
   /**
-   * Release the graph that is kept between updates, see vtkDiscreteGeodesicGraph.
+   * Releases the graph that is kept between updates, see vtkDiscreteGeodesicGraph.
    */
   void ReleaseGraph();
 
   ///@{
   /**
-   * The graph of the last update, zero without: number of directed edges, edges per point, bytes of
-   * the arrays.
+   * Values of the graph of the last update: number of directed edges, mean number of edges per
+   * point, bytes of the arrays; zero without a graph.
    */
   vtkIdType GetNumberOfGraphEdges() const;
   double GetMeanDegree() const;
@@ -248,7 +219,7 @@ public:
 
   ///@{
   /**
-   * Connected parts of the graph of the last update, from the largest on, and their numbers of
+   * Components of the graph of the last update, in order of decreasing size, and their numbers of
    * points.
    */
   vtkIdType GetNumberOfComponents() const;
@@ -257,8 +228,8 @@ public:
 
   ///@{
   /**
-   * Points of the last update that are not finite, that are outliers, and that are in the place of
-   * another one.
+   * Numbers of points of the last update that are not finite, that are outliers, and that are at
+   * the position of an earlier point.
    */
   vtkIdType GetNumberOfUnusedPoints() const;
   vtkIdType GetNumberOfOutliers() const;
@@ -267,7 +238,7 @@ public:
 
   ///@{
   /**
-   * Values of the last update, given or automatic; 0 without a graph. The offset is the median
+   * Parameters of the last update, given or automatic; 0 without a graph. The offset is the median
    * radius of the balls, in voxels and in units of the coordinates.
    */
   double GetUsedOffsetInVoxels() const;
@@ -277,14 +248,14 @@ public:
   ///@}
 
   /**
-   * Size of the voxels in the last update, in units of the coordinates.
+   * Returns the size of the voxels in the last update, in units of the coordinates.
    */
   double GetVoxelSize() const;
 
   ///@{
   /**
-   * What the last update found, in units of the coordinates: medians of the spacing, of the
-   * distance of points from a surface through their neighbours, and of the reach of edges.
+   * Estimates of the last update, in units of the coordinates: medians of the spacing, of the
+   * distance of points from a surface through their neighbors, and of the reach of edges.
    */
   double GetSpacing() const;
   double GetNoise() const;
@@ -292,25 +263,27 @@ public:
   ///@}
 
   /**
-   * Share of the points, in [0, 1], whose neighbours lie on no surface, even after noise was looked
-   * for: a fit misses them by more than a quarter of their radius. Above 0.1 there is a warning.
+   * Returns the share of points, in [0, 1], whose neighbors lie on no surface even if noise is
+   * considered: a fit misses them by more than a quarter of their radius. Above 0.1 there is a
+   * warning.
    */
   double GetOffSurfaceShare() const;
 
   /**
-   * GetNoise() that was taken off, by the median radius of curvature; 0 without. Distances on a
-   * sphere are too short by about twice its square. Above 0.07 there is a warning.
+   * Returns the noise that was removed (GetNoise()) by the median radius of curvature; 0 without
+   * noise. Distances on a sphere are too short by about twice its square. Above 0.07 there is a
+   * warning.
    */
   double GetNoiseByRadius() const;
 
   /**
-   * How far points scatter about a surface, in spacings, if GetOffSurfaceShare() is above 0.1; else
-   * 0.
+   * Returns the typical distance of points from a surface, in spacings, if GetOffSurfaceShare() is
+   * above 0.1; otherwise 0.
    */
   double GetScatter() const;
 
   /**
-   * Time stamp of the last time that a graph was built.
+   * Returns the time stamp of the last build of a graph.
    */
   vtkMTimeType GetGraphBuildTime() const;
 
@@ -335,7 +308,7 @@ private:
 
   vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
   using Normals = std::shared_ptr<const std::vector<double>>;
-  /// Where normals come from.
+  /// Origin of the normals.
   struct NormalsSource
   {
     vtkDataArray* Given = nullptr; ///< of the input

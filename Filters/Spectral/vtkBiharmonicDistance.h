@@ -2,26 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBiharmonicDistance
- * @brief   smooth distances on a surface made of the Laplacian: biharmonic, commute-time, diffusion
+ * @brief   distances from the spectrum of the Laplacian: biharmonic, commute-time, diffusion
  *
- * With eigenvalues lambda_i and functions v_i of the Laplacian, the squared distance of x and y is
- * the sum of (v_i(x) - v_i(y))^2 times 1 / lambda_i^2 for the biharmonic distance, 1 / lambda_i for
- * the commute-time distance, exp(-2 t lambda_i) for the diffusion distance at time t.
+ * With eigenvalues lambda_i and eigenfunctions v_i of the Laplacian, the squared distance of x and
+ * y is the sum of (v_i(x) - v_i(y))^2 times a weight, see Kind.
  *
  * <b>Input and output</b>. Those of vtkSpectralAlgorithm. The result is `BiharmonicDistance` for
- * all kinds, one component per source: a length in units of the coordinates, a number, or one over
- * a length. Functions are linear in faces. Points of another component than the source get
- * UnreachedValue. With Dirichlet conditions functions are 0 on the boundary.
+ * all kinds, one component per source. Functions are linear in faces. Points of another component
+ * than the source get UnreachedValue. With Dirichlet conditions functions are 0 on the boundary.
  *
- * <b>Guarantee and cost</b>. These are metrics, but not lengths of paths. Method Exact has all
- * eigenvalues, up to rounding, of the finite elements: by a solution for each point, once, on all
- * threads; then two substitutions for each source, for some ten thousand points. Spectrum takes the
- * smallest NumberOfEigenvalues of each component with a source, which are found once; those that
- * are left out make distances too small. With either method, distances in a component do not depend
- * on other components. Commute-time distances grow without bound as a mesh is refined.
+ * <b>Guarantee and cost</b>. All kinds are metrics, but not lengths of paths. Distances in a
+ * component do not depend on other components. See Method for accuracy and cost.
  *
- * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Diffusion by the Exact method; a
- * DiffusionTime that is negative or not finite; a NumberOfEigenvalues below 1.
+ * <b>Errors</b>. Those of vtkSpectralAlgorithm; Kind Diffusion with Method Exact. The module page
+ * is Filters/Spectral/README.md.
  *
  * @code
  * vtkNew<vtkBiharmonicDistance> distance;
@@ -54,18 +48,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Which distance, see above.
+   * Kinds of distances, by the weight of an eigenvalue lambda.
    */
   enum KindType
   {
-    Biharmonic = 0,
-    CommuteTime = 1,
-    Diffusion = 2
+    Biharmonic = 0,  ///< 1 / lambda^2: a length in units of the coordinates
+    CommuteTime = 1, ///< 1 / lambda: without a unit
+    Diffusion = 2    ///< exp(-2 t lambda), see DiffusionTime: one over a length
   };
 
   ///@{
   /**
-   * Which distance. Default Biharmonic.
+   * Kind of the distance. Default Biharmonic. CommuteTime grows without bound as a mesh is refined.
    */
   vtkSetClampMacro(Kind, int, Biharmonic, Diffusion);
   vtkGetMacro(Kind, int);
@@ -76,17 +70,20 @@ public:
   ///@}
 
   /**
-   * How distances are found, see above.
+   * Methods that find the distance.
    */
   enum MethodType
   {
-    Spectrum = 0,
-    Exact = 1
+    Spectrum = 0, ///< smallest eigenvalues
+    Exact = 1     ///< all eigenvalues
   };
 
   ///@{
   /**
-   * How distances are found. Default Spectrum.
+   * Method that finds distances. Default Spectrum: the smallest NumberOfEigenvalues of each
+   * component with a source, found once; the missing eigenvalues make distances too small. Exact
+   * uses all eigenvalues of the finite elements, exact up to rounding: one solve per point, once,
+   * on all threads, then two solves per source. Suitable for up to some ten thousand points.
    */
   vtkSetClampMacro(Method, int, Spectrum, Exact);
   vtkGetMacro(Method, int);
@@ -106,8 +103,8 @@ public:
 
   ///@{
   /**
-   * The time t of Diffusion, a length squared. Default 0: a tenth of the inverse of the first
-   * eigenvalue of the component.
+   * Time t of Diffusion, a length squared; finite, not negative. Default 0: a tenth of the inverse
+   * of the first eigenvalue of the component.
    */
   vtkSetMacro(DiffusionTime, double);
   vtkGetMacro(DiffusionTime, double);
@@ -122,7 +119,7 @@ public:
   ///@}
 
   /**
-   * Number of updates so far that searched for eigenvalues.
+   * Returns the number of updates so far that searched for eigenvalues.
    */
   int GetNumberOfSpectra() const;
 

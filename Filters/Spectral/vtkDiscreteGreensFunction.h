@@ -5,57 +5,31 @@
  * @brief   Green's functions of points anywhere on a surface
  *
  * The Green's function g of a source x solves -Laplace g = delta(x) - 1 / area: a unit flows in at
- * the source and leaves evenly. Next to x it grows like -log(d) / (2 pi), d the distance from x.
- * For -Laplace u = f, u(x) is mean(u) + the integral of g f.
- *
- * With Order BiLaplace it is that of the bi-Laplacian, q with Laplace^2 q = delta(x) - 1 / area,
- * the integral of g(x, z) g(z, y) over z. It is finite, smooth but for d^2 log(d) / (8 pi) next to
- * x, and grows like an area; for Laplace^2 u = f, u(x) is mean(u) + the integral of q f. What
- * follows holds for both, but PoleValue and SignConvention do not matter to q, which is positive at
- * x.
+ * the source and out evenly. Close to x it grows like -log(d) / (2 pi), where d is the distance
+ * from x. The solution of -Laplace u = f is u(x) = mean(u) + the integral of g f.
  *
  * <b>Input and output</b>. Those of vtkSpectralAlgorithm; the result is `GreensFunction`, one
- * component per source, without a unit and independent of scale (an area with BiLaplace). It is
- * that of the component of its source, with mean 0, and 0 in other components. With Dirichlet
- * conditions 1 / area is left out, and g is 0 on the boundary (with BiLaplace, Laplace q as well).
- * Evaluation points see the logarithm exactly. At the source see PoleValue.
+ * component per source, without a unit and independent of scale (an area with Order BiLaplace). It
+ * is the function of the component of its source, with mean 0, and 0 in other components. With
+ * Dirichlet conditions there is no term 1 / area, and g is 0 on the boundary (with BiLaplace also
+ * Laplace q). Evaluation points have the exact logarithm. At the source see PoleValue.
  *
- * <b>Guarantee and cost</b>. By Method; h is the edge length:
- *  - SingularitySubtraction subtracts the logarithm of the geodesic distance up to a radius and
- *    solves for the smooth rest. Errors fall like h^2 with the radius fixed, but like h within a
- *    few edges of a boundary, and where shortest paths meet close to the source; symmetric up to
- *    its errors.
- *  - Interpolated weights the functions of the corners of the face: the finite element solution,
- *    with errors like h next to the source; symmetric.
- *  - Localized is Interpolated corrected around the source by exact distances, as in the thesis;
- *    for comparison, as it is no better.
- *  - Vertex takes the corner with the largest barycentric coordinate that is not on a Dirichlet
- *    boundary.
+ * <b>Guarantee and cost</b>. See Method; the module page is Filters/Spectral/README.md. All threads
+ * solve for eight functions at a time. SingularitySubtraction also takes a local exact distance
+ * field, BiLaplace one more solve.
  *
- * With BiLaplace all but Vertex are second order, SingularitySubtraction at the source as well.
- *
- * Where a method does not work around a source, as on triangles about as large as the radius,
- * Interpolated takes its place with a warning, see GetUsedMethod(). Eight functions are solved for
- * at a time, on all threads; SingularitySubtraction takes a local exact distance field besides.
- * BiLaplace takes one more solution.
- *
- * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: Dirichlet conditions and a source that lies
- * on the boundary, or in a component without one; a Radius that is negative or not finite.
- *
+ * <b>Errors</b>. Those of vtkSpectralAlgorithm; with Dirichlet conditions, a source on the boundary
+ * or in a component without one.
  * @code
- * vtkNew<vtkDiscreteGreensFunction> greens;
- * greens->SetInputConnection(reader->GetOutputPort());
  * greens->SetSourceIds({ 0, 1000 });
  * greens->SetSourceData(points); // anywhere on the surface
  * greens->Update();
  * vtkDataArray* g = greens->GetOutput()->GetPointData()->GetArray("GreensFunction");
  * double atPoint7OfSource1 = g->GetComponent(7, 1);
  * @endcode
- *
  * <b>Source</b>. Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans.
- * Graph. 29(3), 2010, section 3 (Vertex); Z. Fang, "Discrete Geodesic Graphs", PhD thesis, Nanyang
+ * Graph. 29(3), 2010, section 3 (Vertex); Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang
  * Technological University, 2019, chapter 4 (Localized).
- *
  * @sa vtkSpectralAlgorithm vtkBiharmonicDistance vtkHarmonicBSpline
  */
 
@@ -75,7 +49,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Of which operator, see above.
+   * Operators.
    */
   enum OrderType
   {
@@ -85,7 +59,10 @@ public:
 
   ///@{
   /**
-   * Of which operator. Default Laplace.
+   * Operator. Default Laplace. BiLaplace yields q with Laplace^2 q = delta(x) - 1 / area, the
+   * integral of g(x, z) g(z, y) over z. It is finite, positive at x and smooth except for d^2
+   * log(d) / (8 pi) close to x. The solution of Laplace^2 u = f is u(x) = mean(u) + the integral of
+   * q f. PoleValue and SignConvention have no effect on q.
    */
   vtkSetClampMacro(Order, int, Laplace, BiLaplace);
   vtkGetMacro(Order, int);
@@ -95,19 +72,23 @@ public:
   ///@}
 
   /**
-   * How the function of a source is found, see above.
+   * Methods that find the function of a source; h is the edge length.
    */
   enum MethodType
   {
-    SingularitySubtraction = 0,
-    Localized = 1,
-    Interpolated = 2,
-    Vertex = 3
+    SingularitySubtraction = 0, ///< logarithm of the distance plus smooth remainder; order h^2
+    Localized = 1,              ///< Interpolated, corrected by exact distances as in the thesis
+    Interpolated = 2, ///< weighted functions of the corners: the finite element solution; order h
+    Vertex = 3        ///< function of the closest corner that is not on a Dirichlet boundary
   };
 
   ///@{
   /**
-   * How the function of a source is found. Default SingularitySubtraction.
+   * Method that finds the function of a source. Default SingularitySubtraction. Its errors are of
+   * order h within a few edges of a boundary, and where shortest paths meet close to the source. If
+   * a method cannot be used around a source, as on triangles about as large as Radius, Interpolated
+   * replaces it with a warning, see GetUsedMethod(). With BiLaplace all methods but Vertex are of
+   * second order, SingularitySubtraction at the source as well.
    */
   vtkSetClampMacro(Method, int, SingularitySubtraction, Vertex);
   vtkGetMacro(Method, int);
@@ -119,7 +100,7 @@ public:
   ///@}
 
   /**
-   * The sign of the function.
+   * Signs of the function.
    */
   enum SignConventionType
   {
@@ -129,7 +110,7 @@ public:
 
   ///@{
   /**
-   * The sign of the function. Default PositiveAtSource.
+   * Sign of the function. Default PositiveAtSource.
    */
   vtkSetClampMacro(SignConvention, int, PositiveAtSource, NegativeAtSource);
   vtkGetMacro(SignConvention, int);
@@ -139,18 +120,18 @@ public:
   ///@}
 
   /**
-   * What SingularitySubtraction gives at the source itself.
+   * Values of SingularitySubtraction at the source.
    */
   enum PoleValueType
   {
-    CellAverage = 0, ///< the mean over a disk as large as a third of the triangles around the point
-    InfiniteValue = 1
+    CellAverage = 0,  ///< mean over a disk as large as a third of the triangles around the point
+    InfiniteValue = 1 ///< infinity
   };
 
   ///@{
   /**
-   * Value of SingularitySubtraction at the source itself. Default CellAverage, which grows like
-   * -log(h) / (2 pi) with the edge length h. Other methods have finite values there.
+   * Value of SingularitySubtraction at the source. Default CellAverage, which grows like -log(h) /
+   * (2 pi) with the edge length h. Other methods have finite values there.
    */
   vtkSetClampMacro(PoleValue, int, CellAverage, InfiniteValue);
   vtkGetMacro(PoleValue, int);
@@ -160,17 +141,17 @@ public:
   ///@}
 
   /**
-   * What makes the sum of a function, and goes away of what flows in.
+   * Weights of points in the mean of a function and in the outflow.
    */
   enum WeightingType
   {
     Area = 0,   ///< in proportion to the area around each point
-    Uniform = 1 ///< the same for all points, as in the paper: for cells of equal size
+    Uniform = 1 ///< equal for all points, as in the paper: for cells of equal size
   };
 
   ///@{
   /**
-   * Weights of the points in the mean that is 0, and in what leaves. Default Area.
+   * Weights of points in the mean, which is 0, and in the outflow. Default Area.
    */
   vtkSetClampMacro(Weighting, int, Area, Uniform);
   vtkGetMacro(Weighting, int);
@@ -182,8 +163,9 @@ public:
   ///@{
   /**
    * Distance from the source up to which SingularitySubtraction subtracts the logarithm, in units
-   * of the coordinates. Default 0: 0.28 times the root of the component's area (up to 0.35 on
-   * coarse meshes), or 48 mean edges, less where shortest paths meet from different sides.
+   * of the coordinates; finite, not negative. Default 0: the smaller of 0.28 times the square root
+   * of the component's area (up to 0.35 on coarse meshes) and 48 mean edge lengths, less where
+   * shortest paths from different sides meet.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
@@ -191,9 +173,9 @@ public:
 
   ///@{
   /**
-   * Whether SingularitySubtraction solves for points of the surface only, keeps these columns (4
+   * If on, SingularitySubtraction solves for points of the surface only, keeps these columns (4
    * bytes per point each, within MemoryLimit) and interpolates the smooth part in faces. Errors are
-   * several times as large; later sources in the same faces cost one distance each. Default off.
+   * several times as large; further sources in the same faces take one distance each. Default off.
    */
   vtkSetMacro(InterpolateRegularPart, bool);
   vtkGetMacro(InterpolateRegularPart, bool);
@@ -202,21 +184,22 @@ public:
 
   ///@{
   /**
-   * Method (MethodType) of a source of the last update, -1 without, and radius of its logarithm, 0
-   * without.
+   * Method (MethodType) of a source of the last update, -1 if there is none, and radius of its
+   * logarithm, 0 if there is none.
    */
   int GetUsedMethod(vtkIdType source) const;
   double GetUsedRadius(vtkIdType source) const;
   ///@}
 
   /**
-   * Whether shortest paths meet from different sides close to a source of the last update (within
-   * ten mean edges, or Radius): errors of SingularitySubtraction then fall like the edge length.
+   * Returns true if shortest paths from different sides meet close to a source of the last update
+   * (within ten mean edge lengths, or Radius). Errors of SingularitySubtraction are then of order
+   * h.
    */
   bool IsNearRidge(vtkIdType source) const;
 
   /**
-   * Columns that InterpolateRegularPart keeps for this mesh.
+   * Returns the number of columns that InterpolateRegularPart keeps for this mesh.
    */
   vtkIdType GetNumberOfColumns() const;
 

@@ -2,92 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHarmonicBSpline
- * @brief   smooth functions of sites on a surface: bases, interpolation, equations solved
+ * @brief   smooth basis functions of sites on a surface; interpolation; Poisson equations
  *
- * <b>Order Harmonic</b>. The points are partitioned into the geodesic Voronoi cells of sites. The
- * function of site j is
- *
- *     psi_j(x) = A_j / A + sum over cells i of c_ij (g_j(x) - g_i(x)),
- *
- * with A_j, A the areas of cell and component, g_j the mean of the Green's function over cell j,
- * and c_ij the length of the border between two cells by the distance of their sites.
- *
- * <b>Order Biharmonic</b>. Smoother ones, for values that are known at some places: with the
- * Green's functions q_j of the bi-Laplacian at the sites, sums c + sum_j w_j q_j with sum_j w_j =
- * 0. Of all functions with the same values at the sites they have the least integral of (Laplace
- * u)^2. That of site j is 1 there and 0 at the other sites.
- *
- * <b>Input and output</b>. Those of vtkSpectralAlgorithm, whose sources are the sites. Sites of
- * port 1 move to the nearest corner of their triangle, but not of order Biharmonic. Without any,
- * NumberOfSites are chosen, each as far as possible from those before along the edges; every
- * component gets one. Point arrays:
+ * <b>Input and output</b>. Those of vtkSpectralAlgorithm, whose sources are the sites. Without any,
+ * NumberOfSites sites are selected. Point arrays:
  *  - `HarmonicBSpline` (double, one component per site, without a unit), with GenerateBasis;
- *  - `Cell` (vtkIdType), of order Harmonic: the site of each point, or of the corner next to an
- *    evaluation point; -1 without a polygon, or with a given value;
- *  - `PoissonSolution` (double), with RightHandSideArrayName: u = sum_j lambda_j psi_j with
- *    -Laplace u = f, f averaged over cells. Of order Biharmonic, u with Laplace^2 u = f, whatever
- *    the sites. Mean 0 in components where nothing is given;
- *  - `Interpolation` (double, as many components as the array with the values), with
- *    SiteValuesArrayName: the sum of functions that has these values at the sites.
+ *  - `Cell` (vtkIdType), with Order Harmonic: the site of each point, or of the corner closest to
+ *    an evaluation point; -1 without a polygon, or with a prescribed value;
+ *  - `PoissonSolution` (double), with RightHandSideArrayName;
+ *  - `Interpolation` (double, components as in the array of values), with SiteValuesArrayName.
  *
- * With Neumann conditions sources whose sum in a component is not 0 are balanced evenly, with a
- * warning where that is more than 1e-6 of the sum of their sizes, for densities 1e-2. With
- * Dirichlet conditions functions and solutions are 0 on the boundary, its points are in no cell,
- * and A_j / A and c are left out. Of order Biharmonic the same holds for Laplace u.
+ * With Dirichlet conditions functions, solutions and, with Order Biharmonic, their Laplacians are 0
+ * on the boundary, whose points are in no cell.
  *
- * <b>Guarantee and cost</b>. Harmonic functions sum to 1 (with Dirichlet conditions only away from
- * the boundary), have the mean A_j / A, and vanish within a few cells; with all points as sites
- * they interpolate. Errors of solutions fall like the square of the size of cells. On sheared or
- * obtuse triangles values may leave [0, 1] by far, which IntrinsicDelaunay mends; sums and
- * solutions remain right. Biharmonic functions sum to 1 as well.
+ * <b>Guarantee and cost</b>. See Order and the properties of the arrays. A basis or interpolation
+ * takes one solve per site, two with Order Biharmonic. Meeting values takes up to four times as
+ * many again, per component of the interpolation and, with Order Biharmonic, per site of the basis,
+ * and a dense matrix of the sites: suitable for some thousand sites. Memory is 8 bytes per point
+ * and site for a basis, and 32 bytes per pair of sites for the matrix.
  *
- * Interpolation has the values of sites to 1e-9 of their differences, or there is an error;
- * constants are constants. Of order Biharmonic errors fall like the fourth power of the distance of
- * sites where functions are smooth, and values may go beyond those of sites. Through a Neumann
- * boundary nothing flows, so that slopes flatten close to it. Of order Harmonic errors fall like
- * the square, and there are bumps at sites.
- *
- * With GenerateBasis or SiteValuesArrayName a substitution per site, of order Biharmonic two. To
- * meet values takes as many again for each function and step of refinement, of which there are four
- * at most: for each component of the interpolation, and of order Biharmonic for each site with
- * GenerateBasis. For these a dense matrix of sites is factorized: some thousand sites will do.
- * Memory is 8 bytes per point and site with GenerateBasis, and where there is such a matrix 32
- * bytes per pair of sites.
- *
- * <b>Errors</b>. Besides those of vtkSpectralAlgorithm: two sites at the same point; of order
- * Biharmonic more sites than corners of the triangles that hold them, as more than three in a
- * triangle or two on an edge, where functions or an interpolation are asked for; a component
- * without a site; Dirichlet conditions and a site on the boundary; a right-hand side that is
- * missing, has several components or is not finite; values of sites that are missing, have other
- * numbers of components on the surface than on port 1, are not finite, or are so large that values
- * between them would not be; array names that are empty or the same; equations of cells that cannot
- * be solved to 1e-8, or values of sites that cannot be met; SmoothEvaluation with Dirichlet
- * conditions and an evaluation point in a component without a boundary.
- *
- * @code
- * vtkNew<vtkHarmonicBSpline> spline;
- * spline->SetInputConnection(reader->GetOutputPort());
- * spline->SetNumberOfSites(100);
- * spline->SetRightHandSideArrayName("heating"); // per area
- * spline->Update();
- * vtkPointData* data = spline->GetOutput()->GetPointData();
- * double u = data->GetArray("PoissonSolution")->GetComponent(7, 0);
- * double psi3 = data->GetArray("HarmonicBSpline")->GetComponent(7, 3);
- *
- * spline->SetOrderToBiharmonic();
- * spline->SetSourceData(stations); // places where something was measured
- * spline->SetSiteValuesArrayName("temperature");
- * spline->GenerateBasisOff();
- * spline->Update();
- * double t = spline->GetOutput()->GetPointData()->GetArray("Interpolation")->GetComponent(7, 0);
- * @endcode
+ * <b>Errors</b>. Those of vtkSpectralAlgorithm and of the module page, Filters/Spectral/README.md;
+ * array names that are empty or equal; a site on a Dirichlet boundary; equations of cells that
+ * cannot be solved to 1e-8, values of sites that cannot be met to 1e-9 of their differences.
  *
  * <b>Source</b>. P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans.
- * Graph. 31(4), 2012, whose biharmonic functions span the same space; Z. Fang, "Discrete Geodesic
- * Graphs", PhD thesis, Nanyang Technological University, 2019, chapter 4, where coefficients have
- * the opposite sign, and 6.2.1. Interpolation: G. Wahba, "Spline interpolation and smoothing on the
- * sphere", SIAM J. Sci. Stat. Comput. 2(1), 1981.
- *
+ * Graph. 31(4), 2012, whose biharmonic functions span the same space; Z. Fang, "Discrete geodesic
+ * graphs", PhD thesis, Nanyang Technological University, 2019, chapter 4 (coefficients of opposite
+ * sign) and 6.2.1; interpolation: G. Wahba, "Spline interpolation and smoothing on the sphere",
+ * SIAM J. Sci. Stat. Comput. 2(1), 1981.
  * @sa vtkDiscreteGreensFunction vtkGeodesicVoronoi vtkGeodesicSampler
  */
 
@@ -108,17 +50,35 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Of which functions, see above.
+   * Kinds of functions.
    */
   enum OrderType
   {
-    Harmonic = 1,
-    Biharmonic = 2
+    Harmonic = 1,  ///< of Voronoi cells  ///< of Voronoi cells
+    Biharmonic = 2 ///< smoother, for values that are given at few positions ///< smoother, for
+                   ///< values that are given at few positions
   };
 
   ///@{
   /**
-   * Of which functions. Default Harmonic.
+   * Kind of functions. Default Harmonic. Functions sum to 1, with Dirichlet conditions only away
+   * from the boundary.
+   *
+   * Harmonic: points belong to the geodesic Voronoi cells of the sites. The function of site j is
+   *
+   *     psi_j(x) = A_j / A + sum over cells i of c_ij (g_j(x) - g_i(x)),
+   *
+   * with the areas A_j of cell and A of component, the mean g_j of the Green's function over cell
+   * j, and c_ij the length of the border of two cells by the distance of their sites; with
+   * Dirichlet conditions without A_j / A. It has the mean A_j / A and vanishes within a few cells.
+   * If all points are sites, it interpolates. On sheared or obtuse triangles values may be far
+   * outside [0, 1], which IntrinsicDelaunay corrects; sums and solutions remain correct. Sites of
+   * port 1 move to the closest corner of their triangle.
+   *
+   * Biharmonic: sums c + sum_j w_j q_j with sum_j w_j = 0 (with Dirichlet conditions without c),
+   * where q_j is the Green's function of the bi-Laplacian at site j. The function of site j is 1
+   * there and 0 at the other sites. Sums have the least integral of (Laplace u)^2 of all functions
+   * with their values at the sites. Sites do not move.
    */
   vtkSetClampMacro(Order, int, Harmonic, Biharmonic);
   vtkGetMacro(Order, int);
@@ -129,8 +89,9 @@ public:
 
   ///@{
   /**
-   * Sites that are chosen when none is given. Default 20, at least 1; at least one for each
-   * component, at most one for each point with a polygon and without a given value.
+   * Number of sites that are selected if none is given, each as far as possible from earlier ones
+   * along edges. Default 20, at least 1. The number is raised to one per component and limited to
+   * one per point with a polygon and without a prescribed value.
    */
   vtkSetClampMacro(NumberOfSites, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfSites, int);
@@ -138,25 +99,30 @@ public:
 
   ///@{
   /**
-   * Point array of the surface with the right-hand side f of -Laplace u = f, or of Laplace^2 u = f
-   * of order Biharmonic. Default none; null and "" are none.
+   * Point array of the surface with the right-hand side f: one finite number per point. Default
+   * none; null and "" mean none. The array `PoissonSolution` is u = sum_j lambda_j psi_j with
+   * -Laplace u = f, f averaged over cells; its error is of second order in the size of cells. With
+   * Order Biharmonic it is u with Laplace^2 u = f, independent of sites. The mean is 0 in
+   * components without prescribed values. With Neumann conditions a sum of f in a component other
+   * than 0 is subtracted evenly, with a warning above 1e-6 of the sum of absolute values
+   * (densities: 1e-2).
    */
   vtkDGGStringMacro(RightHandSideArrayName);
   ///@}
 
   /**
-   * What the numbers of the right-hand side are.
+   * Meaning of the right-hand side.
    */
   enum RightHandSideMeaningType
   {
-    Density = 0,   ///< per area
-    Integrated = 1 ///< the integral over the surroundings of each point
+    Density = 0,   ///< values per area
+    Integrated = 1 ///< integrals over the cell of each point
   };
 
   ///@{
   /**
-   * What the numbers of the right-hand side are. Default Density. At merged points integrated
-   * sources add up, and the first density counts.
+   * Meaning of the right-hand side. Default Density. At merged points integrated sources are added,
+   * and the first density is used.
    */
   vtkSetClampMacro(RightHandSideMeaning, int, Density, Integrated);
   vtkGetMacro(RightHandSideMeaning, int);
@@ -168,8 +134,12 @@ public:
   ///@{
   /**
    * Point array with the values at the sites, of any number of components: of the surface for sites
-   * that are its points, or that are chosen; of port 1 for sites that come from there. What other
-   * points of the surface have in it does not matter. Default none; null and "" are none.
+   * that are its points or are selected; of port 1 for sites from there. Other points of the array
+   * are ignored. Default none; null and "" mean none. The array `Interpolation` has these values at
+   * the sites up to 1e-9 of their differences, and reproduces constants. With Order Biharmonic,
+   * errors are of fourth order in the distance of sites for smooth functions, and values may exceed
+   * those of sites; with Order Harmonic they are of second order, with bumps at sites. Nothing
+   * flows through a Neumann boundary, so that slopes flatten close to it.
    */
   vtkDGGStringMacro(SiteValuesArrayName);
   ///@}
@@ -177,7 +147,8 @@ public:
   ///@{
   /**
    * Names of the point arrays with sites, solution and interpolation. Defaults "Cell",
-   * "PoissonSolution" and "Interpolation"; different from each other and from ResultArrayName.
+   * "PoissonSolution" and "Interpolation"; not empty, different from each other and from
+   * ResultArrayName.
    */
   vtkDGGStringMacro(CellArrayName);
   vtkDGGStringMacro(SolutionArrayName);
@@ -186,9 +157,9 @@ public:
 
   ///@{
   /**
-   * Whether there is an array with the functions of all sites. Off saves its memory where only an
-   * interpolation or a solution is wanted, and of order Biharmonic half of the time; the last array
-   * becomes the active scalars then. Default on.
+   * If on, add the array with the functions of all sites. If off, this saves its memory for an
+   * interpolation or a solution, and with Order Biharmonic half of the time; the last array then
+   * becomes the active scalars. Default on.
    */
   vtkSetMacro(GenerateBasis, bool);
   vtkGetMacro(GenerateBasis, bool);
@@ -197,9 +168,10 @@ public:
 
   ///@{
   /**
-   * Whether evaluation points get functions and solutions of order Harmonic by Green's functions of
-   * their own, without kinks at edges, at the cost of one each, instead of linear ones in
-   * triangles. Errors are similar; where cells are single points functions do not interpolate.
+   * If on, functions and solutions of Order Harmonic at evaluation points come from Green's
+   * functions of these points, without kinks at edges, at one solve each; if off, they are linear
+   * in triangles. Errors are similar; where cells are single points, functions do not interpolate.
+   * An error with Dirichlet conditions and an evaluation point in a component without a boundary.
    * Default off.
    */
   vtkSetMacro(SmoothEvaluation, bool);
@@ -209,8 +181,8 @@ public:
 
   ///@{
   /**
-   * Sites of the last update, as point ids of the surface; -1 without such a site, and for one
-   * between points.
+   * Sites of the last update, as point ids of the surface; -1 if there is no such site, and for
+   * sites between points.
    */
   vtkIdType GetNumberOfUsedSites() const;
   vtkIdType GetUsedSite(vtkIdType site) const;

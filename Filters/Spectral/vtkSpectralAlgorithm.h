@@ -2,31 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSpectralAlgorithm
- * @brief   what filters have in common that solve Poisson equations for sources on a surface
+ * @brief   base class of filters that solve Poisson equations for sources on a surface
  *
  * <b>Input and output</b>. Port 0 takes the surface. Sources are point ids (SetSourceIds()) and the
- * points of the optional port 1 (SetSourceConnection()), each projected to the closest point of the
- * surface; they are numbered from 0, ids first. Output 0 is the input, in the same order, plus a
- * point array (double) with one component per source, which becomes the active scalars. Output 1
+ * points of the optional port 1 (SetSourceConnection()), projected to the closest point of the
+ * surface and numbered from 0, ids first. Output 0 is the input, in the same order, plus a point
+ * array (double) with one component per source, which becomes the active scalars. Output 1
  * (GetEvaluation()) has the points of the optional port 2 (SetEvaluationConnection()) with the same
  * array: the values at the closest points of the surface.
  *
- * <b>Guarantee and cost</b>. Linear finite elements (cotangents) give a sparse matrix, which is
+ * <b>Guarantee and cost</b>. Linear finite elements (cotangents) yield a sparse matrix, which is
  * factorized once and kept until the mesh, Boundary or IntrinsicDelaunay changes; each source takes
- * a substitution or two. Any triangles are allowed; edges with more than two conduct between all of
- * them. Components, connected through edges or shared points, are independent of each other. An
- * update can be stopped between the parts of the work; the factorization is one of them.
+ * one or two solves. Edges with more than two triangles connect all of them. Components, connected
+ * through edges or shared points, are independent of each other. An update can be aborted between
+ * the steps of the work; the factorization is one step.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
- *  - no source, but for filters that choose sources; a source id out of range, or of a point that
- *    no polygon uses; a source or evaluation point that is not finite, or farther from the surface
- *    than ProjectionTolerance;
- *  - a ProjectionTolerance that is negative or NaN; an empty ResultArrayName;
- *  - triangles that are nearly everywhere too thin for double precision, about a million times as
- *    long as high; where only components of near-zero area are so, only sources, sites and masses
- *    there;
- *  - a factorization and results that take more than MemoryLimit: 1 to 2 KiB per point, and 8 bytes
- *    per point and source, are usual.
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm, and
+ *  - no source, unless the filter selects sources; a source id out of range, or of a point that
+ *    no polygon uses; a source or evaluation point that is not finite or beyond
+ *    ProjectionTolerance;
+ *  - an empty ResultArrayName;
+ *  - triangles that are nearly all too thin for double precision, about a million times as long
+ *    as high; if only components of near-zero area are, sources, sites and masses on these;
+ *  - a factorization and results beyond MemoryLimit: usually 1 to 2 KiB per point, and 8 bytes
+ *    per point and source.
+ *
+ * The module page is Filters/Spectral/README.md.
  *
  * @sa vtkDiscreteGreensFunction vtkBiharmonicDistance vtkHarmonicBSpline
  */
@@ -60,9 +61,9 @@ public:
 
   ///@{
   /**
-   * Sources by point id of the input. None by default; ids may repeat, one out of range is an error
-   * of the update. Python takes any sequence of integers. A null list removes all; the i-th id is
-   * -1 where there is none.
+   * Sources by point id of the input. None by default; ids may repeat, an id out of range is an
+   * error of the update. Python takes any sequence of integers. A null list removes all; the i-th
+   * id is -1 if there is none.
    */
   vtkDGGIdsMacro(Source);
   ///@}
@@ -83,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Further points of the surface at which values are evaluated: those of a vtkPolyData on input
-   * port 2. Null removes them.
+   * Further surface points at which values are evaluated: those of a vtkPolyData on input port 2.
+   * Null removes them.
    */
   void SetEvaluationConnection(vtkAlgorithmOutput* output);
   void SetEvaluationData(vtkPolyData* points);
@@ -100,20 +101,20 @@ public:
 
   ///@{
   /**
-   * How far from the surface a point of port 1 or 2 may be, as a fraction of the diagonal of the
-   * surface's bounding box; farther is an error. Default 0.01; not negative.
+   * Largest distance of a point of port 1 or 2 from the surface, as a fraction of the diagonal of
+   * the surface's bounding box; a farther point is an error. Default 0.01; not negative.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
   ///@}
 
   /**
-   * What holds at the boundary of the surface.
+   * Conditions at the boundary of the surface.
    */
   enum BoundaryType
   {
-    Neumann = 0,  ///< nothing flows through it
-    Dirichlet = 1 ///< functions are 0 there
+    Neumann = 0,  ///< no flow through the boundary
+    Dirichlet = 1 ///< functions are 0 on the boundary
   };
 
   ///@{
@@ -130,8 +131,8 @@ public:
 
   ///@{
   /**
-   * Whether to flip edges until they are Delaunay first, which improves results on long or obtuse
-   * triangles. The surface does not change. Default off.
+   * If on, edges are first flipped until they are Delaunay, which improves results on long or
+   * obtuse triangles. The surface does not change. Default off.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
@@ -140,25 +141,26 @@ public:
 
   ///@{
   /**
-   * Name of the point array with the results; it replaces one of the input.
+   * Name of the point array with the results, which replaces an array of the input. Not empty.
    */
   vtkDGGStringMacro(ResultArrayName);
   ///@}
 
   /**
-   * Factorizations so far: one for a new mesh, Boundary or IntrinsicDelaunay, none for other
-   * sources.
+   * Returns the number of factorizations so far: one for a new mesh, Boundary or IntrinsicDelaunay,
+   * none for other sources.
    */
   int GetNumberOfFactorizations() const;
 
   /**
-   * Bytes kept between updates, about; zero before the first one.
+   * Returns the approximate number of bytes that are kept between updates; 0 before the first
+   * update.
    */
   virtual vtkTypeUInt64 GetMemorySize() const;
 
 protected:
   /**
-   * With the default name of the result array.
+   * Constructs a filter with the default name of its result array.
    */
   explicit vtkSpectralAlgorithm(const std::string& resultArrayName);
   ~vtkSpectralAlgorithm() override;
@@ -172,16 +174,16 @@ protected:
   std::string GetMemoryRemedy() const override;
 
   /**
-   * What is to be factorized.
+   * Returns the options of the system to factorize.
    */
   virtual dgg::PoissonOptions GetPoissonOptions() const;
 
   ///@{
   /**
-   * For filters that can choose sources themselves, or need them elsewhere than they are given:
-   * whether there may be none, how many there will be on a surface that is ready to be factorized,
-   * and which (the callback takes the progress and returns whether to go on). By default sources
-   * are needed, and used as they are.
+   * For filters that select sources themselves or move given ones: true if there may be no given
+   * source; the number of sources on a surface that is ready to be factorized; and the sources. The
+   * callback takes the progress and returns false to stop. By default sources are required and used
+   * as given.
    */
   virtual bool CanChooseSources() const { return false; }
   virtual std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const;
@@ -190,24 +192,25 @@ protected:
   ///@}
 
   /**
-   * Components of the result array; 0 where it is not wanted. One for each source by default.
+   * Returns the number of components of the result array; 0 if the array is not requested. Default:
+   * one per source.
    */
   virtual std::size_t CountResults(std::size_t numberOfSources) const;
 
   /**
-   * The sources as they are given.
+   * Returns the given sources.
    */
   DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
 
   /**
-   * Bytes that ComputeValues() takes at one time, besides its results.
+   * Returns the largest number of bytes that ComputeValues() allocates besides its results.
    */
   virtual double EstimateWorkingMemory(const dgg::PoissonSolver& solver,
     std::size_t numberOfSources, std::size_t numberOfTargets) const = 0;
 
   /**
-   * Set the outputs of the task, for each source. Returns an error, which is shown to the user, or
-   * that the task's Progress asked to stop. May throw.
+   * Sets the outputs of the task for each source. Returns an error, which is reported, or the
+   * status of an abort by the task's Progress. May throw.
    */
   virtual dgg::Status ComputeValues(DGGSpectralTask& task) = 0;
 

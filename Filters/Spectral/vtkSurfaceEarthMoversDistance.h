@@ -4,51 +4,32 @@
  * @class   vtkSurfaceEarthMoversDistance
  * @brief   least cost of moving one distribution to another within a surface
  *
- * The cost is mass times the length of its path: the Wasserstein distance W1. Between two unit
+ * The cost is the sum of mass times length of path: the Wasserstein distance W1. Between two unit
  * masses it is their geodesic distance.
  *
  * <b>Input and output</b>. Port 0 takes the surface. Each distribution is the sum of a point array
- * (SetFromArrayName(), SetToArrayName()) with densities, mass per area, or masses (ArrayMeaning),
- * and of masses at the points of port 1 (SetFromData()) or 2 (SetToData()), which are projected to
- * the surface and shared by the corners of their face; the point array MassArrayName has these,
- * else each is 1. With Normalize both are scaled to the mass 1, and the distance is a length in
- * units of the coordinates; else both need the same mass, and it is mass times length. In either
- * case both need the same mass in each component, to 1e-6 of the whole. At merged points masses add
- * up, and the first density counts. The output is the input plus
- *  - `EarthMoversDistance` and `EarthMoversLowerBound`, field arrays of one number;
- *  - `EarthMoversPotential` (double), a point array and the active scalars: a length with slope at
- *    most 1 that proves the lower bound; 0 at points that no polygon uses;
+ * (SetFromArrayName(), SetToArrayName()) and of masses at the points of port 1 (SetFromData()) or 2
+ * (SetToData()), which are projected to the surface and divided among the corners of their face.
+ * Both need the same mass in each component, up to 1e-6 of the total. At merged points masses are
+ * added, and the first density is used. The output is the input plus
+ *  - `EarthMoversDistance` and `EarthMoversLowerBound`, field arrays of one number: a length in
+ *    units of the coordinates, without Normalize mass times length;
+ *  - `EarthMoversPotential` (double), a point array and the active scalars: a length with slope
+ *    at most 1 that proves the lower bound; 0 at points that no polygon uses;
  *  - `EarthMoversFlow` (double, 3 components), a cell array and the active vectors: mass per
  *    length, constant in each triangle, means in larger polygons. Not with IntrinsicDelaunay.
  *
- * <b>Guarantee and cost</b>. Both bounds are those of flows that are constant in each triangle;
- * they differ by Tolerance of the cost at most, or a warning reports that MaximumNumberOfIterations
- * was reached. Between two points of the surface the optimum is never above the geodesic distance;
- * how far it is below depends on the mesh, see the page of the module. An interior point method
- * takes 7 to 50 iterations on most meshes, each with a factorization as large as that of a Poisson
- * equation; an update can be stopped between them.
+ * <b>Guarantee and cost</b>. Cost and lower bound are those of flows that are constant in each
+ * triangle. They differ by at most Tolerance, or a warning reports that MaximumNumberOfIterations
+ * was reached. An interior point method takes 7 to 50 iterations on most meshes, each with a
+ * factorization as large as that of a Poisson equation; an update can be aborted between them.
  *
- * <b>Errors</b>. Besides those of vtkGeodesicAlgorithm:
- *  - a distribution of which nothing is given; a named array that is missing, or not of one number
- *    per point; a density or mass that is negative or not finite;
- *  - different masses of the whole without Normalize, or within a component; no mass to normalize;
- *  - a point of port 1 or 2 that is not finite, or farther from the surface than
- *    ProjectionTolerance; a ProjectionTolerance or Tolerance that is negative or NaN;
- *  - a factorization and results that take more than MemoryLimit; 2 KiB per point are usual.
- *
- * @code
- * vtkNew<vtkSurfaceEarthMoversDistance> movers;
- * movers->SetInputConnection(reader->GetOutputPort());
- * movers->SetFromArrayName("before");
- * movers->SetToArrayName("after");
- * movers->Update();
- * std::cout << "moved by " << movers->GetDistance() << " on average\n";
- * @endcode
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm and of the module page, Filters/Spectral/README.md;
+ * an empty distribution; an array that is missing or has negative or not finite values.
  *
  * <b>Source</b>. J. Solomon, R. Rustamov, L. Guibas, A. Butscher, "Earth mover's distances on
- * discrete surfaces", ACM Trans. Graph. 33(4), 2014, section 4; there the part of the flow without
- * divergence is spanned by few eigenfunctions, here it is any.
- *
+ * discrete surfaces", ACM Trans. Graph. 33(4), 2014, section 4; the divergence-free part of the
+ * flow is not limited to few eigenfunctions here.
  * @sa vtkBiharmonicDistance vtkGeodesicDistanceMatrix
  */
 
@@ -77,14 +58,15 @@ public:
 
   ///@{
   /**
-   * Point arrays of the surface with the distributions. Default none; null and "" are none.
+   * Point arrays of the surface with the distributions: one finite number per point, not negative.
+   * Default none; null and "" mean none.
    */
   vtkDGGStringMacro(FromArrayName);
   vtkDGGStringMacro(ToArrayName);
   ///@}
 
   /**
-   * What the numbers in the arrays of the surface are.
+   * Meaning of the arrays of the surface.
    */
   enum ArrayMeaningType
   {
@@ -94,7 +76,7 @@ public:
 
   ///@{
   /**
-   * What the numbers in the arrays of the surface are. Default Density.
+   * Meaning of the arrays of the surface. Default Density.
    */
   vtkSetClampMacro(ArrayMeaning, int, Density, Mass);
   vtkGetMacro(ArrayMeaning, int);
@@ -116,14 +98,15 @@ public:
 
   ///@{
   /**
-   * Point array of ports 1 and 2 with the masses. Default none: each is 1.
+   * Point array of ports 1 and 2 with the masses: finite, not negative. Default none: each is 1.
    */
   vtkDGGStringMacro(MassArrayName);
   ///@}
 
   ///@{
   /**
-   * Whether to scale both distributions to the mass 1. Default on.
+   * If on, both distributions are scaled to mass 1; a distribution without mass is an error. If
+   * off, both need the same mass. Default on.
    */
   vtkSetMacro(Normalize, bool);
   vtkGetMacro(Normalize, bool);
@@ -132,8 +115,8 @@ public:
 
   ///@{
   /**
-   * Most iterations, at least 0. Default 200. With 0 the flow is a gradient, whose cost is a quick
-   * upper bound, without a warning.
+   * Largest number of iterations, at least 0. Default 200. With 0 the flow is a gradient, whose
+   * cost is a fast upper bound, without a warning.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -142,7 +125,7 @@ public:
   ///@{
   /**
    * Largest difference of cost and lower bound, relative to the cost. Default 0.01; not negative;
-   * below 1e-8 it is as 1e-8.
+   * values below 1e-8 are treated as 1e-8.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -150,8 +133,8 @@ public:
 
   ///@{
   /**
-   * How far from the surface a point of port 1 or 2 may be, as a fraction of the diagonal of the
-   * surface's bounding box; farther is an error. Default 0.01; not negative.
+   * Largest distance of a point of port 1 or 2 from the surface, as a fraction of the diagonal of
+   * the surface's bounding box; a farther point is an error. Default 0.01; not negative.
    */
   vtkSetMacro(ProjectionTolerance, double);
   vtkGetMacro(ProjectionTolerance, double);
@@ -159,8 +142,8 @@ public:
 
   ///@{
   /**
-   * Whether to flip edges until they are Delaunay first, which improves results on long or obtuse
-   * triangles. The surface does not change. Default off.
+   * If on, edges are first flipped until they are Delaunay, which improves results on long or
+   * obtuse triangles. The surface does not change. Default off.
    */
   vtkSetMacro(IntrinsicDelaunay, bool);
   vtkGetMacro(IntrinsicDelaunay, bool);
@@ -169,31 +152,32 @@ public:
 
   ///@{
   /**
-   * Results of the last update, as in the field data; NaN without.
+   * Results of the last update, as in the field data; NaN if there are none.
    */
   vtkGetMacro(Distance, double);
   vtkGetMacro(LowerBound, double);
   ///@}
 
   /**
-   * (Distance - LowerBound) / Distance: how far Distance may be above the optimum; 0 for nothing to
-   * move, NaN without a result.
+   * (Distance - LowerBound) / Distance: the largest relative excess of Distance over the optimum; 0
+   * if nothing is moved, NaN without a result.
    */
   vtkGetMacro(Gap, double);
 
   /**
-   * Iterations of the last update.
+   * Number of iterations of the last update.
    */
   vtkGetMacro(NumberOfIterations, int);
 
   /**
-   * Factorizations so far of the Poisson equation: one for a new mesh or IntrinsicDelaunay, none
-   * for other distributions.
+   * Returns the number of factorizations of the Poisson equation so far: one for a new mesh or
+   * IntrinsicDelaunay, none for other distributions.
    */
   int GetNumberOfFactorizations() const;
 
   /**
-   * Bytes kept between updates, about; zero before the first one.
+   * Returns the approximate number of bytes that are kept between updates; 0 before the first
+   * update.
    */
   vtkTypeUInt64 GetMemorySize() const;
 
