@@ -15,9 +15,10 @@ namespace dgg
 {
 namespace
 {
-/// Longest step between points of a path by the spacing of the cloud.
+/// Longest step between points of a path, in spacings of the cloud.
 constexpr double StepBySpacing = 0.9;
-/// Radius by spacing of the neighborhood that gives the surface at a point, and its rim.
+/// Radius, in spacings, of the neighborhood that determines the surface at a point, and the
+/// boundary of the cloud.
 constexpr double FitBySpacing = 3.0;
 /// Fraction of the step toward the midpoint of its neighbors that a point moves in one round.
 constexpr double Damping = 0.7;
@@ -91,8 +92,8 @@ public:
     }
     std::vector<Point3> best = this->Points;
     double shortest = LengthOf(best);
-    // Large strides first: they straighten long bends in few rounds. Next to gaps and rims they
-    // cause kinks, so the stride becomes 1 once the length no longer decreases.
+    // Large strides first: they straighten long bends in few rounds. Next to gaps and boundaries
+    // they cause kinks, so the stride becomes 1 once the length no longer decreases.
     std::size_t longest = LongestStride;
     for (int round = 1; round <= MaximumRounds && longest > 0; ++round)
     {
@@ -131,7 +132,7 @@ public:
 
 private:
   /// Moves a point to the surface near a position, toward the nearest point of the cloud, unless
-  /// the move leads out over the rim of the cloud or across a gap.
+  /// the move leads beyond the boundary of the cloud or across a gap.
   void MoveTo(std::size_t i, const Point3& position)
   {
     const Id owner = this->FindOwner(this->Owners[i], position);
@@ -192,7 +193,7 @@ private:
       const Point3 d = point - position;
       quadrants |= 1u << (2 * (Dot(d, x) > 0.0) + (Dot(d, y) > 0.0));
     }
-    if (quadrants == 15) // points in all quadrants surround the position
+    if (quadrants == 15) // points in all quadrants: the position is surrounded
     {
       return false;
     }
@@ -214,7 +215,7 @@ private:
     return false;
   }
 
-  /// Walks along edges to the point of the cloud that is nearest to a position.
+  /// Walks along edges to the cloud point nearest to a position.
   Id FindOwner(Id owner, const Point3& position) const
   {
     const auto measure = [&](Id v) {
@@ -246,8 +247,8 @@ private:
   double SpacingAt(Id v) const { return this->Tables.Radii[v] / AutomaticBallBySpacing; }
 
   const BandPathShortener& Tables;
-  std::vector<Id> Owners;     ///< per point, the point of the cloud that is nearest
-  std::vector<Point3> Around; ///< points of the cloud around the position of a move
+  std::vector<Id> Owners;     ///< per point, the nearest cloud point
+  std::vector<Point3> Around; ///< cloud points around the position of a move
   std::vector<double> Angles; ///< directions to them
 };
 

@@ -12,30 +12,33 @@ namespace dgg
 {
 namespace
 {
-/// The spacing of a point is at most that of its neighbours by this.
+/// Maximum ratio of the spacing of a point to that of its neighbors.
 constexpr double LargestSpacingRatio = 1.25;
 constexpr double VoxelsPerSpacing = 2.0;
-/// Spacings that voxels are chosen for: that of the densest points are too small.
+/// Quantile of the spacings from which the voxel size is chosen; the smallest spacings are too
+/// small.
 constexpr double SpacingQuantile = 0.2;
-/// Voxels in a ball on average, at most, unless voxels became larger for it than the balls of the
-/// densest points are.
+/// Maximum mean number of voxels per ball, unless voxels would become larger than the balls of the
+/// densest points.
 constexpr double VoxelsPerBall = 2000.0;
-/// The same, whatever balls are: where density varies much, voxels for the balls of the densest
-/// points would be far too many in those of the sparsest.
+/// Unconditional maximum of the mean number of voxels per ball: if the density varies strongly,
+/// voxels for the balls of the densest points would be far too many in those of the sparsest.
 constexpr double MostVoxelsPerBall = 4000.0;
-/// Voxels along the longest side when they are chosen automatically, at most.
+/// Maximum automatic number of voxels along the longest side.
 constexpr double LargestAutomaticResolution = 1 << 23;
-/// Spacings along the longest side, at most. Coordinates are rounded by 2^-54 of it, so that edges
-/// as long as a spacing keep the digits of a float.
+/// Maximum number of spacings along the longest side. Coordinates have a rounding error of 2^-54 of
+/// that side, so that edges as long as a spacing keep float precision.
 constexpr double MostSpacings = 1 << 30;
 
-/// A group of fewer points than there are neighbours has a gap among the distances of them, the
-/// next one being that many times as far. Then only those beyond the gap give the spacing: the
-/// others would give how far off the group is, when they are the larger part.
+/// The distances of the neighbors of a group with fewer points than neighbors have a gap: the next
+/// neighbor is at least this many times as far. Then only the neighbors beyond the gap determine
+/// the spacing; otherwise, if the others are the majority, the spacing would be the distance of the
+/// group from the rest.
 constexpr double LeastGap = 4.0;
 constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
 
-/// How many of the nearest points are a group on their own, far off the next ones; 0 when none are.
+/// Returns the number of nearest points that form a separate group, far from the next ones; 0 if
+/// there is none.
 std::size_t CountBeforeGap(const std::vector<double>& squaredDistances)
 {
   for (std::size_t i = squaredDistances.size(); i-- > LeastGroup;)
@@ -58,7 +61,7 @@ double GetMeanVolume(const std::vector<double>& radii)
   return 4.0 / 3.0 * Pi * sum / static_cast<double>(radii.size());
 }
 
-/// Names the point that is farthest from the middle of the cloud.
+/// Returns the error that names the point farthest from the center of the cloud.
 Status TooFarApart(
   const CloudNodes& nodes, const std::vector<Point3>& places, double spacing, const char* limit)
 {
@@ -119,7 +122,7 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
   }
   else
   {
-    // Small enough for the balls of the densest points, and no smaller than the others allow.
+    // Small enough for the balls of the densest points, if the others allow it.
     const double volume = GetMeanVolume(radii);
     size = h > 0.0
       ? factor * median / h
@@ -128,7 +131,7 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
     {
       return TooFarApart(nodes, places, median, "one band of voxels");
     }
-    // Voxels may be too large for the balls of the densest points then.
+    // The voxels may then be too large for the balls of the densest points.
     size = h > 0.0 ? size : std::max(size, std::cbrt(volume / MostVoxelsPerBall));
   }
   if (!(size > 0.0))
@@ -141,7 +144,7 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
   }
   std::vector<double> reordered = radii;
   sizes.MedianRadius = Quantile(reordered, 0.5) / size;
-  // A hair less, so that rounding does not make one more of those that are asked for.
+  // Slightly less, so that rounding does not increase the requested resolution by one.
   sizes.Resolution = static_cast<Id>(std::min(1e9, std::ceil((1.0 - 1e-12) * nodes.Extent / size)));
   return Status::Success();
 }

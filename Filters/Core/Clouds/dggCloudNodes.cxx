@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// A point on its way to become a node.
+/// A point with its sort key.
 struct NodeEntry
 {
   std::uint64_t Code;
@@ -29,7 +29,7 @@ bool IsFirst(const std::vector<NodeEntry>& entries, std::size_t i)
   return i == 0 || before.X != p.X || before.Y != p.Y || before.Z != p.Z;
 }
 
-/// Sort points, and count the places that they are in.
+/// Sorts points, and returns the number of distinct positions.
 std::size_t SortEntries(std::vector<NodeEntry>& entries)
 {
   std::sort(entries.begin(), entries.end(), [](const NodeEntry& a, const NodeEntry& b) {
@@ -44,7 +44,8 @@ std::size_t SortEntries(std::vector<NodeEntry>& entries)
   return places;
 }
 
-/// The first point of each place, and the others with it. Nothing has to grow.
+/// Reports the first point of each position, and the other points with it. Arrays are allocated in
+/// advance.
 void ReportPlaces(const std::vector<NodeEntry>& entries, std::size_t places,
   std::vector<Id>& originals, std::vector<std::pair<Id, Id>>& coincident)
 {

@@ -13,13 +13,14 @@ namespace dgg
 {
 namespace
 {
-/// Neighbours that a plane, and a quadratic height field, are fitted to at least.
+/// Minimum number of neighbors for fitting a plane, and a quadratic height field.
 constexpr std::size_t LeastForPlane = 3;
 constexpr std::size_t LeastForQuadric = 12;
-/// Neighbours that are thinner than that across a line have no plane, relative to their length.
+/// Neighbors whose extent across a line is smaller, relative to their length, do not define a
+/// plane.
 constexpr double ThinnestPlane = 1e-6;
-/// Where neighbours do not decide on a coefficient (all of them on a conic), it is 0. Relative to
-/// the sums of squares.
+/// Regularization, relative to the sums of squares: coefficients that are not determined by the
+/// neighbors (all of them on a conic) become 0.
 constexpr double Damping = 1e-9;
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -52,7 +53,8 @@ LocalFit FitSurface(const Point3& point, const Point3* neighbors, std::size_t co
   {
     return fit;
   }
-  // In units of a radius that the farthest neighbour is inside of, so that it counts a little.
+  // In units of a radius slightly larger than the distance of the farthest neighbor, so that it has
+  // a small weight.
   const double radius = 1.1 * std::sqrt(squaredRadius);
   const auto weigh = [](const Eigen::Vector3d& d) {
     const double rest = std::max(0.0, 1.0 - d.squaredNorm());
@@ -113,8 +115,8 @@ LocalFit FitSurface(const Point3& point, const Point3* neighbors, std::size_t co
   {
     return fit;
   }
-  // As a sum of squares, not by what is left of the normal equations, which is rounding where the
-  // fit is good.
+  // Computed as a sum of squares, because the residual of the normal equations is dominated by
+  // rounding if the fit is good.
   double rest = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -132,7 +134,7 @@ LocalFit FitSurface(const Point3& point, const Point3* neighbors, std::size_t co
   const double slope = direction.norm();
   fit.Normal = FromEigen(direction / slope);
   fit.ToSurface = FromEigen(radius * c[0] * z);
-  // Principal curvatures: eigenvalues of the second form by the first.
+  // Principal curvatures: eigenvalues of the second fundamental form with respect to the first.
   Eigen::Matrix2d first;
   first << 1.0 + c[1] * c[1], c[1] * c[2], c[1] * c[2], 1.0 + c[2] * c[2];
   Eigen::Matrix2d second;

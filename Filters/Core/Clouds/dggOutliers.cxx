@@ -16,11 +16,11 @@ namespace
 {
 constexpr std::size_t MostPlaces = 16;
 
-/// Distinct places, a few of them.
+/// A small set of distinct positions.
 class Places
 {
 public:
-  /// False when there would be more than the most.
+  /// Adds a position. Returns false if the maximum number is exceeded.
   bool Add(const Point3& p)
   {
     const auto isHere = [&](const Point3& q) { return p.X == q.X && p.Y == q.Y && p.Z == q.Z; };
@@ -75,7 +75,8 @@ Outliers::Outliers(const double* points, Id numberOfPoints, double ratio)
     points, numberOfPoints, [&](const Point3& p) { values.push_back(this->QuarterDistance(p)); });
   const double median = Quantile(values, 0.5);
 
-  // At least half of the points are not farther than the median, so outliers are by that much.
+  // At least half of the points are at most at the median distance, which separates outliers by the
+  // ratio.
   std::vector<FarPoint> far;
   double inner = 0.0;
   ForEachFinite(points, numberOfPoints, [&](const Point3& p) {
@@ -92,7 +93,7 @@ Outliers::Outliers(const double* points, Id numberOfPoints, double ratio)
   std::sort(far.begin(), far.end(),
     [](const FarPoint& a, const FarPoint& b) { return a.QuarterDistance > b.QuarterDistance; });
   Places places;
-  std::vector<std::size_t> gaps; // points beyond each
+  std::vector<std::size_t> gaps; // number of points beyond each gap
   for (std::size_t i = 0; i < far.size() && places.Add(far[i].Place); ++i)
   {
     const double next = i + 1 < far.size() ? far[i + 1].QuarterDistance : inner;
@@ -101,7 +102,7 @@ Outliers::Outliers(const double* points, Id numberOfPoints, double ratio)
       gaps.push_back(i + 1);
     }
   }
-  // The nearest gap that leaves enough.
+  // The nearest gap that leaves enough points.
   for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap)
   {
     this->NumberOfPoints = static_cast<Id>(*gap);
@@ -114,7 +115,7 @@ Outliers::Outliers(const double* points, Id numberOfPoints, double ratio)
   this->NumberOfPoints = 0;
 }
 
-/// Whether the points that are no outliers are enough to be a cloud.
+/// Returns true if the points other than outliers occupy enough positions.
 bool Outliers::HasManyPlaces(const double* points, Id numberOfPoints) const
 {
   Places places;

@@ -17,15 +17,15 @@ namespace dgg
 namespace
 {
 constexpr std::size_t WordsPerBrick = 8;
-/// Entries of the hash table by bricks, at least.
+/// Minimum number of hash table entries per brick.
 constexpr std::size_t TablePerBrick = 2;
 constexpr Offset PointsPerTask = 4096;
-/// Work between two reports of progress: places of bricks looked at, voxels in boxes around balls,
-/// and the tasks that these are divided into.
+/// Work between two progress reports: brick positions examined, voxels in boxes around balls, and
+/// the number of tasks into which these are divided.
 constexpr std::size_t LooksPerReport = 1 << 15;
 constexpr double VoxelsPerReport = 1 << 24;
 constexpr Offset TasksPerReport = 256;
-/// Bricks that the hash table can distinguish.
+/// Maximum number of bricks in the hash table.
 constexpr double MostBricks = std::numeric_limits<std::int32_t>::max();
 
 std::uint64_t Scramble(std::uint64_t key)
@@ -35,7 +35,7 @@ std::uint64_t Scramble(std::uint64_t key)
   return key ^ key >> 29;
 }
 
-/// The cells of size `size` that a ball reaches into, along one axis.
+/// Cells of size `size` that a ball intersects along one axis.
 struct Range
 {
   std::int32_t First;
@@ -47,7 +47,7 @@ Range RangeOf(double centre, double radius, double size)
     static_cast<std::int32_t>(std::floor((centre + radius) / size)) };
 }
 
-/// How far a number is from the nearest, and the farthest, of an interval.
+/// Distance of a number from the nearest and from the farthest point of an interval.
 double Gap(double x, double low, double high)
 {
   return x < low ? low - x : std::max(0.0, x - high);
@@ -57,8 +57,8 @@ double Span(double x, double low, double high)
   return std::max(std::abs(x - low), std::abs(x - high));
 }
 
-/// Cells of 2^level bricks along each axis, as large as fit into balls on average. Larger ones lie
-/// in no ball; 0 when bricks do not either.
+/// Chooses cells of 2^level bricks along each axis, as large as fit into balls on average: larger
+/// cells lie in no ball. Returns 0 if even bricks do not fit.
 int ChooseLevel(const std::vector<double>& radii, double inverseSize)
 {
   double sum = 0.0;
@@ -66,13 +66,13 @@ int ChooseLevel(const std::vector<double>& radii, double inverseSize)
   {
     sum += radius;
   }
-  // The one that the middle of a ball is in reaches by its diagonal at most.
+  // The cell that contains the center of a ball extends by at most its diagonal.
   const double cell =
     sum / static_cast<double>(radii.size()) * inverseSize / (std::sqrt(3.0) * 8.0);
   return cell > 1.0 ? std::ilogb(cell) : 0;
 }
 
-/// Of bricks that have been found so far.
+/// Checks the number of bricks found so far.
 Status CheckBricks(double bricks, double memoryLimit, const std::string& remedy)
 {
   const double bytes = VoxelBand::PredictMemory(bricks);
@@ -89,7 +89,7 @@ Status CheckBricks(double bricks, double memoryLimit, const std::string& remedy)
 
 double VoxelBand::PredictMemory(double bricks)
 {
-  // The hash table doubles when it gets full.
+  // The hash table doubles its size when full.
   return bricks *
     (WordsPerBrick * sizeof(std::uint64_t) + sizeof(std::uint64_t) +
       2.0 * TablePerBrick * sizeof(std::int32_t));
@@ -107,7 +107,7 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<dou
     return Status::Success();
   }
   Status status = this->ChooseBox(points, radii, remedy);
-  // Where there are very many bricks, fewer cells show that there are too many.
+  // If there are very many bricks, a pass over larger cells detects that early.
   const int level = ChooseLevel(radii, this->InverseSize);
   if (status.IsOk() && level > 0)
   {
@@ -145,7 +145,7 @@ Status VoxelBand::ChooseBox(
     high = { std::max(high.X, points[i].X + r), std::max(high.Y, points[i].Y + r),
       std::max(high.Z, points[i].Z + r) };
   }
-  // Two voxels more on each side, so that neighbours of marked voxels have places as well.
+  // Two additional voxels on each side, so that neighbors of marked voxels have valid indices.
   const double margin = 2.0 * this->VoxelSize;
   this->Origin = low - Point3{ margin, margin, margin };
   const double extent = std::max({ high.X - low.X, high.Y - low.Y, high.Z - low.Z });
@@ -159,8 +159,8 @@ Status VoxelBand::ChooseBox(
   return Status::Success();
 }
 
-/// The bricks that balls meet. At a level above 0, cells of 2^level bricks along each axis, those
-/// that lie in a ball altogether: only to see whether their bricks are too many already.
+/// Finds the bricks that balls intersect. At a level above 0, finds cells of 2^level bricks along
+/// each axis that lie entirely in a ball, only to detect too many bricks early.
 Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector<double>& radii,
   int level, std::size_t memoryLimit, const ProgressCallback& progress, const std::string& remedy)
 {
@@ -177,7 +177,7 @@ Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Point3 centre = this->ToGrid(points[i]);
-    // A voxel more, for the neighbours that are marked in any case.
+    // At least one voxel, for the neighbors that are marked in any case.
     const double radius = std::max(level > 0 ? 0.0 : 1.0, radii[i] * this->InverseSize);
     const Range x = RangeOf(centre.X, radius, size);
     const Range y = RangeOf(centre.Y, radius, size);
@@ -213,7 +213,7 @@ Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector
       }
     }
   }
-  this->Keys.shrink_to_fit(); // before the larger part is taken
+  this->Keys.shrink_to_fit(); // before the larger allocation
   return Status::Success();
 }
 
@@ -231,7 +231,7 @@ Status VoxelBand::MarkBalls(const std::vector<Point3>& points, const std::vector
   {
     DGG_RETURN_IF_ERROR(
       ReportTo(progress, 0.5 + 0.5 * static_cast<double>(first) / static_cast<double>(count)));
-    // As many balls as take some time together.
+    // A batch of balls that takes some time.
     Offset last = first;
     for (double voxels = 0.0; last < count && voxels < VoxelsPerReport; ++last)
     {
@@ -254,7 +254,7 @@ Status VoxelBand::MarkBalls(const std::vector<Point3>& points, const std::vector
 void VoxelBand::MarkBall(const Point3& centre, double radius)
 {
   const Voxel own = VoxelOf(centre);
-  // Centres of voxels are at half numbers.
+  // Centers of voxels are at half-integers.
   const auto firstZ = static_cast<std::int32_t>(std::ceil(centre.Z - radius - 0.5));
   const auto lastZ = static_cast<std::int32_t>(std::floor(centre.Z + radius - 0.5));
   for (std::int32_t z = firstZ; z <= lastZ; ++z)
@@ -289,7 +289,7 @@ void VoxelBand::MarkRun(std::int32_t x0, std::int32_t x1, std::int32_t y, std::i
   {
     const std::int32_t end = std::min(x1, x | 7);
     const std::int64_t brick = this->FindBrick(BrickKey({ x, y, z }));
-    // Rounding may lead a hair beyond the bricks of the ball.
+    // Rounding may lead slightly beyond the bricks of the ball.
     if (brick >= 0)
     {
       const std::uint64_t run = (std::uint64_t{ 2 } << (end - x)) - 1;

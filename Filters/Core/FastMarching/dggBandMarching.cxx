@@ -15,18 +15,20 @@ namespace dgg
 {
 namespace
 {
-/// Voxels around a source, along each axis and on its sheet, that are given their straight
-/// distances: differences would be wrong where distances bend that much.
+/// Voxels around a source, per axis and on its layer, that are initialized with straight distances,
+/// because finite differences are inaccurate where distances have high curvature.
 constexpr std::int32_t StartRadius = 2;
-/// Voxels beyond the limit of distances that the march goes on for: those around a place differ by
-/// one along each axis at most.
+/// Distance in voxels by which the march continues beyond the limit: indices of the voxels around a
+/// position differ by at most one along each axis.
 constexpr double BeyondLimit = 3.0;
-/// Of a voxel. By no more are interpolated distances too long beside a source, on its sheet.
+/// Diagonal of a voxel: bound of the error of interpolated distances close to a source, on its
+/// layer.
 constexpr double Diagonal = 1.7320508075688772;
 constexpr std::size_t VoxelsPerReport = 4096;
 constexpr std::array<std::int32_t, 3> Strides{ { 1, 8, 64 } };
 
-/// The distance that solves |grad d| = 1, given the smaller neighbour along each axis, in voxels.
+/// Returns the distance that solves |grad d| = 1, given the smaller neighbor along each axis, in
+/// voxels.
 double SolveUpwind(std::array<double, 3> values)
 {
   std::sort(values.begin(), values.end());
@@ -47,14 +49,14 @@ double SolveUpwind(std::array<double, 3> values)
   return (all + std::sqrt(std::max(0.0, all * all - 3.0 * (squares - 1.0)))) / 3.0;
 }
 
-/// The result at one place.
+/// The result at one position.
 struct Arrival
 {
   double Distance = Infinity;
   Id Source = NoId;
 };
 
-/// Call `visit(voxel, centre)` for the voxels of a band around a place, in units of voxels.
+/// Calls `visit(voxel, centre)` for the voxels of a band around a position, in units of voxels.
 template <typename Visitor>
 void ForEachNear(const VoxelBand& band, const Point3& inGrid, Visitor&& visit)
 {
@@ -75,7 +77,7 @@ void ForEachNear(const VoxelBand& band, const Point3& inGrid, Visitor&& visit)
 }
 }
 
-/// One march. Distances are in voxels, from the least initial one on.
+/// One march. Distances are in voxels, relative to the smallest initial distance.
 class BandMarching::March
 {
 public:
@@ -96,7 +98,7 @@ public:
     }
   }
 
-  /// False when stopped.
+  /// Returns false if stopped.
   bool Run(double limit, const ProgressCallback& progress)
   {
     const auto numberOfVoxels = static_cast<double>(this->Band.GetNumberOfVoxels());
@@ -126,8 +128,9 @@ public:
     return true;
   }
 
-  /// Trilinear between the centres of marked voxels, those that were reached; what others would
-  /// weigh is shared among them. Around the source of the nearest of them, straight.
+  /// Interpolates trilinearly between the centers of reached marked voxels; the weights of other
+  /// voxels are distributed among them. Around the source of the nearest voxel, returns the
+  /// straight distance.
   Arrival Interpolate(const Point3& place) const
   {
     const Point3 inGrid = this->Band.ToGrid(place);
@@ -177,8 +180,8 @@ public:
   }
 
 private:
-  /// The voxel of the band that is closest to a source, and those that it is connected to around
-  /// the source: others are on another sheet.
+  /// Initializes the voxel of the band that is closest to a source, and the voxels connected to it
+  /// around the source; others are on another layer.
   void Start(std::size_t k)
   {
     const Point3& source = this->Places[k];
@@ -219,7 +222,8 @@ private:
     }
   }
 
-  /// The marked voxel on a side, or -1. Sides 2k and 2k+1 are before and after along axis k.
+  /// Returns the marked voxel on a side, or -1. Sides 2k and 2k+1 are before and after along axis
+  /// k.
   std::int64_t Step(std::size_t place, int side) const
   {
     const int axis = side / 2;
@@ -264,7 +268,7 @@ private:
 
   const VoxelBand& Band;
   const std::vector<std::array<std::int32_t, 6>>& Neighbors;
-  std::vector<Point3> Places; ///< of sources, in units of voxels
+  std::vector<Point3> Places; ///< positions of sources, in units of voxels
   std::vector<double> Offsets;
   std::vector<Arrival> Voxels;
   std::vector<std::uint8_t> IsFinal;

@@ -14,10 +14,10 @@ namespace dgg
 {
 namespace
 {
-/// Faces in a strip: more are needed only where slivers are many.
+/// Maximum number of faces in a strip; more are needed only among many slivers.
 constexpr int LongestStrip = 100;
 
-/// An edge on its way away from a corner at the origin of the plane.
+/// The current edge of a strip that starts at a corner, the origin of the plane.
 struct StripEdge
 {
   Point2 Right;
@@ -27,32 +27,32 @@ struct StripEdge
 };
 }
 
-/// A triangle through which a front may reach its apex: a face, or one that was unfolded over
-/// several faces. Seen from the apex, `Left` follows on `Right` counter-clockwise.
+/// A triangle through which a front may reach its apex: a face, or an unfolded triangle across
+/// several faces. As seen from the apex, `Left` follows `Right` counter-clockwise.
 struct MarchingTriangle
 {
   Id Apex;
   Id Right;
   Id Left;
   double Base;      ///< from Right to Left
-  double ToRight;   ///< from the apex
-  double ToLeft;    ///< from the apex
+  double ToRight;   ///< from the apex to Right
+  double ToLeft;    ///< from the apex to Left
   double Direction; ///< polar angle at the apex towards Right
 };
 
-/// For every obtuse corner of a mesh the triangles between it and a vertex beyond the opposite
-/// edge, in the plane of the face, so that they are not obtuse at the corner (Kimmel and Sethian
-/// 1998, section 4). A strip of faces is unfolded for that; it ends without result at the boundary
-/// and where no vertex comes into sight. Across a non-manifold edge there is a strip for each face.
+/// For every obtuse corner of a mesh, the triangles between the corner and a vertex beyond the
+/// opposite edge, in the plane of the face, so that they are not obtuse at the corner (Kimmel and
+/// Sethian 1998, section 4). A strip of faces is unfolded for that; it fails at the boundary and
+/// where no vertex splits the angle. Across a non-manifold edge there is one strip per face.
 class UnfoldedTriangles
 {
 public:
   explicit UnfoldedTriangles(const SurfaceMesh& mesh);
 
-  /// The triangle of the corner at the origin of a half-edge.
+  /// Returns the triangle of the corner at the origin of a half-edge.
   static MarchingTriangle FromFace(const SurfaceMesh& mesh, Id h);
 
-  /// Triangles whose base has the vertex at one end.
+  /// Returns the triangles whose base has the vertex at one end.
   const Id* Begin(Id vertex) const { return this->ByVertex.data() + this->Offsets[vertex]; }
   const Id* End(Id vertex) const { return this->ByVertex.data() + this->Offsets[vertex + 1]; }
   const MarchingTriangle& Get(Id i) const { return this->Triangles[i]; }
@@ -106,7 +106,7 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
   const Id next = SurfaceMesh::Next(h);
   const Point2 right{ mesh.Length(h), 0.0 };
   const Point2 left{ mesh.ApexX(h), mesh.ApexY(h) };
-  // Directions that leave no obtuse angle: at most a right angle from both sides.
+  // Directions that leave no obtuse angle: at most pi/2 from both sides.
   const auto splits = [&](const Point2& p) {
     return Dot(p, right) >= 0.0 && Dot(p, left) >= 0.0 && Cross(right, p) > 0.0 &&
       Cross(p, left) > 0.0;
@@ -117,7 +117,7 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
     Id entered = first;
     for (int step = 0; step < LongestStrip && entered != NoId; ++step)
     {
-      // In a frame that runs from Right to Left.
+      // In a frame directed from Right to Left.
       const bool isMirrored =
         mesh.Origin(entered) == edge.LeftVertex && mesh.Destination(entered) == edge.RightVertex;
       const EnteredFace face(mesh, entered, isMirrored);
@@ -139,7 +139,8 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
         break;
       }
       // Leave through the edge that the allowed directions cross.
-      const bool isLeft = Dot(apex, left) < 0.0 || Cross(right, apex) <= 0.0; // passes left of it
+      const bool isLeft =
+        Dot(apex, left) < 0.0 || Cross(right, apex) <= 0.0; // passes left of the apex
       const Id exit = isLeft ? face.RightEdge : face.LeftEdge;
       if (isLeft)
       {
@@ -160,32 +161,32 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
 
 namespace
 {
-/// How far beyond the end of a base a front may cross it, relative to the base: rounding, and what
-/// it does to distances is of second order.
+/// Tolerance by which a front may cross beyond the end of a base, relative to the base; covers
+/// rounding, with an effect of second order on distances.
 constexpr double CrossingSlack = 1e-9;
-/// Vertices between two reports of progress.
+/// Vertices between two progress reports.
 constexpr Id VerticesPerReport = 1024;
 
-/// How a vertex was reached.
+/// The front that reached a vertex.
 struct Front
 {
   double Distance = Infinity;
-  double Offset = 0.0; ///< distance at the centre of the front
-  double Angle = 0.0;  ///< polar angle towards it
-  /// Which centre: a vertex where the front bent, or ~k for the k-th source.
+  double Offset = 0.0; ///< distance at the center of the front
+  double Angle = 0.0;  ///< polar angle towards the center
+  /// Center: a vertex where the front bent, or ~k for the k-th source.
   Id Centre = NoId;
   Id Source = NoId;
 };
 
-/// Where a front meets a triangle with its base on the axis, from the right end, and the apex
-/// above.
+/// Arrival of a front at the apex of a triangle whose base lies on the axis, starting from the
+/// right end, with the apex above.
 struct Arrival
 {
   double Distance = Infinity;
-  Point2 From; ///< the direction from the apex towards the centre, of any length
+  Point2 From; ///< direction from the apex towards the center, not normalized
 };
 
-/// From a centre at the distances a and b from the ends of the base.
+/// Arrival from a center at the distances a and b from the ends of the base.
 bool MeetSpherical(double base, const Point2& apex, double a, double b, Arrival& arrival)
 {
   if (!(base <= a + b) || std::abs(a - b) > base)
@@ -205,7 +206,7 @@ bool MeetSpherical(double base, const Point2& apex, double a, double b, Arrival&
   return true;
 }
 
-/// With a straight front that passes the ends of the base at the distances a and b.
+/// Arrival of a planar front with the distances a and b at the ends of the base.
 bool MeetPlanar(double base, const Point2& apex, double a, double b, Arrival& arrival)
 {
   const double slope = (b - a) / base;
@@ -267,7 +268,7 @@ public:
     }
   }
 
-  /// False when stopped.
+  /// Returns false if stopped.
   bool Run(double radius, const ProgressCallback& progress)
   {
     Id finished = 0;
@@ -308,13 +309,13 @@ private:
     if (!this->IsFinal[v] && front.Distance < this->Fronts[v].Distance)
     {
       this->Fronts[v] = front;
-      // Distances that are smaller than what is final already do not turn time back.
+      // Distances below the final ones do not violate the order of the queue.
       this->Heap.Push(std::max(front.Distance, now), v);
     }
   }
 
-  /// From a source in the face of h straight to the corners of the faces behind that edge: where it
-  /// is close to the edge these are nearer than the ends of the edge.
+  /// Updates, from a source in the face of h, the corners of the faces behind that edge by straight
+  /// lines: for a source close to the edge these are nearer than the ends of the edge.
   void LookAcross(Id h, const Point2& place, Front front)
   {
     ForEachFaceBehind(this->Mesh, h, false, [&](Id t, bool isMirrored) {
@@ -331,7 +332,7 @@ private:
     });
   }
 
-  /// Whether a front that comes through the vertex starts anew from there.
+  /// Returns true if a front that passes the vertex restarts from there.
   bool Bends(Id v) const
   {
     const VertexKind kind = this->Mesh.Kind(v);
@@ -339,12 +340,12 @@ private:
       kind == VertexKind::Irregular;
   }
 
-  /// Along the mesh edges of v.
+  /// Propagates along the mesh edges of v.
   void WalkFrom(Id v, double now)
   {
     Front front = this->Fronts[v];
     const double distance = front.Distance;
-    // A source at the vertex is the centre already.
+    // A source at the vertex is the center already.
     if (this->Bends(v) && distance > front.Offset)
     {
       front.Offset = distance;
@@ -352,7 +353,7 @@ private:
     }
     for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
     {
-      // Both edges of the face that meet at v, as their other ends see them.
+      // Both edges of the face at v, in the directions seen from their other ends.
       const Id next = SurfaceMesh::Next(*g);
       const Id previous = SurfaceMesh::Previous(*g);
       front.Distance = distance + this->Mesh.Length(*g);
@@ -364,7 +365,7 @@ private:
     }
   }
 
-  /// Through the faces of v to their third corners.
+  /// Propagates through the faces of v to their third corners.
   void CrossFaces(Id v, double now)
   {
     for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
@@ -385,7 +386,7 @@ private:
     const Front& left = this->Fronts[triangle.Left];
     if (right.Source != left.Source && right.Offset != left.Offset)
     {
-      return; // two fronts that have nothing to do with each other
+      return; // two unrelated fronts
     }
     const Front& older = left.Offset < right.Offset ? left : right;
     const Point2 apex = LayOut(triangle.Base, triangle.ToRight, triangle.ToLeft);
@@ -397,7 +398,7 @@ private:
       : MeetPlanar(triangle.Base, apex, a, b, arrival);
     if (!meets)
     {
-      return; // walks along the edges take its place
+      return; // replaced by propagation along the edges
     }
     Front front = older;
     front.Source = right.Distance <= left.Distance ? right.Source : left.Source;
@@ -406,7 +407,7 @@ private:
     {
       return;
     }
-    // From the direction of the right end counter-clockwise to that of the centre.
+    // Angle from the direction of the right end counter-clockwise to that of the center.
     const Point2 toRight{ -apex.X, -apex.Y };
     front.Angle = triangle.Direction +
       std::atan2(dgg::Cross(toRight, arrival.From), Dot(toRight, arrival.From));
@@ -439,8 +440,8 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
   {
     return Status::Invalid("the maximum distance is not a number");
   }
-  // Distances are measured from the least initial one, so that the largest ones do not decide on
-  // rounding.
+  // Distances are measured relative to the smallest initial one, so that large initial distances do
+  // not cause rounding errors.
   double shift = Infinity;
   for (const GeodesicSource& source : sources)
   {

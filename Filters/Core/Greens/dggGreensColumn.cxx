@@ -18,15 +18,15 @@ namespace
 {
 constexpr double VisibleAngle = Pi / 3.0;
 
-/// Angle at one end of a segment in the plane, from the distances of its ends.
+/// Returns the angle at one end of a segment in the plane, from the distances of its ends.
 double PlaneAngle(double length, double fromHere, double fromThere)
 {
   const Point2 source = LayOut(length, fromHere, fromThere);
   return std::atan2(source.Y, source.X);
 }
 
-/// How far the direction in which shortest paths arrive at the origin of an edge is from what the
-/// distances of both ends say.
+/// Returns the deviation between the direction in which shortest paths arrive at the origin of an
+/// edge and the direction implied by the distances of both ends.
 double Misdirection(const SurfaceMesh& mesh, Id v, double polarAngle, double length,
   double distance, double other, const VirtualSources& sources)
 {
@@ -39,10 +39,10 @@ double Misdirection(const SurfaceMesh& mesh, Id v, double polarAngle, double len
   return std::abs(angle - PlaneAngle(length, distance, other));
 }
 
-/// The least distance of an edge at whose ends shortest paths from the source arrive in directions
-/// that differ by more than 60 degrees (once the edge and its ways are laid out in the plane), or
-/// Infinity. Behind every convex vertex ways meet from two sides, but hardly differ in direction:
-/// these ridges are not meant. Edges within the distance `checked` are left out.
+/// Returns the smallest distance of an edge at whose ends shortest paths from the source arrive in
+/// directions that differ by more than 60 degrees (with the edge and its paths unfolded into the
+/// plane), or Infinity. Paths also meet from two sides behind every convex vertex, but with hardly
+/// different directions; such ridges are ignored. Edges within the distance `checked` are skipped.
 double FindRidgeRadius(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
   const ExactResult& distances, double checked = 0.0)
 {
@@ -55,13 +55,13 @@ double FindRidgeRadius(const SurfaceMesh& mesh, const std::vector<GeodesicSource
     const Id t = mesh.Twin(h);
     if (mesh.IsDropped(SurfaceMesh::Face(h)) || t < h)
     {
-      continue; // of an edge between two faces one half will do; boundaries bend shortest paths
+      continue; // one half-edge per interior edge; boundaries bend shortest paths
     }
     const Id i = mesh.Origin(h);
     const Id j = mesh.Destination(h);
     const double here = d[i];
     const double there = d[j];
-    // Edges that end at the source are left out as well.
+    // Edges that end at the source are skipped as well.
     if (!(std::max(here, there) < Infinity) || !(std::min(here, there) < radius) ||
       !(std::min(here, there) > 0.0) || std::max(here, there) < checked || mesh.Origin(t) != j)
     {
@@ -78,40 +78,40 @@ double FindRidgeRadius(const SurfaceMesh& mesh, const std::vector<GeodesicSource
   return radius;
 }
 
-/// Least R, in mean edges.
+/// Minimum R, in mean edges.
 constexpr double LeastEdges = 4.0;
-/// Least usual R, in longest sides of triangles.
+/// Minimum default R, in longest sides of triangles.
 constexpr double LeastSides = 2.0;
-/// R, in square roots of the area: about a radian on a sphere. A little more on coarse meshes, to
-/// make it that many mean edges.
+/// Default R, in square roots of the area: about a radian on a sphere. Slightly larger on coarse
+/// meshes, up to CoarseEdges mean edges.
 constexpr double UsualPart = 0.28;
 constexpr double LargestPart = 0.35;
 constexpr double CoarseEdges = 8.0;
-/// Largest R, in mean edges: the error is well below that of the mesh then, and exact distances
-/// farther away would cost more than all the rest.
+/// Maximum R, in mean edges: its error is then well below that of the mesh, and exact distances
+/// farther away would cost more than everything else.
 constexpr double MostEdges = 48.0;
-/// How far beyond R distances are found first, in mean edges: enough but for long edges.
+/// Initial margin of distances beyond R, in mean edges; sufficient except for long edges.
 constexpr double UsualMargin = 2.0;
-/// How far ridges are looked for first, in mean edges, and by how much farther in each step.
+/// Initial search distance of ridges, in mean edges, and its growth factor per step.
 constexpr double FirstEdges = 18.0;
 constexpr double Growth = 1.7;
-/// Part of the way to a ridge that R takes.
+/// R as a fraction of the distance to a ridge.
 constexpr double RidgeMargin = 0.9;
-/// R in mean edges if ridges are nearer than that: r then has kinks there, which do less harm than
-/// a steep s, and much less than none.
+/// R in mean edges if ridges are nearer: r then has kinks there, which are less harmful than a
+/// steep s, and much less than no s.
 constexpr double RidgeEdges = 10.0;
-/// Largest R that is asked for, in square roots of the area. No surface is that large.
+/// Maximum requested R, in square roots of the area. No surface is that large.
 constexpr double LargestMultiple = 1e6;
-/// How much of R is kept in any case where long edges reach beyond the distances found.
+/// Minimum fraction of R that is kept if long edges extend beyond the computed distances.
 constexpr double CompletePart = 0.7;
-/// Windows of the ways, per vertex of the mesh, that may be expected for going on: more than that
-/// would cost several times the solve.
+/// Maximum expected number of windows per vertex of the mesh for continuing the search: more would
+/// cost several times the solve.
 constexpr double WindowsPerVertex = 8.0;
-/// How well distances to corners must fit the plane for a point to be in a triangle, relative to
-/// the sides.
+/// Tolerance, relative to the sides, with which distances to the corners must fit the plane for a
+/// point inside a triangle.
 constexpr double FitTolerance = 1e-7;
 
-/// Up to which distance all corners of faces with a corner that near are reached.
+/// Returns the distance up to which all corners are reached of the faces with a corner that near.
 double FindCompleteRadius(
   const IntrinsicTriangulation& triangulation, const std::vector<double>& distances)
 {
@@ -200,13 +200,13 @@ Status GreensColumn::Start(const SurfacePoint& pole, const GreensQuery& query,
     this->AddLoad(v, isFree ? weight : 0.0);
     isLoaded = isLoaded || isFree;
   });
-  // All corners have given values: finite elements know nothing of the pole.
+  // If all corners have given values, the pole does not affect the finite elements.
   this->Remark = isLoaded ? this->Remark : GreensRemark::TooCoarse;
   return Status::Success();
 }
 
-/// The corner of the pole's face that has the largest barycentric coordinate and no given value;
-/// NoId when there is none.
+/// Returns the corner of the pole's face with the largest barycentric coordinate and no given
+/// value; NoId if there is none.
 Id GreensColumn::FindNearestFreeCorner() const
 {
   Id corner = NoId;
@@ -226,13 +226,13 @@ Status GreensColumn::FindDistances(double maximum, GreensWorkspace& workspace)
   ExactOptions options;
   options.MaximumDistance = maximum;
   options.Targets = this->Query.Targets;
-  // How often there is more to find is not known: half of what is left each time.
+  // The number of searches is unknown: each one gets half of the remaining progress.
   options.Progress = ProgressPart(this->Progress, 0.0, 0.5);
   this->Progress = ProgressPart(this->Progress, 0.5, 1.0);
   return workspace.Exact.RunKept({ { this->Pole, 0.0 } }, options);
 }
 
-/// Go on until all corners are reached of the faces that have one within the radius.
+/// Extends distances until all corners are reached of the faces with a corner within the radius.
 Status GreensColumn::CompleteDistances(double radius, double reached, GreensWorkspace& workspace)
 {
   const ExactResult& result = workspace.Exact.GetKept();
@@ -267,12 +267,13 @@ double GreensColumn::GetPoleAngle() const
   {
     return 2.0 * Pi;
   }
-  double angle = 0.0; // half a turn in each face of the edge
+  double angle = 0.0; // pi in each face of the edge
   ForEachFaceAround(mesh, this->Pole, [&](Id, const std::array<double, 3>&) { angle += Pi; });
   return angle;
 }
 
-/// The triangles with the pole. None when it is a vertex: then the distances say it all.
+/// Finds the triangles that contain the pole; none for a pole at a vertex, for which distances
+/// suffice.
 bool GreensColumn::FindPoleFaces(std::vector<PoleFace>& faces) const
 {
   if (IsVertex(this->Pole))
@@ -295,8 +296,8 @@ bool GreensColumn::FindPoleFaces(std::vector<PoleFace>& faces) const
   return true;
 }
 
-/// After flips: the triangle whose corners, in the plane, are at the distances that they have from
-/// the pole, and that it lies in.
+/// After flips: finds the triangle that contains the pole, given the distances of its corners from
+/// the pole.
 bool GreensColumn::FindFlippedPoleFace(std::vector<PoleFace>& faces) const
 {
   const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
@@ -360,8 +361,8 @@ bool GreensColumn::HasLargeTriangles(const PoissonSystem& system, Id component)
   return GetUsualRadius(system, component) < LeastSides * system.GetMeanLongestSide(component);
 }
 
-/// A radius with shortest ways up to it that do not meet from different sides, if it can be, and
-/// these ways.
+/// Chooses a radius within which shortest paths do not meet from different sides, if possible, and
+/// computes these paths.
 Status GreensColumn::ChooseRadius(GreensWorkspace& workspace, double& radius, double& reached)
 {
   const ExactResult& result = workspace.Exact.GetKept();
@@ -370,8 +371,8 @@ Status GreensColumn::ChooseRadius(GreensWorkspace& workspace, double& radius, do
   const double most = GetUsualRadius(this->System, this->Component);
   const double margin = UsualMargin * edge;
   const double budget = WindowsPerVertex * mesh.GetNumberOfVertices();
-  // Step by step, as ridges may be near and ways cost more than their number. What is needed beyond
-  // the radius, on most meshes, is found at once.
+  // In steps, because ridges may be near and the cost of paths is superlinear. On most meshes the
+  // first step also covers the margin beyond the radius.
   double checked = 0.0;
   radius = std::min(most, FirstEdges * edge);
   while (true)
@@ -400,7 +401,7 @@ Status GreensColumn::ChooseRadius(GreensWorkspace& workspace, double& radius, do
 Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
 {
   const PoissonSystem& system = this->System;
-  // Beyond all of the surface, another radius adds a constant, which is taken off in the end.
+  // A radius beyond the entire surface only adds a constant, which is subtracted in the end.
   const double size = std::sqrt(system.GetComponentArea(this->Component));
   double radius = std::min(this->Query.Radius, LargestMultiple * size);
   double reached = radius + UsualMargin * system.GetMeanEdge(this->Component);
@@ -414,7 +415,7 @@ Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
   }
   else
   {
-    // A little less is better than to find all ways again because of a long edge.
+    // A slightly smaller radius is preferable to recomputing all paths because of a long edge.
     const double complete = FindCompleteRadius(system.GetTriangulation(), result.Distances);
     radius = complete > CompletePart * radius ? std::min(radius, complete) : radius;
   }

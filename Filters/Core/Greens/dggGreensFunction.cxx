@@ -16,7 +16,7 @@ namespace
 {
 static_assert(
   SparseLanes::SizeAtCompileTime == GreensFunction::PolesInBlock, "a block is solved for at once");
-/// Parts of the progress: distances and loads, the solve, what is made of it; the rest is for a
+/// Progress after distances and loads, after the solve, and after the evaluation; the rest is for a
 /// second solve.
 constexpr double StartDone = 0.6;
 constexpr double SolveDone = 0.8;

@@ -16,12 +16,13 @@ namespace dgg
 {
 namespace
 {
-/// Parts of the progress: columns of vertices, distances from the pole, the rest.
+/// Progress after the columns of vertices, and weight of the last step after the distances from the
+/// pole.
 constexpr double ColumnsDone = 0.6;
 constexpr double LastPart = 0.1;
 }
 
-/// Regular parts of vertices.
+/// Cache of the regular parts of vertices.
 class GreensInterpolation::Cache
 {
 public:
@@ -32,7 +33,8 @@ public:
   {
   }
 
-  /// Regular part of a vertex, for a radius; valid until three others have been asked for.
+  /// Returns the regular part of a vertex for a radius; valid until three others have been
+  /// requested.
   Status Find(const PoissonSystem& system, Id v, const GreensQuery& query,
     const ProgressCallback& progress, const std::vector<float>*& values)
   {
@@ -72,7 +74,7 @@ public:
       : (this->Columns.size() + more) * this->Columns.begin()->second.Values.size() * sizeof(float);
   }
 
-  /// Forget columns of a system that is no more, and those beyond the limit.
+  /// Discards columns of an outdated system, and columns beyond the limit.
   void Update(const PoissonSystem& system, std::size_t memoryLimit)
   {
     this->MemoryLimit = memoryLimit;
@@ -84,7 +86,7 @@ public:
     this->Shrink(0);
   }
 
-  GreensFunction Function; ///< where columns of vertices will not do
+  GreensFunction Function; ///< used where columns of vertices are not applicable
   GreensWorkspace Workspace;
   GreensColumn Column;
   Id NumberOfColumns = 0;
@@ -97,7 +99,8 @@ private:
     std::uint64_t LastUse = 0;
   };
 
-  /// Make room for some more columns: those used longest ago go. Three in all are kept in any case.
+  /// Frees memory for additional columns by discarding the least recently used ones. At least three
+  /// in total are kept.
   void Shrink(std::size_t more)
   {
     while (this->Columns.size() + more > 3 && this->GetMemorySize(more) > this->MemoryLimit)
@@ -107,7 +110,7 @@ private:
     }
   }
 
-  std::uint64_t Revision = 0; // of the system that the columns are of
+  std::uint64_t Revision = 0; // revision of the system of the columns
   std::size_t MemoryLimit = 0;
   std::uint64_t Uses = 0;
   std::map<Key, Entry> Columns;
@@ -134,7 +137,7 @@ Status GreensInterpolation::Run(
   const SurfaceMesh& mesh = system.GetMesh();
   this->Columns->Update(system, this->MemoryLimit);
   const Id component = system.GetComponent(pole);
-  // Where columns of vertices will not do.
+  // Used where columns of vertices are not applicable.
   const auto runFunction = [&](double begin) {
     GreensQuery other = query;
     other.Method = GreensMethod::SingularitySubtraction;
@@ -178,7 +181,7 @@ Status GreensInterpolation::Run(
   GreensColumn& column = this->Columns->Column;
   DGG_RETURN_IF_ERROR(column.Start(pole, same,
     ProgressPart(query.Progress, ColumnsDone, 1.0 - LastPart), this->Columns->Workspace));
-  if (!column.HasLogarithm()) // its triangle was not found
+  if (!column.HasLogarithm()) // the triangle of the pole was not found
   {
     return runFunction(1.0 - LastPart);
   }

@@ -16,11 +16,11 @@ namespace dgg
 {
 namespace
 {
-/// Singular values below this part of the largest count as 0.
+/// Singular values below this fraction of the largest are treated as 0.
 constexpr double Cutoff = 1e-8;
 constexpr int LeastRings = 2;
 
-/// Vertices with their places in the list.
+/// A list of vertices with their indices in the list.
 class Neighbourhood
 {
 public:
@@ -36,7 +36,7 @@ public:
       this->Vertices.push_back(v);
     }
   }
-  /// Add the neighbours of those in the list. False when there would be too many.
+  /// Adds the neighbors of the listed vertices. Returns false if there would be too many.
   bool AddRing()
   {
     const std::size_t end = this->Vertices.size();
@@ -64,7 +64,7 @@ private:
   std::map<Id, std::size_t> Places;
 };
 
-/// Distances from a point to vertices. False when there is no way to some.
+/// Computes distances from a point to vertices. Returns false if some are not connected.
 bool FindDistances(ExactGeodesics& exact, const SurfacePoint& source, const std::vector<Id>& to,
   std::vector<double>& distances)
 {
@@ -74,7 +74,7 @@ bool FindDistances(ExactGeodesics& exact, const SurfacePoint& source, const std:
   {
     options.Targets.push_back(SurfacePoint::AtVertex(v));
   }
-  // Each reaches a few hundred vertices of the mesh.
+  // Each run reaches a few hundred vertices of the mesh.
   if (!exact.RunKept({ { source, 0.0 } }, options).IsOk())
   {
     return false;
@@ -83,8 +83,8 @@ bool FindDistances(ExactGeodesics& exact, const SurfacePoint& source, const std:
   return std::all_of(distances.begin(), distances.end(), [](double d) { return d < Infinity; });
 }
 
-/// The vertices nearest to the pole, out of whole rings around it, and then their neighbours.
-/// Returns how many are near; none when there are too many neighbours.
+/// Finds the vertices nearest to the pole, from complete rings around it, and then their neighbors.
+/// Returns the number of near vertices; 0 if there are too many neighbors.
 std::size_t FindNeighbours(const PoissonSystem& system, const SurfacePoint& pole,
   ExactGeodesics& exact, std::unique_ptr<Neighbourhood>& all)
 {
@@ -100,7 +100,7 @@ std::size_t FindNeighbours(const PoissonSystem& system, const SurfacePoint& pole
     }
     if (rings.GetVertices().size() == before)
     {
-      break; // that is all of the component
+      break; // the entire component is listed
     }
   }
   std::vector<double> distances;
@@ -141,7 +141,7 @@ Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeod
   {
     return Status::Success();
   }
-  // Distances from all to those near, and to the pole in the last column.
+  // Distances from all vertices to the near ones, and to the pole in the last column.
   Eigen::MatrixXd distances(all, near + 1);
   std::vector<double> column;
   for (Eigen::Index i = 0; i <= near; ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Green's functions of the bi-Laplacian, from those of the Laplacian: L q = M g. With
 // GreensMethod::SingularitySubtraction, g = s + r enters with the integrals of the logarithm s, and
-// S, which has -s as Laplacian but for what is smooth, is subtracted from q.
+// S, whose Laplacian is -s up to a smooth function, is subtracted from q.
 #include "dggGreensColumn.h"
 
 namespace dgg
@@ -48,7 +48,7 @@ std::vector<double> GreensColumn::TakeSecondSources(GreensResult& result) const
       sources[v] = this->HasLogarithm() ? -this->Singular.PotentialAt(this->Distances[v]) : 0.0;
     }
   }
-  std::vector<double>().swap(result.Values); // before there is more
+  std::vector<double>().swap(result.Values); // freed before further allocations
   return sources;
 }
 

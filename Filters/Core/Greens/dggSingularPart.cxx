@@ -12,7 +12,8 @@ namespace dgg
 {
 namespace
 {
-/// Nodes and weights of Gauss on [-1, 1]: exact to degree 7, enough for u^3.
+/// Nodes and weights of Gauss-Legendre quadrature on [-1, 1]: exact to degree 7, sufficient for
+/// u^3.
 constexpr double Nodes[2] = { 0.33998104358485626480, 0.86113631159405257522 };
 constexpr double NodeWeights[2] = { 0.65214515486254614263, 0.34785484513745385737 };
 
@@ -22,28 +23,28 @@ double Cut(double u)
   return 11.0 / 6.0 - u * (3.0 - u * (1.5 - u / 3.0));
 }
 
-/// With s = -(log u + Cut(u)) / (2 Theta) and z the way from the pole, z H has divergence s where
-/// H = -(log(u) / 2 + CutMoment(u)) / (2 Theta).
+/// With s = -(log u + Cut(u)) / (2 Theta) and z the vector from the pole, z H has divergence s,
+/// where H = -(log(u) / 2 + CutMoment(u)) / (2 Theta).
 double CutMoment(double u)
 {
   return 5.0 / 12.0 - u * (0.75 - u * (0.25 - u / 24.0));
 }
 
-/// S, but for its factor.
+/// S without its factor.
 double PotentialOf(double u)
 {
   return (u > 0.0 ? u * std::log(u) : 0.0) + 1.0 / 3.0 + u * (0.5 - u * (1.0 - u / 6.0));
 }
 
-/// Antiderivative of log(t^2 + y^2), y not negative.
+/// Antiderivative of log(t^2 + y^2) for y >= 0.
 double LogarithmTo(double t, double y)
 {
   const double square = t * t + y * y;
   return (square > 0.0 ? t * std::log(square) : 0.0) - 2.0 * t + 2.0 * y * std::atan2(t, y);
 }
 
-/// A segment on a line at height y over the pole, in units of R; abscissae count from the foot of
-/// the pole. The part of it that is in the disk.
+/// The part inside the disk of a segment on a line at height y above the pole, in units of R;
+/// abscissae are relative to the foot of the pole.
 class Chord
 {
 public:
@@ -67,12 +68,12 @@ public:
   bool IsInside() const { return this->Inside; }
   double GetHeight() const { return this->Height; }
 
-  /// Of log(t^2 + y^2).
+  /// Integrates log(t^2 + y^2).
   double IntegrateLogarithm() const
   {
     return LogarithmTo(this->To, this->Height) - LogarithmTo(this->From, this->Height);
   }
-  /// Of a cubic polynomial of u = t^2 + y^2, or what is next to one on a part of the chord.
+  /// Integrates a function that is a cubic polynomial of u = t^2 + y^2 or close to one.
   double Integrate(double (*polynomial)(double)) const
   {
     const double middle = 0.5 * (this->From + this->To);
@@ -87,7 +88,7 @@ public:
     }
     return reach * sum;
   }
-  /// At the pole, of what is outside of the disk.
+  /// Returns the angle at the pole of the part outside the disk.
   double GetAngleOutside() const
   {
     if (!(this->Height > 0.0))
@@ -110,7 +111,7 @@ private:
   bool Inside = false;
 };
 
-/// Of s over a triangle in the plane.
+/// Integrates s over a triangle in the plane.
 double IntegrateOver(
   const Logarithm& logarithm, const std::array<Point2, 3>& corners, const Point2& pole)
 {
@@ -126,9 +127,10 @@ double IntegrateOver(
   return sum;
 }
 
-/// The parts of corners in the integral of s over a triangle close to the pole. The triangle is
-/// laid out on its first side, the pole above or below it, whichever fits better, and divided into
-/// `division`^2 small ones. Hat functions are taken to be constant in each.
+/// Returns the shares of the corners in the integral of s over a triangle close to the pole. The
+/// triangle is laid out on its first side, with the pole above or below, whichever fits better, and
+/// divided into `division`^2 small triangles, in each of which hat functions are treated as
+/// constant.
 std::array<double, 3> IntegrateNear(const Logarithm& logarithm,
   const IntrinsicTriangulation& triangulation, Id f, const std::array<double, 3>& d, int division)
 {
@@ -163,9 +165,9 @@ std::array<double, 3> IntegrateNear(const Logarithm& logarithm,
   return parts;
 }
 
-/// The same by three nodes: exact for quadratic functions, and far from the pole s is smooth. In
-/// the plane the squared distance from a point, with barycentric coordinates b, is sum b_i d_i^2 -
-/// sum b_i b_j l_ij^2.
+/// Like IntegrateNear(), by three-point quadrature: exact for quadratic functions, and far from the
+/// pole s is smooth. In the plane the squared distance from a point, with barycentric coordinates
+/// b, is sum b_i d_i^2 - sum b_i b_j l_ij^2.
 std::array<double, 3> IntegrateFar(const Logarithm& logarithm,
   const IntrinsicTriangulation& triangulation, Id f, const std::array<double, 3>& d, bool isLumped)
 {
@@ -190,9 +192,9 @@ std::array<double, 3> IntegrateFar(const Logarithm& logarithm,
   return parts;
 }
 
-/// From here on, in longest sides of a face, it is far.
+/// Minimum distance of a far face, in longest sides of the face.
 constexpr double FarSides = 4.0;
-/// How sides of faces that are near are divided where it matters which corner has which part.
+/// Subdivision of the sides of near faces if the shares of their corners are needed.
 constexpr int NearDivision = 4;
 }
 
@@ -252,7 +254,7 @@ double Logarithm::IntegratePotentialAlong(double length, double fromOrigin, doub
 double Logarithm::IntegrateSector(double length, double fromOrigin, double fromEnd) const
 {
   const Chord chord(length, fromOrigin, fromEnd, this->Radius);
-  // Beyond R it is the angle that counts.
+  // Beyond R the integral depends on the angle only.
   double sector = chord.GetAngleOutside() / 16.0;
   if (chord.IsInside())
   {
@@ -272,7 +274,7 @@ void SingularPart::Assemble(const Logarithm& logarithm, const std::vector<double
   this->Integrals.assign(n, 0.0);
   this->Means.resize(triangulation.GetNumberOfHalfEdges());
   this->IsDone.assign(triangulation.GetNumberOfHalfEdges(), 0);
-  // The edges of faces with the pole, by their first half-edges.
+  // The edges of faces that contain the pole, by their first half-edges.
   struct PoleEdge
   {
     Id HalfEdge;
@@ -309,7 +311,7 @@ void SingularPart::Assemble(const Logarithm& logarithm, const std::vector<double
     {
       d = pole.Face == f ? pole.Distances : d;
     }
-    std::array<std::array<double, 2>, 3> means; // of s and S on the side across from corner k
+    std::array<std::array<double, 2>, 3> means; // means of s and S on the side opposite to corner k
     double longest = 0.0;
     for (int k = 0; k < 3; ++k)
     {

@@ -15,7 +15,7 @@ namespace dgg
 {
 namespace
 {
-/// Shares of the progress: of the preparation that of its first part, of a query.
+/// Progress after the first step of the preparation, and after steps of a query.
 constexpr double AnalysisDone = 0.4;
 constexpr double SystemsDone = 0.8;
 constexpr double SourcesDone = 0.9;
@@ -26,7 +26,7 @@ struct Corner
   Id Source;
   Id Vertex;
   double Weight;
-  double Distance; ///< straight, without the initial distance
+  double Distance; ///< straight distance, without the initial distance
 };
 
 std::vector<Corner> FindCorners(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources)
@@ -41,7 +41,8 @@ std::vector<Corner> FindCorners(const SurfaceMesh& mesh, const std::vector<Geode
   return corners;
 }
 
-/// With Dirichlet conditions, a source whose corners all lie on the boundary heats nothing.
+/// Fails if all corners of a source lie on the boundary with Dirichlet conditions, so that the
+/// source heats nothing.
 Status CheckCorners(
   const HeatSystem& system, std::size_t numberOfSources, const std::vector<Corner>& corners)
 {
@@ -63,7 +64,7 @@ Status CheckCorners(
         "Average");
 }
 
-/// The least initial distance in each component; Infinity without a source.
+/// Returns the smallest initial distance in each component; Infinity without a source.
 std::vector<double> FindLeastOffsets(const HeatSystem& system,
   const std::vector<GeodesicSource>& sources, const std::vector<Corner>& corners)
 {
@@ -76,7 +77,8 @@ std::vector<double> FindLeastOffsets(const HeatSystem& system,
   return leastOffsets;
 }
 
-/// Heat of all sources. Initial distances count from the least one of the component.
+/// Returns the heat of all sources. Initial distances are relative to the smallest one of the
+/// component.
 std::vector<HeatSystem::Load> FindLoads(const HeatSystem& system,
   const std::vector<GeodesicSource>& sources, const std::vector<Corner>& corners,
   const std::vector<double>& leastOffsets)
@@ -94,25 +96,25 @@ std::vector<HeatSystem::Load> FindLoads(const HeatSystem& system,
   return loads;
 }
 
-/// What has to be added to the values of each component.
+/// Returns the constant to be added to the values of each component.
 std::vector<double> FindShifts(const HeatSystem& system, const std::vector<GeodesicSource>& sources,
   const std::vector<Corner>& corners, const std::vector<double>& leastOffsets,
   const std::vector<double>& values)
 {
-  // What each source asks for.
-  std::vector<double> wishes(sources.size());
+  // The constant that each source requires.
+  std::vector<double> shifts(sources.size());
   std::vector<Id> components(sources.size(), NoId);
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
-    wishes[k] = sources[k].InitialDistance;
+    shifts[k] = sources[k].InitialDistance;
   }
   for (const Corner& corner : corners)
   {
     components[corner.Source] = system.GetComponent(corner.Vertex);
-    wishes[corner.Source] += corner.Weight * (corner.Distance - values[corner.Vertex]);
+    shifts[corner.Source] += corner.Weight * (corner.Distance - values[corner.Vertex]);
   }
-  // A source with the least initial distance has its wish. Others may be closer to that one than
-  // their initial distance says; then they ask for much more.
+  // The sources with the smallest initial distance determine the constant. Others may be dominated
+  // by one of these; then they would require a much larger constant.
   const auto isLeast = [&](std::size_t k) {
     return sources[k].InitialDistance == leastOffsets[components[k]];
   };
@@ -123,16 +125,16 @@ std::vector<double> FindShifts(const HeatSystem& system, const std::vector<Geode
     if (isLeast(k))
     {
       limits[components[k]] =
-        std::max(limits[components[k]], wishes[k] + system.GetHeatLength(components[k]));
+        std::max(limits[components[k]], shifts[k] + system.GetHeatLength(components[k]));
     }
   }
   std::vector<double> sums(n, 0.0);
   std::vector<double> counts(n, 0.0);
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
-    if (isLeast(k) || wishes[k] <= limits[components[k]])
+    if (isLeast(k) || shifts[k] <= limits[components[k]])
     {
-      sums[components[k]] += wishes[k];
+      sums[components[k]] += shifts[k];
       counts[components[k]] += 1.0;
     }
   }
@@ -143,7 +145,7 @@ std::vector<double> FindShifts(const HeatSystem& system, const std::vector<Geode
   return sums;
 }
 
-/// Values that are known up to a constant per component become distances.
+/// Converts values known up to a constant per component to distances.
 void ShiftToDistances(const HeatSystem& system, const std::vector<GeodesicSource>& sources,
   const std::vector<Corner>& corners, const std::vector<double>& leastOffsets,
   std::vector<double>& values)
@@ -174,8 +176,8 @@ void ForEachNeighbour(const SurfaceMesh& mesh, Id v, Visitor&& visit)
   }
 }
 
-/// The direction from the origin of half-edge h to the source, in the frame of h; false when the
-/// distances do not show.
+/// Computes the direction from the origin of half-edge h to the source, in the frame of h. Returns
+/// false if the distances do not determine it.
 bool PointToSource(const SurfaceMesh& mesh, Id h, double offset,
   const std::vector<double>& distances, Point2& direction)
 {
@@ -185,7 +187,7 @@ bool PointToSource(const SurfaceMesh& mesh, Id h, double offset,
   const double a = distances[mesh.Origin(h)] - offset;
   const double b = distances[mesh.Destination(h)] - offset;
   const double c = distances[mesh.Apex(h)] - offset;
-  // |p|^2 - d(p)^2 is linear in the plane; its gradient is twice the place of the source.
+  // |p|^2 - d(p)^2 is linear in the plane; its gradient is twice the position of the source.
   direction.X = 0.5 * (length + (a - b) * (a + b) / length);
   direction.Y = 0.5 * ((x * x + y * y + (a - c) * (a + c)) - 2.0 * x * direction.X) / y;
   const double norm = Norm(direction.X, direction.Y);
@@ -198,15 +200,14 @@ bool PointToSource(const SurfaceMesh& mesh, Id h, double offset,
   return true;
 }
 
-/// The source of every vertex, found by going down the distances along edges as steeply as
-/// possible, and over the lowest pass where there is no way down; NoId where distances are
-/// Infinity.
+/// Returns the source of every vertex, found by steepest descent of the distances along edges, and
+/// over the lowest pass at local minima; NoId where distances are Infinity.
 std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
   const std::vector<GeodesicSource>& sources, const std::vector<Corner>& corners,
   const std::vector<double>& distances)
 {
   std::vector<Id> nearest(distances.size(), NoId);
-  std::vector<double> best(distances.size(), Infinity); // of corners
+  std::vector<double> best(distances.size(), Infinity); // distances of corners
   std::vector<std::uint8_t> isDone(distances.size(), 0);
   std::vector<std::uint8_t> isPushed(distances.size(), 0);
   DistanceHeap heap;
@@ -250,11 +251,10 @@ std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
   return nearest;
 }
 
-/// The polar angle at every vertex towards the source, per vertex: the mean over its faces of the
-/// direction to the point whose distances to the corners are as given, `offsets` subtracted (that
-/// is exact where the faces lie in a plane with the source). Angles around inner vertices are
-/// scaled to a full turn for the mean. At irregular vertices the direction of the face that it
-/// points into best.
+/// Computes the polar angle at every vertex towards the source: the mean over its faces of the
+/// direction to the point with the given distances from the corners, minus `offsets` (exact if the
+/// faces lie in a plane with the source). Angles around interior vertices are scaled to 2 pi for
+/// the mean. At irregular vertices, the direction of the face into which it points best.
 void FindDirectionsOfDescent(
   const SurfaceMesh& mesh, const std::vector<double>& distances, VirtualSources& sources)
 {
@@ -290,7 +290,8 @@ void FindDirectionsOfDescent(
         }
         continue;
       }
-      // Scaled around the middle of the corner: what is outside of it is not of this face.
+      // Scaled around the center of the corner, because angles outside the corner do not belong to
+      // the face.
       const double angle = scale * (begin + 0.5 * corner) + (turn - 0.5 * corner);
       sum.X += corner * std::cos(angle);
       sum.Y += corner * std::sin(angle);
@@ -304,7 +305,7 @@ void FindDirectionsOfDescent(
         sources[v].Angle = (angle < 0.0 ? angle + 2.0 * Pi : angle) / scale;
         continue;
       }
-      // Into the surface: the nearer of its two ends when it points outside.
+      // Clamp to the surface: the nearer of the two ends if the direction points outside.
       const double middle = 0.5 * total;
       angle += 2.0 * Pi * std::round((middle - angle) / (2.0 * Pi));
       sources[v].Angle = std::min(std::max(angle, 0.0), total);
@@ -312,7 +313,7 @@ void FindDirectionsOfDescent(
   }
 }
 
-/// The nearest source, seen against the gradient.
+/// Returns the nearest source as a virtual source, in the direction opposite to the gradient.
 VirtualSources FindVirtualSources(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, const HeatResult& result)
 {
@@ -333,7 +334,7 @@ VirtualSources FindVirtualSources(
   return found;
 }
 
-/// Vertices beyond the maximum distance are not reached.
+/// Marks vertices beyond the maximum distance as unreached.
 void CutOff(double maximumDistance, HeatResult& result)
 {
   for (std::size_t v = 0; v < result.Distances.size(); ++v)
@@ -399,8 +400,8 @@ Status HeatMethod::Run(
   DGG_RETURN_IF_ERROR(this->Check(sources, query));
   const std::vector<Corner> corners = FindCorners(this->Mesh, sources);
   DGG_RETURN_IF_ERROR(CheckCorners(system, sources.size(), corners));
-  // Heat flows; what has the direction of its gradient, made to be of length one, is the distance
-  // up to a constant per component.
+  // Heat flow; the function whose gradient is the normalized gradient of the temperature is the
+  // distance up to a constant per component.
   const std::vector<double> leastOffsets = FindLeastOffsets(system, sources, corners);
   result.Distances = system.Solve(FindLoads(system, sources, corners, leastOffsets),
     ProgressPart(query.Progress, 0.0, SystemsDone));

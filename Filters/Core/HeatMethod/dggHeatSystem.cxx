@@ -12,11 +12,11 @@ namespace dgg
 {
 namespace
 {
-/// Heat below this does not have the relative precision of a double any more, or soon will not.
+/// Temperatures below this have, or will soon have, less than double precision.
 constexpr double LeastHeat = 1e-250;
-/// Of the matrix, of another one that is made of it, and of arrays.
+/// Bytes per vertex of the matrix, of a derived matrix, and of arrays.
 constexpr double BytesPerVertex = 200.0;
-/// Loads below this are not worth the attempt with doubles.
+/// Loads below this are not attempted in double precision.
 constexpr double LeastLogarithm = -200.0;
 
 template <typename Number>
@@ -41,7 +41,7 @@ bool IsTooSmall(const ScaledNumber&)
   return false;
 }
 
-/// The three values with a common factor that is of no importance.
+/// Returns the three values up to an irrelevant common factor.
 std::array<double, 3> Compare(double a, double b, double c)
 {
   return { { a, b, c } };
@@ -111,7 +111,7 @@ void HeatSystem::MeasureEdges()
   }
   for (Id c = 0; c < count; ++c)
   {
-    // Isolated vertices have no edge; any length will do.
+    // Isolated vertices have no edge; any length is valid.
     this->MeanEdges[c] = edges[c] > 0 ? this->MeanEdges[c] / static_cast<double>(edges[c]) : 1.0;
   }
 }
@@ -136,7 +136,8 @@ double HeatSystem::GetHeatLength(Id component) const
   return std::sqrt(this->Options.TimeStepFactor) * this->MeanEdges[component];
 }
 
-/// M + t L, divided by the square of the mean edge: that keeps numbers in the middle of the range.
+/// M + t L, divided by the square of the mean edge length to keep values in the middle of the
+/// range.
 HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
 {
   Matrix matrix = this->Options.TimeStepFactor * this->Stiffness;
@@ -157,13 +158,13 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
   {
     bool IsWanted;
     SparseFactor* Factor;
-    double* Key; // of the time step; null where it does not matter
-    bool IsCooled;
+    double* Key; // time step factor; null if not applicable
+    bool IsDirichlet;
   };
   const Part parts[] = { { this->NeedsNeumann(), &this->Heat, &this->NeumannFactor, false },
     { this->NeedsDirichlet(), &this->DirichletHeat, &this->DirichletFactor, true },
     { true, &this->Distance, nullptr, false } };
-  // One value of each component is known to be 0.
+  // One value of each component is fixed at 0.
   std::vector<std::uint8_t> isPinned(this->Components.size(), 0);
   for (const Id v : this->Pinned)
   {
@@ -187,7 +188,7 @@ Status HeatSystem::Factorize(const ProgressCallback& progress)
     ++this->NumberOfFactorizations;
     DGG_RETURN_IF_ERROR(part.Key
         ? part.Factor->Compute(this->Order, this->MakeHeatMatrix(),
-            part.IsCooled ? this->OnBoundary : std::vector<std::uint8_t>(), ofPart)
+            part.IsDirichlet ? this->OnBoundary : std::vector<std::uint8_t>(), ofPart)
         : part.Factor->Compute(this->Order, this->Stiffness, isPinned, ofPart));
     if (part.Key)
     {
@@ -220,29 +221,29 @@ std::vector<Number> HeatSystem::SolveHeat(const std::vector<Load>& loads) const
   }
   if (this->NeedsDirichlet())
   {
-    std::vector<Number> cooled(n, Number());
+    std::vector<Number> dirichlet(n, Number());
     for (const Load& load : loads)
     {
       if (!this->OnBoundary[load.Vertex])
       {
-        cooled[load.Vertex] += MakeLoad<Number>(load);
+        dirichlet[load.Vertex] += MakeLoad<Number>(load);
       }
     }
-    this->DirichletHeat.Solve(cooled);
+    this->DirichletHeat.Solve(dirichlet);
     if (heat.empty())
     {
-      return cooled;
+      return dirichlet;
     }
     for (std::size_t i = 0; i < n; ++i)
     {
-      heat[i] += cooled[i]; // twice the mean: gradients are made to be of length one
+      heat[i] += dirichlet[i]; // twice the mean suffices: gradients are normalized
     }
   }
   return heat;
 }
 
-/// The integrals of the unit vectors against the gradient of heat with those of the basis
-/// functions. False when heat is too small somewhere.
+/// Computes the integrals of the normalized temperature gradients against the gradients of the
+/// basis functions. Returns false if the temperature underflows somewhere.
 template <typename Number>
 bool HeatSystem::FindFlow(const std::vector<Load>& loads, std::vector<double>& flow) const
 {
@@ -281,7 +282,7 @@ bool HeatSystem::FindFlow(const std::vector<Load>& loads, std::vector<double>& f
     {
       continue;
     }
-    // Twice the area times the gradients of the basis functions are the sides, turned.
+    // Twice the area times the gradients of the basis functions equals the sides, rotated by pi/2.
     x *= 0.5 / norm;
     y *= 0.5 / norm;
     const double atSecond = frame.ApexY * x - frame.ApexX * y;

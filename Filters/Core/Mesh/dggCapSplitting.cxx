@@ -15,10 +15,10 @@ namespace dgg
 {
 namespace
 {
-/// New triangles, per triangle of the input, before the rest is left as it is.
+/// Maximum number of triangles per input triangle; beyond this, remaining caps are kept.
 constexpr std::size_t MostParts = 4;
-/// A triangle with an edge this short, relative to the slack that makes it degenerate, is no cap:
-/// where its apex lies along the longest edge is rounding.
+/// A triangle with an edge this short, relative to the slack of degeneracy, is not a cap: the
+/// position of its apex along the longest edge is determined by rounding.
 constexpr double ShortestEdge = 10.0;
 
 class CapSplitter
@@ -47,7 +47,7 @@ public:
     }
     this->Moved.resize(input, 0.0);
     const std::size_t most = MostParts * static_cast<std::size_t>(input);
-    // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
+    // NOLINTNEXTLINE(modernize-loop-convert): the list grows during the loop
     for (std::size_t i = 0; i < this->Caps.size() && this->Parents.size() < most; ++i)
     {
       this->Remove(this->Caps[i]);
@@ -79,7 +79,7 @@ private:
     return Norm(Norm(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
   }
 
-  /// Of a point above the line through two others.
+  /// Returns the height of a point above the line through two others.
   double Height(Id p, Id a, Id b) const
   {
     std::array<double, 3> u{};
@@ -96,7 +96,7 @@ private:
       this->Length(a, b);
   }
 
-  /// All caps of the input, and its mean edge, by one look at each length.
+  /// Finds all caps of the input and its mean edge length, reading each length once.
   void FindCaps()
   {
     std::vector<double> slacks;
@@ -116,7 +116,7 @@ private:
       longest = std::max(longest, largest);
     }
     this->MeanEdge = sum / static_cast<double>(std::max<std::size_t>(1, this->Triangles.size()));
-    // No triangle has a larger tolerance.
+    // Upper bound of the tolerances of all triangles.
     const double tolerance = DegeneracySlack * std::max(this->MeanEdge, longest);
     for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
     {
@@ -127,7 +127,7 @@ private:
     }
   }
 
-  /// The corner on the opposite edge; -1 when there is none.
+  /// Returns the corner on the opposite edge; -1 if there is none.
   int FindApex(Id f) const
   {
     const Triangle t = this->Get(f);
@@ -154,7 +154,7 @@ private:
     }
   }
 
-  /// The triangles on the edge between two points.
+  /// Returns the triangles on the edge between two points.
   std::vector<Id>& On(Id a, Id b)
   {
     const auto low = static_cast<std::uint64_t>(std::min(a, b));
@@ -191,7 +191,7 @@ private:
     const int corner = this->IsGone(cap) ? -1 : this->FindApex(cap);
     if (corner < 0)
     {
-      return; // gone with another cap, or no cap any more
+      return; // removed with another cap, or no longer a cap
     }
     const Triangle t = this->Get(cap);
     const Id apex = t[corner];
@@ -203,7 +203,7 @@ private:
     if (faces.size() == copies &&
       (this->On(a, apex).size() == copies || this->On(apex, b).size() == copies))
     {
-      return; // it alone holds its apex to one of the ends
+      return; // only this triangle connects its apex to one of the ends
     }
     ++this->Result.NumberOfCaps;
     const double height = this->Height(apex, a, b);
@@ -219,14 +219,14 @@ private:
     }
   }
 
-  /// A part of a part is as far from the triangle of the input as all splits have moved it.
+  /// A triangle accumulates the displacements of all splits of its input triangle.
   void Move(Id f, double height)
   {
     this->Moved[f] += height;
     this->Result.LargestHeight = std::max(this->Result.LargestHeight, this->Moved[f]);
   }
 
-  /// Split a triangle on the edge from a to b at a point of the edge.
+  /// Splits a triangle on the edge from a to b at a point of the edge.
   void Split(Id f, Id a, Id b, Id point)
   {
     Triangle first = this->Get(f);
@@ -268,10 +268,10 @@ private:
 
   const double* Points;
   std::vector<Id>& Triangles;
-  std::vector<Id>& Parents;  // NoId for triangles that are gone
-  std::vector<double> Moved; // per triangle, by splits so far
+  std::vector<Id>& Parents;  // NoId for removed triangles
+  std::vector<double> Moved; // per triangle, accumulated displacement
   double MeanEdge = 0.0;
-  std::vector<Id> Caps; // to be looked at, in the order in which they were found
+  std::vector<Id> Caps; // queue, in order of discovery
   std::unordered_map<std::uint64_t, std::vector<Id>> Edges;
   CapSplitting Result;
 };

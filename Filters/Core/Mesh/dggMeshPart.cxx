@@ -11,7 +11,7 @@ namespace dgg
 {
 Status MeshPart::Build(const SurfaceMesh& whole)
 {
-  std::unordered_map<Id, Id> places; // of vertices
+  std::unordered_map<Id, Id> places; // local index per vertex
   std::vector<Id> triangles;
   std::vector<double> lengths;
   std::vector<Id> twins;

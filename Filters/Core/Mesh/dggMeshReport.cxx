@@ -41,7 +41,7 @@ void CountEdges(const SurfaceMesh& mesh, MeshReport& report, Offset& edges)
 }
 
 /// Fans around each vertex, as classes of outgoing half-edges joined across manifold edges,
-/// whichever way the two half-edges run.
+/// regardless of the directions of the half-edges.
 class FanCounter
 {
 public:
@@ -61,7 +61,8 @@ public:
     }
   }
 
-  /// The corner that represents the fan of corner h (a corner is named by its outgoing half-edge).
+  /// Returns the corner that represents the fan of corner h (a corner is identified by its outgoing
+  /// half-edge).
   Id Fan(Id h) { return this->Fans.Find(h); }
 
   Offset CountAt(Id v)
@@ -85,11 +86,11 @@ bool TouchesNonManifoldEdge(const SurfaceMesh& mesh, Id v)
     [&](Id h) { return mesh.IsNonManifold(h) || mesh.IsNonManifold(SurfaceMesh::Previous(h)); });
 }
 
-/// Boundary half-edges form loops when each is joined to the one that meets it at the other side of
-/// the fan.
+/// Counts boundary loops: each boundary half-edge is joined to the one at the other side of the
+/// fan.
 Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
 {
-  // Each open fan has two boundary edges, its ends; they belong to the same loop.
+  // Each open fan has two boundary edges at its ends, which belong to the same loop.
   DisjointSets loops(mesh.GetNumberOfHalfEdges());
   std::vector<Id> endOfFan(mesh.GetNumberOfHalfEdges(), NoId);
   auto visit = [&](Id corner, Id edge) {
@@ -116,7 +117,7 @@ Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
   return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return loops.Find(h) == h; });
 }
 
-/// Mixes the bits of a point; -0 counts as +0.
+/// Hashes the bits of a point; -0 equals +0.
 std::uint64_t HashPoint(const double* p)
 {
   std::uint64_t hash = 0;
@@ -164,7 +165,7 @@ Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh)
 
 Offset CountCoincidentPoints(const double* points, Offset numberOfPoints)
 {
-  // A hash table, at most half full, of points that differ.
+  // A hash table of distinct points, at most half full.
   std::size_t size = 2;
   while (size < 2 * static_cast<std::size_t>(numberOfPoints))
   {
@@ -226,7 +227,7 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   report.Components = components - report.IsolatedVertices;
   report.Orientable = report.InconsistentEdges == 0;
 
-  // With every fan a vertex of its own the surface is a manifold: chi = V - E + F = 2 C - 2 g - b.
+  // If every fan is a separate vertex, the surface is a manifold: chi = V - E + F = 2 C - 2 g - b.
   // Its components are those of faces joined by edges.
   if (report.NonManifoldEdges > 0 || !report.Orientable)
   {

@@ -15,7 +15,7 @@ SurfaceComponents::SurfaceComponents(const SurfaceMesh& mesh)
   this->Components = mesh.ComputeComponents(count);
   this->FirstVertices.assign(count + 1, 0);
   this->FirstFaces.assign(count + 1, 0);
-  // How many there are in each component, one place further on; then in all before.
+  // Counts per component, shifted by one, then their prefix sums.
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     this->VertexNumbers[v] = this->FirstVertices[this->Components[v] + 1]++;

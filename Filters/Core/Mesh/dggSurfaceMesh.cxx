@@ -15,7 +15,8 @@ namespace
 /// Total angles this close to 2 pi are flat, radians.
 constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
 
-/// What follows the lengths, if these are good; else an empty mesh rather than a half-built one.
+/// Completes a mesh if its lengths are valid; otherwise clears it rather than leaving it
+/// half-built.
 Status Complete(SurfaceMeshBuilder& builder, const Status& status, SurfaceMesh& mesh)
 {
   if (status.IsOk())
@@ -92,7 +93,7 @@ Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangle
   Status status = builder.TakeTriangles(numberOfVertices, triangles, numberOfTriangles);
   if (status.IsOk())
   {
-    // A face that names a vertex twice is a legal face here: the gluing says which corner is which.
+    // A face that contains a vertex twice is valid here, because the gluing identifies the corners.
     status = builder.GlueByTwins(twins);
   }
   return status.IsOk() ? CompleteFromLengths(builder, lengths, origin, mesh)
@@ -180,7 +181,7 @@ std::vector<Id> SurfaceMesh::ComputeComponents(Id& numberOfComponents) const
       sets.Join(this->Origin(h), this->Destination(h));
     }
   }
-  // Roots are the smallest ids of their components, so they come first.
+  // Roots have the smallest ids of their components, so that they come first.
   std::vector<Id> component(n, NoId);
   numberOfComponents = 0;
   for (Id v = 0; v < n; ++v)

@@ -17,10 +17,10 @@ namespace dgg
 {
 namespace
 {
-/// Faces that have been lengthened as part of another mesh have that slack up to rounding: what
-/// they must have left of it.
+/// Minimum relative slack of faces that were already lengthened in a parent mesh, where rounding
+/// may have reduced their slack.
 constexpr double LeastSlackOfParts = 0.5;
-/// Both halves of an edge must agree on its length to this.
+/// Relative tolerance between the lengths of both halves of an edge.
 constexpr double LengthAgreement = 1e-9;
 /// Rounding errors of lengths, as a fraction of the longest edge.
 constexpr double LengthRounding = 1e-12;
@@ -28,14 +28,14 @@ constexpr double LengthRounding = 1e-12;
 constexpr double SmallestExtent = 1e-70;
 constexpr double LargestExtent = 1e70;
 
-/// Id of a half-edge after its face was turned over (corners 1 and 2 swapped).
+/// Returns the id of a half-edge after its face has been flipped (corners 1 and 2 swapped).
 Id Turned(Id h)
 {
   const Id k = h % 3;
   return h - k + (2 - k);
 }
 
-/// The half-edges of faces that take part, by a vertex of each.
+/// Groups the half-edges of faces that are not dropped by one of their vertices.
 template <typename VertexOf>
 Groups GroupHalfEdges(const SurfaceMesh& mesh, const VertexOf& vertexOf)
 {
@@ -90,7 +90,7 @@ void SurfaceMeshBuilder::GlueByVertices()
 {
   this->DropRepeatedVertexFaces();
   const SurfaceMesh& mesh = this->Mesh;
-  // Group the half-edges by their larger vertex, then these, in that order, by their smaller one.
+  // Group the half-edges by their larger vertex, then, in that order, by their smaller one.
   const auto smaller = [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); };
   const auto larger = [&](Id h) { return std::max(mesh.Origin(h), mesh.Destination(h)); };
   const std::vector<Id> grouped = GroupHalfEdges(mesh, larger).Members;
@@ -111,7 +111,7 @@ void SurfaceMeshBuilder::GlueByVertices()
   std::sort(this->Mesh.Duplicates.begin(), this->Mesh.Duplicates.end());
 }
 
-/// Link the half-edges of one edge, but those of duplicate faces.
+/// Links the half-edges of one edge, except those of duplicate faces.
 void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
 {
   SurfaceMesh& mesh = this->Mesh;
@@ -131,7 +131,7 @@ void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<I
   }
 }
 
-/// Faces on the same edge with the same apex have the same three vertices.
+/// Drops duplicates: faces on the same edge with the same apex have the same three vertices.
 void SurfaceMeshBuilder::DropDuplicates(
   std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
 {
@@ -211,7 +211,7 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
     {
       const double* p = points + 3 * static_cast<Offset>(triangle[k]);
       const double* q = points + 3 * static_cast<Offset>(triangle[(k + 1) % 3]);
-      double squares = 0.0; // the same bits for both halves of an edge
+      double squares = 0.0; // bitwise identical for both halves of an edge
       for (int axis = 0; axis < 3; ++axis)
       {
         if (!std::isfinite(p[axis]))
@@ -229,11 +229,11 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
   }
   if (high[0] < low[0])
   {
-    return Status::Success(); // no face takes part
+    return Status::Success(); // all faces are dropped
   }
   const double extent = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
   DGG_RETURN_IF_ERROR(this->CheckExtent(extent, "the largest extent of the mesh"));
-  // Triangles that are points may be far from each other.
+  // Triangles that degenerate to points may be far from each other.
   return this->CheckExtent(longest, "the longest edge");
 }
 
@@ -269,7 +269,7 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
 
 Status SurfaceMeshBuilder::CheckTriangleInequalities() const
 {
-  // Small faces cut out of large ones have the rounding errors of those.
+  // Small faces that were cut out of large ones have the rounding errors of the latter.
   const std::vector<double>& lengths = this->Mesh.Lengths;
   const double rounding =
     lengths.empty() ? 0.0 : LengthRounding * *std::max_element(lengths.begin(), lengths.end());
@@ -290,7 +290,8 @@ Status SurfaceMeshBuilder::CheckTriangleInequalities() const
   return Status::Success();
 }
 
-/// False when a manifold edge has half-edges that run in the same direction.
+/// Finds the links between half-edges. Returns false if a manifold edge has half-edges that run in
+/// the same direction.
 bool SurfaceMeshBuilder::FindLinks()
 {
   const SurfaceMesh& mesh = this->Mesh;
@@ -336,7 +337,7 @@ void SurfaceMeshBuilder::Orient()
         const Id t = mesh.Twin(h);
         if (t == NoId || mesh.Twin(t) != h)
         {
-          continue; // only manifold edges hand the orientation on
+          continue; // only manifold edges propagate the orientation
         }
         const Id g = SurfaceMesh::Face(t);
         const bool opposed = mesh.Origin(t) == mesh.Destination(h);
@@ -348,8 +349,8 @@ void SurfaceMeshBuilder::Orient()
         }
       }
     }
-    // An edge from a vertex to itself is glued with its half-edges running against each other;
-    // turning over only one of its faces would change that.
+    // An edge from a vertex to itself is glued with opposite half-edges; flipping only one of its
+    // faces would change that.
     const bool keeps = std::all_of(component.begin(), component.end(), [&](Id f) {
       bool same = true;
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
@@ -427,7 +428,7 @@ void SurfaceMeshBuilder::MeasureEdges()
     if (!mesh.IsDropped(SurfaceMesh::Face(h)))
     {
       mesh.MaximumEdgeLength = std::max(mesh.MaximumEdgeLength, mesh.Lengths[h]);
-      // Each edge once. Without branches, which would be taken at random.
+      // Counts each edge once. Branchless, because branches would be unpredictable.
       const bool counts = this->IsLinked[h] ? mesh.Twin(h) > h : FindEdge(mesh, h) == h;
       sum += counts ? mesh.Lengths[h] : 0.0;
       edges += counts ? 1 : 0;
@@ -436,8 +437,9 @@ void SurfaceMeshBuilder::MeasureEdges()
   mesh.MeanEdgeLength = edges > 0 ? sum / static_cast<double>(edges) : 0.0;
 }
 
-/// What is missing in a face to its triangle inequalities, worst corner; 0 when nothing is.
-double SurfaceMeshBuilder::MeasureLack(Id f) const
+/// Returns the largest violation of the triangle inequality over the corners of a face; 0 if there
+/// is none.
+double SurfaceMeshBuilder::TriangleInequalityViolation(Id f) const
 {
   const SurfaceMesh& mesh = this->Mesh;
   const double a = mesh.Lengths[3 * f];
@@ -446,7 +448,7 @@ double SurfaceMeshBuilder::MeasureLack(Id f) const
   const double longest = std::max({ a, b, c });
   const double mean = this->Whole ? this->Whole->GetMeanEdgeLength() : mesh.MeanEdgeLength;
   const double tau = DegeneracySlack * std::max(mean, longest);
-  // The two shorter edges against the longest, subtracting first what is close to it.
+  // The two shorter edges minus the longest; the closest lengths are subtracted first.
   const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
   const double shortest = std::min({ a, b, c });
   const double slack = shortest - (longest - middle);
@@ -469,10 +471,10 @@ void SurfaceMeshBuilder::Mollify()
   {
     if (!mesh.IsDropped(f))
     {
-      const double lack = this->MeasureLack(f);
-      if (lack > 0.0)
+      const double violation = this->TriangleInequalityViolation(f);
+      if (violation > 0.0)
       {
-        delta = std::max(delta, lack);
+        delta = std::max(delta, violation);
         mesh.FaceFlags[f] |= SurfaceMesh::DegenerateFlag;
         concern(f);
       }
@@ -480,10 +482,10 @@ void SurfaceMeshBuilder::Mollify()
     }
   }
   mesh.Mollification = std::max(mesh.Mollification, delta);
-  // Lengthen the edges of the faces concerned. A neighbour that a longer edge makes degenerate
-  // joins them.
+  // Lengthen the edges of these faces. A neighbor that becomes degenerate by a longer edge is
+  // added.
   std::vector<std::uint8_t> lengthened(concerned.empty() ? 0 : mesh.Lengths.size(), 0);
-  // NOLINTNEXTLINE(modernize-loop-convert): the list grows while it is worked on
+  // NOLINTNEXTLINE(modernize-loop-convert): the list grows during the loop
   for (std::size_t i = 0; i < concerned.size(); ++i)
   {
     for (Id h = 3 * concerned[i]; h < 3 * concerned[i] + 3; ++h)
@@ -498,7 +500,7 @@ void SurfaceMeshBuilder::Mollify()
       });
       ForEachTwin(mesh, h, [&](Id g) {
         const Id f = SurfaceMesh::Face(g);
-        if (!isConcerned[f] && this->MeasureLack(f) > 0.0)
+        if (!isConcerned[f] && this->TriangleInequalityViolation(f) > 0.0)
         {
           concern(f);
         }
@@ -567,7 +569,7 @@ void SurfaceMeshBuilder::OrderFans()
       const Id h = outgoing.Members[i];
       if (!placed[h] && !this->IsLinked[h])
       {
-        walk(h); // clockwise-most: nothing on its right side
+        walk(h); // clockwise-most: no face on its right side
       }
     }
     for (Offset i = begin; out < end; ++i)
@@ -584,7 +586,7 @@ void SurfaceMeshBuilder::OrderFans()
   }
 }
 
-/// Whether the faces and the edges around a vertex are.
+/// Returns true if all faces and edges around the vertex are regular.
 bool SurfaceMeshBuilder::IsRegular(Id v) const
 {
   const SurfaceMesh& mesh = this->Mesh;

@@ -43,7 +43,7 @@ private:
   void DropRepeatedVertexFaces();
   void GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
   void DropDuplicates(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
-  double MeasureLack(Id f) const;
+  double TriangleInequalityViolation(Id f) const;
   void MeasureEdges();
   void LayOutFaces();
   bool FindLinks();

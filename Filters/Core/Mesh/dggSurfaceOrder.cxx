@@ -39,11 +39,11 @@ public:
   }
 
 private:
-  /// Patches start from vertices that earlier patches left on their rim, oldest first.
+  /// Patches start from vertices on the border of earlier patches, oldest first.
   void OrderComponent(Id start, Id patchSize)
   {
     this->Rim.assign(1, start);
-    // NOLINTNEXTLINE(modernize-loop-convert): the rim grows while it is worked on
+    // NOLINTNEXTLINE(modernize-loop-convert): the list grows during the loop
     for (std::size_t next = 0; next < this->Rim.size(); ++next)
     {
       if (!this->IsPlaced[this->Rim[next]])

@@ -15,7 +15,7 @@ namespace
 /// Barycentric coordinates this close to 0 or 1 are snapped.
 constexpr double SnapTolerance = 1e-9;
 
-/// Coordinates with respect to the corners as the mesh stores them, snapped.
+/// Returns a snapped point, given coordinates with respect to the corners in the order of the mesh.
 SurfacePoint Snap(const SurfaceMesh& mesh, Id face, std::array<double, 3> b)
 {
   SurfacePoint point;
@@ -24,7 +24,7 @@ SurfacePoint Snap(const SurfaceMesh& mesh, Id face, std::array<double, 3> b)
   point.Barycentric = b;
   if (face < 0 || face >= mesh.GetNumberOfFaces() || !AreBarycentric(b))
   {
-    return point; // Check() will say so
+    return point; // Check() will fail
   }
   int zeros = 0;
   double sum = 0.0;
@@ -205,7 +205,7 @@ std::array<double, 3> ClampedToFace(std::array<double, 3> barycentric)
 double DistanceInFace(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& p, const std::array<double, 3>& q)
 {
-  // The displacement in barycentric coordinates first: accurate for points close together.
+  // Displacement in barycentric coordinates, accurate for points close together.
   const Point2 d = PlaceInFrame(mesh, 3 * face, { { q[0] - p[0], q[1] - p[1], q[2] - p[2] } });
   return Norm(d.X, d.Y);
 }

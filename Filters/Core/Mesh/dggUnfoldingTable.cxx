@@ -69,7 +69,7 @@ UnfoldingTable::Extent UnfoldingTable::Measure() const
 
 Status UnfoldingTable::CheckSize(const Extent& count)
 {
-  // Every entry is an Id, and so is every code, down to FirstBranch less the last place.
+  // Every entry is an Id, and so is every code, down to FirstBranch minus the last position.
   constexpr Offset limit = std::numeric_limits<Id>::max();
   const Offset crossings = (count.NeedsMirrors ? 2 : 1) * count.HalfEdges;
   const Offset places = 2 * (count.BranchHalfEdges + count.BranchEdges);
@@ -98,7 +98,7 @@ void UnfoldingTable::FillAngles()
   {
     const double total = this->Mesh.TotalAngle(this->Order[i]);
     AngleRange& range = this->Ranges[i];
-    // On the boundary rounding is cut off at either end, nothing goes around.
+    // On the boundary, rounding errors are clamped at both ends instead of wrapping around.
     range.Turn = this->Mesh.Kind(this->Order[i]) == VertexKind::Boundary ? 0.0 : total;
     range.Last = static_cast<float>(total);
     if (range.Last > 0.0F && static_cast<double>(range.Last) >= total)
@@ -108,7 +108,7 @@ void UnfoldingTable::FillAngles()
   }
 }
 
-/// Faces in the order of their first vertex.
+/// Orders the faces by their first vertex.
 void UnfoldingTable::OrderFaces()
 {
   const Id m = this->Mesh.GetNumberOfFaces();
@@ -148,8 +148,8 @@ void UnfoldingTable::Fill(Id h, bool mirrored, const std::vector<Id>& places)
   crossing.HalfEdge = mirrored ? ~h : h;
 }
 
-/// Lists the faces around every edge with more than two of them. Returns the place of each
-/// half-edge of such an edge in the first of the two lists of its edge; empty when there are none.
+/// Lists the faces around every non-manifold edge. Returns the position of each half-edge of such
+/// an edge in the first of the two lists of its edge; empty if there are none.
 std::vector<Id> UnfoldingTable::ListBranches()
 {
   std::vector<Id> places;
@@ -179,8 +179,9 @@ std::vector<Id> UnfoldingTable::ListBranches()
   return places;
 }
 
-/// The faces behind `exit`, left from its face or, if that is `mirrored`, from its mirror image. A
-/// neighbour that is not oriented alike is seen in its mirror image if this face is not.
+/// Returns the code of the faces behind `exit`, left from its face or, if `mirrored`, from its
+/// mirror image. A neighbor of opposite orientation is unfolded as its mirror image if this face is
+/// not.
 Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>& places) const
 {
   const Id twin = this->Mesh.Twin(exit);
@@ -193,9 +194,9 @@ Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>&
     const bool alike = this->Mesh.Origin(twin) == this->Mesh.Destination(exit);
     return this->Entry(twin, mirrored == alike);
   }
-  // A window that leaves through a descending half-edge as it is enters ascending ones as they are
-  // and descending ones mirrored: the first list. With the window mirrored or the half-edge
-  // ascending it is the other way round.
+  // An unmirrored window that leaves through a descending half-edge enters ascending half-edges
+  // unmirrored and descending ones mirrored: the first list. If the window is mirrored or the
+  // half-edge ascending, the roles are swapped.
   const bool descends = this->Mesh.Destination(exit) <= this->Mesh.Origin(exit);
   return FirstBranch - (places[exit] + (mirrored == descends ? 1 : 0));
 }

@@ -13,19 +13,20 @@ namespace dgg
 {
 namespace
 {
-/// What the offset of a source adds to the key that it competes with: less than any difference
-/// that matters, more than rounding.
+/// Penalty of the offset in the key with which sources compete: below any relevant difference,
+/// above rounding errors.
 constexpr float OffsetPenalty = 1e-5F;
-/// What a thread takes at one time.
+/// Work per chunk of a thread.
 constexpr std::size_t LabelsPerChunk = 64;
 constexpr Offset ValuesPerBlock = 65536;
-/// So many labels for each face, and so many more, do not settle.
+/// Maximum number of labels: per face, plus a constant. Beyond this, labels do not settle.
 constexpr std::size_t MostLabelsPerFace = 7;
 constexpr std::size_t ManyLabels = 100000;
-/// Progress is reported about so often, but not after fewer labels: threads start anew each time.
+/// Approximate number of progress reports, and minimum number of labels in between, because threads
+/// are restarted each time.
 constexpr double NumberOfReports = 12.0;
 constexpr double FewestLabelsPerReport = 8192.0;
-/// Labels that are propagated.
+/// Expected number of propagated labels per face.
 constexpr double FastLabelsPerFace = 1.2;
 constexpr double HighLabelsPerFace = 1.9;
 constexpr double LargestProgress = 0.99;
@@ -51,7 +52,8 @@ Propagation<High>::Propagation(const SurfaceMesh& mesh, const PropagationFaces& 
   , Entries(static_cast<std::size_t>(threads))
   , Chunks(static_cast<std::size_t>(threads), std::vector<PropagationChunk>(1))
 {
-  // Not by constructors: to touch this memory first takes as long as a tenth of the rounds.
+  // Filled in parallel rather than by constructors, because the first touch of this memory takes a
+  // tenth of the time of the rounds.
   const auto fill = [&](auto& array, Offset size, const auto& value) {
     using Value = std::decay_t<decltype(array[0])>;
     array.reset(new Value[static_cast<std::size_t>(size)]);
@@ -132,7 +134,7 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources, bool w
       }
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
-        // From behind the edge, with the face on its other side.
+        // In the frame of the opposite half-edge, with the face on its other side.
         const Point2 place = PlaceInFrame(this->Mesh, h, b);
         this->Cross(h,
           { static_cast<float>((this->Mesh.Length(h) - place.X) / unit),
@@ -144,7 +146,7 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources, bool w
   this->TakeShortcuts(chunk);
 }
 
-/// A vertex as source, in all faces around it.
+/// Emits a vertex as source into all faces around it.
 template <bool High>
 void Propagation<High>::Radiate(const PropagationLabel& from, Id v, PropagationChunk& chunk)
 {
@@ -154,7 +156,7 @@ void Propagation<High>::Radiate(const PropagationLabel& from, Id v, PropagationC
   }
 }
 
-/// A hub is reached: other fans of the vertex are reached through it only.
+/// Reaches a hub: other fans of the vertex are only reached through the hub.
 template <bool High>
 void Propagation<High>::ReachHub(Id v, float distance, Id root, PropagationChunk& chunk)
 {
@@ -184,7 +186,7 @@ void Propagation<High>::Advance(RoundTeam& team)
       this->Chunks[t].resize(std::max(this->Chunks[t].size(), count));
       counts[t] = static_cast<Offset>(count);
     }
-    // A round: what was found in it counts in the next one.
+    // One round; its results are used in the next one.
     this->IsShared = team.IsShared();
     team.ForEach(counts, this->IsShared, [&](int owner, Offset i, int) {
       const std::vector<BucketQueue::Entry>& entries = this->Entries[owner];
@@ -212,7 +214,7 @@ void Propagation<High>::Advance(RoundTeam& team)
   }
 }
 
-/// The labels that have changed, and how far they are from the vertices behind their edges.
+/// Collects the changed labels, and their distances to the vertices behind their edges.
 template <bool High>
 void Propagation<High>::Collect(
   const BucketQueue::Entry* begin, const BucketQueue::Entry* end, PropagationChunk& chunk)
@@ -290,7 +292,7 @@ void Propagation<High>::Propagate(PropagationChunk& chunk)
   }
 }
 
-/// Through one of the two other edges of the face that a label has entered.
+/// Propagates a label through one of the two other edges of the face that it has entered.
 template <bool High>
 void Propagation<High>::Leave(const PropagationLabel& label, int side, PropagationChunk& chunk)
 {
@@ -311,7 +313,7 @@ void Propagation<High>::Leave(const PropagationLabel& label, int side, Propagati
   }
   UnfoldTo(side, image, face);
   const float length = face.Lengths[side];
-  const int origin = NextOf(side); // of the twin
+  const int origin = NextOf(side); // origin of the twin
   const float a = this->Distances[face.Corners[origin]].load(std::memory_order_relaxed);
   const float b = this->Distances[face.Corners[side]].load(std::memory_order_relaxed);
   if (std::abs(a - b) > length + PropagationRounding * a)
@@ -326,7 +328,8 @@ void Propagation<High>::Leave(const PropagationLabel& label, int side, Propagati
   this->Cross(3 * f + side, image, chunk);
 }
 
-/// Into all faces behind an edge. The label is in the frame of a twin that is oriented alike.
+/// Propagates a label into all faces behind an edge. The label is in the frame of a consistently
+/// oriented twin.
 template <bool High>
 void Propagation<High>::Cross(Id exit, PropagationLabel label, PropagationChunk& chunk)
 {
@@ -343,7 +346,7 @@ void Propagation<High>::Cross(Id exit, PropagationLabel label, PropagationChunk&
   }
   else if (behind <= PropagationFaces::FirstGate)
   {
-    // The label that is the best one at the middle goes on.
+    // The label that is best at the midpoint is propagated.
     const float length = face.Lengths[exit % 3];
     const float distance = label.Offset + PlaneLength(0.5F * length - label.X, label.Y);
     if (distance <= this->Radius + length)
@@ -378,7 +381,7 @@ void Propagation<High>::Enter(PropagationLabel label, PropagationChunk& chunk)
   float y = 0.0F;
   if (!High)
   {
-    // Labels of a face compete at its centroid: in the plane they are all exact then.
+    // Labels of a face compete at its centroid; in the plane all of them are exact there.
     const float left = face.Lengths[PreviousOf(k)];
     x = (length + left * face.Cosines[k]) / 3.0F;
     y = left * face.Sines[k] / 3.0F;
@@ -429,7 +432,7 @@ void Propagation<High>::Offer(
   }
 }
 
-/// What a face or an edge does not keep may still be the first to reach a corner.
+/// Handles a label that a face or an edge rejects: it may still be the first to reach a corner.
 template <bool High>
 void Propagation<High>::Lose(Id id, const PropagationLabel& label, PropagationChunk& chunk) const
 {

@@ -8,12 +8,14 @@ namespace dgg
 {
 namespace
 {
-/// An edge of more faces is a hub: from each of its faces into all others it would be too many.
+/// An edge with more faces is a hub, because propagating from each of its faces into all others
+/// would be too expensive.
 constexpr Id FewFaces = 6;
-/// Angles, radians, that are not straight.
+/// Minimum bend of a path, radians.
 constexpr double LeastBend = 1e-6;
 
-/// Whether a way can bend at a vertex by more than rounding. Of a mesh without angles.
+/// Returns true if a path can bend at a vertex by more than rounding. Does not need the angles of
+/// the mesh.
 bool CanBendAt(const SurfaceMesh& mesh, Id v)
 {
   double angle = 0.0;

@@ -9,10 +9,10 @@ namespace dgg
 {
 namespace
 {
-/// Single precision, by which a distance from a source nearby may be off.
+/// Error of distances from a nearby source due to single precision, relative.
 constexpr double SeedSlack = 1e-5;
 
-/// Calls visit(vertex, source, distance, place) for the corners of the faces that sources lie in.
+/// Calls visit(vertex, source, distance, place) for the corners of the faces that contain sources.
 template <typename Visit>
 void ForEachPlace(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, const Visit& visit)
@@ -86,7 +86,8 @@ void PropagationOutput::TakeSources(const std::vector<GeodesicSource>& sources)
 {
   const double maximum = this->Options.MaximumDistance;
   std::vector<double>& distances = this->Result.Distances;
-  // Where a source is as near as any, the nearest source decides; of several the first one.
+  // If a source is as near as the stored distance, the nearest source decides; on ties the first
+  // one.
   ForEachPlace(this->Mesh, sources, [&](Id v, Id, double distance, const VirtualPlace&) {
     if (distance <= distances[v] + SeedSlack * (distance - this->Shift) && distance <= maximum)
     {

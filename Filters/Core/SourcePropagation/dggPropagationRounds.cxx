@@ -9,8 +9,8 @@ namespace dgg
 {
 namespace
 {
-/// Rounds are narrowed where slots are propagated more often than this on average, over so many
-/// labels.
+/// Rounds are narrowed if slots are propagated more often than this on average, over a window of
+/// this many labels.
 constexpr std::size_t MostLabelsPerSlot = 3;
 constexpr std::size_t LabelsPerWindow = 1024;
 }
@@ -24,7 +24,7 @@ PropagationRounds::PropagationRounds(int threads)
   }
 }
 
-/// Which outdated entries there are depends on the threads: they must not change what a round is.
+/// The set of outdated entries depends on the threads and must not affect the contents of a round.
 bool PropagationRounds::Next(
   const PropagationSlot* slots, std::vector<std::vector<BucketQueue::Entry>>& entries)
 {
@@ -86,8 +86,8 @@ bool PropagationRounds::Next(
   return true;
 }
 
-/// Labels that were propagated too early are propagated again: where triangles are much smaller
-/// than the mean edge, thousands of times.
+/// Labels that were propagated too early are propagated again: if triangles are much smaller than
+/// the mean edge, thousands of times.
 void PropagationRounds::AdjustWidth(std::size_t labels, std::size_t known)
 {
   this->WindowLabels += labels;

@@ -13,7 +13,7 @@ namespace
 {
 constexpr Offset FacesPerBlock = 4096;
 
-/// An order without ties, so that the one in which ways were found does not matter.
+/// A total order, so that the order of discovery is irrelevant.
 struct IsLater
 {
   bool operator()(const PropagationShortcut& a, const PropagationShortcut& b) const
@@ -60,7 +60,7 @@ private:
   std::priority_queue<PropagationShortcut, std::vector<PropagationShortcut>, IsLater> Queue;
 };
 
-/// Along the two edges of its face at the origin of a half-edge.
+/// Relaxes the two edges of the face at the origin of a half-edge.
 void EdgeWays::LookFrom(Id h, std::vector<PropagationShortcut>& found) const
 {
   const Id f = SurfaceMesh::Face(h);
@@ -88,7 +88,7 @@ void EdgeWays::Look(const ParallelFor& parallel)
       const float a = this->Get(face.Corners[0]);
       const float b = this->Get(face.Corners[1]);
       const float c = this->Get(face.Corners[2]);
-      // One condition for the face: it hardly ever holds.
+      // A single condition per face, which is rarely true.
       const float excess = std::max(std::abs(a - b) - face.Lengths[0],
         std::max(std::abs(b - c) - face.Lengths[1], std::abs(c - a) - face.Lengths[2]));
       if (excess > PropagationRounding * a && !this->Mesh.IsDropped(f))
@@ -103,7 +103,7 @@ void EdgeWays::Look(const ParallelFor& parallel)
   });
 }
 
-/// As by Dijkstra: each vertex is lowered once.
+/// Like Dijkstra's algorithm: each vertex is lowered once.
 void EdgeWays::Take(std::vector<PropagationShortcut>& shortcuts)
 {
   std::vector<PropagationShortcut> found;

@@ -16,20 +16,21 @@ namespace dgg
 {
 namespace
 {
-/// Initial distances above the least one, in mean edges. Single precision ends at 3e38.
+/// Maximum initial distance above the smallest one, in mean edge lengths. The range of single
+/// precision ends at 3e38.
 constexpr double LargestOffset = 1e30;
 constexpr Offset VerticesPerBlock = 4096;
-/// Fronts are too short for more threads, about.
+/// Minimum number of faces per thread; on smaller meshes fronts are too short for more threads.
 constexpr Id FacesPerThread = 10000;
 
-/// Run with either quality.
+/// Runs the propagation with either quality.
 template <bool High>
 Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
   PropagationResult& result)
 {
-  // Distances are measured from the least initial one, so that the largest ones do not decide on
-  // rounding.
+  // Distances are measured relative to the smallest initial one, so that large initial distances do
+  // not cause rounding errors.
   double shift = Infinity;
   for (const GeodesicSource& source : sources)
   {
@@ -45,7 +46,7 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
     }
   }
   const double radius = (options.MaximumDistance - shift) / faces.GetUnit();
-  // Comparisons with single precision must not lose what is at the very distance.
+  // Single-precision comparisons must not lose vertices exactly at the maximum distance.
   const auto limit =
     static_cast<float>(std::min(radius * (1.0 + PropagationOutput::LimitSlack), 1e37));
   const int threads =
@@ -56,7 +57,7 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   while (!propagation.IsDone())
   {
     RoundTeam::Run(parallel, threads, [&](RoundTeam& team) { propagation.Advance(team); });
-    // Not while others wait for the leader: observers may have loops of their own.
+    // Not while other threads wait for the leader, because observers may run loops of their own.
     if (options.Progress && !options.Progress(propagation.GetProgress()))
     {
       return Status::Abort();
