@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Properties that many filters have, declared and defined at once as by those of vtkSetGet.h. Not
+ * Properties that many filters have: macros that declare and define them, as in vtkSetGet.h. Not
  * for use outside of vtkDGG.
  */
 #ifndef vtkDGGPropertyMacros_h
@@ -15,7 +15,7 @@
 #include <string>           // For names
 #include <vector>           // For ids
 
-/// Set and get a std::string; null is the empty one.
+/// Sets and gets a std::string; null sets the empty string.
 #define vtkDGGStringMacro(name)                  \
   void Set##name(const char* value)              \
   {                                              \
@@ -31,7 +31,7 @@
     return this->name.c_str();                   \
   }
 
-/// Set a number that may be NaN, which differs from itself.
+/// Sets a number that may be NaN, which is not equal to itself.
 #define vtkDGGSetNumberMacro(name)                                           \
   virtual void Set##name(double value)                                       \
   {                                                                          \
@@ -43,7 +43,7 @@
   }
 
 #ifndef __VTK_WRAP__
-// Or {0} would be a null list.
+// Without this overload {0} would be a null list.
 #define vtkDGGSetIdsFromBracesMacro(name)                   \
   void Set##name##Ids(std::initializer_list<vtkIdType> ids) \
   {                                                         \
@@ -53,7 +53,7 @@
 #define vtkDGGSetIdsFromBracesMacro(name)
 #endif
 
-/// Set and count the ids of points in the std::vector NameIds; a null list is an empty one.
+/// Sets and counts the point ids in the std::vector NameIds; a null list is an empty list.
 #define vtkDGGSetIdsMacro(name)                                                           \
   void Set##name##Ids(vtkIdList* ids)                                                     \
   {                                                                                       \
@@ -74,7 +74,7 @@
     return static_cast<vtkIdType>(this->name##Ids.size());                                \
   }
 
-/// The same, and one by one: -1 where there is no i-th id.
+/// vtkDGGSetIdsMacro() and access by index: -1 if there is no i-th id.
 #define vtkDGGIdsMacro(name)                                                                     \
   vtkDGGSetIdsMacro(name);                                                                       \
   void Add##name##Id(vtkIdType id)                                                               \
@@ -93,9 +93,9 @@
 
 class DGGGraphUser;
 
-/// Accuracy, AcceptCoarserGraph, and numbers of the graph of the last update; the filters document
-/// them. Their member `std::unique_ptr<DGGGraphUser> GraphUser` has them, and
-/// vtkDGGGraphUserMacro() defines them.
+/// Declares Accuracy, AcceptCoarserGraph and values of the graph of the last update, which the
+/// filters document. The member `std::unique_ptr<DGGGraphUser> GraphUser` stores them, and
+/// vtkDGGGraphUserMacro() defines the functions.
 #define vtkDGGGraphPropertiesMacro()               \
   virtual void SetAccuracy(double accuracy);       \
   double GetAccuracy() const;                      \

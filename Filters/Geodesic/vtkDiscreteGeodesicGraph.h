@@ -65,7 +65,7 @@ public:
    */
   enum ConstructionType
   {
-    Guaranteed = 0,       ///< every distance within Accuracy; proven; proven
+    Guaranteed = 0,       ///< every distance within Accuracy; proven
     OneRelay = 1,         ///< direct rule of the thesis; does not bound the largest error
     Indirect = 2,         ///< two steps of the thesis, pruned; no violation known, no proof; slow
     SaddleVertexGraph = 3 ///< visible points among the nearest neighbors; error not bounded

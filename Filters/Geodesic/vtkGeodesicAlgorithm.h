@@ -47,7 +47,7 @@
 #include <set>        // For the warnings
 #include <string>     // For the report
 #include <thread>     // For the thread of the update
-#include <vector>     // For what is reached
+#include <vector>     // For reached vertices
 
 namespace dgg
 {
@@ -300,7 +300,7 @@ protected:
    */
   void WarnAboutEmptyInput(const char* lack);
 
-  vtkTypeInt64 MemoryLimit; ///< signed, as ParaView passes no other integers of this size
+  vtkTypeInt64 MemoryLimit; ///< signed, since ParaView has no unsigned 64-bit properties
 
 private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
@@ -320,11 +320,11 @@ private:
   vtkMultiProcessController* Controller;
   vtkIdType GatherLimit;
   std::atomic<double> Reached;          // progress of the update so far
-  std::atomic<bool> IsStopped;          // whether observers have asked for that
-  std::thread::id Caller;               // of the update
-  std::string Reported;                 // error of the last update, empty without
-  vtkMTimeType ReportTime;              // of the pipeline at that time
-  vtkMTimeType GapsBuildTime;           // of the mesh whose gaps have been looked for
+  std::atomic<bool> IsStopped;          // true if observers have requested a stop
+  std::thread::id Caller;               // thread of the update
+  std::string Reported;                 // error of the last update; empty if none
+  vtkMTimeType ReportTime;              // pipeline time of the report
+  vtkMTimeType GapsBuildTime;           // build time of the mesh that was checked for gaps
   vtkMTimeType QualityTime;             // build time of the mesh of QualityReasons
   std::set<std::string> QualityReasons; // reported for this mesh
   std::unique_ptr<DGGMeshAdapter> Adapter;

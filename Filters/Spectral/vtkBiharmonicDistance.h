@@ -38,7 +38,7 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkSpectralAlgorithm.h"
 
-#include <memory> // For what is kept
+#include <memory> // For the eigenvalues
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkBiharmonicDistance : public vtkSpectralAlgorithm
 {

@@ -54,9 +54,8 @@ public:
    */
   enum OrderType
   {
-    Harmonic = 1,  ///< of Voronoi cells  ///< of Voronoi cells
-    Biharmonic = 2 ///< smoother, for values that are given at few positions ///< smoother, for
-                   ///< values that are given at few positions
+    Harmonic = 1,  ///< of Voronoi cells
+    Biharmonic = 2 ///< smoother, for values that are given at few positions
   };
 
   ///@{

@@ -4,9 +4,9 @@
  * @class   vtkPoissonVectorGraphics
  * @brief   smooth colors on a surface from few curves and regions
  *
- * <b>Input and output</b>. Port 0 takes the surface. The optional port 1 takes curves: each line of
- * a vtkPolyData, whose points are projected to the surface and joined by exact geodesics; a curve
- * is closed if its last id is the first. Left is as seen from the side from which triangles are
+ * <b>Input and output</b>. Port 0 takes the surface, the optional port 1 curves: each line of a
+ * vtkPolyData, whose points are projected to the surface and joined by exact geodesics; a curve is
+ * closed if its last id is the first. Left is as seen from the side from which triangles are
  * counter-clockwise. Parameters are arrays of port 1, see CurveTypeType; cells of the surface may
  * be regions, see RegionArrayName.
  *
@@ -24,9 +24,8 @@
  * There is one factorization, kept for other colors; memory is about 2 KiB per point of the output.
  *
  * <b>Errors</b>. Those of vtkGeodesicAlgorithm; neither a line nor a region; a line with fewer than
- * two different points; a ResultArrayName that is empty, `RGB` or `Component`; mesh, factorization,
- * colors or fragments beyond MemoryLimit. The module page, Filters/Spectral/README.md, lists errors
- * of curves and arrays.
+ * two different points; mesh, factorization, colors or fragments beyond MemoryLimit. The module
+ * page, Filters/Spectral/README.md, lists errors of curves and arrays.
  *
  * <b>Source</b>. F. Hou et al., "Poisson vector graphics (PVG)", IEEE Trans. Vis. Comput. Graph.
  * 26(2), 2020 (refinement replaces its evaluation by Green's identity); A. Orzan et al., "Diffusion
