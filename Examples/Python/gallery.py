@@ -15,7 +15,16 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkdgg.pictures import DISTANCE_COLORS, ERROR_COLORS, INK, lookup_table, marker, write_png
+from vtkdgg.pictures import (
+    DISTANCE_COLORS,
+    ERROR_COLORS,
+    INK,
+    actor_of,
+    lookup_table,
+    marker,
+    tubes,
+    write_png,
+)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -25,17 +34,10 @@ from vtkmodules.vtkFiltersCore import (
     vtkMaskPoints,
     vtkPolyDataNormals,
     vtkQuadricDecimation,
-    vtkTubeFilter,
 )
 from vtkmodules.vtkFiltersModeling import vtkBandedPolyDataContourFilter, vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkTextActor,
-)
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkTextActor
 
 PANEL = (480, 480)
 PLAIN = (0.90, 0.88, 0.83)
@@ -59,42 +61,21 @@ def with_values(mesh, values):
     return result
 
 
-def actor_of(data, colour=None):
+def shaded(data, colour=None):
     """Returns a smoothly shaded actor of a polydata. Without a color, the mapper uses scalars."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(data)
     normals.SplittingOff()
     normals.ConsistencyOff()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    actor = actor_of(vtkdgg.check(normals), colour)
     actor.GetProperty().SetAmbient(0.25)
     actor.GetProperty().SetDiffuse(0.75)
-    if colour:
-        mapper.ScalarVisibilityOff()
-        actor.GetProperty().SetColor(*colour)
-    return actor
-
-
-def tubes(data, radius, colour):
-    """Returns an actor of lines as tubes."""
-    tube = vtkTubeFilter()
-    tube.SetInputData(data)
-    tube.SetRadius(radius)
-    tube.SetNumberOfSides(8)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(tube.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*colour)
     return actor
 
 
 def coloured(mesh, values, low, high, colours=DISTANCE_COLORS, is_log=False):
     """Returns an actor of the surface colored by values."""
-    actor = actor_of(with_values(mesh, values))
+    actor = shaded(with_values(mesh, values))
     table = lookup_table(colours, low, high, PLAIN)
     if is_log:
         table.SetScaleToLog10()
@@ -118,7 +99,7 @@ def bands_between(mesh, values, low, high):
     bands.GenerateValues(BANDS + 1, low, high)
     bands.SetScalarModeToValue()
     bands.ClippingOn()
-    actor = actor_of(vtkdgg.check(bands))
+    actor = shaded(vtkdgg.check(bands))
     mapper = actor.GetMapper()
     mapper.SetScalarModeToUseCellData()
     mapper.SetLookupTable(lookup_table(DISTANCE_COLORS, low, high, PLAIN))
@@ -187,7 +168,7 @@ def graph_edges(mesh, source):
         lines = tubes(vtkdgg.check(path), 0.0013 * mesh.GetLength(), (0.1, 0.3, 0.6))
         title = f"accuracy {accuracy:g}: {offsets[source + 1] - offsets[source]} edges"
         ball = marker(place, 0.6 * mesh.GetLength(), RED)
-        panels.append((title, [actor_of(mesh, PLAIN), lines, ball]))
+        panels.append((title, [shaded(mesh, PLAIN), lines, ball]))
     return panels
 
 
@@ -239,18 +220,15 @@ def matrix(mesh, source):
         glyphs.SetInputData(with_values(data, to_source))
         glyphs.SetSourceConnection(ball.GetOutputPort())
         glyphs.ScalingOff()
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputData(vtkdgg.check(glyphs))
+        actor = actor_of(vtkdgg.check(glyphs))
         table = lookup_table(DISTANCE_COLORS, 0.0, float(to_source.max()), PLAIN)
-        mapper.SetLookupTable(table)
-        mapper.UseLookupTableScalarRangeOn()
-        actor = vtkActor()
-        actor.SetMapper(mapper)
+        actor.GetMapper().SetLookupTable(table)
+        actor.GetMapper().UseLookupTableScalarRangeOn()
         return actor
 
     places = vtk_to_numpy(samples.GetPoints().GetData())
     return [
-        ("400 samples", [actor_of(mesh, PLAIN), balls(places)]),
+        ("400 samples", [shaded(mesh, PLAIN), balls(places)]),
         ("their distances in the plane", [balls(layout)]),
     ]
 
@@ -336,14 +314,14 @@ def earth_movers(mesh, source):
     glyphs.SetScaleFactor(0.045 * mesh.GetLength())
     glyphs.SetVectorModeToUseVector()
     glyphs.SetScaleModeToDataScalingOff()
-    flowing = actor_of(vtkdgg.check(glyphs), INK)
+    flowing = shaded(vtkdgg.check(glyphs), INK)
     balls = [marker(mesh.GetPoint(i), mesh.GetLength(), RED) for i in (source, nose)]
     balls.append(marker(mesh.GetPoint(far), mesh.GetLength(), (0.1, 0.3, 0.6)))
     potential = array_of(moved, "EarthMoversPotential")
     title = f"earth mover's distance {movers.GetDistance():.3g}"
     return [
         ("potential", [*banded(mesh, potential), *balls]),
-        (title, [actor_of(mesh, PLAIN), flowing, *balls]),
+        (title, [shaded(mesh, PLAIN), flowing, *balls]),
     ]
 
 
@@ -384,7 +362,7 @@ def interpolation(mesh, source):
         balls.append(marker(mesh.GetPoint(site), 1.6 * mesh.GetLength(), colour))
     title = f"through them, off by {100.0 * off:.2g} % of the range"
     return [
-        (f"{len(balls)} values", [actor_of(mesh, PLAIN), *balls]),
+        (f"{len(balls)} values", [shaded(mesh, PLAIN), *balls]),
         (title, bands_between(mesh, np.clip(found, low, high), low, high)),
         ("what they are values of", bands_between(mesh, truth, low, high)),
     ]

@@ -16,20 +16,14 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import integer, triple
-from vtkdgg.pictures import write_png
+from vtkdgg.pictures import actor_of, tubes, write_png
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTubeFilter
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkTextActor,
-)
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkTextActor
 
 SURFACE = (0.93, 0.92, 0.88)
 EDGES = (0.72, 0.72, 0.70)
@@ -136,28 +130,13 @@ def make_tubes(lines, radius, colour):
     clean.ConvertLinesToPointsOff()
     clean.ToleranceIsAbsoluteOn()
     clean.SetAbsoluteTolerance(0.1 * radius)
-    tubes = vtkTubeFilter()
-    tubes.SetInputConnection(clean.GetOutputPort())
-    tubes.SetRadius(radius)
-    tubes.SetNumberOfSides(12)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(tubes.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(colour)
-    return actor
+    return tubes(vtkdgg.check(clean), radius, colour, sides=12)
 
 
 def make_surface(surface):
     """Returns an actor of a surface with its edges."""
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(surface)
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    actor = actor_of(surface, SURFACE)
     look = actor.GetProperty()
-    look.SetColor(SURFACE)
     look.EdgeVisibilityOn()
     look.SetEdgeColor(EDGES)
     look.SetInterpolationToFlat()

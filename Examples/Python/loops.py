@@ -14,13 +14,13 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from example_arguments import triple
-from vtkdgg.pictures import write_png
+from vtkdgg.pictures import actor_of, tubes, write_png
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFlyingEdges3D, vtkTubeFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFlyingEdges3D
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 # Around the waist between the two rings.
 WAIST = ((0.9, 0.33, 0.0), (1.1, 0.0, 0.12), (0.9, -0.33, 0.0), (1.1, 0.0, -0.12))
@@ -105,22 +105,7 @@ def make_tubes(port, radius, colour):
     clean.ConvertLinesToPointsOff()
     clean.SetToleranceIsAbsolute(True)
     clean.SetAbsoluteTolerance(0.1 * radius)
-    tubes = vtkTubeFilter()
-    tubes.SetInputData(lap(vtkdgg.check(clean)))
-    tubes.SetRadius(radius)
-    tubes.SetNumberOfSides(16)
-    return make_actor(tubes.GetOutputPort(), colour)
-
-
-def make_actor(port, colour):
-    """Returns an actor in one color."""
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(port)
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(colour)
-    return actor
+    return tubes(lap(vtkdgg.check(clean)), radius, colour, sides=16)
 
 
 def render(actors, view, up, picture_path):
@@ -155,7 +140,7 @@ def main(options):
     through = options.rope or (() if options.mesh else WAIST)
     size = surface.GetLength()
     port = source.GetOutputPort()
-    actors = [make_actor(port, SURFACE)]
+    actors = [actor_of(surface, SURFACE)]
 
     handles = find_handles(port)
     if options.handles:

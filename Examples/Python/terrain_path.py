@@ -13,21 +13,14 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkdgg.pictures import write_png
+from vtkdgg.pictures import actor_of, tubes, write_png
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals, vtkTubeFilter
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLight,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkTextActor,
-)
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor
 
 SIDE = 150  # points
 EXTENT = 12.0  # km
@@ -141,13 +134,11 @@ def surface_actor(terrain):
     normals = vtkPolyDataNormals()
     normals.SetInputData(terrain)
     normals.SplittingOff()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
+    actor = actor_of(vtkdgg.check(normals))
+    mapper = actor.GetMapper()
     mapper.SetLookupTable(table)
     mapper.SetScalarRange(terrain.GetPointData().GetScalars().GetRange())
     mapper.InterpolateScalarsBeforeMappingOn()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
     actor.GetProperty().SetAmbient(0.25)
     actor.GetProperty().SetDiffuse(0.85)
     return actor
@@ -160,30 +151,15 @@ def contour_actor(terrain):
     low, high = terrain.GetPointData().GetScalars().GetRange()
     for i, level in enumerate(np.arange(np.ceil(low / STEP), high / STEP)):
         contour.SetValue(i, level * STEP)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(contour.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    actor = actor_of(vtkdgg.check(contour), (0.33, 0.33, 0.22))
     actor.SetPosition(0.0, 0.0, 0.01)  # slightly above the ground, to be visible
-    actor.GetProperty().SetColor(0.33, 0.33, 0.22)
     actor.GetProperty().LightingOff()
     return actor
 
 
 def tube_actor(polyline, colour, radius):
     """Returns an actor of a path as a tube."""
-    tube = vtkTubeFilter()
-    tube.SetInputData(polyline)
-    tube.SetRadius(radius)
-    tube.SetNumberOfSides(16)
-    tube.CappingOn()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(tube.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*colour)
+    actor = tubes(polyline, radius, colour, sides=16, is_capped=True)
     actor.GetProperty().SetAmbient(0.35)
     return actor
 
@@ -195,12 +171,7 @@ def ball_actor(place):
     ball.SetRadius(0.12)
     ball.SetThetaResolution(32)
     ball.SetPhiResolution(32)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(ball.GetOutputPort())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(1.0, 0.95, 0.85)
-    return actor
+    return actor_of(vtkdgg.check(ball), (1.0, 0.95, 0.85))
 
 
 def text_actor(text, colour, row):

@@ -11,18 +11,11 @@ import unittest
 import numpy as np
 import support
 import vtkdgg
-import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkdgg.pictures import actor_of, tubes
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkTubeFilter
+from vtkmodules.vtkFiltersCore import vtkContourFilter
 from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 SOURCE = 318
 STEP = 0.25
@@ -49,23 +42,10 @@ class Chain:
         self.image = self.render()
 
     def render(self):
-        surface_mapper = vtkPolyDataMapper()
-        surface_mapper.SetInputConnection(self.distance.GetOutputPort())
-        surface_mapper.SetScalarRange(0.0, 2.5)
-        surface_mapper.InterpolateScalarsBeforeMappingOn()
-        surface = vtkActor()
-        surface.SetMapper(surface_mapper)
-
-        tube = vtkTubeFilter()
-        tube.SetInputConnection(self.contour.GetOutputPort())
-        tube.SetRadius(0.012)
-        tube.SetNumberOfSides(8)
-        line_mapper = vtkPolyDataMapper()
-        line_mapper.SetInputConnection(tube.GetOutputPort())
-        line_mapper.ScalarVisibilityOff()
-        lines = vtkActor()
-        lines.SetMapper(line_mapper)
-        lines.GetProperty().SetColor(0.0, 0.0, 0.0)
+        surface = actor_of(self.mesh)
+        surface.GetMapper().SetScalarRange(0.0, 2.5)
+        surface.GetMapper().InterpolateScalarsBeforeMappingOn()
+        lines = tubes(self.lines, 0.012, (0.0, 0.0, 0.0))
 
         renderer = vtkRenderer()
         renderer.SetBackground(1.0, 1.0, 1.0)

@@ -50,11 +50,13 @@ __all__ = [
     "DISTANCE_COLORS",
     "ERROR_COLORS",
     "INK",
+    "actor_of",
     "disc_radii",
     "discs",
     "lookup_table",
     "marker",
     "spacings_of",
+    "tubes",
     "write_png",
 ]
 
@@ -220,17 +222,44 @@ def shaded(mesh):
     return normals.GetOutput()
 
 
+def actor_of(data: vtkPolyData, color: ArrayLike | None = None) -> vtkActor:
+    """Returns an actor of the data in one color; without a color, the mapper takes scalars."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    if color is not None:
+        mapper.ScalarVisibilityOff()
+        actor.GetProperty().SetColor(*color)
+    return actor
+
+
+def tubes(
+    lines: vtkPolyData,
+    radius: float,
+    color: ArrayLike | None = INK,
+    sides: int = 8,
+    is_capped: bool = False,
+) -> vtkActor:
+    """Returns an actor of tubes around polylines, whose radius is in model units."""
+    tube = vtkTubeFilter()
+    tube.SetInputData(lines)
+    tube.SetRadius(radius)
+    tube.SetNumberOfSides(sides)
+    tube.SetCapping(is_capped)
+    tube.Update()
+    return actor_of(tube.GetOutput(), color)
+
+
 def surface(mesh, array_name, table, shine=0.12):
     """Returns an actor of the mesh colored by a point array."""
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(shaded(mesh))
+    actor = actor_of(shaded(mesh))
+    mapper = actor.GetMapper()
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(array_name)
     mapper.SetLookupTable(table)
     mapper.SetScalarRange(*table.GetRange())
     mapper.InterpolateScalarsBeforeMappingOn()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
     look = actor.GetProperty()
     look.SetInterpolationToPhong()
     look.SetAmbient(0.10)
@@ -252,17 +281,8 @@ def _isolines(mesh, array_name, step, radius):
         contour.SetValue(i - 1, i * step)
     stripper = vtkStripper()
     stripper.SetInputConnection(contour.GetOutputPort())
-    tube = vtkTubeFilter()
-    tube.SetInputConnection(stripper.GetOutputPort())
-    tube.SetRadius(radius * mesh.GetLength())
-    tube.SetNumberOfSides(8)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(tube.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*INK)
-    return actor
+    stripper.Update()
+    return tubes(stripper.GetOutput(), radius * mesh.GetLength())
 
 
 def _reached_part(mesh, array_name):
@@ -285,11 +305,8 @@ def marker(source: ArrayLike, size: float, color: ArrayLike = (0.86, 0.12, 0.16)
     ball.SetRadius(0.011 * size)
     ball.SetThetaResolution(48)
     ball.SetPhiResolution(48)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(ball.GetOutputPort())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*color)
+    ball.Update()
+    actor = actor_of(ball.GetOutput(), color)
     actor.GetProperty().SetSpecular(0.5)
     actor.GetProperty().SetSpecularPower(40.0)
     return actor

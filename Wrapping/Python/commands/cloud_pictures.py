@@ -8,8 +8,6 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTubeFilter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from .. import arguments
 from ..pictures import (
@@ -28,6 +26,7 @@ from ..pictures import (
     save,
     scalar_bar,
     size_of,
+    tubes,
     unreached,
     up_of,
 )
@@ -90,17 +89,7 @@ def tube(curve, radius, color=(0.86, 0.12, 0.16)):
     line = vtkPolyData()
     line.SetPoints(points)
     line.SetLines(lines)
-    thick = vtkTubeFilter()
-    thick.SetInputData(line)
-    thick.SetRadius(radius)
-    thick.SetNumberOfSides(12)
-    thick.CappingOn()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(thick.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*color)
+    actor = tubes(line, radius, color, sides=12, is_capped=True)
     actor.GetProperty().SetSpecular(0.3)
     return actor
 
