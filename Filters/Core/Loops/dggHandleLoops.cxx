@@ -16,7 +16,7 @@ namespace dgg
 {
 namespace
 {
-/// Rows of bits, none of which is a sum of others modulo 2.
+/// Linearly independent rows of bits, modulo 2.
 class IndependentRows
 {
 public:
@@ -27,10 +27,10 @@ public:
   {
   }
 
-  /// False when the row is a sum of those that are there.
+  /// Adds a row. Returns false if it is a sum of existing rows.
   bool Add(Row row)
   {
-    // In echelon form: a row with pivot p has no bit before p.
+    // Echelon form: a row with pivot p has no bit before p.
     for (std::size_t word = 0; word < row.size(); ++word)
     {
       while (row[word] != 0)
@@ -69,7 +69,7 @@ private:
   std::vector<std::size_t> RowOf; // per bit, the row that has its pivot there
 };
 
-/// Loops around the handles of a component, and which of them are independent.
+/// Loops around the handles of a component, and their independence.
 class ComponentLoops
 {
 public:
@@ -81,18 +81,19 @@ public:
   {
   }
 
-  /// Vertices, faces and half-edges looked at.
+  /// Number of visits to vertices, faces and half-edges.
   std::size_t GetNumberOfSteps() const { return this->Steps; }
 
-  /// Loops through the vertex `base`, and through places on them. False when it was stopped.
+  /// Collects loops through the vertex `base`, and through points on these loops. Returns false if
+  /// stopped.
   bool Collect(Id base, const ProgressCallback& progress)
   {
     return this->AddLoopsThrough(base, ProgressPart(progress, 0.0, FirstShare)) &&
       this->AddLoopsThroughLoops(ProgressPart(progress, FirstShare, CollectShare));
   }
 
-  /// Independent ones, the shortest first, followed by empty ones for those that are missing. False
-  /// when it was stopped.
+  /// Appends independent loops, shortest first, followed by empty ones for missing loops. Returns
+  /// false if stopped.
   bool TakeShortest(const ProgressCallback& progress, std::vector<FoundLoop>& loops)
   {
     std::stable_sort(
@@ -124,7 +125,8 @@ private:
     IndependentRows::Row Signature;
   };
 
-  /// The shortest loops of edges through a vertex, pulled tight. False when it was stopped.
+  /// Adds the shortest loops of edges through a vertex, shortened to geodesics. Returns false if
+  /// stopped.
   bool AddLoopsThrough(Id base, const ProgressCallback& progress)
   {
     this->Bases.push_back(base);
@@ -158,8 +160,9 @@ private:
     return true;
   }
 
-  /// Which loops are shortest through a vertex depends on where that is: far from a handle, a loop
-  /// around it may as well take in another one. Close to a loop, those that cross it are found.
+  /// Adds loops through points on the loops found so far. The shortest loops depend on the base:
+  /// far from a handle, a loop around it may as well include another handle. Near a loop, the loops
+  /// that cross it are found.
   bool AddLoopsThroughLoops(const ProgressCallback& progress)
   {
     const std::size_t count = this->Candidates.size();
@@ -173,7 +176,7 @@ private:
         const SurfacePath& path = this->Candidates[i].Found.Loop;
         const Id face = path.Faces[k * path.Faces.size() / places];
         const Id base = this->Mesh.Origin(3 * face);
-        const auto done = static_cast<double>(this->Bases.size() - 1); // the first one apart
+        const auto done = static_cast<double>(this->Bases.size() - 1); // without the first one
         const auto part = [&](double fraction) {
           return progress(std::min(1.0, (done + fraction) / steps));
         };
@@ -191,7 +194,7 @@ private:
     return true;
   }
 
-  /// Shares of the progress: up to the loops through the first base, and through all.
+  /// Progress after the loops through the first base, and through all bases.
   static constexpr double FirstShare = 0.1;
   static constexpr double CollectShare = 0.9;
 

@@ -18,7 +18,7 @@ struct EdgeTree
 {
   const SurfaceComponents& Components;
   const Id Component;
-  std::vector<double> Distances; ///< per vertex of the component, as all arrays
+  std::vector<double> Distances; ///< per vertex of the component, like all arrays
   std::vector<Id> HalfEdges;     ///< the edge to its parent
   std::vector<Id> Parents;
 
@@ -44,7 +44,7 @@ struct EdgeTree
       steps += mesh.FanEnd(top.Index) - mesh.FanBegin(top.Index);
       for (const Id* g = mesh.FanBegin(top.Index); g != mesh.FanEnd(top.Index); ++g)
       {
-        // Both edges of the face: on a boundary one of them is in no other face of the vertex.
+        // Both edges of the face, because a boundary edge belongs to no other face of the vertex.
         for (const Id h : { *g, SurfaceMesh::Previous(*g) })
         {
           const Id v = mesh.Origin(h) == top.Index ? mesh.Destination(h) : mesh.Origin(h);
@@ -68,8 +68,8 @@ struct EdgeTree
   Id ParentOf(Id v) const { return this->Parents[this->Number(v)]; }
 };
 
-/// From the base to one end of an edge, over it, and back from the other end. What both ways have
-/// in common is left out.
+/// Returns the loop from the base to one end of an edge, over the edge, and back from its other
+/// end. The common part of both paths is removed.
 EdgeLoop MakeLoop(const SurfaceMesh& mesh, const EdgeTree& tree, Id h)
 {
   std::vector<Id> ways[2];
@@ -105,15 +105,15 @@ EdgeLoop MakeLoop(const SurfaceMesh& mesh, const EdgeTree& tree, Id h)
   return loop;
 }
 
-/// A tree of edges through all vertices of a component, a tree of the edges between all of its
-/// faces, and the edges in neither of them.
+/// Tree-cotree decomposition of a component: a tree of edges through all vertices, a tree of dual
+/// edges between all faces, and the remaining edges.
 struct Decomposition
 {
   const SurfaceComponents& Components;
   const SurfaceMesh& Mesh;
   EdgeTree Tree;
   std::vector<Id> Cotree;
-  std::vector<Id> Rest; ///< those of the longest loops first
+  std::vector<Id> Rest; ///< remaining edges, those of the longest loops first
 
   Decomposition(const SurfaceComponents& components, Id base, std::size_t& steps)
     : Components(components)
@@ -123,12 +123,12 @@ struct Decomposition
     steps += 3 * static_cast<std::size_t>(this->Outside());
   }
 
-  /// Fails when there is a non-manifold edge.
+  /// Fails if there is a non-manifold edge.
   Status Decompose();
 
-  /// What lies outside of all boundaries counts as one more face.
+  /// The exterior of all boundaries counts as one additional face.
   Id Outside() const { return this->Components.GetNumberOfFaces(this->Tree.Component); }
-  /// Numbers of the faces on both sides of an edge.
+  /// Local indices of the faces on both sides of an edge.
   Id FaceOf(Id h) const { return this->Components.NumberOfFace(SurfaceMesh::Face(h)); }
   Id FaceBehind(Id h) const
   {
@@ -150,7 +150,7 @@ Status CheckManifold(const SurfaceMesh& mesh, Id h)
         " has more than two triangles: loops around handles need a manifold");
 }
 
-/// The edges of the component that are not in the tree.
+/// Collects the edges of the component that are not in the tree.
 Status Decomposition::CollectEdges(std::vector<Id>& edges) const
 {
   const SurfaceMesh& mesh = this->Mesh;
@@ -181,7 +181,7 @@ Status Decomposition::Decompose()
 {
   std::vector<Id> edges;
   Status status = this->CollectEdges(edges);
-  // The longest loops first into the tree of faces, so that the shortest are left.
+  // Edges with the longest loops enter the dual tree first, so that the shortest remain.
   const auto length = [&](Id h) {
     return this->Tree.DistanceOf(this->Mesh.Origin(h)) +
       this->Tree.DistanceOf(this->Mesh.Destination(h)) + this->Mesh.Length(h);
@@ -197,8 +197,8 @@ Status Decomposition::Decompose()
 }
 }
 
-/// A tree of edges takes one edge less than there are vertices, the trees of faces, one less than
-/// there are faces in each of them. What is left of the edges is the number of loops.
+/// A tree of edges has one edge less than there are vertices; each dual tree has one edge less than
+/// it has faces. The number of remaining edges is the number of loops.
 Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& bases)
 {
   bases.clear();
@@ -209,7 +209,7 @@ Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& ba
   {
     loops[c] = 1 - components.GetNumberOfVertices(c);
   }
-  // All boundaries of a component are around one face, but not those of several components.
+  // All boundaries of a component share one exterior face, but components have separate ones.
   const Id outside = mesh.GetNumberOfFaces();
   DisjointSets faces(outside + count);
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
@@ -225,7 +225,7 @@ Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& ba
     ++loops[component];
     if (faces.Join(face, twin == NoId ? outside + component : SurfaceMesh::Face(twin)))
     {
-      --loops[component]; // an edge in a tree of faces
+      --loops[component]; // an edge of a dual tree
     }
   }
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -253,8 +253,8 @@ Status FindHomotopyBasis(
   return Status::Success();
 }
 
-/// Each edge in neither tree closes a cycle of faces. A loop crosses the cycles that it goes around
-/// an odd number of times.
+/// Each edge in neither tree closes a cycle of faces (a dual cycle). The signature of a loop lists
+/// the dual cycles that it crosses an odd number of times.
 HomologySignatures::HomologySignatures(
   const SurfaceComponents& components, Id base, std::size_t& steps)
   : Components(components)
@@ -267,8 +267,8 @@ HomologySignatures::HomologySignatures(
   }
   this->Dimension = parts.Rest.size();
   this->Cycles.resize(3 * static_cast<std::size_t>(parts.Outside()));
-  // Hang up each tree of faces by one of them.
-  std::vector<std::vector<Id>> exits(parts.Outside() + 1); // edges of the tree at each face
+  // Root each dual tree at one of its faces.
+  std::vector<std::vector<Id>> exits(parts.Outside() + 1); // dual tree edges at each face
   for (const Id h : parts.Cotree)
   {
     exits[parts.FaceOf(h)].push_back(h);
@@ -282,7 +282,7 @@ HomologySignatures::HomologySignatures(
   for (const Id h : parts.Rest)
   {
     std::vector<Id> open;
-    if (depth[parts.FaceOf(h)] == NoId) // there are several trees where sheets touch
+    if (depth[parts.FaceOf(h)] == NoId) // several trees if parts only touch in vertices
     {
       open.push_back(parts.FaceOf(h));
       depth[open.front()] = 0;

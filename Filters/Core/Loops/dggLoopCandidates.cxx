@@ -9,13 +9,14 @@ namespace dgg
 {
 namespace
 {
-/// Kinks of paths of a graph without a guarantee.
+/// Maximum kink of paths of a graph without a guarantee, radians.
 constexpr double WidestKink = 0.3;
 
-/// Kinks of ways that are tried first, radians.
+/// Maximum kink of candidates that are tried first, radians.
 constexpr double NarrowKink = 0.3;
 
-/// By how much a way turns at a vertex more than a straight one does, from `in` to `out`.
+/// Returns the kink of a path at a vertex, from `in` to `out`: how much more it turns than a
+/// straight path.
 double KinkAt(const SurfaceMesh& mesh, Id v, double in, double out)
 {
   const double total = mesh.TotalAngle(v);
@@ -23,7 +24,7 @@ double KinkAt(const SurfaceMesh& mesh, Id v, double in, double out)
   switch (mesh.Kind(v))
   {
     case VertexKind::Irregular:
-      return 0.0; // every direction may follow every other
+      return 0.0; // a path may continue in any direction
     case VertexKind::Boundary:
       return std::min(Pi, total) - angle;
     default:
@@ -31,15 +32,16 @@ double KinkAt(const SurfaceMesh& mesh, Id v, double in, double out)
   }
 }
 
-/// Between two edges of a path, each may be off by as much as the accuracy lets it be.
+/// Returns the maximum kink between two edges, each of which may deviate by the angle that the
+/// accuracy permits.
 double WidestKinkOf(const GraphView& graph)
 {
   const double accuracy = graph.Info.Accuracy;
   return accuracy > 0.0 ? 2.0 * std::acos(1.0 / (1.0 + accuracy)) : WidestKink;
 }
 
-/// Angles, seen from the source, within which a loop passes beside the vertices: no farther than
-/// their longest edges.
+/// Returns the angles, as seen from the source, within which a loop passes beside the vertices, at
+/// most at the distance of their longest edges.
 std::vector<double> AnglesBeside(const SurfaceMesh& mesh, const SearchResult& result)
 {
   std::vector<double> lengths(result.Distances.size(), 0.0);

@@ -13,10 +13,10 @@ namespace dgg
 {
 namespace
 {
-/// Ways there and back that are straightened, one after the other, until one stays open; most of
-/// those that contract to a point are left out before.
+/// Maximum number of candidates that are straightened until one does not contract; most of those
+/// that contract to a point are excluded before.
 constexpr std::size_t MostTrials = 256;
-/// Of links into a graph that has none.
+/// Accuracy of links into a graph without an accuracy.
 constexpr double DefaultAccuracy = 0.01;
 double ChooseLinkAccuracy(double wanted, const GraphView& graph)
 {
@@ -24,16 +24,19 @@ double ChooseLinkAccuracy(double wanted, const GraphView& graph)
   return accuracy > 0.0 ? accuracy : DefaultAccuracy;
 }
 
-/// Once there is a loop, others are tried that may become shorter than it, until so many stay open.
+/// Once there is a loop, further candidates that may become shorter are tried, until this many do
+/// not contract.
 constexpr std::size_t MostRivals = 24;
-/// Crossings laid out for all of these, per face; more than was seen but on prisms of hundreds of
-/// strips, where all ways are led around their caps strip by strip, and contract.
+/// Maximum number of unfolded crossings for all candidates, per face; only exceeded on prisms of
+/// hundreds of strips, where all candidates are rerouted around the caps strip by strip, and
+/// contract.
 constexpr std::size_t MostWorkOfFace = 600;
-constexpr std::size_t SmallestMesh = 3000; // of fewer faces any takes little
+constexpr std::size_t SmallestMesh = 3000; // minimum number of faces for the limit
 
-/// Let a loop go at the points that it was asked to go through. One that is straight there is taut.
-/// Up to the tolerance of kinks it may become a little shorter, but does not slip off.
-void LetGo(const SurfaceMesh& mesh, FoundLoop& loop)
+/// Releases a loop at its required points and shortens it. A loop that is straight there is a
+/// geodesic already. Within the kink tolerance it may become slightly shorter, but does not slip
+/// off.
+void Relax(const SurfaceMesh& mesh, FoundLoop& loop)
 {
   if (loop.Angle >= Pi - LoopShortener::AngleTolerance)
   {
@@ -73,10 +76,10 @@ public:
   const GraphBuilder* Builder;
   PathFinder Paths;
   const double LinkAccuracy;
-  Status Usable; // whether the mesh is
+  Status Usable; // error if the mesh cannot be used
 
 private:
-  /// A search from the point that loops go through.
+  /// A search from the point through which loops pass.
   struct Tree
   {
     SurfacePoint Point;
@@ -91,7 +94,7 @@ private:
   Status Trace(PathTracer& tracer, const Tree& tree, const LoopCandidate& candidate) const;
 };
 
-/// Paths from the point to all vertices.
+/// Computes paths from the point to all vertices.
 Status LoopFinder::Implementation::Grow(Tree& tree) const
 {
   DGG_RETURN_IF_ERROR(this->Usable);
@@ -121,12 +124,12 @@ Status LoopFinder::Implementation::Grow(Tree& tree) const
   return this->Search.Run(tree.Seeds, SearchOptions(), tree.Result);
 }
 
-/// The way from the point to a vertex, or back.
+/// Traces the path from the point to a vertex, or back.
 Status LoopFinder::Implementation::TraceBranch(
   PathTracer& tracer, const Tree& tree, Id vertex, bool isOutwards) const
 {
   const GraphView& graph = this->Search.GetGraph();
-  // From the vertex to the point; the tail of each is nearer to the point.
+  // From the vertex to the point; the tail of each edge is nearer to the point.
   std::vector<GraphEdge> edges;
   Id v = vertex;
   for (; tree.Result.Edges[v] >= 0; v = tree.Result.Tails[v])
@@ -167,7 +170,7 @@ Status LoopFinder::Implementation::ThroughPoint(
 {
   if (progress && !progress(0.0))
   {
-    return Status::Abort(); // before the graph is looked at
+    return Status::Abort(); // before the graph is used
   }
   Tree tree;
   tree.Point = point;
@@ -177,7 +180,7 @@ Status LoopFinder::Implementation::ThroughPoint(
   return this->TryCandidates(tree, candidates, taut, progress, loop);
 }
 
-/// Straighten ways there and back. With wide kinks more of them contract to the point.
+/// Straightens candidates. Those with large kinks contract to the point more often.
 Status LoopFinder::Implementation::TryCandidates(const Tree& tree, LoopCandidates& candidates,
   bool taut, const ProgressCallback& progress, FoundLoop& loop) const
 {
@@ -185,7 +188,7 @@ Status LoopFinder::Implementation::TryCandidates(const Tree& tree, LoopCandidate
   PathShortener shortener(this->Mesh);
   const std::size_t mostWork = MostWorkOfFace *
     std::max(SmallestMesh, static_cast<std::size_t>(this->Mesh.GetNumberOfFaces()));
-  // A loop is shorter than its way through the graph by the accuracy at most.
+  // A loop is shorter than its graph path by at most the accuracy.
   const auto isTooLong = [&](const LoopCandidate& candidate) {
     return !loop.Loop.IsEmpty() &&
       candidate.Length > loop.Loop.Length * (1.0 + this->Search.GetGraph().Info.Accuracy);
@@ -225,7 +228,7 @@ Status LoopFinder::Implementation::TryCandidates(const Tree& tree, LoopCandidate
       found.Angle = LoopShortener::AngleAt(this->Mesh, found.Loop, 0);
       if (taut)
       {
-        LetGo(this->Mesh, found);
+        Relax(this->Mesh, found);
       }
       if (!found.Loop.IsEmpty() && (!isFound || found.Loop.Length < loop.Loop.Length))
       {
@@ -268,7 +271,7 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
   PathOptions options;
   options.LinkAccuracy = this->Internals->LinkAccuracy;
   SurfacePath rope;
-  std::vector<std::size_t> stops; // pieces that start at the points
+  std::vector<std::size_t> stops; // segments that start at the points
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     if (progress && !progress(static_cast<double>(i) / static_cast<double>(points.size())))
@@ -309,7 +312,7 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
   }
   if (taut)
   {
-    LetGo(this->Internals->Mesh, loop);
+    Relax(this->Internals->Mesh, loop);
   }
   return Status::Success();
 }

@@ -14,13 +14,13 @@ namespace dgg
 {
 namespace
 {
-/// Positions on the edge at which a ring is cut that count as its ends.
+/// Tolerance of positions on the cut edge that count as its ends.
 constexpr double EndTolerance = 1e-12;
-/// Halvings of the edge.
+/// Maximum number of bisections of the edge.
 constexpr int MaximumHalvings = 60;
-/// Rounds that gain nothing, because of rounding errors, until the path is left as it is.
+/// Maximum number of rounds without gain, which may occur by rounding errors.
 constexpr int MaximumIdleRounds = 8;
-/// A stop for paths that rounding errors keep moving.
+/// Limit for paths that rounding errors keep moving.
 constexpr int MaximumRounds = 10000;
 
 Point2 Between(const Point2* ends, double t)
@@ -36,7 +36,7 @@ double Along(const Point2& from, const Point2& to, const Point2* edge)
   return length > 0.0 ? Dot(ray, Difference(edge[1], edge[0])) / length : 0.0;
 }
 
-/// The direction in which a path leaves or reaches a vertex, within a face.
+/// Returns the direction in which a path leaves or reaches a vertex, within a face.
 TurnEnd DirectionAt(const SurfaceMesh& mesh, Id vertex, const SurfacePoint& other, Id face)
 {
   const Id g = HalfEdgeFrom(mesh, face, vertex);
@@ -46,8 +46,8 @@ TurnEnd DirectionAt(const SurfaceMesh& mesh, Id vertex, const SurfacePoint& othe
   return { face, g, std::atan2(p.Y, p.X) };
 }
 
-/// A ring of the faces that a closed path runs through. False when it passes through a vertex in
-/// which faces meet in nothing else: there it cannot be moved.
+/// Returns the ring of faces of a closed path. Returns false if the path passes through a vertex in
+/// which faces only touch, where it cannot be moved.
 bool MakeRing(const SurfaceMesh& mesh, const SurfacePath& path, std::vector<EdgeCrossing>& ring)
 {
   StripChain chain(mesh);
@@ -96,8 +96,8 @@ bool LoopShortener::Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop)
   return !loop.IsEmpty();
 }
 
-/// False when the path contracts to a point; then `spare` is the first one on the way that was all
-/// but straight, if there was one.
+/// Shortens the path. Returns false if it contracts to a point; then `spare` is the first
+/// intermediate path that was nearly straight, if any.
 bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop, SurfacePath& spare)
 {
   double length = Infinity;
@@ -175,7 +175,8 @@ double LoopShortener::AngleAt(const SurfaceMesh& mesh, const SurfacePath& loop, 
       FindTurn(mesh, start.Vertex, DirectionAt(mesh, start.Vertex, previous, in),
         DirectionAt(mesh, start.Vertex, next, out), turn));
   }
-  // In the plane of the faces around the point: by the angles with the edge that it lies on.
+  // Directions in the plane of the faces around the point, by the angles with the edge that
+  // contains it.
   const auto direction = [&](const SurfacePoint& other, Id face, Id h) {
     std::array<double, 3> p{};
     std::array<double, 3> q{};
@@ -202,7 +203,7 @@ double LoopShortener::AngleAt(const SurfaceMesh& mesh, const SurfacePath& loop, 
   return std::min(angle, 2.0 * Pi - angle);
 }
 
-/// An edge crossed to and fro where the ring closes need not be crossed.
+/// Removes edges crossed forth and back where the ring closes.
 void LoopShortener::CloseUp(std::vector<EdgeCrossing>& ring)
 {
   while (ring.size() > 1 && ring.back().Entry == ring.front().Exit)
@@ -220,7 +221,7 @@ void LoopShortener::CloseUp(std::vector<EdgeCrossing>& ring)
   }
   if (ring.size() == 1)
   {
-    ring.clear(); // out of a face and into it through one edge
+    ring.clear(); // leaves and enters a face through the same edge
   }
 }
 
@@ -241,7 +242,7 @@ void LoopShortener::CutAt(const std::vector<EdgeCrossing>& ring)
   }
 }
 
-/// The shortest way around from position t of the edge.
+/// Lays out the shortest closed path through position t of the edge.
 double LoopShortener::LayAt(double t)
 {
   this->Plane.Start = Between(this->TheCut.Starts, t);
@@ -249,7 +250,7 @@ double LoopShortener::LayAt(double t)
   return this->TheFunnel.Run(this->Plane, this->Bends);
 }
 
-/// How much longer that gets with t.
+/// Returns the derivative of the length with respect to t.
 double LoopShortener::SlopeAt(double t)
 {
   this->LayAt(t);
@@ -259,8 +260,8 @@ double LoopShortener::SlopeAt(double t)
     Along(this->Plane.Start, second, this->TheCut.Starts);
 }
 
-/// The length is convex in t: a ring of faces, unrolled, is flat, and in flat strips the distance
-/// between two points that move along lines is convex.
+/// Minimizes the length over t. The length is convex in t: an unrolled ring of faces is flat, and
+/// in flat strips the distance between two points that move along lines is convex.
 double LoopShortener::Minimize()
 {
   double low = 0.0;
@@ -280,10 +281,10 @@ double LoopShortener::Minimize()
   return t;
 }
 
-/// Where a straight path that closes within the ring crosses the edge. Then the two ends are
-/// parallel, and so are all such paths: the one in their middle keeps clear of vertices, to which
-/// rounding errors might send others. Returns the angle between the ends, the kink of the path;
-/// Infinity when there is none that would not count as straight.
+/// Finds where a straight closed path within the ring crosses the edge. In that case the two copies
+/// of the edge are parallel, and so are all such paths; the middle one keeps away from vertices,
+/// into which rounding errors might push others. Returns the angle between the copies, which is the
+/// kink of the path; Infinity if no path counts as straight.
 double LoopShortener::FindStraight(double& t)
 {
   const Cut& cut = this->TheCut;
@@ -313,7 +314,8 @@ double LoopShortener::FindStraight(double& t)
   return this->Bends.empty() ? kink : Infinity;
 }
 
-/// A vertex that the path bends around, and a crossing of an edge there; NoId when there is none.
+/// Returns a vertex around which the path bends, and a crossing of an edge there; NoId if there is
+/// none.
 Id LoopShortener::FindBend(
   const std::vector<EdgeCrossing>& ring, double t, std::size_t& place) const
 {
@@ -338,13 +340,13 @@ bool LoopShortener::IsAt(Id vertex, const EdgeCrossing& crossing) const
     this->Mesh.Destination(crossing.Entry) == vertex;
 }
 
-/// The ring from behind the edges at a vertex to before them. False when all edges are there: the
-/// path contracts to the vertex.
+/// Cuts the ring open, from behind the edges at a vertex to before them. Returns false if all edges
+/// are at the vertex: the path contracts to it.
 bool LoopShortener::OpenAt(
   const std::vector<EdgeCrossing>& ring, Id vertex, std::size_t place, Strip& open) const
 {
   const std::size_t count = ring.size();
-  std::size_t after = place; // the first crossing behind
+  std::size_t after = place; // the first crossing behind the vertex
   std::size_t steps = 0;
   while (steps < count && this->IsAt(vertex, ring[after]))
   {
@@ -371,7 +373,7 @@ bool LoopShortener::OpenAt(
   return true;
 }
 
-/// A path without a bend.
+/// Appends a path without bends.
 void LoopShortener::AppendStraight(
   const std::vector<EdgeCrossing>& ring, double t, SurfacePath& loop)
 {

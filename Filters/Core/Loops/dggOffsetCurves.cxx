@@ -17,27 +17,27 @@ namespace dgg
 {
 namespace
 {
-/// Points on the path are this close to each other, as a fraction of half of the width: their
-/// distance differs from that of the path by up to an eighth of its square.
+/// Spacing of points on the path, as a fraction of half the width: the error of their distance is
+/// at most an eighth of the square of the spacing.
 constexpr double Spacing = 9e-3;
-/// Points on a path, at most.
+/// Maximum number of points on a path.
 constexpr double MostSources = 1e5;
-/// Edges that a rim may cross are no longer than this, as a fraction of half of the width.
+/// Maximum length of edges that an offset curve may cross, as a fraction of half the width.
 constexpr double LongestEdge = 0.5;
-/// How far a rim may be from the curve, as the same fraction: a hundred times what the points on
-/// the path leave open.
+/// Maximum distance of an offset curve from the exact curve, as the same fraction: a hundred times
+/// the error due to sampling of the path.
 constexpr double ChordTolerance = 1e-3;
-/// Closed rims shorter than this, as a fraction of half of the width, are left out.
+/// Closed curves shorter than this, as a fraction of half the width, are discarded.
 constexpr double ShortestRim = 0.5;
-/// While edges are split the path may be sampled more coarsely: as fractions of the edges and of
-/// half of the width.
+/// Coarser spacing of the path while edges are split: as fractions of the edges and of half the
+/// width.
 constexpr double CoarseSpacing = 0.25;
 constexpr double CoarsestSpacing = 0.1;
-/// Each step halves the longest edges; many more would be needed for lengths that doubles can't
-/// distinguish from zero.
+/// Maximum number of steps, each of which halves the longest edges; more would only be needed for
+/// lengths that are practically zero.
 constexpr int MostSteps = 100;
 
-/// Points along a chain of vertices, no farther from each other than `spacing`.
+/// Returns points along a chain of vertices, at most `spacing` apart.
 std::vector<GeodesicSource> SampleChain(
   const SurfaceMesh& mesh, const std::vector<Id>& chain, double spacing)
 {
@@ -82,8 +82,8 @@ SurfacePath ToMesh(const SurfaceMesh& mesh, const RefinedSurface& refined, const
   return path;
 }
 
-/// A surface that is split along a path, and the isolines of the distance from it. Faces are split
-/// further until what these may cross is small: many points on the path that all see the same large
+/// A surface that is split along a path, and the isolines of the distance from it. Faces are
+/// refined until those that isolines may cross are small: many points on the path in the same large
 /// faces would cost far more.
 class OffsetCurveMaker
 {
@@ -98,7 +98,7 @@ public:
   Status Run(const SurfacePath& path, std::vector<SurfacePath>& rims)
   {
     RefinementOptions options;
-    options.InsertCrossings = true; // of the path with itself
+    options.InsertCrossings = true; // self-crossings of the path
     DGG_RETURN_IF_ERROR(RefineAlongPaths(this->Mesh, { path }, options, this->Refined));
     this->Longest = this->Refined.Lengths.empty()
       ? 0.0
@@ -116,7 +116,7 @@ public:
   }
 
 private:
-  /// Halve the longest edges.
+  /// Halves the longest edges.
   Status Step(bool& isDone)
   {
     DGG_RETURN_IF_ERROR(this->Refined.Build(this->Mesh, this->Part));
@@ -143,7 +143,7 @@ private:
 
   bool Report() const { return !this->Progress || this->Progress(this->Done); }
 
-  /// Distances from points of the path, as far as where isolines may be, and one edge beyond.
+  /// Computes distances from points of the path, up to where isolines may be, plus one edge.
   Status Measure(double spacing, double longest, ExactOptions& options, ExactResult& result) const
   {
     options.MaximumDistance = this->Distance + longest;
@@ -151,7 +151,7 @@ private:
       .Run(SampleChain(this->Part, this->Refined.Paths.front(), spacing), options, result);
   }
 
-  /// Edges on which the distance may be reached, by those of their ends.
+  /// Marks edges on which the distance may be attained, given the distances of their ends.
   bool MarkLongEdges(
     const std::vector<double>& distances, double spacing, std::vector<char>& isSplit)
   {
@@ -210,8 +210,8 @@ private:
   const ProgressCallback& Progress;
   RefinedSurface Refined;
   SurfaceMesh Part;
-  double Longest = 0.0; // edge that a rim may have crossed, before the last step
-  double Done = 0.0;    // of the progress
+  double Longest = 0.0; // longest edge that an offset curve may have crossed before the last step
+  double Done = 0.0;    // progress so far
 };
 }
 

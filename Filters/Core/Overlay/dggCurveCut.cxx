@@ -34,7 +34,7 @@ private:
   {
     None,
     Crowded, ///< more than two faces
-    Twisted  ///< two faces that are oriented differently
+    Twisted  ///< two faces of opposite orientation
   };
 
   Defect FindDefect(Id h) const;
@@ -64,7 +64,7 @@ std::vector<char> SideFinder::MarkVertices() const
   return isPassed;
 }
 
-/// What is wrong with the edge of a half-edge.
+/// Returns the defect of the edge of a half-edge.
 SideFinder::Defect SideFinder::FindDefect(Id h) const
 {
   const Id twin = this->Surface.Twins[h];
@@ -79,8 +79,8 @@ SideFinder::Defect SideFinder::FindDefect(Id h) const
   return this->Origin(h) == this->Origin(twin) ? Defect::Twisted : Defect::None;
 }
 
-/// How many edges of the old mesh have a defect, and a part that a path touches. Parts of one edge
-/// meet in points inside of it, which are on no other edge.
+/// Returns the number of edges of the old mesh that have a defect and a part touched by a path.
+/// Parts of one edge meet in interior points, which are on no other edge.
 Offset SideFinder::CountDefects(Defect defect, const std::vector<char>& isPassed) const
 {
   const auto halfEdges = static_cast<Id>(this->Surface.Triangles.size());
@@ -114,7 +114,7 @@ Offset SideFinder::CountDefects(Defect defect, const std::vector<char>& isPassed
   return static_cast<Offset>(touched.size());
 }
 
-/// Whether there are two sides wherever a path passes.
+/// Checks that there are two sides wherever a path passes.
 Status SideFinder::CheckEdges() const
 {
   const std::vector<char> isPassed = this->MarkVertices();
@@ -149,7 +149,7 @@ void SideFinder::CollectHalfEdges()
   std::sort(this->HalfEdges.begin(), this->HalfEdges.end());
 }
 
-/// The face to the left of an edge has it in its own direction.
+/// The face to the left of an edge contains it in the same direction.
 EdgeSide SideFinder::FindSide(const CutSurface& cut, const DirectedEdge& edge, bool isLeft) const
 {
   const DirectedEdge inFace = isLeft ? edge : DirectedEdge(edge.second, edge.first);

@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// The parameter at a place of the path of a curve.
+/// Returns the parameter of a curve at a position along its path.
 double ParameterAt(const SurfaceCurve& curve, double place)
 {
   const auto piece = static_cast<std::size_t>(place);
@@ -26,7 +26,7 @@ double ParameterAt(const SurfaceCurve& curve, double place)
   return from + (curve.Parameters[piece + 1] - from) * (place - std::floor(place));
 }
 
-/// The edge, smaller vertex first, of a path that has no other one; no edge otherwise.
+/// Returns the edge, smaller vertex first, of a path with a single edge; otherwise no edge.
 std::pair<Id, Id> FindOnlyEdge(const std::vector<Id>& path)
 {
   const std::pair<Id, Id> none(NoId, NoId);
@@ -43,8 +43,8 @@ std::pair<Id, Id> FindOnlyEdge(const std::vector<Id>& path)
   return only;
 }
 
-/// Split edges that are all of a path: cut along them, the surface would not open. Whether other
-/// paths continue them does not matter, since one need not cut along all paths.
+/// Splits edges that form an entire path: cut along such an edge, the surface would not open.
+/// Continuations by other paths do not count, since callers need not cut along all paths.
 void SplitLoneEdges(const SurfaceMesh& mesh, RefinedSurface& surface)
 {
   std::vector<std::pair<Id, Id>> edges;
@@ -68,7 +68,7 @@ void SplitLoneEdges(const SurfaceMesh& mesh, RefinedSurface& surface)
   {
     if (surface.Twins[h] == NoId)
     {
-      isOnBoundary[surface.Triangles[h]] = 1; // where one edge is enough to open the surface
+      isOnBoundary[surface.Triangles[h]] = 1; // here one edge suffices to open the surface
       isOnBoundary[destination(h)] = 1;
     }
   }
@@ -128,7 +128,7 @@ CurveChain FollowCurve(
   }
   for (const Offset point : curve.GivenPoints)
   {
-    // Points of the path that became one vertex have the place of the first of them.
+    // Points of the path that were merged into one vertex have the position of the first of them.
     const auto beyond = std::upper_bound(places.begin(), places.end(), static_cast<double>(point));
     chain.GivenPoints.push_back(static_cast<Offset>(beyond - places.begin()) - 1);
   }

@@ -16,7 +16,7 @@ namespace dgg
 {
 namespace
 {
-/// Middles stay this far from sides: twice the distance at which points snap to them.
+/// Minimum distance of midpoints from sides: twice the snapping distance of points.
 constexpr double SmallestCoordinate = 2e-9;
 
 class EdgeSplitter
@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  /// A corner of a face, or the middle of the side of that number, from 3 on.
+  /// A corner of a face or, from 3 on, the midpoint of side (node - 3).
   using Node = int;
 
   void AddMiddle(Id h)
@@ -77,8 +77,8 @@ private:
     }
   }
 
-  /// Each split side is one part more. Arrays that grow as they are filled would take up to three
-  /// times as much.
+  /// Reserves the arrays: each split side adds one part. Growing arrays would take up to three
+  /// times as much memory.
   void Reserve()
   {
     const auto whole = std::count(this->Middles.begin(), this->Middles.end(), NoId);
@@ -158,7 +158,7 @@ private:
 
   double Measure(Node a, Node b) const { return Distance(this->Places[a], this->Places[b]); }
 
-  /// The side that two nodes are on; -1 when there is none.
+  /// Returns the side that contains two nodes; -1 if there is none.
   static int SideOf(Node a, Node b)
   {
     for (int k = 0; k < 3; ++k)
@@ -183,7 +183,7 @@ private:
       double length = 0.0;
       if (side >= 0)
       {
-        // The same bits in all faces of the edge.
+        // Bitwise identical in all faces of the edge.
         where = FindEdge(this->Old, 3 * f + side);
         length = (a < 3 && b < 3 ? 1.0 : 0.5) * this->Old.Lengths[3 * f + side];
       }
@@ -226,7 +226,7 @@ private:
           if (middle != middles.end())
           {
             longer.push_back(middle->second);
-            // The piece may start after the first place, when those before it have no length.
+            // The segment may start after the first position, if previous segments have no length.
             const double start = std::max(places[i - 1], std::ceil(places[i]) - 1.0);
             longerPlaces.push_back(0.5 * (start + places[i]));
           }
@@ -244,8 +244,8 @@ private:
   RefinedSurface New;
   std::vector<Id> Middles;        // per half-edge
   std::vector<Id> Parents;        // per new face
-  std::vector<Offset> OldPlaces;  // per new half-edge, the old edge or face that it is in
-  std::array<Point2, 6> Places{}; // of the nodes of the face at work
+  std::vector<Offset> OldPlaces;  // per new half-edge, the old edge or face that contains it
+  std::array<Point2, 6> Places{}; // positions of the nodes of the current face
 };
 }
 

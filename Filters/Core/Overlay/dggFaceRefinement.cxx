@@ -54,7 +54,7 @@ Status LevelRefiner::Choose(const std::vector<Id>& faces)
   return Status::Success();
 }
 
-/// The chosen faces with rings of faces around them.
+/// Returns the chosen faces with rings of faces around them.
 std::vector<char> LevelRefiner::Grow(int rings) const
 {
   std::vector<char> isIn = this->IsChosen;
@@ -89,7 +89,7 @@ Status LevelRefiner::SplitOnce(int rings, Offset mostFaces)
       }
     }
   }
-  // Each split side is one part more.
+  // Each split side adds one face.
   Offset faces = static_cast<Offset>(this->Surface.Faces.size());
   faces = std::accumulate(isSplit.begin(), isSplit.end(), faces);
   mostFaces = std::min<Offset>(mostFaces, std::numeric_limits<Id>::max() / 3);

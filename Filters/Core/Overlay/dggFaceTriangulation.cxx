@@ -11,10 +11,11 @@ namespace dgg
 {
 namespace
 {
-/// Sines below this count as straight angles when triangles are improved.
+/// Sines below this count as angles of pi when triangles are improved.
 constexpr double FlipTolerance = 1e-9;
 
-/// Sign of a b - c d for numbers below 2^51 in magnitude, in three digits of 26 bits.
+/// Returns the sign of a b - c d for numbers below 2^51 in magnitude, computed with three digits of
+/// 26 bits.
 int SignOfDifference(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d)
 {
   constexpr int Bits = 26;
@@ -42,8 +43,8 @@ int Previous(int h)
   return h % 3 == 0 ? h + 2 : h - 1;
 }
 
-/// A number that looks random.
-std::uint64_t Scramble(std::uint64_t i)
+/// Integer hash.
+std::uint64_t HashOf(std::uint64_t i)
 {
   i = (i + 1) * 0x9e3779b97f4a7c15ULL;
   i ^= i >> 29;
@@ -51,7 +52,7 @@ std::uint64_t Scramble(std::uint64_t i)
   return i ^ i >> 32;
 }
 
-/// The bits of x and y in turn: the place along a curve that fills the triangle (Morton).
+/// Interleaves the bits of x and y: the position along a space-filling curve (Morton order).
 std::uint64_t Interleave(const GridPoint& p)
 {
   auto spread = [](std::int64_t x) {
@@ -105,7 +106,7 @@ FaceTriangulation::FaceTriangulation(const std::array<Point2, 3>& corners)
   , IsSegment{ 0, 0, 0 }
   , Starts{ 0, 1, 2 }
 {
-  // Products of four lengths in grid units have to stay finite. A power of two rounds nothing.
+  // Products of four lengths in grid units must stay finite. Scaling by a power of two is exact.
   int exponent = 0;
   std::frexp(std::max({ std::abs(this->First.X), std::abs(this->First.Y), std::abs(this->Second.X),
                std::abs(this->Second.Y) }),
@@ -116,7 +117,7 @@ FaceTriangulation::FaceTriangulation(const std::array<Point2, 3>& corners)
   }
 }
 
-/// Put a triangle in its place, and link its corners and its neighbours to it.
+/// Stores a triangle, and links its corners and its neighbors to it.
 void FaceTriangulation::Set(int triangle, const std::array<int, 3>& corners, const Sides& sides)
 {
   this->Triangles[triangle] = corners;
@@ -165,14 +166,14 @@ int FaceTriangulation::AddPoint(const GridPoint& point)
   return p;
 }
 
-/// A triangle that a point is in or on: from the last one on, across edges that the point is
-/// beyond.
+/// Returns a triangle that contains a point, walking from the last triangle across edges that
+/// separate it from the point.
 int FaceTriangulation::Locate(const GridPoint& point)
 {
   const int n = static_cast<int>(this->Triangles.size());
   int t = this->LastTriangle < n ? this->LastTriangle : 0;
   int entry = -1;
-  // Where the triangles are not Delaunay the way could lead in circles.
+  // Without the Delaunay property the walk could cycle.
   for (int steps = 0; steps < n + 16; ++steps)
   {
     int exit = -1;
@@ -228,13 +229,13 @@ void FaceTriangulation::SplitTriangle(int t, int p)
   this->Improve(edges);
 }
 
-/// Split the one or two triangles on an edge, at a point of it.
+/// Splits the one or two triangles on an edge at a point of the edge.
 void FaceTriangulation::SplitEdge(int h, int p)
 {
   const int twin = this->Twins[h];
   const char isSegment = this->IsSegment[h];
   std::vector<int> edges;
-  // Of each triangle, the half of the edge that it starts with and the one that it ends with.
+  // For each triangle, the half of the edge with which it starts and the one with which it ends.
   std::array<int, 2> firsts{ { -1, -1 } };
   std::array<int, 2> seconds{ { -1, -1 } };
   for (int i = 0; i < (twin < 0 ? 1 : 2); ++i)
@@ -275,7 +276,7 @@ FaceTriangulation::Sides FaceTriangulation::SidesOf(int triangle) const
   return sides;
 }
 
-/// The half-edge from a to b, or, where there is none, that from b to a; -1 when there is neither.
+/// Returns the half-edge from a to b, otherwise that from b to a; -1 if there is neither.
 int FaceTriangulation::FindEdge(int a, int b) const
 {
   const int start = this->Starts[a];
@@ -293,7 +294,7 @@ int FaceTriangulation::FindEdge(int a, int b) const
     }
     h = this->Twins[last];
   } while (h >= 0 && h != start);
-  for (h = h < 0 ? this->Twins[start] : -1; h >= 0; h = this->Twins[h]) // and clockwise
+  for (h = h < 0 ? this->Twins[start] : -1; h >= 0; h = this->Twins[h]) // then clockwise
   {
     h = Next(h);
     if (this->Destination(h) == b)
@@ -304,7 +305,7 @@ int FaceTriangulation::FindEdge(int a, int b) const
   return -1;
 }
 
-/// Whether the two triangles on an edge form a strictly convex quadrangle.
+/// Returns true if the two triangles on an edge form a strictly convex quadrilateral.
 bool FaceTriangulation::CanFlip(int h) const
 {
   const int twin = this->Twins[h];
@@ -318,7 +319,8 @@ bool FaceTriangulation::CanFlip(int h) const
     Orientation(d, c, this->Points[this->Origin(h)]) > 0;
 }
 
-/// Replace an edge by the other diagonal of its two triangles, whose half-edges 2 it becomes.
+/// Replaces an edge by the other diagonal of its two triangles, where it becomes half-edge 2 of
+/// both.
 void FaceTriangulation::Flip(int h)
 {
   const int twin = this->Twins[h];
@@ -336,14 +338,14 @@ void FaceTriangulation::Flip(int h)
     { { otherSides[Previous(twin) % 3], sides[Next(h) % 3], { 3 * t + 2, 0 } } });
 }
 
-/// The edges that a segment crosses, from its start on. False when it runs through a point or
-/// crosses a segment.
+/// Finds the edges that a segment crosses, from its start on. Returns false if it passes through a
+/// point or crosses a constrained segment.
 bool FaceTriangulation::FindCrossed(int a, int b, std::deque<std::pair<int, int>>& crossed) const
 {
   const GridPoint& from = this->Points[a];
   const GridPoint& to = this->Points[b];
   auto sideOf = [&](int p) { return Orientation(from, to, this->Points[p]); };
-  // The triangle at a that the segment leaves by the opposite side.
+  // The triangle at a that the segment leaves through the opposite side.
   const int start = this->Starts[a];
   int exit = -1;
   auto look = [&](int h) {
@@ -392,8 +394,8 @@ bool FaceTriangulation::AddSegment(int a, int b)
   int h = this->FindEdge(a, b);
   if (h < 0)
   {
-    // Flip the edges that cross it, those first that can be flipped (Sloan, "A fast algorithm for
-    // generating constrained Delaunay triangulations", 1993).
+    // Flip the edges that cross the segment; edges that cannot be flipped yet are postponed (Sloan,
+    // "A fast algorithm for generating constrained Delaunay triangulations", 1993).
     std::deque<std::pair<int, int>> crossing;
     if (!this->FindCrossed(a, b, crossing))
     {
@@ -454,8 +456,8 @@ void FaceTriangulation::Fix(int h)
   }
 }
 
-/// From one point to another in the plane of the face, in grid units; exact but for the last digits
-/// however close they are.
+/// Returns the vector from one point to another in the plane of the face, in grid units; accurate
+/// to the last digits however close they are.
 Point2 FaceTriangulation::Way(int from, int to) const
 {
   const auto x = static_cast<double>(this->Points[to].X - this->Points[from].X);
@@ -463,7 +465,7 @@ Point2 FaceTriangulation::Way(int from, int to) const
   return { x * this->First.X + y * this->Second.X, x * this->First.Y + y * this->Second.Y };
 }
 
-/// Whether the angles opposite the edge are more than a straight angle together.
+/// Returns true if the sum of the angles opposite to the edge exceeds pi.
 bool FaceTriangulation::IsBad(int h) const
 {
   auto vectors = [&](int e, Point2& u, Point2& v) {
@@ -495,10 +497,10 @@ void FaceTriangulation::MakeDelaunay()
   this->Improve(edges);
 }
 
-/// Make edges Delaunay that are no segments, and those around them when they change.
+/// Makes unconstrained edges Delaunay, and neighboring edges when they change.
 void FaceTriangulation::Improve(std::vector<int>& edges)
 {
-  std::size_t budget = 64 * this->Triangles.size(); // rounding could turn in circles
+  std::size_t budget = 64 * this->Triangles.size(); // rounding could cause cycles
   while (!edges.empty())
   {
     const int h = edges.back();
@@ -540,7 +542,7 @@ std::vector<std::size_t> MakeInsertionOrder(const std::vector<GridPoint>& points
   {
     // Half of the points in the last round, a quarter in the one before, and so on.
     int round = 0;
-    for (std::uint64_t bits = Scramble(i); (bits & 1) != 0 && round > -60; bits >>= 1)
+    for (std::uint64_t bits = HashOf(i); (bits & 1) != 0 && round > -60; bits >>= 1)
     {
       --round;
     }

@@ -20,11 +20,11 @@ namespace dgg
 {
 namespace
 {
-/// Segments that are looked at one by one.
+/// Number of segments per leaf of the tree.
 constexpr std::size_t LeafSize = 8;
-/// Segments between two reports.
+/// Segments between two progress reports.
 constexpr std::size_t ProgressInterval = 256;
-/// Rounds of splitting segments in one face before giving up. Two do, but for rounding.
+/// Maximum number of rounds of splitting segments in one face. Two suffice except for rounding.
 constexpr int MaximumRounds = 100;
 
 struct GridSegment
@@ -33,14 +33,14 @@ struct GridSegment
   GridPoint To;
 };
 
-/// An octagon on the grid, with its rim: bounds of X, Y, X + Y and X - Y. Boxes around slanted
-/// segments side by side would overlap.
+/// A closed octagon on the grid: bounds of X, Y, X + Y and X - Y. Axis-aligned boxes around
+/// adjacent slanted segments would overlap.
 struct GridBox
 {
   std::array<std::int64_t, 4> Low;
   std::array<std::int64_t, 4> High;
 
-  /// Around all points that are this close.
+  /// Returns the box around all points within a distance.
   static GridBox Around(const GridPoint& point, std::int64_t distance)
   {
     GridBox box;
@@ -80,7 +80,7 @@ struct GridBox
     }
   }
 
-  /// The direction in which it is widest.
+  /// Returns the direction of largest extent.
   int FindWidest() const
   {
     int widest = 0;
@@ -93,8 +93,8 @@ struct GridBox
   }
 };
 
-/// Segments in a binary tree of the boxes around them, which has a place for each segment: neither
-/// long ones nor clusters of short ones are stored twice.
+/// A binary tree of bounding boxes in which each segment is stored once, whether long or in a
+/// cluster of short ones.
 class SegmentTree
 {
 public:
@@ -118,7 +118,7 @@ public:
     }
   }
 
-  /// The segments whose boxes meet a box, in increasing order.
+  /// Finds the segments whose boxes intersect a box, in increasing order.
   void Find(const GridBox& box, std::vector<std::size_t>& found)
   {
     found.clear();
@@ -150,12 +150,12 @@ private:
   struct Node
   {
     GridBox Box;
-    std::size_t Begin; // of its segments
+    std::size_t Begin; // range of its segments
     std::size_t End;
-    std::size_t Children; // of two, the first; 0 for leaves
+    std::size_t Children; // first of two children; 0 for leaves
   };
 
-  /// Into halves by the middles of the boxes, across the direction in which the box is widest.
+  /// Splits a node at the median of the box centers, along the direction of largest extent.
   void SplitNode(std::size_t number)
   {
     Node node = this->Nodes[number];
@@ -186,7 +186,7 @@ private:
   std::vector<std::size_t> Stack;
 };
 
-/// Whether a point is close to a segment, between its ends.
+/// Returns true if a point is close to a segment, between its ends.
 bool IsBetween(const GridPoint& p, const GridSegment& segment)
 {
   const auto real = [](std::int64_t x) { return static_cast<double>(x); };
@@ -200,7 +200,7 @@ bool IsBetween(const GridPoint& p, const GridSegment& segment)
     std::abs(ux * vy - uy * vx) <= real(PathNodes::MergeDistance) * std::sqrt(square);
 }
 
-/// How far along a segment a point is, in grid units squared.
+/// Returns the position of a point along a segment, in squared grid units.
 double Along(const GridPoint& p, const GridSegment& segment)
 {
   const auto real = [](std::int64_t x) { return static_cast<double>(x); };
@@ -219,7 +219,7 @@ GridPoint Intersection(const GridSegment& first, const GridSegment& second)
   const long double t =
     (real(second.From.X - a.X) * vy - real(second.From.Y - a.Y) * vx) / (ux * vy - uy * vx);
   GridPoint p{ a.X + std::llround(t * ux), a.Y + std::llround(t * uy) };
-  // Not on a side: the next face knows nothing of it.
+  // Not on a side, because the adjacent face would not have the point.
   p.X = std::max<std::int64_t>(1, std::min(p.X, GridPoint::One - 2));
   p.Y = std::max<std::int64_t>(1, std::min(p.Y, GridPoint::One - 1 - p.X));
   return p;
@@ -251,7 +251,8 @@ public:
     double begin = 0.0;
     for (int round = 0; round < MaximumRounds; ++round)
     {
-      // Each round gets half of what is left, and so does each turn of its first half.
+      // Each round gets half of the remaining progress, and so does each iteration of its first
+      // half.
       const double share = 0.25 * (1.0 - begin);
       const double middle = begin + share;
       bool found = true;
@@ -280,11 +281,11 @@ public:
   }
 
 private:
-  /// A part of a piece.
+  /// A part of a path segment, between consecutive nodes.
   struct Segment
   {
     std::size_t Piece;
-    std::size_t Start; // among the nodes of the piece
+    std::size_t Start; // index of its start among the nodes of the piece
   };
 
   bool IsOnSide(Id a, Id b, int& side) const
@@ -298,7 +299,7 @@ private:
     return { this->Nodes.PlaceOf(a, this->Face), this->Nodes.PlaceOf(b, this->Face) };
   }
 
-  /// Make a piece run through all nodes that it passes on sides of the face.
+  /// Inserts into a piece all nodes that it passes on sides of the face.
   void SplitAlongSides(std::vector<Id>& nodes) const
   {
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
@@ -315,7 +316,7 @@ private:
     }
   }
 
-  /// The segments of the pieces that are not on sides, where nothing crosses them.
+  /// Collects the segments of the pieces, except those on sides, where nothing crosses them.
   void CollectSegments(const std::vector<std::size_t>& places)
   {
     this->Segments.clear();
@@ -336,16 +337,17 @@ private:
     this->Tree.Build(this->Lines);
   }
 
-  /// Asks whether to go on, at one step of many in a while.
+  /// Reports progress at one step out of many. Returns false to stop.
   static bool Goes(const ProgressCallback& progress, std::size_t step, std::size_t steps)
   {
     return step % ProgressInterval != ProgressInterval - 1 || !progress ||
       progress(static_cast<double>(step) / static_cast<double>(steps));
   }
 
-  /// Make segments run through nodes that they pass, also those on sides: otherwise crossings would
-  /// come closer to these than nodes may be. Reports whether there were any; then the segments are
-  /// to be collected anew, as parts of them may pass others. False when stopped.
+  /// Inserts nodes into segments that pass them, including nodes on sides: otherwise crossings
+  /// could be closer to these than the merge distance. `found` receives whether there were any;
+  /// then segments must be collected again, because parts of them may pass other nodes. Returns
+  /// false if stopped.
   bool SplitAtNodes(const ProgressCallback& progress, bool& found)
   {
     found = false;
@@ -368,10 +370,10 @@ private:
         }
       }
     }
-    // From the back, so that places in the lists of nodes stay what they are.
+    // From the back, so that indices in the lists of nodes remain valid.
     std::stable_sort(passed.begin(), passed.end(),
       [](const auto& first, const auto& second) { return first.first > second.first; });
-    std::size_t last = 0; // of the part of the list that was the segment
+    std::size_t last = 0; // end of the part of the list that was the segment
     for (std::size_t i = 0; i < passed.size(); ++i)
     {
       const Segment& segment = this->Segments[passed[i].first];
@@ -385,7 +387,7 @@ private:
     return true;
   }
 
-  /// Insert a node where it lies between two of a part of the list, unless it is there.
+  /// Inserts a node between two nodes of a part of the list, unless it is already there.
   bool InsertWhereBetween(std::vector<Id>& nodes, std::size_t begin, std::size_t end, Id node) const
   {
     const GridPoint place = this->Nodes.PlaceOf(node, this->Face);
@@ -401,7 +403,7 @@ private:
     return n < end;
   }
 
-  /// Look for pieces that cross, and insert nodes there, or fail.
+  /// Finds crossing pieces, and inserts nodes there, or fails.
   Status SplitAtCrossings(const ProgressCallback& progress, bool& found)
   {
     using Insertion = std::tuple<std::size_t, std::size_t, double, Id>; // piece, start, along, node
@@ -439,7 +441,7 @@ private:
         }
       }
     }
-    // From the back, so that places in the lists of nodes stay what they are.
+    // From the back, so that indices in the lists of nodes remain valid.
     std::sort(insertions.begin(), insertions.end(), std::greater<Insertion>());
     for (const Insertion& insertion : insertions)
     {
@@ -458,8 +460,8 @@ private:
   const bool InsertCrossings;
   const Id Face;
   std::vector<Segment> Segments;
-  std::vector<GridSegment> Lines; // where the segments lie
-  SegmentTree Tree;               // of the same
+  std::vector<GridSegment> Lines; // positions of the segments
+  SegmentTree Tree;               // tree of Lines
 };
 }
 

@@ -14,10 +14,10 @@ namespace dgg
 {
 namespace
 {
-/// Legs between two reports, where they are straight.
+/// Straight legs between two progress reports.
 constexpr std::size_t ProgressInterval = 1024;
 
-/// Joins one point after the other to the curve.
+/// Joins the points one after the other.
 class CurveBuilder
 {
 public:
@@ -39,8 +39,8 @@ private:
   const SurfaceMesh& Mesh;
   const std::vector<SurfacePoint>& Points;
   SurfaceCurve& Curve;
-  std::unique_ptr<ExactPathFinder> Finder; // made when a leg is not straight
-  SurfacePath Leg;                         // at work
+  std::unique_ptr<ExactPathFinder> Finder; // created for the first leg that is not straight
+  SurfacePath Leg;                         // current leg
 };
 
 Status CurveBuilder::Run(bool isClosed, const ProgressCallback& progress)
@@ -89,7 +89,8 @@ Status CurveBuilder::CheckPoints() const
   return Status::Success();
 }
 
-/// From one given point to another: straight, where they are in one face.
+/// Computes the leg from one given point to another: straight within a common face, otherwise a
+/// shortest path.
 Status CurveBuilder::FindLeg(std::size_t from, std::size_t to, const ProgressCallback& progress)
 {
   const SurfacePoint& start = this->Points[from];
@@ -125,7 +126,7 @@ Status CurveBuilder::FindLeg(std::size_t from, std::size_t to, const ProgressCal
   return Status::Success();
 }
 
-/// Append the leg from a given point.
+/// Appends the leg that starts at a given point.
 void CurveBuilder::AddLeg(std::size_t from)
 {
   SurfacePath& path = this->Curve.Path;
@@ -175,7 +176,7 @@ Id FindCommonFace(const SurfaceMesh& mesh, const SurfacePoint& a, const SurfaceP
   const bool areVertices = IsVertex(a) && IsVertex(b);
   if (!areVertices)
   {
-    const SurfacePoint& point = IsVertex(a) ? b : a; // has few faces
+    const SurfacePoint& point = IsVertex(a) ? b : a; // the point with few faces
     const SurfacePoint& other = IsVertex(a) ? a : b;
     ForEachFaceAround(
       mesh, point, [&](Id face, const std::array<double, 3>&) { look(other, face); });

@@ -13,8 +13,8 @@ namespace dgg
 {
 namespace
 {
-/// Opens the edges of chains, finds the sectors that they leave around each vertex, and gives each
-/// of them a vertex of its own.
+/// Opens the edges of chains, finds the resulting sectors around each vertex, and gives each of
+/// them a vertex of its own.
 class ChainCutter
 {
 public:
@@ -60,7 +60,7 @@ private:
     this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
   }
 
-  /// Unglue the half-edges on the chains. Fails when there is none.
+  /// Unglues the half-edges on the chains. Fails if an edge does not exist.
   Status OpenEdges()
   {
     std::vector<char> isFound(this->Edges.size(), 0);
@@ -85,7 +85,7 @@ private:
       "vertices ", edge.first, " and ", edge.second, " of a chain are not neighbours");
   }
 
-  /// Corners that are still joined by an edge at their vertex are of one sector.
+  /// Joins corners that still share an edge at their vertex into one sector.
   void JoinCorners()
   {
     for (Id h = 0; h < this->HalfEdges; ++h)
@@ -103,7 +103,7 @@ private:
     }
   }
 
-  /// One copy for each sector of the vertices that chains pass.
+  /// Creates one copy per sector of the vertices on chains.
   void CopyVertices(PinchedVertices pinched)
   {
     const Id vertices = this->Surface.GetNumberOfVertices();
@@ -143,8 +143,8 @@ private:
   const RefinedSurface& Surface;
   CutSurface& Cut;
   const Id HalfEdges;
-  std::vector<std::pair<Id, Id>> Edges; // of the chains, sorted
-  DisjointSets Sectors;                 // of corners
+  std::vector<std::pair<Id, Id>> Edges; // edges of the chains, sorted
+  DisjointSets Sectors;                 // sectors as sets of corners
 };
 }
 

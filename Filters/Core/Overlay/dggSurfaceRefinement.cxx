@@ -17,16 +17,16 @@ namespace dgg
 {
 namespace
 {
-/// Faces between two reports, also points or segments in a face.
+/// Faces, or points or segments within a face, between two progress reports.
 constexpr Id ProgressInterval = 1024;
-/// Shares of the progress: of the whole when all faces are split, and of a face when its pieces are
-/// split and when its points are triangulated.
+/// Progress after splitting all faces; progress within a face after splitting its pieces and after
+/// triangulating its points.
 constexpr double FacesDone = 0.8;
 constexpr double PiecesDone = 0.3;
 constexpr double PointsDone = 0.7;
 
-/// The points that paths pass become nodes, the paths chains of straight pieces between them, which
-/// are split where they meet; then each face with nodes is triangulated on its own.
+/// Points on paths become nodes, and paths become chains of straight pieces between them, which are
+/// split where they meet; then each face with nodes is triangulated separately.
 class Refiner
 {
 public:
@@ -43,7 +43,7 @@ public:
   Status Run();
 
 private:
-  /// Of a path, by the numbers of the points of a triangulation.
+  /// A segment of a path, by the indices of points of a triangulation.
   struct Segment
   {
     int From;
@@ -71,9 +71,9 @@ private:
   RefinedSurface& Refined;
 
   PathNodes Nodes;
-  std::vector<PathPiece> Pieces;                   // of the paths, one after the other
+  std::vector<PathPiece> Pieces;                   // pieces of all paths, concatenated
   std::map<Id, std::vector<std::size_t>> PiecesIn; // per face
-  std::size_t WorkDone = 0;                        // faces, and pieces in them
+  std::size_t WorkDone = 0;                        // number of processed faces and pieces in them
 };
 
 Status Refiner::Run()
@@ -105,7 +105,7 @@ Status Refiner::Run()
   return Status::Success();
 }
 
-/// Reports how much is done when a part of the work of a face is.
+/// Reports progress within a face, given the completed fraction of its work.
 bool Refiner::GoesInFace(std::size_t work, double done) const
 {
   const auto whole =
@@ -172,7 +172,7 @@ Status Refiner::AddFace(Id f)
   return Status::Success();
 }
 
-/// Whether nothing passes it.
+/// Returns true if no path passes the face.
 bool Refiner::IsWhole(Id f) const
 {
   bool isWhole = !this->Nodes.FindInFace(f) && this->PiecesIn.find(f) == this->PiecesIn.end();
@@ -186,7 +186,7 @@ bool Refiner::IsWhole(Id f) const
 Status Refiner::Triangulate(Id f, std::size_t work)
 {
   const Id h = 3 * f;
-  // The nodes, and where they lie; the corners come first, the others as is fast.
+  // The nodes with their positions: first the corners, then the others in a fast insertion order.
   std::vector<std::pair<GridPoint, Id>> found;
   auto add = [&](const std::vector<Id>* more) {
     for (std::size_t i = 0; more && i < more->size(); ++i)
@@ -245,8 +245,8 @@ Status Refiner::Triangulate(Id f, std::size_t work)
   return Status::Success();
 }
 
-/// The segments of pieces in a face, in the order in which they are added fast; nodes are in that
-/// of the triangulation.
+/// Returns the segments of pieces in a face, in a fast insertion order; `nodes` is ordered like the
+/// points of the triangulation.
 std::vector<Refiner::Segment> Refiner::SegmentsOf(
   const std::vector<std::size_t>& places, Id f, const std::vector<Id>& nodes) const
 {
@@ -286,7 +286,7 @@ void Refiner::AddTriangle(Id f, const std::array<Id, 3>& nodes)
   this->Refined.Faces.push_back(f);
 }
 
-/// Edges are glued where they are parts of the same old edge, or within the same old face.
+/// Glues edges that are parts of the same old edge, or lie within the same old face.
 void Refiner::MakeTwinsAndLengths()
 {
   std::vector<Offset> places;
@@ -332,9 +332,9 @@ void Refiner::MakeChains()
   }
 }
 
-/// Where the nodes of a piece are along the path, all but the first. Parts of a straight line are
-/// the same in grid units as in lengths, which may vanish in needles; measured from node to node,
-/// so that places grow however they were moved.
+/// Adds the positions along the path of the nodes of a piece, except the first. Ratios of lengths
+/// along a straight line are equal in grid units and in model units, which may vanish in needles;
+/// they are accumulated from node to node, so that positions increase even if nodes were moved.
 void Refiner::AddPlaces(const PathPiece& piece, std::vector<double>& places) const
 {
   const Id face = this->Paths[piece.Path].Faces[piece.Number];

@@ -15,7 +15,7 @@ namespace
 /// Width of the margin as a fraction of the edges that it cuts.
 constexpr double Width = 0.3;
 
-/// A corner of what is left of a face.
+/// A corner of the remaining polygon of a face.
 struct Corner
 {
   Id Vertex;
@@ -49,8 +49,8 @@ private:
   const std::vector<char>& IsBlocked;
   const std::vector<char>& IsCut;
   RefinedSurface& Rest;
-  std::vector<Id> NewPoints;  // per half-edge, near its origin and near its end
-  std::vector<Offset> Places; // per half-edge of the rest, what it lies on
+  std::vector<Id> NewPoints;  // two per half-edge: near its origin and near its end
+  std::vector<Offset> Places; // per half-edge of the rest, the edge or face that contains it
 };
 
 void MarginRemover::Run()
@@ -68,7 +68,7 @@ void MarginRemover::Run()
         polygon.push_back(this->CornerAt(h));
         continue;
       }
-      // Cut the corner off; and the strip along a side that is on a curve.
+      // Cut off the corner, or the strip along a side that is on a curve.
       const Id before = SurfaceMesh::Previous(h);
       if (!this->IsCut[before])
       {
@@ -92,7 +92,7 @@ Corner MarginRemover::CornerAt(Id h) const
   return { this->Surface.Triangles[h], CoordinatesOfCorner(h % 3) };
 }
 
-/// The new point of a half-edge near one of its ends; both halves of an edge share it.
+/// Returns the new point of a half-edge near one of its ends; both halves of an edge share it.
 Corner MarginRemover::PointOn(Id h, bool nearOrigin)
 {
   Corner corner{ NoId, { { 0.0, 0.0, 0.0 } } };
@@ -112,7 +112,7 @@ Corner MarginRemover::PointOn(Id h, bool nearOrigin)
   return corner;
 }
 
-/// What is left of a face is convex: a fan.
+/// Adds the remaining polygon of a face as a fan of triangles; it is convex.
 void MarginRemover::AddPolygon(Id f, const std::vector<Corner>& polygon)
 {
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -137,7 +137,7 @@ void MarginRemover::AddEdge(Id f, const Corner& a, const Corner& b)
     const int opposite = (k + 2) % 3;
     if (a.Barycentric[opposite] == 0.0 && b.Barycentric[opposite] == 0.0)
     {
-      // Part of a side: the same in all faces of the edge.
+      // Part of a side, identical in all faces of the edge.
       const Id h = 3 * f + k;
       const Id t = this->Surface.Twins[h];
       where = t != NoId && t < h ? t : h;

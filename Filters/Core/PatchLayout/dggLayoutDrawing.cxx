@@ -16,7 +16,7 @@ namespace dgg
 {
 namespace
 {
-/// Place of a neighbour in the fan of a vertex; behind all when it is not there.
+/// Returns the position of a neighbor in the fan of a vertex; behind all others if it is not there.
 double PlaceInFan(const SurfaceMesh& mesh, Id vertex, Id neighbour)
 {
   const Id* begin = mesh.FanBegin(vertex);
@@ -80,7 +80,7 @@ Status LayoutDrawing::CheckLandmarks() const
   return Status::Success();
 }
 
-/// Split the faces along the landmarks, the curves, and one more path if there is one.
+/// Splits the faces along the landmarks, the curves, and optionally one more path.
 Status LayoutDrawing::Refine(const SurfacePath* more, RefinedSurface& refined) const
 {
   std::vector<SurfacePath> paths(this->Landmarks.size());
@@ -101,7 +101,7 @@ Status LayoutDrawing::Refine(const SurfacePath* more, RefinedSurface& refined) c
 
 Status LayoutDrawing::Cut()
 {
-  // A curve through a point where sheets touch would tie them together.
+  // A curve through a vertex with several fans would connect them.
   DGG_RETURN_IF_ERROR(CutAlongChains(this->Surface.Refined, this->Surface.Refined.Paths,
     this->Surface.Opened, PinchedVertices::Split));
   DGG_RETURN_IF_ERROR(this->Surface.Opened.Build(this->Mesh, this->Surface.OpenedMesh));
@@ -153,7 +153,7 @@ Status LayoutDrawing::Survey(const ProgressCallback& progress, std::vector<doubl
   return Status::Success();
 }
 
-/// Shortest paths to the other ends of the edges that leave a landmark.
+/// Finds shortest paths to the other ends of the edges that leave a landmark.
 Status LayoutDrawing::FindPathsFrom(ExactPathFinder& finder, Id landmark,
   const ProgressCallback& progress, std::vector<SurfacePath>& paths) const
 {
@@ -183,8 +183,8 @@ Status LayoutDrawing::FindPathsFrom(ExactPathFinder& finder, Id landmark,
   return Status::Success();
 }
 
-/// The order in which paths, one for each edge, leave the landmarks. No edges where that is not
-/// found out: it is a hint.
+/// Finds the order in which paths, one for each edge, leave the landmarks. Landmarks whose order
+/// cannot be determined have no edges: the order is only a hint.
 std::vector<EdgeOrder> LayoutDrawing::FindOrders(const std::vector<SurfacePath>& paths) const
 {
   std::vector<EdgeOrder> orders(this->Landmarks.size());
@@ -209,7 +209,7 @@ std::vector<EdgeOrder> LayoutDrawing::FindOrders(const std::vector<SurfacePath>&
   }
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
   {
-    std::map<Id, double> place; // of an edge in the fan
+    std::map<Id, double> place; // position of an edge in the fan
     for (const Id e : orders[l].Edges)
     {
       const std::vector<Id>& chain = crossed.Paths[e];
@@ -259,8 +259,8 @@ Status LayoutDrawing::Draw(
   return this->Cut();
 }
 
-/// The shortest of the paths from any of the sectors to any of the others. Empty when there is
-/// none.
+/// Finds the shortest path from any of the first sectors to any of the second ones. Empty if there
+/// is none.
 Status LayoutDrawing::Connect(const std::vector<LayoutSector>& from,
   const std::vector<LayoutSector>& to, const ProgressCallback& progress,
   Connection& connection) const
@@ -278,8 +278,8 @@ Status LayoutDrawing::Connect(const std::vector<LayoutSector>& from,
   return Status::Success();
 }
 
-/// Split the surface along the path as well. Where it touches other curves, or itself, another one
-/// at a distance from everything takes its place.
+/// Splits the surface along the path as well. If the path touches other curves, or itself, it is
+/// replaced by one at a distance from everything.
 Status LayoutDrawing::KeepClear(
   Id edge, const ProgressCallback& progress, Connection& connection, RefinedSurface& refined) const
 {
@@ -297,8 +297,8 @@ Status LayoutDrawing::KeepClear(
   return Status::Success();
 }
 
-/// Shortest path on the surface cut open, from one sector to the nearest of others. Empty when
-/// there is none.
+/// Finds the shortest path on the surface cut open, from one sector to the nearest of others. Empty
+/// if there is none.
 Status LayoutDrawing::Trace(const LayoutSector& from, const std::vector<LayoutSector>& to,
   const ProgressCallback& progress, SurfacePath& path, std::size_t& reached) const
 {
@@ -322,7 +322,7 @@ Status LayoutDrawing::Trace(const LayoutSector& from, const std::vector<LayoutSe
   return status;
 }
 
-/// The same to one sector, keeping clear of curves and other landmarks.
+/// Like Trace() to one sector, at a distance from curves and other landmarks.
 Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& to,
   const ProgressCallback& progress, SurfacePath& path) const
 {
@@ -343,7 +343,7 @@ Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& t
   return Status::Success();
 }
 
-/// Vertices that a path between two of them must not touch, and half-edges on curves.
+/// Marks vertices that a path between two landmarks must not touch, and half-edges on curves.
 void LayoutDrawing::MarkObstacles(
   Id from, Id to, std::vector<char>& isBlocked, std::vector<char>& isCut) const
 {
@@ -375,7 +375,7 @@ void LayoutDrawing::MarkObstacles(
   }
 }
 
-/// Whether the last path meets the others, and itself, at its ends only.
+/// Returns true if the last path meets the others, and itself, only at its ends.
 bool LayoutDrawing::KeepsClear(const RefinedSurface& refined) const
 {
   std::vector<char> isTaken(refined.Points.size(), 0);

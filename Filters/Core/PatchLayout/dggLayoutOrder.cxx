@@ -53,7 +53,7 @@ Status LayoutOrder::Read(const PatchLayout& layout, Id numberOfLandmarks)
 
 Status LayoutOrder::ReadPatches(const PatchLayout& layout, Id numberOfLandmarks)
 {
-  std::map<std::pair<Id, Id>, std::size_t> sides; // in their direction, and of which patch
+  std::map<std::pair<Id, Id>, std::size_t> sides; // directed sides, and their patch
   for (std::size_t p = 0; p < layout.Patches.size(); ++p)
   {
     const std::vector<Id>& patch = layout.Patches[p];
@@ -120,8 +120,8 @@ Status LayoutOrder::AddEdges(const PatchLayout& layout, Id numberOfLandmarks)
   return Status::Success();
 }
 
-/// From the corners of the patches: next to the side that leaves a landmark, counter-clockwise, is
-/// the one that arrives there.
+/// Finds the orders from the corners of the patches: counter-clockwise, the side that leaves a
+/// landmark is followed by the one that arrives there.
 void LayoutOrder::FindOrders(const PatchLayout& layout, Id numberOfLandmarks)
 {
   std::vector<std::vector<Id>> around(numberOfLandmarks);
@@ -187,7 +187,7 @@ Id LayoutOrder::FindEdge(Id a, Id b) const
 
 namespace
 {
-/// The curve that leaves a landmark for a neighbour.
+/// Returns the curve that leaves a landmark towards a neighbor.
 Id FindCurve(const DrawnSurface& surface, const std::vector<std::array<Id, 2>>& edges, Id landmark,
   Id neighbour)
 {
@@ -205,7 +205,7 @@ Id FindCurve(const DrawnSurface& surface, const std::vector<std::array<Id, 2>>& 
   return NoId;
 }
 
-/// Whether the order puts an edge into a sector.
+/// Returns true if the order allows an edge in a sector.
 bool Allows(
   const LayoutSector& sector, const DrawnSurface& surface, const EdgeOrder& order, Id edge)
 {
@@ -214,7 +214,7 @@ bool Allows(
   {
     return true;
   }
-  // The nearest edges before and after it that are drawn.
+  // The nearest drawn edges before and after it.
   const auto size = static_cast<std::ptrdiff_t>(order.Edges.size());
   const std::ptrdiff_t index = place - order.Edges.begin();
   Id before = NoId;
@@ -244,7 +244,7 @@ bool Allows(
   {
     return before == NoId;
   }
-  // Beside the boundary of the surface.
+  // Next to the boundary of the surface.
   return sector.Begin == NoId ? sector.End == after && (isFirst || !order.HasGap)
                               : sector.Begin == before && (isLast || !order.HasGap);
 }
@@ -302,7 +302,7 @@ void InsertIntoOrder(EdgeOrder& order, const LayoutSector& sector, Id edge)
 {
   if (std::find(order.Edges.begin(), order.Edges.end(), edge) != order.Edges.end())
   {
-    return; // known
+    return; // already known
   }
   auto place = order.Edges.end();
   if (sector.Begin != NoId)

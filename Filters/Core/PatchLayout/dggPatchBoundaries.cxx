@@ -21,10 +21,11 @@ namespace
 {
 using Sector = LayoutSector;
 
-/// Share of the progress for finding out how long curves are.
+/// Progress weight of the survey of curve lengths.
 constexpr double SurveyShare = 0.2;
 
-/// How much two cyclic orders of the same edges agree: positive when they turn the same way.
+/// Returns the agreement of two cyclic orders of the same edges: positive if they have the same
+/// orientation.
 int CompareOrders(const EdgeOrder& first, const EdgeOrder& second)
 {
   const auto size = static_cast<std::ptrdiff_t>(first.Edges.size());
@@ -59,11 +60,11 @@ std::vector<EdgeOrder> Reversed(const std::vector<EdgeOrder>& orders)
   return reversed;
 }
 
-/// Which way patches turn.
+/// Orientations of the patches and surfaces.
 struct Senses
 {
-  bool PatchesAreMirrored = false; ///< on the first surface
-  bool SecondIsMirrored = false;   ///< the second surface, with respect to the first one
+  bool PatchesAreMirrored = false; ///< patches, on the first surface
+  bool SecondIsMirrored = false;   ///< second surface relative to the first
 };
 
 class BoundaryTracer
@@ -98,9 +99,9 @@ private:
   std::vector<LayoutDrawing> Drawings; // one per surface
   std::array<std::vector<double>, 2> Lengths;
   std::array<std::vector<EdgeOrder>, 2> Surveys;
-  std::vector<EdgeOrder> Orders; // as they are on the first surface
+  std::vector<EdgeOrder> Orders; // orders on the first surface
   bool PatchesAreMirrored = false;
-  bool SecondIsMirrored = false; // with respect to the first surface
+  bool SecondIsMirrored = false; // relative to the first surface
 };
 
 Status BoundaryTracer::Prepare()
@@ -115,7 +116,7 @@ Status BoundaryTracer::Prepare()
   return this->BeginDrawings();
 }
 
-/// Nothing is drawn yet.
+/// Starts both drawings without curves.
 Status BoundaryTracer::BeginDrawings()
 {
   this->Drawings.clear();
@@ -143,7 +144,7 @@ Status BoundaryTracer::Run(PatchBoundaries& boundaries)
   for (std::size_t i = 1; i < choices.size() && !status.IsOk() && !status.IsAborted(); ++i)
   {
     const Status other = this->Try(choices[i]);
-    status = other.IsOk() || other.IsAborted() ? other : status; // else the first failure
+    status = other.IsOk() || other.IsAborted() ? other : status; // otherwise the first failure
   }
   DGG_RETURN_IF_ERROR(status);
   boundaries.Edges = this->Order.GetEdges();
@@ -154,10 +155,10 @@ Status BoundaryTracer::Run(PatchBoundaries& boundaries)
   return Status::Success();
 }
 
-/// Which way the patches turn on the first surface, and the second surface with respect to it: as
-/// most landmarks say, when each edge takes the shortest way. Where no landmark has enough edges to
-/// tell, as on an open surface with a single patch, either way may be right: all choices, in the
-/// order in which to try them.
+/// Returns the possible orientations of the patches on the first surface, and of the second surface
+/// relative to the first: by majority of the landmarks, when each edge is a shortest path. If no
+/// landmark has enough edges to decide, as on an open surface with a single patch, all
+/// possibilities are returned, in the order in which to try them.
 std::vector<Senses> BoundaryTracer::FindSenses()
 {
   int first = 0;
@@ -193,7 +194,7 @@ std::vector<Senses> BoundaryTracer::FindSenses()
   return choices;
 }
 
-/// Draw the curves and see whether they are as they should be.
+/// Draws the curves and checks the result.
 Status BoundaryTracer::Try(const Senses& senses)
 {
   this->PatchesAreMirrored = senses.PatchesAreMirrored;
@@ -212,8 +213,8 @@ Status BoundaryTracer::Try(const Senses& senses)
   return this->CompareParts();
 }
 
-/// Short edges first, but those that join what is not joined yet before all others: a spanning
-/// tree, in which each loop of the boundary counts as joined already (Kruskal 1956).
+/// Returns the edges in order of length, but those of a spanning tree first (Kruskal 1956), where
+/// each boundary loop counts as connected already.
 std::vector<Id> BoundaryTracer::FindSequence() const
 {
   std::vector<double> lengths(this->Order.GetEdges().size(), 0.0);
@@ -273,7 +274,7 @@ Status BoundaryTracer::DrawAll(const std::vector<Id>& sequence)
   return Status::Success();
 }
 
-/// Each patch is a disk with its own corners and no others.
+/// Checks that each patch is a disk with exactly its own corners.
 Status BoundaryTracer::CheckPatches(int side) const
 {
   const bool mirrored = this->PatchesAreMirrored != (side == 1 && this->SecondIsMirrored);
@@ -326,12 +327,11 @@ Status BoundaryTracer::CheckPatches(int side) const
   return Status::Success();
 }
 
-/// The curves divide both surfaces alike: the same corners belong together, in parts of the same
-/// kind.
+/// Checks that the curves divide both surfaces alike: the same corners belong together, in parts of
+/// the same topology.
 Status BoundaryTracer::CompareParts() const
 {
-  using Corner =
-    std::array<Id, 3>; // landmark and the curves beside it, none when it is in no curve
+  using Corner = std::array<Id, 3>; // landmark and the adjacent curves, none without curves
   std::array<std::map<Corner, Id>, 2> parts;
   std::array<std::vector<Id>, 2> characteristics;
   for (int side = 0; side < 2; ++side)
@@ -357,7 +357,7 @@ Status BoundaryTracer::CompareParts() const
     const auto other = parts[1].find(corner.first);
     if (other == parts[1].end())
     {
-      continue; // the boundary of the second surface is there
+      continue; // at the boundary of the second surface
     }
     const Id image = images.emplace(corner.second, other->second).first->second;
     const Id origin = origins.emplace(other->second, corner.second).first->second;

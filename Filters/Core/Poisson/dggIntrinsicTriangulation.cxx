@@ -11,7 +11,7 @@ namespace dgg
 {
 namespace
 {
-/// Slack of the triangle inequality that a flipped face must have, relative to its longest edge.
+/// Minimum slack of the triangle inequality of a flipped face, relative to its longest edge.
 constexpr double SmallestSlack = 1e-14;
 
 bool HasArea(double a, double b, double c)
@@ -23,10 +23,11 @@ bool HasArea(double a, double b, double c)
 }
 
 constexpr Offset FlipsPerEdge = 100;
-/// Steps between two reports of progress.
+/// Steps between two progress reports.
 constexpr Offset StepsPerReport = Offset(1) << 16;
 
-/// Whether the edge is not Delaunay, by more than rounding: cotangents of slivers are large.
+/// Returns true if the edge violates the Delaunay condition by more than rounding: cotangents of
+/// slivers are large.
 bool WantsFlip(const IntrinsicTriangulation& triangulation, Id h)
 {
   const double here = triangulation.Cotangent(SurfaceMesh::Previous(h));
@@ -131,7 +132,7 @@ void IntrinsicTriangulation::TurnOver(Id face)
       this->RunsAlong[t] ^= 1;
     }
   }
-  // The edges between corners 0 and 1 and between corners 2 and 0 exchange their half-edges.
+  // The edges between corners 0 and 1 and between corners 2 and 0 swap their half-edges.
   const auto renamed = [&](Id h) { return h == a ? c : (h == c ? a : h); };
   const Id beforeA = this->FindPredecessor(a);
   const Id beforeC = this->FindPredecessor(c);
@@ -219,8 +220,8 @@ Status MakeDelaunay(
   flips = 0;
   const Id size = triangulation.GetNumberOfHalfEdges();
   const Offset bound = FlipsPerEdge * (size / 2 + 1);
-  // Half-edges represent their edges. A flip renames some of its neighbours, so all four sides of
-  // the two faces are looked at again.
+  // Half-edges represent their edges. A flip renames some neighboring half-edges, so that all four
+  // sides of the two faces are checked again.
   std::vector<Id> stack;
   std::vector<std::uint8_t> isWaiting(size, 0);
   const auto push = [&](Id h) {
@@ -266,7 +267,7 @@ Status MakeDelaunay(
       continue;
     }
     ++flips;
-    // The new edge is that after h.
+    // The new edge follows h.
     const Id diagonal = SurfaceMesh::Next(h);
     const Id other = triangulation.Twin(diagonal);
     push(SurfaceMesh::Next(diagonal));

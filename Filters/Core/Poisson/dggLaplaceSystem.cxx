@@ -11,7 +11,7 @@ namespace dgg
 {
 namespace
 {
-/// Parts of the progress.
+/// Progress after each step.
 constexpr double FlipsDone = 0.4;
 constexpr double MatrixDone = 0.5;
 constexpr double OrderDone = 0.9;
@@ -31,7 +31,7 @@ std::array<double, 3> GetCotangents(
   {
     for (double& cotangent : cotangents)
     {
-      // First divided: what is infinite, where there is no area at all, must not become NaN.
+      // Divided first, so that infinite cotangents of faces without area do not become NaN.
       cotangent = std::isinf(cotangent) ? std::copysign(largestCotangent, cotangent)
                                         : cotangent / largest * largestCotangent;
     }
@@ -49,7 +49,7 @@ CotanLaplacian MakeCotanLaplacian(
   entries.reserve(4 * static_cast<std::size_t>(triangulation.GetNumberOfHalfEdges()) + n);
   for (Id v = 0; v < n; ++v)
   {
-    entries.emplace_back(v, v, 0.0); // so that vertices without a face have a diagonal entry too
+    entries.emplace_back(v, v, 0.0); // diagonal entry, also for vertices without a face
   }
   std::array<double, 3> cotangents{ { 0.0, 0.0, 0.0 } };
   for (Id h = 0; h < triangulation.GetNumberOfHalfEdges(); ++h)
@@ -63,7 +63,7 @@ CotanLaplacian MakeCotanLaplacian(
     laplacian.Mass[i] += triangulation.Area(SurfaceMesh::Face(h)) / 3.0;
     if (i == j)
     {
-      continue; // the difference of a value and itself
+      continue; // an edge from a vertex to itself does not contribute
     }
     const double weight = 0.5 * cotangents[SurfaceMesh::Previous(h) % 3];
     entries.emplace_back(i, j, -weight);

@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// Part of the progress of Prepare().
+/// Progress of Prepare() after the analysis.
 constexpr double AnalysisDone = 0.4;
 }
 

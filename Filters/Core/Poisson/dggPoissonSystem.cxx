@@ -15,20 +15,21 @@ namespace dgg
 {
 namespace
 {
-/// Of the triangulation.
+/// Bytes per face of the triangulation.
 constexpr double BytesPerFace = 60.0;
-/// Of arrays, and of what a solution works with.
+/// Bytes per vertex of arrays, including the workspace of a solve.
 constexpr double BytesPerVertex = 120.0;
 
-/// Beyond this, entries are so different that substitutions have to be repeated.
+/// Largest entry up to which solutions need no refinement.
 constexpr double LargestHarmlessEntry = 1e3;
 constexpr int MostRefinements = 20;
-/// What may be left of the sources, relative to the largest of them and of the solution: both have
-/// the same unit, and sources of 1 make values of about 1.
+/// Tolerance of the residual, relative to the largest source and to the solution: both have the
+/// same unit, and sources of 1 lead to values of about 1.
 constexpr double GoodResidual = 1e-12;
-/// What rounding may do to a solution besides, relative to its largest value: its last four bits.
+/// Rounding error of a solution, relative to its largest value: the last four bits.
 constexpr double LastBits = 16.0 * std::numeric_limits<double>::epsilon();
-/// As many right-hand sides take no longer one by one than eight do at once.
+/// Up to this number of right-hand sides, separate solves take no longer than a joint solve of
+/// eight.
 constexpr std::size_t MostSingles = 4;
 
 template <typename Number>
@@ -187,7 +188,7 @@ void PoissonSystem::SetWeights()
   for (std::size_t v = 0; v < n; ++v)
   {
     const Id c = this->Components[v];
-    // Vertices without a face are components that have no area.
+    // Vertices without a face are components without area.
     const bool hasArea = this->ComponentAreas[c] > 0.0;
     this->Weights[v] = isByArea && hasArea ? this->Areas[v] : 1.0;
     totals[c] += this->Weights[v];
@@ -244,13 +245,13 @@ double PoissonSystem::GetEstimatedMemory() const
     this->Order.EstimateFactorMemory();
 }
 
-// How a factorized system is solved: sources balanced, substituted, refined, the solution centred.
+// Solves with a factorized system: balance the sources, substitute, refine, center the solution.
 std::vector<double> PoissonSystem::Multiply(const std::vector<double>& f) const
 {
   std::vector<double> result(f.size(), 0.0);
   for (int column = 0; column < this->Stiffness.cols(); ++column)
   {
-    // Differences, so that what is constant gives 0 to the last bit.
+    // Differences, so that constants give exactly 0.
     double sum = 0.0;
     for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Stiffness, column); entry; ++entry)
     {
@@ -299,7 +300,7 @@ void PoissonSystem::Center(std::vector<Number>& values) const
 
 template void PoissonSystem::Center(std::vector<double>& values) const;
 
-/// What flows from vertices whose values are given.
+/// Subtracts the contribution of vertices with given values.
 template <typename Number>
 void PoissonSystem::TakeDirichletValuesOff(std::vector<Number>& values) const
 {
@@ -336,9 +337,9 @@ void PoissonSystem::SolveOnce(std::vector<Number>& values) const
   this->Center(values);
 }
 
-/// Conjugate gradients with the factor as preconditioner: where the factor is good one step is
-/// enough, where it had to be raised a few are. Residuals that the last bits of the solution make
-/// are no reason for a step.
+/// Conjugate gradients with the factor as preconditioner: one step suffices for a good factor, a
+/// few if the diagonal had to be increased. Residuals within the rounding error of the solution do
+/// not trigger a step.
 void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<double>& solution) const
 {
   const std::size_t n = sources.size();

@@ -15,7 +15,7 @@ namespace dgg
 {
 namespace
 {
-/// Products that a factorization sums up between two reports of progress.
+/// Products computed by a factorization between two progress reports.
 constexpr Offset WorkPerReport = 1 << 22;
 
 bool IsZero(double value)
@@ -31,8 +31,8 @@ bool IsZero(const SparseLanes& values)
   return (values == 0.0).all();
 }
 
-/// Call `visit` with each entry of the diagonal. The entries of a column need not be in the order
-/// of rows, as those of permuted matrices are not: SparseMatrix::diagonal() would search for them.
+/// Calls `visit` with each diagonal entry. SparseMatrix::diagonal() is not applicable because it
+/// searches sorted columns, and columns of permuted matrices are not sorted.
 template <typename Visitor>
 void ForEachOnDiagonal(Eigen::SparseMatrix<double>& matrix, Visitor&& visit)
 {
@@ -53,7 +53,7 @@ EliminationOrder::EliminationOrder(const Eigen::SparseMatrix<double>& matrix)
   : MatrixEntries(matrix.nonZeros())
 {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  Eigen::AMDOrdering<int>()(matrix, order); // old place of each new one
+  Eigen::AMDOrdering<int>()(matrix, order); // old index of each new one
   const auto n = static_cast<std::size_t>(matrix.cols());
   auto pattern = std::make_shared<Pattern>();
   this->Shared = pattern;
@@ -86,8 +86,8 @@ EliminationOrder::EliminationOrder(const Eigen::SparseMatrix<double>& matrix)
 
 double EliminationOrder::EstimateFactorMemory() const
 {
-  // Rows and values of the factor; half of the matrix, permuted; the diagonal, the beginnings of
-  // columns, and arrays to work with.
+  // Rows and values of the factor; half of the permuted matrix; the diagonal, the column offsets,
+  // and workspace arrays.
   constexpr double entry = sizeof(double) + sizeof(int);
   const auto n = this->Shared ? static_cast<double>(this->Shared->Places.size()) : 0.0;
   return entry * (static_cast<double>(this->FactorEntries + this->MatrixEntries) + n) +
@@ -106,7 +106,7 @@ std::vector<Id> EliminationOrder::FindLast(const std::vector<Id>& parts, Id numb
   return last;
 }
 
-/// The upper triangle, in the order of elimination.
+/// Returns the upper triangle, permuted to the elimination order.
 Eigen::SparseMatrix<double> EliminationOrder::Permute(
   const Eigen::SparseMatrix<double>& matrix) const
 {
@@ -161,8 +161,8 @@ Status SparseFactor::Compute(const EliminationOrder& order,
   return status;
 }
 
-/// Row by row: the entries of a row of L are the solution of the system of all rows before it
-/// (T. A. Davis, "Direct methods for sparse linear systems", 2006, section 4.7).
+/// Up-looking factorization: the entries of a row of L are the solution of the system of all
+/// previous rows (T. A. Davis, "Direct methods for sparse linear systems", 2006, section 4.7).
 Status SparseFactor::Factorize(
   const Eigen::SparseMatrix<double>& upper, const ProgressCallback& progress)
 {
@@ -172,10 +172,10 @@ Status SparseFactor::Factorize(
   this->Rows.resize(static_cast<std::size_t>(begins.back()));
   this->Entries.resize(static_cast<std::size_t>(begins.back()));
   this->Diagonal.resize(n);
-  std::vector<Offset> ends(begins.begin(), begins.end() - 1); // of what is there of columns
+  std::vector<Offset> ends(begins.begin(), begins.end() - 1); // current ends of the columns
   std::vector<double> row(n, 0.0);
   std::vector<Id> mark(n, NoId);
-  std::vector<Id> columns(n); // of the entries of a row, in an order in which they can be found
+  std::vector<Id> columns(n); // columns of the entries of a row, in topological order
   Offset work = 0;
   for (Id k = 0; k < static_cast<Id>(n); ++k)
   {
@@ -268,7 +268,7 @@ void SparseFactor::SolveInOrder(std::vector<Number>& values) const
   const auto n = static_cast<Id>(this->Diagonal.size());
   for (Id j = 0; j < n; ++j)
   {
-    if (!IsZero(values[j])) // few are not where there are few sources
+    if (!IsZero(values[j])) // mostly zero if there are few sources
     {
       const Number value = values[j];
       for (Offset p = begin[j]; p < begin[j + 1]; ++p)

@@ -17,11 +17,12 @@ namespace dgg
 namespace
 {
 constexpr double LargestLoss = 0.01;
-/// Part of the sources that may be in components that lose more.
+/// Maximum fraction of the sources in components that exceed the loss.
 constexpr double LargestThinSources = 1e-3;
 
-/// Between 1 and -1, as a hash of the vertex has it (the finalizer of MurmurHash3). Signs alone may
-/// be the same all over a small component, where sources in proportion to area are none.
+/// Returns a pseudo-random number in [-1, 1), a hash of the vertex (the finalizer of MurmurHash3).
+/// Random signs alone might be equal all over a small component, where sources in proportion to the
+/// area have no effect.
 double RandomNumber(Id v)
 {
   auto bits = static_cast<std::uint64_t>(v) + 1;
@@ -31,14 +32,14 @@ double RandomNumber(Id v)
   return static_cast<double>(bits >> 11) * 0x1p-52 - 1.0; // 53 bits
 }
 
-/// The part of a vertex in the area of its component, which no scale changes.
+/// Returns the share of a vertex in the area of its component, which is invariant under scaling.
 double ShareOf(const PoissonSystem& system, Id v)
 {
   const double area = system.GetComponentArea(system.GetComponent(v));
   return area > 0.0 ? system.GetArea(v) / area : 1.0;
 }
 
-/// Sums of two quantities in each component, of which the first is a part of the second.
+/// Sums of two quantities per component, where the first is a fraction of the second.
 class Parts
 {
 public:
@@ -56,7 +57,7 @@ public:
     this->Wholes[c] += whole;
   }
 
-  /// What is no number counts as all.
+  /// Returns the fraction of a component; NaN counts as 1.
   double Get(std::size_t c) const
   {
     const double part = this->Wholes[c] != 0.0 ? std::abs(this->Sums[c] / this->Wholes[c]) : 0.0;
@@ -69,7 +70,7 @@ private:
   std::vector<double> Wholes;
 };
 
-/// What the conductances of a triangle were multiplied with: 1 for most.
+/// Returns the factor by which the conductances of a triangle were scaled; 1 for most.
 double GetSoftness(const IntrinsicTriangulation& triangles, Id f)
 {
   double largest = PoissonSystem::LargestCotangent;
@@ -90,7 +91,7 @@ Parts MeasureSoftenedEnergy(const PoissonSystem& system, const std::vector<doubl
     const std::array<double, 3> cotangents = system.GetCotangents(f);
     for (int k = 0; k < 3; ++k)
     {
-      const Id h = 3 * f + (k + 1) % 3; // opposite of the corner at the origin of 3 f + k
+      const Id h = 3 * f + (k + 1) % 3; // opposite to the corner at the origin of 3 f + k
       const double change = u[triangles.Destination(h)] - u[triangles.Origin(h)];
       energy += cotangents[k] * change * change;
     }
@@ -99,7 +100,7 @@ Parts MeasureSoftenedEnergy(const PoissonSystem& system, const std::vector<doubl
   return parts;
 }
 
-/// Squares.
+/// Measures rounding errors; the sums are squares.
 Parts MeasureRounding(const PoissonSystem& system, const std::vector<double>& u)
 {
   constexpr double lastBit = std::numeric_limits<double>::epsilon();

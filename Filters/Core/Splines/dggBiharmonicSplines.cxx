@@ -16,11 +16,11 @@ namespace dgg
 {
 namespace
 {
-/// Functions that are solved for together.
+/// Number of functions solved together.
 constexpr Offset BlockSize = SparseLanes::SizeAtCompileTime;
-/// Part of the progress when the dense matrix is to be factorized.
+/// Progress before the dense matrix is factorized.
 constexpr double SolvesDone = 0.9;
-/// Squared biharmonic distance of sites in the same place, relative to what it is made of.
+/// Squared biharmonic distance of coincident sites, relative to its terms.
 constexpr double SamePlace = 1e-13;
 }
 
@@ -45,8 +45,8 @@ public:
       [&](Id v, double part, double) { sources[v] += weight * part; });
   }
 
-  /// Per site, the first one of its component where that has constants: their function is 1. NoId
-  /// elsewhere.
+  /// Returns, per site, the first site of its component if the component has constants, whose
+  /// function is 1; NoId otherwise.
   std::vector<Id> FindFirst(const std::vector<SurfacePoint>& sites) const
   {
     std::vector<Id> ofComponents(this->System.GetNumberOfComponents(), NoId);
@@ -61,9 +61,9 @@ public:
     return first;
   }
 
-  /// Green's functions of all sites, at all sites, with loads that are linear in faces: symmetric.
-  /// Those of single sites, whose function is 1, are not needed: they may lie where triangles are
-  /// too thin.
+  /// Computes the Green's functions of all sites at all sites, with loads that are linear in faces:
+  /// symmetric. Those of single sites, whose function is 1, are skipped: such sites may lie where
+  /// triangles are too thin.
   Status FindGreens(const std::vector<SurfacePoint>& sites, const std::vector<Id>& first,
     const ParallelFor& parallel, const ProgressCallback& progress, Eigen::MatrixXd& greens) const
   {
@@ -125,8 +125,8 @@ public:
     return Status::Success();
   }
 
-  /// The functions 1 of first sites, and of the others the Green's function less that of the first
-  /// one, at sites.
+  /// Returns the matrix of the functions at the sites: 1 for first sites, for others the Green's
+  /// function minus that of the first site.
   Eigen::MatrixXd MakeMatrix(const std::vector<SurfacePoint>& sites, const std::vector<Id>& first,
     const Eigen::MatrixXd& greens) const
   {
@@ -148,7 +148,7 @@ public:
     return matrix;
   }
 
-  /// Sums of these functions, at vertices.
+  /// Computes sums of these functions at vertices.
   Status Combine(std::vector<std::vector<double>>& columns) const
   {
     const Id n = this->System.GetNumberOfVertices();
@@ -191,7 +191,7 @@ public:
   SiteEquations Equations;
   std::vector<SurfacePoint> Sites;
   std::vector<Id> First;
-  std::uint64_t Revision = 0; // of the system that all was made for
+  std::uint64_t Revision = 0; // revision of the prepared system
 };
 
 BiharmonicSplines::BiharmonicSplines(const PoissonSolver& solver)

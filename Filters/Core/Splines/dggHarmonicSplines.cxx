@@ -19,34 +19,34 @@ namespace dgg
 {
 namespace
 {
-/// Functions that are solved for together.
+/// Number of functions solved together.
 constexpr Offset BlockSize = GreensFunction::PolesInBlock;
-/// Part of the progress of a few functions when they are solved for.
+/// Progress of a few functions after they have been solved.
 constexpr double SolvedAt = 0.8;
 /// Larger sources may overflow when they are summed and multiplied by conductances.
 constexpr double LargestSource = 1e290;
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
 
 /// Receives, for a point, its Green's function g(x, y) at all vertices y, as the mean over their
-/// cells: 0 at those with given values, or without a face. Called in any order, by several threads
-/// at once.
+/// cells: 0 at given values and at vertices without a face. Called in any order, by several threads
+/// simultaneously.
 using PointVisitor = std::function<void(std::size_t point, const std::vector<double>& greens)>;
 
-/// Whether a point lies in a component that is too thin and has no given values.
+/// Returns true if a point lies in a component that is too thin and has no given values.
 bool IsInThinPart(const PoissonSystem& system, const SurfacePoint& point)
 {
   const Id c = system.GetComponent(point);
   return system.IsThin(c) && system.IsFree(c);
 }
 
-/// The Green's functions of points. Those with given values, where they are 0, and those in thin
-/// parts are skipped.
+/// Computes the Green's functions of points. Points with given values, where the functions are 0,
+/// and points in thin components are skipped.
 Status FindGreensFunctions(const PoissonSolver& solver, const GreensFunction& function,
   const std::vector<SurfacePoint>& points, GreensMethod method, const ParallelFor& parallel,
   const ProgressCallback& progress, const PointVisitor& visit)
 {
   const PoissonSystem& system = solver.GetSystem();
-  std::vector<std::size_t> free; // of the points, those with a Green's function
+  std::vector<std::size_t> free; // points that have a Green's function
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     const std::string name = "point " + std::to_string(k);
@@ -103,7 +103,7 @@ public:
     return CheckPreparedSites(this->System, this->Sites.size(), this->Revision);
   }
 
-  /// The part of a vertex in what its cell gives off.
+  /// Share of a vertex in the source of its cell.
   double ShareOf(Id v) const
   {
     return this->System.GetWeight(v) / this->Cells.Weights[this->Cells.Cells[v]];
@@ -115,7 +115,7 @@ public:
     return this->System.IsFree(this->Cells.Components[site]) ? this->Cells.Weights[site] : 0.0;
   }
 
-  /// Sources of cells, spread over their vertices. Given values stay.
+  /// Distributes the sources of cells over their vertices. Given values are unchanged.
   void Spread(const std::vector<double>& charges, std::vector<double>& values) const
   {
     for (Id v = 0; v < this->System.GetNumberOfVertices(); ++v)
@@ -136,7 +136,7 @@ public:
   GreensFunction Function;
   std::vector<Id> Sites;
   SplineCells Cells;
-  std::uint64_t Revision = 0; // of the system that the cells were made for
+  std::uint64_t Revision = 0; // revision of the system of the cells
 };
 
 HarmonicSplines::HarmonicSplines(const PoissonSolver& solver)
@@ -218,7 +218,7 @@ Status HarmonicSplines::Evaluate(const std::vector<SurfacePoint>& points, Greens
   DGG_RETURN_IF_ERROR(FindGreensFunctions(internals.Solver, internals.Function, points, method,
     parallel, progress, [&](std::size_t k, const std::vector<double>& greens) {
       const Id component = system.GetComponent(points[k]);
-      std::vector<double> means(count, 0.0); // of the Green's function, over the cells
+      std::vector<double> means(count, 0.0); // means of the Green's function over the cells
       for (Id v = 0; v < system.GetNumberOfVertices(); ++v)
       {
         if (internals.Cells.Cells[v] != NoId)
@@ -299,7 +299,7 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
   for (Id j = 0; j < internals.GetNumberOfSites(); ++j)
   {
     means[cells.Components[j]] += internals.MeanOf(j) * coefficients[j];
-    // Differences, so that constants give 0 to the last bit.
+    // Differences, so that constants give exactly 0.
     for (Entries entry(cells.Stiffness, j); entry; ++entry)
     {
       charges[j] += entry.value() * (coefficients[entry.row()] - coefficients[j]);

@@ -13,9 +13,11 @@ namespace dgg
 {
 namespace
 {
-/// Functions whose matrix is as near as that to a singular one are treated as dependent.
+/// Smallest reciprocal condition number; functions with a smaller one are treated as linearly
+/// dependent.
 constexpr double LeastCondition = 1e-14;
-/// What may be left of the differences of values, where more steps are taken, and how many.
+/// Maximum residual, relative to the range of values; residual from which on refinement stops; and
+/// maximum number of refinement steps.
 constexpr double LargestError = 1e-9;
 constexpr double GoodError = 1e-13;
 constexpr int MostSteps = 4;
@@ -59,7 +61,7 @@ Status SiteEquations::CheckValues(const std::vector<std::vector<double>>& siteVa
   return Status::Success();
 }
 
-/// Per component, the value of its first site where constants are free.
+/// Returns, per component, the value of its first site if constants are free.
 std::vector<double> SiteEquations::FindConstants(const std::vector<double>& values) const
 {
   std::vector<double> constants(this->System.GetNumberOfComponents(), 0.0);
@@ -89,7 +91,7 @@ Status SiteEquations::Solve(const std::vector<std::vector<double>>& siteValues,
   return Status::Success();
 }
 
-/// As many functions as are in `found`, from column `begin` on.
+/// Solves for a block of functions, as many as in `found`, from column `begin` on.
 Status SiteEquations::SolveBlock(Offset begin, const std::vector<std::vector<double>>& siteValues,
   const Combine& combine, const ProgressCallback& progress,
   std::vector<std::vector<double>>& found) const
@@ -158,7 +160,7 @@ Status SiteEquations::SolveBlock(Offset begin, const std::vector<std::vector<dou
     {
       const Id component = this->System.GetComponent(static_cast<Id>(v));
       found[c][v] = found[c][v] * sizes[c] + constants[c][component];
-      if (!std::isfinite(found[c][v])) // it may go beyond the values of sites
+      if (!std::isfinite(found[c][v])) // may exceed the range of site values
       {
         return Status::Invalid(TooLarge);
       }

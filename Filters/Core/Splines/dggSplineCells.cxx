@@ -20,11 +20,11 @@ namespace dgg
 {
 namespace
 {
-/// Parts of the progress: the partition, what flows to given values, the rest.
+/// Progress after the partition and after the fluxes to given values.
 constexpr double PartitionDone = 0.25;
 constexpr double RimsDone = 0.35;
-/// Largest residual of the equations of sites, relative to the right-hand side, and what rounding
-/// may do.
+/// Maximum residual of the equations of sites, relative to the right-hand side, and tolerance of
+/// rounding errors.
 constexpr double Tolerance = 1e-8;
 
 using Entries = Eigen::SparseMatrix<double>::InnerIterator;
@@ -36,10 +36,10 @@ bool IsInACell(const PoissonSystem& system, Id v)
   return mesh.FanBegin(v) != mesh.FanEnd(v) && !system.IsFixed(v);
 }
 
-/// What is found from one site: other sites, perhaps several times, and parts of coefficients.
+/// Contributions found from one site: other sites, possibly repeated, and shares of coefficients.
 using SiteRow = std::vector<std::pair<Id, double>>;
 
-/// Finds what one cell contributes to the coefficients, with distances from its site alone.
+/// Computes the contribution of one cell to the coefficients, from the distances of its own site.
 class CellFluxes
 {
 public:
@@ -53,8 +53,8 @@ public:
   {
   }
 
-  /// How far distances are needed from each site: to the vertices next to its cell and the sites
-  /// of these. `distances` are those of the nearest sites.
+  /// Computes the radius of distances needed from each site: up to the vertices adjacent to its
+  /// cell and the sites of these. `distances` are those of the nearest sites.
   void FindRadii(const std::vector<double>& distances)
   {
     const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
@@ -78,7 +78,7 @@ public:
   Status Run(
     std::size_t site, const ProgressCallback& progress, ExactGeodesics& exact, SiteRow& row) const
   {
-    // Rounding must not leave out the last one.
+    // Margin, so that rounding does not exclude the farthest one.
     const double radius = this->Radii[site] * (1.0 + 1e-9);
     ExactOptions options;
     options.MaximumDistance = radius;
@@ -111,7 +111,7 @@ private:
   const PoissonSystem& System;
   const std::vector<Id>& Sites;
   const std::vector<Id>& Cells;
-  Groups Vertices;           // by cell
+  Groups Vertices;           // per cell
   std::vector<double> Radii; // per site
 };
 
@@ -130,7 +130,7 @@ Status FindDistances(const PoissonSystem& system, const std::vector<Id>& vertice
   return exact.Run(sources, options, result);
 }
 
-/// The nearest site of each vertex, and the distance from it.
+/// Computes the nearest site of each vertex, and the distance from it.
 Status FindPartition(const PoissonSystem& system, const std::vector<Id>& sites,
   const ProgressCallback& progress, std::vector<Id>& cells, std::vector<double>& distances)
 {
@@ -152,7 +152,7 @@ Status FindPartition(const PoissonSystem& system, const std::vector<Id>& sites,
   return Status::Success();
 }
 
-/// What flows to given values.
+/// Computes the fluxes to given values.
 Status FindRims(const PoissonSystem& system, const ProgressCallback& progress, SplineCells& cells)
 {
   std::vector<Id> given;
@@ -193,7 +193,7 @@ Status FindRims(const PoissonSystem& system, const ProgressCallback& progress, S
   return Status::Success();
 }
 
-/// The matrix of coefficients, with the sums of rows on the diagonal.
+/// Assembles the matrix of coefficients, with the row sums on the diagonal.
 void Assemble(std::size_t count, Triplets& conductances, SplineCells& cells)
 {
   std::vector<double> sums(count, 0.0);
@@ -221,7 +221,7 @@ void Assemble(std::size_t count, Triplets& conductances, SplineCells& cells)
   }
 }
 
-/// Every vertex is a site: coefficients are the weights of the edges.
+/// If every vertex is a site, the coefficients are the weights of the edges.
 void TakeWeights(const PoissonSystem& system, const SplineCells& cells, Triplets& conductances)
 {
   const Eigen::SparseMatrix<double>& stiffness = system.GetStiffness();
@@ -334,7 +334,7 @@ bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,
 {
   const auto count = static_cast<Id>(cells.Components.size());
   std::vector<std::uint8_t> isKnown(cells.Components.size(), 0);
-  std::vector<std::uint8_t> isFloating(system.GetNumberOfComponents(), 0); // nothing is given
+  std::vector<std::uint8_t> isFloating(system.GetNumberOfComponents(), 0); // no given values
   std::vector<double> values(cells.Components.size(), 0.0);
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(count);
   for (Id c = 0; c < system.GetNumberOfComponents(); ++c)
@@ -358,7 +358,8 @@ bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,
   {
     sources[rim.Site] += rim.Coefficient * rightHandSide[rim.Vertex];
   }
-  // Where nothing is given, sources are balanced, and one value is 0 until the mean is known.
+  // In components without given values, sources are balanced, and one value is fixed at 0 until the
+  // mean is known.
   std::vector<double> totals(isFloating.size(), 0.0);
   for (Id i = 0; i < count; ++i)
   {
@@ -372,7 +373,7 @@ bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,
     isKnown[i] = isKnown[i] || (isFloating[c] && !isPinned[c]) ? 1 : 0;
     isPinned[c] = 1;
   }
-  // Rows and columns of known values become those of the identity.
+  // Rows and columns of known values are replaced by those of the identity.
   Eigen::SparseMatrix<double> matrix = cells.Stiffness;
   for (int column = 0; column < matrix.cols(); ++column)
   {
@@ -404,7 +405,7 @@ bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,
   Eigen::VectorXd residual = sources - matrix * solution;
   solution += factor.solve(residual);
   residual = sources - matrix * solution;
-  // Where the matrix is singular up to rounding, values are so large that they cancel.
+  // If the matrix is singular up to rounding, values are so large that they cancel.
   const Eigen::VectorXd sizes = matrix.cwiseAbs() * solution.cwiseAbs();
   const double rounding = std::numeric_limits<double>::epsilon() * sizes.lpNorm<Eigen::Infinity>();
   const bool isSolved = solution.allFinite() &&

@@ -15,7 +15,7 @@ namespace dgg
 {
 namespace
 {
-/// Part of the progress when it is known how far all vertices are from given values.
+/// Progress after the distances of all vertices from given values.
 constexpr double GivenDone = 0.2;
 
 /// The edges of the triangles, from both ends.
@@ -69,8 +69,8 @@ bool HasFace(const SurfaceMesh& mesh, Id v)
   return mesh.FanBegin(v) != mesh.FanEnd(v);
 }
 
-/// What is not to be chosen any more, nor what is near: a site; in a thin component, which may have
-/// a single one, all vertices.
+/// Returns the seeds that exclude a chosen site and its neighborhood; in a thin component, which
+/// may have only one site, all vertices.
 std::vector<GraphSeed> SeedsOf(const PoissonSystem& system, Id site)
 {
   const Id component = system.GetComponent(site);
@@ -89,7 +89,7 @@ std::vector<GraphSeed> SeedsOf(const PoissonSystem& system, Id site)
   return seeds;
 }
 
-/// Of each component with a free vertex, the one of these that is farthest away.
+/// Returns, for each component with a free vertex, the farthest free vertex.
 std::vector<Id> FindFarthest(const PoissonSystem& system, const std::vector<double>& distances)
 {
   std::vector<Id> farthest(system.GetNumberOfComponents(), NoId);
@@ -106,7 +106,7 @@ std::vector<Id> FindFarthest(const PoissonSystem& system, const std::vector<doub
   return farthest;
 }
 
-/// Per component, whether it has a vertex that splines are about.
+/// Returns, per component, whether it has a free vertex.
 std::vector<std::uint8_t> FindSplineComponents(const PoissonSystem& system)
 {
   std::vector<std::uint8_t> has(system.GetNumberOfComponents(), 0);
@@ -148,7 +148,8 @@ Status ChooseSplineSites(
   }
   const auto part = [&](double begin, double end) { return ProgressPart(progress, begin, end); };
   DGG_RETURN_IF_ERROR(given.empty() ? Status::Success() : points.Add(given, part(0.0, GivenDone)));
-  // One in each component first: farther ones in others may be there before.
+  // One site in each component first; farther vertices of other components might precede them
+  // otherwise.
   std::vector<Id> found = FindFarthest(system, points.GetDistances());
   const Id wanted = std::max(count, static_cast<Id>(found.size()));
   const std::size_t first = found.size();
@@ -213,7 +214,7 @@ Status CheckSplinePlaces(const PoissonSolver& solver, const std::vector<SurfaceP
       }
       number = static_cast<Id>(k);
     }
-    // A single site is right in any component without given values: its function is 1.
+    // A single site is valid in any component without given values: its function is 1.
     const Id component = system.GetComponent(site);
     DGG_RETURN_IF_ERROR(needed[component] == 0 || !system.IsFree(component)
         ? CheckThinPlace(system, component, what)

@@ -12,7 +12,7 @@ namespace
 constexpr std::uint64_t Multipliers[] = { 0x9e3779b97f4a7c15u, 0x6a09e667f3bcc909u,
   0xbb67ae8584caa73bu, 0x3c6ef372fe94f82bu };
 
-/// Every bit of the result depends on every bit of the word.
+/// Returns a hash in which every bit depends on every bit of the word.
 std::uint64_t Avalanche(std::uint64_t word)
 {
   for (std::uint64_t multiplier : { Multipliers[0], Multipliers[2] })
@@ -45,7 +45,7 @@ void BitHash::AddBytes(const void* bytes, std::size_t size)
   const auto* position = static_cast<const unsigned char*>(bytes);
   const std::size_t whole = size / BlockSize;
   this->Mix(position, whole);
-  // The rest, filled up, and the size, which distinguishes the filling from zeros.
+  // The rest, padded, and the size, which distinguishes the padding from zeros.
   unsigned char end[2 * BlockSize] = {};
   if (size % BlockSize != 0)
   {

@@ -10,9 +10,9 @@ namespace dgg
 {
 std::vector<PieceChain> JoinPieces(const std::vector<std::array<Id, 2>>& pieces)
 {
-  // Ends are numbered 2 * piece, where it begins, and 2 * piece + 1.
+  // Ends have the indices 2 * piece (start) and 2 * piece + 1 (end).
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::pair<Id, std::size_t>> ends; // by points
+  std::vector<std::pair<Id, std::size_t>> ends; // sorted by point
   ends.reserve(2 * pieces.size());
   for (const std::array<Id, 2>& piece : pieces)
   {
@@ -20,7 +20,7 @@ std::vector<PieceChain> JoinPieces(const std::vector<std::array<Id, 2>>& pieces)
     ends.emplace_back(piece[1], ends.size());
   }
   std::sort(ends.begin(), ends.end());
-  std::vector<std::size_t> next(ends.size(), none); // the end that meets one
+  std::vector<std::size_t> next(ends.size(), none); // per end, the end that it meets
   for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end)
   {
     while (end < ends.size() && ends[end].first == ends[begin].first)

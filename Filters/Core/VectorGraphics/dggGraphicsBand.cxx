@@ -15,16 +15,16 @@ namespace dgg
 {
 namespace
 {
-/// Sources per edge, its start included.
+/// Sources per edge, including its start.
 constexpr int SourcesPerEdge = 4;
-/// Part of the progress when distances are known.
+/// Progress after the distances.
 constexpr double MeasuredAt = 0.8;
 
-/// How far vertices are from one side of a curve, and from which place of it.
+/// Distances of vertices from one side of a curve, and the nearest curve point.
 struct SideDistances
 {
   std::vector<GeodesicSource> Sources;
-  std::vector<double> Parameters; // per source, its place among the given points
+  std::vector<double> Parameters; // per source, its parameter among the given points
   ExactResult Result;
 
   bool IsReached(std::size_t v) const
@@ -41,7 +41,8 @@ struct SideDistances
   }
 };
 
-/// The half-edge of a face between two of its corners, and whether it runs backwards.
+/// Returns the half-edge of a face between two of its corners; `isBackward` is true if it runs in
+/// the opposite direction.
 Id FindHalfEdge(const SurfaceMesh& mesh, const EdgeSide& side, bool& isBackward)
 {
   for (Id h = 3 * side.Face; h < 3 * side.Face + 3; ++h)
@@ -89,7 +90,7 @@ void AddSources(const SurfaceMesh& mesh, const std::vector<EdgeSide>& edges,
   }
 }
 
-/// b(d) = (1 - (d / width)^2)^2, 0 from the width on: flat at the curve, and it ends smoothly.
+/// b(d) = (1 - (d / width)^2)^2, 0 from the width on: flat at the curve, and smooth at the end.
 double FadeWithDistance(double distance, double width)
 {
   const double t = distance / width;
@@ -115,15 +116,15 @@ bool IsFaceInBand(const SurfaceMesh& mesh, Id face, const std::vector<char>& isI
     (isInBand[corners[0]] || isInBand[corners[1]] || isInBand[corners[2]]);
 }
 
-/// The strengths on the left and on the right of a Poisson curve as continuous functions around it:
-/// each is harmonic in the band and has, at both sides of the curve, the strength of the curve
-/// there. Those of the nearest place of the curve would jump where two places are as near.
+/// The strengths on the left and right of a Poisson curve as continuous functions in its band: each
+/// is harmonic in the band and equals the strength of the curve on both sides of it. The strengths
+/// of the nearest curve point would jump where two curve points are equally near.
 class StrengthBlend
 {
 public:
-  /// Solve for them on the faces of a mesh that have a vertex in the band, on the intrinsic
-  /// Delaunay triangulation of these, so that no strength lies outside of those of the curve. Where
-  /// their triangles are too thin for that, there are no strengths, see Get().
+  /// Solves for the strengths on the faces with a vertex in the band, on their intrinsic Delaunay
+  /// triangulation, so that no strength lies outside the range of those of the curve. If the
+  /// triangles are too thin, there are no strengths, see Get().
   Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
     const CurveChain& chain, const GraphicsCurve& curve, int channels,
     const ProgressCallback& progress)
@@ -145,7 +146,7 @@ public:
     }
     const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
     const auto count = static_cast<std::size_t>(channels);
-    std::vector<double> given(n, 0.0); // how often
+    std::vector<double> given(n, 0.0); // number of given values per vertex
     PoissonOptions options;
     options.IntrinsicDelaunay = true;
     ForEachEnd(sides, chain, [&](Id v, bool, double) {
@@ -181,8 +182,8 @@ public:
     return status;
   }
 
-  /// The strengths at a vertex, one per channel. False, and nothing, where faces of the band do not
-  /// lead to the curve, or are too thin.
+  /// Returns the strengths at a vertex, one per channel. Returns false and nothing if faces of the
+  /// band are not connected to the curve, or are too thin.
   bool Get(Id vertex, std::vector<double>& left, std::vector<double>& right) const
   {
     const Id place = this->Places.empty() ? NoId : this->Places[vertex];

@@ -11,7 +11,7 @@ namespace dgg
 {
 namespace
 {
-/// Cut along the curves of which `isMeant` holds.
+/// Cuts along the curves for which `isMeant` holds.
 template <typename Predicate>
 Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, const Predicate& isMeant, CurveCut& cut,
@@ -37,8 +37,8 @@ Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& ch
   return status;
 }
 
-/// Call `visit(vertex, curve, isLeft, parameter)` for every end of an edge of a diffusion curve, on
-/// both sides.
+/// Calls `visit(vertex, curve, isLeft, parameter)` for every end of an edge of a diffusion curve,
+/// on both sides.
 template <typename Visitor>
 void ForEachGiven(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, Visitor&& visit)
@@ -97,7 +97,7 @@ Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
   domain.SolvedVertexOf.assign(domain.Drawn.Surface.Points.size(), NoId);
   for (std::size_t v = 0; v < surface.Points.size(); ++v)
   {
-    domain.SolvedVertexOf[v] = static_cast<Id>(v); // also where there is no face
+    domain.SolvedVertexOf[v] = static_cast<Id>(v); // also for vertices without a face
   }
   for (std::size_t h = 0; h < domain.Drawn.Surface.Triangles.size(); ++h)
   {
@@ -113,7 +113,7 @@ void InterpolateOnCurve(
   const auto count = static_cast<double>(given);
   const double first = std::min(std::max(0.0, std::floor(parameter)), count);
   const double part = parameter - first;
-  // A closed curve ends with the point that it starts with.
+  // A closed curve repeats its first point at the end.
   const auto indexOf = [&](double i) {
     return static_cast<std::size_t>(i < count ? i : isClosed ? i - count : count - 1.0);
   };

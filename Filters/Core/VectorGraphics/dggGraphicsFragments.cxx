@@ -9,11 +9,11 @@ namespace dgg
 {
 namespace
 {
-/// The middles of the parts of a triangle divided by lines parallel to its sides, in barycentric
-/// coordinates: those of parts that lie as the triangle does, then those of the others.
-std::vector<std::array<double, 3>> FindMiddles(int division)
+/// Returns the centroids of the parts of a triangle divided by lines parallel to its sides, in
+/// barycentric coordinates: first those of upright parts, then those of inverted ones.
+std::vector<std::array<double, 3>> FindCentroids(int division)
 {
-  std::vector<std::array<double, 3>> middles;
+  std::vector<std::array<double, 3>> centroids;
   for (const int third : { 1, 2 })
   {
     const int sum = division - third;
@@ -22,12 +22,12 @@ std::vector<std::array<double, 3>> FindMiddles(int division)
       for (int j = 0; i + j <= sum; ++j)
       {
         const double scale = 1.0 / (3.0 * division);
-        middles.push_back({ { scale * (3 * i + third), scale * (3 * j + third),
+        centroids.push_back({ { scale * (3 * i + third), scale * (3 * j + third),
           scale * (3 * (sum - i - j) + third) } });
       }
     }
   }
-  return middles;
+  return centroids;
 }
 }
 
@@ -35,17 +35,17 @@ GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surfa
   const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division)
 {
   GraphicsFragments fragments;
-  const std::vector<std::array<double, 3>> middles = FindMiddles(division);
-  const std::size_t count = faces.size() * middles.size();
+  const std::vector<std::array<double, 3>> centroids = FindCentroids(division);
+  const std::size_t count = faces.size() * centroids.size();
   const auto width = static_cast<std::size_t>(channels);
   fragments.Places.reserve(count);
   fragments.Faces.reserve(count);
   fragments.Values.reserve(count * width);
   for (const Id face : faces)
   {
-    for (const std::array<double, 3>& middle : middles)
+    for (const std::array<double, 3>& centroid : centroids)
     {
-      fragments.Places.push_back(surface.ToOldMesh(mesh, face, middle));
+      fragments.Places.push_back(surface.ToOldMesh(mesh, face, centroid));
       fragments.Faces.push_back(surface.Faces[face]);
       for (std::size_t c = 0; c < width; ++c)
       {
@@ -53,7 +53,7 @@ GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surfa
         for (std::size_t k = 0; k < 3; ++k)
         {
           const auto corner = static_cast<std::size_t>(surface.Triangles[3 * face + k]);
-          value += middle[k] * values[width * corner + c];
+          value += centroid[k] * values[width * corner + c];
         }
         fragments.Values.push_back(value);
       }

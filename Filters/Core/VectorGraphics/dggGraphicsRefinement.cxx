@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// The faces with a vertex on a path.
+/// Returns the faces with a vertex on a path.
 std::vector<Id> FindFacesAroundCurves(const RefinedSurface& surface)
 {
   std::vector<char> isTouched(surface.Points.size(), 0);
@@ -57,7 +57,7 @@ std::vector<Id> ChooseFaces(const GraphicsRefinement& refinement, const RefinedS
   return faces;
 }
 
-/// The faces whose parents are among the given ones, which are sorted.
+/// Finds the faces whose parents are among the given ones, which must be sorted.
 void FindParts(const std::vector<Id>& faces, const std::vector<Id>& parents, std::vector<Id>& parts)
 {
   parts.clear();
@@ -85,8 +85,8 @@ Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refi
       std::to_string(refinement.MostFaces) + " are wanted");
   }
   std::vector<Id> parents;
-  Status status = RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface,
-    parents, refinement.MostFaces); // with the rings that it takes along
+  Status status = RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface, parents,
+    refinement.MostFaces); // including additional rings
   if (status.IsOk() && parts)
   {
     FindParts(faces, parents, *parts);

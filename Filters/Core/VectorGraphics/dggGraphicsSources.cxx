@@ -84,7 +84,7 @@ Status LeftFaces::FindSides(const CurveChain& chain, ChainSides& sides) const
   return Status::Success();
 }
 
-/// Walk from the left of the curve, which is a wall, to all faces there.
+/// Collects all faces connected to the left of the curve without crossing it.
 Status LeftFaces::Spread(const ChainSides& sides, std::vector<Id>& faces)
 {
   const auto find = [&](Id h) {
@@ -167,7 +167,7 @@ double RegionSources::GetArea(Id face) const
   return 0.5 * this->Mesh.Length(3 * face) * this->Mesh.ApexY(3 * face);
 }
 
-/// The faces of the region that can be reached from one of them through edges.
+/// Finds the faces of the region that are connected to a face through edges.
 void RegionSources::FindPatch(Id face)
 {
   this->Patch.assign(1, face);
@@ -188,7 +188,7 @@ void RegionSources::FindPatch(Id face)
   }
 }
 
-/// Edges of the patch with a face that is not of the region. Where it has several of the faces at
+/// Finds the edges of the patch with a face outside the region. If several faces of the patch share
 /// such an edge, the smallest half-edge represents it.
 void RegionSources::FindRim()
 {
@@ -340,7 +340,8 @@ Status GraphicsLoads::Prepare(const RefinedSurface& surface, Id numberOfFaces,
   return this->FindRegions(edges, chains, curves, checkMemory, progress);
 }
 
-/// The faces on the left of regions; of many regions they may be many more than the surface has.
+/// Finds the faces on the left of regions; for many regions their number may far exceed that of the
+/// surface.
 Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
   const ProgressCallback& progress)
@@ -371,7 +372,7 @@ double GraphicsLoads::GetMemorySize() const
   {
     faces += static_cast<double>(region.size());
   }
-  return 2.0 * faces * sizeof(Id); // vectors that have grown
+  return 2.0 * faces * sizeof(Id); // capacity of grown vectors
 }
 
 Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
@@ -380,7 +381,7 @@ Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveC
   std::vector<std::vector<double>>& columns) const
 {
   const CutSurface& surface = domain.Solved.Surface;
-  Groups parts; // of the faces of the mesh that was refined
+  Groups parts; // faces of the surface by face of the unrefined mesh
   if (!regions.empty())
   {
     parts = MakeGroups(surface.Faces, static_cast<std::size_t>(this->NumberOfFaces));

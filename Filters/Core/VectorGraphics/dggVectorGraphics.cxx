@@ -18,25 +18,25 @@ namespace dgg
 {
 namespace
 {
-/// Parts of the progress: of Prepare() when the surface is cut and curves are measured, of Run()
-/// when bands are found and sources are added.
+/// Progress of Prepare() after cutting the surface and measuring curves, of Run() after the bands.
 constexpr double CutDone = 0.2;
 constexpr double MeasuredDone = 0.3;
 constexpr double BandsDone = 0.6;
 constexpr double SourcesDone = 0.8;
 
-/// Of a surface, two cuts and the mesh of one; of the mesh of the other, which Poisson curves need.
+/// Bytes per face of a surface, two cuts and one mesh; and of the second mesh, which Poisson curves
+/// need.
 constexpr double HeldPerFace = 370.0;
 constexpr double MorePerFace = 140.0;
-/// What colours are found with: distances or blocks of solutions, and of a band whose strengths are
-/// blended.
+/// Workspace in bytes for computing colors (distances or blocks of solutions), and for a band with
+/// blended strengths.
 constexpr double WorkPerVertex = 200.0;
 constexpr double BandPerFace = 180.0;
 
-/// Numbers from 2^-100 to 2^100 can be multiplied by those of meshes, and squared.
+/// Numbers from 2^-100 to 2^100 can be squared and multiplied by mesh quantities.
 constexpr int UsualExponent = 100;
 
-/// What is not used may be anything.
+/// Unused values are not checked.
 void FindLargest(const std::vector<double>& values, std::vector<double>& largest)
 {
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -46,14 +46,15 @@ void FindLargest(const std::vector<double>& values, std::vector<double>& largest
   }
 }
 
-/// Powers of two by which the channels of a drawing are divided while its colours are found. These
-/// are linear in what is given, so that nothing overflows or vanishes on the way that does not do
-/// so in the end. Channels of usual size, from 2^-100 to 2^100, stay as they are; others are moved
-/// just into that range, so that what is much smaller in them is not lost.
+/// Powers of two by which the channels of a drawing are divided during the solution. Colors are
+/// linear in the input, so that overflow and underflow only occur if the final results do. Channels
+/// of ordinary magnitude, from 2^-100 to 2^100, are not scaled; others are moved just into that
+/// range, so that much smaller values in them are preserved.
 class ChannelScale
 {
 public:
-  /// By the largest number of each channel. All must be finite, and as many as are needed.
+  /// Determines the scale from the largest value of each channel. All values must be finite, and
+  /// their number must match.
   ChannelScale(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const GraphicsOptions& options)
   {
@@ -75,7 +76,7 @@ public:
     }
   }
 
-  /// Divide numbers, all channels after each other.
+  /// Scales values, all channels of a point consecutively.
   std::vector<double> Apply(std::vector<double> values) const
   {
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -85,7 +86,7 @@ public:
     return values;
   }
 
-  /// The colours of curves divided.
+  /// Scales the colors of curves.
   std::vector<GraphicsCurve> Apply(std::vector<GraphicsCurve> curves) const
   {
     for (GraphicsCurve& curve : curves)
@@ -96,8 +97,8 @@ public:
     return curves;
   }
 
-  /// Multiply results again. Fails, with a message that says `what` they are, where one is beyond
-  /// the largest number.
+  /// Reverts the scaling of results. Fails if a value overflows; `what` names the values in the
+  /// message.
   Status Undo(std::vector<double>& values, const std::string& what) const
   {
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -119,7 +120,7 @@ private:
 };
 }
 
-/// What is prepared.
+/// Prepared data.
 struct VectorGraphics::Implementation
 {
   double EstimateHeld() const;
@@ -130,10 +131,10 @@ struct VectorGraphics::Implementation
     const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
 
   GraphicsDomain Domain;
-  std::unique_ptr<PoissonSolver> Solver; // of the domain's mesh
+  std::unique_ptr<PoissonSolver> Solver; // solver on Domain.SolvedMesh
   std::vector<CurveChain> Chains;
   GraphicsLoads Loads;
-  bool HasPoisson = false; // a curve of that type
+  bool HasPoisson = false; // true if there is a Poisson curve
 };
 
 double VectorGraphics::Implementation::EstimateHeld() const
@@ -143,7 +144,7 @@ double VectorGraphics::Implementation::EstimateHeld() const
     this->Loads.GetMemorySize() + this->Solver->GetEstimatedMemory();
 }
 
-/// The colours, while they are found. A band may be all of the surface, and as many equations.
+/// Memory while colors are computed. A band, and its equations, may cover the entire surface.
 double VectorGraphics::Implementation::EstimateRun(
   const std::vector<GraphicsCurve>& curves, int channels) const
 {
@@ -253,7 +254,7 @@ Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
   }
   if (options.CheckMemory)
   {
-    // Channels may be others than before.
+    // The number of channels may have changed.
     const double run = held.EstimateRun(curves, options.NumberOfChannels);
     DGG_RETURN_IF_ERROR(options.CheckMemory(held.EstimateHeld() + run, run));
   }
