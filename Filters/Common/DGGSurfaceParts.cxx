@@ -245,7 +245,7 @@ dgg::Status DGGCheckCells(vtkPolyData* part)
     if (!cells->IsValid())
     {
       return dgg::Status::Invalid("the offsets and the connectivity of the cells of a part of the "
-                                  "input contradict each other: build its cell arrays anew");
+                                  "input contradict each other: rebuild its cell arrays");
     }
     for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
     {

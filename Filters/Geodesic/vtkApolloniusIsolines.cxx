@@ -22,7 +22,7 @@
 
 vtkStandardNewMacro(vtkApolloniusIsolines);
 
-/// What an update finds.
+/// Results of an update.
 struct vtkApolloniusIsolines::Curves
 {
   dgg::Isolines Lines;
@@ -32,17 +32,17 @@ struct vtkApolloniusIsolines::Curves
 
 namespace
 {
-/// Share of the progress that goes to what is known besides distances.
+/// Progress weight of reading windows and virtual sources.
 constexpr double ReadingShare = 0.4;
 
-/// Of the rest, the shares of isolines, ridges and bands, where they are wanted.
+/// Progress weights of isolines, ridges and bands within the rest, if they are requested.
 constexpr double LineWork = 1.0;
 constexpr double RidgeWork = 1.0;
 constexpr double BandWork = 1.5;
 
 constexpr double RadiansPerDegree = dgg::Pi / 180.0;
 
-/// Of ChordTolerance: time and memory grow without end as it gets smaller.
+/// Smallest ChordTolerance: time and memory grow without bound as the tolerance decreases.
 constexpr double SmallestChordTolerance = 1e-6;
 }
 
@@ -91,7 +91,7 @@ void vtkApolloniusIsolines::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkApolloniusIsolines::SetValue(int i, double value)
 {
-  // vtkContourValues leaves anything in values that it skips.
+  // vtkContourValues does not initialize values that it skips.
   for (int gap = this->ContourValues->GetNumberOfContours(); gap < i; ++gap)
   {
     this->ContourValues->SetValue(gap, 0.0);
@@ -175,7 +175,7 @@ std::vector<double> vtkApolloniusIsolines::CopyValues() const
 int vtkApolloniusIsolines::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // An update that fails before Execute() must not show those of the one before it.
+  // An update that fails before Execute() must not return results of the previous update.
   this->UsedWindows = false;
   this->UsedVirtualSources = false;
   this->NumberOfFallbacks = 0;
@@ -253,7 +253,7 @@ dgg::Status vtkApolloniusIsolines::Execute(const DGGContext& context,
 }
 
 //------------------------------------------------------------------------------
-/// The distances, and, unless they are to be linear, what is known of them inside of triangles.
+/// Reads the distances and, unless Method is Linear, their windows or virtual sources.
 dgg::Status vtkApolloniusIsolines::ReadField(
   const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input)
 {
@@ -278,15 +278,15 @@ void vtkApolloniusIsolines::WarnAbout(const DGGFieldInput& input, const DGGConte
   }
   else if (this->GenerateRidges && input.HasFittedSources())
   {
-    vtkWarningMacro(<< "ridges of virtual sources that are fitted to distances alone are not to be "
-                       "relied on: call GenerateWindowsOn() of vtkExactGeodesicDistance, or "
+    vtkWarningMacro(<< "ridges of virtual sources that are fitted to distances alone are not "
+                       "reliable: call GenerateWindowsOn() of vtkExactGeodesicDistance, or "
                        "GenerateVirtualSourceOn() of it or of vtkDGGDistance.");
   }
 }
 
 //------------------------------------------------------------------------------
-/// Where lines are all that is wanted, and once for updates in a row: each source that is moved
-/// gives another range.
+/// Warns if only lines are requested and there are none, once for consecutive updates without
+/// lines: each move of a source changes the range.
 void vtkApolloniusIsolines::WarnAboutNoLine(
   const std::vector<double>& distances, const dgg::Isolines& lines)
 {
@@ -302,20 +302,20 @@ void vtkApolloniusIsolines::WarnAboutNoLine(
     }
     if (smallest > largest)
     {
-      return; // nothing is reached
+      return; // no point is reached
     }
     vtkWarningMacro(<< "there are no isolines: the distances of the points are from " << smallest
-                    << " to " << largest << ", and none of the values has a line there.");
+                    << " to " << largest << ", and none of the values yields a line.");
   }
   this->WasEmpty = isEmpty;
 }
 
 //------------------------------------------------------------------------------
-/// Lines, and ridges and bands as far as they are wanted.
+/// Finds lines and, if requested, ridges and bands.
 dgg::Status vtkApolloniusIsolines::FindCurves(
   const DGGContext& context, const dgg::DistanceField& field, Curves& curves)
 {
-  const bool isKnown = field.HasWindows() || field.HasSources(); // else linear, as a warning says
+  const bool isKnown = field.HasWindows() || field.HasSources(); // otherwise linear, with a warning
   const std::vector<double> values = this->CopyValues();
   dgg::IsolineOptions options;
   options.ChordTolerance = this->ChordTolerance * field.Mesh->GetMeanEdgeLength();

@@ -24,7 +24,7 @@ void ReplaceBySources(const std::vector<dgg::GraphSeed>& seeds, std::vector<dgg:
     [&](dgg::Id seed) { return seed == dgg::NoId ? dgg::NoId : seeds[seed].Source; });
 }
 
-/// The values of the vertices.
+/// Returns the values at the given vertices.
 template <typename Value>
 std::vector<Value> Select(const std::vector<Value>& values, const std::vector<dgg::Id>& vertices)
 {

@@ -22,17 +22,17 @@ namespace
 {
 constexpr double LeastRadius = 0.5;
 constexpr double LargestRadius = 1000.0;
-/// Share of the progress that goes to a band that has to be made.
+/// Progress weight of building a band.
 constexpr double BandShare = 0.4;
 }
 
-/// Kept until the mesh changes, or for a cloud the band.
+/// Solver, kept until the mesh changes, or the band of a cloud.
 struct vtkDGGFastMarchingDistance::Preparation
 {
   std::uint64_t MeshBuild;
   std::unique_ptr<dgg::FastMarching> Solver;
-  std::unique_ptr<DGGCloudMarching> OnCloud; // in place of that
-  double BandRadius;                         // as asked for
+  std::unique_ptr<DGGCloudMarching> OnCloud; // instead of Solver
+  double BandRadius;                         // as requested
   int Resolution;
 };
 
@@ -128,7 +128,7 @@ dgg::Status vtkDGGFastMarchingDistance::MarchOnMesh(DGGDistanceTask& task)
   const dgg::PreparedSurface& mesh = task.Context.Surface;
   if (!this->Prepared || this->Prepared->MeshBuild != mesh.GetBuildNumber())
   {
-    this->Prepared.reset(); // before there are two
+    this->Prepared.reset(); // release before the next is allocated
     auto solver = std::make_unique<dgg::FastMarching>(mesh.GetMesh());
     this->Prepared.reset(
       new Preparation{ mesh.GetBuildNumber(), std::move(solver), nullptr, 0.0, 0 });

@@ -35,7 +35,7 @@ vtkStandardNewMacro(vtkDGGLoop);
 vtkDGGGraphUserMacro(vtkDGGLoop);
 vtkDGGDefineInputMacro(vtkDGGLoop, Point, 1);
 
-/// What became of a loop: values of LoopStatus.
+/// Outcomes of the search for a loop: values of LoopStatus.
 enum class LoopStatus
 {
   Found = 0,
@@ -43,22 +43,22 @@ enum class LoopStatus
   NotConnected = 2
 };
 
-/// The loops that were asked for, and the rims of tapes along them.
+/// The requested loops, and the rims of tapes along them.
 struct DGGLoopSet
 {
-  std::vector<dgg::FoundLoop> Loops; ///< empty where there is none
+  std::vector<dgg::FoundLoop> Loops; ///< empty if not found
   std::vector<LoopStatus> Status;
-  std::vector<std::vector<dgg::SurfacePath>> Rims; ///< per loop; empty when there are no tapes
-  std::size_t LoopsTooLong = 0;                    ///< for their tapes
-  std::size_t TapesTooWide = 0;                    ///< which cover all that they reach
-  double SmallestOffsetWidth = 0.0;                ///< that is wide enough for all loops
+  std::vector<std::vector<dgg::SurfacePath>> Rims; ///< per loop; empty without tapes
+  std::size_t LoopsTooLong = 0;                    ///< number of loops too long for TapeWidth
+  std::size_t TapesTooWide = 0;                    ///< number of tapes without room for a rim
+  double SmallestOffsetWidth = 0.0;                ///< smallest width that suffices for all loops
 };
 
 namespace
 {
 using LoopPoints = std::vector<dgg::SurfacePoint>;
 
-/// One through each point, on all threads.
+/// Finds a loop through each point, on all threads.
 dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
   const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
@@ -70,7 +70,7 @@ dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& po
   return DGGForEach(points.size(), 1, progress, step);
 }
 
-/// One through all points.
+/// Finds a loop through all points.
 dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
   const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
@@ -85,7 +85,7 @@ dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, boo
   return status;
 }
 
-/// The rims of tapes along all loops that are not too long.
+/// Adds the rims of tapes along all loops that are not too long.
 dgg::Status AddTapes(const dgg::PreparedSurface& mesh, double width,
   const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
@@ -119,17 +119,17 @@ dgg::Status AddTapes(const dgg::PreparedSurface& mesh, double width,
   return dgg::Status::Success();
 }
 
-/// Share of the progress after the graph that finding loops takes when there are tapes.
+/// Progress weight of finding loops, after the graph, if there are tapes.
 constexpr double LoopShare = 0.5;
 constexpr std::size_t FewestPointsOfRope = 3;
 
-/// To as many digits as messages have.
+/// Rounds up to the number of digits in messages.
 double RoundUp(double x)
 {
   return x * (1.0 + 1e-5);
 }
 
-/// A curve that goes into an output.
+/// A curve of an output.
 struct Curve
 {
   const dgg::SurfacePath* Path;
@@ -137,13 +137,13 @@ struct Curve
   vtkIdType Loop;
 };
 
-/// Rims that close do so in the very same point.
+/// Returns true if the rim ends exactly at its first point.
 bool IsClosed(const dgg::SurfacePath& rim)
 {
   return rim.Points.size() > 2 && dgg::IsSamePoint(rim.Points.front(), rim.Points.back());
 }
 
-/// Field data, polylines, Length and LoopId.
+/// Adds field data, polylines, Length and LoopId.
 void WriteCurves(
   const std::vector<Curve>& curves, const DGGNewGeometry& geometry, vtkPolyData* output)
 {
@@ -295,7 +295,7 @@ dgg::Status vtkDGGLoop::CheckInputs(vtkPolyData* surface, vtkInformationVector**
   {
     return dgg::Status::Invalid("a rope through " + std::to_string(count) +
       (count == 1 ? " point" : " points") +
-      " goes back the way that it came: give it three points or more");
+      " runs back along itself: specify three points or more");
   }
   return DGGSourceCollector::Check(set, surface->GetNumberOfPoints());
 }
@@ -376,16 +376,14 @@ void vtkDGGLoop::WarnAboutMissingLoops(const DGGLoopSet& set)
   {
     vtkWarningMacro(<< missing << " of " << set.Status.size() << " loops around handles "
                     << (missing == 1 ? "has" : "have")
-                    << " to pass a point in which faces meet in nothing "
-                    << "else, and cannot be pulled tight there: "
+                    << " to pass a pinched vertex, and cannot be pulled tight there: "
                     << (missing == 1 ? "it has" : "they have") << " no polyline, and 1 in "
-                    << "the field array LoopStatus. Separate the faces at such points.");
+                    << "the field array LoopStatus. Separate the fans of faces at such vertices.");
   }
   else if (missing > 0 && this->Mode == Rope)
   {
     const bool isConnected = set.Status[0] != LoopStatus::NotConnected;
-    vtkWarningMacro(<< (isConnected ? "The rope contracts to a point when it is pulled tight: "
-                                      "nothing on the surface holds it. "
+    vtkWarningMacro(<< (isConnected ? "The rope contracts to a point when it is pulled tight. "
                                     : "The points of the rope are not connected by the surface. ")
                     << "There is no polyline, and " << (isConnected ? 1 : 2)
                     << " in the field array LoopStatus.");
@@ -395,9 +393,8 @@ void vtkDGGLoop::WarnAboutMissingLoops(const DGGLoopSet& set)
     vtkWarningMacro(<< "No loop was found through " << missing << " of " << set.Status.size()
                     << (set.Status.size() == 1 ? " point" : " points")
                     << (missing == 1 ? ", point " : ", the first of them point ") << first
-                    << ": all ways around that were tried contract to the point, as they do on a "
-                    << "surface without handles and limbs. "
-                    << (missing == 1 ? "It has" : "They have")
+                    << ": all loops that were tried contract to the point, as on a surface without "
+                    << "handles and limbs. " << (missing == 1 ? "It has" : "They have")
                     << " no polyline, and 1 in the field array LoopStatus.");
   }
 }
@@ -416,9 +413,9 @@ void vtkDGGLoop::WarnAboutMissingTapes(const DGGLoopSet& set)
   }
   if (set.TapesTooWide > 0)
   {
-    vtkWarningMacro(<< "TapeWidth is " << this->TapeWidth << ", and no point is half as far from "
-                    << set.TapesTooWide << " of " << set.Loops.size()
-                    << (set.Loops.size() == 1 ? " loop" : " loops")
+    vtkWarningMacro(<< "TapeWidth is " << this->TapeWidth
+                    << ", and no point is at half of that distance from " << set.TapesTooWide
+                    << " of " << set.Loops.size() << (set.Loops.size() == 1 ? " loop" : " loops")
                     << ": output 1 has no curve for " << (set.TapesTooWide == 1 ? "it" : "them")
                     << ".");
   }

@@ -35,7 +35,7 @@ namespace
 dgg::Status NoPair(bool isConnected)
 {
   return dgg::Status::Invalid(isConnected
-      ? "there is no pair of points: input port 1 is empty. Give it a line for each pair, or call "
+      ? "there is no pair of points: input port 1 is empty. Add a line for each pair, or call "
         "AddPair()"
       : "there is no pair of points: call AddPair(), or connect a line for each pair to input port "
         "1");
@@ -58,14 +58,14 @@ dgg::Status CheckLine(vtkIdType line, vtkIdType size, const vtkIdType* ids, vtkI
   return dgg::Status::Success();
 }
 
-/// The lines of a vtkPolyData, each of which gives the pair of its first and last point.
+/// The lines of a vtkPolyData; the pair of a line is its first and last point.
 struct PairLines
 {
-  std::vector<vtkIdType> Ends;  ///< points, two for each line
-  std::vector<vtkIdType> Cells; ///< per line, the cell
+  std::vector<vtkIdType> Ends;  ///< point ids, two per line
+  std::vector<vtkIdType> Cells; ///< cell id per line
 
-  /// Read what is connected to input port 1; may be null. Fails when there are points but no lines,
-  /// nothing at all although it `isNeeded`, or a line is not valid.
+  /// Reads the data of input port 1, which may be null. Returns an error for points without lines,
+  /// for an invalid line, and for an empty input if `isNeeded`.
   dgg::Status Read(vtkPolyData* lines, bool isNeeded)
   {
     this->Ends.clear();
@@ -77,14 +77,13 @@ struct PairLines
     const vtkIdType count = lines->GetNumberOfLines();
     if (count == 0)
     {
-      return dgg::Status::Invalid("input port 1 has points but no lines, and only lines are pairs: "
-                                  "connect the points of each "
-                                  "pair by a line");
+      return dgg::Status::Invalid(
+        "input port 1 has points but no lines: connect the points of each pair by a line");
     }
     if (!lines->GetLines()->IsValid())
     {
       return dgg::Status::Invalid("the offsets and the connectivity of the lines of input port 1 "
-                                  "contradict each other: build the cell array anew");
+                                  "contradict each other: rebuild the cell array");
     }
     const vtkIdType firstCell = lines->GetNumberOfVerts(); // cells are numbered verts first
     for (vtkIdType i = 0; i < count; ++i)
@@ -101,7 +100,7 @@ struct PairLines
   }
 };
 
-/// The ends of all pairs, one after the other: those by id and those of lines.
+/// Returns the ends of all pairs in succession: pairs by id, then lines.
 DGGSourceSet MakeSourceSet(
   const std::vector<vtkIdType>& ids, vtkPolyData* lines, const PairLines& pairs)
 {
@@ -120,11 +119,11 @@ DGGPathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
   return pairs;
 }
 
-/// What becomes a polyline.
+/// The paths of the output and the cell data of their lines.
 struct PathSet
 {
   const std::vector<dgg::FoundPath>& Paths;  ///< per pair
-  vtkDataSetAttributes* CellData;            ///< to be handed on; may be null
+  vtkDataSetAttributes* CellData;            ///< to be passed to the output; may be null
   const std::vector<vtkIdType>& CellsOfLast; ///< tuples of CellData for the last pairs
 };
 
@@ -132,7 +131,7 @@ struct PathSet
 constexpr int HasPath = 0;
 constexpr int NotConnected = 1;
 
-/// An array with a tuple of `from` for each polyline, or null values.
+/// Returns an array with a tuple of `from` for each polyline, or null values.
 vtkSmartPointer<vtkAbstractArray> PassArray(
   vtkAbstractArray* from, const std::vector<vtkIdType>& tuples)
 {

@@ -24,10 +24,10 @@ vtkStandardNewMacro(vtkDiscreteGeodesicGraph);
 
 namespace
 {
-/// Share of the progress that goes to the graph when lines are made of it as well.
+/// Progress weight of building the graph if lines are generated as well.
 constexpr double BuildShare = 0.9;
 
-/// Whether a graph is what the options would make.
+/// Returns true if the graph has the parameters of the options.
 bool IsMadeBy(const dgg::GraphInfo& info, const dgg::GraphOptions& options)
 {
   if (info.Construction != options.Construction)
@@ -218,7 +218,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(const DGGContext& context,
   if (isOnInput)
   {
     internals.Built.Clear();
-    internals.Estimate = dgg::GraphEstimate(); // nothing is built
+    internals.Estimate = dgg::GraphEstimate(); // no graph is built
   }
   else
   {
@@ -244,7 +244,7 @@ void vtkDiscreteGeodesicGraph::MakeEmptyOutput(
   this->Internals->Estimate = dgg::GraphEstimate();
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(context.Input);
-  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
+  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they belong to another surface
   vtkPolyData::GetData(outputVector, 1)->Initialize();
 }
 
@@ -290,7 +290,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Build(const DGGContext& context)
 dgg::Status vtkDiscreteGeodesicGraph::AddLines(
   const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines)
 {
-  const dgg::Id rowsInBlock = 4096; // between two looks at the progress
+  const dgg::Id rowsInBlock = 4096; // between two reports of progress
   const vtkIdType count = arrays.GetView().GetNumberOfEdges() / 2;
   const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
   DGG_RETURN_IF_ERROR(DGGCheckMemory("the edges of the graph as lines",

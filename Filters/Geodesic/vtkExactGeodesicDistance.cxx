@@ -43,7 +43,7 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   options.KeepWindows = this->GenerateWindows;
   if (options.KeepWindows)
   {
-    // Never 0, which means no limit there.
+    // Not 0, which would mean no limit.
     options.MemoryLimit = static_cast<std::size_t>(
       std::max<vtkTypeUInt64>(1, DGGGetMemoryLimit(task.Context.MemoryLimit)));
   }

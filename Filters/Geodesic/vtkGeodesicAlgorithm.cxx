@@ -33,7 +33,7 @@
 
 namespace
 {
-/// Share of the progress that goes to the preparation of the mesh.
+/// Progress weight of the preparation of the mesh.
 constexpr double PreparationShare = 0.1;
 
 void WriteReport(std::ostream& os, const dgg::PreparedSurface& mesh)
@@ -68,8 +68,8 @@ void WriteReport(std::ostream& os, const dgg::PreparedSurface& mesh)
      << "\n";
 }
 
-/// What is asked of the output port that the request names, as the input was brought here for it.
-/// What was once asked of other ports does not matter.
+/// Returns the value of the key on the output port that the request names, for which the input was
+/// updated. Values of earlier requests of other ports are ignored.
 int GetAsked(vtkInformation* request, vtkInformationVector* outputVector,
   vtkInformationIntegerKey* key, int otherwise)
 {
@@ -89,7 +89,7 @@ int GetAsked(vtkInformation* request, vtkInformationVector* outputVector,
   return value;
 }
 
-/// Other data sets come as far as this for a message with a remedy.
+/// Other data sets are accepted up to here to report an error with a remedy.
 dgg::Status CheckType(vtkDataObject* input)
 {
   if (!vtkDataSet::SafeDownCast(input) || vtkPolyData::SafeDownCast(input))
@@ -97,10 +97,10 @@ dgg::Status CheckType(vtkDataObject* input)
     return dgg::Status::Success();
   }
   return dgg::InvalidInput("the input is a ", input->GetClassName(),
-    ", but a vtkPolyData is required: vtkDataSetSurfaceFilter makes one of it");
+    ", but a vtkPolyData is required: extract the surface with vtkDataSetSurfaceFilter");
 }
 
-/// Whether the other pieces can be had: each process has one of them.
+/// Returns an error if the other pieces are not available: each process must have one piece.
 dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* controller)
 {
   if (pieces <= 1 ||
@@ -110,12 +110,12 @@ dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* contro
     return dgg::Status::Success();
   }
   return dgg::InvalidInput("one of ", pieces,
-    " pieces was asked for, but distances need the whole surface: call SetController() with a "
+    " pieces is requested, but distances need the whole surface: call SetController() with a "
     "controller of as many processes, each of which updates its piece, or gather the surface on "
     "one process and update this filter there, with one piece");
 }
 
-/// An empty output does not count as up to date: the next update tries again.
+/// Empties the outputs and marks them as not generated, so that the next update executes again.
 void Empty(vtkInformationVector* outputVector)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
@@ -222,7 +222,7 @@ vtkMTimeType vtkGeodesicAlgorithm::GetMeshBuildTime() const
 //------------------------------------------------------------------------------
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  // Port 0 is needed, but looked for by us: when the pipeline does it, an earlier output stays.
+  // Port 0 is required but checked here: the check of the pipeline would keep an earlier output.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   if (port == 0)
@@ -254,7 +254,7 @@ vtkTypeBool vtkGeodesicAlgorithm::ProcessRequest(
 }
 
 //------------------------------------------------------------------------------
-/// Of the type of the input where that has parts.
+/// Makes an output of the type of a composite input, otherwise a vtkPolyData.
 void vtkGeodesicAlgorithm::MakeSurfaceOutput(vtkDataObject* input, vtkInformation* outInfo) const
 {
   const char* type =
@@ -281,7 +281,7 @@ int vtkGeodesicAlgorithm::RequestData(
 //------------------------------------------------------------------------------
 bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
 {
-  // Not by SetErrorCode(): a failure is no change of the filter.
+  // Not by SetErrorCode(): a failure does not modify the filter.
   this->ErrorCode = vtkErrorCode::NoError;
   this->SetAbortExecute(0); // VTK 9.1 does so at the start of an update, later ones do not
   this->Reached = 0.0;
@@ -304,8 +304,8 @@ bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
 }
 
 //------------------------------------------------------------------------------
-/// Whether an error is another one than that of the update before, or something has changed since:
-/// there is an update for each output, and ParaView asks for all of them many times.
+/// Returns true if the error differs from that of the previous update, or the pipeline has changed
+/// since. There is an update for each output, and ParaView updates all of them many times.
 bool vtkGeodesicAlgorithm::IsNews(const std::string& error)
 {
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
@@ -317,8 +317,8 @@ bool vtkGeodesicAlgorithm::IsNews(const std::string& error)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a filter of ours that the given one depends on has failed, which it has reported, or was
-/// aborted: then its output is empty, and errors that follow from that are not reported.
+/// Returns true if a filter of this module upstream has failed and reported it, or was aborted. Its
+/// output is then empty, and errors that follow from this are not reported.
 bool vtkGeodesicAlgorithm::FollowsFailure(vtkAlgorithm* filter)
 {
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
@@ -339,7 +339,7 @@ bool vtkGeodesicAlgorithm::FollowsFailure(vtkAlgorithm* filter)
 }
 
 //------------------------------------------------------------------------------
-/// Nothing may be thrown across VTK: an exception that reaches Python ends the interpreter.
+/// Runs a step without letting exceptions pass VTK: one that reaches Python ends the interpreter.
 dgg::Status vtkGeodesicAlgorithm::Try(
   const std::function<dgg::Status()>& step, unsigned long& errorCode) const
 {
@@ -380,7 +380,7 @@ bool vtkGeodesicAlgorithm::AttemptOutsideOfUpdate(const std::function<dgg::Statu
   this->Reported.clear();
   if (this->ErrorCode == vtkErrorCode::NoError)
   {
-    this->ErrorCode = errorCode; // that of the last update
+    this->ErrorCode = errorCode; // of the last update
   }
   return done;
 }
@@ -410,7 +410,7 @@ dgg::Status vtkGeodesicAlgorithm::Follow(
   if (status.IsOk() && this->Parts->GetNumberOfOthers() > 0)
   {
     vtkWarningMacro(<< this->Parts->GetNumberOfOthers()
-                    << " blocks of the input are no vtkPolyData: they take no part. Extract their "
+                    << " blocks of the input are not vtkPolyData and are ignored. Extract their "
                        "surfaces first.");
   }
   return status;
@@ -423,11 +423,11 @@ dgg::Status vtkGeodesicAlgorithm::Compute(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
   {
-    // Before all else: other remedies would not help.
+    // First of all checks: other remedies would not help.
     const dgg::Status status = DGGMeshAdapter::CheckSurface(input);
     if (!status.IsOk())
     {
-      this->Adapter->Clear(); // the report is not that of another surface
+      this->Adapter->Clear(); // so that the report is not that of another surface
       return status;
     }
   }
@@ -452,7 +452,7 @@ void vtkGeodesicAlgorithm::WarnAboutEmptyInput(const char* lack)
 {
   if (!FollowsFailure(this))
   {
-    vtkWarningMacro("The input is empty: it has " << lack << ". So is the output.");
+    vtkWarningMacro("The input is empty: it has " << lack << ". The output is empty, too.");
   }
 }
 

@@ -157,7 +157,7 @@ void vtkGeodesicDistanceAlgorithm::SetSourceIds(
   if (ids.size() != initialDistances.size())
   {
     vtkErrorMacro(<< initialDistances.size() << " initial distances for " << ids.size()
-                  << " source ids: one for each is needed. The sources have not been changed.");
+                  << " source ids: expected one per id. The sources are unchanged.");
     return;
   }
   if (this->SourceIds != ids || this->SourceOffsets != initialDistances)
@@ -260,8 +260,8 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
 {
   if (context.Surface.IsCloud() && this->GenerateVirtualSource)
   {
-    return dgg::Status::Invalid("a virtual source is a direction on a surface, which a point cloud "
-                                "has not: turn GenerateVirtualSource off");
+    return dgg::Status::Invalid("virtual sources are directions on a surface and do not exist on a "
+                                "point cloud: turn GenerateVirtualSource off");
   }
   std::vector<dgg::GeodesicSource> sources;
   const DGGSourceSet set = this->GetSources(inputVector);
@@ -276,7 +276,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
     {}, this->DeclareArrays() };
   task.MayBeSparse = context.Surface.GetNumberOfMergedPoints() == 0 && !this->PassSourceArrays;
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
-  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // an abort may come as late
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // an abort may still come here
   const std::size_t n = task.IsSparse ? task.Vertices.size() : GetNumberOfVertices(task);
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
@@ -295,7 +295,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
   const std::vector<bool> isReached = FindReached(task);
-  if (this->PassSourceArrays) // before the results, which replace what they are named
+  if (this->PassSourceArrays) // before the results, which replace arrays of the same name
   {
     std::vector<dgg::Id> nearest(static_cast<std::size_t>(output->GetNumberOfPoints()));
     for (std::size_t i = 0; i < nearest.size(); ++i)
@@ -339,7 +339,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(
   const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output)
 {
   vtkPointData* data = output->GetPointData();
-  // What the input has of these belongs to the distances that are about to be replaced.
+  // Such arrays of the input belong to the distances that are replaced below.
   DGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
   DGGUnreachedArray::RemoveFrom(data, this->DistanceArrayName);
   if (data->HasArray(this->DistanceArrayName.c_str()))
@@ -384,7 +384,7 @@ void vtkGeodesicDistanceAlgorithm::AddResults(
     const int components = static_cast<int>(array.Components.size());
     maker.Add<vtkDoubleArray>(data, array.Name, components, this->UnreachedValue,
       [&](std::size_t i, int k) { return array.Components[k][i]; });
-    // They can be read in place of the distances.
+    // These arrays can be read as distances.
     DGGWindowArrays::RemoveFrom(output->GetFieldData(), array.Name);
     DGGUnreachedArray::RemoveFrom(data, array.Name);
     if (components == 1)

@@ -63,8 +63,7 @@ public:
   void SetSourceIds(const std::vector<vtkIdType>& ids);
   void SetSourceIds(const std::vector<vtkIdType>& ids, const std::vector<double>& initialDistances);
 #ifndef __VTK_WRAP__
-  void SetSourceIds(
-    std::initializer_list<vtkIdType> ids); // without this overload {0} would be a null list
+  void SetSourceIds(std::initializer_list<vtkIdType> ids); // otherwise {0} is a null list
 #endif
   void RemoveAllSourceIds();
   vtkIdType GetNumberOfSourceIds() const;

@@ -36,7 +36,7 @@ vtkDGGDefineInputMacro(vtkGeodesicDistanceMatrix, Column, 2);
 
 namespace
 {
-/// Tables have their columns one by one, and look for them by name.
+/// Tables store columns separately and search them by name, which is slow for many columns.
 constexpr std::size_t MaximumNumberOfTableColumns = 10000;
 
 bool IsEmpty(const DGGSourceSet& set)
@@ -44,11 +44,11 @@ bool IsEmpty(const DGGSourceSet& set)
   return set.Ids.empty() && !set.Points;
 }
 
-/// An array of which every value is infinite. Written to, so that its memory is no longer free.
+/// Returns an array of infinities. Writing them commits the memory.
 vtkSmartPointer<vtkDoubleArray> MakeArray(
   std::size_t tuples, std::size_t components, const char* name = nullptr)
 {
-  dgg::Buffer<double> values(tuples * components); // VTK may abort where this throws
+  dgg::Buffer<double> values(tuples * components); // throws bad_alloc, where VTK may abort
   std::fill(values.begin(), values.end(), dgg::Infinity);
   return DGGAdoptArray<vtkDoubleArray>(values, name, static_cast<int>(components));
 }
@@ -90,7 +90,7 @@ Columns MakeColumns(std::size_t rows, std::size_t columns)
   return arrays;
 }
 
-/// Copy a matrix to the columns of a table, which are named by their numbers.
+/// Copies a matrix to the columns of a table, which are named by their indices.
 void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
 {
   const vtkIdType rows = matrix->GetNumberOfTuples();
@@ -108,7 +108,7 @@ void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
   table->GetRowData()->AllocateArrays(static_cast<int>(count));
   for (dgg::Offset j = 0; j < count; ++j)
   {
-    // Named afterwards: an array with a name is compared with all that are there.
+    // Named afterwards, since a named array is compared with all existing columns.
     table->AddColumn(columns[j]);
     columns[j]->SetName(std::to_string(j).c_str());
   }
@@ -179,7 +179,7 @@ void vtkGeodesicDistanceMatrix::ReleaseMatrix()
   this->Internals->Matrix = MakeMatrix(0, 1);
   if (vtkDataObject* output = this->GetOutputDataObject(0))
   {
-    output->ReleaseData(); // which the pipeline takes for out of date
+    output->ReleaseData(); // so that the pipeline considers it out of date
   }
 }
 
@@ -243,11 +243,11 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckMemory(
     std::to_string(rows) + " rows and " + std::to_string(columns) + " columns";
   if (withTable)
   {
-    return DGGCheckMemory("a matrix of " + size + " and the table of it", 2.0 * bytes,
-      this->MemoryLimit, "ask for fewer points at a time, turn GenerateTable off");
+    return DGGCheckMemory("a matrix of " + size + " and its table", 2.0 * bytes, this->MemoryLimit,
+      "use fewer points at a time, turn GenerateTable off");
   }
   return DGGCheckMemory(
-    "a matrix of " + size, bytes, this->MemoryLimit, "ask for fewer points at a time");
+    "a matrix of " + size, bytes, this->MemoryLimit, "use fewer points at a time");
 }
 
 //------------------------------------------------------------------------------
@@ -256,8 +256,8 @@ bool vtkGeodesicDistanceMatrix::WantsTable(std::size_t columns)
   if (this->GenerateTable && columns > MaximumNumberOfTableColumns)
   {
     vtkWarningMacro(<< "a table would have " << columns << " columns, more than "
-                    << MaximumNumberOfTableColumns << ", which nothing downstream could handle. "
-                    << "The output is empty: call GetMatrix(), and GenerateTableOff() to be rid of "
+                    << MaximumNumberOfTableColumns << ", too many for filters downstream. "
+                    << "The output is empty: use GetMatrix(), and call GenerateTableOff() to avoid "
                     << "this warning.");
     return false;
   }
@@ -303,7 +303,7 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : DGGGetPlaces(others);
   const bool withTable = this->WantsTable(columns.size());
   DGG_RETURN_IF_ERROR(this->CheckMemory(rows.size(), columns.size(), withTable));
-  // Before the graph, whose memory is limited by what is free then.
+  // Before the graph, whose memory is limited by the memory that remains free.
   const auto matrix = MakeMatrix(rows.size(), columns.size());
   const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);
 

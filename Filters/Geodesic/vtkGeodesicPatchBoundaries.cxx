@@ -36,7 +36,8 @@ vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, Layout, 4);
 
 namespace
 {
-/// Numbers of landmarks from a cell. Those too large for the kernel are out of range there too.
+/// Returns the landmark indices of a cell. Indices beyond the range of the kernel's ids remain out
+/// of range.
 std::vector<dgg::Id> ReadCell(vtkIdType size, const vtkIdType* ids)
 {
   std::vector<dgg::Id> landmarks;
@@ -61,7 +62,7 @@ void ForEachCell(vtkCellArray* cells, Visitor&& visit)
   }
 }
 
-/// The cells that name landmarks; null when there are none.
+/// Returns the cells that name landmarks; null if there are none.
 vtkPolyData* GetLayout(vtkInformationVector** inputVector)
 {
   vtkPolyData* layout = vtkPolyData::GetData(inputVector[4]);
@@ -82,7 +83,7 @@ dgg::PatchLayout ReadLayout(vtkPolyData* cells)
   return layout;
 }
 
-/// What part of its curve lies before each point.
+/// Adds the fraction of its curve before each point.
 void AddFractions(vtkPolyData* output)
 {
   vtkDataArray* lengths = output->GetPointData()->GetArray("ArcLength");
@@ -197,9 +198,9 @@ dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
   if (!layout->GetPolys()->IsValid() || !layout->GetLines()->IsValid())
   {
     return dgg::Status::Invalid("the offsets and the connectivity of the polygons or lines of the "
-                                "layout contradict each other: build the cell array anew");
+                                "layout contradict each other: rebuild the cell array");
   }
-  // Those of the second surface are checked after the surface itself.
+  // Landmarks of the second surface are checked after the surface itself.
   return DGGSourceCollector::Check(
     this->GetLandmarks(0, inputVector), surface->GetNumberOfPoints());
 }
@@ -262,7 +263,7 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
 }
 
 //------------------------------------------------------------------------------
-/// The first surface is empty. That counts, whatever the second one is.
+/// Called if the first surface is empty, whatever the second surface is.
 void vtkGeodesicPatchBoundaries::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {

@@ -31,9 +31,9 @@ vtkDGGDefineInputMacro(vtkGeodesicProbe, Probe, 1);
 
 namespace
 {
-/// Points that one thread looks at in a row.
+/// Number of points per block of a thread.
 constexpr std::size_t BlockSize = 1024;
-/// The share of the progress when the distances have been read, which may take a fit.
+/// Progress after reading distances, which may fit virtual sources.
 constexpr double ReadDone = 0.5;
 
 DGGSourceSet GetProbes(vtkInformationVector** inputVector)
@@ -43,8 +43,8 @@ DGGSourceSet GetProbes(vtkInformationVector** inputVector)
     "" };
 }
 
-/// The distance at a place; NaN where it is not known. On an edge it is the least of all faces of
-/// the edge that are reached, as isolines have it: a wave may come through any of them.
+/// Returns the distance at a surface point; NaN if unreached. On an edge this is the smallest
+/// distance of its reached faces, as for isolines: a shortest path may come through any of them.
 double Probe(
   const dgg::DistanceField& field, const dgg::SurfacePoint& place, dgg::FaceProfile& profile)
 {
@@ -143,7 +143,7 @@ dgg::Status vtkGeodesicProbe::Execute(
     }));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(probes.Points);
-  // What belongs to an array of this name of the probe points is removed with it.
+  // Arrays that belong to an array of this name of the probe points are removed with it.
   DGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
   DGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
   output->GetPointData()->AddArray(found);

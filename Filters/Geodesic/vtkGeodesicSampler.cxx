@@ -143,7 +143,7 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
     DGGSourceCollector::Collect(context, start, this->ProjectionTolerance, points);
   for (const dgg::GeodesicSource& point : points)
   {
-    // Samples of a cloud are points of it.
+    // Samples of a cloud are points of the cloud.
     options.Given.push_back(
       mesh.IsCloud() ? dgg::SurfacePoint::AtVertex(point.Point.Vertex) : point.Point);
   }
@@ -156,15 +156,15 @@ void vtkGeodesicSampler::WarnAboutNumber(
 {
   if (numberOfSamples < options.NumberOfSamples && (!last || !(last->CoveringRadius > 0.0)))
   {
-    vtkWarningMacro(<< options.NumberOfSamples << " samples were asked for, but with "
-                    << numberOfSamples << " of them no point of the surface is left. Ask for "
-                    << "fewer, or subdivide the surface"
+    vtkWarningMacro(<< "NumberOfSamples is " << options.NumberOfSamples << ", but after "
+                    << numberOfSamples << " samples no point of the surface is left. Reduce it, "
+                    << "or subdivide the surface"
                     << (options.InFaces ? "." : ", or turn InFaces on."));
   }
   if (last && !(last->CoveringRadius < dgg::Infinity))
   {
     vtkWarningMacro(<< "The surface has more components than there are samples (" << numberOfSamples
-                    << "): some have none, and the covering radius is infinite. "
+                    << "): some have no sample, and the covering radius is infinite. "
                     << "Raise NumberOfSamples.");
   }
 }

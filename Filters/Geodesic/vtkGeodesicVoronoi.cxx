@@ -41,15 +41,15 @@ vtkStandardNewMacro(vtkGeodesicVoronoi);
 vtkDGGGraphUserMacro(vtkGeodesicVoronoi);
 vtkDGGDefineInputMacro(vtkGeodesicVoronoi, Site, 1);
 
-/// What vtkGeodesicVoronoi computes.
+/// Options and results of vtkGeodesicVoronoi.
 struct DGGVoronoiResult
 {
   std::vector<dgg::GeodesicSource> Sites;
   dgg::VoronoiDiagram Diagram;
-  std::vector<double> Energies; ///< empty unless sites have been moved
-  bool LabelsOnly = false;      ///< whether there are neither cells nor boundaries
+  std::vector<double> Energies; ///< empty unless sites are moved
+  bool LabelsOnly = false;      ///< true if there are neither cells nor boundaries
   ///@{
-  /// What was asked for.
+  /// Requested options.
   bool IsCentroidal = false;
   bool IsRefined = false;
   dgg::CentroidalOptions Moving;
@@ -58,7 +58,7 @@ struct DGGVoronoiResult
 
 namespace
 {
-/// Share of the progress after the graph that moving the sites takes.
+/// Progress weight of moving the sites, after the graph.
 constexpr double MovingShare = 0.9;
 
 /// Makes the outputs of a diagram on one surface.
@@ -70,7 +70,7 @@ struct VoronoiOutputs
   const std::string& DistanceName;
   double UnreachedValue;
 
-  /// Infinity where no site reaches.
+  /// Returns the distance; infinity if no site reaches the point.
   double GetTrueDistance(dgg::Id point) const
   {
     const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
@@ -91,7 +91,7 @@ struct VoronoiOutputs
     return point < n ? dgg::SurfacePoint::AtVertex(point) : diagram.BorderPoints[point - n];
   }
 
-  /// Area of the cell of each site, and at the end of what no site reaches.
+  /// Returns the area of the cell of each site, and at the end the unreached area.
   std::vector<double> SumAreas() const
   {
     const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
@@ -104,14 +104,14 @@ struct VoronoiOutputs
     return areas;
   }
 
-  /// Add the arrays of labels, distances and energies to a copy of the input.
+  /// Adds the arrays of labels, distances and energies to a copy of the input.
   void AddToSurface(const std::string& sourceName, vtkPolyData* output) const
   {
     const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
     const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
     vtkPointData* data = output->GetPointData();
     const auto distances = DGGAddArray<vtkDoubleArray>(data, this->DistanceName, n);
-    // Those of the input belong to the array that has just been replaced.
+    // Windows and marks of the input belong to the replaced array.
     DGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceName);
     DGGUnreachedArray::RemoveFrom(data, this->DistanceName);
     const auto sites = DGGAddArray<vtkIntArray>(data, sourceName, n);
@@ -138,7 +138,7 @@ struct VoronoiOutputs
   void FillBoundaries(vtkPolyData* output) const
   {
     const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
-    // Only points of curves, in their order.
+    // Only points of curves, in ascending order.
     std::vector<dgg::Id> used = diagram.CurvePoints;
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -208,7 +208,7 @@ struct VoronoiOutputs
       const dgg::Id face = diagram.PolygonFaces[k];
       if (this->Mesh.GetMesh().IsFlipped(face))
       {
-        std::reverse(corners.begin(), corners.end()); // as the input has it
+        std::reverse(corners.begin(), corners.end()); // orientation of the input
       }
       polygons->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
       const auto i = static_cast<vtkIdType>(k);
@@ -341,8 +341,7 @@ dgg::Status vtkGeodesicVoronoi::CheckProperties() const
   }
   if (this->Preview && this->Centroidal)
   {
-    return dgg::Status::Invalid(
-      "Preview does not move sites: turn either Preview or Centroidal off");
+    return dgg::Status::Invalid("Preview does not move sites: turn Preview or Centroidal off");
   }
   return this->GraphUser->Check();
 }
@@ -374,12 +373,12 @@ std::string vtkGeodesicVoronoi::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
-/// From the sites of the result to labels, without a graph.
+/// Computes labels from the sites of the result, without a graph.
 dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVoronoiResult& result)
 {
   if (context.Surface.IsCloud())
   {
-    return dgg::Status::Invalid("Preview needs a surface, not a point cloud: turn it off");
+    return dgg::Status::Invalid("Preview needs a surface, not a point cloud: turn Preview off");
   }
   dgg::PropagationOptions options;
   options.Quality = DGGPropagation::Choose(context.Surface);
@@ -399,7 +398,7 @@ dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVor
 }
 
 //------------------------------------------------------------------------------
-/// From the sites of the result to the rest of it; the graph is there.
+/// Computes the diagram from the sites of the result. The graph is up to date.
 dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiResult& result)
 {
   const dgg::PreparedSurface& mesh = context.Surface;

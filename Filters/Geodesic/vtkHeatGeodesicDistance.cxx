@@ -17,7 +17,7 @@
 
 vtkStandardNewMacro(vtkHeatGeodesicDistance);
 
-/// Kept until the mesh changes.
+/// Factorizations, kept until the mesh changes.
 struct vtkHeatGeodesicDistance::Preparation
 {
   std::uint64_t MeshBuild;
@@ -26,10 +26,10 @@ struct vtkHeatGeodesicDistance::Preparation
 
 namespace
 {
-/// Part of the progress when the systems are factorized.
+/// Progress after factorization of the systems.
 constexpr double FactorizedAt = 0.9;
 
-/// Returns the reasons why distances may be far off; empty without one.
+/// Returns the reasons why distances may be far off; empty if there are none.
 std::string DescribeQuality(const dgg::PreparedSurface& surface, double factor, dgg::Id triangles)
 {
   return DGGJoinReasons({ DGGDescribeLongTriangles(surface, DGGLongTrianglesMislead),
@@ -40,8 +40,8 @@ std::string DescribeQuality(const dgg::PreparedSurface& surface, double factor, 
           "triangles")
       : "",
     factor < dgg::SmallestUsefulFactor || factor > dgg::LargestUsefulFactor
-      ? dgg::JoinText("TimeStepFactor is ", factor, ", outside of ", dgg::SmallestUsefulFactor,
-          " to ", dgg::LargestUsefulFactor,
+      ? dgg::JoinText("TimeStepFactor is ", factor, ", outside ", dgg::SmallestUsefulFactor, " to ",
+          dgg::LargestUsefulFactor,
           ": mean errors are 10 % or more. Call SetTimeStepFactor() with a number around 1")
       : "" });
 }
@@ -101,7 +101,7 @@ dgg::Status vtkHeatGeodesicDistance::CheckProperties() const
   {
     return dgg::InvalidInput("TimeStepFactor is ", this->TimeStepFactor,
       ": call SetTimeStepFactor() with a number from ", dgg::SmallestTimeStepFactor, " to ",
-      dgg::LargestTimeStepFactor, ", as 1");
+      dgg::LargestTimeStepFactor, ", such as 1");
   }
   return this->Superclass::CheckProperties();
 }
@@ -125,7 +125,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   if (!this->Prepared || this->Prepared->MeshBuild != task.Context.Surface.GetBuildNumber())
   {
     this->NumberOfFactorizations = this->GetNumberOfFactorizations();
-    this->Prepared.reset(); // before there are two
+    this->Prepared.reset(); // release before the next is allocated
     this->Prepared.reset(new Preparation{
       task.Context.Surface.GetBuildNumber(), dgg::HeatMethod(task.Context.Surface.GetMesh()) });
   }
@@ -140,7 +140,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
     });
   if (isTooMuch && method.GetNumberOfFactorizations() == 0)
   {
-    this->Prepared.reset(); // nothing was made from it yet
+    this->Prepared.reset(); // no factorization exists yet
   }
   if (!status.IsOk())
   {

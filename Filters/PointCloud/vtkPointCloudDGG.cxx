@@ -42,7 +42,7 @@ dgg::Status CheckNumber(const char* name, double value)
     "() with a positive number, or with 0 for an automatic one");
 }
 
-/// One cell of all points.
+/// Adds one vertex cell with all points.
 void AddVertices(vtkPolyData* cloud)
 {
   const vtkIdType n = cloud->GetNumberOfPoints();
@@ -54,7 +54,7 @@ void AddVertices(vtkPolyData* cloud)
     vertices->InsertCellPoint(i);
   }
   cloud->SetVerts(vertices);
-  cloud->GetCellData()->Initialize(); // arrays of no tuples
+  cloud->GetCellData()->Initialize(); // removes arrays without tuples
 }
 }
 
@@ -146,7 +146,7 @@ dgg::Status vtkPointCloudDGG::CheckInputs(
   }
   return dgg::InvalidInput("the point normals of the input have ", normals->GetNumberOfComponents(),
     " components and ", normals->GetNumberOfTuples(), " tuples for ", cloud->GetNumberOfPoints(),
-    " points: three numbers per point are needed. Repair them, or turn UseInputNormals off");
+    " points: expected three numbers per point. Repair them, or turn UseInputNormals off");
 }
 
 //------------------------------------------------------------------------------
@@ -196,7 +196,7 @@ dgg::Status vtkPointCloudDGG::Execute(const DGGContext& context,
   if (this->OrientedNormals && !source.Given)
   {
     vtkWarningMacro("OrientedNormals is on, but the input has no point normals that are used: it "
-                    "has no effect, and sheets back to back may be connected. Give the input "
+                    "has no effect, and layers back to back may be connected. Give the input "
                     "normals, or turn UseInputNormals on or OrientedNormals off.");
   }
   return dgg::Status::Success();
@@ -208,6 +208,6 @@ void vtkPointCloudDGG::MakeEmptyOutput(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they are of another surface
+  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they belong to another surface
   DGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, 0);
 }

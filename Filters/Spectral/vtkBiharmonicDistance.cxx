@@ -22,17 +22,18 @@ vtkStandardNewMacro(vtkBiharmonicDistance);
 
 namespace
 {
-/// Parts of the progress: eigenvalues, or solutions for all points; distances to evaluation points.
+/// Progress after eigenvalues or solutions for all points, and after distances to evaluation
+/// points.
 constexpr double SpectrumDone = 0.6;
 constexpr double TargetsDone = 0.7;
-/// Memory of the search for eigenvalues, in functions for each, and that of an exact solve, in
-/// numbers for each point and thread.
+/// Memory of the search for eigenvalues, in functions per eigenvalue, and of an exact solve, in
+/// numbers per point and thread.
 constexpr double FunctionsPerEigenvalue = 3.0;
 constexpr double NumbersPerThread = 24.0;
 
 using PlaceCheck = dgg::Status (dgg::SpectralDistance::*)(const dgg::SurfacePoint&) const;
 
-/// Before anything takes long.
+/// Checks all points before the long computations.
 dgg::Status CheckAll(const dgg::SpectralDistance& distance, PlaceCheck check,
   const std::vector<dgg::SurfacePoint>& points, const std::string& name)
 {
@@ -45,7 +46,7 @@ dgg::Status CheckAll(const dgg::SpectralDistance& distance, PlaceCheck check,
 }
 
 //------------------------------------------------------------------------------
-/// Kept until the mesh changes.
+/// Solver, kept until the mesh changes.
 struct vtkBiharmonicDistance::Preparation
 {
   vtkMTimeType SolverTime;
@@ -116,12 +117,12 @@ dgg::Status vtkBiharmonicDistance::CheckProperties() const
   if (!(this->DiffusionTime >= 0.0) || !std::isfinite(this->DiffusionTime))
   {
     return dgg::InvalidInput("DiffusionTime is ", this->DiffusionTime,
-      ": call SetDiffusionTime() with a positive number, or 0 for the usual one");
+      ": call SetDiffusionTime() with a positive number, or 0 for the default");
   }
   if (this->NumberOfEigenvalues < 1)
   {
     return dgg::InvalidInput("NumberOfEigenvalues is ", this->NumberOfEigenvalues,
-      ": call SetNumberOfEigenvalues() with a positive number, as 150");
+      ": call SetNumberOfEigenvalues() with a positive number, such as 150");
   }
   return this->Superclass::CheckProperties();
 }
@@ -154,7 +155,7 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(DGGSpectralTask& task)
   if (!this->Prepared || this->Prepared->SolverTime != task.SolverTime)
   {
     this->NumberOfSpectra = this->GetNumberOfSpectra();
-    this->Prepared.reset(); // before there are two
+    this->Prepared.reset(); // release before the next is allocated
     this->Prepared.reset(new Preparation{ task.SolverTime, dgg::SpectralDistance(task.Solver) });
   }
   dgg::SpectralDistance& distance = this->Prepared->Distance;

@@ -33,18 +33,20 @@ struct NamedRemark
   const char* Text;
 };
 
-/// Why another method was used than the one asked for.
-const NamedRemark Remarks[] = { { dgg::GreensRemark::TooCoarse,
-                                  "the mesh is too coarse around them for the method, its "
-                                  "triangles too large beside the radius, or Radius too small, "
-                                  "Interpolated was used: refine it there, or set Radius" },
+/// Reasons why another method than the requested one was used.
+const NamedRemark Remarks[] = {
+  { dgg::GreensRemark::TooCoarse,
+    "the mesh is too coarse around them for the method, or Radius too "
+    "small, Interpolated was used: refine the mesh there, or set "
+    "Radius" },
   { dgg::GreensRemark::NoTriangle,
     "they were not found on the flipped mesh, Interpolated was used: turn IntrinsicDelaunay off" },
   { dgg::GreensRemark::NotLocalized,
     "the boundary or long triangles are too close to them for the method, Interpolated was "
-    "used" } };
+    "used" }
+};
 
-/// What became of a source.
+/// Method that was used for a source.
 struct UsedMethod
 {
   dgg::GreensMethod Method = dgg::GreensMethod::Vertex;
@@ -52,7 +54,7 @@ struct UsedMethod
   double Radius = 0.0;
 };
 
-/// What is kept for a mesh.
+/// Solvers that are kept for a mesh.
 struct Functions
 {
   Functions(const dgg::PoissonSolver& solver, vtkMTimeType solverTime)
@@ -89,7 +91,7 @@ public:
     return dgg::Status::Success();
   }
 
-  /// A block of sources at a time, several at once.
+  /// Runs blocks of sources, several of them simultaneously.
   dgg::Status InBlocks(const dgg::GreensFunction& function)
   {
     const std::vector<dgg::SurfacePoint>& sources = this->Task.Sources;
@@ -110,7 +112,7 @@ public:
       });
   }
 
-  /// One after the other, as the columns of one are those of the next.
+  /// Runs sources in succession, since each reuses columns of earlier sources.
   dgg::Status OneByOne(dgg::GreensInterpolation& interpolation)
   {
     const auto count = static_cast<double>(this->Task.Sources.size());
@@ -253,7 +255,7 @@ dgg::Status vtkDiscreteGreensFunction::CheckProperties() const
   if (!(this->Radius >= 0.0) || !std::isfinite(this->Radius))
   {
     return dgg::InvalidInput("Radius is ", this->Radius,
-      ": call SetRadius() with a positive number, or 0 for the usual one");
+      ": call SetRadius() with a positive number, or 0 for the default");
   }
   return this->Superclass::CheckProperties();
 }
@@ -298,7 +300,7 @@ dgg::Status vtkDiscreteGreensFunction::ComputeValues(DGGSpectralTask& task)
   vtkInternals& internals = *this->Internals;
   if (!internals.Kept || internals.Kept->SolverTime != task.SolverTime)
   {
-    internals.Kept.reset(); // before there are two
+    internals.Kept.reset(); // release before the next is allocated
     internals.Kept = std::make_unique<Functions>(task.Solver, task.SolverTime);
   }
   internals.Used.clear();

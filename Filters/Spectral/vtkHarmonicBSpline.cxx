@@ -29,21 +29,21 @@ vtkStandardNewMacro(vtkHarmonicBSpline);
 
 namespace
 {
-/// Parts of the progress: what functions are made of, the functions, the solution.
+/// Progress after the preparation, the basis functions and the solution.
 constexpr double PreparationDone = 0.4;
 constexpr double BasisDone = 0.8;
 constexpr double SolutionDone = 0.85;
-/// What sources may sum to without a warning, relative to the sum of their sizes. Densities are
-/// only integrated up to the mesh.
+/// Largest sum of sources without a warning, relative to the sum of their absolute values. The
+/// integral of a density depends on the mesh.
 constexpr double DensityTolerance = 1e-2;
 constexpr double IntegralTolerance = 1e-6;
-/// Memory of one thread for each point, without smooth evaluation, and numbers that are held for
-/// each: cells, sources, solutions.
+/// Bytes per point and thread, without smooth evaluation, and numbers per point that are kept:
+/// cells, sources, solutions.
 constexpr double SplineBytesPerVertex = 450.0;
 constexpr double HeldNumbers = 7.0;
-/// Numbers for each point and component of an interpolation: functions, and the array of them.
+/// Numbers per point and component of an interpolation: functions, and their array.
 constexpr double InterpolationNumbers = 2.0;
-/// Matrices of pairs of sites that are there at once: functions at sites, their factor.
+/// Number of simultaneous matrices of pairs of sites: functions at sites and factors.
 constexpr double SiteMatrices = 4.0;
 }
 
@@ -109,7 +109,7 @@ vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const
 int vtkHarmonicBSpline::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->UsedSites.clear(); // whatever goes wrong
+  this->UsedSites.clear(); // remains empty after a failure
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -232,7 +232,7 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
   const double bytes = isSmooth ? dgg::GreensFunction::BytesPerVertex : SplineBytesPerVertex;
   const double held =
     HeldNumbers + InterpolationNumbers * static_cast<double>(this->SiteValueComponents);
-  // Of threads; the equations of sites, as those of vertices; cells, solutions, interpolations.
+  // Threads; equations of sites, like those of vertices; cells, solutions, interpolations.
   return bytes * n * vtkSMPTools::GetEstimatedNumberOfThreads() +
     (isHarmonic ? std::min(1.0, sites / n) * solver.GetEstimatedMemory() : 0.0) +
     (held * (n + targets) + (isSmooth ? sites * targets : 0.0) +
@@ -245,8 +245,8 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
 {
   if (task.Sources.empty())
   {
-    return dgg::Status::Invalid(
-      "values are given at all points: there is no place for a site, use Neumann conditions");
+    return dgg::Status::Invalid("values are prescribed at all points, so that no point can be a "
+                                "site: use Neumann conditions");
   }
   std::vector<vtkIdType> sites;
   for (const dgg::SurfacePoint& source : task.Sources)
@@ -293,8 +293,9 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
   }
   if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {
-    vtkWarningMacro(<< "the sources in a part of the surface sum to a fraction of " << imbalance
-                    << " of their sizes, with nothing given that this could flow to: they were "
+    vtkWarningMacro(<< "the sources in a component of the surface sum to a fraction of "
+                    << imbalance
+                    << " of their absolute values, and no boundary absorbs the sum: they were "
                        "balanced in proportion to area. Make their sum 0.");
   }
   const auto components = static_cast<std::size_t>(dgg::CountSplineComponents(task.Solver));
@@ -303,7 +304,7 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
   {
     vtkWarningMacro(
       << "the surface has " << components
-      << " components, each with a single site, whose function is 1 all over it: use "
+      << " components, each with a single site, whose function is 1 everywhere: use "
          "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
   }
   DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, 1.0));

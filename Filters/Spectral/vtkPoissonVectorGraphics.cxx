@@ -30,23 +30,23 @@ vtkStandardNewMacro(vtkPoissonVectorGraphics);
 
 namespace
 {
-/// Part of the progress when all is prepared: if it has to be, or only looked at.
+/// Progress after preparation, or after finding a kept preparation.
 constexpr double FactorizedAt = 0.7;
 constexpr double FoundAt = 0.01;
-/// Bytes that a fragment takes, besides its colours.
+/// Bytes per fragment, without colors.
 constexpr double BytesPerFragment = sizeof(dgg::SurfacePoint) + 64.0;
 constexpr double UsualWidth = 0.05; // of the diagonal
-/// Parts of the preparation: when curves are joined and the surface is refined.
+/// Progress within the preparation: after joining and embedding curves, and refinement.
 constexpr double JoinedAt = 0.15;
 constexpr double EmbeddedAt = 0.22;
 constexpr double RefinedAt = 0.3;
 
-/// What a factorization depends on.
+/// The inputs that a factorization depends on.
 struct Drawing
 {
   std::uint64_t MeshBuild = 0;
   std::vector<std::vector<dgg::SurfacePoint>> Places; // per curve
-  std::vector<dgg::GraphicsCurve> Curves;             // types and whether they are closed
+  std::vector<dgg::GraphicsCurve> Curves;             // types and closedness
   dgg::GraphicsRefinement Refinement;
   bool IntrinsicDelaunay = false;
 
@@ -69,7 +69,7 @@ struct Drawing
   }
 };
 
-/// Bytes for the faces of the surface, refined once they are. Curves make some more.
+/// Returns the bytes for the faces of the surface after refinement. Curves add a few faces.
 double EstimateMesh(const dgg::SurfaceMesh& mesh, const Drawing& drawing)
 {
   double faces = 0.0;
@@ -88,13 +88,14 @@ double EstimateMesh(const dgg::SurfaceMesh& mesh, const Drawing& drawing)
 struct vtkPoissonVectorGraphics::vtkInternals
 {
   dgg::VectorGraphics Graphics;
-  Drawing Kept; // what Graphics is prepared for
+  Drawing Kept; // input that Graphics is prepared for
   bool IsKept = false;
-  std::vector<dgg::Id> RefinedFaces; // parts of those that were chosen for refinement
+  std::vector<dgg::Id> RefinedFaces; // faces within those selected for refinement
   int NumberOfFactorizations = 0;
 
-  /// Draw the curves, refine and cut the surface, factorize the matrix. Memory is checked before it
-  /// is taken; `remedy` is what to do besides raising MemoryLimit. Nothing is kept when it fails.
+  /// Draws the curves, refines and cuts the surface, factorizes the matrix. Memory is checked
+  /// before allocation; `remedy` is the advice besides raising MemoryLimit. After a failure nothing
+  /// is kept.
   dgg::Status Prepare(const DGGContext& context, const Drawing& drawing,
     const dgg::GraphicsOptions& options, const std::string& remedy,
     const dgg::ProgressCallback& progress);
@@ -161,7 +162,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const DGGContext& co
   }
   ++this->NumberOfFactorizations;
   this->Kept = drawing;
-  for (dgg::GraphicsCurve& curve : this->Kept.Curves) // colours do not matter
+  for (dgg::GraphicsCurve& curve : this->Kept.Curves) // colors do not matter
   {
     curve.Left = std::vector<double>();
     curve.Right = std::vector<double>();
@@ -282,7 +283,7 @@ dgg::Status vtkPoissonVectorGraphics::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   DGGGraphicsNames names = this->GetNames();
-  names.DefaultWidth = 1.0; // found when the mesh is
+  names.DefaultWidth = 1.0; // computed later from the mesh
   DGGGraphicsInput input;
   DGG_RETURN_IF_ERROR(input.Read(vtkPolyData::GetData(inputVector[1]), surface, names));
   if (input.GetCurves().empty() && names.Region.empty())
@@ -350,13 +351,14 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   if (!std::all_of(options.Background.begin(), options.Background.end(),
         [](double x) { return std::isfinite(x); }))
   {
-    return dgg::Status::Invalid("the background has numbers that are not finite");
+    return dgg::Status::Invalid(
+      "BackgroundColor is not finite: call SetBackgroundColor() with finite numbers");
   }
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
     const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());
     const double own = context.MemoryLimit == 0 ? missing : bytes;
-    return DGGCheckMemory("the factorization and the colours",
+    return DGGCheckMemory("the factorization and the colors",
       own + points * output.GetBytesPerPoint(options.NumberOfChannels), context.MemoryLimit,
       this->GetMemoryRemedy());
   };
@@ -375,7 +377,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   const int channels = options.NumberOfChannels;
   if (this->GenerateFragments)
   {
-    // Here and as arrays.
+    // As fragments and as arrays.
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
     const double count = static_cast<double>(internals.RefinedFaces.size()) *
       std::pow(static_cast<double>(this->FragmentDivision), 2);

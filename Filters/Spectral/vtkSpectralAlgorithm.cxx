@@ -24,10 +24,10 @@
 
 namespace
 {
-/// Part of the progress when the system is ready: if it has to be factorized, or only looked at.
+/// Progress after factorization, or after finding a kept factorization.
 constexpr double FactorizedAt = 0.4;
 constexpr double FoundAt = 0.01;
-/// Part of what is left then, in which sources are chosen.
+/// Progress weight of selecting sources within the rest.
 constexpr double ChoosingPart = 0.1;
 
 bool IsEmpty(const DGGSourceSet& set)
@@ -35,8 +35,8 @@ bool IsEmpty(const DGGSourceSet& set)
   return set.Ids.empty() && (!set.Points || set.Points->GetNumberOfPoints() == 0);
 }
 
-/// The points of a port with the results as active scalars; where there are none, the last one of
-/// the further arrays.
+/// Adds the results to the points of a port as active scalars; without results, the last of the
+/// further arrays becomes active.
 void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array,
   const std::vector<vtkSmartPointer<vtkDataArray>>& further)
 {

@@ -29,11 +29,11 @@ vtkStandardNewMacro(vtkSurfaceEarthMoversDistance);
 
 namespace
 {
-/// Part of the progress when the system is ready: if it has to be factorized, or only looked at.
+/// Progress after factorization, or after finding a kept factorization.
 constexpr double FactorizedAt = 0.4;
 constexpr double FoundAt = 0.01;
-/// Memory of the search for the flow, which factorizes a matrix like that of the system, as a part
-/// of what that takes.
+/// Memory of the search for the flow relative to that of the system, since it factorizes a similar
+/// matrix.
 constexpr double SearchPart = 1.25;
 
 constexpr const char* DistanceName = "EarthMoversDistance";
@@ -41,8 +41,8 @@ constexpr const char* BoundName = "EarthMoversLowerBound";
 constexpr const char* PotentialName = "EarthMoversPotential";
 constexpr const char* FlowName = "EarthMoversFlow";
 
-/// The vector in space of one that is given in the frame of a face: x along its first side, y
-/// towards its apex. Where corners coincide, there is no such side.
+/// Returns in space a vector that is given in the frame of a face: x along its first side, y toward
+/// its apex. The result has no meaning if corners coincide.
 std::array<double, 3> InSpace(
   const std::array<dgg::Id, 3>& corners, vtkPolyData* surface, const dgg::Point2& vector)
 {
@@ -66,7 +66,7 @@ std::array<double, 3> InSpace(
     vector.X * x[2] + vector.Y * y[2] } };
 }
 
-/// Per cell, the mean of its triangles.
+/// Returns the flow per cell: the mean over its triangles.
 vtkSmartPointer<vtkDoubleArray> MakeFlow(const dgg::PreparedSurface& prepared, vtkPolyData* surface,
   const std::vector<dgg::Point2>& flow, double total)
 {
@@ -112,7 +112,7 @@ vtkSmartPointer<vtkDoubleArray> MakePotential(const dgg::PreparedSurface& prepar
   return array;
 }
 
-/// Not SetScalars() and SetVectors(), which would remove those of the input.
+/// Add active arrays without SetScalars() and SetVectors(), which would remove those of the input.
 /// @{
 void ShowPotential(vtkPolyData* output, vtkDoubleArray* potential)
 {
@@ -208,7 +208,7 @@ void vtkSurfaceEarthMoversDistance::ForgetResults()
 int vtkSurfaceEarthMoversDistance::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ForgetResults(); // also where nothing is executed
+  this->ForgetResults(); // also if nothing is executed
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -293,7 +293,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
     vtkWarningMacro("The distance is between "
       << this->LowerBound << " and " << this->Distance << ", a gap of " << 100.0 * this->Gap
       << " %, after " << result.Iterations << " iterations: raise MaximumNumberOfIterations or "
-      << "Tolerance, or make better triangles.");
+      << "Tolerance, or improve the triangles.");
   }
   return dgg::Status::Success();
 }

@@ -211,7 +211,7 @@ TEST_F(Blocks, LeavesThatAreNoSurfaces)
   vtkNew<vtkDGGDistance> filter;
   filter->SetInputDataObject(mixed);
   filter->SetSourceIds({ 4 });
-  ExpectWarning(filter, { "1 blocks of the input are no vtkPolyData" });
+  ExpectWarning(filter, { "1 blocks of the input are not vtkPolyData" });
   auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   EXPECT_EQ(output->GetBlock(0), nullptr);
   EXPECT_EQ(GetBlock(filter, 1)->GetNumberOfPoints(), 0);

@@ -223,7 +223,7 @@ TEST_F(SeveralProcesses, ErrorsOfOneProcess)
   expectError("ProjectionTolerance");
   filter->SetProjectionTolerance(0.01);
   filter->SetController(nullptr);
-  expectError("pieces was asked for");
+  expectError("pieces is requested");
   filter->SetController(this->Controller);
   filter->UpdatePiece(0, this->Count + 1, 0);
   EXPECT_NE(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));

@@ -71,7 +71,7 @@ Status CheckOffsets(const CellArrays& cells)
   }
   return isValid ? Status::Success()
                  : Status::Invalid("the offsets and the connectivity of the input's polygons or "
-                                   "strips contradict each other: build the cell array anew");
+                                   "strips contradict each other: rebuild the cell array");
 }
 
 void AddCells(BitHash& hash, const CellArrays& cells)
