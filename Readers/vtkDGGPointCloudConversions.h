@@ -69,7 +69,7 @@ inline bool AddFields(const std::vector<pcl::PCLPointField>& fields, const void*
     }
     if (!isKnown || out.Field.Count < 1)
     {
-      error = "the field '" + in.name + "' has numbers of no known type";
+      error = "the field '" + in.name + "' has an unknown type of numbers";
       return false;
     }
     if (in.offset > step || out.Field.GetBytes() > step - in.offset)
@@ -137,9 +137,8 @@ inline vtkSmartPointer<vtkPolyData> ToPolyData(
       height - 1 <= (cloud.data.size() - step * width) / (row == 0 ? 1 : row));
   if (!isValid)
   {
-    message = std::to_string(width) + " x " + std::to_string(height) + " points of " +
-      std::to_string(step) + " bytes are promised, but there are " +
-      std::to_string(cloud.data.size()) + " bytes";
+    message = "expected " + std::to_string(width) + " x " + std::to_string(height) + " points of " +
+      std::to_string(step) + " bytes, got " + std::to_string(cloud.data.size()) + " bytes";
   }
   const char* points = reinterpret_cast<const char*>(cloud.data.data());
   std::vector<char> packed;

@@ -57,11 +57,10 @@ public:
   /**
    * Rules that choose the edges. Guaranteed makes progress toward every target, as in Yao graphs,
    * which bounds the errors of whole paths. OneRelay and Indirect are the rules of Fang's thesis,
-   * chapter 3, with corrections. The search of OneRelay ends behind edges whose points are all
-   * covered. With Indirect a window inherits the bound of its parent and is compared by its nearest
-   * point; an edge st is pruned if |sr| / (1 + Accuracy) + |rt| <= |st| for another edge sr; there
-   * are no pseudo-vertices. SaddleVertexGraph: X. Ying et al., "Saddle vertex graph (SVG)", ACM
-   * Trans. Graph. 32(6), 2013.
+   * chapter 3, with corrections (see the page). With Indirect a window inherits the bound of its
+   * parent and is compared by its nearest point; an edge st is pruned if |sr| / (1 + Accuracy) +
+   * |rt| <= |st| for another edge sr; there are no pseudo-vertices. SaddleVertexGraph: X. Ying et
+   * al., "Saddle vertex graph (SVG)", ACM Trans. Graph. 32(6), 2013.
    */
   enum ConstructionType
   {

@@ -115,7 +115,7 @@ public:
   enum RightHandSideMeaningType
   {
     Density = 0,   ///< values per area
-    Integrated = 1 ///< integrals over the cell of each point
+    Integrated = 1 ///< integrals over the neighborhood of each point
   };
 
   ///@{

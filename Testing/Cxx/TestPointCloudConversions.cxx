@@ -293,13 +293,13 @@ TEST(PointCloudConversions, RefusesMalformedBlobs)
   expect(blob, "3 x 1 points of 16 bytes");
   blob = good();
   blob.width = 4294967295u;
-  expect(blob, "are promised");
+  expect(blob, " bytes, got ");
   blob = good();
   blob.height = 4294967295u;
-  expect(blob, "are promised");
+  expect(blob, " bytes, got ");
   blob = good();
   blob.row_step = 1;
-  expect(blob, "are promised");
+  expect(blob, " bytes, got ");
   blob = good();
   blob.fields[2].offset = 13;
   expect(blob, "'z' reaches beyond");
@@ -315,7 +315,7 @@ TEST(PointCloudConversions, RefusesMalformedBlobs)
   EXPECT_NE(vtkDGG::ToPolyData(blob, &error), nullptr);
   blob = good();
   blob.fields[1].datatype = 99;
-  expect(blob, "'y' has numbers of no known type");
+  expect(blob, "'y' has an unknown type of numbers");
   blob = good();
   blob.fields[1].name = "x";
   expect(blob, "two fields 'x'");
