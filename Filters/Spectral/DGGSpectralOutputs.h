@@ -6,7 +6,7 @@
 #define DGGSpectralOutputs_h
 
 #include "dggPoissonSolver.h" // for PoissonSolver
-#include "dggSurfacePoint.h"  // for places
+#include "dggSurfacePoint.h"  // for surface points
 #include "dggTypes.h"         // for numbers
 
 #include "vtkDoubleArray.h"  // for the arrays
@@ -24,37 +24,37 @@ class PreparedSurface;
 struct DGGContext;
 struct DGGSourceSet;
 
-/// The results of a vtkSpectralAlgorithm, for the points of the surface and those of evaluation.
+/// The results of a vtkSpectralAlgorithm at the points of the surface and at evaluation points.
 class DGGSpectralOutputs
 {
 public:
-  /// Bytes of both arrays.
+  /// Returns the bytes of both arrays.
   static double EstimateMemory(
     std::size_t numberOfPoints, std::size_t numberOfTargets, std::size_t numberOfSources);
 
-  /// Without sources there are no arrays of results.
+  /// Allocates the arrays of results; none without sources.
   DGGSpectralOutputs(const dgg::PreparedSurface& mesh, std::size_t numberOfPoints,
     std::size_t numberOfTargets, std::size_t numberOfSources, const std::string& name);
   ~DGGSpectralOutputs();
   DGGSpectralOutputs(const DGGSpectralOutputs&) = delete;
   DGGSpectralOutputs& operator=(const DGGSpectralOutputs&) = delete;
 
-  /// The values of one source, per vertex of the mesh and per target. Several threads may set those
-  /// of different sources at once.
+  /// Sets the values of one source, per vertex of the mesh and per target. Several threads may set
+  /// values of different sources simultaneously.
   void Set(
     std::size_t source, const std::vector<double>& values, const std::vector<double>& targetValues);
 
-  /// A further array besides that of results (vtkDoubleArray or vtkIdTypeArray), per vertex of the
-  /// mesh and per target.
+  /// Adds a further array (vtkDoubleArray or vtkIdTypeArray), per vertex of the mesh and per
+  /// target.
   template <typename ArrayType, typename Number>
   void Add(const std::string& name, const std::vector<Number>& values,
     const std::vector<Number>& targetValues);
 
-  /// A further vtkDoubleArray with several components.
+  /// Adds a further vtkDoubleArray with several components.
   void AddColumns(const std::string& name, const std::vector<std::vector<double>>& columns,
     const std::vector<std::vector<double>>& targetColumns);
 
-  /// Further arrays of the points, and of the targets.
+  /// Returns the further arrays of the points (port 0) or of the targets (port 1).
   const std::vector<vtkSmartPointer<vtkDataArray>>& GetFurtherArrays(int port) const
   {
     return this->Further[port];
@@ -74,18 +74,18 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> Further[2];
 };
 
-/// One call of vtkSpectralAlgorithm::ComputeValues(). Places exist on the mesh, the solver is
-/// ready; what a filter adds to inputs and properties of its own, it has checked or checks itself.
+/// Arguments of vtkSpectralAlgorithm::ComputeValues(). Surface points are valid and the solver is
+/// ready; a filter checks further inputs and properties of its own.
 struct DGGSpectralTask
 {
   const DGGContext& Context;                     ///< of the update
   const dgg::PoissonSolver& Solver;              ///< ready
   vtkMTimeType SolverTime;                       ///< changes with the solver
-  const std::vector<dgg::SurfacePoint>& Sources; ///< none only where the filter may choose them
-  const std::vector<dgg::SurfacePoint>& Targets; ///< may be none
-  const DGGSourceSet& SourceSet;                 ///< as sources are given
+  const std::vector<dgg::SurfacePoint>& Sources; ///< empty only if the filter may select sources
+  const std::vector<dgg::SurfacePoint>& Targets; ///< may be empty
+  const DGGSourceSet& SourceSet;                 ///< sources as given
   double FreeMemory;                             ///< bytes of the limit that are left for caches
-  dgg::ProgressCallback Progress;                ///< the part of the context's that is left
+  dgg::ProgressCallback Progress;                ///< remaining progress of the context
   DGGSpectralOutputs& Outputs;                   ///< to be set for each source
 };
 
