@@ -1,11 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What several tests need: folders, small meshes, a strict comparison of images, examples that run."""
+"""Fixtures: folders, small meshes and clouds, a strict comparison of images, examples and commands."""
 
+import contextlib
 import importlib.util
+import io
 import os
 import subprocess
 import sys
+import types
 
 import numpy as np
 import vtkdgg
@@ -23,6 +26,7 @@ EXAMPLES = os.path.join(ROOT, "Examples")
 OUTPUT = os.environ["DGG_TEST_OUTPUT"]
 BUMPY = os.path.join(DATA, "bumpy.ply")
 TETRAHEDRON = os.path.join(DATA, "tetrahedron.off")
+HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
 
 
 def output_folder(name):
@@ -50,6 +54,28 @@ def folded(scale=1.0):
         [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1]], dtype=float
     )
     return points, np.array([[0, 1, 3], [0, 3, 2], [0, 4, 5], [0, 5, 1]])
+
+
+def two_squares(offset):
+    """Points and triangles of a unit square and of a copy of it that is moved by an offset. Offset
+    (1, 0, 0) gives a seam: points 1 and 3 coincide with points 4 and 6."""
+    points, triangles = grid(1, 1)
+    return np.vstack([points, points + offset]), np.vstack([triangles, triangles + 4])
+
+
+def plane(columns, rows):
+    """Points of a grid over a rectangle whose longer side has the length 2."""
+    x, y = np.meshgrid(np.arange(columns), np.arange(rows))
+    return np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()]) * 2.0 / (max(columns, rows) - 1)
+
+
+def sphere_points(count):
+    """Points on the unit sphere, evenly spread; the first is near a pole."""
+    i = np.arange(count)
+    z = 1.0 - (2.0 * i + 1.0) / count
+    angle = np.pi * (3.0 - np.sqrt(5.0)) * i
+    radius = np.sqrt(1.0 - z * z)
+    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), z])
 
 
 def prism(sides, rows):
@@ -165,6 +191,21 @@ def run(script, *arguments, cwd=None):
         capture_output=True,
         text=True,
         check=False,
+    )
+
+
+def call(*arguments):
+    """Run the command in this process, which saves time."""
+    from vtkdgg.command_line import main  # not needed by tests in ParaView
+
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        with contextlib.redirect_stderr(io.StringIO()) as complained:
+            try:
+                code = main([*map(str, arguments)])
+            except SystemExit as leaving:  # after --help
+                code = leaving.code
+    return types.SimpleNamespace(
+        returncode=code, stdout=printed.getvalue(), stderr=complained.getvalue()
     )
 
 

@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command vtkdgg; `compare` has tests of its own."""
 
-import contextlib
 import gzip
-import io
 import json
 import os
 import re
@@ -13,23 +11,22 @@ import signal
 import subprocess
 import sys
 import time
-import types
 import unittest
 from unittest import mock
 
 import numpy as np
 import support
 import vtkdgg
-from support import BUMPY, TETRAHEDRON
+from support import BUMPY, HAS_CLOUDS, TETRAHEDRON
+from support import call as command
 from vtkdgg import graph, queries
-from vtkdgg.command_line import main, make_parser
+from vtkdgg.command_line import make_parser
 from vtkdgg.commands.output import with_arrays
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkStripper
 
 PACKAGES = os.path.dirname(os.path.dirname(vtkdgg.__file__))
 FOLDER = support.output_folder("command")
-HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
 
 
 def out(name):
@@ -38,19 +35,6 @@ def out(name):
     if os.path.exists(path):
         os.remove(path)
     return path
-
-
-def command(*arguments):
-    """The command in this process, which saves time; support.command() is that of users."""
-    with contextlib.redirect_stdout(io.StringIO()) as said:
-        with contextlib.redirect_stderr(io.StringIO()) as complained:
-            try:
-                code = main(arguments)
-            except SystemExit as leaving:  # after --help
-                code = leaving.code
-    return types.SimpleNamespace(
-        returncode=code, stdout=said.getvalue(), stderr=complained.getvalue()
-    )
 
 
 # Names of classes and properties, which users of the shell have never seen.
@@ -321,25 +305,15 @@ class Command(unittest.TestCase):
         even = self.answer("voronoi", BUMPY, "--number", 6, "--iterations", 5)
         self.assertEqual(even["sites"], 6)
 
-    def test_ways_to_give_sources(self):
+    def test_file_of_sources(self):
         listed = out("sources.txt")
         with open(listed, "w", encoding="utf-8") as file:
             file.write("# id, coordinates, face\n5\n\n  {} {} {}\nface:3:0.2,0.3,0.5\n".format(
                 *self.mesh.GetPoint(100)
             ))  # fmt: skip
-        for given, sources in (
-            (("--sources", "5,100,300"), [5, 100, 300]),
-            (("--source", 300, "--sources", "5,100"), [5, 100, 300]),
-            (("--source-file", listed), [5, 100, (3, (0.2, 0.3, 0.5))]),
-            (("--source-file", listed, "--source", 300), [5, 100, (3, (0.2, 0.3, 0.5)), 300]),
-        ):
-            with self.subTest(given=given):
-                found = self.answer("distance", BUMPY, *given)
-                expected = vtkdgg.distance(self.mesh, sources).max()
-                self.assertAlmostEqual(found["largest"], expected, delta=1e-6)
-        at_one_point = "--source={},{},{}".format(*self.mesh.GetPoint(5))
-        found = self.answer("distance", BUMPY, at_one_point)
-        self.assertAlmostEqual(found["largest"], self.exact.max(), delta=1e-6)
+        found = self.answer("distance", BUMPY, "--source-file", listed, "--source", 300)
+        expected = vtkdgg.distance(self.mesh, [5, 100, (3, (0.2, 0.3, 0.5)), 300]).max()
+        self.assertAlmostEqual(found["largest"], expected, delta=1e-6)
 
     def test_exact_isolines(self):
         path = out("exact.vtp")
@@ -531,8 +505,7 @@ class Command(unittest.TestCase):
     @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
     def test_clouds(self):
         cloud = out("cloud.pcd")
-        x, y = np.meshgrid(np.linspace(0, 2, 41), np.linspace(0, 1, 21))
-        vtkdgg.write(cloud, vtkdgg.Mesh(np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])))
+        vtkdgg.write(cloud, vtkdgg.Mesh(support.plane(41, 21)))
         self.assertEqual(self.answer("info", cloud)["kind"], "point cloud")
         kept = out("cloud.vtp")
         self.assertGreater(self.answer("graph", cloud, "--out", kept)["edges"], 861)
@@ -569,10 +542,8 @@ class Command(unittest.TestCase):
         self.assertFalse(vtkdgg.read(path).as_polydata().GetFieldData().HasArray("DGG.Info"))
 
     def test_no_answer(self):
-        points, triangles = support.grid(1, 1)
         two = out("two.ply")
-        points = np.vstack([points, points + [5, 0, 0]])
-        vtkdgg.write(two, support.polydata(points, np.vstack([triangles, triangles + 4])))
+        vtkdgg.write(two, support.polydata(*support.two_squares([5, 0, 0])))
         for arguments, pattern in (
             (("path", two, 0, 5), "not connected"),
             (("loop", BUMPY), "every loop contracts"),
@@ -621,7 +592,10 @@ class Command(unittest.TestCase):
             (("info", truncated), rf"error: {truncated}: line 4: the header promises 642 records"),
             (("info", __file__), "test_command.py: unknown extension '.py'; known are .gii .obj"),
             (("distance", BUMPY), "--source"),
-            (("distance", BUMPY, "--source", "642"), "--source 642: expected a point id from 0 to 641"),
+            (
+                ("distance", BUMPY, "--source", "642"),
+                "--source 642: expected a point id from 0 to 641",
+            ),
             (("distance", BUMPY, "--source", "1,2"), "expected a point id, X,Y,Z or face:"),
             (("distance", BUMPY, "--source", "face:5:0.5,0.5"), "face:5:0.5,0.5: expected a point"),
             (("distance", BUMPY, "--source", "9,9,9"), "or raise --tolerance"),
@@ -630,13 +604,22 @@ class Command(unittest.TestCase):
                 ("distance", BUMPY, "--source", "0", "--out", "a.abc"),
                 "'.abc' cannot store values at points",
             ),
-            (("distance", BUMPY, "--source", "0", "--out", "none/a.vtp"), "the folder none does not"),
+            (
+                ("distance", BUMPY, "--source", "0", "--out", "none/a.vtp"),
+                "the folder none does not",
+            ),
             (("distance", BUMPY, "--source", "0", "--out", "none/a.off"), "none/a.off"),
             (("graph", BUMPY, "--accuracy", "2"), "--accuracy: expected a number in .* got 2"),
             (("path", BUMPY, "0", "3", "--accuracy", "2"), "--accuracy: expected a number"),
-            (("isolines", BUMPY, "--source", "0", "--every", "0"), "--every: expected a positive number"),
+            (
+                ("isolines", BUMPY, "--source", "0", "--every", "0"),
+                "--every: expected a positive number",
+            ),
             (("isolines", BUMPY, "--source", "0", "--count", "-1"), "--count: expected 1 to 10000"),
-            (("distance", BUMPY, "--sources", "0,642"), "--sources 642: expected a point id from 0 to 641"),
+            (
+                ("distance", BUMPY, "--sources", "0,642"),
+                "--sources 642: expected a point id from 0 to 641",
+            ),
             (("distance", BUMPY, "--sources", "0.5,1,2"), "--sources 0.5: expected a point id$"),
             (
                 ("matrix", BUMPY, "--source", "0", "--targets", "face:3:1,0,0", "--out", "m.csv"),

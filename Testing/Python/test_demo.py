@@ -11,11 +11,6 @@ import support
 import vtkdgg
 from support import BUMPY, TETRAHEDRON, command, number_of_colours, table
 from vtkdgg.commands.measured import Errors
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
-from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 
 class Demo(unittest.TestCase):
@@ -29,11 +24,9 @@ class Demo(unittest.TestCase):
             picture = os.path.join(folder, file)
             self.assertEqual(support.read_image(picture).GetDimensions(), (1600, 1200, 1))
             self.assertGreater(number_of_colours(picture), colours)
-        reader = vtkXMLPolyDataReader()
-        reader.SetFileName(os.path.join(folder, "distance.vtp"))
-        output = vtkdgg.check(reader)
+        arrays = vtkdgg.read(os.path.join(folder, "distance.vtp")).point_data
         names = ("GeodesicDistance", "GeodesicUpperBound", "ExactDistance", "RelativeError")
-        return result, {name: support.point_array(output, name) for name in names}
+        return result, {name: arrays[name] for name in names}
 
     def check_errors(self, result, arrays, accuracy):
         """The errors in the table are those of the arrays, and within what is promised."""
@@ -83,7 +76,9 @@ class Demo(unittest.TestCase):
         result, _ = self.demo("methods", BUMPY, "--source", 5, "--methods")
         lines = [line[13:] for line in result.stdout.splitlines()]
         first = next(i for i, line in enumerate(lines) if line.startswith("graph  "))
-        means = {line[:26].strip(): float(line[27:].split()[0]) for line in lines[first : first + 8]}
+        means = {
+            line[:26].strip(): float(line[27:].split()[0]) for line in lines[first : first + 8]
+        }
         self.assertEqual(len(means), 8)
         self.assertTrue({"virtual sources (fast)", "fast marching (marching)"} < set(means))
         self.assertLess(means["graph, corrected"], 0.3 * means["graph"])
@@ -132,10 +127,7 @@ class Demo(unittest.TestCase):
         points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 0], [0, 1, 0]]
         triangles = [[4, 1, 2], [4, 2, 5], [0, 4, 5], [0, 5, 3]]
         path = os.path.join(support.output_folder("formats"), "coincide.vtp")
-        writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(path)
-        writer.SetInputData(support.polydata(points, triangles))
-        writer.Write()
+        vtkdgg.write(path, support.polydata(points, triangles))
         result, arrays = self.demo("coincide", path, "--source", 0)
         self.assertGreater(arrays["ExactDistance"][4], 0.0)
         self.assertRegex(table(result)["too"], r"near +1 point within \S+e-07 of the source")
@@ -153,36 +145,10 @@ class Demo(unittest.TestCase):
         result, _ = self.demo("tolerance", *arguments)
         self.assertIn("(1, 1, 1)", table(result)["source"])
 
-    def test_every_format(self):
-        folder = support.output_folder("formats")
-        reader = vtkPLYReader()
-        reader.SetFileName(BUMPY)
-        triangulate = vtkTriangleFilter()
-        triangulate.SetInputConnection(reader.GetOutputPort())
-        for extension, writer in (
-            ("vtp", vtkXMLPolyDataWriter()),
-            ("vtk", vtkPolyDataWriter()),
-            ("stl", vtkSTLWriter()),
-            ("obj", vtkOBJWriter()),
-        ):
-            with self.subTest(extension=extension):
-                path = os.path.join(folder, f"bumpy.{extension}")
-                writer.SetFileName(path)
-                writer.SetInputConnection(triangulate.GetOutputPort())
-                writer.Write()
-                _, arrays = self.demo(extension, path)
-                self.assertEqual(arrays["GeodesicDistance"].shape, (642,))
-
     def test_unreached_points(self):
         # Two triangles without a common point.
-        points, triangles = support.grid(1, 1)
-        points = np.vstack([points, points + [3.0, 0.0, 0.0]])
-        mesh = support.polydata(points, np.vstack([triangles, triangles + 4]))
         path = os.path.join(support.output_folder("formats"), "two.vtp")
-        writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(path)
-        writer.SetInputData(mesh)
-        writer.Write()
+        vtkdgg.write(path, support.polydata(*support.two_squares([3.0, 0.0, 0.0])))
         result, arrays = self.demo("two", path, "--source", 0)
         self.assertEqual(table(result)["reached"], "4 of 8 vertices")
         for values in arrays.values():
@@ -195,14 +161,8 @@ class Demo(unittest.TestCase):
 
     def test_seams(self):
         # Two squares along a common side whose points exist twice.
-        points, triangles = support.grid(1, 1)
-        points = np.vstack([points, points + [1.0, 0.0, 0.0]])
-        mesh = support.polydata(points, np.vstack([triangles, triangles + 4]))
         path = os.path.join(support.output_folder("formats"), "seam.vtp")
-        writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(path)
-        writer.SetInputData(mesh)
-        writer.Write()
+        vtkdgg.write(path, support.polydata(*support.two_squares([1.0, 0.0, 0.0])))
         result, arrays = self.demo("seam", path, "--source", 0)
         self.assertEqual(np.isnan(arrays["GeodesicDistance"]).sum(), 4)
         self.assertEqual(result.stdout.count("add --merge"), 1)
@@ -218,46 +178,21 @@ class Demo(unittest.TestCase):
         with open(garbage, "w", encoding="ascii") as file:
             file.write("OFF\n3 1 0\n0 0 0\nx y z\n")
         for arguments, pattern in (
-            (("missing.ply",), "missing.ply: no such file"),
-            ((__file__,), "unknown extension '.py'"),
             ((text,), "contains no points|empty"),
             ((garbage,), "line"),
             ((TETRAHEDRON, "--source", "4"), "point id from 0 to 3"),
-            ((TETRAHEDRON, "--source", "-1"), "point id from 0 to 3"),
-            ((TETRAHEDRON, "--source", "ear"), "expected a point id, X,Y,Z or face:"),
-            ((TETRAHEDRON, "--source", "1,2"), "expected a point id, X,Y,Z or face:"),
             ((TETRAHEDRON, "--source", "nan,0,0"), "expected a point id, X,Y,Z or face:"),
-            ((TETRAHEDRON, "--source", "9,9,9"), "or raise --tolerance"),
             ((TETRAHEDRON, "--source", "1,1,1", "--tolerance", "-1"), "--tolerance is -1"),
-            ((TETRAHEDRON, "--colour", "red"), "unknown option --colour"),
-            ((TETRAHEDRON, "--accuracy", "fine"), "--accuracy: invalid float value"),
             ((TETRAHEDRON, "--accuracy", "0"), "1e-0?6"),
             ((TETRAHEDRON, "--accuracy", "0.6"), "0.5"),
             ((TETRAHEDRON, "--accuracy", "nan"), "0.5"),
         ):
             with self.subTest(arguments=arguments):
-                result = command("compare", *arguments)
+                result = support.call("compare", *arguments)
                 self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
                 self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
                 self.assertRegex(result.stderr, pattern)
                 self.assertEqual(result.stdout, "")
-
-    def test_help(self):
-        result = command("compare", "--help")
-        self.assertEqual(result.returncode, 0)
-        for word in (
-            "--source",
-            "--accuracy",
-            "--tolerance",
-            "--out",
-            "--merge",
-            "--methods",
-            "--cloud",
-            ".off",
-            ".pcd",
-            ".xyz",
-        ):
-            self.assertIn(word, result.stdout)
 
 
 if __name__ == "__main__":

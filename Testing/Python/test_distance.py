@@ -125,6 +125,29 @@ class Distance(unittest.TestCase):
         # Had they been computed exactly, there would be none.
         self.assertGreater(max(errors), 1e-9)
 
+    def test_methods(self):
+        straight = self.straight(self.points[3])
+        for method, tolerance in (("exact", 1e-12), ("fast", 1e-5), ("graph", 1e-2)):
+            found = vtkdgg.distance(self.points, self.triangles, 3, method=method)
+            np.testing.assert_allclose(found, straight, rtol=tolerance)
+        for wrong in (
+            {"method": "quick"},
+            {"method": ["fast"]},
+            {"method": 1},
+            {"method": "fast", "accuracy": 0.1},
+        ):
+            with self.assertRaisesRegex(ValueError, "method"):
+                vtkdgg.distance(self.points, self.triangles, 3, **wrong)
+
+    def test_marching_on_a_cloud(self):
+        points = np.random.default_rng(1).random((3000, 3)) * [1.0, 1.0, 0.0]
+        found = vtkdgg.distance(points, [], 7, method="marching")
+        self.assertEqual(found[7], 0.0)
+        straight = np.linalg.norm(points - points[7], axis=1)
+        np.testing.assert_allclose(found, straight, rtol=0.1, atol=0.01)
+        with self.assertRaisesRegex(vtkdgg.VTKError, "no polygons"):
+            vtkdgg.distance(points, [], 7)
+
     def test_unreached(self):
         points = np.vstack([self.points, [[9.0, 9.0, 9.0]]])
         distances = vtkdgg.distance(points, self.triangles, 0, unreached=-1.0)
@@ -134,9 +157,7 @@ class Distance(unittest.TestCase):
 
     def test_seams(self):
         # Two squares along a common side whose points exist twice.
-        points, triangles = support.grid(1, 1)
-        points = np.vstack([points, points + [1.0, 0.0, 0.0]])
-        triangles = np.vstack([triangles, triangles + 4])
+        points, triangles = support.two_squares([1.0, 0.0, 0.0])
         with self.assertWarnsRegex(RuntimeWarning, "set merge_coincident_points=True"):
             self.assertTrue(np.isnan(vtkdgg.distance(points, triangles, 0)[7]))
         for accuracy, delta in ((None, 1e-12), (0.01, 1e-5)):
@@ -162,7 +183,9 @@ class Distance(unittest.TestCase):
     def test_projection_tolerance(self):
         above = [[2.0, 1.0, 0.5]]
         for accuracy in (None, 0.01):
-            with self.assertRaisesRegex(vtkdgg.VTKError, "projection_tolerance 0.01 .* or raise projection_tolerance"):
+            with self.assertRaisesRegex(
+                vtkdgg.VTKError, "projection_tolerance 0.01 .* or raise projection_tolerance"
+            ):
                 vtkdgg.distance(self.points, self.triangles, above, accuracy=accuracy)
             distances = vtkdgg.distance(
                 self.points, self.triangles, above, accuracy=accuracy, projection_tolerance=0.1
@@ -199,7 +222,9 @@ class WrongInput(unittest.TestCase):
     def test_points(self):
         self.refuses(r"points: expected the shape \(n, 3\), got \(9, 2\)", self.points[:, :2])
         self.refuses(r"points: expected the shape", self.points.ravel())
-        self.refuses("points: expected an array of numbers, got elements of unequal", [[0, 0, 0], [1, 0]])
+        self.refuses(
+            "points: expected an array of numbers, got elements of unequal", [[0, 0, 0], [1, 0]]
+        )
         self.refuses("points: expected numbers", [["a", "b", "c"]])
         self.refuses("points: expected numbers", self.points.astype(complex))
         for value in (np.nan, np.inf):

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The explorer, by synthetic events: what is shown is what the filters give."""
 
-import contextlib
-import io
 import json
 import os
 import re
@@ -16,16 +14,14 @@ import warnings
 import numpy as np
 import support
 import vtkdgg
-from support import BUMPY
+from support import BUMPY, HAS_CLOUDS
 from vtkdgg import explorer
-from vtkdgg.command_line import main
 from vtkdgg.errors import VTKError
 from vtkdgg.explorer import Explorer, Scene
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 FOLDER = support.output_folder("explorer")
-HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
 
 
 # Two windows, one after the other; each is left by its key after a moment.
@@ -500,11 +496,7 @@ class Surface(unittest.TestCase):
 @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
 class Cloud(unittest.TestCase):
     def test_cloud(self):
-        i = np.arange(1500)
-        z = 1.0 - (2.0 * i + 1.0) / len(i)
-        turn = np.pi * (3.0 - np.sqrt(5.0)) * i
-        ring = np.sqrt(1.0 - z * z)
-        points = np.column_stack([ring * np.cos(turn), ring * np.sin(turn), z])
+        points = support.sphere_points(1500)
         hand = Hand(self, vtkdgg.Mesh(points), is_cloud=True)
         scene = hand.scene
         graph = vtkdgg.CloudGraph(points)
@@ -549,11 +541,10 @@ class Command(unittest.TestCase):
             window.refresh()
             window.close()
 
-        with contextlib.redirect_stdout(io.StringIO()) as said:
-            with unittest.mock.patch.object(explorer.Explorer, "start", start):
-                code = main(["explore", *map(str, arguments), "--json"])
-        self.assertEqual(code, 0)
-        return json.loads(said.getvalue())
+        with unittest.mock.patch.object(explorer.Explorer, "start", start):
+            result = support.call("explore", *arguments, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout)
 
     def test_command(self):
         found = self.explore(BUMPY)
@@ -572,17 +563,14 @@ class Command(unittest.TestCase):
             (("missing.ply",), "no such file"),
             ((BUMPY, "--accuracy", "2"), r"accuracy: expected a number in \[1e-6, 0.5\]"),
             ((BUMPY, "--source", "642"), "expected a point id from 0 to 641"),
+            ((BUMPY,), "no display to open a window on"),
         ):
-            with contextlib.redirect_stderr(io.StringIO()) as complained:
-                code = main(["explore", *arguments])
-            self.assertEqual(code, 2)
-            self.assertRegex(complained.getvalue(), pattern)
-        with unittest.mock.patch.dict(os.environ):
-            os.environ.pop("DISPLAY", None)
-            with contextlib.redirect_stderr(io.StringIO()) as complained:
-                code = main(["explore", BUMPY])
-        self.assertEqual(code, 2)
-        self.assertRegex(complained.getvalue(), "no display to open a window on")
+            with unittest.mock.patch.dict(os.environ):
+                if arguments == (BUMPY,):
+                    os.environ.pop("DISPLAY", None)
+                result = support.call("explore", *arguments)
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, pattern)
 
 
 if __name__ == "__main__":

@@ -17,7 +17,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 
 class Copies(unittest.TestCase):
@@ -102,18 +101,6 @@ class FromPolydata(unittest.TestCase):
         self.assertTrue(np.shares_memory(graph.lengths, self.graph.lengths))
         self.check_equal(graph)
 
-    def test_through_a_file(self):
-        path = os.path.join(support.output_folder("graph"), "graph.vtp")
-        writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(self.graph.polydata)
-        writer.SetFileName(path)
-        vtkdgg.check(writer)
-        reader = vtkXMLPolyDataReader()
-        reader.SetFileName(path)
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            self.check_equal(vtkdgg.Graph.from_polydata(vtkdgg.check(reader)))
-
     def test_from_a_pipeline(self):
         builder = vtkdgg.vtkDiscreteGeodesicGraph()
         builder.SetInputData(support.polydata(self.points, self.triangles))
@@ -172,18 +159,11 @@ class FromPolydata(unittest.TestCase):
 
         mesh = self.editable()
         mesh.GetFieldData().RemoveArray("DGG.Info")
-        for call in (lambda mesh: vtkdgg.distance(mesh, 0), vtkdgg.Graph):
+        for ask in (lambda mesh: vtkdgg.distance(mesh, 0), vtkdgg.Graph):
             with self.assertWarnsRegex(RuntimeWarning, "damaged: .*DGG.Info is missing"):
-                call(mesh)
+                ask(mesh)
 
     def test_damaged_parameters(self):
-        # They are not taken over, although each could be that of a graph.
-        half = int(np.array([0.5]).view(np.int64)[0])
-        for slot, value in ((2, 1), (3, half), (4, 7), (5, 1), (8, 1), (11, 0)):
-            mesh = self.editable()
-            mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
-            with self.subTest(slot=slot):
-                self.refuses(mesh, "checksum")
         for slot, value in ((1, 2), (2, 4), (3, 0), (3, -1)):
             mesh = self.editable()
             mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
@@ -234,22 +214,8 @@ class FromPolydata(unittest.TestCase):
         counts = (kept.GetNumberOfVerts(), kept.GetNumberOfLines(), kept.GetNumberOfCells())
         self.assertEqual(counts, (1, 2, 1283))
 
-    def test_merged_points(self):
-        # Two squares along a common side whose points exist twice.
-        points, triangles = support.grid(1, 1)
-        points = np.vstack([points, points + [1.0, 0.0, 0.0]])
-        builder = vtkdgg.vtkDiscreteGeodesicGraph()
-        builder.SetInputData(support.polydata(points, np.vstack([triangles, triangles + 4])))
-        builder.MergeCoincidentPointsOn()
-        graph = vtkdgg.Graph.from_polydata(vtkdgg.check(builder))
-        self.assertAlmostEqual(graph.distance(0)[7], np.sqrt(5.0), delta=1e-6)
-        self.assertAlmostEqual(graph.matrix(0, 7)[0, 0], np.sqrt(5.0), delta=1e-6)
-        self.assertTrue(graph._filters[vtkdgg.vtkDGGDistance].GetUsedInputGraph())
-
     def test_merged_within_a_tolerance(self):
-        points, triangles = support.grid(1, 1)
-        points = np.vstack([points, points + [1.0 + 1e-7, 0.0, 0.0]])
-        triangles = np.vstack([triangles, triangles + 4])
+        points, triangles = support.two_squares([1.0 + 1e-7, 0.0, 0.0])
         graph = vtkdgg.Graph(points, triangles, merge_coincident_points=True, merge_tolerance=1e-6)
         for same in (
             graph,

@@ -203,7 +203,7 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, pattern):
             vtkdgg.distance(points, np.vstack([TRIANGLES, [[0, 1, 20]]]), 0)
 
-    @unittest.skipUnless(hasattr(vtkdgg, "vtkPointCloudDGG"), "built without PCL")
+    @unittest.skipUnless(support.HAS_CLOUDS, "built without PCL")
     def test_clouds(self):
         points = support.grid(30, 20)[0]
         missing = np.vstack([points, np.full((1, 3), np.nan)])

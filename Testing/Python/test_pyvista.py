@@ -172,15 +172,11 @@ class Accessor(unittest.TestCase):
         tube = PolyData(support.polydata(*support.prism(9, 6)))
         self.assertEqual(tube.dgg.loop().GetNumberOfLines(), 1)
 
-    @unittest.skipUnless(hasattr(vtkdgg, "vtkPointCloudDGG"), "built without PCL")
+    @unittest.skipUnless(support.HAS_CLOUDS, "built without PCL")
     def test_cloud_from_a_file(self):
-        x, y = np.meshgrid(np.linspace(0, 2, 41), np.linspace(0, 1, 21))
-        points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
-        writer = vtkdgg.vtkPCDWriter()
+        points = support.plane(41, 21)
         path = os.path.join(support.output_folder("pyvista"), "cloud.pcd")
-        writer.SetFileName(path)
-        writer.SetInputData(support.polydata(points, np.empty((0, 3))))
-        vtkdgg.check(writer)
+        vtkdgg.write(path, vtkdgg.Mesh(points))
         cloud = REGISTERED["readers"][".pcd"](path, progress_bar=False)
         self.assertIsInstance(cloud, PolyData)
         found = cloud.dgg.distance(0, accuracy=0.01)

@@ -19,8 +19,6 @@ try:
 except ImportError:
     sparse = None
 
-HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
-
 
 class OfAMesh(unittest.TestCase):
     @classmethod
@@ -59,9 +57,7 @@ class OfAMesh(unittest.TestCase):
             self.graph.paths([1, 2, 3], [1, 2])
 
     def test_paths_that_are_not_there(self):
-        points, triangles = support.grid(1, 1)
-        points = np.vstack([points, points + [5, 0, 0]])
-        graph = vtkdgg.Graph(points, np.vstack([triangles, triangles + 4]), accuracy=0.1)
+        graph = vtkdgg.Graph(*support.two_squares([5, 0, 0]), accuracy=0.1)
         with self.assertWarnsRegex(RuntimeWarning, "not connected"):
             found = graph.paths([0, 0, 4], [3, 5, 7])
         self.assertIsNone(found[1])
@@ -247,12 +243,11 @@ class OfAMesh(unittest.TestCase):
             self.assertRegex(repr(thing), pattern)
 
 
-@unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+@unittest.skipUnless(support.HAS_CLOUDS, "built without PCL")
 class OfACloud(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        x, y = np.meshgrid(np.linspace(0, 2, 41), np.linspace(0, 1, 21))
-        cls.points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+        cls.points = support.plane(41, 21)
         cls.cloud = vtkdgg.CloudGraph(cls.points)
 
     def test_distances(self):

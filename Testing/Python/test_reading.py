@@ -3,9 +3,7 @@
 """vtkdgg.read, vtkdgg.write and vtkdgg.Mesh; the command with files of all formats."""
 
 import base64
-import contextlib
 import gzip
-import io
 import itertools
 import json
 import os
@@ -22,7 +20,6 @@ import formats
 import numpy as np
 import support
 import vtkdgg
-from vtkdgg.command_line import main
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkBitArray, vtkIdList, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
@@ -70,10 +67,9 @@ def path_of(name, contents):
 
 def command(*arguments):
     """The command in this process: exit code, JSON or error."""
-    said, complained = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(complained):
-        code = main([*arguments, "--json"])
-    return code, json.loads(said.getvalue()) if code == 0 else complained.getvalue()
+    result = support.call(*arguments, "--json")
+    code = result.returncode
+    return code, json.loads(result.stdout) if code == 0 else result.stderr
 
 
 class Formats(unittest.TestCase):

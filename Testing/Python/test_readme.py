@@ -14,41 +14,23 @@ import numpy as np
 import pages
 import support
 import vtkdgg
-from support import BUMPY, run
+from support import BUMPY, HAS_CLOUDS, run
 from vtkdgg.commands.words import HELP
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOPLY import vtkPLYWriter
-
-HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
-
-
-def write(writer, data, path):
-    """Write a file; its path."""
-    writer.SetInputData(data)
-    writer.SetFileName(path)
-    vtkdgg.check(writer)
-    return path
-
-
-def sphere_points():
-    """1500 points on the unit sphere, evenly spread; the first is near a pole."""
-    i = np.arange(1500)
-    z = 1.0 - (2.0 * i + 1.0) / len(i)
-    angle = np.pi * (3.0 - np.sqrt(5.0)) * i
-    radius = np.sqrt(1.0 - z * z)
-    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), z])
 
 
 def write_cloud(name):
-    """A PCD file of these points."""
+    """A PCD file of 1500 points of a sphere."""
     path = os.path.join(support.output_folder("readme"), name)
-    return write(vtkdgg.vtkPCDWriter(), support.polydata(sphere_points(), np.empty((0, 3))), path)
+    vtkdgg.write(path, vtkdgg.Mesh(support.sphere_points(1500)))
+    return path
 
 
 def write_prism():
     """A PLY file of a tube with nine sides of length 1."""
     path = os.path.join(support.output_folder("readme"), "prism.ply")
-    return write(vtkPLYWriter(), support.polydata(*support.prism(9, 6)), path)
+    vtkdgg.write(path, vtkdgg.Mesh(*support.prism(9, 6)))
+    return path
 
 
 def execute(block, names):

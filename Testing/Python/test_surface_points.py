@@ -3,9 +3,7 @@
 """Surface points by id, by coordinates and by face: the same answers from all functions and
 commands, on slits, seams and coincident layers too, and on meshes that were written and read."""
 
-import contextlib
 import gzip
-import io
 import json
 import os
 import unittest
@@ -14,7 +12,6 @@ import warnings
 import numpy as np
 import support
 import vtkdgg
-from vtkdgg.command_line import main
 from vtkdgg.explorer_scene import Scene
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
@@ -166,9 +163,7 @@ def functions(mesh, merge):
         "greens": function(vtkdgg.greens_function, pair),
         "greens at": lambda p: function(vtkdgg.greens_function, pair, at=p[rest])(p),
         "biharmonic": function(vtkdgg.biharmonic, pair, method="Exact"),
-        "biharmonic at": lambda p: function(
-            vtkdgg.biharmonic, pair, method="Exact", at=p[rest]
-        )(p),
+        "biharmonic at": lambda p: function(vtkdgg.biharmonic, pair, method="Exact", at=p[rest])(p),
         "earth_movers": lambda p: function(vtkdgg.earth_movers, pair, slice(2, 4))(p).lower_bound,
         "interpolate": lambda p: vtkdgg.interpolate(
             *mesh, p[:3], [1.0, 4.0, 2.0], at=p[rest], **options
@@ -275,11 +270,9 @@ class Commands(unittest.TestCase):
     """Commands of the shell."""
 
     def answer(self, *words):
-        with contextlib.redirect_stdout(io.StringIO()) as said:
-            with contextlib.redirect_stderr(io.StringIO()) as complained:
-                code = main([*map(str, words), "--json"])
-        self.assertEqual(code, 0, complained.getvalue())
-        found = json.loads(said.getvalue())
+        result = support.call(*words, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        found = json.loads(result.stdout)
         return {key: found[key] for key in found if key not in ("seconds", "written", "warnings")}
 
     def answers(self, path, words_of):
@@ -353,7 +346,8 @@ class Commands(unittest.TestCase):
                     return named(surface.ids)(option, part)
                 name = os.path.join(FOLDER, f"sources_{part.stop}.txt")
                 with open(name, "w", encoding="utf-8") as file:
-                    file.writelines(f"{i}\n" for i in surface.ids[part][1:])
+                    file.write("# ids\n\n")
+                    file.writelines(f"  {i}\n" for i in surface.ids[part][1:])
                 return ["--sources", surface.ids[part][0], "--source-file", name]
 
             faces = shifted(surface.faces_of(surface.ids), first)
@@ -398,8 +392,8 @@ class Slit(unittest.TestCase):
     def test_command(self):
         path, out = (os.path.join(FOLDER, name) for name in ("slit.vtp", "distance.vtp"))
         vtkdgg.write(path, support.polydata(*self.mesh))
-        code = main(["distance", path, "--source", "212", "--source", "0.05,0.95,0", "--out", out])
-        self.assertEqual(code, 0)
+        sources = "--source", 212, "--source", "0.05,0.95,0"
+        self.assertEqual(support.call("distance", path, *sources, "--out", out).returncode, 0)
         self.assertEqual(vtkdgg.read(out).point_data["GeodesicDistance"][212], 0.0)
 
     def test_explorer(self):
@@ -412,8 +406,8 @@ class Slit(unittest.TestCase):
         path, out = (os.path.join(FOLDER, name) for name in ("slit.vtp", "compared"))
         vtkdgg.write(path, support.polydata(*self.mesh))
         for source in (self.left[2], "face:{}:{:.0f},{:.0f},{:.0f}".format(*self.corner(212))):
-            with contextlib.redirect_stdout(io.StringIO()):
-                self.assertEqual(main(["compare", path, "--source", str(source), "--out", out]), 0)
+            result = support.call("compare", path, "--source", source, "--out", out)
+            self.assertEqual(result.returncode, 0, result.stderr)
             result = vtkdgg.read(os.path.join(out, "distance.vtp"))
             self.assertEqual(result.point_data["GeodesicDistance"][212], 0.0)
 
@@ -437,9 +431,8 @@ class Layers(unittest.TestCase):
     def test_cells_of_samples(self):
         path = os.path.join(FOLDER, "twice.vtp")
         vtkdgg.write(path, support.polydata(*self.mesh))
-        with contextlib.redirect_stdout(io.StringIO()) as said:
-            self.assertEqual(main(["voronoi", path, "--number", "8", "--json"]), 0)
-        self.assertGreater(min(json.loads(said.getvalue())["areas"]), 0.1)
+        areas = json.loads(support.call("voronoi", path, "--number", 8, "--json").stdout)["areas"]
+        self.assertGreater(min(areas), 0.1)
 
     def test_results_identify_their_points(self):
         samples = self.graph.sample(12, in_faces=True)
@@ -488,7 +481,7 @@ class Mistakes(unittest.TestCase):
             vtkdgg.path(*mesh, [0, inside], 4)
         with self.assertRaisesRegex(ValueError, "face 0"):
             vtkdgg.distance(points, [], (0, inside), method="marching")
-        if hasattr(vtkdgg, "vtkPointCloudDGG"):
+        if support.HAS_CLOUDS:
             cloud = vtkdgg.CloudGraph(support.bumpy()[0])
             with self.assertRaisesRegex(ValueError, "a point cloud has no faces"):
                 cloud.distance((0, inside))

@@ -1,0 +1,371 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What Python adds to the compiled classes: kinds of ids, arrays as NumPy, paths, observers,
+exceptions, and objects that are released. Their results are tested in C++."""
+
+import gc
+import os
+import pathlib
+import struct
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+import support
+import vtkdgg
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+# Classes with ids, and the name of their property.
+IDS = (
+    (vtkdgg.vtkExactGeodesicDistance, "Source"),
+    (vtkdgg.vtkDiscreteGreensFunction, "Source"),
+    (vtkdgg.vtkDGGLoop, "Point"),
+    (vtkdgg.vtkGeodesicPatchBoundaries, "FirstLandmark"),
+    (vtkdgg.vtkGeodesicVoronoi, "Site"),
+)
+
+
+def made(kind, mesh=None, **properties):
+    """Returns a filter of a mesh, by default a grid, with these properties."""
+    algorithm = kind()
+    algorithm.SetInputData(mesh or support.polydata(*support.grid(4, 4)))
+    for name, value in properties.items():
+        getattr(algorithm, f"Set{name}")(value)
+    return algorithm
+
+
+def distances_of(algorithm):
+    """Returns the distances of an updated filter."""
+    return support.point_array(vtkdgg.check(algorithm), "GeodesicDistance")
+
+
+class Ids(unittest.TestCase):
+    def for_all(self, test):
+        """Calls a test with functions that set, add and get the ids of each class."""
+        for kind, name in IDS:
+            algorithm = kind()
+
+            def ids(algorithm=algorithm, name=name):
+                count = getattr(algorithm, f"GetNumberOf{name}Ids")()
+                return [getattr(algorithm, f"Get{name}Id")(i) for i in range(count)]
+
+            with self.subTest(kind=kind.__name__, name=name):
+                test(getattr(algorithm, f"Set{name}Ids"), getattr(algorithm, f"Add{name}Id"), ids)
+
+    def test_kinds(self):
+        def check(set_ids, add_id, ids):
+            for name in ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"):
+                kind = np.dtype(name).type
+                set_ids(np.array([3, 1, 2], dtype=kind))
+                add_id(kind(7))
+                self.assertEqual(ids(), [3, 1, 2, 7])
+            listed = vtkIdList()
+            listed.InsertNextId(6)
+            for given, expected in (
+                (np.arange(10)[::3], [0, 3, 6, 9]),
+                (np.arange(12).reshape(3, 4)[:, 1], [1, 5, 9]),
+                (np.flatnonzero([0, 1, 0, 1]), [1, 3]),
+                (range(2, 5), [2, 3, 4]),
+                ([np.int64(4), 5], [4, 5]),
+                ((4, 9), [4, 9]),
+                (np.array([], dtype=int), []),
+                (listed, [6]),
+                (None, []),
+                ([], []),
+            ):
+                set_ids(given)
+                self.assertEqual(ids(), expected)
+
+        self.for_all(check)
+
+    def test_others_change_nothing(self):
+        def check(set_ids, add_id, ids):
+            set_ids([1, 2])
+            for bad in (
+                5,
+                "12",
+                1.5,
+                [1.5],
+                ["1"],
+                [None],
+                {1: 2},
+                np.ones(1),
+                np.zeros((2, 2), int),
+            ):
+                with self.assertRaises(TypeError, msg=bad):
+                    set_ids(bad)
+            with self.assertRaises((TypeError, OverflowError)):
+                set_ids([2**70])
+            with self.assertRaises(TypeError):
+                add_id("a")
+            self.assertEqual(ids(), [1, 2])
+
+        self.for_all(check)
+
+    def test_initial_distances(self):
+        distance = made(vtkdgg.vtkDGGDistance)
+        distance.AddSourceId(4)
+        distance.AddSourceId(7, 0.5)
+        self.assertEqual(distance.GetSourceInitialDistance(1), 0.5)
+        expected = distances_of(distance)
+        distance.SetSourceIds(np.array([4, 7]), np.array([0.0, 0.5]))
+        np.testing.assert_array_equal(distances_of(distance), expected)
+
+
+class Errors(unittest.TestCase):
+    def test_exceptions(self):
+        graph = made(vtkdgg.vtkDiscreteGeodesicGraph, Accuracy=2.0)
+        distance = vtkdgg.vtkDGGDistance()
+        distance.SetInputConnection(graph.GetOutputPort())
+        distance.SetSourceIds([0])
+        for algorithm in (graph, distance):  # the error is that of the first filter
+            with self.assertRaisesRegex(vtkdgg.VTKError, "vtkDiscreteGeodesicGraph.*0.5") as caught:
+                vtkdgg.check(algorithm)
+            self.assertNotEqual(caught.exception.code, 0)
+            self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)
+        graph.SetAccuracy(0.2)
+        self.assertEqual(distances_of(distance)[0], 0.0)
+        with self.assertRaises(TypeError):
+            graph.SetAccuracy("fine")
+        with self.assertRaisesRegex(vtkdgg.VTKError, "no input"):
+            vtkdgg.check(vtkdgg.vtkDGGDistance())
+
+    def test_bases_are_abstract(self):
+        for base, kind in (
+            (vtkdgg.vtkGeodesicAlgorithm, vtkdgg.vtkGeodesicDistanceMatrix),
+            (vtkdgg.vtkGeodesicDistanceAlgorithm, vtkdgg.vtkDGGDistance),
+        ):
+            self.assertTrue(issubclass(kind, base))
+            with self.assertRaises(TypeError):
+                base()
+
+    def test_random_cells(self):
+        """Any cells give an answer or an error, and never end the process."""
+        random = np.random.default_rng(12)
+        answers = 0
+        for trial in range(300):
+            n = int(random.integers(1, 12))
+            # Every other surface has coincident, collinear and coplanar points.
+            points = random.random((n, 3))
+            points = np.floor(5.0 * points) if trial % 4 < 2 else points
+            if trial % 10 == 0:
+                points[random.integers(n), random.integers(3)] = random.choice([np.nan, np.inf])
+            mesh = support.polydata(points, random.integers(0, n + trial % 2, (15, 3)))
+            source = int(random.integers(n))
+            distance = made(vtkdgg.vtkExactGeodesicDistance, mesh, SourceIds=[source])
+            distance.SetMergeCoincidentPoints(trial % 3 == 0)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                try:
+                    result = distances_of(distance)
+                except vtkdgg.VTKError:
+                    self.assertNotEqual(distance.GetErrorCode(), 0)
+                    self.assertEqual(distance.GetOutput().GetNumberOfPoints(), 0)
+                    continue
+            answers += 1
+            self.assertEqual(result[source], 0.0)
+            straight = np.linalg.norm(points - points[source], axis=1)
+            self.assertFalse((result < straight - 1e-6).any())
+        self.assertGreater(answers, 60)
+
+
+class Observers(unittest.TestCase):
+    def test_progress_and_abort(self):
+        distance = made(
+            vtkdgg.vtkExactGeodesicDistance, support.polydata(*support.grid(60, 60)), SourceIds=[0]
+        )
+        seen = []
+
+        def stop(caller, event):
+            if caller.GetAbortExecute() and caller.GetProgress() == 1.0:
+                return  # not of the filter: later versions of VTK report the end, too
+            seen.append(caller.GetProgress())
+            if seen[-1] > 0.0:
+                caller.AbortExecuteOn()
+
+        tag = distance.AddObserver("ProgressEvent", stop)
+        distance.Update()
+        self.assertEqual(seen, sorted(seen))
+        self.assertLess(seen[-1], 1.0)
+        self.assertEqual(distance.GetOutput().GetNumberOfPoints(), 0)
+        self.assertEqual(distance.GetErrorCode(), 0)
+        distance.RemoveObserver(tag)
+        self.assertAlmostEqual(distances_of(distance)[-1], 60.0 * np.sqrt(2.0), delta=1e-10)
+        self.assertEqual(distance.GetProgress(), 1.0)
+
+
+class Objects(unittest.TestCase):
+    def test_the_input_may_be_released(self):
+        distance = made(vtkdgg.vtkExactGeodesicDistance, SourceIds=[0])
+        before = distances_of(distance)
+        for _ in range(20):  # new objects may get the addresses of old ones
+            for size, expected in ((2, None), (4, before)):
+                distance.SetInputData(support.polydata(*support.grid(size, size)))
+                gc.collect()
+                found = distances_of(distance)
+                self.assertEqual(len(found), (size + 1) ** 2)
+                if expected is not None:
+                    np.testing.assert_array_equal(found, expected)
+
+    def test_outputs_outlive_the_filter(self):
+        graph = made(vtkdgg.vtkDiscreteGeodesicGraph)
+        matrix = made(vtkdgg.vtkGeodesicDistanceMatrix, RowIds=[0, 5, 20])
+        vtkdgg.check(matrix)
+        lengths = vtkdgg.check(graph).GetFieldData().GetArray("DGG.Lengths")
+        views = [vtk_to_numpy(lengths), vtk_to_numpy(matrix.GetMatrix())]
+        kept = [view.copy() for view in views]
+        matrix.ReleaseMatrix()
+        del graph, matrix, lengths
+        gc.collect()
+        for view, values in zip(views, kept):
+            np.testing.assert_array_equal(view, values)
+
+    def test_arrays(self):
+        """Types of the arrays of a graph as NumPy arrays."""
+        graph = made(vtkdgg.vtkDiscreteGeodesicGraph, Accuracy=0.05)
+        data = vtkdgg.check(graph).GetFieldData()
+        edges = graph.GetNumberOfGraphEdges()
+        for name, kind, size in (
+            ("Offsets", np.int64, 26),
+            ("Targets", np.int32, edges),
+            ("Lengths", np.float32, edges),
+            ("Angles", np.float32, edges),
+            ("ArrivalAngles", np.float32, edges),
+            ("Info", np.int64, 12),
+        ):
+            array = vtk_to_numpy(data.GetArray(f"DGG.{name}"))
+            self.assertEqual((array.dtype, len(array)), (kind, size), name)
+
+    def test_texts(self):
+        graph = made(vtkdgg.vtkDiscreteGeodesicGraph, Construction=1)
+        self.assertEqual(graph.GetConstructionAsString(), "OneRelay")
+        distance = made(vtkdgg.vtkExactGeodesicDistance, SourceIds=[0])
+        self.assertEqual(distance.GetMeshReport(), "no surface\n")
+        vtkdgg.check(distance)
+        self.assertIn("triangles: 32\n", distance.GetMeshReport())
+        self.assertIs(distance.GetOrientable(), True)
+        for word in ("Accuracy: 0.01", "OneRelay", "NumberOfGraphEdges: 0"):
+            self.assertIn(word, str(graph))
+
+    def test_nothing(self):
+        distance = made(vtkdgg.vtkExactGeodesicDistance, vtkPolyData())
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.assertEqual(vtkdgg.check(distance).GetNumberOfPoints(), 0)
+
+    @unittest.skipUnless(support.HAS_CLOUDS, "built without PCL")
+    def test_clouds(self):
+        graph = made(vtkdgg.vtkPointCloudDGG, support.polydata(support.grid(14, 14)[0], []))
+        self.assertEqual(graph.GetSchemeAsString(), "C")
+        sampler = vtkdgg.vtkGeodesicSampler()
+        sampler.SetInputConnection(graph.GetOutputPort())
+        sampler.SetNumberOfSamples(12)
+        matrix = vtkdgg.vtkGeodesicDistanceMatrix()
+        matrix.SetInputConnection(graph.GetOutputPort())
+        matrix.SetRowConnection(sampler.GetOutputPort())
+        vtkdgg.check(matrix)
+        points = vtk_to_numpy(sampler.GetOutput().GetPoints().GetData())
+        straight = np.linalg.norm(points[:, None] - points[None, :], axis=2)
+        np.testing.assert_allclose(vtk_to_numpy(matrix.GetMatrix()), straight, rtol=0.02)
+
+
+class Files(unittest.TestCase):
+    """Readers and the writer of point clouds."""
+
+    OFF = "OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+    PCD = (
+        "FIELDS x y z i\nSIZE 4 4 4 2\nTYPE F F F U\nWIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n"
+        "0 1 2 3\n4 5 6 7\n7 8 9 10\n"
+    )
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def read(self, reader, content):
+        """Reads contents with a reader."""
+        path = self.folder / "file"
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        reader.SetFileName(path)
+        reader.Modified()
+        return vtkdgg.check(reader)
+
+    def test_paths(self):
+        for kind, content in ((vtkdgg.vtkDGGOFFReader, self.OFF), (vtkdgg.vtkPCDReader, self.PCD)):
+            path = self.folder / f"Fläche mit Lücke {kind.__name__}"
+            path.write_text(content, encoding="ascii")
+            reader = kind()
+            self.assertEqual(
+                (kind.CanReadFile(path), kind.CanReadFile(self.folder / "none")), (1, 0)
+            )
+            reader.SetFileName(path)
+            self.assertEqual(reader.GetFileName(), os.fspath(path))
+            self.assertEqual(vtkdgg.check(reader).GetNumberOfPoints(), 3)
+            with self.assertRaisesRegex(vtkdgg.VTKError, "SetFileName"):
+                vtkdgg.check(kind())
+            with self.assertRaisesRegex(
+                vtkdgg.VTKError, f"{kind.__name__}.*line 1.*'ply'"
+            ) as caught:
+                self.read(reader, "ply\n")
+            self.assertNotEqual(caught.exception.code, 0)
+            self.assertEqual(self.read(reader, content).GetNumberOfPoints(), 3)
+
+    def test_arrays(self):
+        mesh = self.read(
+            vtkdgg.vtkDGGOFFReader(),
+            "STCNOFF 2 0 0\n0 0 0 0 0 1 255 0 9 .5 .25\n1 1 1 0 1 0 0 7 0 1 0\n",
+        )
+        data = mesh.GetPointData()
+        for array, expected in (
+            (mesh.GetPoints().GetData(), [[0, 0, 0], [1, 1, 1]]),
+            (data.GetNormals(), [[0, 0, 1], [0, 1, 0]]),
+            (data.GetArray("RGB"), [[255, 0, 9], [0, 7, 0]]),
+            (data.GetTCoords(), [[0.5, 0.25], [1, 0]]),
+        ):
+            np.testing.assert_array_equal(vtk_to_numpy(array), expected)
+        cloud = self.read(vtkdgg.vtkPCDReader(), self.PCD)
+        values = vtk_to_numpy(cloud.GetPointData().GetArray("i"))
+        self.assertEqual(values.dtype, np.uint16)
+        np.testing.assert_array_equal(values, [3, 7, 10])
+        writer = vtkdgg.vtkPCDWriter()
+        writer.SetInputData(cloud)
+        writer.SetFileName(self.folder / "written.pcd")
+        writer.SetDataMode(vtkdgg.vtkPCDWriter.BINARY_COMPRESSED)
+        self.assertEqual((writer.Write(), writer.GetErrorCode()), (1, 0))
+        again = self.read(vtkdgg.vtkPCDReader(), (self.folder / "written.pcd").read_bytes())
+        np.testing.assert_array_equal(support.point_array(again, "i"), values)
+        errors = []
+        writer.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        writer.SetFileName(self.folder / "none" / "cloud.pcd")
+        self.assertEqual((writer.Write(), len(errors)), (0, 1))
+        self.assertNotEqual(writer.GetErrorCode(), 0)
+
+    def test_random_damage(self):
+        """Damaged files are refused or read, and never end the process."""
+        content = (
+            b"STCNOFF\n3 2 3\n0 0 0 0 0 1 255 0 0 0 0\n1 0 0 0 0 1 255 0 0 0 0\n"
+            b"0 1 0 0 0 1 255 0 0 0 0\n3 0 1 2 10 20 30\n2 0 1\n"
+        )
+        binary = b"OFF BINARY\n" + struct.pack(">3i", 3, 1, 0)
+        binary += struct.pack(">9f5i", 0, 0, 0, 1, 0, 0, 0, 1, 0, 3, 0, 1, 2, 0)
+        random = np.random.RandomState(7)
+        reader, refused = vtkdgg.vtkDGGOFFReader(), 0
+        for original in (content, binary):
+            for _ in range(300):
+                damaged = bytearray(original)
+                for _ in range(random.randint(1, 4)):
+                    damaged[random.randint(len(damaged))] = random.randint(256)
+                try:
+                    self.read(reader, bytes(damaged))
+                except vtkdgg.VTKError:
+                    refused += 1
+                    self.assertEqual(reader.GetOutput().GetNumberOfPoints(), 0)
+        self.assertGreater(refused, 200)
+
+
+if __name__ == "__main__":
+    unittest.main()
