@@ -513,6 +513,11 @@ def main():
         parser.error("the name of a file for the record is missing")
     record = Record(options)
     failed = record.run()
+    if not record.content["answers"]:
+        parser.error(
+            f"No mesh has '{options.meshes}' and no case '{options.cases}' in its name. Give the"
+            " folder of the meshes, or other names."
+        )
     with open(options.output, "w", encoding="utf-8") as file:
         json.dump(record.content, file, indent=0)
     return failed

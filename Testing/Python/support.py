@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fixtures: folders, small meshes and clouds, a strict comparison of images, examples and commands."""
+"""Fixtures: folders, small meshes and clouds, strict comparison of images, examples, commands."""
 
 import contextlib
 import importlib.util
@@ -9,6 +9,7 @@ import os
 import subprocess
 import sys
 import types
+from unittest import mock
 
 import numpy as np
 import vtkdgg
@@ -198,10 +199,13 @@ def call(*arguments):
     """Run the command in this process, which saves time."""
     from vtkdgg.command_line import main  # not needed by tests in ParaView
 
+    # Without a display, a command that draws would replace this process.
+    display = AssertionError("pictures need an X display, as of xvfb-run")
     with contextlib.redirect_stdout(io.StringIO()) as printed:
         with contextlib.redirect_stderr(io.StringIO()) as complained:
             try:
-                code = main([*map(str, arguments)])
+                with mock.patch("os.execvpe", side_effect=display):
+                    code = main([*map(str, arguments)])
             except SystemExit as leaving:  # after --help
                 code = leaving.code
     return types.SimpleNamespace(

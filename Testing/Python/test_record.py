@@ -8,6 +8,7 @@ import copy
 import io
 import os
 import unittest
+import unittest.mock
 
 import record
 import support
@@ -53,6 +54,16 @@ class Record(unittest.TestCase):
         ):
             self.assertIn(text, refusals[f"terrain/distance/{what}"]["messages"][0])
         self.assertIn("vtkDGGDistance", self.old["classes"])
+
+    def test_nothing(self):
+        path = os.path.join(self.graphs, "nothing.json")
+        words = ["record.py", path, "", "--meshes", "unknown"]
+        with unittest.mock.patch("sys.argv", words), self.assertRaises(SystemExit) as leaving:
+            with contextlib.redirect_stderr(io.StringIO()) as complained:
+                record.main()
+        self.assertEqual(leaving.exception.code, 2)
+        self.assertIn("No mesh has 'unknown'", complained.getvalue())
+        self.assertFalse(os.path.exists(path))
 
     def test_differences(self):
         new = copy.deepcopy(self.old)
