@@ -199,7 +199,7 @@ std::vector<Refusal> RefuseSplines()
             MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } }, { { 0, 1, 2 } }));
           f->SetBoundaryToDirichlet();
         },
-        { "no place for a site", "Neumann" }),
+        { "no point can be a site", "Neumann" }),
       names("Same", "Same", "Basis", { "'Same'", "different" }),
       names("Cell", "Heat", "Cell", { "ResultArrayName", "different" }),
       names("Cell", "Heat", "Heat", { "ResultArrayName", "different" }),

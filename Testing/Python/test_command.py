@@ -367,7 +367,7 @@ class Command(unittest.TestCase):
             ("seam", [points, points + [3, 0, 0]], "distance --source 0", "slit, add --merge"),
             ("parts", [points, points + [9, 0, 0]], "sample --number 1", "Raise --number"),
             ("one", [points], "sample --number 99", "subdivide the surface."),
-            ("one", [points], "greens --source 5", "refine it there"),
+            ("one", [points], "greens --source 5", "refine the mesh there"),
             ("long", [points * [1, 20, 1]], "isolines --source 5", "Use --method exact, or remesh"),
             ("long", [points * [1, 20, 1]], "distance --source 5 --method fast", "exact or --m"),
         ):
