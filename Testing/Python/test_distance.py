@@ -68,8 +68,6 @@ class Distance(unittest.TestCase):
         )
         self.assertTrue(found.GetPointData().HasArray("GeodesicSource"))
         self.assertEqual(len(vtkdgg.distance([], [], 0, return_source=True)), 2)
-        with self.assertRaisesRegex(ValueError, "initial_distances: expected one number or 2"):
-            vtkdgg.distance(self.points, self.triangles, ids, initial_distances=[1.0])
 
     def test_around_a_corner(self):
         # The unit cube: from a corner to the opposite one along two faces.
@@ -145,8 +143,6 @@ class Distance(unittest.TestCase):
         self.assertEqual(found[7], 0.0)
         straight = np.linalg.norm(points - points[7], axis=1)
         np.testing.assert_allclose(found, straight, rtol=0.1, atol=0.01)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "no polygons"):
-            vtkdgg.distance(points, [], 7)
 
     def test_unreached(self):
         points = np.vstack([self.points, [[9.0, 9.0, 9.0]]])
@@ -210,94 +206,104 @@ class Distance(unittest.TestCase):
 
 
 class WrongInput(unittest.TestCase):
-    def setUp(self):
-        self.points, self.triangles = support.grid(2, 2)
+    """vtkdgg.distance and vtkdgg.Graph refuse the same."""
 
-    def refuses(self, pattern, points=None, triangles=None, sources=0, **options):
-        points = self.points if points is None else points
-        triangles = self.triangles if triangles is None else triangles
-        with self.assertRaisesRegex(ValueError, pattern):
-            vtkdgg.distance(points, triangles, sources, **options)
+    POINTS, TRIANGLES = support.grid(2, 2)
+
+    def refuses(self, pattern, points=POINTS, triangles=TRIANGLES, sources=0, **options):
+        of_graphs = {name: options[name] for name in options if name == "accuracy"}
+        of_queries = {name: options[name] for name in options if name != "accuracy"}
+        for call in (
+            lambda: vtkdgg.distance(points, triangles, sources, **options),
+            lambda: vtkdgg.Graph(points, triangles, **of_graphs).distance(sources, **of_queries),
+        ):
+            with self.subTest(pattern), self.assertRaisesRegex(ValueError, pattern):
+                call()
 
     def test_points(self):
-        self.refuses(r"points: expected the shape \(n, 3\), got \(9, 2\)", self.points[:, :2])
-        self.refuses(r"points: expected the shape", self.points.ravel())
-        self.refuses(
-            "points: expected an array of numbers, got elements of unequal", [[0, 0, 0], [1, 0]]
-        )
-        self.refuses("points: expected numbers", [["a", "b", "c"]])
-        self.refuses("points: expected numbers", self.points.astype(complex))
-        for value in (np.nan, np.inf):
-            bad = self.points.copy()
-            bad[4, 1] = value
-            self.refuses("points: row 4 is not finite", bad)
+        bad = self.POINTS.copy()
+        bad[4, 1] = np.inf
+        for points, pattern in (
+            (self.POINTS[:, :2], r"expected the shape \(n, 3\), got \(9, 2\)"),
+            (self.POINTS.ravel(), "expected the shape"),
+            ([[0, 0, 0], [1, 0]], "expected an array of numbers, got elements of unequal"),
+            ([["a", "b", "c"]], "expected numbers"),
+            (self.POINTS.astype(complex), "expected numbers"),
+            (self.POINTS + np.nan, "row 0 is not finite"),
+            (bad, "row 4 is not finite"),
+            (np.ma.masked_equal(self.POINTS, 2.0), "has masked entries"),
+        ):
+            self.refuses(f"points: {pattern}", points)
 
     def test_triangles(self):
-        self.refuses(r"triangles: expected the shape \(m, 3\)", triangles=[[0, 1]])
-        self.refuses("triangles: expected integers, got float64", triangles=[[0.0, 1.0, 2.0]])
-        self.refuses("triangles: expected integers, got bool", triangles=[[True, False, True]])
-        self.refuses(r"triangles: point id 9 \(entry 1, 2\)", triangles=[[0, 1, 2], [3, 4, 9]])
-        self.refuses(r"triangles: point id -1 \(entry 0, 0\)", triangles=[[-1, 1, 2]])
+        for triangles, pattern in (
+            ([[0, 1]], r"expected the shape \(m, 3\)"),
+            ([[0.0, 1.0, 2.0]], "expected integers, got float64"),
+            ([[True, False, True]], "expected integers, got bool"),
+            ([[0, 1, 2], [3, 4, 9]], r"point id 9 \(entry 1, 2\)"),
+            ([[-1, 1, 2]], r"point id -1 \(entry 0, 0\)"),
+            ([[0, 1, 2**64]], "does not fit"),
+            (np.ma.masked_equal(self.TRIANGLES, 1), "has masked entries"),
+        ):
+            self.refuses(f"triangles: .*{pattern}", triangles=triangles)
 
     def test_sources(self):
-        self.refuses(r"sources: point id 9 \(entry 0\)", sources=9)
-        self.refuses(r"sources: point id -1 \(entry 1\)", sources=[0, -1])
-        self.refuses("sources: expected at least one", sources=[])
-        self.refuses("sources: expected point ids", sources=1.0)
-        self.refuses("sources: expected point ids", sources=[0.5, 0.5])
-        self.refuses("sources: expected point ids", sources=[[0, 1, 2]])  # ids or coordinates?
-        self.refuses("sources: expected numbers, got bool", sources=[True, False])
-        self.refuses("sources: expected numbers", sources="first")
-        self.refuses("sources: missing", sources=None)
-        self.refuses(r"sources: expected the shape \(n, 3\)", sources=[[0.0, 1.0]])
-        self.refuses("sources: row 0 is not finite", sources=[[np.nan, 0.0, 0.0]])
-
-    def test_maximum_distance(self):
-        for value in (-1.0, np.nan):
-            self.refuses("maximum_distance", maximum_distance=value)
-
-        self.refuses("maximum_distance: expected a number", maximum_distance="far")
-
-    def test_numbers(self):
-        for name in ("unreached", "projection_tolerance", "accuracy", "maximum_distance"):
-            for value in ("x", "1", [1, 2], 10**400):
-                with self.subTest(name=name, value=str(value)[:9]):
-                    self.refuses(f"{name}: expected a number", **{name: value})
-        self.refuses("unreached: expected a number, got None", unreached=None)
-        for value in (-0.1, np.nan):
-            self.refuses("projection_tolerance: expected a number of at least 0", projection_tolerance=value)
-
-    def test_huge_integers(self):
-        self.refuses("sources: 1180591620717411303424 does not fit into 64 bits", sources=2**70)
-        self.refuses("sources: -1180591620717411303424 does not fit", sources=[1, -(2**70)])
-        self.refuses("triangles: .* does not fit", triangles=[[0, 1, 2**64]])
-
-    def test_one_point(self):
-        self.refuses("there is 1 point$", points=[[0, 0, 0]], triangles=[[0, 0, 0]], sources=1)
-
-    def test_accuracy(self):
-        self.refuses("accuracy: expected a number, got 'high'", accuracy="high")
-        for accuracy in (0.0, -0.1, 0.6, np.nan):
-            pattern = r"accuracy: expected a number in \[1e-6, 0.5\]"
-            with self.subTest(accuracy=accuracy):
-                self.refuses(pattern, accuracy=accuracy)
-
-    def test_masked_entries(self):
-        masked = np.ma.masked_equal
-        self.refuses("points: has masked entries", masked(self.points, 2.0))
-        self.refuses("triangles: has masked entries", triangles=masked(self.triangles, 1))
-        self.refuses("sources: has masked entries", sources=masked(np.arange(3), 1))
+        for sources, pattern in (
+            (9, r"point id 9 \(entry 0\)"),
+            ([0, -1], r"point id -1 \(entry 1\)"),
+            ([], "expected at least one"),
+            (1.0, "expected point ids"),
+            ([0.5, 0.5], "expected point ids"),
+            ([[0, 1, 2]], "expected point ids"),  # ids or coordinates?
+            ([True, False], "expected numbers, got bool"),
+            (True, "expected numbers, got bool"),
+            ("first", "expected numbers"),
+            (None, "missing"),
+            ([[0.0, 1.0]], r"expected the shape \(n, 3\)"),
+            ([[np.nan, 0.0, 0.0]], "row 0 is not finite"),
+            (2**70, "1180591620717411303424 does not fit into 64 bits"),
+            ([1, -(2**70)], "-1180591620717411303424 does not fit"),
+            (np.ma.masked_equal(np.arange(3), 1), "has masked entries"),
+        ):
+            self.refuses(f"sources: {pattern}", sources=sources)
+        pattern = r"sources\[0\]: expected a face id .* got True"
+        self.refuses(pattern, sources=(True, (1.0, 0.0, 0.0)))
         # Nothing is hidden here.
-        distances = vtkdgg.distance(self.points, self.triangles, np.ma.array([0, 1]))
+        distances = vtkdgg.distance(self.POINTS, self.TRIANGLES, np.ma.array([0, 1]))
         self.assertEqual(distances[1], 0.0)
 
-    def test_far_from_the_surface(self):
-        with self.assertRaisesRegex(vtkdgg.VTKError, "source point 0"):
-            vtkdgg.distance(self.points, self.triangles, [[0.0, 0.0, 1.0]])
+    def test_numbers(self):
+        names = "unreached", "projection_tolerance", "accuracy", "maximum_distance"
+        for name in names:
+            for value in ("x", "1", [1, 2], 10**400):
+                self.refuses(f"{name}: expected a number", **{name: value})
+        self.refuses("unreached: expected a number, got None", unreached=None)
+        for name in names[1:]:
+            for value in (-0.1, np.nan):
+                self.refuses(f"{name}: expected a number ", **{name: value})
+        for accuracy in (0.0, 1e-7, 0.51, np.inf):
+            pattern = rf"accuracy: expected a number in \[1e-6, 0.5\], got {accuracy:g}"
+            self.refuses(pattern, accuracy=accuracy)
+
+    def test_initial_distances(self):
+        for given, pattern in (
+            ([1.0], "expected one number or 2"),
+            ([[1.0, 2.0]], "expected one number or 2"),
+            ([], "expected one number or 2"),
+            ([0.0, np.nan], "entry 1"),
+            ("ab", "expected numbers"),
+        ):
+            self.refuses(f"initial_distances: {pattern}", sources=[0, 1], initial_distances=given)
+        self.refuses("initial_distances: expected one number", initial_distances=[1.0, 2.0])
+
+    def test_one_point(self):
+        with self.assertRaisesRegex(ValueError, "there is 1 point$"):
+            vtkdgg.distance([[0, 0, 0]], [[0, 0, 0]], 1)
 
     def test_points_without_triangles(self):
-        with self.assertRaises(vtkdgg.VTKError):
-            vtkdgg.distance(self.points, [], 0)
+        for call in (lambda *mesh: vtkdgg.distance(*mesh, 0), vtkdgg.Graph):
+            with self.assertRaisesRegex(vtkdgg.VTKError, "no polygons"):
+                call(self.POINTS, [])
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import support
 import vtkdgg
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 ROUNDING = 1e-6  # of lengths, relative
@@ -60,65 +61,37 @@ class Distance(unittest.TestCase):
         for source in (np.int8(3), np.array(3), [3]):
             np.testing.assert_array_equal(self.graph.distance(source), self.graph.distance(3))
 
-    def test_sources_in_faces(self):
+    def test_options(self):
+        """Sources and options reach the filter."""
         weights = np.array([[0.2, 0.3, 0.5], [0.0, 0.4, 0.6], [0.98, 0.01, 0.01]])
         places = np.einsum("ij,ijk->ik", weights, self.points[self.triangles[[7, 400, 900]]])
-        for place in places:
-            self.check_close(self.graph.distance([place]), self.exact([place]))
-        distances, nearest = self.graph.distance(places, return_source=True)
-        self.check_close(distances, self.exact(places))
-        for i, triangle in enumerate(self.triangles[[7, 400, 900]]):
-            self.assertTrue((nearest[triangle] == i).all())
-
-    def test_nearest_source(self):
-        sources = [641, 0, 318]
-        distances, nearest = self.graph.distance(sources, return_source=True)
-        fields = np.array([self.graph.distance(source) for source in sources])
-        self.assertEqual(nearest.dtype.kind, "i")
-        np.testing.assert_array_equal(nearest[sources], [0, 1, 2])
-        self.assertEqual(set(nearest), {0, 1, 2})
-        # Near a boundary of two regions either may be named.
-        named = fields[nearest, np.arange(len(nearest))]
-        self.assertTrue((named <= fields.min(axis=0) * (1 + 2 * self.ACCURACY)).all())
-        clear = np.sort(fields, axis=0)[1] > (1 + 3 * self.ACCURACY) * fields.min(axis=0)
-        self.assertGreater(clear.sum(), 300)
-        np.testing.assert_array_equal(nearest[clear], fields.argmin(axis=0)[clear])
-        np.testing.assert_allclose(distances[clear], named[clear], rtol=1e-12)
-
-    def test_initial_distances(self):
-        ids, offsets = [5, 400, 90], np.array([1.5, 1.0, 1.0])
-        exact = np.min([self.exact(i) + o for i, o in zip(ids, offsets)], axis=0)
-        for sources in (ids, self.points[ids]):
-            with self.subTest(sources=np.shape(sources)):
-                distances, nearest = self.graph.distance(
-                    sources, initial_distances=offsets, return_source=True
-                )
-                self.check_close(distances, exact, offset=1.0)
-                self.assertEqual([nearest[400], nearest[90]], [1, 2])
-                self.assertEqual(distances[400], 1.0)
-                self.assertEqual(set(nearest), {0, 1, 2})
-                all_the_same = self.graph.distance(sources, initial_distances=-2.0)
-                np.testing.assert_allclose(
-                    all_the_same, self.graph.distance(sources) - 2.0, rtol=1e-12, atol=1e-12
-                )
-        # The next query has none.
-        self.assertEqual(self.graph.distance(self.points[ids])[400], 0.0)
-
-    def test_initial_distances_and_a_limit(self):
-        ids, offsets = [5, 400, 90], [0.5, 0.25, 0.75]
-        everywhere = self.graph.distance(ids, initial_distances=offsets)
-        for sources in (ids, self.points[ids]):
-            distances, nearest = self.graph.distance(
-                sources, initial_distances=offsets, maximum_distance=0.6, return_source=True
+        offsets = numpy_to_vtk(np.array([0.5, 0.25, 0.75]), deep=True)
+        offsets.SetName("InitialDistance")
+        for sources in ([5, 400, 90], places):
+            search = vtkdgg.vtkDGGDistance()
+            search.SetInputData(self.graph.polydata)
+            search.GenerateNearestSourceOn()
+            search.SetMaximumDistance(0.6)
+            search.SetUnreachedValue(-1.0)
+            if sources is places:
+                search.SetInputData(1, support.polydata(places, []))
+                search.GetInputDataObject(1, 0).GetPointData().AddArray(offsets)
+            else:
+                search.SetSourceIds(sources, vtk_to_numpy(offsets))
+            output = vtkdgg.check(search)
+            found = self.graph.distance(
+                sources,
+                initial_distances=vtk_to_numpy(offsets),
+                maximum_distance=0.6,
+                unreached=-1.0,
+                return_source=True,
             )
-            reached = ~np.isnan(distances)
-            self.assertEqual([nearest[5], nearest[400], nearest[90]], [0, 1, -1])
-            self.assertTrue((distances[reached] <= 0.6).all())
-            np.testing.assert_array_equal(nearest == -1, ~reached)
-            clear = np.abs(everywhere - 0.6) > 0.6 * self.ACCURACY
-            np.testing.assert_array_equal(reached[clear], (everywhere < 0.6)[clear])
-        distances = self.graph.distance(ids, initial_distances=2.0, maximum_distance=1.0)
-        self.assertTrue(np.isnan(distances).all())
+            for values, name in zip(found, ("GeodesicDistance", "GeodesicSource")):
+                np.testing.assert_array_equal(values, support.point_array(output, name))
+            self.assertEqual(set(found[1]), {-1, 0, 1})
+            moved = self.graph.distance(sources, initial_distances=-2.0)
+            expected = self.graph.distance(sources)  # without those of the query before
+            np.testing.assert_allclose(moved, expected - 2.0, rtol=1e-12, atol=1e-12)
 
     def test_maximum_distance(self):
         everywhere = self.graph.distance(17)
@@ -271,12 +244,6 @@ class GraphOnTheMesh(unittest.TestCase):
             with self.assertWarnsRegex(RuntimeWarning, r"0\.05 and .*Graph\(mesh, accuracy"):
                 np.testing.assert_array_equal(ask(accuracy=0.01), expected)
 
-    def test_merged_points(self):
-        squares = support.two_squares([1.0, 0.0, 0.0])
-        graph = vtkdgg.Graph(*squares, merge_coincident_points=True)
-        np.testing.assert_array_equal(vtkdgg.distance(graph.polydata, 0), graph.distance(0))
-        self.assertAlmostEqual(vtkdgg.path(graph.polydata, 0, 7).length, np.sqrt(5.0), delta=1e-6)
-
     def test_out_of_date(self):
         mesh = vtkPolyData()
         mesh.DeepCopy(self.mesh)
@@ -315,32 +282,11 @@ class WrongInput(unittest.TestCase):
         self.points, self.triangles = support.folded()
         self.graph = vtkdgg.Graph(self.points, self.triangles)
 
-    def test_arrays(self):
-        for points, triangles, pattern in (
-            ([], [], "points: expected at least one"),
-            (self.points[:, :2], self.triangles, "points: expected the shape"),
-            (self.points + np.nan, self.triangles, "points: row 0 is not finite"),
-            (np.ma.masked_less(self.points, 0.5), self.triangles, "points: has masked entries"),
-            (self.points, self.triangles + 3, r"triangles: point id 6 \(entry 0, 2\)"),
-            (self.points, self.triangles + 0.0, "triangles: expected integers"),
-            (self.points, self.triangles > 0, "triangles: expected integers, got bool"),
-        ):
-            with self.subTest(pattern=pattern), self.assertRaisesRegex(ValueError, pattern):
-                vtkdgg.Graph(points, triangles)
-        with self.assertRaisesRegex(vtkdgg.VTKError, "no polygons"):
-            vtkdgg.Graph(self.points, [])
-
-    def test_accuracy(self):
-        for accuracy in (0.0, 1e-7, 0.51, -1.0, np.nan, np.inf):
-            with self.subTest(accuracy=accuracy):
-                pattern = rf"accuracy: expected a number in \[1e-6, 0.5\], got {accuracy:g}"
-                with self.assertRaisesRegex(ValueError, pattern):
-                    vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
+    def test_arguments(self):
+        with self.assertRaisesRegex(ValueError, "points: expected at least one"):
+            vtkdgg.Graph([], [])
         with self.assertRaisesRegex(ValueError, "accuracy is a keyword argument: accuracy=0.01"):
             vtkdgg.Graph(support.polydata(self.points, self.triangles), 0.01)
-        for accuracy in ("fine", [0.1, 0.2]):
-            with self.assertRaisesRegex(ValueError, "accuracy: expected a number"):
-                vtkdgg.Graph(self.points, self.triangles, accuracy=accuracy)
 
     def test_construction(self):
         for construction in ("guaranteed", 0, "A"):
@@ -367,46 +313,13 @@ class WrongInput(unittest.TestCase):
         self.assertEqual(graph.number_of_points, 642)
 
     def test_numbers(self):
-        for value in ("x", None, [1.0, 2.0]):
-            for ask in (self.graph.distance, self.graph.matrix):
-                with self.assertRaisesRegex(ValueError, "unreached: expected a number"):
-                    ask(0, unreached=value)
-        for ask in (self.graph.distance, self.graph.matrix):
-            for value in (-1.0, np.nan, "x"):
-                with self.assertRaisesRegex(ValueError, "projection_tolerance: "):
-                    ask(0, projection_tolerance=value)
-
-    def test_queries(self):
-        for sources, options, pattern in (
-            ([], {}, "sources: expected at least one"),
-            (6, {}, "sources: point id 6"),
-            ([0, -1], {}, r"sources: point id -1 \(entry 1\)"),
-            (2**70, {}, "sources: 1180591620717411303424 does not fit into 64 bits"),
-            (None, {}, "sources: missing"),
-            (True, {}, "sources: expected numbers, got bool"),
-            ((True, (1.0, 0.0, 0.0)), {}, r"sources\[0\]: expected a face id .* got True"),
-            (np.array([True, False]), {}, "sources: expected numbers, got bool"),
-            (np.ma.masked_equal([0, 1], 1), {}, "sources: has masked entries"),
-            (0.5, {}, "sources: expected point ids"),
-            ([[0.0, 0.0, np.inf]], {}, "sources: row 0 is not finite"),
-            (0, {"maximum_distance": -1.0}, "maximum_distance"),
-            (0, {"maximum_distance": np.nan}, "maximum_distance"),
-            ([0, 1], {"initial_distances": [1.0]}, "initial_distances: expected one number or 2"),
-            (
-                [0, 1],
-                {"initial_distances": [[1.0, 2.0]]},
-                "initial_distances: expected one number or 2",
-            ),
-            ([0, 1], {"initial_distances": []}, "initial_distances: expected one number or 2"),
-            ([0, 1], {"initial_distances": [0.0, np.nan]}, "initial_distances: entry 1"),
-            ([0, 1], {"initial_distances": "ab"}, "initial_distances: expected numbers"),
-            (0, {"initial_distances": [1.0, 2.0]}, "initial_distances: expected one number"),
+        for name, value in (
+            ("unreached", "x"),
+            ("projection_tolerance", -1.0),
+            ("projection_tolerance", np.nan),
         ):
-            with self.subTest(sources=sources, options=options):
-                with self.assertRaisesRegex(ValueError, pattern):
-                    self.graph.distance(sources, **options)
-        # It still works.
-        self.assertAlmostEqual(self.graph.distance(4)[3], np.sqrt(5.0), delta=1e-6)
+            with self.assertRaisesRegex(ValueError, f"{name}: expected a number"):
+                self.graph.matrix(0, **{name: value})
 
     def test_far_from_the_surface(self):
         for _ in range(2):
