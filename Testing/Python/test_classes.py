@@ -16,7 +16,6 @@ import support
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 # Classes with ids, and the name of their property.
 IDS = (
@@ -44,7 +43,7 @@ def distances_of(algorithm):
 
 class Ids(unittest.TestCase):
     def for_all(self, test):
-        """Calls a test with functions that set, add and get the ids of each class."""
+        """Calls a test with functions of each class: set ids, add one, get one, get all."""
         for kind, name in IDS:
             algorithm = kind()
 
@@ -52,11 +51,12 @@ class Ids(unittest.TestCase):
                 count = getattr(algorithm, f"GetNumberOf{name}Ids")()
                 return [getattr(algorithm, f"Get{name}Id")(i) for i in range(count)]
 
+            accessors = [f"Set{name}Ids", f"Add{name}Id", f"Get{name}Id"]
             with self.subTest(kind=kind.__name__, name=name):
-                test(getattr(algorithm, f"Set{name}Ids"), getattr(algorithm, f"Add{name}Id"), ids)
+                test(*(getattr(algorithm, accessor) for accessor in accessors), ids)
 
     def test_kinds(self):
-        def check(set_ids, add_id, ids):
+        def check(set_ids, add_id, get_id, ids):
             for name in ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"):
                 kind = np.dtype(name).type
                 set_ids(np.array([3, 1, 2], dtype=kind))
@@ -78,11 +78,15 @@ class Ids(unittest.TestCase):
             ):
                 set_ids(given)
                 self.assertEqual(ids(), expected)
+            set_ids([5])
+            for index in (-1, 1):
+                with self.assertRaises(ValueError):
+                    get_id(index)
 
         self.for_all(check)
 
     def test_others_change_nothing(self):
-        def check(set_ids, add_id, ids):
+        def check(set_ids, add_id, _, ids):
             set_ids([1, 2])
             for bad in (
                 5,
@@ -249,12 +253,6 @@ class Objects(unittest.TestCase):
         self.assertIs(distance.GetOrientable(), True)
         for word in ("Accuracy: 0.01", "OneRelay", "NumberOfGraphEdges: 0"):
             self.assertIn(word, str(graph))
-
-    def test_nothing(self):
-        distance = made(vtkdgg.vtkExactGeodesicDistance, vtkPolyData())
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            self.assertEqual(vtkdgg.check(distance).GetNumberOfPoints(), 0)
 
     @unittest.skipUnless(support.HAS_CLOUDS, "built without PCL")
     def test_clouds(self):

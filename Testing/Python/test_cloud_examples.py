@@ -230,5 +230,21 @@ class Cells(unittest.TestCase):
         self.assertGreater(is_grey(support.pixels(support.read_image(picture))).mean(), 0.005)
 
 
+class Guards(unittest.TestCase):
+    def test_picture(self):
+        module = support.example("cloud_guards")
+        picture = os.path.join(support.OUTPUT, "cloud_guards.png")
+        module.main(picture, 0.1)
+        image = support.pixels(support.read_image(picture))[:, :, :3]
+        self.assertEqual(image.shape[:2], module.SIZE[::-1])
+        rows, columns = image.shape[0] // 2, image.shape[1] // 2
+        for i in range(4):
+            row, column = i // 2 * rows, i % 2 * columns
+            panel = image[row : row + rows, column : column + columns].reshape(-1, 3)
+            self.assertTrue(0.1 < (panel < 250).any(axis=1).mean() < 0.9, i)
+            red = (panel[:, 0] > 120) & (panel[:, 1:] < 60).all(axis=1)
+            self.assertGreater(red.sum(), 50, i)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -22,8 +22,6 @@ from support import call as command
 from vtkdgg import graph, queries
 from vtkdgg.command_line import make_parser
 from vtkdgg.commands.output import with_arrays
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkStripper
 
 PACKAGES = os.path.dirname(os.path.dirname(vtkdgg.__file__))
 FOLDER = support.output_folder("command")
@@ -551,24 +549,6 @@ class Command(unittest.TestCase):
             result = command(*arguments)
             self.assertEqual((result.returncode, result.stdout), (1, ""))
             self.assertRegex(result.stderr, rf"\Ano answer: .*{pattern}")
-
-    def test_written_as_text(self):
-        points, triangles = support.grid(2, 2)
-        points += 1.0 / 3.0
-        mesh = support.polydata(points, triangles)
-        stripper = vtkStripper()
-        stripper.SetInputData(mesh)
-        for name, data in (("grid.off", mesh), ("strips.off", vtkdgg.check(stripper))):
-            path = out(name)
-            vtkdgg.write(path, data)
-            again = vtkdgg.read(path).as_polydata()
-            np.testing.assert_array_equal(vtk_to_numpy(again.GetPoints().GetData()), points)
-            found = {frozenset(corners) for corners in support.triangles_of(again)}
-            self.assertEqual(found, {frozenset(corners) for corners in triangles})
-        path = out("points.xyz")
-        vtkdgg.write(path, mesh)
-        again = vtk_to_numpy(vtkdgg.read(path).as_polydata().GetPoints().GetData())
-        np.testing.assert_array_equal(again, points)
 
     def test_mistakes(self):
         coloured = out("coloured.vtp")

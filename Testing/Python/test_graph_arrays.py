@@ -43,9 +43,9 @@ class Arrays(unittest.TestCase):
         self.assertAlmostEqual(graph.lengths.max(), np.sqrt(5.0), delta=1e-12)
 
     def test_views_cannot_be_written_to(self):
-        for view in (self.graph.offsets, self.graph.targets, self.graph.lengths):
-            with self.assertRaises(ValueError):
-                view[0] = 1
+        for name in ("points", "offsets", "targets", "lengths"):
+            with self.subTest(name), self.assertRaises(ValueError):
+                getattr(self.graph, name)[0] = 1
         self.assertTrue(np.shares_memory(self.graph.lengths, self.graph.lengths))
 
     def test_views_outlive_the_graph(self):

@@ -160,12 +160,6 @@ class OtherThreads(unittest.TestCase):
             for other in answers:
                 np.testing.assert_array_equal(other, answer)
 
-    def test_views_of_a_graph_cannot_be_written_to(self):
-        graph = vtkdgg.Graph(*terrain(10), accuracy=0.1)
-        for name in ("points", "offsets", "targets", "lengths"):
-            with self.subTest(name), self.assertRaises(ValueError):
-                getattr(graph, name)[0] = 0
-
 
 class Interrupted(unittest.TestCase):
     def interrupt(self, work, seconds):
