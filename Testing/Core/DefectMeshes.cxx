@@ -150,20 +150,6 @@ TestMesh KleinBottle(Id columns, Id rows)
   });
 }
 
-double KleinBottleDistance(Id columns, Id rows, double x1, double y1, double x2, double y2)
-{
-  double best = dgg::Infinity;
-  for (int k = -4; k <= 4; ++k)
-  {
-    for (int l = -4; l <= 4; ++l)
-    {
-      const double y = (k % 2 == 0 ? y2 : -y2) + l * rows;
-      best = std::min(best, std::hypot(x2 + k * columns - x1, y - y1));
-    }
-  }
-  return best;
-}
-
 TestMesh SliverPlane(Id n, double height)
 {
   const Id middle = n / 2;
@@ -463,15 +449,34 @@ TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed)
   return mesh;
 }
 
-std::vector<NamedMesh> DefectMeshesAndSoups(int soups)
+std::vector<NamedMesh> SmallSoups(int count)
 {
-  std::vector<NamedMesh> meshes = DefectMeshes();
-  for (int seed = 1; seed <= soups; ++seed)
+  std::vector<NamedMesh> meshes;
+  for (int seed = 1; seed <= count; ++seed)
   {
     Random random(seed);
     const Id vertices = 3 + random.Index(20);
     const Id faces = 1 + random.Index(50);
     meshes.push_back({ "soup " + std::to_string(seed), RandomSoup(vertices, faces, seed) });
+  }
+  return meshes;
+}
+
+std::vector<NamedMesh> DefectMeshesAndSoups(int soups)
+{
+  return Joined(DefectMeshes(), SmallSoups(soups));
+}
+
+std::vector<NamedMesh> BrokenMeshes(int soups, int collapsed)
+{
+  std::vector<NamedMesh> meshes = SmallSoups(soups);
+  for (int seed = 1; seed <= collapsed; ++seed)
+  {
+    meshes.push_back({ "collapsed " + std::to_string(seed), CollapsedSphere(2, seed, seed) });
+  }
+  for (const TestMesh& mesh : FlattenedMeshes())
+  {
+    meshes.push_back({ "flattened", mesh });
   }
   return meshes;
 }

@@ -306,7 +306,6 @@ double MoebiusDistance(Id columns, double x1, double y1, double x2, double y2);
 /// Flat Klein bottle: a Moebius strip whose rim is glued to itself, y modulo `rows`. Vertex (i, j)
 /// has id j columns + i and sits at (i, j). At least 3 of each.
 TestMesh KleinBottle(Id columns, Id rows);
-double KleinBottleDistance(Id columns, Id rows, double x1, double y1, double x2, double y2);
 
 /// Plane of n x n cells with an extra row of vertices `height` above the middle one: slivers.
 TestMesh SliverPlane(Id n, double height);
@@ -350,8 +349,12 @@ std::vector<NamedMesh> AllMeshes();
 /// collinear; faces may repeat a vertex, each other, or share edges in any number.
 TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed);
 
-/// DefectMeshes() and as many small soups, with names that begin with "soup".
+/// Soups of up to 22 vertices and 50 faces, with names that begin with "soup".
+std::vector<NamedMesh> SmallSoups(int count);
+/// DefectMeshes() and SmallSoups().
 std::vector<NamedMesh> DefectMeshesAndSoups(int soups);
+/// SmallSoups(), spheres with 1 to `collapsed` vertices pulled onto neighbors, FlattenedMeshes().
+std::vector<NamedMesh> BrokenMeshes(int soups, int collapsed);
 }
 
 #endif
