@@ -46,7 +46,7 @@ struct vtkDiscreteGeodesicGraph::vtkInternals
   DGGGraphArrays OnInput;
   DGGGraphArrays Built;
   dgg::Domain BuiltDomain;
-  DGGGraphSummary Current; // of the graph of the last update
+  dgg::GraphSummary Current; // of the graph of the last update
   dgg::GraphEstimate Estimate;
   vtkTimeStamp BuildTime;
 };
@@ -152,7 +152,7 @@ vtkIdType vtkDiscreteGeodesicGraph::GetNumberOfGraphEdges() const
 //------------------------------------------------------------------------------
 double vtkDiscreteGeodesicGraph::GetMeanDegree() const
 {
-  const DGGGraphSummary& graph = this->Internals->Current;
+  const dgg::GraphSummary& graph = this->Internals->Current;
   return graph.NumberOfVertices > 0
     ? static_cast<double>(graph.NumberOfEdges) / graph.NumberOfVertices
     : 0.0;
@@ -190,7 +190,7 @@ dgg::GraphOptions vtkDiscreteGeodesicGraph::MakeOptions() const
 int vtkDiscreteGeodesicGraph::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Current = DGGGraphSummary();
+  this->Internals->Current = dgg::GraphSummary();
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
@@ -233,7 +233,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(const DGGContext& context,
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(context.Input);
   graph.AddTo(output->GetFieldData());
-  internals.Current = DGGGraphSummary(graph.GetView());
+  internals.Current = dgg::GraphSummary(graph.GetView());
   return dgg::Status::Success();
 }
 

@@ -72,7 +72,7 @@ bool DGGGraphUser::SetAcceptCoarserGraph(bool accept)
 //------------------------------------------------------------------------------
 void DGGGraphUser::PrintSelf(std::ostream& os, vtkIndent indent) const
 {
-  const DGGGraphSummary& summary = this->GetSummary();
+  const dgg::GraphSummary& summary = this->GetSummary();
   os << indent << "Accuracy: " << this->Accuracy << "\n";
   os << indent << "Accuracy has been set: " << (this->IsAccuracyExplicit ? "yes" : "no") << "\n";
   os << indent << "AcceptCoarserGraph: " << (this->AcceptCoarserGraph ? "On" : "Off") << "\n";
@@ -458,9 +458,9 @@ double DGGGraphUser::WidenLimit(
 }
 
 //------------------------------------------------------------------------------
-const DGGGraphSummary& DGGGraphUser::GetSummary() const
+const dgg::GraphSummary& DGGGraphUser::GetSummary() const
 {
-  static const DGGGraphSummary none;
+  static const dgg::GraphSummary none;
   return this->Graph ? this->Graph->GetSummary() : none;
 }
 

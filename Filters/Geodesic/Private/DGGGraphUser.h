@@ -96,7 +96,7 @@ public:
   /// when there is none, when one was last built, and the bytes held by the graph, also where it is
   /// shared, and by what searches and links need, about.
   bool IsFromInput() const { return this->UsedInput != 0; }
-  const DGGGraphSummary& GetSummary() const;
+  const dgg::GraphSummary& GetSummary() const;
   bool IsGuaranteed() const { return this->Graph && this->GetSummary().Info.IsGuaranteed(); }
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
   std::size_t GetMemorySize() const;

@@ -30,14 +30,14 @@ public:
   const DGGGraphArrays& GetArrays() const { return this->Arrays; }
   const dgg::PreparedSurface& GetSurface() const { return *this->Surface; }
   /// Its numbers, also when somebody has emptied the arrays.
-  const DGGGraphSummary& GetSummary() const { return this->Summary; }
+  const dgg::GraphSummary& GetSummary() const { return this->Summary; }
   /// To be copied by those who use landmarks.
   const dgg::GraphSearch& GetSearch() const { return this->Search; }
 
 private:
   DGGGraphArrays Arrays;
   dgg::PreparedSurface::Pointer Surface;
-  DGGGraphSummary Summary;
+  dgg::GraphSummary Summary;
   dgg::GraphSearch Search;
 };
 

@@ -177,7 +177,7 @@ dgg::Status vtkPointCloudDGG::Build(
   internals.BuiltBy = key;
   internals.Components = std::move(result.Components);
   findings.ComponentSizes = std::move(result.ComponentSizes);
-  findings.Graph = DGGGraphSummary(internals.Built.GetView());
+  findings.Graph = dgg::GraphSummary(internals.Built.GetView());
   internals.BuiltFindings = findings;
   internals.BuildTime.Modified();
   return dgg::Status::Success();

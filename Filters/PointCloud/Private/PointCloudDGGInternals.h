@@ -20,7 +20,7 @@ struct vtkPointCloudDGG::vtkInternals
   /// What is reported of a graph.
   struct Findings
   {
-    DGGGraphSummary Graph;
+    dgg::GraphSummary Graph;
     std::vector<dgg::Id> ComponentSizes;
     dgg::CloudGraphStatistics Statistics;
   };

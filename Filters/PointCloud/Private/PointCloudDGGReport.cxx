@@ -91,7 +91,7 @@ vtkIdType vtkPointCloudDGG::GetNumberOfGraphEdges() const
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetMeanDegree() const
 {
-  const DGGGraphSummary& graph = this->Internals->Current.Graph;
+  const dgg::GraphSummary& graph = this->Internals->Current.Graph;
   return graph.NumberOfVertices > 0
     ? static_cast<double>(graph.NumberOfEdges) / graph.NumberOfVertices
     : 0.0;

@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggStoredGraph.h"
+
+#include "dggBitHash.h"
+#include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace dgg
+{
+namespace
+{
+/// Positions in the array Info.
+enum InfoSlot
+{
+  Version,
+  Kind,
+  Construction,
+  Accuracy, // bits of the double
+  NumberOfNeighbors,
+  Merged, // 1 for a graph built with MergeCoincidentPoints
+  FirstSignature,
+  SecondSignature,
+  VoxelSize,      // bits of the double
+  MergeTolerance, // bits of the double
+  Reserved,
+  Checksum, // of the slots above and of the other arrays
+  InfoSize
+};
+
+constexpr std::int64_t FormatVersion = 1;
+
+template <typename To, typename From>
+To CopyBits(From from)
+{
+  static_assert(sizeof(To) == sizeof(From), "not the same bits");
+  To to;
+  std::memcpy(&to, &from, sizeof(to));
+  return to;
+}
+
+template <typename ValueType>
+const ValueType* GetValues(const StoredArray& array)
+{
+  return static_cast<const ValueType*>(array.Data);
+}
+
+bool IsMerged(const PreparedSurface& surface)
+{
+  return surface.GetDomain().Kind == Domain::MergedSurface;
+}
+
+/// Returns true if graphs of this kind are built by such a construction.
+bool IsConstructionOf(std::int64_t construction, GraphKind kind)
+{
+  const bool isCloud = kind == GraphKind::Cloud;
+  const auto first = isCloud ? GraphConstruction::CloudCurvature : GraphConstruction::Guaranteed;
+  const auto last =
+    isCloud ? GraphConstruction::CloudSpacing : GraphConstruction::SaddleVertexGraph;
+  return construction >= static_cast<std::int64_t>(first) &&
+    construction <= static_cast<std::int64_t>(last);
+}
+}
+
+const char* StoredGraph::GetName(int role)
+{
+  static constexpr const char* names[NumberOfRoles] = { "DGG.Offsets", "DGG.Targets", "DGG.Lengths",
+    "DGG.Angles", "DGG.ArrivalAngles", "DGG.Radii", "DGG.Info" };
+  return names[role];
+}
+
+bool StoredGraph::IsOfCloud(const StoredArray& info)
+{
+  return info.Type == StoredArray::Int64 && info.Size > Kind &&
+    GetValues<std::int64_t>(info)[Kind] == static_cast<std::int64_t>(GraphKind::Cloud);
+}
+
+StoredGraph::StoredGraph(const GraphView& graph, const CloudBand& band)
+  : View(graph)
+  , Band(band)
+{
+}
+
+Buffer<std::int64_t> StoredGraph::MakeInfo(
+  const PreparedSurface& surface, const ParallelFor& parallel) const
+{
+  const GraphInfo& graph = this->View.Info;
+  Buffer<std::int64_t> info(InfoSize);
+  std::fill(info.begin(), info.end(), 0);
+  info[Version] = FormatVersion;
+  info[Kind] = static_cast<std::int64_t>(graph.Kind);
+  info[Construction] = static_cast<std::int64_t>(graph.Construction);
+  info[Accuracy] = CopyBits<std::int64_t>(graph.Accuracy);
+  info[NumberOfNeighbors] = graph.NumberOfNeighbors;
+  info[Merged] = IsMerged(surface) ? 1 : 0;
+  info[MergeTolerance] = CopyBits<std::int64_t>(surface.GetDomain().MergeTolerance);
+  info[FirstSignature] = CopyBits<std::int64_t>(graph.Surface[0]);
+  info[SecondSignature] = CopyBits<std::int64_t>(graph.Surface[1]);
+  info[VoxelSize] = CopyBits<std::int64_t>(this->Band.VoxelSize);
+  info[Checksum] = this->ComputeChecksum(info.Data(), parallel);
+  return info;
+}
+
+bool StoredGraph::HasRole(int role) const
+{
+  const bool isCloud = this->View.Info.Kind == GraphKind::Cloud;
+  switch (role)
+  {
+    case Angles:
+    case ArrivalAngles:
+      return !isCloud;
+    case Radii:
+      return isCloud;
+    default:
+      return true;
+  }
+}
+
+template <typename... Parts>
+Status StoredGraph::Damaged(const Parts&... parts)
+{
+  this->Damage = JoinText(parts...);
+  return Status::Invalid("is damaged: " + this->Damage);
+}
+
+Status StoredGraph::Read(
+  const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel)
+{
+  *this = StoredGraph();
+  Status status = this->Check(arrays, surface, parallel);
+  if (!status.IsOk())
+  {
+    this->View = GraphView();
+    this->Band = CloudBand();
+  }
+  return status;
+}
+
+Status StoredGraph::Check(
+  const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel)
+{
+  this->View.Info.Kind = IsOfCloud(arrays[Info]) ? GraphKind::Cloud : GraphKind::Mesh;
+  DGG_RETURN_IF_ERROR(this->CheckTypes(arrays));
+  DGG_RETURN_IF_ERROR(this->ReadInfo(arrays[Info], surface.IsCloud()));
+  DGG_RETURN_IF_ERROR(
+    this->ReadSizes(arrays, surface.GetMeshWithoutAngles().GetNumberOfVertices()));
+  this->Refer(arrays);
+  const auto* info = GetValues<std::int64_t>(arrays[Info]);
+  DGG_RETURN_IF_ERROR(this->CheckSurface(info, surface));
+  return this->CheckContents(info, arrays[Targets].Size, parallel);
+}
+
+Status StoredGraph::CheckTypes(const Arrays& arrays)
+{
+  struct Types
+  {
+    StoredArray::ValueType First;
+    StoredArray::ValueType Second;
+    const char* Text;
+  };
+  static const Types expected[NumberOfRoles] = {
+    { StoredArray::Int64, StoredArray::Int64, "single 64-bit integers" },
+    { StoredArray::Int32, StoredArray::Int32, "single 32-bit integers" },
+    { StoredArray::Float, StoredArray::Double, "single floats or doubles" },
+    { StoredArray::Float, StoredArray::Float, "single floats" },
+    { StoredArray::Float, StoredArray::Float, "single floats" },
+    { StoredArray::Double, StoredArray::Double, "single doubles" },
+    { StoredArray::Int64, StoredArray::Int64, "single 64-bit integers" },
+  };
+  for (int role = 0; role < NumberOfRoles; ++role)
+  {
+    const StoredArray& array = arrays[role];
+    if (!this->HasRole(role) || array.Type == expected[role].First ||
+      array.Type == expected[role].Second)
+    {
+      continue;
+    }
+    return array.Type == StoredArray::Missing
+      ? this->Damaged("the field array ", GetName(role), " is missing")
+      : this->Damaged("the field array ", GetName(role), " is of type ", array.Description,
+          ", not of ", expected[role].Text);
+  }
+  return Status::Success();
+}
+
+Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
+{
+  const auto* info = GetValues<std::int64_t>(array);
+  if (array.Size >= 1 && info[Version] != FormatVersion)
+  {
+    return InvalidInput("has the format version ", info[Version],
+      ", but this version of vtkDGG reads version ", FormatVersion, " only");
+  }
+  if (array.Size != InfoSize)
+  {
+    return this->Damaged("DGG.Info has ", array.Size, " values, not ", static_cast<int>(InfoSize));
+  }
+  GraphInfo& graph = this->View.Info;
+  graph.Accuracy = CopyBits<double>(info[Accuracy]);
+  graph.NumberOfNeighbors = static_cast<Id>(info[NumberOfNeighbors]);
+  graph.Surface = { { CopyBits<std::uint64_t>(info[FirstSignature]),
+    CopyBits<std::uint64_t>(info[SecondSignature]) } };
+  if (info[Kind] != static_cast<std::int64_t>(graph.Kind))
+  {
+    return this->Damaged("its kind is ", info[Kind]);
+  }
+  if (graph.Kind != (isCloud ? GraphKind::Cloud : GraphKind::Mesh))
+  {
+    return Status::Invalid(isCloud ? "is that of a mesh, not of a point cloud"
+                                   : "is that of a point cloud, not of a mesh");
+  }
+  if (!IsConstructionOf(info[Construction], graph.Kind))
+  {
+    return this->Damaged("its construction is ", info[Construction]);
+  }
+  graph.Construction = static_cast<GraphConstruction>(info[Construction]);
+  return Status::Success();
+}
+
+Status StoredGraph::ReadSizes(const Arrays& arrays, Offset numberOfPoints)
+{
+  const Offset edges = arrays[Targets].Size;
+  for (const Role role : { Lengths, Angles, ArrivalAngles })
+  {
+    if (this->HasRole(role) && arrays[role].Size != edges)
+    {
+      return this->Damaged(
+        GetName(role), " has ", arrays[role].Size, " values, but DGG.Targets has ", edges);
+    }
+  }
+  if (arrays[Offsets].Size != numberOfPoints + 1)
+  {
+    return InvalidInput("does not fit: DGG.Offsets has ", arrays[Offsets].Size,
+      " values, not one more than the ", numberOfPoints, " points");
+  }
+  if (this->HasRole(Radii) && arrays[Radii].Size != numberOfPoints)
+  {
+    return this->Damaged(
+      "DGG.Radii has ", arrays[Radii].Size, " values, but there are ", numberOfPoints, " points");
+  }
+  this->View.NumberOfVertices = static_cast<Id>(numberOfPoints);
+  return Status::Success();
+}
+
+void StoredGraph::Refer(const Arrays& arrays)
+{
+  this->View.Offsets = GetValues<Offset>(arrays[Offsets]);
+  this->View.Targets = GetValues<Id>(arrays[Targets]);
+  if (arrays[Lengths].Type == StoredArray::Float)
+  {
+    this->View.Lengths = GetValues<float>(arrays[Lengths]);
+  }
+  else
+  {
+    this->View.WideLengths = GetValues<double>(arrays[Lengths]);
+  }
+  if (this->View.Info.Kind == GraphKind::Mesh)
+  {
+    this->View.Angles = GetValues<float>(arrays[Angles]);
+    this->View.ArrivalAngles = GetValues<float>(arrays[ArrivalAngles]);
+  }
+  else
+  {
+    this->Band = { CopyBits<double>(GetValues<std::int64_t>(arrays[Info])[VoxelSize]),
+      GetValues<double>(arrays[Radii]) };
+  }
+}
+
+Status StoredGraph::CheckSurface(const std::int64_t* info, const PreparedSurface& surface) const
+{
+  if (this->View.Info.Surface == surface.GetSignature())
+  {
+    return Status::Success();
+  }
+  const bool wasMerged = info[Merged] != 0;
+  if (wasMerged != IsMerged(surface))
+  {
+    return InvalidInput("was built with MergeCoincidentPoints ",
+      wasMerged ? "on, but it is off here" : "off, but it is on here");
+  }
+  const double tolerance = CopyBits<double>(info[MergeTolerance]);
+  if (tolerance != surface.GetDomain().MergeTolerance)
+  {
+    return InvalidInput("was built with a MergeTolerance of ", tolerance, ", but it is ",
+      surface.GetDomain().MergeTolerance, " here");
+  }
+  return InvalidInput("is out of date: ", surface.IsCloud() ? "points" : "points or cells",
+    " have changed since it was built");
+}
+
+Status StoredGraph::CheckContents(
+  const std::int64_t* info, Offset edges, const ParallelFor& parallel)
+{
+  const Status status = CheckGraph(this->View, edges, parallel);
+  if (!status.IsOk())
+  {
+    this->Damage = status.GetMessage();
+    return Status::Invalid("is " + status.GetMessage());
+  }
+  if (info[Checksum] != this->ComputeChecksum(info, parallel))
+  {
+    return this->Damaged(
+      "its checksum is wrong, so values have been altered, as by a text file that rounds them");
+  }
+  return this->View.Info.Kind == GraphKind::Cloud ? this->CheckBand() : Status::Success();
+}
+
+/// Checksum of all arrays and of the slots of Info before the checksum. Offsets must be valid.
+std::int64_t StoredGraph::ComputeChecksum(
+  const std::int64_t* info, const ParallelFor& parallel) const
+{
+  const std::uint64_t arrays = dgg::ComputeChecksum(this->View, parallel);
+  BitHash hash;
+  hash.Add(info, Checksum);
+  hash.Add(&arrays, 1);
+  if (this->View.Info.Kind == GraphKind::Cloud)
+  {
+    hash.Add(this->Band.Radii, static_cast<std::size_t>(this->View.NumberOfVertices));
+  }
+  return CopyBits<std::int64_t>(hash.Finish()[0]);
+}
+
+Status StoredGraph::CheckBand()
+{
+  bool hasBalls = false;
+  for (Id v = 0; v < this->View.NumberOfVertices; ++v)
+  {
+    const double radius = this->Band.Radii[v];
+    if (!(radius >= 0.0 && radius < Infinity))
+    {
+      return this->Damaged("DGG.Radii gives point ", v, " the radius ", radius);
+    }
+    hasBalls = hasBalls || radius > 0.0;
+  }
+  // A cloud without a finite point has neither balls nor voxels.
+  const double size = this->Band.VoxelSize;
+  if (!(size > 0.0 && size < Infinity) && (hasBalls || size != 0.0))
+  {
+    return this->Damaged("its voxels have the size ", size);
+  }
+  return Status::Success();
+}
+
+GraphSummary::GraphSummary(const GraphView& graph)
+  : Info(graph.Info)
+  , NumberOfVertices(graph.NumberOfVertices)
+  , NumberOfEdges(graph.GetNumberOfEdges())
+{
+  const std::size_t perEdge = sizeof(Id) + (graph.Lengths ? sizeof(float) : sizeof(double)) +
+    (graph.Angles ? 2 * sizeof(float) : 0);
+  this->MemorySize = static_cast<std::size_t>(this->NumberOfEdges) * perEdge +
+    (static_cast<std::size_t>(this->NumberOfVertices) + 1) * sizeof(Offset);
+}
+}

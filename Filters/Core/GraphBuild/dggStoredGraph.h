@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The format of stored graphs: named arrays, as they are in field data and in files. Internal.
+#ifndef dggStoredGraph_h
+#define dggStoredGraph_h
+
+#include "dggBuffer.h"        // for the info array
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
+#include "dggGeodesicGraph.h" // for GraphView
+
+#include <array>   // for the arrays
+#include <cstdint> // for fixed-width words
+#include <string>  // for messages
+
+namespace dgg
+{
+class PreparedSurface;
+
+/// The band around a cloud that its graph was built in: the union of balls around the points,
+/// divided into voxels.
+struct CloudBand
+{
+  double VoxelSize = 0.0;
+  const double* Radii = nullptr; ///< per point
+};
+
+/// An array of a stored graph.
+struct StoredArray
+{
+  enum ValueType
+  {
+    Missing,
+    Int32,
+    Int64,
+    Float,
+    Double,
+    Other ///< another type, several components, or not contiguous in memory
+  };
+
+  const void* Data = nullptr;
+  Offset Size = 0;
+  ValueType Type = Missing;
+  std::string Description; ///< type and number of components, for messages
+};
+
+/// A graph of a mesh or a cloud, and the arrays that store it. The contents of the arrays are
+/// documented in vtkDiscreteGeodesicGraph, and for clouds in vtkPointCloudDGG.
+class DGG_CORE_EXPORT StoredGraph
+{
+public:
+  enum Role
+  {
+    Offsets,
+    Targets,
+    Lengths,
+    Angles,
+    ArrivalAngles,
+    Radii,
+    Info,
+    NumberOfRoles
+  };
+  using Arrays = std::array<StoredArray, NumberOfRoles>;
+
+  /// Returns the name of an array.
+  static const char* GetName(int role);
+  /// Returns true if the array Info is that of the graph of a cloud.
+  static bool IsOfCloud(const StoredArray& info);
+
+  StoredGraph() = default;
+  /// Refers to the arrays of a graph that was just built.
+  StoredGraph(const GraphView& graph, const CloudBand& band);
+
+  /// Reads the arrays of a graph of `surface`, and refers to them. Everything is checked: types,
+  /// sizes, format version, ids, the signature of the surface and a checksum. After a failure this
+  /// graph is empty.
+  Status Read(const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel);
+
+  /// Returns the array Info that stores this graph of `surface`.
+  Buffer<std::int64_t> MakeInfo(const PreparedSurface& surface, const ParallelFor& parallel) const;
+
+  /// Returns true if graphs of this kind have such an array.
+  bool HasRole(int role) const;
+  const GraphView& GetView() const { return this->View; }
+  /// Null for a mesh.
+  const CloudBand& GetBand() const { return this->Band; }
+  /// Returns the defect of arrays that Read() refused as damaged; empty for arrays that are intact
+  /// but belong to another surface or format version.
+  const std::string& GetDamage() const { return this->Damage; }
+
+private:
+  Status Check(const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel);
+  Status CheckTypes(const Arrays& arrays);
+  Status ReadInfo(const StoredArray& info, bool isCloud);
+  Status ReadSizes(const Arrays& arrays, Offset numberOfPoints);
+  void Refer(const Arrays& arrays);
+  Status CheckSurface(const std::int64_t* info, const PreparedSurface& surface) const;
+  Status CheckContents(const std::int64_t* info, Offset edges, const ParallelFor& parallel);
+  Status CheckBand();
+  std::int64_t ComputeChecksum(const std::int64_t* info, const ParallelFor& parallel) const;
+  template <typename... Parts>
+  Status Damaged(const Parts&... parts);
+
+  GraphView View;
+  CloudBand Band;
+  std::string Damage;
+};
+
+/// Numbers of a graph, which remain valid when its arrays are gone.
+struct DGG_CORE_EXPORT GraphSummary
+{
+  GraphInfo Info;
+  Id NumberOfVertices = 0;
+  Offset NumberOfEdges = 0;
+  std::size_t MemorySize = 0; ///< bytes of the arrays
+
+  GraphSummary() = default;
+  explicit GraphSummary(const GraphView& graph);
+};
+}
+
+#endif
