@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGFreeMemory.h"
 
-#include "dggMemoryLimit.h"
-
 #include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
@@ -52,27 +50,22 @@ vtkTypeUInt64 DGGGetFreeInControlGroup(const std::string& membership, const std:
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 DGGGetMemoryLimit(vtkTypeUInt64 property)
+static std::uint64_t FindAvailable()
 {
-  if (property != 0)
-  {
-    return property;
-  }
   constexpr double share = 0.7;
   vtksys::SystemInformation system; // in KiB
   const long long total = system.GetHostMemoryTotal();
   const long long left = std::min<long long>(total - system.GetHostMemoryUsed(),
     system.GetProcMemoryAvailable() - system.GetProcMemoryUsed());
-  const auto machine = 1024 * static_cast<vtkTypeUInt64>(std::max(0LL, left));
+  const auto machine = 1024 * static_cast<std::uint64_t>(std::max(0LL, left));
   const auto group = DGGGetFreeInControlGroup("/proc/self/cgroup", "/sys/fs/cgroup");
-  return total <= 0
-    ? VTK_TYPE_UINT64_MAX // nothing is known
-    : static_cast<vtkTypeUInt64>(share * static_cast<double>(std::min(machine, group)));
+  return total <= 0 ? VTK_TYPE_UINT64_MAX // unknown
+                    : static_cast<std::uint64_t>(
+                        share * static_cast<double>(std::min<std::uint64_t>(machine, group)));
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGCheckMemory(
-  const std::string& what, double bytes, vtkTypeUInt64 property, const std::string& remedy)
+dgg::MemoryBudget DGGMakeBudget(vtkTypeInt64 property)
 {
-  return dgg::CheckMemory(what, bytes, static_cast<double>(DGGGetMemoryLimit(property)), remedy);
+  return { static_cast<std::uint64_t>(property), &FindAvailable };
 }

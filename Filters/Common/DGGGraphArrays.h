@@ -54,10 +54,11 @@ public:
 
   void Clear();
 
+  ///@{
   /// The graph, as long as these arrays live. Only for a valid graph.
+  const dgg::StoredGraph& GetGraph() const { return this->Graph; }
   const dgg::GraphView& GetView() const { return this->Graph.GetView(); }
-  /// The band of a cloud, as long as these arrays live. Only for a valid graph of a cloud.
-  const dgg::CloudBand& GetBand() const { return this->Graph.GetBand(); }
+  ///@}
   /// Returns the defect of arrays that Find() has refused as damaged; empty for others.
   const std::string& GetDamage() const { return this->Graph.GetDamage(); }
   /// Time at which this graph was adopted or found. It changes with the graph.

@@ -34,12 +34,3 @@ dgg::Status DGGCheckLengths(std::initializer_list<std::pair<const char*, double>
   }
   return dgg::Status::Success();
 }
-
-//------------------------------------------------------------------------------
-dgg::Status DGGExplain(
-  const dgg::Status& status, const std::string& subject, const std::string& remedy)
-{
-  return status.IsOk() || status.IsAborted()
-    ? status
-    : dgg::Status::Invalid(subject + status.GetMessage() + remedy);
-}

@@ -39,8 +39,4 @@ VTKDGGFILTERSCOMMON_EXPORT void DGGPrintIds(
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckLengths(
   std::initializer_list<std::pair<const char*, double>> properties);
 
-/// An error with what it is about before it, and what to do after it.
-VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGExplain(
-  const dgg::Status& status, const std::string& subject, const std::string& remedy);
-
 #endif

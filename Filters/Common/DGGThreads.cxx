@@ -4,8 +4,6 @@
 
 #include "vtkSMPTools.h"
 
-#include "dggBlockLoop.h"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -123,20 +121,4 @@ dgg::ParallelFor DGGMakeParallelFor(const dgg::ProgressCallback& progress)
     }
     queue.Rethrow();
   };
-}
-
-//------------------------------------------------------------------------------
-dgg::Status DGGForEach(std::size_t count, std::size_t grain, const dgg::ProgressCallback& progress,
-  const std::function<dgg::Status(std::size_t, const dgg::ProgressCallback&)>& step)
-{
-  return dgg::ForBlocks(static_cast<dgg::Offset>(count), static_cast<dgg::Offset>(grain),
-    DGGMakeParallelFor(progress), progress,
-    [&](dgg::Offset, dgg::Offset begin, dgg::Offset end, const dgg::ProgressCallback& within) {
-      dgg::Status status;
-      for (dgg::Offset i = begin; i < end && status.IsOk(); ++i)
-      {
-        status = step(static_cast<std::size_t>(i), within);
-      }
-      return status;
-    });
 }

@@ -3,13 +3,13 @@
 #include "vtkDGGLoop.h"
 
 #include "DGGGraphUser.h"
-#include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGThreads.h"
 
+#include "dggBlockLoop.h"
 #include "dggFoundLoop.h"
 #include "dggHandleLoops.h"
 #include "dggLoopFinder.h"
@@ -67,7 +67,7 @@ dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& po
     return finder.ThroughPoint(points[i], taut, set.Loops[i], within)
       .Of("point " + std::to_string(i));
   };
-  return DGGForEach(points.size(), 1, progress, step);
+  return dgg::ForEach(points.size(), 1, DGGMakeParallelFor(progress), progress, step);
 }
 
 /// Finds a loop through all points.

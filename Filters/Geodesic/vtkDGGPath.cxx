@@ -5,11 +5,11 @@
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
-#include "DGGPathSearch.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 
 #include "dggInvalidInput.h"
+#include "dggPathSearch.h"
 #include "dggPreparedSurface.h"
 
 #include "vtkAbstractArray.h"
@@ -109,9 +109,9 @@ DGGSourceSet MakeSourceSet(
   return set;
 }
 
-DGGPathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
+dgg::PathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
 {
-  DGGPathSearch::Pairs pairs;
+  dgg::PathSearch::Pairs pairs;
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
   {
     pairs.push_back({ ends[i].Point, ends[i + 1].Point });
@@ -359,9 +359,9 @@ dgg::Status vtkDGGPath::Execute(
     DGG_RETURN_IF_ERROR(graph.Update(context, this));
   }
 
-  const DGGPathSearch::Pairs pairs = MakePairs(ends);
-  const DGGPathSearch search(context, pairs);
-  DGGPathSearch::Paths paths;
+  const dgg::PathSearch::Pairs pairs = MakePairs(ends);
+  const dgg::PathSearch search(context, pairs);
+  dgg::PathSearch::Paths paths;
   DGG_RETURN_IF_ERROR(mesh.IsCloud() ? search.RunOnCloud(graph, options.Straighten, paths)
       : isExact                      ? search.RunExact(paths)
                                      : search.RunInGraph(graph, options, paths));
@@ -397,6 +397,6 @@ void vtkDGGPath::MakeEmptyOutput(const DGGContext& context, vtkInformationVector
   this->NumberOfFallbacks = 0;
   DGGNewGeometry geometry;
   geometry.Take(context, this->GetOutputPointsPrecision());
-  const DGGPathSearch::Paths none;
+  const dgg::PathSearch::Paths none;
   WritePaths({ none, nullptr, {} }, geometry, vtkPolyData::GetData(outputVector));
 }

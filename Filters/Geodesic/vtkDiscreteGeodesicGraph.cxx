@@ -3,10 +3,9 @@
 #include "vtkDiscreteGeodesicGraph.h"
 
 #include "DGGContext.h"
-#include "DGGFreeMemory.h"
 #include "DGGGraphArrays.h"
-#include "DGGGraphBuild.h"
 
+#include "dggGraphBuildTask.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
@@ -118,7 +117,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Estimate()
   const DGGContext context = this->MakeContext(surface);
   DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 0.0));
   dgg::GraphOptions options = this->MakeOptions();
-  DGGUseThreads(context, options);
+  dgg::UseThreads(context, options);
   DGG_RETURN_IF_ERROR(
     dgg::GraphBuilder(context.Surface.GetMesh()).Estimate(options, this->Internals->Estimate));
   return dgg::ReportTo(context.Progress, 1.0);
@@ -279,7 +278,7 @@ dgg::Status vtkDiscreteGeodesicGraph::Build(const DGGContext& context)
     dgg::ProgressPart(context.Progress, 0.0, this->GenerateGraphLines ? BuildShare : 1.0);
   const dgg::GraphBuilder builder(mesh.GetMesh());
   dgg::GeodesicGraph graph;
-  DGG_RETURN_IF_ERROR(DGGBuildGraph(context, builder, options, graph, internals.Estimate));
+  DGG_RETURN_IF_ERROR(dgg::BuildGraph(context, builder, options, graph, internals.Estimate));
   internals.Built.Adopt(graph, mesh);
   internals.BuiltDomain = mesh.GetDomain();
   internals.BuildTime.Modified();
@@ -293,8 +292,8 @@ dgg::Status vtkDiscreteGeodesicGraph::AddLines(
   const dgg::Id rowsInBlock = 4096; // between two reports of progress
   const vtkIdType count = arrays.GetView().GetNumberOfEdges() / 2;
   const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
-  DGG_RETURN_IF_ERROR(DGGCheckMemory("the edges of the graph as lines",
-    static_cast<double>(count) * perLine, context.MemoryLimit, "turn GenerateGraphLines off"));
+  DGG_RETURN_IF_ERROR(context.Memory.Check("the edges of the graph as lines",
+    static_cast<double>(count) * perLine, "turn GenerateGraphLines off"));
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact(count, 2 * count);
   vtkNew<vtkDoubleArray> lengths;

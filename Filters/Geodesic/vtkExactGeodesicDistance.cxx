@@ -3,7 +3,6 @@
 #include "vtkExactGeodesicDistance.h"
 
 #include "DGGDistanceTask.h"
-#include "DGGFreeMemory.h"
 
 #include "dggSourceFinding.h"
 
@@ -44,8 +43,7 @@ dgg::Status vtkExactGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   if (options.KeepWindows)
   {
     // Not 0, which would mean no limit.
-    options.MemoryLimit = static_cast<std::size_t>(
-      std::max<vtkTypeUInt64>(1, DGGGetMemoryLimit(task.Context.MemoryLimit)));
+    options.MemoryLimit = static_cast<std::size_t>(std::max(1.0, task.Context.Memory.GetBytes()));
   }
 
   dgg::ExactGeodesics solver(task.Context.Surface.GetMesh());

@@ -4,6 +4,7 @@
 
 #include "DGGCompatibility.h"
 #include "DGGContext.h"
+#include "DGGFreeMemory.h"
 #include "DGGMeshAdapter.h"
 #include "DGGPartedUpdate.h"
 #include "DGGProperties.h"
@@ -23,6 +24,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -500,8 +502,9 @@ std::string vtkGeodesicAlgorithm::GetMemoryRemedy() const
 DGGContext vtkGeodesicAlgorithm::MakeContext(vtkPolyData* surface)
 {
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  return { surface, this->Adapter->Get(), static_cast<vtkTypeUInt64>(this->MemoryLimit), progress,
-    DGGMakeParallelFor(progress) };
+  return { { this->Adapter->Get(), DGGMakeBudget(this->MemoryLimit),
+             vtkSMPTools::GetEstimatedNumberOfThreads(), progress, DGGMakeParallelFor(progress) },
+    surface };
 }
 
 //------------------------------------------------------------------------------

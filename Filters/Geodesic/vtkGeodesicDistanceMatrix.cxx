@@ -5,12 +5,12 @@
 #include "DGGFreeMemory.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
-#include "DGGMatrixSearch.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
 #include "DGGThreads.h"
 
 #include "dggDistanceRows.h"
+#include "dggMatrixSearch.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -238,16 +238,16 @@ dgg::Status vtkGeodesicDistanceMatrix::CheckInputs(
 dgg::Status vtkGeodesicDistanceMatrix::CheckMemory(
   std::size_t rows, std::size_t columns, bool withTable) const
 {
+  const dgg::MemoryBudget memory = DGGMakeBudget(this->MemoryLimit);
   const double bytes = static_cast<double>(rows) * static_cast<double>(columns) * sizeof(double);
   const std::string size =
     std::to_string(rows) + " rows and " + std::to_string(columns) + " columns";
   if (withTable)
   {
-    return DGGCheckMemory("a matrix of " + size + " and its table", 2.0 * bytes, this->MemoryLimit,
+    return memory.Check("a matrix of " + size + " and its table", 2.0 * bytes,
       "use fewer points at a time, turn GenerateTable off");
   }
-  return DGGCheckMemory(
-    "a matrix of " + size, bytes, this->MemoryLimit, "use fewer points at a time");
+  return memory.Check("a matrix of " + size, bytes, "use fewer points at a time");
 }
 
 //------------------------------------------------------------------------------
@@ -310,8 +310,8 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
   // Search from the smaller set.
   const bool sourcesAreRows = rows.size() <= columns.size();
-  const DGGMatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
-  DGG_RETURN_IF_ERROR(DGGMatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
+  const dgg::MatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
+  DGG_RETURN_IF_ERROR(dgg::MatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
     sourcesAreRows ? columns : rows, entries)
                         .Run(symmetric, this->MaximumDistance));
   std::replace_if(
@@ -345,7 +345,7 @@ dgg::Status vtkGeodesicDistanceMatrix::FillCompressedRows(
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
   options.SearchRadius =
     options.Correct ? graph.WidenLimit(options.MaximumDistance, rows) : options.MaximumDistance;
-  options.MemoryLimit = static_cast<double>(DGGGetMemoryLimit(this->MemoryLimit));
+  options.MemoryLimit = context.Memory.GetBytes();
   options.NextPoints = FindNextPoints(context.Surface, context.Input->GetNumberOfPoints());
   dgg::DistanceRows found;
   DGG_RETURN_IF_ERROR(dgg::FindDistanceRows(graph.GetSearch(), seeds, options, context.Parallel,

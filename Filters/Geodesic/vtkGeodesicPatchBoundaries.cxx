@@ -236,8 +236,9 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(
     this->GetLandmarks(1, inputVector), secondInput->GetNumberOfPoints()));
   const DGGContext contexts[2] = { context,
-    { secondInput, this->SecondMesh->Get(), context.MemoryLimit, context.Progress,
-      context.Parallel } };
+    { { this->SecondMesh->Get(), context.Memory, context.NumberOfThreads, context.Progress,
+        context.Parallel },
+      secondInput } };
   std::vector<dgg::SurfacePoint> landmarks[2];
   for (int side = 0; side < 2; ++side)
   {

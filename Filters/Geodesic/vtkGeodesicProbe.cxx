@@ -7,10 +7,10 @@
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
-#include "DGGThreads.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
+#include "dggBlockLoop.h"
 #include "dggFaceProfile.h"
 #include "dggProgressPart.h"
 #include "dggSurfacePoint.h"
@@ -130,7 +130,7 @@ dgg::Status vtkGeodesicProbe::Execute(
   this->WarnAboutQuality(input.DescribeQuality(context.Surface));
   const auto found = DGGMakeArray<vtkDoubleArray>(name, places.size());
   double* values = found->GetPointer(0);
-  DGG_RETURN_IF_ERROR(DGGForEach((places.size() + BlockSize - 1) / BlockSize, 1,
+  DGG_RETURN_IF_ERROR(dgg::ForEach((places.size() + BlockSize - 1) / BlockSize, 1, context.Parallel,
     dgg::ProgressPart(context.Progress, ReadDone, 1.0),
     [&](std::size_t block, const dgg::ProgressCallback&) {
       dgg::FaceProfile profile(input.GetField());

@@ -3,7 +3,6 @@
 #include "vtkHeatGeodesicDistance.h"
 
 #include "DGGDistanceTask.h"
-#include "DGGFreeMemory.h"
 #include "DGGMeshQuality.h"
 
 #include "dggHeatMethod.h"
@@ -133,8 +132,8 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   bool isTooMuch = false;
   dgg::Status status = method.Prepare(
     options, dgg::ProgressPart(task.Context.Progress, 0.0, FactorizedAt), [&](double bytes) {
-      const dgg::Status check = DGGCheckMemory("the factorizations of the heat method", bytes,
-        task.Context.MemoryLimit, this->GetMemoryRemedy());
+      const dgg::Status check = task.Context.Memory.Check(
+        "the factorizations of the heat method", bytes, this->GetMemoryRemedy());
       isTooMuch = !check.IsOk();
       return check;
     });

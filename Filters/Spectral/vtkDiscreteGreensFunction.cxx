@@ -6,6 +6,7 @@
 #include "DGGSpectralOutputs.h"
 #include "DGGThreads.h"
 
+#include "dggBlockLoop.h"
 #include "dggGreensFunction.h"
 #include "dggGreensInterpolation.h"
 #include "dggInvalidInput.h"
@@ -95,7 +96,8 @@ public:
   dgg::Status InBlocks(const dgg::GreensFunction& function)
   {
     const std::vector<dgg::SurfacePoint>& sources = this->Task.Sources;
-    return DGGForEach((sources.size() + BlockSize - 1) / BlockSize, 1, this->Task.Progress,
+    return dgg::ForEach((sources.size() + BlockSize - 1) / BlockSize, 1,
+      DGGMakeParallelFor(this->Task.Progress), this->Task.Progress,
       [&](std::size_t block, const dgg::ProgressCallback& progress) {
         const std::size_t first = block * BlockSize;
         const std::size_t end = std::min(sources.size(), first + BlockSize);

@@ -3,7 +3,6 @@
 #include "vtkPoissonVectorGraphics.h"
 
 #include "DGGContext.h"
-#include "DGGFreeMemory.h"
 #include "DGGGraphicsInput.h"
 #include "DGGGraphicsOutput.h"
 #include "DGGProperties.h"
@@ -11,6 +10,7 @@
 
 #include "dggGraphicsFragments.h"
 #include "dggGraphicsRefinement.h"
+#include "dggInvalidInput.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
@@ -114,7 +114,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& conte
   const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
   const std::size_t count = drawing.Curves.size();
   DGG_RETURN_IF_ERROR(
-    DGGCheckMemory("the refined mesh", EstimateMesh(mesh, drawing), context.MemoryLimit, remedy));
+    context.Memory.Check("the refined mesh", EstimateMesh(mesh, drawing), remedy));
   std::vector<dgg::SurfaceCurve> joined(count);
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -128,13 +128,17 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& conte
   DGG_RETURN_IF_ERROR(
     dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined));
   dgg::GraphicsRefinement refinement = drawing.Refinement;
-  refinement.MostFaces = static_cast<dgg::Offset>(std::min(
-    static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit)) / dgg::VectorGraphics::BytesPerFace,
-    static_cast<double>(refinement.MostFaces)));
+  refinement.MostFaces =
+    static_cast<dgg::Offset>(std::min(context.Memory.GetBytes() / dgg::VectorGraphics::BytesPerFace,
+      static_cast<double>(refinement.MostFaces)));
   refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
-  DGG_RETURN_IF_ERROR(
-    DGGExplain(dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces), "",
-      ", for memory to suffice: raise MemoryLimit, or " + remedy));
+  const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
+  if (!status.IsOk())
+  {
+    return status.IsAborted() ? status
+                              : dgg::InvalidInput(status.GetMessage(),
+                                  ", for memory to suffice: raise MemoryLimit, or ", remedy);
+  }
   std::vector<dgg::CurveChain> chains;
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -357,10 +361,9 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   options.IntrinsicDelaunay = this->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
     const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());
-    const double own = context.MemoryLimit == 0 ? missing : bytes;
-    return DGGCheckMemory("the factorization and the colors",
-      own + points * output.GetBytesPerPoint(options.NumberOfChannels), context.MemoryLimit,
-      this->GetMemoryRemedy());
+    const double own = !context.Memory.IsExplicit() ? missing : bytes;
+    return context.Memory.Check("the factorization and the colors",
+      own + points * output.GetBytesPerPoint(options.NumberOfChannels), this->GetMemoryRemedy());
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(prepared);
   const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
@@ -381,8 +384,8 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
     const double count = static_cast<double>(internals.RefinedFaces.size()) *
       std::pow(static_cast<double>(this->FragmentDivision), 2);
-    DGG_RETURN_IF_ERROR(DGGCheckMemory("fragments", count * bytes, context.MemoryLimit,
-      "use a smaller FragmentDivision, or refine NearCurves only"));
+    DGG_RETURN_IF_ERROR(context.Memory.Check(
+      "fragments", count * bytes, "use a smaller FragmentDivision, or refine NearCurves only"));
   }
   output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
   if (this->GenerateFragments)

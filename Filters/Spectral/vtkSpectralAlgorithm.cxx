@@ -3,7 +3,6 @@
 #include "vtkSpectralAlgorithm.h"
 
 #include "DGGContext.h"
-#include "DGGFreeMemory.h"
 #include "DGGPoissonCache.h"
 #include "DGGProperties.h"
 #include "DGGSourceCollector.h"
@@ -235,8 +234,8 @@ dgg::Status vtkSpectralAlgorithm::Execute(
     dgg::ProgressPart(context.Progress, 0.0, prepared)));
   DGG_RETURN_IF_ERROR(this->ChooseSources(
     cache.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources));
-  const double held = context.MemoryLimit == 0 ? 0.0 : cache.GetSolver().GetEstimatedMemory();
-  const double left = static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit)) - held - needed;
+  const double held = !context.Memory.IsExplicit() ? 0.0 : cache.GetSolver().GetEstimatedMemory();
+  const double left = context.Memory.GetBytes() - held - needed;
   DGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(),
     this->CountResults(sources.size()), this->ResultArrayName);
   DGGSpectralTask task{ context, cache.GetSolver(), cache.GetSolverTime(), sources, targets,

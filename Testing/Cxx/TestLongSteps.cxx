@@ -4,6 +4,8 @@
 /// Steps in several threads: each is done once, and the progress does not wait for the last.
 #include "DGGThreads.h"
 
+#include "dggBlockLoop.h"
+
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
@@ -62,16 +64,15 @@ TEST(LongSteps, EachIsDoneOnce)
       {
         std::vector<std::atomic<int>> done(count);
         std::atomic<double> most{ 0.0 };
-        const dgg::Status status = DGGForEach(
-          count, grain,
-          [&](double progress) {
-            double before = most;
-            while (before < progress && !most.compare_exchange_weak(before, progress))
-            {
-            }
-            return true;
-          },
-          [&](std::size_t step, const dgg::ProgressCallback& within) {
+        const dgg::ProgressCallback progress = [&](double value) {
+          double before = most;
+          while (before < value && !most.compare_exchange_weak(before, value))
+          {
+          }
+          return true;
+        };
+        const dgg::Status status = dgg::ForEach(count, grain, DGGMakeParallelFor(progress),
+          progress, [&](std::size_t step, const dgg::ProgressCallback& within) {
             ++done[step];
             return within(0.5) ? dgg::Status::Success() : dgg::Status::Abort();
           });
@@ -86,14 +87,14 @@ TEST(LongSteps, EachIsDoneOnce)
 TEST(LongSteps, TheFirstErrorCounts)
 {
   ForEachBackend([] {
-    const auto goOn = [](double) { return true; };
-    const dgg::Status status =
-      DGGForEach(50, 1, goOn, [](std::size_t step, const dgg::ProgressCallback&) {
+    const dgg::ProgressCallback goOn = [](double) { return true; };
+    const dgg::Status status = dgg::ForEach(
+      50, 1, DGGMakeParallelFor(goOn), goOn, [](std::size_t step, const dgg::ProgressCallback&) {
         return step < 7 ? dgg::Status::Success()
                         : dgg::Status::Invalid("step " + std::to_string(step));
       });
     EXPECT_EQ(status.GetMessage(), "step 7");
-    EXPECT_THROW(DGGForEach(50, 1, goOn,
+    EXPECT_THROW(dgg::ForEach(50, 1, DGGMakeParallelFor(goOn), goOn,
                    [](std::size_t step, const dgg::ProgressCallback&) -> dgg::Status {
                      if (step == 9)
                      {
@@ -118,12 +119,11 @@ TEST(LongSteps, ProgressWhileNothingIsLeftToDo)
     std::atomic<int> calls{ 0 };
     std::atomic<int> begun{ 0 };
     std::atomic<bool> isStopped{ false };
-    const dgg::Status status = DGGForEach(
-      2, 1,
-      [&](double) {
-        isStopped = isStopped || (std::this_thread::get_id() == caller && ++calls > 10);
-        return !isStopped;
-      },
+    const dgg::ProgressCallback progress = [&](double) {
+      isStopped = isStopped || (std::this_thread::get_id() == caller && ++calls > 10);
+      return !isStopped;
+    };
+    const dgg::Status status = dgg::ForEach(2, 1, DGGMakeParallelFor(progress), progress,
       [&](std::size_t, const dgg::ProgressCallback& within) {
         ++begun;
         EXPECT_TRUE(WaitUntil([&] { return begun == 2; })) << "one step after the other";

@@ -124,6 +124,23 @@ Status ForBlocks(Offset count, Offset size, const ParallelFor& parallel,
       return step(block, begin, end, within);
     });
 }
+
+/// Calls step(i, progress) for i in [0, count), in blocks of `grain`. Progress of a step, from 0 to
+/// 1, makes sense where `grain` is 1. Returns the error with the smallest i.
+template <typename Step>
+Status ForEach(std::size_t count, std::size_t grain, const ParallelFor& parallel,
+  const ProgressCallback& progress, Step&& step)
+{
+  return ForBlocks(static_cast<Offset>(count), static_cast<Offset>(grain), parallel, progress,
+    [&step](Offset, Offset begin, Offset end, const ProgressCallback& within) {
+      Status status;
+      for (Offset i = begin; i < end && status.IsOk(); ++i)
+      {
+        status = step(static_cast<std::size_t>(i), within);
+      }
+      return status;
+    });
+}
 }
 
 #endif

@@ -29,4 +29,11 @@ Status CheckMemory(const std::string& what, double bytes, double limit, const st
                             ", more than the limit of " + FormatBytes(limit) + ": " + remedy +
                             ", or set a higher MemoryLimit");
 }
+
+double MemoryBudget::GetBytes() const
+{
+  return this->IsExplicit() ? static_cast<double>(this->Limit)
+    : this->FindAvailable   ? static_cast<double>(this->FindAvailable())
+                            : Infinity;
+}
 }

@@ -3,11 +3,9 @@
 #include "DGGCloudMarching.h"
 
 #include "DGGDistanceTask.h"
-#include "DGGFreeMemory.h"
 
 #include "dggBlockLoop.h"
 #include "dggInvalidInput.h"
-#include "dggMemoryLimit.h"
 #include "dggProgressPart.h"
 
 #include "vtkIdList.h"
@@ -127,8 +125,8 @@ dgg::Status DGGCloudMarching::Prepare(
   const dgg::PreparedSurface& cloud = context.Surface;
   const Id n = cloud.GetMeshWithoutAngles().GetNumberOfVertices();
   const double bytes = BytesPerPoint * n;
-  DGG_RETURN_IF_ERROR(DGGCheckMemory(
-    "what has to be known of the points", bytes, context.MemoryLimit, "use fewer points"));
+  DGG_RETURN_IF_ERROR(
+    context.Memory.Check("the march's data on points", bytes, "use fewer points"));
   DGG_RETURN_IF_ERROR(dgg::FindNodes(cloud.GetPositions(), n, this->Nodes, this->Places));
   this->NumberPlaces(n);
   DGG_RETURN_IF_ERROR(dgg::ReportTo(progress, EndOfNodes));
@@ -145,7 +143,7 @@ dgg::Status DGGCloudMarching::Prepare(
   // With room for the march.
   const double ofBand = dgg::VoxelBand::PredictMemory(1.0);
   const double share = ofBand / (ofBand + dgg::BandMarching::PredictMemory(1.0));
-  const auto limit = static_cast<double>(DGGGetMemoryLimit(context.MemoryLimit));
+  const auto limit = context.Memory.GetBytes();
   const dgg::Status status = this->Band.Build(this->Places, sizes.Radii, sizes.VoxelSize,
     static_cast<std::size_t>(std::max(1.0, share * (limit - bytes))), context.Parallel,
     dgg::ProgressPart(progress, EndOfSpacings, 1.0), "use a smaller Resolution or BandRadius");
@@ -190,9 +188,9 @@ void DGGCloudMarching::NumberPlaces(Id numberOfPoints)
 dgg::Status DGGCloudMarching::Run(
   DGGDistanceTask& task, const dgg::ProgressCallback& progress) const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckMemory("the march",
+  DGG_RETURN_IF_ERROR(task.Context.Memory.Check("the march",
     dgg::BandMarching::PredictMemory(static_cast<double>(this->Band.GetNumberOfBricks())),
-    task.Context.MemoryLimit, "use a smaller Resolution or BandRadius"));
+    "use a smaller Resolution or BandRadius"));
   const double scale = this->Nodes.Scale;
   std::vector<dgg::BandSource> sources;
   std::vector<Id> numbers; // of these

@@ -203,7 +203,7 @@ dgg::Status DGGPartedUpdate::CheckMemory(
   const vtkIdType others = processes.Sum(here) - here;
   const double bytes = 2.0 * 1024.0 * static_cast<double>(processes.IsFirst() ? others : here);
   return processes.Agree(bytes > 0.0
-      ? DGGCheckMemory("gathering the pieces of all processes", bytes, limit,
+      ? DGGMakeBudget(limit).Check("gathering the pieces of all processes", bytes,
           "run them where there is more memory, make the surface smaller")
       : dgg::Status::Success());
 }

@@ -4,6 +4,7 @@
 
 #include "DGGThreads.h"
 
+#include "dggBlockLoop.h"
 #include "dggCloudFrame.h"
 #include "dggOutliers.h"
 
@@ -96,8 +97,8 @@ dgg::Status DGGEstimateNormals(const double* positions, dgg::Id numberOfPoints,
   }
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud);
-  return DGGForEach(
-    ids.size(), NormalBlock, progress, [&](std::size_t i, const dgg::ProgressCallback&) {
+  return dgg::ForEach(ids.size(), NormalBlock, DGGMakeParallelFor(progress), progress,
+    [&](std::size_t i, const dgg::ProgressCallback&) {
       pcl::Indices found(count);
       std::vector<float> distances(count);
       tree.nearestKSearch((*cloud)[i], count, found, distances);

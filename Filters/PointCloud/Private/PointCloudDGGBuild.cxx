@@ -92,7 +92,7 @@ dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(vtkPolyData* cloud) const
   options.Accuracy = this->Accuracy;
   options.ArcLengthWeights = this->ArcLengthWeights;
   options.HasOrientedNormals = this->OrientedNormals && cloud && this->GetInputNormals(cloud);
-  options.MemoryLimit = DGGGetMemoryLimit(this->MemoryLimit);
+  options.MemoryLimit = static_cast<std::size_t>(DGGMakeBudget(this->MemoryLimit).GetBytes());
   options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
   return options;
 }
@@ -117,8 +117,8 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   const dgg::Id points = mesh.GetMesh().GetNumberOfVertices();
   if (vtkDataArray* given = source.Given)
   {
-    DGG_RETURN_IF_ERROR(DGGCheckMemory("a copy of the normals", 3.0 * sizeof(double) * points,
-      this->MemoryLimit, "use fewer points"));
+    DGG_RETURN_IF_ERROR(context.Memory.Check(
+      "a copy of the normals", 3.0 * sizeof(double) * points, "use fewer points"));
     auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(points));
     for (vtkIdType i = 0; i < points; ++i)
     {
@@ -136,8 +136,8 @@ dgg::Status vtkPointCloudDGG::FindNormals(
     internals.NormalsMesh == mesh.GetBuildNumber();
   if (!isKept)
   {
-    DGG_RETURN_IF_ERROR(DGGCheckMemory("finding normals", BytesPerNormal * points,
-      this->MemoryLimit, "use fewer points, or turn EstimateNormals off"));
+    DGG_RETURN_IF_ERROR(context.Memory.Check(
+      "finding normals", BytesPerNormal * points, "use fewer points, or turn EstimateNormals off"));
     auto found = std::make_shared<std::vector<double>>();
     DGG_RETURN_IF_ERROR(DGGEstimateNormals(mesh.GetPositions(), points, source.NumberOfNeighbors,
       dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found));

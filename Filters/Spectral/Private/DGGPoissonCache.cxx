@@ -3,7 +3,6 @@
 #include "DGGPoissonCache.h"
 
 #include "DGGContext.h"
-#include "DGGFreeMemory.h"
 
 #include "dggPreparedSurface.h"
 
@@ -39,8 +38,8 @@ dgg::Status DGGPoissonCache::Prepare(const DGGContext& context, const dgg::Poiss
   }
   return this->Solver->Prepare(options, progress, [&](double bytes, double missing) {
     // What is held already is not free any more, so it must not count against what is free.
-    const double own = context.MemoryLimit == 0 ? missing : bytes;
-    return DGGCheckMemory("the factorization and the results", own + others(*this->Solver),
-      context.MemoryLimit, remedy);
+    const double own = !context.Memory.IsExplicit() ? missing : bytes;
+    return context.Memory.Check(
+      "the factorization and the results", own + others(*this->Solver), remedy);
   });
 }

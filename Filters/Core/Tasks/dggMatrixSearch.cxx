@@ -1,30 +1,31 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DGGMatrixSearch.h"
+#include "dggMatrixSearch.h"
 
-#include "DGGGraphUser.h"
-#include "DGGThreads.h"
-
+#include "dggBlockLoop.h"
+#include "dggGraphSession.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
 
+namespace dgg
+{
 namespace
 {
-/// Shares of the progress.
+/// Progress at the end of the steps.
 constexpr double SourcesLinked = 0.05;
 constexpr double TargetsLinked = 0.1;
 
-/// Points that a thread links between two looks at the progress.
+/// Number of points that a thread links between reports of the progress.
 constexpr std::size_t LinkBlock = 16;
 
-/// Indices of the points that are vertices, or of those that are not.
-std::vector<std::size_t> FindPoints(const DGGMatrixSearch::Points& points, bool vertices)
+/// Returns the indices of the points that are vertices, or of the others.
+std::vector<std::size_t> FindPoints(const MatrixSearch::Points& points, bool vertices)
 {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (dgg::IsVertex(points[i]) == vertices)
+    if (IsVertex(points[i]) == vertices)
     {
       found.push_back(i);
     }
@@ -32,14 +33,14 @@ std::vector<std::size_t> FindPoints(const DGGMatrixSearch::Points& points, bool 
   return found;
 }
 
-/// A vertex is linked to itself; the other points have no links yet.
-void LinkVertices(const DGGMatrixSearch::Points& points, DGGMatrixSearch::Links& links)
+/// Links vertices to themselves; the other points have no links yet.
+void LinkVertices(const MatrixSearch::Points& points, MatrixSearch::Links& links)
 {
   constexpr double noDirection = -1.0;
   links.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (dgg::IsVertex(points[i]))
+    if (IsVertex(points[i]))
     {
       links[i] = { { points[i].Vertex, 0.0, noDirection } };
     }
@@ -47,9 +48,8 @@ void LinkVertices(const DGGMatrixSearch::Points& points, DGGMatrixSearch::Links&
 }
 }
 
-//------------------------------------------------------------------------------
-DGGMatrixSearch::DGGMatrixSearch(const DGGContext& context, DGGGraphUser& graph,
-  const Points& sources, const Points& targets, const DGGMatrixEntries& distances)
+MatrixSearch::MatrixSearch(const TaskContext& context, GraphSession& graph, const Points& sources,
+  const Points& targets, const MatrixEntries& distances)
   : Context(context)
   , Graph(graph)
   , Sources(sources)
@@ -59,18 +59,17 @@ DGGMatrixSearch::DGGMatrixSearch(const DGGContext& context, DGGGraphUser& graph,
 {
 }
 
-//------------------------------------------------------------------------------
-/// Links of points on one side. Straight ways to those on the other side that are no vertices
-/// either are lengths of ways as well.
+/// Links the points of one set. Straight paths to points of the other set, where neither point is a
+/// vertex, are entered as distances.
 template <typename EntryType>
-dgg::Status DGGMatrixSearch::LinkPoints(
+Status MatrixSearch::LinkPoints(
   const Points& points, const Points& others, double end, Links& links, EntryType entry)
 {
   const std::vector<std::size_t> unlinked = FindPoints(points, false);
   LinkVertices(points, links);
   if (unlinked.empty())
   {
-    return dgg::Status::Success();
+    return Status::Success();
   }
   const std::vector<std::size_t> aims = FindPoints(others, false);
   Points aimPoints;
@@ -80,11 +79,11 @@ dgg::Status DGGMatrixSearch::LinkPoints(
   }
   const double start = this->Done;
   this->Done = end;
-  return DGGForEach(unlinked.size(), LinkBlock, dgg::ProgressPart(this->Progress, start, end),
-    [&](std::size_t k, const dgg::ProgressCallback&) {
+  return ForEach(unlinked.size(), LinkBlock, this->Context.Parallel,
+    ProgressPart(this->Progress, start, end), [&](std::size_t k, const ProgressCallback&) {
       const std::size_t i = unlinked[k];
       std::vector<double> direct;
-      const dgg::Status status = this->Graph.Link(points[i], aimPoints, links[i], direct);
+      const Status status = this->Graph.Link(points[i], aimPoints, links[i], direct);
       for (std::size_t a = 0; a < aims.size() && status.IsOk(); ++a)
       {
         double& distance = entry(i, aims[a]);
@@ -94,12 +93,11 @@ dgg::Status DGGMatrixSearch::LinkPoints(
     });
 }
 
-//------------------------------------------------------------------------------
-dgg::Status DGGMatrixSearch::Run(bool symmetric, double radius)
+Status MatrixSearch::Run(bool symmetric, double radius)
 {
   this->IsSymmetric = symmetric;
-  const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), dgg::IsVertex) &&
-    std::all_of(this->Targets.begin(), this->Targets.end(), dgg::IsVertex);
+  const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), IsVertex) &&
+    std::all_of(this->Targets.begin(), this->Targets.end(), IsVertex);
   DGG_RETURN_IF_ERROR(this->Graph.PrepareBuilder(this->Context, !areVertices));
   DGG_RETURN_IF_ERROR(
     this->LinkPoints(this->Sources, this->Targets, SourcesLinked, this->SourceLinks,
@@ -110,8 +108,8 @@ dgg::Status DGGMatrixSearch::Run(bool symmetric, double radius)
   }
   else
   {
-    // Straight ways once more: seen from the other end they need not be among the windows, and the
-    // answer should not depend on which end they are seen from.
+    // Straight paths again, from the other end: they need not be among its windows, and the result
+    // must not depend on the direction.
     DGG_RETURN_IF_ERROR(
       this->LinkPoints(this->Targets, this->Sources, TargetsLinked, this->TargetLinks,
         [this](std::size_t j, std::size_t i) -> double& { return this->Distances(i, j); }));
@@ -121,51 +119,48 @@ dgg::Status DGGMatrixSearch::Run(bool symmetric, double radius)
   {
     this->Mirror();
   }
-  return dgg::Status::Success();
+  return Status::Success();
 }
 
-//------------------------------------------------------------------------------
-dgg::Status DGGMatrixSearch::Search(double radius)
+Status MatrixSearch::Search(double radius)
 {
-  std::vector<std::vector<dgg::GraphSeed>> seeds(this->Sources.size());
+  std::vector<std::vector<GraphSeed>> seeds(this->Sources.size());
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
-    for (const dgg::GraphLink& link : this->SourceLinks[i])
+    for (const GraphLink& link : this->SourceLinks[i])
     {
       seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
     }
   }
-  dgg::ManyOptions options;
+  ManyOptions options;
   options.MaximumDistance = radius;
-  for (const std::vector<dgg::GraphLink>& links : this->TargetLinks)
+  for (const std::vector<GraphLink>& links : this->TargetLinks)
   {
-    for (const dgg::GraphLink& link : links)
+    for (const GraphLink& link : links)
     {
       options.Targets.push_back(link.Vertex);
     }
   }
   return this->Graph.GetSearch().Many(seeds, options, this->Context.Parallel,
-    dgg::ProgressPart(this->Progress, this->Done, 1.0),
-    [this](std::size_t source, const double* field, const std::vector<dgg::Id>&) {
-      this->LookAtTargets(source, field);
+    ProgressPart(this->Progress, this->Done, 1.0),
+    [this](std::size_t source, const double* field, const std::vector<Id>&) {
+      this->EnterDistances(source, field);
     });
 }
 
-//------------------------------------------------------------------------------
-void DGGMatrixSearch::LookAtTargets(std::size_t source, const double* field) const
+void MatrixSearch::EnterDistances(std::size_t source, const double* field) const
 {
   for (std::size_t j = this->IsSymmetric ? source + 1 : 0; j < this->Targets.size(); ++j)
   {
     double& distance = this->Distances(source, j);
-    for (const dgg::GraphLink& link : this->TargetLinks[j])
+    for (const GraphLink& link : this->TargetLinks[j])
     {
       distance = std::min(distance, field[link.Vertex] + link.Length);
     }
   }
 }
 
-//------------------------------------------------------------------------------
-void DGGMatrixSearch::Mirror() const
+void MatrixSearch::Mirror() const
 {
   for (std::size_t i = 0; i < this->Sources.size(); ++i)
   {
@@ -177,4 +172,5 @@ void DGGMatrixSearch::Mirror() const
       this->Distances(j, i) = distance;
     }
   }
+}
 }

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPathSearch.h"
+
+#include "dggBandPath.h"
+#include "dggBlockLoop.h"
+#include "dggExactPath.h"
+#include "dggGraphSession.h"
+#include "dggInvalidInput.h"
+#include "dggPoint3.h"
+#include "dggSurfacePath.h"
+#include "dggWorkspacePool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Largest accepted ratio of the lengths of a smooth path and the path in the graph.
+constexpr double LargestDetour = 1.01;
+
+bool NeedsLinks(const PointPair& pair)
+{
+  return !IsVertex(pair.From) || !IsVertex(pair.To);
+}
+
+/// An arbitrary total order of surface points.
+struct PlaceOrder
+{
+  bool operator()(const SurfacePoint& a, const SurfacePoint& b) const
+  {
+    return std::tie(a.On, a.Vertex, a.HalfEdge, a.Face, a.Barycentric) <
+      std::tie(b.On, b.Vertex, b.HalfEdge, b.Face, b.Barycentric);
+  }
+};
+
+/// Returns groups of pairs that start at the same point, ordered by their first pair.
+std::vector<std::vector<std::size_t>> GroupByStart(const PathSearch::Pairs& pairs)
+{
+  std::vector<std::vector<std::size_t>> groups;
+  std::map<SurfacePoint, std::size_t, PlaceOrder> known;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    const auto entry = known.emplace(pairs[i].From, groups.size());
+    if (entry.second)
+    {
+      groups.emplace_back();
+    }
+    groups[entry.first->second].push_back(i);
+  }
+  return groups;
+}
+
+/// Returns links as seeds of a search.
+std::vector<GraphSeed> MakeSeeds(const std::vector<GraphLink>& links)
+{
+  std::vector<GraphSeed> seeds;
+  for (const GraphLink& link : links)
+  {
+    seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+  }
+  return seeds;
+}
+
+/// Returns the length of a polyline on a cloud.
+double MeasurePolyline(const SurfacePath& path, const PreparedSurface& cloud)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i + 1 < path.Points.size(); ++i)
+  {
+    const auto p = PositionOf(cloud.GetMesh(), path.Points[i], cloud.GetPositions());
+    const auto q = PositionOf(cloud.GetMesh(), path.Points[i + 1], cloud.GetPositions());
+    length += std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+  }
+  return length;
+}
+
+Point3 GetPosition(const SurfacePoint& place, const PreparedSurface& cloud)
+{
+  const auto p = PositionOf(cloud.GetMesh(), place, cloud.GetPositions());
+  return { p[0], p[1], p[2] };
+}
+
+/// Returns the points of a path through vertices.
+std::vector<SurfacePoint> MakePlaces(const PointPair& pair, const std::vector<Id>& vertices)
+{
+  std::vector<SurfacePoint> places;
+  if (!IsVertex(pair.From))
+  {
+    places.push_back(pair.From);
+  }
+  for (const Id vertex : vertices)
+  {
+    places.push_back(SurfacePoint::AtVertex(vertex));
+  }
+  if (!IsVertex(pair.To))
+  {
+    places.push_back(pair.To);
+  }
+  return places;
+}
+
+/// Returns the points of a smooth path. Those beside vertices are stored as offsets from `from`.
+std::vector<SurfacePoint> MakePlaces(const BandPath& path, Id from, const PreparedSurface& cloud)
+{
+  const Point3 origin = GetPosition(SurfacePoint::AtVertex(from), cloud);
+  std::vector<SurfacePoint> places;
+  for (std::size_t i = 0; i < path.Points.size(); ++i)
+  {
+    const Point3 offset = path.Points[i] - origin;
+    places.push_back(path.Vertices[i] != NoId
+        ? SurfacePoint::AtVertex(path.Vertices[i])
+        : SurfacePoint::NearVertex(from, { { offset.X, offset.Y, offset.Z } }));
+  }
+  return places;
+}
+}
+
+PathSearch::PathSearch(const TaskContext& context, const Pairs& pairs)
+  : Context(context)
+  , Mesh(context.Surface)
+  , PointPairs(pairs)
+{
+}
+
+Status PathSearch::RunInGraph(GraphSession& graph, PathOptions options, Paths& paths) const
+{
+  options.LinkAccuracy = graph.GetLinkAccuracy();
+  const bool withLinks = std::any_of(this->PointPairs.begin(), this->PointPairs.end(), NeedsLinks);
+  DGG_RETURN_IF_ERROR(graph.PrepareBuilder(this->Context, withLinks));
+  DGG_RETURN_IF_ERROR(graph.PrepareForPairs(this->Context, this->PointPairs.size()));
+  const PathFinder& finder = graph.GetPathFinder();
+  paths.assign(this->PointPairs.size(), FoundPath());
+  const auto find = [&](std::size_t i, const ProgressCallback&) {
+    return finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i])
+      .Of("pair " + std::to_string(i));
+  };
+  return ForEach(
+    paths.size(), 1, this->Context.Parallel, graph.GetRemainingProgress(this->Context), find);
+}
+
+Status PathSearch::RunOnCloud(GraphSession& graph, bool smooth, Paths& paths) const
+{
+  DGG_RETURN_IF_ERROR(graph.PrepareForPairs(this->Context, this->PointPairs.size()));
+  paths.assign(this->PointPairs.size(), FoundPath());
+  const auto find = [&](std::size_t i, const ProgressCallback& within) {
+    return this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i])
+      .Of("pair " + std::to_string(i));
+  };
+  return ForEach(
+    paths.size(), 1, this->Context.Parallel, graph.GetRemainingProgress(this->Context), find);
+}
+
+Status PathSearch::FindOnCloud(const GraphSession& graph, const PointPair& pair, bool smooth,
+  const ProgressCallback& progress, FoundPath& found) const
+{
+  if (!IsFinite(GetPosition(pair.From, this->Mesh)))
+  {
+    return Status::Success(); // a point without a position has no path, not even to itself
+  }
+  if (IsSamePoint(pair.From, pair.To))
+  {
+    found.Path.Points = { pair.From };
+    found.GraphLength = 0.0;
+    found.IsStraightened = smooth;
+    return Status::Success();
+  }
+  std::vector<GraphLink> from;
+  std::vector<GraphLink> to;
+  std::vector<double> direct;
+  std::vector<double> none;
+  DGG_RETURN_IF_ERROR(graph.Link(pair.From, { pair.To }, from, direct));
+  DGG_RETURN_IF_ERROR(graph.Link(pair.To, {}, to, none));
+  GraphPath path;
+  DGG_RETURN_IF_ERROR(graph.GetSearch().Between(MakeSeeds(from), MakeSeeds(to), nullptr, path));
+  found.GraphLength = std::min(path.Length, direct[0]);
+  if (!(found.GraphLength < Infinity))
+  {
+    return Status::Success();
+  }
+  if (path.Length > direct[0])
+  {
+    path.Vertices.clear(); // the straight path
+  }
+  found.Path.Points = MakePlaces(pair, path.Vertices);
+  found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
+  found.IsStraightened = smooth;
+  if (smooth && !path.Vertices.empty())
+  {
+    const Point3 start = GetPosition(pair.From, this->Mesh);
+    const Point3 end = GetPosition(pair.To, this->Mesh);
+    BandPath band;
+    DGG_RETURN_IF_ERROR(graph.MakeShortener().Shorten(path.Vertices,
+      IsVertex(pair.From) ? nullptr : &start, IsVertex(pair.To) ? nullptr : &end, band, progress));
+    // A smooth path follows the surface, so that it may be longer than the polyline through the
+    // vertices. If it is longer than the path in the graph as well, it is rejected.
+    const bool isUseful =
+      band.Length <= LargestDetour * found.GraphLength || band.Length <= found.Path.Length;
+    if (isUseful)
+    {
+      found.Path.Points = MakePlaces(band, pair.From.Vertex, this->Mesh);
+      found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
+    }
+    found.IsStraightened = isUseful;
+  }
+  return Status::Success();
+}
+
+Status PathSearch::RunExact(Paths& paths) const
+{
+  const SurfaceMesh& mesh = this->Mesh.GetMesh();
+  const std::vector<std::vector<std::size_t>> groups = GroupByStart(this->PointPairs);
+  paths.assign(this->PointPairs.size(), FoundPath());
+  WorkspacePool<ExactPathFinder> finders;
+  const auto step = [&](std::size_t g, const ProgressCallback& within) {
+    const std::vector<std::size_t>& group = groups[g];
+    std::vector<SurfacePoint> targets;
+    for (const std::size_t i : group)
+    {
+      targets.push_back(this->PointPairs[i].To);
+    }
+    std::vector<SurfacePath> found;
+    const Status status =
+      finders.Borrow(mesh)->Find(this->PointPairs[group[0]].From, targets, within, found);
+    for (std::size_t k = 0; k < group.size() && status.IsOk(); ++k)
+    {
+      FoundPath& path = paths[group[k]];
+      path.Path = std::move(found[k]);
+      path.GraphLength = std::numeric_limits<double>::quiet_NaN();
+      path.IsStraightened = !path.Path.IsEmpty();
+    }
+    const bool isInvalid = !status.IsOk() && !status.IsAborted();
+    return isInvalid ? InvalidInput("of the paths that start where pair ", group[0], " does, ",
+                         status.GetMessage(), ". Use Method Graph")
+                     : status;
+  };
+  return ForEach(groups.size(), 1, this->Context.Parallel, this->Context.Progress, step);
+}
+}

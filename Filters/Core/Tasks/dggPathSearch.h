@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Paths for many pairs of points. Internal.
+#ifndef dggPathSearch_h
+#define dggPathSearch_h
+
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
+#include "dggPathFinder.h"   // for FoundPath
+#include "dggSurfacePoint.h" // for SurfacePoint
+
+#include <vector> // for the pairs
+
+namespace dgg
+{
+class GraphSession;
+class PreparedSurface;
+struct TaskContext;
+
+/// Ends of a path.
+struct PointPair
+{
+  SurfacePoint From;
+  SurfacePoint To;
+};
+
+/// Finds a path for each pair of points, in parallel.
+class DGG_CORE_EXPORT PathSearch
+{
+public:
+  using Pairs = std::vector<PointPair>;
+  using Paths = std::vector<FoundPath>;
+
+  /// `context` and `pairs` must outlive the search.
+  PathSearch(const TaskContext& context, const Pairs& pairs);
+
+  /// Finds paths in a graph that is up to date, on a mesh.
+  Status RunInGraph(GraphSession& graph, PathOptions options, Paths& paths) const;
+  /// Finds paths in the graph of a cloud, as polylines through points of the cloud. With `smooth`,
+  /// polylines are straightened within the band, unless that makes them longer than the path in the
+  /// graph. The length is that of the polyline, which is shorter than that in the graph where the
+  /// surface is curved.
+  Status RunOnCloud(GraphSession& graph, bool smooth, Paths& paths) const;
+  /// Finds exact paths. Their lengths in the graph are NaN.
+  Status RunExact(Paths& paths) const;
+
+private:
+  Status FindOnCloud(const GraphSession& graph, const PointPair& pair, bool smooth,
+    const ProgressCallback& progress, FoundPath& found) const;
+
+  const TaskContext& Context;
+  const PreparedSurface& Mesh;
+  const Pairs& PointPairs;
+};
+}
+
+#endif
