@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGNewGeometry.h"
 
-#include "DGGCellCoordinates.h"
 #include "DGGContext.h"
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
+#include "DGGSurfaceArrays.h"
 #include "DGGWindowArrays.h"
 
+#include "dggCellCoordinates.h"
 #include "dggInvalidInput.h"
 #include "dggPreparedSurface.h"
 #include "dggSurfacePath.h"
@@ -76,9 +77,10 @@ dgg::Status DGGNewGeometry::Take(const DGGContext& context, int precision)
   DGGWindowArrays::RemoveAllFrom(this->Fields);
   this->DataType = ChooseDataType(precision, points);
   this->Mesh = &mesh;
-  this->Coordinates = mesh.IsCloud() || !DGGCellCoordinates::AreAllTriangles(context.Input)
+  this->Cells = std::make_unique<DGGSurfaceArrays>(context.Input, false, !mesh.IsCloud());
+  this->Coordinates = mesh.IsCloud() || !dgg::CellCoordinates::AreAllTriangles(this->Cells->Get())
     ? nullptr
-    : std::make_unique<DGGCellCoordinates>(context.Input, mesh);
+    : std::make_unique<dgg::CellCoordinates>(this->Cells->Get(), mesh);
   const double* positions = mesh.GetPositions();
   const std::size_t size = 3 * static_cast<std::size_t>(mesh.GetMesh().GetNumberOfVertices());
   return precision == vtkAlgorithm::SINGLE_PRECISION ? CheckRange(positions, positions + size)

@@ -22,9 +22,10 @@
 #include <memory>  // for the coordinates
 #include <vector>  // for the positions
 
-class DGGCellCoordinates;
+class DGGSurfaceArrays;
 namespace dgg
 {
+class CellCoordinates;
 class PreparedSurface;
 }
 class vtkFieldData;
@@ -71,7 +72,8 @@ public:
 
 private:
   const dgg::PreparedSurface* Mesh = nullptr;
-  std::unique_ptr<DGGCellCoordinates>
+  std::unique_ptr<DGGSurfaceArrays> Cells; // of the input
+  std::unique_ptr<dgg::CellCoordinates>
     Coordinates; // null for clouds and for surfaces with other cells than triangles
   vtkNew<vtkFieldData> Fields;
   int DataType;

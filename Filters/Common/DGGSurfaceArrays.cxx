@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGSurfaceArrays.h"
 
+#include "dggInvalidInput.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -13,16 +15,16 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-DGGSurfaceArrays::DGGSurfaceArrays(vtkPolyData* input, bool isCloud)
+DGGSurfaceArrays::DGGSurfaceArrays(vtkPolyData* input, bool withPoints, bool withCells)
 {
-  this->Arrays.NumberOfPoints = input->GetNumberOfPoints();
-  if (this->Arrays.NumberOfPoints > 0)
+  if (withPoints && input->GetNumberOfPoints() > 0)
   {
     vtkDataArray* points = input->GetPoints()->GetData();
+    this->Arrays.NumberOfPoints = points->GetNumberOfTuples();
     this->Arrays.Points = this->ConvertPoints(points);
     this->Arrays.AreFromFloats = points->GetDataType() == VTK_FLOAT;
   }
-  if (!isCloud)
+  if (withCells)
   {
     this->Arrays.Polygons = this->ConvertCells(input->GetPolys());
     this->Arrays.Strips = this->ConvertCells(input->GetStrips());
@@ -81,4 +83,21 @@ const dgg::Offset* DGGSurfaceArrays::ConvertIds(vtkDataArray* ids)
     copy[i] = static_cast<dgg::Offset>(ids->GetComponent(static_cast<vtkIdType>(i), 0));
   }
   return copy.data();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGCheckPointArray(vtkAbstractArray* array, vtkPolyData* data, const std::string& where,
+  int components, vtkDataArray*& numbers)
+{
+  numbers = vtkDataArray::SafeDownCast(array);
+  const vtkIdType n = data->GetNumberOfPoints();
+  const int found = array->GetNumberOfComponents();
+  if (numbers && (components == 0 || found == components) && array->GetNumberOfTuples() == n)
+  {
+    return dgg::Status::Success();
+  }
+  return dgg::InvalidInput("the point array '", array->GetName() ? array->GetName() : "(no name)",
+    "' of ", where, " has ", found, " components and ", array->GetNumberOfTuples(),
+    " tuples of type ", array->GetDataTypeAsString(), " for ", n, " points: ",
+    components == 1 ? "one number per point is needed" : "numbers for each point are needed");
 }

@@ -9,8 +9,10 @@
 #include "dggPreparedSurface.h"        // for SurfaceArrays
 
 #include <list>   // for the copies
+#include <string> // for messages
 #include <vector> // for the copies
 
+class vtkAbstractArray;
 class vtkCellArray;
 class vtkDataArray;
 class vtkPolyData;
@@ -20,8 +22,7 @@ class vtkPolyData;
 class VTKDGGFILTERSCOMMON_EXPORT DGGSurfaceArrays
 {
 public:
-  /// Omits the cells if `isCloud`.
-  DGGSurfaceArrays(vtkPolyData* input, bool isCloud);
+  DGGSurfaceArrays(vtkPolyData* input, bool withPoints, bool withCells);
 
   const dgg::SurfaceArrays& Get() const { return this->Arrays; }
 
@@ -34,5 +35,10 @@ private:
   std::vector<double> Points;
   std::list<std::vector<dgg::Offset>> Ids;
 };
+
+/// Fails unless a point array has numbers, this number of components (0 for any) and a tuple per
+/// point. `where` is the name of `data` in messages.
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckPointArray(vtkAbstractArray* array,
+  vtkPolyData* data, const std::string& where, int components, vtkDataArray*& numbers);
 
 #endif

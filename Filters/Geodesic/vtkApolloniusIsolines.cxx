@@ -213,15 +213,6 @@ dgg::Status vtkApolloniusIsolines::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkApolloniusIsolines::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** vtkNotUsed(inputVector)) const
-{
-  vtkDataArray* distances = nullptr;
-  return DGGFieldInput::FindDistances(
-    this->Information, this->DistanceArrayName, surface, distances);
-}
-
-//------------------------------------------------------------------------------
 std::string vtkApolloniusIsolines::GetMemoryRemedy() const
 {
   return "use a smaller mesh, fewer values or a larger ChordTolerance";

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGLoop.h"
 
+#include "DGGContext.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 #include "DGGThreads.h"
 
 #include "dggBlockLoop.h"
 #include "dggFoundLoop.h"
 #include "dggHandleLoops.h"
+#include "dggInvalidInput.h"
 #include "dggLoopFinder.h"
 #include "dggOffsetCurves.h"
 #include "dggPreparedSurface.h"
@@ -282,25 +284,6 @@ DGGSourceSet vtkDGGLoop::GetPointSet(vtkInformationVector** inputVector) const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGLoop::CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  if (this->Mode == AroundHandles)
-  {
-    return dgg::Status::Success();
-  }
-  const DGGSourceSet set = this->GetPointSet(inputVector);
-  const std::size_t count =
-    set.Ids.size() + (set.Points ? static_cast<std::size_t>(set.Points->GetNumberOfPoints()) : 0);
-  if (this->Mode == Rope && count > 0 && count < FewestPointsOfRope)
-  {
-    return dgg::Status::Invalid("a rope through " + std::to_string(count) +
-      (count == 1 ? " point" : " points") +
-      " runs back along itself: specify three points or more");
-  }
-  return DGGSourceCollector::Check(set, surface->GetNumberOfPoints());
-}
-
-//------------------------------------------------------------------------------
 std::string vtkDGGLoop::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer points at a time";
@@ -311,11 +294,17 @@ dgg::Status vtkDGGLoop::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  std::vector<dgg::GeodesicSource> sources;
+  LoopPoints points;
   if (this->Mode != AroundHandles)
   {
-    DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
-      context, this->GetPointSet(inputVector), this->ProjectionTolerance, sources));
+    DGG_RETURN_IF_ERROR(
+      DGGLocate(context, this->GetPointSet(inputVector), this->ProjectionTolerance, points));
+  }
+  if (this->Mode == Rope && points.size() < FewestPointsOfRope)
+  {
+    return dgg::InvalidInput("a rope through ", points.size(),
+      points.size() == 1 ? " point" : " points",
+      " runs back along itself: specify three points or more");
   }
   DGGNewGeometry geometry;
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
@@ -336,7 +325,6 @@ dgg::Status vtkDGGLoop::Execute(
   else
   {
     DGGGraphUser& graph = *this->GraphUser;
-    const LoopPoints points = DGGGetPlaces(sources);
     const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
     DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, withLinks));
     const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),

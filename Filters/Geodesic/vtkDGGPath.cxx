@@ -6,7 +6,7 @@
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 
 #include "dggInvalidInput.h"
 #include "dggPathSearch.h"
@@ -109,12 +109,12 @@ DGGSourceSet MakeSourceSet(
   return set;
 }
 
-dgg::PathSearch::Pairs MakePairs(const std::vector<dgg::GeodesicSource>& ends)
+dgg::PathSearch::Pairs MakePairs(const std::vector<dgg::SurfacePoint>& ends)
 {
   dgg::PathSearch::Pairs pairs;
   for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
   {
-    pairs.push_back({ ends[i].Point, ends[i + 1].Point });
+    pairs.push_back({ ends[i], ends[i + 1] });
   }
   return pairs;
 }
@@ -130,29 +130,6 @@ struct PathSet
 /// Values of PathStatus.
 constexpr int HasPath = 0;
 constexpr int NotConnected = 1;
-
-/// Returns an array with a tuple of `from` for each polyline, or null values.
-vtkSmartPointer<vtkAbstractArray> PassArray(
-  vtkAbstractArray* from, const std::vector<vtkIdType>& tuples)
-{
-  auto array = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());
-  array->SetNumberOfComponents(from->GetNumberOfComponents());
-  array->CopyComponentNames(from);
-  array->SetName(from->GetName());
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
-  if (auto* numbers = vtkDataArray::SafeDownCast(array))
-  {
-    numbers->Fill(0.0);
-  }
-  for (std::size_t i = 0; i < tuples.size(); ++i)
-  {
-    if (tuples[i] >= 0 && tuples[i] < from->GetNumberOfTuples())
-    {
-      array->SetTuple(static_cast<vtkIdType>(i), tuples[i], from);
-    }
-  }
-  return array;
-}
 
 void AddCellData(const PathSet& set, const std::vector<vtkIdType>& pairs, vtkCellData* output)
 {
@@ -176,7 +153,7 @@ void AddCellData(const PathSet& set, const std::vector<vtkIdType>& pairs, vtkCel
   }
   for (int a = 0; set.CellData && a < set.CellData->GetNumberOfArrays(); ++a)
   {
-    output->AddArray(PassArray(set.CellData->GetAbstractArray(a), tuples));
+    output->AddArray(DGGPickTuples(set.CellData->GetAbstractArray(a), tuples, 0.0));
   }
   output->AddArray(lengths);
   output->AddArray(graphLengths);
@@ -309,16 +286,6 @@ dgg::Status vtkDGGPath::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPath::CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  PairLines pairs;
-  DGG_RETURN_IF_ERROR(pairs.Read(lines, this->PairIds.empty()));
-  return DGGSourceCollector::Check(
-    MakeSourceSet(this->PairIds, lines, pairs), surface->GetNumberOfPoints());
-}
-
-//------------------------------------------------------------------------------
 bool vtkDGGPath::IsCloud(vtkPolyData* input) const
 {
   return DGGGraphUser::IsCloud(input);
@@ -347,9 +314,9 @@ dgg::Status vtkDGGPath::Execute(
 
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   PairLines linePairs;
-  std::vector<dgg::GeodesicSource> ends;
+  std::vector<dgg::SurfacePoint> ends;
   DGG_RETURN_IF_ERROR(linePairs.Read(lines, this->PairIds.empty()));
-  DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
+  DGG_RETURN_IF_ERROR(DGGLocate(
     context, MakeSourceSet(this->PairIds, lines, linePairs), this->ProjectionTolerance, ends));
   DGGNewGeometry geometry;
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));

@@ -5,7 +5,7 @@
 #include "DGGDistanceTask.h"
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
@@ -241,13 +241,6 @@ dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceAlgorithm::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  return DGGSourceCollector::Check(this->GetSources(inputVector), surface->GetNumberOfPoints());
-}
-
-//------------------------------------------------------------------------------
 DGGSourceSet vtkGeodesicDistanceAlgorithm::GetSources(vtkInformationVector** inputVector) const
 {
   return { this->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
@@ -265,9 +258,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   }
   std::vector<dgg::GeodesicSource> sources;
   const DGGSourceSet set = this->GetSources(inputVector);
-  DGG_RETURN_IF_ERROR(
-    DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, sources));
-  DGGSourceCollector::WarnAboutIsolated(context, set, sources, this);
+  DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->ProjectionTolerance, sources, this));
 
   const double limit =
     this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
@@ -303,7 +294,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
       const dgg::Id vertex = context.Surface.GetVertex(static_cast<vtkIdType>(i));
       nearest[i] = isReached[vertex] ? task.NearestSource[vertex] : dgg::NoId;
     }
-    DGGSourceCollector::PassArrays(this->GetSources(inputVector), nearest, output->GetPointData());
+    DGGPassArrays(set, nearest, output->GetPointData());
   }
   this->AddResults(task, isReached, output);
   this->WarnAboutGaps(isReached);

@@ -194,7 +194,6 @@ protected:
   ~vtkGeodesicDistanceAlgorithm() override;
 
   dgg::Status CheckProperties() const override;
-  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override

@@ -6,11 +6,12 @@
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 #include "DGGThreads.h"
 
 #include "dggDistanceRows.h"
 #include "dggMatrixSearch.h"
+#include "dggSourceCollection.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -38,11 +39,6 @@ namespace
 {
 /// Tables store columns separately and search them by name, which is slow for many columns.
 constexpr std::size_t MaximumNumberOfTableColumns = 10000;
-
-bool IsEmpty(const DGGSourceSet& set)
-{
-  return set.Ids.empty() && !set.Points;
-}
 
 /// Returns an array of infinities. Writing them commits the memory.
 vtkSmartPointer<vtkDoubleArray> MakeArray(
@@ -220,21 +216,6 @@ DGGSourceSet vtkGeodesicDistanceMatrix::GetColumns(vtkInformationVector** inputV
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceMatrix::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  const vtkIdType n = surface->GetNumberOfPoints();
-  DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(this->GetRows(inputVector), n));
-  const DGGSourceSet columns = this->GetColumns(inputVector);
-  if (this->CompressedRows && !IsEmpty(columns))
-  {
-    return dgg::Status::Invalid("CompressedRows is on, but columns are chosen. Remove the columns "
-                                "or turn CompressedRows off.");
-  }
-  return IsEmpty(columns) ? dgg::Status::Success() : DGGSourceCollector::Check(columns, n);
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceMatrix::CheckMemory(
   std::size_t rows, std::size_t columns, bool withTable) const
 {
@@ -282,25 +263,26 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
 {
   vtkInternals& internals = *this->Internals;
   const DGGSourceSet columnSet = this->GetColumns(inputVector);
-  const bool symmetric = IsEmpty(columnSet);
-  std::vector<dgg::GeodesicSource> sources;
-  std::vector<dgg::GeodesicSource> others;
-  DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
-    context, this->GetRows(inputVector), this->ProjectionTolerance, sources));
-  if (!symmetric)
+  const bool symmetric = columnSet.Ids.empty() && !columnSet.Points;
+  if (this->CompressedRows && !symmetric)
   {
-    DGG_RETURN_IF_ERROR(
-      DGGSourceCollector::Collect(context, columnSet, this->ProjectionTolerance, others));
+    return dgg::Status::Invalid("CompressedRows is on, but columns are chosen. Remove the columns "
+                                "or turn CompressedRows off.");
   }
-  DGGSourceCollector::WarnAboutIsolated(context, this->GetRows(inputVector), sources, this);
-  DGGSourceCollector::WarnAboutIsolated(context, columnSet, others, this);
+  std::vector<dgg::GeodesicSource> sources;
+  DGG_RETURN_IF_ERROR(
+    DGGLocate(context, this->GetRows(inputVector), this->ProjectionTolerance, sources, this));
   if (this->CompressedRows)
   {
     return this->FillCompressedRows(context, sources, vtkTable::GetData(outputVector));
   }
 
-  const std::vector<dgg::SurfacePoint> rows = DGGGetPlaces(sources);
-  const std::vector<dgg::SurfacePoint> columns = symmetric ? rows : DGGGetPlaces(others);
+  const std::vector<dgg::SurfacePoint> rows = dgg::GetPoints(sources);
+  std::vector<dgg::SurfacePoint> columns = rows;
+  if (!symmetric)
+  {
+    DGG_RETURN_IF_ERROR(DGGLocate(context, columnSet, this->ProjectionTolerance, columns, this));
+  }
   const bool withTable = this->WantsTable(columns.size());
   DGG_RETURN_IF_ERROR(this->CheckMemory(rows.size(), columns.size(), withTable));
   // Before the graph, whose memory is limited by the memory that remains free.

@@ -7,7 +7,7 @@
 #include "DGGMeshAdapter.h"
 #include "DGGNewGeometry.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 
 #include "dggPatchBoundaries.h"
 
@@ -181,31 +181,6 @@ DGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicPatchBoundaries::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  if (!vtkPolyData::GetData(inputVector[1]))
-  {
-    return dgg::Status::Invalid("there is no second surface: call SetSecondSurfaceConnection() or "
-                                "SetSecondSurfaceData()");
-  }
-  if (!GetLayout(inputVector))
-  {
-    return dgg::Status::Invalid("there is no layout: connect polygons or lines that name landmarks "
-                                "to input port 4, or landmarks with cells to input port 2");
-  }
-  vtkPolyData* layout = GetLayout(inputVector);
-  if (!layout->GetPolys()->IsValid() || !layout->GetLines()->IsValid())
-  {
-    return dgg::Status::Invalid("the offsets and the connectivity of the polygons or lines of the "
-                                "layout contradict each other: rebuild the cell array");
-  }
-  // Landmarks of the second surface are checked after the surface itself.
-  return DGGSourceCollector::Check(
-    this->GetLandmarks(0, inputVector), surface->GetNumberOfPoints());
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
 {
   DGGMeshAdapter& mesh = *this->SecondMesh;
@@ -232,30 +207,39 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* secondInput = vtkPolyData::GetData(inputVector[1]);
+  if (!secondInput)
+  {
+    return dgg::Status::Invalid("there is no second surface: call SetSecondSurfaceConnection() or "
+                                "SetSecondSurfaceData()");
+  }
+  vtkPolyData* layout = GetLayout(inputVector);
+  if (!layout)
+  {
+    return dgg::Status::Invalid("there is no layout: connect polygons or lines that name landmarks "
+                                "to input port 4, or landmarks with cells to input port 2");
+  }
+  if (!layout->GetPolys()->IsValid() || !layout->GetLines()->IsValid())
+  {
+    return dgg::Status::Invalid("the offsets and the connectivity of the polygons or lines of the "
+                                "layout contradict each other: rebuild the cell array");
+  }
   DGG_RETURN_IF_ERROR(this->PrepareSecondMesh(secondInput));
-  DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(
-    this->GetLandmarks(1, inputVector), secondInput->GetNumberOfPoints()));
   const DGGContext contexts[2] = { context,
     { { this->SecondMesh->Get(), context.Memory, context.NumberOfThreads, context.Progress,
         context.Parallel },
       secondInput } };
   std::vector<dgg::SurfacePoint> landmarks[2];
-  for (int side = 0; side < 2; ++side)
-  {
-    std::vector<dgg::GeodesicSource> sources;
-    DGG_RETURN_IF_ERROR(DGGSourceCollector::Collect(
-      contexts[side], this->GetLandmarks(side, inputVector), this->ProjectionTolerance, sources));
-    landmarks[side] = DGGGetPlaces(sources);
-  }
   DGGNewGeometry geometries[2];
   for (int side = 0; side < 2; ++side)
   {
+    DGG_RETURN_IF_ERROR(DGGLocate(contexts[side], this->GetLandmarks(side, inputVector),
+      this->ProjectionTolerance, landmarks[side]));
     DGG_RETURN_IF_ERROR(geometries[side].Take(contexts[side], this->GetOutputPointsPrecision()));
   }
   dgg::PatchBoundaries boundaries;
   DGG_RETURN_IF_ERROR(dgg::TracePatchBoundaries({ contexts[0].Surface.GetMesh(), landmarks[0] },
-    { contexts[1].Surface.GetMesh(), landmarks[1] }, ReadLayout(GetLayout(inputVector)),
-    context.Progress, boundaries));
+    { contexts[1].Surface.GetMesh(), landmarks[1] }, ReadLayout(layout), context.Progress,
+    boundaries));
   for (int side = 0; side < 2; ++side)
   {
     FillOutput(boundaries, side, geometries[side], vtkPolyData::GetData(outputVector, side));

@@ -119,7 +119,6 @@ protected:
   ~vtkGeodesicPatchBoundaries() override;
 
   dgg::Status CheckProperties() const override;
-  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;

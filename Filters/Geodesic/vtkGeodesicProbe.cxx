@@ -6,7 +6,7 @@
 #include "DGGFieldInput.h"
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
@@ -98,25 +98,14 @@ dgg::Status vtkGeodesicProbe::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicProbe::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  vtkDataArray* distances = nullptr;
-  DGG_RETURN_IF_ERROR(
-    DGGFieldInput::FindDistances(this->Information, this->DistanceArrayName, surface, distances));
-  return DGGSourceCollector::Check(GetProbes(inputVector), surface->GetNumberOfPoints());
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicProbe::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const DGGSourceSet probes = GetProbes(inputVector);
-  std::vector<dgg::GeodesicSource> places;
+  std::vector<dgg::SurfacePoint> places;
   vtkDataArray* distances = nullptr;
   DGGFieldInput input;
-  DGG_RETURN_IF_ERROR(
-    DGGSourceCollector::Collect(context, probes, this->ProjectionTolerance, places));
+  DGG_RETURN_IF_ERROR(DGGLocate(context, probes, this->ProjectionTolerance, places));
   DGG_RETURN_IF_ERROR(DGGFieldInput::FindDistances(
     this->Information, this->DistanceArrayName, context.Input, distances));
   const std::string name = DGGFieldInput::GetName(distances);
@@ -137,7 +126,7 @@ dgg::Status vtkGeodesicProbe::Execute(
       const std::size_t end = std::min(places.size(), (block + 1) * BlockSize);
       for (std::size_t i = block * BlockSize; i < end; ++i)
       {
-        values[i] = Probe(input.GetField(), places[i].Point, profile);
+        values[i] = Probe(input.GetField(), places[i], profile);
       }
       return dgg::Status::Success();
     }));

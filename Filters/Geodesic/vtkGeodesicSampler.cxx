@@ -6,7 +6,7 @@
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 
 #include "dggInvalidInput.h"
 #include "dggPreparedSurface.h"
@@ -95,24 +95,6 @@ DGGSourceSet vtkGeodesicSampler::GetStart(vtkInformationVector** inputVector) co
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicSampler::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  const vtkIdType n = surface->GetNumberOfPoints();
-  const DGGSourceSet start = this->GetStart(inputVector);
-  if (start.Points)
-  {
-    return DGGSourceCollector::Check(start, n);
-  }
-  if (this->FirstSample < -1 || this->FirstSample >= n)
-  {
-    return dgg::InvalidInput("FirstSample ", this->FirstSample, " is out of range: the input has ",
-      n, " points, so it must be in [0, ", n - 1, "], or -1");
-  }
-  return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
 bool vtkGeodesicSampler::IsCloud(vtkPolyData* input) const
 {
   return DGGGraphUser::IsCloud(input);
@@ -135,19 +117,22 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
   const DGGSourceSet start = this->GetStart(inputVector);
   if (!start.Points)
   {
+    const vtkIdType n = context.Input->GetNumberOfPoints();
+    if (this->FirstSample < -1 || this->FirstSample >= n)
+    {
+      return dgg::InvalidInput("FirstSample ", this->FirstSample,
+        " is out of range: the input has ", n, " points, so it must be in [0, ", n - 1, "], or -1");
+    }
     options.FirstVertex = this->FirstSample < 0 ? dgg::NoId : mesh.GetVertex(this->FirstSample);
     return dgg::Status::Success();
   }
-  std::vector<dgg::GeodesicSource> points;
-  dgg::Status status =
-    DGGSourceCollector::Collect(context, start, this->ProjectionTolerance, points);
-  for (const dgg::GeodesicSource& point : points)
+  DGG_RETURN_IF_ERROR(DGGLocate(context, start, this->ProjectionTolerance, options.Given));
+  if (mesh.IsCloud()) // samples of a cloud are points of it
   {
-    // Samples of a cloud are points of the cloud.
-    options.Given.push_back(
-      mesh.IsCloud() ? dgg::SurfacePoint::AtVertex(point.Point.Vertex) : point.Point);
+    std::transform(options.Given.begin(), options.Given.end(), options.Given.begin(),
+      [](const dgg::SurfacePoint& point) { return dgg::SurfacePoint::AtVertex(point.Vertex); });
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

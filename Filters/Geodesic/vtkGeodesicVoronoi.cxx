@@ -7,13 +7,14 @@
 #include "DGGNewGeometry.h"
 #include "DGGPropagation.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
 #include "dggCentroidal.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
+#include "dggSourceCollection.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
 
@@ -224,7 +225,7 @@ struct VoronoiOutputs
 
   void FillSites(vtkPolyData* output) const
   {
-    DGGFillSurfacePoints(DGGGetPlaces(this->Result.Sites), this->Geometry, output);
+    DGGFillSurfacePoints(dgg::GetPoints(this->Result.Sites), this->Geometry, output);
     const std::size_t count = this->Result.Sites.size();
     const auto numbers = DGGAddArray<vtkIntArray>(output->GetPointData(), "SiteId", count);
     for (std::size_t k = 0; k < count; ++k)
@@ -354,13 +355,6 @@ DGGSourceSet vtkGeodesicVoronoi::GetSiteSet(vtkInformationVector** inputVector) 
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicVoronoi::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  return DGGSourceCollector::Check(this->GetSiteSet(inputVector), surface->GetNumberOfPoints());
-}
-
-//------------------------------------------------------------------------------
 bool vtkGeodesicVoronoi::IsCloud(vtkPolyData* input) const
 {
   return DGGGraphUser::IsCloud(input);
@@ -408,7 +402,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiRes
   if (result.IsCentroidal)
   {
     start = MovingShare;
-    std::vector<dgg::SurfacePoint> places = DGGGetPlaces(result.Sites);
+    std::vector<dgg::SurfacePoint> places = dgg::GetPoints(result.Sites);
     dgg::CentroidalOptions options = result.Moving;
     options.Progress = dgg::ProgressPart(progress, 0.0, MovingShare);
     DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context));
@@ -431,7 +425,7 @@ dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiRes
     input.Builder = &graph.GetBuilder();
     input.Accuracy = graph.GetLinkAccuracy();
   }
-  input.Places = DGGGetPlaces(result.Sites);
+  input.Places = dgg::GetPoints(result.Sites);
   return dgg::ComputeVoronoi(graph.GetSearch(), mesh.GetMesh(), input,
     dgg::ProgressPart(progress, start, 1.0), result.Diagram);
 }
@@ -443,8 +437,7 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   const dgg::PreparedSurface& mesh = context.Surface;
   const DGGSourceSet set = this->GetSiteSet(inputVector);
   DGGVoronoiResult result;
-  DGG_RETURN_IF_ERROR(
-    DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, result.Sites));
+  DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->ProjectionTolerance, result.Sites, this));
   DGGNewGeometry geometry;
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
   result.LabelsOnly = !this->GenerateCells || this->Preview || mesh.IsCloud();
@@ -452,7 +445,6 @@ dgg::Status vtkGeodesicVoronoi::Execute(
   result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
   result.Moving.NumberOfIterations = this->NumberOfIterations;
   result.Moving.Tolerance = this->Tolerance;
-  DGGSourceCollector::WarnAboutIsolated(context, set, result.Sites, this);
   if (this->Preview)
   {
     DGG_RETURN_IF_ERROR(this->ComputePreview(context, result));
@@ -480,12 +472,12 @@ void vtkGeodesicVoronoi::PassArrays(const DGGContext& context, const DGGVoronoiR
   {
     nearest[i] = result.Diagram.NearestSites[context.Surface.GetVertex(static_cast<vtkIdType>(i))];
   }
-  DGGSourceCollector::PassArrays(set, nearest, output->GetPointData());
-  DGGSourceCollector::PassArrays(
+  DGGPassArrays(set, nearest, output->GetPointData());
+  DGGPassArrays(
     set, result.Diagram.PolygonSites, vtkPolyData::GetData(outputVector, 2)->GetCellData());
   std::vector<dgg::Id> all(result.Sites.size());
   std::iota(all.begin(), all.end(), 0);
-  DGGSourceCollector::PassArrays(set, all, vtkPolyData::GetData(outputVector, 3)->GetPointData());
+  DGGPassArrays(set, all, vtkPolyData::GetData(outputVector, 3)->GetPointData());
 }
 
 //------------------------------------------------------------------------------

@@ -214,7 +214,6 @@ protected:
   ~vtkGeodesicVoronoi() override;
 
   dgg::Status CheckProperties() const override;
-  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }

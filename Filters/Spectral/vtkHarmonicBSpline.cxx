@@ -4,7 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 #include "DGGSpectralOutputs.h"
 #include "DGGSplineRun.h"
 
@@ -164,11 +164,12 @@ void vtkHarmonicBSpline::MakeEmptyOutput(
 dgg::Status vtkHarmonicBSpline::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
-  DGG_RETURN_IF_ERROR(this->Superclass::CheckInputs(surface, inputVector));
   this->SiteValueComponents = 0;
   if (!this->SiteValuesArrayName.empty())
   {
     const DGGSourceSet sites = this->GetSources(inputVector);
+    DGG_RETURN_IF_ERROR(sites.IsEmpty() ? dgg::Status::Success()
+                                        : DGGCheckSources(sites, surface->GetNumberOfPoints()));
     std::vector<std::vector<double>> siteValues;
     DGG_RETURN_IF_ERROR(
       DGGReadSiteValues(this->SiteValuesArrayName, surface, sites.Ids, sites.Points, siteValues));
@@ -257,10 +258,8 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
   if (!this->SiteValuesArrayName.empty())
   {
     const DGGSourceSet& given = task.SourceSet;
-    const bool isChosen =
-      given.Ids.empty() && (!given.Points || given.Points->GetNumberOfPoints() == 0);
     DGG_RETURN_IF_ERROR(DGGReadSiteValues(this->SiteValuesArrayName, task.Context.Input,
-      isChosen ? sites : given.Ids, given.Points, siteValues));
+      given.IsEmpty() ? sites : given.Ids, given.Points, siteValues));
   }
   const bool isHarmonic = this->Order == Harmonic;
   const auto part = [&](double begin, double end) {

@@ -6,7 +6,7 @@
 #include "DGGGraphicsInput.h"
 #include "DGGGraphicsOutput.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 
 #include "dggGraphicsFragments.h"
 #include "dggGraphicsRefinement.h"
@@ -283,23 +283,6 @@ dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  DGGGraphicsNames names = this->GetNames();
-  names.DefaultWidth = 1.0; // computed later from the mesh
-  DGGGraphicsInput input;
-  DGG_RETURN_IF_ERROR(input.Read(vtkPolyData::GetData(inputVector[1]), surface, names));
-  if (input.GetCurves().empty() && names.Region.empty())
-  {
-    return dgg::Status::Invalid("there is nothing to draw: connect lines to input port 1 with "
-                                "SetCurveData(), or call SetRegionArrayName()");
-  }
-  return this->RefinementRegion == Cells ? DGGGraphicsInput::CheckRefinement(surface, names)
-                                         : dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
 std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
 {
   return "use a smaller mesh or a lower RefinementLevel, or refine NearCurves only";
@@ -321,6 +304,11 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   DGGGraphicsInput input;
   DGG_RETURN_IF_ERROR(input.Read(lines, context.Input, names));
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
+  if (curves.empty() && names.Region.empty())
+  {
+    return dgg::Status::Invalid("there is nothing to draw: connect lines to input port 1 with "
+                                "SetCurveData(), or call SetRegionArrayName()");
+  }
   Drawing drawing;
   drawing.MeshBuild = prepared.GetBuildNumber();
   drawing.Curves = curves;
@@ -330,11 +318,7 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   {
     DGGSourceSet set{ none, lines, 1, "curve point", "call SetCurveData()", "" };
     set.PointIds = &input.GetPointIds()[k];
-    DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(set, context.Input->GetNumberOfPoints()));
-    std::vector<dgg::GeodesicSource> found;
-    DGG_RETURN_IF_ERROR(
-      DGGSourceCollector::Collect(context, set, this->ProjectionTolerance, found));
-    drawing.Places[k] = DGGGetPlaces(found);
+    DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->ProjectionTolerance, drawing.Places[k]));
   }
 
   DGGGraphicsOutput output(this->ResultArrayName);
@@ -345,7 +329,8 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   drawing.Refinement.Part = parts[this->RefinementRegion];
   if (this->RefinementRegion == Cells)
   {
-    drawing.Refinement.Faces = DGGGraphicsInput::FindRefinedFaces(context.Input, names, prepared);
+    DGG_RETURN_IF_ERROR(
+      DGGGraphicsInput::FindRefinedFaces(context.Input, names, prepared, drawing.Refinement.Faces));
   }
   drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
   dgg::GraphicsOptions options;

@@ -5,7 +5,7 @@
 #include "DGGContext.h"
 #include "DGGPoissonCache.h"
 #include "DGGProperties.h"
-#include "DGGSourceCollector.h"
+#include "DGGSources.h"
 #include "DGGSpectralOutputs.h"
 
 #include "dggPreparedSurface.h"
@@ -28,11 +28,6 @@ constexpr double FactorizedAt = 0.4;
 constexpr double FoundAt = 0.01;
 /// Progress weight of selecting sources within the rest.
 constexpr double ChoosingPart = 0.1;
-
-bool IsEmpty(const DGGSourceSet& set)
-{
-  return set.Ids.empty() && (!set.Points || set.Points->GetNumberOfPoints() == 0);
-}
 
 /// Adds the results to the points of a port as active scalars; without results, the last of the
 /// further arrays becomes active.
@@ -131,19 +126,6 @@ dgg::Status vtkSpectralAlgorithm::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSpectralAlgorithm::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  const vtkIdType n = surface->GetNumberOfPoints();
-  const DGGSourceSet sources = this->GetSources(inputVector);
-  DGG_RETURN_IF_ERROR(this->CanChooseSources() && IsEmpty(sources)
-      ? dgg::Status::Success()
-      : DGGSourceCollector::Check(sources, n));
-  const DGGSourceSet targets = GetTargets(inputVector);
-  return IsEmpty(targets) ? dgg::Status::Success() : DGGSourceCollector::Check(targets, n);
-}
-
-//------------------------------------------------------------------------------
 std::string vtkSpectralAlgorithm::GetMemoryRemedy() const
 {
   return "use a smaller mesh or fewer sources at a time";
@@ -203,19 +185,16 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   DGGPoissonCache& cache = *this->Cache;
   const DGGSourceSet targetSet = GetTargets(inputVector);
   const DGGSourceSet sourceSet = this->GetSources(inputVector);
-  std::vector<dgg::GeodesicSource> found[2];
-  if (!this->CanChooseSources() || !IsEmpty(sourceSet))
+  std::vector<dgg::SurfacePoint> sources;
+  std::vector<dgg::SurfacePoint> targets;
+  if (!this->CanChooseSources() || !sourceSet.IsEmpty())
   {
-    DGG_RETURN_IF_ERROR(
-      DGGSourceCollector::Collect(context, sourceSet, this->ProjectionTolerance, found[0]));
+    DGG_RETURN_IF_ERROR(DGGLocate(context, sourceSet, this->ProjectionTolerance, sources));
   }
-  if (!IsEmpty(targetSet))
+  if (!targetSet.IsEmpty())
   {
-    DGG_RETURN_IF_ERROR(
-      DGGSourceCollector::Collect(context, targetSet, this->ProjectionTolerance, found[1]));
+    DGG_RETURN_IF_ERROR(DGGLocate(context, targetSet, this->ProjectionTolerance, targets));
   }
-  std::vector<dgg::SurfacePoint> sources = DGGGetPlaces(found[0]);
-  const std::vector<dgg::SurfacePoint> targets = DGGGetPlaces(found[1]);
 
   const auto numberOfPoints = static_cast<std::size_t>(context.Input->GetNumberOfPoints());
   const dgg::PoissonOptions options = this->GetPoissonOptions();

@@ -220,15 +220,6 @@ dgg::Status vtkSurfaceEarthMoversDistance::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSurfaceEarthMoversDistance::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
-{
-  DGGDistribution distribution;
-  DGG_RETURN_IF_ERROR(distribution.Read(this->GetOrigin(0, inputVector), surface));
-  return distribution.Read(this->GetOrigin(1, inputVector), surface);
-}
-
-//------------------------------------------------------------------------------
 DGGMassOrigin vtkSurfaceEarthMoversDistance::GetOrigin(
   int which, vtkInformationVector** inputVector) const
 {
@@ -254,9 +245,8 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   DGGDistribution distributions[2];
   for (int k = 0; k < 2; ++k)
   {
-    const DGGMassOrigin origin = this->GetOrigin(k, inputVector);
-    DGG_RETURN_IF_ERROR(distributions[k].Read(origin, context.Input));
-    DGG_RETURN_IF_ERROR(distributions[k].Collect(context, origin, this->ProjectionTolerance));
+    DGG_RETURN_IF_ERROR(
+      distributions[k].Read(context, this->GetOrigin(k, inputVector), this->ProjectionTolerance));
   }
   dgg::PoissonOptions poisson;
   poisson.IntrinsicDelaunay = this->IntrinsicDelaunay;

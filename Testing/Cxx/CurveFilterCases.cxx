@@ -294,18 +294,12 @@ std::vector<Refusal> RefuseBoundaries()
         f->SetSecondLandmarkIds({ 0, 8, 80, 81 });
       },
       { "second landmark id 81", "81" }),
-    Refuse<F>([](F* f) { f->SetFirstLandmarkIds({ -1 }); }, { "first landmark id -1" }),
     Refuse<F>([](F* f) { f->SetFirstLandmarkIds({}); }, { "no first landmark" }),
     Refuse<F>(
       [](F* f) {
         f->SetSecondLandmarkIds({ 20, 24, 60, 24 });
       },
       { "landmarks 1 and 3 of the second surface" }),
-    Refuse<F>(
-      [](F* f) {
-        f->SetFirstLandmarkData(MakeSourcePoints({ { { 0.5, NaN, 0.0 } } }));
-      },
-      { "first landmark point 0", "not finite" }),
     Refuse<F>([](F* f) { f->SetLayoutData(nullptr); }, { "no layout" }),
     layout({}, {}, Parts{ "layout is empty" }),
     layout({ { 0, 1, 4 } }, {}, Parts{ "patch 0", "4" }),

@@ -71,20 +71,6 @@ TEST(SourcePoints, AtVerticesOnEdgesAndInsideFaces)
   }
 }
 
-TEST(SourcePoints, AreProjected)
-{
-  auto grid = MakeGrid(5, 4);
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(grid);
-  filter->SetSourceData(MakeSourcePoints({ { { 2.125, 1.25, 0.05 } } }));
-  ExpectSuccess(filter);
-  ExpectEuclidean(filter, grid, { { 2.125, 1.25, 0.0 } });
-  // Beside the rim, towards a corner.
-  filter->SetSourceData(MakeSourcePoints({ { { -0.03, -0.03, 0.0 } } }));
-  ExpectSuccess(filter);
-  ExpectEuclidean(filter, grid, { { 0.0, 0.0, 0.0 } });
-}
-
 TEST(SourcePoints, NumberingIsIdsFirst)
 {
   vtkNew<vtkExactGeodesicDistance> filter;
@@ -227,21 +213,6 @@ TEST(SourcePoints, InitialDistances)
   filter->SetInitialDistanceArrayName("Start");
   ExpectSuccess(filter);
   expectOffsets(offsets);
-}
-
-TEST(SourcePoints, OnAFoldedSurface)
-{
-  // The middle of one face of the unit cube, to the middle of the opposite one and to its corners.
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(MakeCube());
-  filter->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.0 } } }));
-  ExpectSuccess(filter);
-  const auto distances = GetDistances(filter);
-  for (int i = 0; i < 4; ++i)
-  {
-    EXPECT_NEAR(distances[i], std::sqrt(0.5), 1e-12);
-    EXPECT_NEAR(distances[4 + i], std::sqrt(2.5), 1e-12);
-  }
 }
 
 TEST(SourcePoints, OnTrianglesWithoutArea)

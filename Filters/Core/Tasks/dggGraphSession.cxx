@@ -170,13 +170,7 @@ Status GraphSession::Link(const SurfacePoint& place, const Points& aims,
   {
     return this->Builder->Link(place, this->GetLinkAccuracy(), aims, links, direct);
   }
-  const GraphView& graph = this->Search->GetGraph();
-  links = LinkToCloud(graph, mesh.GetPositions(), place);
-  direct.clear();
-  for (const SurfacePoint& aim : aims)
-  {
-    direct.push_back(MeasureDirectly(graph, mesh.GetPositions(), place, aim));
-  }
+  LinkToCloud(this->Search->GetGraph(), mesh.GetPositions(), place, aims, links, direct);
   return Status::Success();
 }
 

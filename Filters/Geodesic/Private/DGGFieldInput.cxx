@@ -4,6 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGMeshQuality.h"
+#include "DGGSurfaceArrays.h"
 #include "DGGThreads.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
@@ -141,7 +142,6 @@ dgg::Status DGGFieldInput::FindDistances(vtkInformation* filter, const std::stri
   vtkPointData* data = surface->GetPointData();
   vtkAbstractArray* found =
     name.empty() ? data->GetScalars() : data->GetAbstractArray(name.c_str());
-  distances = vtkDataArray::SafeDownCast(found);
   if (!found)
   {
     return dgg::InvalidInput(name.empty() ? std::string("there are no active point scalars")
@@ -150,16 +150,7 @@ dgg::Status DGGFieldInput::FindDistances(vtkInformation* filter, const std::stri
       ": call SetDistanceArrayName() or SetInputArrayToProcess() with one of them, or connect a "
       "distance filter");
   }
-  if (!distances || distances->GetNumberOfComponents() != 1 ||
-    distances->GetNumberOfTuples() != surface->GetNumberOfPoints())
-  {
-    const char* called = found->GetName();
-    return dgg::InvalidInput("the point array '", called ? called : "(no name)", "' has ",
-      found->GetNumberOfComponents(), " components and ", found->GetNumberOfTuples(),
-      " tuples of type ", found->GetDataTypeAsString(), " for ", surface->GetNumberOfPoints(),
-      " points: one number per point is needed");
-  }
-  return dgg::Status::Success();
+  return DGGCheckPointArray(found, surface, "the surface", 1, distances);
 }
 
 //------------------------------------------------------------------------------

@@ -92,7 +92,7 @@ dgg::Status DGGMeshAdapter::Update(vtkPolyData* input, const dgg::Domain& domain
   }
   // Time stamps also change when an update upstream reproduces the same points and cells.
   const bool isCloud = domain.Kind == dgg::Domain::Cloud;
-  const DGGSurfaceArrays arrays(input, isCloud);
+  const DGGSurfaceArrays arrays(input, true, !isCloud);
   const dgg::Signature fingerprint = dgg::PreparedSurface::ComputeFingerprint(arrays.Get(), domain);
   if (this->IsBuilt && this->Fingerprint == fingerprint)
   {

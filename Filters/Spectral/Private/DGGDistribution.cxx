@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGDistribution.h"
 
-#include "dggPreparedSurface.h"
+#include "DGGContext.h"
+#include "DGGSurfaceArrays.h"
 
 #include "dggEarthMovers.h"
 #include "dggInvalidInput.h"
+#include "dggPreparedSurface.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -16,11 +18,6 @@
 
 namespace
 {
-bool HasPoints(const DGGMassOrigin& origin)
-{
-  return origin.Points && origin.Points->GetNumberOfPoints() > 0;
-}
-
 DGGSourceSet GetSet(const DGGMassOrigin& origin)
 {
   static const std::vector<vtkIdType> none;
@@ -34,27 +31,21 @@ dgg::Status DGGReadNumbers(vtkPolyData* data, const std::string& name, const std
   const std::string& setter, bool areMasses, std::vector<double>& values)
 {
   vtkAbstractArray* found = data->GetPointData()->GetAbstractArray(name.c_str());
-  vtkDataArray* array = vtkDataArray::SafeDownCast(found);
-  const vtkIdType n = data->GetNumberOfPoints();
-  const std::string called = "the point array '" + name + (areMasses ? "' of " + where : "'");
+  vtkDataArray* array = nullptr;
   values.clear();
   if (!found)
   {
     return dgg::InvalidInput(
       where, " has no point array '", name, "': call ", setter, " with the name of one");
   }
-  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != n)
-  {
-    return dgg::InvalidInput(called, " has ", found->GetNumberOfComponents(), " components and ",
-      found->GetNumberOfTuples(), " tuples of type ", found->GetDataTypeAsString(), " for ", n,
-      " points: one number per point is needed");
-  }
-  for (vtkIdType i = 0; i < n; ++i)
+  DGG_RETURN_IF_ERROR(DGGCheckPointArray(found, data, where, 1, array));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     values.push_back(array->GetComponent(i, 0));
     if (!std::isfinite(values.back()) || (areMasses && values.back() < 0.0))
     {
-      return dgg::InvalidInput(called, " has the value ", values.back(), " at point ", i,
+      return dgg::InvalidInput("the point array '", name, "' of ", where, " has the value ",
+        values.back(), " at point ", i,
         areMasses ? ": mass must be finite and not negative" : ": sources must be finite");
     }
   }
@@ -62,45 +53,33 @@ dgg::Status DGGReadNumbers(vtkPolyData* data, const std::string& name, const std
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGDistribution::Read(const DGGMassOrigin& origin, vtkPolyData* surface)
+dgg::Status DGGDistribution::Read(
+  const DGGContext& context, const DGGMassOrigin& origin, double tolerance)
 {
+  const DGGSourceSet points = GetSet(origin);
   const std::string port = "input port " + std::to_string(origin.Port);
-  if (origin.Array.empty() && !HasPoints(origin))
+  if (origin.Array.empty() && points.IsEmpty())
   {
     return dgg::Status::Invalid("there is nothing to move " + origin.Name + ": call " +
       origin.Setter + " with the name of a point array, or connect points to " + port);
   }
-  this->Values.clear();
-  this->Masses.clear();
+  *this = DGGDistribution();
   if (!origin.Array.empty())
   {
-    DGG_RETURN_IF_ERROR(
-      DGGReadNumbers(surface, origin.Array, "the surface", origin.Setter, true, this->Values));
+    DGG_RETURN_IF_ERROR(DGGReadNumbers(
+      context.Input, origin.Array, "the surface", origin.Setter, true, this->Values));
   }
-  if (!HasPoints(origin))
+  if (points.IsEmpty())
   {
     return dgg::Status::Success();
   }
-  DGG_RETURN_IF_ERROR(DGGSourceCollector::Check(GetSet(origin), surface->GetNumberOfPoints()));
-  this->Masses.assign(static_cast<std::size_t>(origin.Points->GetNumberOfPoints()), 1.0);
-  return origin.MassArray.empty() ? dgg::Status::Success()
-                                  : DGGReadNumbers(origin.Points, origin.MassArray, port,
-                                      "SetMassArrayName()", true, this->Masses);
-}
-
-//------------------------------------------------------------------------------
-dgg::Status DGGDistribution::Collect(
-  const DGGContext& context, const DGGMassOrigin& origin, double tolerance)
-{
-  this->Places.clear();
-  if (!HasPoints(origin))
+  this->Masses.assign(points.CountPoints(), 1.0);
+  if (!origin.MassArray.empty())
   {
-    return dgg::Status::Success();
+    DGG_RETURN_IF_ERROR(DGGReadNumbers(
+      origin.Points, origin.MassArray, port, "SetMassArrayName()", true, this->Masses));
   }
-  std::vector<dgg::GeodesicSource> found;
-  const dgg::Status status = DGGSourceCollector::Collect(context, GetSet(origin), tolerance, found);
-  this->Places = DGGGetPlaces(found);
-  return status;
+  return DGGLocate(context, points, tolerance, this->Places);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,7 @@
 #ifndef DGGDistribution_h
 #define DGGDistribution_h
 
-#include "DGGSourceCollector.h" // for sets of points
+#include "DGGSources.h" // for sets of points
 
 #include <string> // for names
 #include <vector> // for masses
@@ -36,12 +36,9 @@ struct DGGMassOrigin
 class DGGDistribution
 {
 public:
-  /// Copy the numbers. Fails, with a message that names what is wrong, when nothing is given, when
-  /// arrays are missing or of another size, when numbers are negative or not finite.
-  dgg::Status Read(const DGGMassOrigin& origin, vtkPolyData* surface);
-
-  /// Find the places of the points, if any, on the surface.
-  dgg::Status Collect(const DGGContext& context, const DGGMassOrigin& origin, double tolerance);
+  /// Copies the numbers and locates the points on the surface. Fails if nothing is given, an array
+  /// is missing or has another size, or a number is negative or not finite.
+  dgg::Status Read(const DGGContext& context, const DGGMassOrigin& origin, double tolerance);
 
   /// Masses per vertex. `areas`, per vertex, is null when the numbers are masses themselves.
   dgg::Status Integrate(const dgg::PreparedSurface& mesh, const std::vector<double>* areas,

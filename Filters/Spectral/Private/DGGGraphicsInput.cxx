@@ -424,30 +424,20 @@ std::vector<dgg::GraphicsRegion> DGGGraphicsInput::MakeRegions(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGGraphicsInput::CheckRefinement(vtkPolyData* surface, const DGGGraphicsNames& names)
+dgg::Status DGGGraphicsInput::FindRefinedFaces(vtkPolyData* surface, const DGGGraphicsNames& names,
+  const dgg::PreparedSurface& mesh, std::vector<dgg::Id>& faces)
 {
+  faces.clear();
   return Try([&] {
     vtkDataArray* array = GetCellNumbers(surface, names.Refinement, "SetRefinementArrayName()");
-    for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+    for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces(); ++f)
     {
-      GetNumber(array, cell, "use 0, or another number for cells to refine");
+      const vtkIdType cell = mesh.GetCell(f);
+      if (GetNumber(array, cell, "use 0, or another number for cells to refine") != 0.0)
+      {
+        faces.push_back(mesh.GetMesh().GetOriginal(f));
+      }
     }
+    SortUnique(faces);
   });
-}
-
-//------------------------------------------------------------------------------
-std::vector<dgg::Id> DGGGraphicsInput::FindRefinedFaces(
-  vtkPolyData* surface, const DGGGraphicsNames& names, const dgg::PreparedSurface& mesh)
-{
-  std::vector<dgg::Id> faces;
-  vtkDataArray* array = surface->GetCellData()->GetArray(names.Refinement.c_str());
-  for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces(); ++f)
-  {
-    if (array->GetComponent(mesh.GetCell(f), 0) != 0.0)
-    {
-      faces.push_back(mesh.GetMesh().GetOriginal(f));
-    }
-  }
-  SortUnique(faces);
-  return faces;
 }

@@ -44,11 +44,9 @@ public:
   /// The cells of regions as faces of the mesh.
   std::vector<dgg::GraphicsRegion> MakeRegions(const dgg::PreparedSurface& mesh) const;
 
-  /// Fails when there is no array that says which cells are refined, or a number of it is not one.
-  static dgg::Status CheckRefinement(vtkPolyData* surface, const DGGGraphicsNames& names);
-  /// The faces of these cells, after CheckRefinement().
-  static std::vector<dgg::Id> FindRefinedFaces(
-    vtkPolyData* surface, const DGGGraphicsNames& names, const dgg::PreparedSurface& mesh);
+  /// Finds the faces of cells that are refined. Fails if the array is missing or has a NaN.
+  static dgg::Status FindRefinedFaces(vtkPolyData* surface, const DGGGraphicsNames& names,
+    const dgg::PreparedSurface& mesh, std::vector<dgg::Id>& faces);
 
   int GetNumberOfChannels() const { return this->NumberOfChannels; }
   const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }

@@ -4,6 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGDistribution.h"
+#include "DGGSurfaceArrays.h"
 
 #include "dggGeodesicSource.h"
 #include "dggInvalidInput.h"
@@ -80,18 +81,13 @@ dgg::Status AppendValues(const std::string& name, vtkPolyData* data, const std::
   const std::vector<vtkIdType>& ids, std::vector<std::vector<double>>& values)
 {
   vtkAbstractArray* found = data->GetPointData()->GetAbstractArray(name.c_str());
-  vtkDataArray* array = vtkDataArray::SafeDownCast(found);
+  vtkDataArray* array = nullptr;
   if (!found)
   {
     return dgg::InvalidInput(where, " has no point array '", name,
       "': call SetSiteValuesArrayName() with the name of one");
   }
-  if (!array || array->GetNumberOfTuples() != data->GetNumberOfPoints())
-  {
-    return dgg::InvalidInput("the point array '", name, "' of ", where, " has ",
-      found->GetNumberOfTuples(), " tuples of type ", found->GetDataTypeAsString(), " for ",
-      data->GetNumberOfPoints(), " points: numbers for each are needed");
-  }
+  DGG_RETURN_IF_ERROR(DGGCheckPointArray(found, data, where, 0, array));
   const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
   if (!values.empty() && values.size() != components)
   {

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Converts source ids and points of input ports to the arrays of the kernel. Internal.
+#ifndef DGGSources_h
+#define DGGSources_h
+
+#include "vtkDGGFiltersCommonModule.h" // for the export macro
+#include "dggGeodesicSource.h"         // for GeodesicSource
+
+#include "vtkSmartPointer.h" // for arrays
+#include "vtkType.h"         // for vtkIdType
+
+#include <cstddef> // for std::size_t
+#include <string>  // for the names
+#include <vector>  // for the sources
+
+class vtkAbstractArray;
+class vtkDataSetAttributes;
+class vtkObject;
+class vtkPolyData;
+struct DGGContext;
+
+/// Points of a surface or a cloud as a user gives them: ids, then the points of an input port.
+/// Its point arrays `FaceId`, `Barycentric` and `vtkOriginalPointIds` identify points as
+/// dgg::SourceCollection describes.
+struct VTKDGGFILTERSCOMMON_EXPORT DGGSourceSet
+{
+  const std::vector<vtkIdType>& Ids;
+  vtkPolyData* Points;              ///< may be null
+  int Port;                         ///< input port of Points
+  std::string Role;                 ///< name of a point in messages
+  std::string Remedy;               ///< how to give ids
+  std::string InitialDistanceArray; ///< of Points; empty for no initial distances
+  /// Per id; null for zeros.
+  const std::vector<double>* InitialDistances = nullptr;
+  /// Ids of the points of the port that are used, in this order; null for all.
+  const std::vector<vtkIdType>* PointIds = nullptr;
+  /// Name of the surface in messages, if there are several.
+  std::string Surface = "input";
+
+  /// Number of points of the port that are used.
+  std::size_t CountPoints() const;
+  /// Index at the port of the i-th point that is used.
+  vtkIdType GetPointId(std::size_t i) const;
+  bool IsEmpty() const { return this->Ids.empty() && this->CountPoints() == 0; }
+};
+
+/// Fails if a set is empty or has an id or a number that is not valid. DGGLocate() does so too.
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckSources(
+  const DGGSourceSet& set, vtkIdType numberOfPoints);
+
+///@{
+/// Locates the points of a set on the surface, or near the points of a cloud: see
+/// dgg::SourceCollection::Locate(). `filter`, if not null, warns about points that no polygon uses.
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGLocate(const DGGContext& context, const DGGSourceSet& set,
+  double tolerance, std::vector<dgg::GeodesicSource>& sources, vtkObject* filter = nullptr);
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGLocate(const DGGContext& context, const DGGSourceSet& set,
+  double tolerance, std::vector<dgg::SurfacePoint>& points, vtkObject* filter = nullptr);
+///@}
+
+/// Returns an array with the given tuples of `from`. For indices that do not exist, it has
+/// `missing` if `from` has floating-point numbers, otherwise 0 or the empty string.
+VTKDGGFILTERSCOMMON_EXPORT vtkSmartPointer<vtkAbstractArray> DGGPickTuples(
+  vtkAbstractArray* from, const std::vector<vtkIdType>& tuples, double missing);
+
+/// Adds the point arrays of the port to `output`; each tuple is that of the nearest source. Where
+/// that is an id, or there is none: NaN, 0 or the empty string. Arrays of the output with the same
+/// names stay.
+VTKDGGFILTERSCOMMON_EXPORT void DGGPassArrays(
+  const DGGSourceSet& set, const std::vector<dgg::Id>& nearest, vtkDataSetAttributes* output);
+
+#endif

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSourceCollection.h"
+
+#include "dggCellCoordinates.h"
+#include "dggInvalidInput.h"
+#include "dggLocator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dgg
+{
+namespace
+{
+/// Rounding errors of positions, relative to the largest coordinate. Outputs of filters, which
+/// identify points of inputs in double precision, may be in single precision.
+constexpr double RoundingOfDoubles = 8.0 * std::numeric_limits<double>::epsilon();
+constexpr double RoundingOfFloats = std::numeric_limits<float>::epsilon();
+
+bool IsFinite(const double* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+double GetInitialDistance(const std::vector<double>& distances, std::size_t i)
+{
+  return distances.empty() ? 0.0 : distances[i];
+}
+
+Status RefuseInitialDistance(const std::string& point, double distance)
+{
+  return InvalidInput(point, " has the initial distance ", distance, ". Set a finite number.");
+}
+
+/// Returns the point that an array names if it is at a position, otherwise NoId.
+Offset FindOriginal(
+  double id, const std::array<double, 3>& position, double rounding, const PreparedSurface& surface)
+{
+  const Id count = surface.GetMeshWithoutAngles().GetNumberOfVertices();
+  if (!(id >= 0.0 && id < static_cast<double>(count)))
+  {
+    return NoId;
+  }
+  const auto point = static_cast<Offset>(id);
+  const double* p = surface.GetPositions() + 3 * point;
+  const double largest = std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  const bool isThere = std::equal(p, p + 3, position.begin(),
+    [&](double a, double b) { return std::abs(a - b) <= rounding * largest; });
+  return isThere ? point : NoId;
+}
+}
+
+//------------------------------------------------------------------------------
+SourceCollection::Position SourceCollection::GetPosition(std::size_t i) const
+{
+  return { { this->Positions[3 * i], this->Positions[3 * i + 1], this->Positions[3 * i + 2] } };
+}
+
+//------------------------------------------------------------------------------
+/// "source point 3 of input port 1"
+std::string SourceCollection::Describe(std::size_t i) const
+{
+  const bool isPoint = this->Role.find("point") != std::string::npos;
+  return JoinText(this->Role, isPoint ? " " : " point ",
+    this->Indices.empty() ? static_cast<Offset>(i) : this->Indices[i], " of input port ",
+    this->Port);
+}
+
+//------------------------------------------------------------------------------
+/// "source point 3 of input port 1, at (x, y, z),"
+std::string SourceCollection::DescribeWithPosition(std::size_t i) const
+{
+  const Position p = this->GetPosition(i);
+  return JoinText(this->Describe(i), ", at (", p[0], ", ", p[1], ", ", p[2], "),");
+}
+
+//------------------------------------------------------------------------------
+Status SourceCollection::Check(Offset numberOfPoints) const
+{
+  if (this->Ids.empty() && this->Positions.empty())
+  {
+    return this->IsConnected ? InvalidInput("there is no ", this->Role, ": input port ", this->Port,
+                                 " has no points. Give it points, or ", this->Remedy)
+                             : InvalidInput("there is no ", this->Role, ": ", this->Remedy,
+                                 ", or connect points to input port ", this->Port);
+  }
+  for (std::size_t i = 0; i < this->Ids.size(); ++i)
+  {
+    const Offset id = this->Ids[i];
+    const double distance = GetInitialDistance(this->InitialDistancesOfIds, i);
+    const bool isInRange = id >= 0 && id < numberOfPoints;
+    if (isInRange && std::isfinite(distance))
+    {
+      continue;
+    }
+    const std::string name =
+      JoinText(this->Role, " id ", id, " (number ", i, " of the ", this->Role, " ids)");
+    return isInRange
+      ? RefuseInitialDistance(name, distance)
+      : InvalidInput(name, " is out of range: the ", this->Surface, " has ", numberOfPoints,
+          " points, so ids must be in [0, ", numberOfPoints - 1, "]");
+  }
+  for (std::size_t i = 0; i < this->GetNumberOfPositions(); ++i)
+  {
+    const double distance = GetInitialDistance(this->InitialDistances, i);
+    if (!IsFinite(this->GetPosition(i).data()))
+    {
+      return InvalidInput(
+        this->DescribeWithPosition(i), " has coordinates that are not finite: move or remove it");
+    }
+    if (!std::isfinite(distance))
+    {
+      return RefuseInitialDistance(this->Describe(i), distance);
+    }
+  }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+Status SourceCollection::Locate(const SurfaceArrays& input, const PreparedSurface& surface,
+  double tolerance, std::vector<GeodesicSource>& sources) const
+{
+  sources.clear();
+  DGG_RETURN_IF_ERROR(this->Check(surface.GetMeshWithoutAngles().GetNumberOfVertices()));
+  for (std::size_t i = 0; i < this->Ids.size(); ++i)
+  {
+    sources.push_back({ SurfacePoint::AtVertex(surface.GetVertex(this->Ids[i])),
+      GetInitialDistance(this->InitialDistancesOfIds, i) });
+  }
+  const CellCoordinates cells(input, surface);
+  for (std::size_t i = 0; i < this->GetNumberOfPositions(); ++i)
+  {
+    Position position = this->GetPosition(i);
+    GeodesicSource source{ {}, GetInitialDistance(this->InitialDistances, i) };
+    bool isFound = false;
+    DGG_RETURN_IF_ERROR(this->Identify(i, cells, surface, position, source.Point, isFound));
+    DGG_RETURN_IF_ERROR(isFound ? Status::Success()
+                                : this->FindClosest(i, surface, tolerance, position, source.Point));
+    sources.push_back(source);
+  }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+/// Finds the surface point that the arrays identify and sets `isFound`. If the cell has no area,
+/// moves `position` to the point in the cell.
+Status SourceCollection::Identify(std::size_t i, const CellCoordinates& cells,
+  const PreparedSurface& surface, Position& position, SurfacePoint& point, bool& isFound) const
+{
+  const double rounding = this->AreRounded ? RoundingOfFloats : RoundingOfDoubles;
+  const bool hasIds = !this->OriginalIds.empty();
+  if (!this->Cells.empty() && !this->Barycentric.empty())
+  {
+    const Position weights = { { this->Barycentric[3 * i], this->Barycentric[3 * i + 1],
+      this->Barycentric[3 * i + 2] } };
+    const std::string problem = cells.Check(this->Cells[i], weights);
+    if (!hasIds && !problem.empty())
+    {
+      return Status::Invalid(this->DescribeWithPosition(i) + " " + problem);
+    }
+    const auto cell = static_cast<Offset>(problem.empty() ? this->Cells[i] : 0.0);
+    if (problem.empty() && (!hasIds || cells.IsAt(cell, weights, position, rounding)))
+    {
+      isFound = cells.FindPoint(cell, weights, point);
+      position = cells.GetPosition(cell, weights);
+      return Status::Success();
+    }
+  }
+  const Offset original =
+    hasIds ? FindOriginal(this->OriginalIds[i], position, rounding, surface) : NoId;
+  if (original != NoId)
+  {
+    point = SurfacePoint::AtVertex(surface.GetVertex(original));
+    isFound = true;
+  }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+Status SourceCollection::FindClosest(std::size_t i, const PreparedSurface& surface,
+  double tolerance, const Position& position, SurfacePoint& point) const
+{
+  const Locator& locator = surface.GetLocator();
+  const double farthest = tolerance * locator.GetDiagonal();
+  double distance = Infinity;
+  if (locator.FindClosestPoint(position.data(), point, distance) &&
+    locator.IsClose(point, distance, farthest))
+  {
+    return Status::Success();
+  }
+  return InvalidInput(this->DescribeWithPosition(i), " is ", distance, " away from the ",
+    surface.IsCloud()            ? "cloud"
+      : this->Surface == "input" ? "surface"
+                                 : this->Surface,
+    ", farther than ", farthest, " (ProjectionTolerance ", tolerance, " times the diagonal ",
+    locator.GetDiagonal(), "): move it there, or raise ProjectionTolerance");
+}
+
+//------------------------------------------------------------------------------
+std::string SourceCollection::DescribeIsolated(
+  const PreparedSurface& surface, const std::vector<GeodesicSource>& sources) const
+{
+  const SurfaceMesh& mesh = surface.GetMeshWithoutAngles();
+  std::size_t count = 0;
+  std::string points;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    const Id vertex = sources[i].Point.Vertex;
+    const bool isIsolated = IsVertex(sources[i].Point) &&
+      (surface.IsCloud() ? !IsFinite(surface.GetPositions() + 3 * static_cast<Offset>(vertex))
+                         : mesh.FanBegin(vertex) == mesh.FanEnd(vertex));
+    if (isIsolated && ++count == 1)
+    {
+      const std::size_t ids = this->Ids.size();
+      points = i < ids ? JoinText(this->Role, " id ", this->Ids[i]) : this->Describe(i - ids);
+    }
+  }
+  if (count == 0)
+  {
+    return {};
+  }
+  points += count == 1 ? " is a point" : JoinText(" and ", count - 1, " more are points");
+  return points +
+    (surface.IsCloud() ? " with coordinates that are not finite. Such points reach no other "
+                         "point. Choose points with finite coordinates."
+                       : " that no polygon uses. Such points reach no other point. Choose points "
+                         "of polygons.");
+}
+
+//------------------------------------------------------------------------------
+std::vector<SurfacePoint> GetPoints(const std::vector<GeodesicSource>& sources)
+{
+  std::vector<SurfacePoint> points;
+  points.reserve(sources.size());
+  for (const GeodesicSource& source : sources)
+  {
+    points.push_back(source.Point);
+  }
+  return points;
+}
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// From ids and positions to points of a surface or a cloud. Internal.
+#ifndef dggSourceCollection_h
+#define dggSourceCollection_h
+
+#include "dggGeodesicSource.h"  // for GeodesicSource
+#include "dggPreparedSurface.h" // for SurfaceArrays
+
+#include <array>  // for positions
+#include <string> // for messages
+#include <vector> // for the arrays
+
+namespace dgg
+{
+class CellCoordinates;
+
+/// Points that a task starts from or evaluates at: point ids of the input, then positions of a
+/// second input. Optional arrays identify the points of positions where several layers of the
+/// surface coincide, in this order:
+///  - `Cells` and `Barycentric` together: a triangle of the input and coordinates with respect to
+///    its corners. The position is ignored;
+///  - `OriginalIds`: a point of the input, if the position is there.
+/// If all three are present, the first two count only if the position is there: they may belong to
+/// another surface. Other positions are moved to the closest point of the surface.
+struct DGG_CORE_EXPORT SourceCollection
+{
+  ///@{
+  /// Words of messages.
+  std::string Role;              ///< name of a point, such as "source"
+  std::string Remedy;            ///< how to give ids
+  int Port = 1;                  ///< input port of the positions
+  std::string Surface = "input"; ///< name of the surface, if there are several
+  std::vector<Offset> Indices;   ///< per position, its index at the port; empty for 0, 1, 2 ...
+  ///@}
+
+  std::vector<Offset> Ids;
+  std::vector<double> InitialDistancesOfIds; ///< empty for zeros
+
+  bool IsConnected = false;             ///< true if there is an input of positions
+  bool AreRounded = false;              ///< true if positions were stored in single precision
+  std::vector<double> Positions;        ///< x y z each
+  std::vector<double> InitialDistances; ///< per position; empty for zeros
+  ///@{
+  /// Per position; may be empty.
+  std::vector<double> OriginalIds;
+  std::vector<double> Cells;
+  std::vector<double> Barycentric; ///< three each
+  ///@}
+
+  /// Fails if there is no point, an id is out of range, or a coordinate or an initial distance is
+  /// not finite.
+  Status Check(Offset numberOfPoints) const;
+
+  /// Locates the points on the surface, or near the points of a cloud. Fails as Check() or if a
+  /// position is too far away. `input` has the cells that the surface was made from; unused without
+  /// Barycentric. `tolerance` is the largest distance of a position from the surface, as a fraction
+  /// of the diagonal. Positions between the points of a cloud sparser than that are accepted too.
+  Status Locate(const SurfaceArrays& input, const PreparedSurface& surface, double tolerance,
+    std::vector<GeodesicSource>& sources) const;
+
+  /// Returns a warning about located points that no polygon uses, or, in clouds, that are not
+  /// finite; else an empty text.
+  std::string DescribeIsolated(
+    const PreparedSurface& surface, const std::vector<GeodesicSource>& sources) const;
+
+private:
+  using Position = std::array<double, 3>;
+
+  std::size_t GetNumberOfPositions() const { return this->Positions.size() / 3; }
+  Position GetPosition(std::size_t i) const;
+  std::string Describe(std::size_t i) const;
+  std::string DescribeWithPosition(std::size_t i) const;
+  Status Identify(std::size_t i, const CellCoordinates& cells, const PreparedSurface& surface,
+    Position& position, SurfacePoint& point, bool& isFound) const;
+  Status FindClosest(std::size_t i, const PreparedSurface& surface, double tolerance,
+    const Position& position, SurfacePoint& point) const;
+};
+
+/// Returns the points of sources.
+DGG_CORE_EXPORT std::vector<SurfacePoint> GetPoints(const std::vector<GeodesicSource>& sources);
+}
+
+#endif
