@@ -397,7 +397,7 @@ TEST_F(GeodesicDistanceMatrix, MemoryLimitCountsTheTable)
   this->Filter->SetMemoryLimit(10000); // the graph is there
   this->Filter->SetRowIds(std::vector<vtkIdType>(40, 7));
   ExpectError(this->Filter,
-    { "40 rows and 40 columns and the table", "25 KiB", "9.766 KiB", "GenerateTable off",
+    { "40 rows and 40 columns and its table", "25 KiB", "9.766 KiB", "GenerateTable off",
       "MemoryLimit" });
   this->Filter->GenerateTableOff();
   ExpectError(this->Filter, { "40 rows and 40 columns", "12.5 KiB", "9.766 KiB", "MemoryLimit" });
