@@ -41,10 +41,10 @@ struct Range
   std::int32_t First;
   std::int32_t Last;
 };
-Range RangeOf(double centre, double radius, double size)
+Range RangeOf(double center, double radius, double size)
 {
-  return { static_cast<std::int32_t>(std::floor((centre - radius) / size)),
-    static_cast<std::int32_t>(std::floor((centre + radius) / size)) };
+  return { static_cast<std::int32_t>(std::floor((center - radius) / size)),
+    static_cast<std::int32_t>(std::floor((center + radius) / size)) };
 }
 
 /// Distance of a number from the nearest and from the farthest point of an interval.
@@ -176,21 +176,21 @@ Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector
   std::size_t looks = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Point3 centre = this->ToGrid(points[i]);
+    const Point3 center = this->ToGrid(points[i]);
     // At least one voxel, for the neighbors that are marked in any case.
     const double radius = std::max(level > 0 ? 0.0 : 1.0, radii[i] * this->InverseSize);
-    const Range x = RangeOf(centre.X, radius, size);
-    const Range y = RangeOf(centre.Y, radius, size);
-    const Range z = RangeOf(centre.Z, radius, size);
+    const Range x = RangeOf(center.X, radius, size);
+    const Range y = RangeOf(center.Y, radius, size);
+    const Range z = RangeOf(center.Z, radius, size);
     for (std::int32_t cz = z.First; cz <= z.Last; ++cz)
     {
-      const double byZ = meets(centre.Z, cz);
+      const double byZ = meets(center.Z, cz);
       for (std::int32_t cy = y.First; cy <= y.Last; ++cy)
       {
-        const double byY = meets(centre.Y, cy);
+        const double byY = meets(center.Y, cy);
         for (std::int32_t cx = x.First; cx <= x.Last; ++cx)
         {
-          const double byX = meets(centre.X, cx);
+          const double byX = meets(center.X, cx);
           if (byX * byX + byY * byY + byZ * byZ <= radius * radius)
           {
             this->AddBrick(BrickKey({ 8 * cx, 8 * cy, 8 * cz }));
@@ -251,24 +251,24 @@ Status VoxelBand::MarkBalls(const std::vector<Point3>& points, const std::vector
   return Status::Success();
 }
 
-void VoxelBand::MarkBall(const Point3& centre, double radius)
+void VoxelBand::MarkBall(const Point3& center, double radius)
 {
-  const Voxel own = VoxelOf(centre);
+  const Voxel own = VoxelOf(center);
   // Centers of voxels are at half-integers.
-  const auto firstZ = static_cast<std::int32_t>(std::ceil(centre.Z - radius - 0.5));
-  const auto lastZ = static_cast<std::int32_t>(std::floor(centre.Z + radius - 0.5));
+  const auto firstZ = static_cast<std::int32_t>(std::ceil(center.Z - radius - 0.5));
+  const auto lastZ = static_cast<std::int32_t>(std::floor(center.Z + radius - 0.5));
   for (std::int32_t z = firstZ; z <= lastZ; ++z)
   {
-    const double dz = z + 0.5 - centre.Z;
+    const double dz = z + 0.5 - center.Z;
     const double inLayer = std::sqrt(std::max(0.0, radius * radius - dz * dz));
-    const auto firstY = static_cast<std::int32_t>(std::ceil(centre.Y - inLayer - 0.5));
-    const auto lastY = static_cast<std::int32_t>(std::floor(centre.Y + inLayer - 0.5));
+    const auto firstY = static_cast<std::int32_t>(std::ceil(center.Y - inLayer - 0.5));
+    const auto lastY = static_cast<std::int32_t>(std::floor(center.Y + inLayer - 0.5));
     for (std::int32_t y = firstY; y <= lastY; ++y)
     {
-      const double dy = y + 0.5 - centre.Y;
+      const double dy = y + 0.5 - center.Y;
       const double inRow = std::sqrt(std::max(0.0, inLayer * inLayer - dy * dy));
-      const auto firstX = static_cast<std::int32_t>(std::ceil(centre.X - inRow - 0.5));
-      const auto lastX = static_cast<std::int32_t>(std::floor(centre.X + inRow - 0.5));
+      const auto firstX = static_cast<std::int32_t>(std::ceil(center.X - inRow - 0.5));
+      const auto lastX = static_cast<std::int32_t>(std::floor(center.X + inRow - 0.5));
       this->MarkRun(firstX, lastX, y, z);
     }
   }

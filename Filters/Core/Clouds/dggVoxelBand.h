@@ -130,7 +130,7 @@ private:
     const ParallelFor& parallel, const ProgressCallback& progress);
   void AddBrick(std::uint64_t key);
   void Rehash(std::size_t size);
-  void MarkBall(const Point3& centre, double radius);
+  void MarkBall(const Point3& center, double radius);
   void MarkRun(std::int32_t x0, std::int32_t x1, std::int32_t y, std::int32_t z);
 
   Point3 Origin;

@@ -56,7 +56,7 @@ struct Arrival
   Id Source = NoId;
 };
 
-/// Calls `visit(voxel, centre)` for the voxels of a band around a position, in units of voxels.
+/// Calls `visit(voxel, center)` for the voxels of a band around a position, in units of voxels.
 template <typename Visitor>
 void ForEachNear(const VoxelBand& band, const Point3& inGrid, Visitor&& visit)
 {
@@ -134,13 +134,13 @@ public:
   Arrival Interpolate(const Point3& place) const
   {
     const Point3 inGrid = this->Band.ToGrid(place);
-    const Point3 centred = inGrid - Point3{ 0.5, 0.5, 0.5 };
-    if (!this->Band.IsInBox(centred))
+    const Point3 centered = inGrid - Point3{ 0.5, 0.5, 0.5 };
+    if (!this->Band.IsInBox(centered))
     {
       return {};
     }
-    const Voxel low = VoxelBand::VoxelOf(centred);
-    const Point3 part = centred -
+    const Voxel low = VoxelBand::VoxelOf(centered);
+    const Point3 part = centered -
       Point3{ static_cast<double>(low[0]), static_cast<double>(low[1]),
         static_cast<double>(low[2]) };
     double sum = 0.0;
@@ -188,18 +188,18 @@ private:
     const Voxel own = VoxelBand::VoxelOf(source);
     std::vector<Voxel> reached(1);
     double closest = Infinity;
-    ForEachNear(this->Band, source, [&](const Voxel& voxel, const Point3& centre) {
-      const double distance = Norm(centre - source);
+    ForEachNear(this->Band, source, [&](const Voxel& voxel, const Point3& center) {
+      const double distance = Norm(center - source);
       reached[0] = distance < closest ? voxel : reached[0];
       closest = std::min(closest, distance);
     });
     for (std::size_t i = 0; i < reached.size(); ++i)
     {
       const Voxel voxel = reached[i];
-      const Point3 centre{ voxel[0] + 0.5, voxel[1] + 0.5, voxel[2] + 0.5 };
+      const Point3 center{ voxel[0] + 0.5, voxel[1] + 0.5, voxel[2] + 0.5 };
       const std::int64_t brick = this->Band.FindBrick(VoxelBand::BrickKey(voxel));
       this->Offer(VoxelBand::PlaceOf(brick, voxel),
-        { this->Offsets[k] + Norm(centre - source), static_cast<Id>(k) });
+        { this->Offsets[k] + Norm(center - source), static_cast<Id>(k) });
       for (int side = 0; side < 6; ++side)
       {
         Voxel next = voxel;

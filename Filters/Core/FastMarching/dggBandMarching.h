@@ -10,7 +10,7 @@
 #include "dggTypes.h"      // for Id, Status
 #include "dggVoxelBand.h"  // for VoxelBand
 
-#include <array>   // for neighbours
+#include <array>   // for neighbors
 #include <cstdint> // for std::int32_t
 #include <vector>  // for distances
 

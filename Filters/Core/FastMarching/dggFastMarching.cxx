@@ -174,7 +174,7 @@ struct Front
   double Offset = 0.0; ///< distance at the center of the front
   double Angle = 0.0;  ///< polar angle towards the center
   /// Center: a vertex where the front bent, or ~k for the k-th source.
-  Id Centre = NoId;
+  Id Center = NoId;
   Id Source = NoId;
 };
 
@@ -194,14 +194,14 @@ bool MeetSpherical(double base, const Point2& apex, double a, double b, Arrival&
     return false;
   }
   const Point2 above = LayOut(base, a, b);
-  const Point2 centre{ above.X, -above.Y };
+  const Point2 center{ above.X, -above.Y };
   const double slack = CrossingSlack * base;
-  const double x = centre.Y < 0.0 ? Crossing(centre, apex) : centre.X;
+  const double x = center.Y < 0.0 ? Crossing(center, apex) : center.X;
   if (x < -slack || x > base + slack)
   {
     return false;
   }
-  arrival.From = { centre.X - apex.X, centre.Y - apex.Y };
+  arrival.From = { center.X - apex.X, center.Y - apex.Y };
   arrival.Distance = Norm(arrival.From.X, arrival.From.Y);
   return true;
 }
@@ -247,7 +247,7 @@ public:
       const SurfacePoint& point = sources[k].Point;
       Front front;
       front.Offset = sources[k].InitialDistance - shift;
-      front.Centre = ~source;
+      front.Center = ~source;
       front.Source = source;
       if (point.On == SurfacePoint::Support::Vertex)
       {
@@ -349,7 +349,7 @@ private:
     if (this->Bends(v) && distance > front.Offset)
     {
       front.Offset = distance;
-      front.Centre = v;
+      front.Center = v;
     }
     for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
     {

@@ -8,7 +8,7 @@
 
 #include "dggGraphRules.h"         // for relays beside a window
 #include "dggGraphWindow.h"        // for GraphWindow
-#include "dggGraphWindowMemory.h"  // for tracing with care
+#include "dggGraphWindowMemory.h"  // for the careful mode
 #include "dggGraphWindowTargets.h" // for points that windows meet
 #include "dggHeap.h"               // for windows by distance
 #include "dggSurfacePoint.h"       // for sources inside faces
@@ -363,7 +363,7 @@ private:
         const DistanceHeap::Entry reached = this->Reached.Pop();
         if (this->Vertices[reached.Index].Label == reached.Key)
         {
-          this->ReachNeighbours(reached.Index, reached.Key);
+          this->ReachNeighbors(reached.Index, reached.Key);
         }
       }
       this->FollowNext(key.Index);
@@ -642,23 +642,23 @@ private:
     }
     if (Rule::ByDistance)
     {
-      this->ReachNeighbours(v, distance);
+      this->ReachNeighbors(v, distance);
     }
   }
 
   /// Lowers the labels of neighbors along mesh edges. Vertices that no window reaches count as
   /// well, and in the careful mode every label helps to prune.
-  void ReachNeighbours(Id v, double distance)
+  void ReachNeighbors(Id v, double distance)
   {
     const Id old = this->Table.OldVertex(v);
     for (const Id* g = this->Mesh.FanBegin(old); g != this->Mesh.FanEnd(old); ++g)
     {
       const Id back = SurfaceMesh::Previous(*g);
-      this->ReachNeighbour(this->Mesh.Destination(*g), distance + this->Mesh.Length(*g));
-      this->ReachNeighbour(this->Mesh.Origin(back), distance + this->Mesh.Length(back));
+      this->ReachNeighbor(this->Mesh.Destination(*g), distance + this->Mesh.Length(*g));
+      this->ReachNeighbor(this->Mesh.Origin(back), distance + this->Mesh.Length(back));
     }
   }
-  void ReachNeighbour(Id old, double distance)
+  void ReachNeighbor(Id old, double distance)
   {
     const Id v = this->Table.NewVertex(old);
     VertexStates::State& state = this->Vertices.Touch(v);

@@ -11,7 +11,7 @@
 #include "dggLanes.h"         // for Lanes
 
 #include <cstddef>    // for std::size_t
-#include <functional> // for the question whether to go on
+#include <functional> // for shouldContinue
 #include <vector>     // for the vertices
 
 namespace dgg

@@ -10,7 +10,7 @@
 #include "dggSurfacePoint.h"  // for poles and targets
 
 #include <cstddef> // for std::size_t
-#include <memory>  // for what is kept from run to run
+#include <memory>  // for reused buffers
 #include <vector>  // for the results
 
 namespace dgg

@@ -9,7 +9,7 @@
 #include "dggGreensFunction.h" // for queries and results
 
 #include <cstddef> // for std::size_t
-#include <memory>  // for what is kept
+#include <memory>  // for the cache
 
 namespace dgg
 {
@@ -18,10 +18,10 @@ namespace dgg
 ///
 ///     g(x, y) = s(d(x, y)) + sum_k w_k r_k(y).
 ///
-/// Only columns of vertices are ever solved for, when they are first asked for, and kept as floats;
-/// any two points then cost one distance. Errors are several times those of a solve per point, and
-/// a tenth or less of those of interpolated Green's functions. All poles of a component have the
-/// same radius: ridges of the distance do not count.
+/// Only columns of vertices are solved, on first use, and stored as floats; any further pair of
+/// points costs one distance. Errors are several times those of a solve per point, but at most a
+/// tenth of those of interpolated Green's functions. All poles of a component have the same radius:
+/// ridges of the distance are ignored.
 class DGG_CORE_EXPORT GreensInterpolation
 {
 public:

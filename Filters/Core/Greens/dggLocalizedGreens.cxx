@@ -21,10 +21,10 @@ constexpr double Cutoff = 1e-8;
 constexpr int LeastRings = 2;
 
 /// A list of vertices with their indices in the list.
-class Neighbourhood
+class Neighborhood
 {
 public:
-  explicit Neighbourhood(const PoissonSystem& system)
+  explicit Neighborhood(const PoissonSystem& system)
     : System(system)
   {
   }
@@ -85,10 +85,10 @@ bool FindDistances(ExactGeodesics& exact, const SurfacePoint& source, const std:
 
 /// Finds the vertices nearest to the pole, from complete rings around it, and then their neighbors.
 /// Returns the number of near vertices; 0 if there are too many neighbors.
-std::size_t FindNeighbours(const PoissonSystem& system, const SurfacePoint& pole,
-  ExactGeodesics& exact, std::unique_ptr<Neighbourhood>& all)
+std::size_t FindNeighbors(const PoissonSystem& system, const SurfacePoint& pole,
+  ExactGeodesics& exact, std::unique_ptr<Neighborhood>& all)
 {
-  Neighbourhood rings(system);
+  Neighborhood rings(system);
   ForEachCornerAround(system.GetMesh(), pole, [&](Id v, double, double) { rings.Add(v); });
   std::size_t before = 0;
   for (int ring = 0; ring < LeastRings || rings.GetVertices().size() < LocalizedVertices; ++ring)
@@ -115,7 +115,7 @@ std::size_t FindNeighbours(const PoissonSystem& system, const SurfacePoint& pole
   }
   std::sort(order.begin(), order.end());
   const std::size_t near = std::min<std::size_t>(order.size(), LocalizedVertices);
-  all = std::make_unique<Neighbourhood>(system);
+  all = std::make_unique<Neighborhood>(system);
   for (std::size_t k = 0; k < near; ++k)
   {
     all->Add(order[k].second);
@@ -128,13 +128,13 @@ Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeod
   const ProgressCallback& progress, std::vector<double>& values, bool& isLocalized)
 {
   isLocalized = false;
-  std::unique_ptr<Neighbourhood> neighbourhood;
-  const auto near = static_cast<Eigen::Index>(FindNeighbours(system, pole, exact, neighbourhood));
+  std::unique_ptr<Neighborhood> neighborhood;
+  const auto near = static_cast<Eigen::Index>(FindNeighbors(system, pole, exact, neighborhood));
   if (near == 0)
   {
     return Status::Success();
   }
-  const std::vector<Id>& vertices = neighbourhood->GetVertices();
+  const std::vector<Id>& vertices = neighborhood->GetVertices();
   const auto all = static_cast<Eigen::Index>(vertices.size());
   if (std::any_of(
         vertices.begin(), vertices.begin() + near, [&](Id v) { return system.IsFixed(v); }))
@@ -163,7 +163,7 @@ Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeod
     for (Eigen::SparseMatrix<double>::InnerIterator entry(system.GetStiffness(), v); entry; ++entry)
     {
       const auto u = static_cast<Id>(entry.row());
-      laplacian(i, static_cast<Eigen::Index>(neighbourhood->PlaceOf(u))) = entry.value();
+      laplacian(i, static_cast<Eigen::Index>(neighborhood->PlaceOf(u))) = entry.value();
       psi[i] += entry.value() * values[u];
     }
   }

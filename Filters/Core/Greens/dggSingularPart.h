@@ -15,7 +15,7 @@ namespace dgg
 {
 /// Around a pole, at distance d and with u = d^2 / R^2,
 ///
-///     s(d) = -1 / (2 Theta) [log u - (u - 1) + (u - 1)^2 / 2 - (u - 1)^3 / 3], 0 from d = R on,
+///     s(d) = -1 / (2 Theta) [log u - (u - 1) + (u - 1)^2 / 2 - (u - 1)^3 / 3],  0 from d = R on,
 ///
 /// where Theta is the angle around the pole: 2 pi in the interior of the surface, the total angle
 /// at a vertex. The flux out of a small circle is 1. Value and first three derivatives are 0 at R,

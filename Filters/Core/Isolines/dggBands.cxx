@@ -44,7 +44,7 @@ Status CheckArguments(
       [&](Id level) { return level >= 0 && level < static_cast<Id>(levels.size()); });
   if (!haveLevels)
   {
-    return Status::Invalid("the isolines are not those of these values: trace them anew");
+    return Status::Invalid("the isolines are not those of these values: trace them again");
   }
   return Status::Success();
 }

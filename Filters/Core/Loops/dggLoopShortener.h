@@ -5,7 +5,7 @@
 #ifndef dggLoopShortener_h
 #define dggLoopShortener_h
 
-#include "dggPathShortener.h"  // for what is between two passages of a vertex
+#include "dggPathShortener.h"  // for sections between two passages of a vertex
 #include "dggStrip.h"          // for Strip
 #include "dggStripUnfolding.h" // for StripUnfolding
 #include "dggSurfacePath.h"    // for SurfacePath

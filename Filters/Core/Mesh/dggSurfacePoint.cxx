@@ -142,7 +142,7 @@ Status SurfacePoint::Check(const SurfaceMesh& mesh) const
   if (!snapped)
   {
     return InvalidInput("the point in face ", this->Face,
-      " is not on what it says it is on: use SurfacePoint::InFace() or OnEdge()");
+      " does not lie on its vertex, edge or face: use SurfacePoint::InFace() or OnEdge()");
   }
   return Status::Success();
 }

@@ -207,14 +207,14 @@ Status Refiner::Triangulate(Id f, std::size_t work)
   }
   FaceTriangulation triangulation(CornersInFrame(this->Mesh, h));
   std::vector<Id> nodes{ this->Mesh.Origin(h), this->Mesh.Origin(h + 1), this->Mesh.Origin(h + 2) };
-  auto goes = [&](std::size_t i, std::size_t count, double from, double to) {
+  auto shouldContinue = [&](std::size_t i, std::size_t count, double from, double to) {
     return i % ProgressInterval != ProgressInterval - 1 ||
       this->GoesInFace(
         work, from + (to - from) * static_cast<double>(i) / static_cast<double>(count));
   };
   for (const std::size_t i : MakeInsertionOrder(points))
   {
-    if (!goes(nodes.size(), points.size() + 3, PiecesDone, PointsDone))
+    if (!shouldContinue(nodes.size(), points.size() + 3, PiecesDone, PointsDone))
     {
       return Status::Abort();
     }
@@ -227,7 +227,7 @@ Status Refiner::Triangulate(Id f, std::size_t work)
     const std::vector<Segment> segments = this->SegmentsOf(pieces->second, f, nodes);
     for (std::size_t i = 0; i < segments.size(); ++i)
     {
-      if (!goes(i, segments.size(), PointsDone, 1.0))
+      if (!shouldContinue(i, segments.size(), PointsDone, 1.0))
       {
         return Status::Abort();
       }

@@ -17,14 +17,14 @@ namespace dgg
 namespace
 {
 /// Returns the position of a neighbor in the fan of a vertex; behind all others if it is not there.
-double PlaceInFan(const SurfaceMesh& mesh, Id vertex, Id neighbour)
+double PlaceInFan(const SurfaceMesh& mesh, Id vertex, Id neighbor)
 {
   const Id* begin = mesh.FanBegin(vertex);
   const Id* end = mesh.FanEnd(vertex);
   const Id* place = end;
   for (const Id* g = begin; g != end; ++g)
   {
-    place = mesh.Destination(*g) == neighbour ? g : place;
+    place = mesh.Destination(*g) == neighbor ? g : place;
   }
   return static_cast<double>(place - begin);
 }
@@ -43,7 +43,7 @@ Status LayoutDrawing::Begin()
     if (!added.second)
     {
       return InvalidInput("landmarks ", added.first->second, " and ", l, " of ", this->Name,
-        " are in the same place");
+        " have the same position");
     }
   }
   return this->Cut();

@@ -189,15 +189,15 @@ namespace
 {
 /// Returns the curve that leaves a landmark towards a neighbor.
 Id FindCurve(const DrawnSurface& surface, const std::vector<std::array<Id, 2>>& edges, Id landmark,
-  Id neighbour)
+  Id neighbor)
 {
   const std::size_t landmarks = surface.Refined.Paths.size() - surface.DrawnEdges.size();
   for (std::size_t i = 0; i < surface.DrawnEdges.size(); ++i)
   {
     const Id e = surface.DrawnEdges[i];
     const std::vector<Id>& chain = surface.Refined.Paths[landmarks + i];
-    if ((edges[e][0] == landmark && chain[1] == neighbour) ||
-      (edges[e][1] == landmark && chain[chain.size() - 2] == neighbour))
+    if ((edges[e][0] == landmark && chain[1] == neighbor) ||
+      (edges[e][1] == landmark && chain[chain.size() - 2] == neighbor))
     {
       return e;
     }

@@ -320,7 +320,7 @@ Status BoundaryTracer::CheckPatches(int side) const
     {
       return InvalidInput(isNoDisk,
         characteristics[part] != 1 ? "there is a hole or a handle in it"
-                                   : "it is one with another patch");
+                                   : "it is connected with another patch");
     }
     isTaken[part] = 1;
   }

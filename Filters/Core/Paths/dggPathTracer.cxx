@@ -271,7 +271,7 @@ Status PathTracer::Append(const SurfacePoint& from, const SurfacePoint& to, doub
   }
   else if (!this->FindExactly(from, to, length, path))
   {
-    return Status::Invalid("the straight way between two points cannot be traced");
+    return Status::Invalid("the straight line between two points cannot be traced");
   }
   this->Chain.Append(path);
   return Status::Success();

@@ -5,7 +5,7 @@
 #ifndef dggPathTracer_h
 #define dggPathTracer_h
 
-#include "dggExactPath.h" // for ways that are not found otherwise
+#include "dggExactPath.h" // for paths that are not found otherwise
 #include "dggStrip.h"     // for EdgeCrossing
 #include "dggUnfolding.h" // for Point2
 

@@ -9,7 +9,7 @@
 
 #include <cstdint> // for flags
 #include <string>  // for messages
-#include <vector>  // for what components lose
+#include <vector>  // for the losses of components
 
 namespace dgg
 {

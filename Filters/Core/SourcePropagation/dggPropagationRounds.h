@@ -8,7 +8,7 @@
 #include "dggBucketQueue.h"      // for the queue
 #include "dggPropagationLabel.h" // for labels
 
-#include <atomic>  // for what threads share
+#include <atomic>  // for shared data
 #include <cstddef> // for std::size_t
 #include <vector>  // for entries
 

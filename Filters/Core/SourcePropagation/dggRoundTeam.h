@@ -7,11 +7,11 @@
 
 #include "dggParallel.h" // for ParallelFor
 
-#include <array>      // for what each thread has
-#include <atomic>     // for what threads share
+#include <array>      // for per-thread data
+#include <atomic>     // for shared data
 #include <chrono>     // for naps
 #include <cstdint>    // for std::int32_t
-#include <exception>  // for what chunks throw
+#include <exception>  // for exceptions of chunks
 #include <functional> // for the loops
 #include <mutex>      // for the first exception
 #include <numeric>    // for std::accumulate

@@ -41,7 +41,8 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
     if ((sources[k].InitialDistance - shift) / faces.GetUnit() > LargestOffset)
     {
       return Status::Invalid("source " + std::to_string(k) +
-        " starts with a distance that is more than 1e30 mean edges above the least one: too much "
+        " starts with a distance that is more than 1e30 mean edges above the smallest one: too "
+        "much "
         "for virtual sources, which are in single precision");
     }
   }

@@ -18,7 +18,7 @@ namespace dgg
 /// Biharmonic splines of sites x_1 ... x_k anywhere on a surface: with the Green's functions q_j of
 /// the bi-Laplacian (GreensOrder::BiLaplace, linear in faces),
 ///
-///     u = c + sum_j w_j q_j, sum_j w_j = 0,
+///     u = c + sum_j w_j q_j,  sum_j w_j = 0,
 ///
 /// with one constant and one side condition per component without given values. In components with
 /// given values there is neither, and u is 0 at given values. Among all functions with the same

@@ -12,7 +12,7 @@
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
 
 #include <functional> // for checks of memory
-#include <memory>     // for what is prepared
+#include <memory>     // for prepared data
 #include <string>     // for names
 #include <vector>     // for curves and values
 
@@ -106,7 +106,7 @@ struct GraphicsResult
 ///
 /// A Poisson curve with the colors l and r on its sides adds the Laplacian of
 ///
-///     B = (l + r) / 2 b(min(d_l, d_r)) + (l - r) / 2 (b(d_l) - b(d_r)), b(d) = (1 - (d/w)^2)^2,
+///     B = (l + r) / 2 b(min(d_l, d_r)) + (l - r) / 2 (b(d_l) - b(d_r)),   b(d) = (1 - (d/w)^2)^2,
 ///
 /// to the right-hand side, where d_l and d_r are the geodesic distances from its left and its right
 /// side on the surface cut open along all diffusion and Poisson curves, and b is 0 from the width w

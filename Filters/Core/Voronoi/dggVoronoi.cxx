@@ -30,12 +30,12 @@ Status CheckSites(const VoronoiInput& input)
       (seeds[i].ArrivalAngle < 0.0 && seeds[i].Distance != 0.0))
     {
       return Status::Invalid("source " + std::to_string(i) +
-        " has no number or an initial distance, which sites must not have");
+        " has no site index, or has an initial distance, which sites must not have");
     }
     if (input.Builder && seeds[i].Source >= static_cast<Offset>(input.Places.size()))
     {
-      return Status::Invalid(
-        "source " + std::to_string(i) + " is of a site without a place: give the places of all");
+      return Status::Invalid("source " + std::to_string(i) +
+        " belongs to a site without a position: pass the positions of all sites");
     }
   }
   return Status::Success();
@@ -60,7 +60,7 @@ Status FillLabels(const GraphSearch& search, const VoronoiInput& input,
 
 /// Fails if a graph with too few edges reaches a vertex but not its neighbor: then the region
 /// between them is undefined.
-Status CheckNeighbours(const SurfaceMesh& mesh, const SiteDistances& distances)
+Status CheckNeighbors(const SurfaceMesh& mesh, const SiteDistances& distances)
 {
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
@@ -88,7 +88,7 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
   SiteDistances distances;
   DGG_RETURN_IF_ERROR(
     distances.Run(search, mesh, input.Seeds, ProgressPart(progress, 0.0, DistancesDone)));
-  DGG_RETURN_IF_ERROR(CheckNeighbours(mesh, distances));
+  DGG_RETURN_IF_ERROR(CheckNeighbors(mesh, distances));
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     const SiteDistances::Entry* nearest = distances.Nearest(v);

@@ -10,7 +10,7 @@
 #include "dggWindowEnvelope.h" // for WindowList
 
 #include <cstddef>       // for std::size_t
-#include <unordered_map> // for what has passed
+#include <unordered_map> // for recorded windows
 #include <vector>        // for the lists
 
 namespace dgg
