@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace dggtest
@@ -50,6 +52,57 @@ double AxisOf(const SurfaceMesh& mesh, const TestMesh& points, const SurfacePoin
   const double* a = points.Point(mesh.Origin(h));
   const double* b = points.Point(mesh.Destination(h));
   return std::atan2(b[1] - a[1], b[0] - a[0]);
+}
+
+/// A mesh with edges longer or shorter by up to 10 %.
+TestMesh WithOtherLengths(TestMesh mesh)
+{
+  Random random(9);
+  std::map<std::pair<Id, Id>, double> factors;
+  for (std::size_t k = 0; k < mesh.Lengths.size(); ++k)
+  {
+    const Id a = mesh.Triangles[k];
+    const Id b = mesh.Triangles[k % 3 == 2 ? k - 2 : k + 1];
+    mesh.Lengths[k] *= factors.emplace(std::minmax(a, b), random.Uniform(0.9, 1.1)).first->second;
+  }
+  return mesh;
+}
+
+/// Returns true if a path ends at a vertex, up to the rounding of its direction to a float.
+bool EndsAt(const SurfaceMesh& mesh, const SurfacePath& path, Id vertex, double tolerance)
+{
+  const SurfacePoint& end = path.Points.back();
+  const SurfacePoint target = SurfacePoint::AtVertex(vertex);
+  std::array<double, 3> p{};
+  std::array<double, 3> q{};
+  return dgg::IsSamePoint(end, target) ||
+    (!path.Faces.empty() && dgg::FindInFace(mesh, end, path.Faces.back(), p) &&
+      dgg::FindInFace(mesh, target, path.Faces.back(), q) &&
+      dgg::DistanceInFace(mesh, path.Faces.back(), p, q) < tolerance);
+}
+
+/// Expects every edge to lead to its target, from either end. Edges that pass another vertex so
+/// closely that the rounding of an angle to a float leads them around its other side may miss it,
+/// but must be few.
+void ExpectEdgesLeadToTargets(const SurfaceMesh& mesh, const dgg::GraphView& graph)
+{
+  dgg::Offset followed = 0;
+  dgg::Offset astray = 0;
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    // The angles of irregular vertices have no order.
+    const bool isRegular = mesh.Kind(v) != dgg::VertexKind::Irregular;
+    for (dgg::Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1] && isRegular; ++e)
+    {
+      SurfacePath path;
+      ASSERT_TRUE(Ok(dgg::WalkStraight(
+        mesh, SurfacePoint::AtVertex(v), graph.Angles[e], graph.Length(e), path)));
+      ++followed;
+      astray += EndsAt(mesh, path, graph.Targets[e], 1e-5 * graph.Length(e)) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(followed, 100);
+  EXPECT_LE(astray, graph.GetNumberOfEdges() / 1000);
 }
 }
 
@@ -147,7 +200,36 @@ TEST(StraightWalk, LeavesEqualAnglesAtTheApexOfACone)
   }
 }
 
-TEST(StraightWalk, FollowsLinksToTheirVertices)
+TEST(GraphEdges, LeadToTargets)
+{
+  // Vertices are moved off regular positions, where paths pass through vertices. On the Moebius
+  // strip and the Klein bottle faces are mirrored behind some edges.
+  std::vector<ConePoint> unused;
+  for (const NamedMesh& named : { NamedMesh{ "Plane", WithNoise(Plane(16, 14, 0.25, 1), 0.05, 1) },
+         NamedMesh{ "Convex", Cone(4.0, 12, 10, unused, 0.2, 2) },
+         NamedMesh{ "Saddle", Cone(9.0, 18, 10, unused, 0.2, 3) },
+         NamedMesh{ "Terrain", Terrain(18, 2.0, 4) }, NamedMesh{ "Sphere", NoisySphere(3, 0.3, 5) },
+         NamedMesh{ "Ellipsoid", WithNoise(Ellipsoid(2, 10.0), 0.02, 6) },
+         NamedMesh{ "Cube", WithNoise(Cube(6, 0.25, 7), 0.01, 7) },
+         NamedMesh{ "Torus", WithNoise(Torus(20, 12), 0.03, 8) },
+         NamedMesh{ "Components", WithNoise(SeveralComponents(), 0.02, 9) },
+         NamedMesh{ "Moebius", WithOtherLengths(MoebiusStrip(11, 6)) },
+         NamedMesh{ "KleinBottle", WithOtherLengths(KleinBottle(9, 7)) } })
+  {
+    SCOPED_TRACE(named.Name);
+    const SurfaceMesh mesh = Build(named.Mesh);
+    for (const double accuracy : { 0.1, 1e-3, 1e-4 })
+    {
+      ExpectEdgesLeadToTargets(mesh, BuildGraph(mesh, accuracy).View());
+    }
+    for (const dgg::GraphConstruction construction : AllConstructions())
+    {
+      ExpectEdgesLeadToTargets(mesh, BuildGraph(mesh, 0.01, construction).View());
+    }
+  }
+}
+
+TEST(StraightWalk, FollowsLinksToTheirVerticesAndBack)
 {
   for (const NamedMesh& named :
     Joined(SoundMeshes(), { { "misoriented sphere", MisorientedSphere(2, 7) } }))
@@ -170,6 +252,11 @@ TEST(StraightWalk, FollowsLinksToTheirVertices)
         const double missed = DistanceBetween(PlaceOf(mesh, named.Mesh, path.Points.back()),
           PlaceOf(mesh, named.Mesh, SurfacePoint::AtVertex(link.Vertex)));
         EXPECT_LT(missed, 1e-6 * link.Length) << named.Name;
+        const SurfacePath back =
+          WalkFrom(mesh, SurfacePoint::AtVertex(link.Vertex), link.ArrivalAngle, link.Length);
+        const double missedBack = DistanceBetween(
+          PlaceOf(mesh, named.Mesh, back.Points.back()), PlaceOf(mesh, named.Mesh, point));
+        EXPECT_LT(missedBack, 1e-6 * link.Length) << named.Name;
         ++count;
       }
     }
