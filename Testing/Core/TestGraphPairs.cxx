@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances from many sources.
+// Distances from many sources, and farthest point samples.
 #include "SearchChecks.h"
 #include "TestMeshes.h"
 
 #include "dggBucketQueue.h"
 #include "dggDistanceRows.h"
+#include "dggFarthestPoints.h"
 #include "dggHeap.h"
 #include "dggSourceGroups.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,25 +81,21 @@ TEST(GraphPairs, ManyAgreeWithDijkstra)
   }
 }
 
-TEST(GraphPairs, ManyFarApart)
+TEST(GraphPairs, ManyFarApartAndWithinARadius)
 {
-  // So far that they are searched one by one.
-  const SearchCase c("plane", Plane(70, 70, 0.2, 2), 0.1);
-  ExpectRows(c, { 0, 2500, 4999, 70 }, dgg::Infinity, nullptr);
-  ExpectRows(c, { 0, 2500, 4999, 70 }, 20.0, WithThreads(2));
-}
-
-TEST(GraphPairs, ManyWithinARadius)
-{
-  const SearchCase c("sphere", NoisySphere(3, 0.2, 4), 0.02);
-  std::vector<Id> sources(40);
-  for (Id i = 0; i < 40; ++i)
+  // So far apart that they are searched one by one.
+  const SearchCase plane("plane", Plane(70, 70, 0.2, 2), 0.1);
+  ExpectRows(plane, { 0, 2500, 4999, 70 }, dgg::Infinity, nullptr);
+  ExpectRows(plane, { 0, 2500, 4999, 70 }, 20.0, WithThreads(2));
+  const SearchCase sphere("sphere", NoisySphere(3, 0.2, 4), 0.02);
+  std::vector<Id> sources;
+  for (Id v = 0; v < 640; v += 16)
   {
-    sources[i] = 16 * i;
+    sources.push_back(v);
   }
   for (double radius : { 0.0, 0.4, 1.5, -1.0 })
   {
-    ExpectRows(c, sources, radius, nullptr);
+    ExpectRows(sphere, sources, radius, nullptr);
   }
 }
 
@@ -164,32 +162,6 @@ TEST(GraphPairs, GroupsOfSourcesAreCloseTogether)
   EXPECT_LE(groups.size(), sources.size() / 8 + 3);
 }
 
-TEST(SearchQueues, HeapSorts)
-{
-  Random random(1);
-  dgg::MinimumHeap heap;
-  std::vector<double> keys;
-  for (Id i = 0; i < 500; ++i)
-  {
-    keys.push_back(std::floor(random.Uniform(0.0, 100.0)));
-    heap.Push(keys.back(), i);
-    if (i % 3 == 2)
-    {
-      const auto smallest = std::min_element(keys.begin(), keys.end());
-      EXPECT_EQ(heap.Pop().Key, *smallest);
-      keys.erase(smallest);
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  for (double key : keys)
-  {
-    ASSERT_FALSE(heap.IsEmpty());
-    EXPECT_EQ(heap.Top().Key, key);
-    EXPECT_EQ(heap.Pop().Key, key);
-  }
-  EXPECT_TRUE(heap.IsEmpty());
-}
-
 TEST(SearchQueues, BucketsGiveEverythingBackRoughlySorted)
 {
   for (double width : { 1e-3, 1.0, 50.0, 1e-30 })
@@ -221,5 +193,125 @@ TEST(SearchQueues, BucketsGiveEverythingBackRoughlySorted)
     }
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 2000) << "width " << width;
   }
+}
+
+namespace
+{
+using dgg::FarthestPoints;
+using dgg::FarthestVertex;
+using dgg::GraphSeed;
+using dgg::GraphView;
+
+/// The farthest vertex with edges, by looking at all of them.
+FarthestVertex LookForFarthest(const GraphView& graph, const std::vector<double>& distances)
+{
+  FarthestVertex farthest;
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    if (graph.Offsets[v] < graph.Offsets[v + 1] && distances[v] > farthest.Distance)
+    {
+      farthest = { v, distances[v] };
+    }
+  }
+  return farthest;
+}
+
+void AddVertex(FarthestPoints& points, Id vertex)
+{
+  EXPECT_TRUE(Ok(points.Add({ SeedAt(vertex) }, nullptr)));
+}
+
+/// Samples until there are `count` or no more.
+std::vector<Id> Sample(FarthestPoints& points, Id first, std::size_t count)
+{
+  std::vector<Id> samples;
+  for (Id next = first; next != dgg::NoId && samples.size() < count; next = points.Find().Vertex)
+  {
+    samples.push_back(next);
+    AddVertex(points, next);
+  }
+  return samples;
+}
+}
+
+TEST(FarthestPoints, EverySampleIsFarthest)
+{
+  for (const auto& c : SearchCases())
+  {
+    const GraphView graph = c->GetGraph();
+    FarthestPoints points(graph, &c->GetMesh());
+    std::vector<GraphSeed> seeds;
+    double radius = dgg::Infinity;
+    FarthestVertex next = points.Find();
+    EXPECT_EQ(next.Distance, dgg::Infinity) << c->GetName();
+    for (int i = 0; i < 25 && next.Vertex != dgg::NoId; ++i)
+    {
+      seeds.push_back(SeedAt(next.Vertex));
+      AddVertex(points, next.Vertex);
+      ExpectSameDistances(ReferenceDistances(graph, seeds), points.GetDistances(), c->GetName());
+      next = points.Find();
+      const FarthestVertex expected = LookForFarthest(graph, points.GetDistances());
+      EXPECT_EQ(next.Vertex, expected.Vertex) << c->GetName();
+      EXPECT_EQ(next.Distance, expected.Distance) << c->GetName();
+      EXPECT_LE(next.Distance, radius) << c->GetName();
+      radius = next.Distance;
+    }
+  }
+}
+
+TEST(FarthestPoints, AllVerticesButIsolatedOnes)
+{
+  const SearchCase c("isolated points", SphereWithIsolatedPoints(1), 0.05);
+  FarthestPoints points(c.GetGraph(), &c.GetMesh());
+  const std::vector<Id> samples = Sample(points, points.Find().Vertex, 100000);
+  const std::set<Id> different(samples.begin(), samples.end());
+  EXPECT_EQ(different.size(), samples.size());
+  Id expected = 0;
+  for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+  {
+    const bool isIsolated = c.GetMesh().Kind(v) == dgg::VertexKind::Isolated;
+    EXPECT_EQ(different.count(v), isIsolated ? 0u : 1u);
+    expected += isIsolated ? 0 : 1;
+  }
+  EXPECT_EQ(samples.size(), static_cast<std::size_t>(expected));
+  EXPECT_EQ(points.Find().Vertex, dgg::NoId);
+  EXPECT_EQ(points.Find().Distance, 0.0);
+}
+
+TEST(FarthestPoints, TiesGoToTheSmallestId)
+{
+  // On a path of equal edges, both ends are as far from the middle.
+  const std::vector<dgg::Offset> offsets{ 0, 1, 3, 5, 7, 8 };
+  const std::vector<Id> targets{ 1, 0, 2, 1, 3, 2, 4, 3 };
+  const std::vector<float> lengths(8, 1.0f);
+  GraphView graph;
+  graph.Info.Kind = dgg::GraphKind::Cloud;
+  graph.NumberOfVertices = 5;
+  graph.Offsets = offsets.data();
+  graph.Targets = targets.data();
+  graph.Lengths = lengths.data();
+  FarthestPoints points(graph, nullptr);
+  EXPECT_EQ(Sample(points, 2, 10), (std::vector<Id>{ 2, 0, 4, 1, 3 }));
+}
+
+TEST(FarthestPoints, CloudsAndMeshesGiveTheSame)
+{
+  const SearchCase c("sphere", Icosphere(3), 0.02);
+  FarthestPoints onMesh(c.GetGraph(), &c.GetMesh());
+  FarthestPoints onCloud(AsCloud(c.GetGraph()), nullptr);
+  EXPECT_EQ(Sample(onMesh, 5, 50), Sample(onCloud, 5, 50));
+}
+
+TEST(FarthestPoints, SurfacePointsAreSamplesByTheirLinks)
+{
+  const SearchCase c("plane", Plane(10, 10, 0.2), 0.01);
+  const dgg::GraphBuilder builder(c.GetMesh());
+  const auto point = dgg::SurfacePoint::InFace(c.GetMesh(), 77, { { 0.5, 0.3, 0.2 } });
+  std::vector<GraphSeed> seeds = SeedsOf(builder, point, 0.01);
+  FarthestPoints points(c.GetGraph(), &c.GetMesh());
+  AddVertex(points, 0);
+  ASSERT_TRUE(points.Add(seeds, nullptr).IsOk());
+  seeds.push_back(SeedAt(0));
+  ExpectSameDistances(ReferenceDistances(c.GetGraph(), seeds), points.GetDistances(), "links");
 }
 }
