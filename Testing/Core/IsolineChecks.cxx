@@ -171,16 +171,6 @@ double DistanceTo(const std::array<double, 3>& p, double x, double y)
   return std::hypot(p[0] - x, p[1] - y);
 }
 
-double TotalLength(const Isolines& lines)
-{
-  double sum = 0.0;
-  for (const SurfacePath& line : lines.Lines)
-  {
-    sum += line.Length;
-  }
-  return sum;
-}
-
 GeodesicSource FaceSourceAt(
   const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric)
 {

@@ -76,8 +76,6 @@ std::array<double, 3> Middle(const std::array<double, 3>& a, const std::array<do
 
 double DistanceTo(const std::array<double, 3>& p, double x, double y);
 
-double TotalLength(const dgg::Isolines& lines);
-
 dgg::GeodesicSource FaceSourceAt(
   const dgg::SurfaceMesh& mesh, dgg::Id face, const std::array<double, 3>& barycentric);
 

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Ridges of distances: known ones, and that nothing else is found and nothing left out.
+#include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "TestMeshes.h"
 
 #include "dggDistanceField.h"
-#include "dggExactGeodesics.h"
 #include "dggFaceProfile.h"
 #include "dggFieldJumps.h"
 #include "dggRidges.h"
-#include "dggSourceFinding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,26 +23,14 @@ namespace
 constexpr double Degree = Pi / 180.0;
 
 /// Exact distances, and their ridges.
-struct RidgeCase
+struct RidgeCase : FieldCase
 {
   RidgeCase(const TestMesh& test, const std::vector<GeodesicSource>& sources, double angle = 20.0,
     bool withWindows = true)
-    : Test(test)
-    , Mesh(Build(test))
+    : FieldCase(test, sources)
+    , Test(test)
+    , Field(withWindows ? this->Exact : this->Local)
   {
-    ExactOptions options;
-    options.KeepWindows = true;
-    EXPECT_TRUE(Ok(ExactGeodesics(this->Mesh).Run(sources, options, this->Result)));
-    FindVirtualSources(this->Mesh, sources, this->Result, this->Virtual);
-    this->Field = { &this->Mesh, this->Result.Distances.data(), nullptr, nullptr };
-    if (withWindows)
-    {
-      this->Field.Windows = &this->Result.Windows;
-    }
-    else
-    {
-      this->Field.Sources = &this->Virtual;
-    }
     this->Options.MinimumAngle = angle * Degree;
     EXPECT_TRUE(Ok(FindRidges(this->Field, this->Options, {}, {}, this->Found)));
     EXPECT_EQ(this->Found.Lines.size(), this->Found.Angles.size());
@@ -68,9 +55,6 @@ struct RidgeCase
   }
 
   TestMesh Test;
-  SurfaceMesh Mesh;
-  ExactResult Result;
-  VirtualSources Virtual;
   DistanceField Field;
   RidgeOptions Options;
   Ridges Found;

@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The diagram of a face that the published isolines follow.
+// The published isolines: the diagram of a face, and errors.
+#include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
+#include "IsolineChecks.h"
+#include "TestMeshes.h"
 
 #include "dggApolloniusDiagram.h"
+#include "dggIsolines.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace dgg;
 using namespace dggtest;
@@ -146,28 +151,31 @@ TEST(ApolloniusDiagram, IsThatOfAllTriples)
   Random random(9);
   ApolloniusDiagram diagram;
   int found = 0;
-  for (int i = 0; i < 150; ++i)
+  for (int i = 0; i < 153; ++i)
   {
-    const Corners corners = { { { 0.0, 0.0 }, { random.Uniform(0.5, 2.0), 0.0 },
-      { random.Uniform(-0.5, 2.5), random.Uniform(0.2, 2.0) } } };
+    const bool isLarge = i >= 150;
+    const Corners corners = isLarge ? Scalene
+                                    : Corners{ { { 0.0, 0.0 }, { random.Uniform(0.5, 2.0), 0.0 },
+                                        { random.Uniform(-0.5, 2.5), random.Uniform(0.2, 2.0) } } };
     // Smooth, with a ridge, and rough.
     const Point2 one{ random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0) };
     const Point2 two{ random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0) };
-    const std::vector<WeightedSite> sites = SitesOf(corners, i % 5, [&](const Point2& p) {
-      return i % 3 == 0 ? Distance(p, one)
-        : i % 3 == 1    ? std::min(Distance(p, one), Distance(p, two))
-                        : random.Uniform(0.0, 0.5);
-    });
+    const std::vector<WeightedSite> sites =
+      SitesOf(corners, isLarge ? 20 : i % 5, [&](const Point2& p) {
+        return i % 3 == 0 ? Distance(p, one)
+          : i % 3 == 1    ? std::min(Distance(p, one), Distance(p, two))
+                          : random.Uniform(0.0, 0.5);
+      });
     diagram.Build(corners, sites);
-    const std::vector<ApolloniusNode> inside = NodesInside(diagram);
-    for (const ApolloniusNode& node : inside)
+    for (const ApolloniusNode& node : diagram.GetNodes())
     {
       double first = 0.0;
       std::vector<double> delays = Delays(corners, sites, node.Place, first);
       std::sort(delays.begin(), delays.end());
-      EXPECT_LT(delays[2], 1e-7) << i;
+      EXPECT_LT(delays[node.Side < 0 ? 2 : 1], 1e-7) << i;
       EXPECT_NEAR(node.Distance, first, 1e-7);
     }
+    const std::vector<ApolloniusNode> inside = NodesInside(diagram);
     for (const Point2& expected : BruteForceNodes(corners, sites, 1e-6))
     {
       const bool isThere = std::any_of(inside.begin(), inside.end(),
@@ -179,55 +187,9 @@ TEST(ApolloniusDiagram, IsThatOfAllTriples)
   EXPECT_GT(found, 300);
 }
 
-TEST(ApolloniusDiagram, ManySitesAreFeasible)
+TEST(ApolloniusDiagram, TiesAndNeedles)
 {
   ApolloniusDiagram diagram;
-  Random random(3);
-  for (int i = 0; i < 3; ++i)
-  {
-    const std::vector<WeightedSite> sites = SitesOf(Scalene, 20, [&](const Point2& p) {
-      return i == 0 ? std::min(Distance(p, { -1.0, -2.0 }), Distance(p, { 3.0, 5.0 }))
-        : i == 1    ? 1.0
-                    : random.Uniform(0.0, 0.3);
-    });
-    EXPECT_EQ(sites.size(), 63u);
-    diagram.Build(Scalene, sites);
-    const std::vector<ApolloniusNode> inside = NodesInside(diagram);
-    EXPECT_GT(inside.size(), 10u) << i;
-    for (const Point2& expected : BruteForceNodes(Scalene, sites, 1e-6))
-    {
-      EXPECT_TRUE(std::any_of(inside.begin(), inside.end(),
-        [&](const ApolloniusNode& node) { return Distance(node.Place, expected) < 1e-5; }))
-        << i;
-    }
-    for (const ApolloniusNode& node : diagram.GetNodes())
-    {
-      double first = 0.0;
-      std::vector<double> delays = Delays(Scalene, sites, node.Place, first);
-      std::sort(delays.begin(), delays.end());
-      EXPECT_LT(delays[node.Side < 0 ? 2 : 1], 1e-7) << i;
-    }
-  }
-}
-
-TEST(ApolloniusDiagram, TiesAndDominatedSites)
-{
-  ApolloniusDiagram diagram;
-  // A source in line with a side: each site is in the reach of the one before.
-  diagram.Build(Scalene, SitesOf(Scalene, 3, [](const Point2& p) {
-    return Distance(p, { -1.0, 0.0 });
-  }));
-  for (const ApolloniusNode& node : diagram.GetNodes())
-  {
-    EXPECT_TRUE(std::isfinite(node.Distance));
-    EXPECT_TRUE(node.Side != 0 || node.X > 3.9 || node.X < 0.1 || node.Distance > 1.0);
-  }
-  // A source at a corner: that corner has all of it.
-  diagram.Build(Scalene, SitesOf(Scalene, 4, [](const Point2& p) { return Norm(p.X, p.Y); }));
-  for (const ApolloniusNode& node : NodesInside(diagram))
-  {
-    EXPECT_NEAR(node.Distance, Norm(node.Place.X, node.Place.Y), 2.0);
-  }
   // All weights equal or zero, on a regular triangle: everything ties.
   const Corners regular = { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.5, std::sqrt(0.75) } } };
   for (const double weight : { 0.0, 1.0 })
@@ -266,4 +228,85 @@ TEST(ApolloniusDiagram, TiesAndDominatedSites)
       EXPECT_LT(Norm(node.Place.X, node.Place.Y), 1.1);
     }
   }
+}
+
+namespace
+{
+Isolines TracePublished(
+  const DistanceField& field, const std::vector<double>& levels, int steinerPoints)
+{
+  IsolineOptions options;
+  options.Method = IsolineMethod::Apollonius;
+  options.SteinerPoints = steinerPoints;
+  Isolines lines;
+  EXPECT_TRUE(Ok(TraceIsolines(field, levels, options, nullptr, nullptr, lines)));
+  return lines;
+}
+
+/// Mean error of linear isolines, and that of published ones.
+struct TraceErrors
+{
+  TraceErrors(const TestMesh& test, const std::vector<GeodesicSource>& sources)
+    : Case(test, sources)
+    , Sources(sources)
+    , Levels(EvenLevels(Case.Exact, 15))
+    , Linear(ErrorOf(Trace(Case.Linear, Levels)))
+  {
+  }
+  double ErrorOf(const Isolines& lines) const
+  {
+    return MeanErrorOfPieces(this->Case.Mesh, this->Sources, this->Levels, lines);
+  }
+  double Published(const DistanceField& field, int steinerPoints) const
+  {
+    return this->ErrorOf(TracePublished(field, this->Levels, steinerPoints));
+  }
+
+  FieldCase Case;
+  std::vector<GeodesicSource> Sources;
+  std::vector<double> Levels;
+  double Linear;
+};
+}
+
+TEST(ApolloniusIsolines, ConvergeInThePlane)
+{
+  for (const std::vector<GeodesicSource>& sources :
+    { std::vector<GeodesicSource>{ VertexSource(48) },
+      std::vector<GeodesicSource>{ VertexSource(27), VertexSource(93, 0.2) } })
+  {
+    const TraceErrors errors(Plane(10, 10, 0.2), sources);
+    double last = errors.Linear;
+    for (const int k : { 0, 1, 2, 5, 11 })
+    {
+      const double error = errors.Published(errors.Case.Local, k);
+      EXPECT_LT(error, last) << k;
+      last = error;
+    }
+    EXPECT_LT(10.0 * last, errors.Linear);
+  }
+}
+
+TEST(ApolloniusIsolines, BeatLinearInterpolation)
+{
+  const std::pair<TestMesh, double> cases[] = { { Icosphere(3), 2.5 }, { Ellipsoid(3, 0.4), 2.5 },
+    { Torus(24, 14), 1.5 } };
+  for (const auto& [test, factor] : cases)
+  {
+    const TraceErrors errors(test, { VertexSource(3) });
+    EXPECT_LT(factor * errors.Published(errors.Case.Local, 2), errors.Linear);
+    EXPECT_LT(factor * errors.Published(errors.Case.ExactWithSources, 2), errors.Linear);
+    EXPECT_LT(1.5 * errors.Published(errors.Case.Linear, 2), errors.Linear); // sources fitted
+  }
+}
+
+TEST(ApolloniusIsolines, LoopsWithinAFaceAreFound)
+{
+  const TestMesh test = SingleTriangle();
+  const FieldCase c(test, { FaceSourceAt(Build(test), 0, { { 0.3, 0.3, 0.4 } }) });
+  const std::vector<double> levels = { 0.9 };
+  const Isolines lines = TracePublished(c.ExactWithSources, levels, 5);
+  ASSERT_EQ(lines.Lines.size(), 1u);
+  EXPECT_TRUE(AllClosed(lines));
+  ExpectSound(c.ExactWithSources, levels, lines, "loop");
 }
