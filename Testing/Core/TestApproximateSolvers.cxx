@@ -268,23 +268,6 @@ TEST(FastMarching, PlanarFrontsAreExactFromALine)
   }
 }
 
-TEST(FastMarching, Cylinder)
-{
-  const Id sides = 12;
-  const Id columns = 2;
-  const Id around = sides * columns;
-  const dgg::SurfaceMesh mesh = Build(PrismSide(sides, columns, 16));
-  const auto distances = March(mesh, { VertexSource(0) }).Distances;
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    const double x = std::min(v % around, around - v % around) / static_cast<double>(columns);
-    const double expected = std::hypot(x, static_cast<double>(v / around));
-    // The fronts from both sides meet opposite the source.
-    const double tolerance = x < 0.5 * sides - 1.0 ? 1e-12 * 20.0 : 0.02 * expected;
-    EXPECT_NEAR(distances[v], expected, tolerance) << v;
-  }
-}
-
 TEST(FastMarching, ObtuseTrianglesAreSplit)
 {
   // Rows of points that are sheared against each other: corners of 150 degrees.

@@ -139,25 +139,6 @@ TEST(EarthMovers, FlowBringsEveryMassThereAndCostsTheDistance)
   EXPECT_TRUE(Move(*Ready(mesh, delaunay), from, to).Flow.empty());
 }
 
-TEST(EarthMovers, TriangleInequality)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.2, 4));
-  const auto solver = Ready(mesh);
-  const std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 3, 8);
-  dgg::EarthMoversOptions options;
-  options.MostIterations = 3000;
-  const auto distance = [&](int i, int j) {
-    return Move(*solver, PointMass(mesh, points[i]), PointMass(mesh, points[j]), options).Distance;
-  };
-  const double a = distance(0, 1);
-  const double b = distance(1, 2);
-  const double c = distance(0, 2);
-  EXPECT_LE(c, (a + b) * 1.002);
-  EXPECT_LE(a, (b + c) * 1.002);
-  EXPECT_LE(b, (a + c) * 1.002);
-  EXPECT_EQ(distance(1, 1), 0.0);
-}
-
 TEST(EarthMovers, AnyTriangles)
 {
   for (const NamedMesh& named : DefectMeshes())

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is asked of Green's functions: points, integrals, signs, many poles, any triangles; errors.
+// How methods for Green's functions compare, and queries: points, integrals, signs, any triangles.
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
 #include "TestMeshes.h"
@@ -8,10 +8,178 @@
 #include "dggPoissonSystem.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <string>
 
 namespace dggtest
 {
+TEST(GreensFunction, LocalizedReproducesDistances)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.1, 2));
+  const Greens greens(mesh);
+  const dgg::SurfacePoint pole = dgg::SurfacePoint::InFace(mesh, 77, { { 0.3, 0.25, 0.45 } });
+  // The sixty vertices nearest to the pole.
+  std::vector<dgg::SurfacePoint> everywhere;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    everywhere.push_back(dgg::SurfacePoint::AtVertex(v));
+  }
+  const auto distances = DistancesTo(mesh, dgg::ExactEngine::Triangle, pole, everywhere);
+  std::vector<Id> near(distances.size());
+  std::iota(near.begin(), near.end(), 0);
+  std::sort(near.begin(), near.end(), [&](Id a, Id b) { return distances[a] < distances[b]; });
+  near.resize(60);
+  double misfits[2] = { 0.0, 0.0 };
+  std::vector<double> values[2];
+  for (const bool isLocalized : { false, true })
+  {
+    const auto method =
+      isLocalized ? dgg::GreensMethod::Localized : dgg::GreensMethod::Interpolated;
+    values[isLocalized] = greens.Run(pole, method).Values;
+    const std::vector<double> product = greens.Solver.GetSystem().Multiply(values[isLocalized]);
+    for (const Id s : near)
+    {
+      const auto d = DistancesFrom(mesh, dgg::ExactEngine::Triangle, s);
+      const double expected =
+        DistancesTo(mesh, dgg::ExactEngine::Triangle, dgg::SurfacePoint::AtVertex(s), { pole })[0];
+      double sum = 0.0;
+      for (const Id i : near)
+      {
+        sum += d[i] * (greens.Solver.GetWeight(i) + product[i]);
+      }
+      misfits[isLocalized] += (sum - expected) * (sum - expected);
+    }
+  }
+  EXPECT_LT(std::sqrt(misfits[1]), 0.1 * std::sqrt(misfits[0]));
+  // Nothing far away has changed but for the mean.
+  double shift = dgg::Infinity;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (distances[v] > 1.5)
+    {
+      const double change = values[1][v] - values[0][v];
+      shift = shift < dgg::Infinity ? shift : change;
+      EXPECT_NEAR(change, shift, 1e-12);
+    }
+  }
+  EXPECT_LT(std::abs(shift), 1e-3);
+  // At a vertex there is nothing to correct.
+  EXPECT_EQ(greens.Run(dgg::SurfacePoint::AtVertex(9), dgg::GreensMethod::Localized).Values,
+    greens.Run(dgg::SurfacePoint::AtVertex(9), dgg::GreensMethod::Interpolated).Values);
+}
+
+TEST(GreensFunction, LocalizedNeedsFewNeighbours)
+{
+  // A fan of thousands of triangles: neither is it looked at, nor does it take long.
+  for (const Id wedges : { 300, 5000 })
+  {
+    std::vector<ConePoint> points;
+    const dgg::SurfaceMesh mesh = Build(Cone(2.0 * dgg::Pi, wedges, 3, points));
+    const Greens greens(mesh);
+    const auto pole = dgg::SurfacePoint::InFace(mesh, 0, { { 0.5, 0.25, 0.25 } });
+    const dgg::GreensResult result = greens.Run(pole, dgg::GreensMethod::Localized);
+    EXPECT_EQ(result.Remark, dgg::GreensRemark::NotLocalized) << wedges;
+    EXPECT_EQ(result.Values, greens.Run(pole, dgg::GreensMethod::Interpolated).Values) << wedges;
+  }
+}
+
+TEST(GreensFunction, CornersWithGivenValuesAreNoPoles)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(6, 6));
+  const Greens greens(mesh, With(dgg::PoissonBoundary::Dirichlet));
+  int onRim = 0;
+  int allGiven = 0;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    for (int largest = 0; largest < 3; ++largest)
+    {
+      std::array<double, 3> b{ { 0.2, 0.2, 0.2 } };
+      b[largest] = 0.6;
+      Id free = dgg::NoId;
+      double weight = 0.0;
+      b[(largest + 1) % 3] += 1e-3; // of the others, this one is next
+      b[largest] -= 1e-3;
+      for (int k = 0; k < 3; ++k)
+      {
+        const Id v = mesh.Origin(3 * f + k);
+        if (!greens.Solver.IsFixed(v) && b[k] > weight)
+        {
+          free = v;
+          weight = b[k];
+        }
+      }
+      const auto pole = dgg::SurfacePoint::InFace(mesh, f, b);
+      const dgg::GreensResult result = greens.Run(pole, dgg::GreensMethod::Vertex);
+      if (free == dgg::NoId)
+      {
+        ++allGiven;
+        EXPECT_EQ(result.Method, dgg::GreensMethod::Interpolated);
+        EXPECT_EQ(result.Remark, dgg::GreensRemark::TooCoarse);
+        continue;
+      }
+      onRim += greens.Solver.IsFixed(mesh.Origin(3 * f + largest)) ? 1 : 0;
+      EXPECT_EQ(result.Method, dgg::GreensMethod::Vertex);
+      EXPECT_EQ(result.Values,
+        greens.Run(dgg::SurfacePoint::AtVertex(free), dgg::GreensMethod::Vertex).Values);
+    }
+  }
+  EXPECT_GT(onRim, 10);
+  EXPECT_GT(allGiven, 0);
+}
+
+TEST(GreensFunction, RidgesNearThePole)
+{
+  // Behind the corners of a cube shortest ways meet from two sides. The truth is from a finer mesh.
+  const TestMesh cube = Cube(10);
+  const TestMesh fineCube = Subdivided(cube, 4);
+  const dgg::SurfaceMesh mesh = Build(cube);
+  const dgg::SurfaceMesh fine = Build(fineCube);
+  const Greens greens(mesh);
+  const Greens onFine(fine);
+  Random random(3);
+  int remarks = 0;
+  for (int k = 0; k < 8; ++k)
+  {
+    const Id face = random.Index(mesh.GetNumberOfFaces());
+    const std::array<double, 3> b{ { 0.25, 0.25, 0.5 } };
+    const dgg::SurfacePoint pole = dgg::SurfacePoint::InFace(mesh, face, b);
+    const std::array<double, 3> x = dgg::PositionOf(mesh, pole, cube.Points.data());
+    dgg::GreensQuery query;
+    query.Radius = 0.3;
+    const auto truth =
+      onFine.Run(dgg::SurfacePoint::AtVertex(VertexAt(fineCube, x[0], x[1], x[2])), query).Values;
+    const dgg::GreensResult result = greens.Run(pole);
+    remarks += result.Remark == dgg::GreensRemark::NearRidge ? 1 : 0;
+    EXPECT_EQ(result.Method, dgg::GreensMethod::SingularitySubtraction);
+    const auto simple = greens.Run(pole, dgg::GreensMethod::Interpolated).Values;
+    Comparison good;
+    Comparison plain;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      good.Add(greens.Solver.GetAreas()[v], result.Values[v], truth[v]);
+      plain.Add(greens.Solver.GetAreas()[v], simple[v], truth[v]);
+    }
+    EXPECT_LT(good.Relative(), 5e-3) << k;
+    EXPECT_LT(good.Relative(), 0.3 * plain.Relative()) << k;
+  }
+  EXPECT_GT(remarks, 0);
+  // Within a radius that is given.
+  const dgg::SurfaceMesh other = Build(Cube(12));
+  const Greens onOther(other);
+  const auto inside = dgg::SurfacePoint::InFace(other, 60, { { 0.3, 0.3, 0.4 } });
+  for (const double radius : { 0.4, 1.2 })
+  {
+    dgg::GreensQuery query;
+    query.Radius = radius;
+    const dgg::GreensResult result = onOther.Run(inside, query);
+    EXPECT_EQ(result.Radius, radius);
+    EXPECT_EQ(result.Remark, radius > 1.0 ? dgg::GreensRemark::NearRidge : dgg::GreensRemark::None)
+      << radius;
+  }
+}
+
 TEST(GreensFunction, AnyPointSeesAnyOther)
 {
   // Both arguments anywhere: the truth, and symmetry.
@@ -112,32 +280,6 @@ TEST(GreensFunction, SolvesPoissonEquations)
   }
 }
 
-TEST(GreensFunction, SolvesPoissonEquationsWithGivenValues)
-{
-  // u_j = sum of g b inside - sum of given values times the flux of g there.
-  const dgg::SurfaceMesh mesh = Build(Plane(14, 11, 0.25));
-  const Greens greens(mesh, With(dgg::PoissonBoundary::Dirichlet));
-  const Id n = mesh.GetNumberOfVertices();
-  const std::vector<double> values = RandomValues(n, 6);
-  std::vector<double> u = values;
-  ASSERT_TRUE(greens.Solver.Solve(u).IsOk());
-  for (Id j = 0; j < n; ++j)
-  {
-    if (greens.Solver.IsFixed(j))
-    {
-      continue;
-    }
-    const auto g = greens.Run(dgg::SurfacePoint::AtVertex(j), dgg::GreensMethod::Vertex).Values;
-    const std::vector<double> flux = greens.Solver.GetSystem().Multiply(g);
-    double sum = 0.0;
-    for (Id v = 0; v < n; ++v)
-    {
-      sum += greens.Solver.IsFixed(v) ? -values[v] * flux[v] : values[v] * g[v];
-    }
-    EXPECT_NEAR(sum, u[j], 1e-10) << j;
-  }
-}
-
 TEST(GreensFunction, ValueAtThePoleAndSigns)
 {
   const dgg::SurfaceMesh mesh = Build(Icosphere(3));
@@ -224,5 +366,4 @@ TEST(GreensFunction, AnyTriangles)
   }
   EXPECT_LT(thin, 10);
 }
-
 }

@@ -108,56 +108,62 @@ TEST_P(SourcePropagation, ExactInThePlane)
   }
 }
 
-TEST_P(SourcePropagation, PathsBendAroundRims)
+TEST_P(SourcePropagation, CloseToExact)
 {
-  std::vector<bool> isLower;
-  for (const NamedMesh& named :
-    { NamedMesh{ "notch",
-        Plate(
-          20, 20, [](Id i, Id j) { return i < 10 || j < 10; }, 0.2, 3) },
-      NamedMesh{ "hole",
-        Plate(
-          24, 24, [](Id i, Id j) { return std::abs(i - 12) > 4 || std::abs(j - 12) > 4; }, 0.2) },
-      NamedMesh{ "slit", SlitPlane(12, isLower, 0.2) } })
+  struct Case
   {
-    SCOPED_TRACE(named.Name);
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    for (const Id source : SomeVertices(mesh, 10, 7))
-    {
-      ExpectNear(
-        this->From(mesh, source), Exact(mesh, { VertexSource(source) }), 0.005, 0.05, 0.05);
-    }
-  }
-  // An ear has two edges on the rim, and its tip no neighbour but the ends of the third one.
+    std::string Name;
+    TestMesh Mesh;
+    double Mean;
+    double Above;
+  };
+  // An ear has two edges on the rim, and its tip no neighbor but the ends of the third one.
   TestMesh ears = Plane(3, 3);
-  const Id tip = ears.AddPoint(1.5, -2.0, 0.0);
-  ears.AddTriangle(1, tip, 2);
-  const dgg::SurfaceMesh mesh = Build(ears);
-  ExpectNear(this->From(mesh, tip), Exact(mesh, { VertexSource(tip) }), 0.01, 1e-5, 0.02);
-  ExpectNear(this->From(mesh, 15), Exact(mesh, { VertexSource(15) }), 0.01, 1e-5, 0.02);
-}
-
-TEST_P(SourcePropagation, CloseToExactOnCurvedMeshes)
-{
-  for (const NamedMesh& named : { NamedMesh{ "sphere", Icosphere(4) },
-         NamedMesh{ "noisy sphere", NoisySphere(4, 0.1, 3) }, NamedMesh{ "torus", Torus(80, 40) },
-         NamedMesh{ "terrain", Terrain(40, 0.3, 5) }, NamedMesh{ "long", Ellipsoid(4, 5.0) },
-         NamedMesh{ "two holes", Subdivided(TwoHoledBlock(), 4) } })
+  ears.AddTriangle(1, ears.AddPoint(1.5, -2.0, 0.0), 2);
+  std::vector<bool> isLower;
+  std::vector<Id> sheetOf;
+  Id unused = 0;
+  const auto isInHole = [](Id i, Id j) { return std::abs(i - 12) <= 4 && std::abs(j - 12) <= 4; };
+  const Case cases[] = { { "notch",
+                           Plate(
+                             20, 20, [](Id i, Id j) { return i < 10 || j < 10; }, 0.2, 3),
+                           0.005, 0.05 },
+    { "hole",
+      Plate(
+        24, 24, [&](Id i, Id j) { return !isInHole(i, j); }, 0.2),
+      0.005, 0.05 },
+    { "slit", SlitPlane(12, isLower, 0.2), 0.005, 0.05 }, { "ears", ears, 0.01, 0.02 },
+    { "sphere", Icosphere(4), 0.005, 0.1 }, { "noisy sphere", NoisySphere(4, 0.1, 3), 0.005, 0.1 },
+    { "torus", Torus(80, 40), 0.005, 0.1 }, { "terrain", Terrain(40, 0.3, 5), 0.005, 0.1 },
+    { "long", Ellipsoid(4, 5.0), 0.005, 0.1 },
+    { "two holes", Subdivided(TwoHoledBlock(), 4), 0.005, 0.1 },
+    { "Moebius", MoebiusStrip(24, 8), 0.005, 0.05 }, { "pinched", PinchedPlates(4), 0.01, 0.1 },
+    { "spheres", TouchingSpheres(3), 0.01, 0.1 }, { "book", Book(4, 8, sheetOf, 0.2), 0.01, 0.1 },
+    { "wide book", Book(20, 6, sheetOf, 0.2), 0.01, 0.1 },
+    { "fin", PlaneWithFin(8, unused, 0.2, 4), 0.01, 0.1 },
+    { "duplicates", DuplicateFaceCube(6), 0.01, 0.1 },
+    { "misoriented", MisorientedSphere(3, 8), 0.01, 0.1 },
+    { "components", SeveralComponents(), 0.01, 0.1 } };
+  for (const Case& c : cases)
   {
-    SCOPED_TRACE(named.Name);
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    SCOPED_TRACE(c.Name);
+    const dgg::SurfaceMesh mesh = Build(c.Mesh);
     Sources sources;
-    for (const Id v : SomeVertices(mesh, 4, 3))
+    for (const Id v : SomeVertices(mesh, 6, 3))
     {
       sources.push_back(VertexSource(v));
     }
-    for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 4, 8))
+    if (c.Name.find("sphere") != std::string::npos || c.Name == "torus" || c.Name == "terrain")
     {
-      sources.push_back({ point, 0.25 });
+      for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 4, 8))
+      {
+        sources.push_back({ point, 0.25 });
+      }
     }
     for (const dgg::GeodesicSource& source : sources)
     {
-      ExpectNear(this->Run(mesh, { source }).Distances, Exact(mesh, { source }), 0.005, 0.05, 0.1);
+      ExpectNear(
+        this->Run(mesh, { source }).Distances, Exact(mesh, { source }), c.Mean, 0.05, c.Above);
     }
   }
 }
@@ -343,35 +349,6 @@ TEST_P(SourcePropagation, AnyTrianglesWillDo)
         ASSERT_LE(result.Distances[v], isReached ? bound[v] + 1e-5 * diameter : dgg::Infinity) << v;
         ASSERT_TRUE(!isReached || std::isfinite(result.Virtual[v].Angle)) << v;
       }
-    }
-  }
-}
-
-TEST_P(SourcePropagation, SheetsThatMeet)
-{
-  const Id columns = 24;
-  const dgg::SurfaceMesh moebius = Build(MoebiusStrip(columns, 8));
-  std::vector<double> expected;
-  for (Id v = 0; v < moebius.GetNumberOfVertices(); ++v)
-  {
-    expected.push_back(MoebiusDistance(columns, 5.0, -1.0, v % columns, v / columns - 4.0));
-  }
-  ExpectNear(this->From(moebius, 5 + 3 * columns), expected, 0.005, 0.05, 0.05);
-  std::vector<Id> sheetOf;
-  Id unused = 0;
-  for (const NamedMesh& named : { NamedMesh{ "pinched", PinchedPlates(4) },
-         NamedMesh{ "spheres", TouchingSpheres(3) }, NamedMesh{ "book", Book(4, 8, sheetOf, 0.2) },
-         NamedMesh{ "wide book", Book(20, 6, sheetOf, 0.2) },
-         NamedMesh{ "fin", PlaneWithFin(8, unused, 0.2, 4) },
-         NamedMesh{ "duplicates", DuplicateFaceCube(6) },
-         NamedMesh{ "misoriented", MisorientedSphere(3, 8) },
-         NamedMesh{ "components", SeveralComponents() } })
-  {
-    SCOPED_TRACE(named.Name);
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    for (const Id source : SomeVertices(mesh, 6, 3))
-    {
-      ExpectNear(this->From(mesh, source), Exact(mesh, { VertexSource(source) }), 0.01, 0.05, 0.1);
     }
   }
 }

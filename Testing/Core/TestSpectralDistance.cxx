@@ -85,37 +85,6 @@ dgg::SpectralOptions Options(dgg::SpectralKind kind, dgg::SpectralMethod method,
   options.NumberOfEigenvalues = count;
   return options;
 }
-
-/// The Green's function of the bi-Laplacian, as the distance has it.
-std::vector<double> BiharmonicColumn(const dgg::PoissonSolver& solver, Id pole)
-{
-  std::vector<double> values(solver.GetAreas().size(), 0.0);
-  values[pole] = 1.0;
-  EXPECT_TRUE(solver.Solve(values).IsOk());
-  for (std::size_t v = 0; v < values.size(); ++v)
-  {
-    values[v] *= solver.GetAreas()[v];
-  }
-  EXPECT_TRUE(solver.Solve(values).IsOk());
-  return values;
-}
-
-/// Green's function of the bi-Laplacian on the unit sphere.
-double SphereBiharmonic(double cosine)
-{
-  double sum = 0.0;
-  double previous = 1.0;
-  double legendre = cosine;
-  for (int l = 1; l < 4000; ++l)
-  {
-    const double size = static_cast<double>(l) * (l + 1);
-    sum += (2 * l + 1) / (4.0 * dgg::Pi) * legendre / (size * size);
-    const double next = ((2 * l + 1) * cosine * legendre - l * previous) / (l + 1);
-    previous = legendre;
-    legendre = next;
-  }
-  return sum;
-}
 }
 
 TEST(Eigenpairs, SphereHasItsMultiplicities)
@@ -151,24 +120,6 @@ TEST(Eigenpairs, FlatTorusConverges)
       error = std::max(error, std::abs(pairs.Values[k] / expected - 1.0));
     }
     errors.Add(error);
-  }
-}
-
-TEST(Eigenpairs, OfAnySize)
-{
-  std::vector<double> expected;
-  for (const double size : { 1.0, 1e-7, 1e7 })
-  {
-    const dgg::SurfaceMesh mesh = Build(Scaled(NoisySphere(3, 0.1, 4), size));
-    const auto solver = Ready(mesh);
-    const dgg::Eigenpairs pairs = FindPairs(*solver, 20);
-    EXPECT_TRUE(pairs.IsComplete);
-    ASSERT_EQ(pairs.GetCount(), 20);
-    expected = expected.empty() ? pairs.Values : expected;
-    for (Id k = 0; k < 20; ++k)
-    {
-      EXPECT_NEAR(pairs.Values[k] * size * size, expected[k], 1e-9 * expected[k]) << size;
-    }
   }
 }
 
@@ -229,29 +180,6 @@ TEST(Eigenpairs, GivenBoundaryAndAnyTriangles)
   }
 }
 
-TEST(SpectralDistance, BiharmonicOnTheSphere)
-{
-  const double pole = 1.0 / (4.0 * dgg::Pi);
-  const double antipode = -(dgg::Pi * dgg::Pi / 6.0 - 1.0) / (4.0 * dgg::Pi);
-  EXPECT_NEAR(SphereBiharmonic(1.0), pole, 1e-7);
-  EXPECT_NEAR(SphereBiharmonic(-1.0), antipode, 1e-7);
-  Convergence atPole(1.7);
-  Convergence atAntipode(1.9);
-  for (const int level : { 2, 3, 4, 5 })
-  {
-    const TestMesh sphere = Icosphere(level);
-    const dgg::SurfaceMesh mesh = Build(sphere);
-    const auto solver = Ready(mesh);
-    const std::vector<double> column = BiharmonicColumn(*solver, 0);
-    atPole.Add(std::abs(column[0] - pole));
-    const double* p = sphere.Point(0);
-    atAntipode.Add(std::abs(column[VertexAt(sphere, -p[0], -p[1], -p[2])] - antipode));
-    RecordProperty("pole" + std::to_string(level), std::to_string(atPole.Last));
-  }
-  EXPECT_LT(atPole.Last, 1e-4);
-  EXPECT_LT(atAntipode.Last, 1e-4);
-}
-
 TEST(SpectralDistance, EachKindHasItsFilter)
 {
   // Of antipodes on the sphere with the first 48 eigenvalues: only odd degrees differ there.
@@ -281,44 +209,6 @@ TEST(SpectralDistance, EachKindHasItsFilter)
     std::vector<double> d;
     ASSERT_TRUE(Ok(distance.Between(poles, poles, nullptr, nullptr, d)));
     EXPECT_NEAR(d[1], std::sqrt(square), 0.01 * std::sqrt(square));
-  }
-}
-
-TEST(SpectralDistance, MetricAxioms)
-{
-  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.2, 3));
-  const auto solver = Ready(mesh);
-  const std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 14, 5);
-  for (const auto method : { dgg::SpectralMethod::Exact, dgg::SpectralMethod::Spectrum })
-  {
-    for (const auto kind : { dgg::SpectralKind::Biharmonic, dgg::SpectralKind::CommuteTime,
-           dgg::SpectralKind::Diffusion })
-    {
-      dgg::SpectralDistance distance(*solver);
-      const dgg::Status status = distance.Prepare(Options(kind, method, 20), nullptr, nullptr);
-      if (kind == dgg::SpectralKind::Diffusion && method == dgg::SpectralMethod::Exact)
-      {
-        EXPECT_TRUE(Says(status, "Spectrum"));
-        continue;
-      }
-      ASSERT_TRUE(status.IsOk()) << status.GetMessage();
-      std::vector<double> d;
-      ASSERT_TRUE(distance.Between(points, points, nullptr, nullptr, d).IsOk());
-      const std::size_t n = points.size();
-      for (std::size_t i = 0; i < n; ++i)
-      {
-        EXPECT_NEAR(d[i * n + i], 0.0, 1e-7);
-        for (std::size_t j = 0; j < n; ++j)
-        {
-          EXPECT_NEAR(d[i * n + j], d[j * n + i], 1e-10);
-          EXPECT_TRUE(i == j || d[i * n + j] > 1e-4);
-          for (std::size_t k = 0; k < n; ++k)
-          {
-            EXPECT_LE(d[i * n + k], (d[i * n + j] + d[j * n + k]) * (1.0 + 1e-9) + 1e-12);
-          }
-        }
-      }
-    }
   }
 }
 
