@@ -6,6 +6,7 @@
 #define GraphicsTestTools_h
 
 #include "CurveChecks.h"
+#include "PathChecks.h"
 
 #include "dggGraphicsRefinement.h"
 #include "dggVectorGraphics.h"
@@ -13,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
 
 namespace dggtest
 {
@@ -48,21 +48,7 @@ public:
   /// Points of the plane z = 0.
   SurfacePoint Find(double x, double y) const
   {
-    for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
-    {
-      const std::array<Id, 3> corners = this->Mesh.GetTriangle(f);
-      const double* a = this->Input.Point(corners[0]);
-      const double* b = this->Input.Point(corners[1]);
-      const double* c = this->Input.Point(corners[2]);
-      const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-      const double s = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
-      const double t = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
-      if (s >= -1e-12 && t >= -1e-12 && s + t <= 1.0 + 1e-12)
-      {
-        return PointIn(this->Mesh, f, { { 1.0 - s - t, s, t } });
-      }
-    }
-    throw std::runtime_error("no such point");
+    return PointInPlane(this->Input, this->Mesh, x, y);
   }
 
   /// Points of a circle, or an ellipse, around the origin of the plane z = 0, counter-clockwise.

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours from curves and regions: closed forms, what is far stays as it is, orders.
+// Vector graphics: closed forms, what is far stays as it is, orders, any curves, fragments.
 #include "GraphicsTestTools.h"
 #include "TestMeshes.h"
 
 #include "dggExactGeodesics.h"
+#include "dggGraphicsFragments.h"
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
 
@@ -68,74 +69,6 @@ TEST(VectorGraphics, ColorsAreLinearAlongCurves)
     EXPECT_NEAR(drawing.Value(v), isInside ? linear(p[0], p[1]) : 8.0, 1e-9);
   });
   EXPECT_GT(inside, 90);
-}
-
-TEST(VectorGraphics, EndsOfCurvesHaveTheMeanOfBothSides)
-{
-  // A slit from (-1, 0) to (1, 0) of a disk-like square, with f on the left and -f on the right:
-  // odd in y, and so 0 on the rest of the axis. In elliptic coordinates x = cosh m cos n,
-  // y = sinh m sin n the slit is m = 0, and the first function of that kind is exp(-m) sin n.
-  const Id n = 16;
-  double previous = 0.0;
-  for (const int level : { 0, 1, 2 })
-  {
-    Drawing drawing(Translated(Scaled(Plane(n, n), 6.0 / n), -3.0, -3.0, 0.0));
-    const auto exact = [](double x, double y) {
-      // sinh^2 m is the larger root of s^2 - (r^2 - 1) s - y^2 = 0.
-      const double q = x * x + y * y - 1.0;
-      const double s = 0.5 * (q + std::sqrt(q * q + 4.0 * y * y));
-      const double sinh = std::sqrt(std::max(0.0, s));
-      const double m = std::asinh(sinh);
-      const double sine = sinh > 1e-9 ? y / sinh : std::sqrt(std::max(0.0, 1.0 - x * x));
-      return std::exp(-m) * std::abs(sine);
-    };
-    std::vector<SurfacePoint> points;
-    std::vector<double> left;
-    std::vector<double> right;
-    for (int i = 0; i <= 128; ++i)
-    {
-      const double x = -std::cos(dgg::Pi * i / 128.0);
-      points.push_back(drawing.Find(x, 0.0));
-      left.push_back(exact(x, 0.0));
-      right.push_back(-exact(x, 0.0));
-    }
-    drawing.Add(Diffusion, points, left, right);
-    // The rim, too: given on the inside, which is on its left.
-    std::vector<SurfacePoint> rim;
-    std::vector<double> values;
-    const double at[4][2] = { { -3.0, -3.0 }, { 3.0, -3.0 }, { 3.0, 3.0 }, { -3.0, 3.0 } };
-    for (int side = 0; side < 4; ++side)
-    {
-      for (int i = 0; i < 64; ++i)
-      {
-        const double t = i / 64.0;
-        const double x = (1.0 - t) * at[side][0] + t * at[(side + 1) % 4][0];
-        const double y = (1.0 - t) * at[side][1] + t * at[(side + 1) % 4][1];
-        rim.push_back(drawing.Find(x, y));
-        values.push_back(y < 0.0 ? -exact(x, y) : exact(x, y));
-      }
-    }
-    drawing.Add(Diffusion, rim, values, values, true);
-    drawing.Run(level);
-    double worst = 0.0;
-    drawing.ForEachCorner([&](Id v, const Position& p, const Position& m) {
-      const double expected = m[1] > 0.0 ? exact(p[0], p[1]) : -exact(p[0], p[1]);
-      // There is a root of the distance at the ends, which elements do not like.
-      const bool isNearEnd = std::hypot(std::abs(p[0]) - 1.0, p[1]) < 0.4;
-      worst = isNearEnd ? worst : std::max(worst, std::abs(drawing.Value(v) - expected));
-      if (std::abs(p[1]) < 1e-12 && std::abs(std::abs(p[0]) - 1.0) < 1e-12)
-      {
-        EXPECT_NEAR(drawing.Value(v), 0.0, 1e-12); // the ends
-      }
-    });
-    if (level > 0)
-    {
-      const double order = std::log2(previous / worst); // of the ends, which reaches everywhere
-      EXPECT_GT(order, 0.8) << level;
-      EXPECT_LT(order, level == 1 ? 1.6 : 1.3) << level;
-    }
-    previous = worst;
-  }
 }
 
 TEST(VectorGraphics, PoissonCurveFadesAsItSays)
@@ -290,6 +223,10 @@ TEST(VectorGraphics, GivenColorsHoldInsideOfBands)
       EXPECT_NEAR(drawing.Value(v), m[1] > 12.0 ? 0.2 : 0.6, 1e-12);
       ++given;
     }
+    if (std::abs(p[1] - 12.0) < 1e-9 && std::abs(std::abs(p[0] - 10.0) - 6.0) < 1e-9)
+    {
+      EXPECT_NEAR(drawing.Value(v), 0.4, 1e-12); // the ends have the mean of both sides
+    }
   });
   EXPECT_GT(given, 60);
 }
@@ -406,5 +343,146 @@ TEST(VectorGraphics, OrderTwoBesideCurves)
     errors.Add(std::sqrt(sum / count));
   }
   EXPECT_LT(errors.Last, 1e-3);
+}
+
+TEST(VectorGraphics, AnyCurvesOnAnySurface)
+{
+  // Curves that run along edges and boundaries, cross each other and themselves, come back. With
+  // diffusion curves alone, no colour lies outside of those that are given.
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    Id count = 0;
+    Build(named.Mesh).ComputeComponents(count);
+    if (named.Mesh.Points.empty() || count > 1)
+    {
+      continue;
+    }
+    for (const bool isDiffusion : { true, false })
+    {
+      SCOPED_TRACE(named.Name);
+      Random random(isDiffusion ? 17 : 18);
+      Drawing drawing(named.Mesh);
+      drawing.Options.IntrinsicDelaunay = true;
+      drawing.Options.NumberOfChannels = 2;
+      for (int k = 0; k < 4; ++k)
+      {
+        const bool isClosed = k % 2 == 1;
+        const std::vector<SurfacePoint> points = RandomCurvePoints(drawing.Mesh, 6, random);
+        const auto left = RandomValues(2 * points.size(), k + 20);
+        const auto right = RandomValues(2 * points.size(), k + 30);
+        const GraphicsCurveType type = isDiffusion || k == 0 ? Diffusion
+          : k == 3                                           ? Source
+                                                             : Poisson;
+        drawing.Add(type, points, left, right, isClosed).Width =
+          2.0 * drawing.Mesh.GetMeanEdgeLength();
+      }
+      drawing.Run(random.Index(2));
+      ASSERT_FALSE(HasFatalFailure());
+      for (const double value : drawing.Result.Values)
+      {
+        ASSERT_TRUE(std::isfinite(value));
+        ASSERT_TRUE(!isDiffusion || std::abs(value) <= 1.0 + 1e-9) << value;
+      }
+    }
+  }
+}
+
+TEST(VectorGraphics, FacesAroundCurvesAreRefined)
+{
+  const TestMesh plane = Plane(30, 30, 0.2);
+  const SurfaceMesh mesh = Build(plane);
+  const SurfacePoint a = PointIn(mesh, 30 * 60 / 2 + 20, { { 0.3, 0.3, 0.4 } });
+  const SurfacePoint b = PointIn(mesh, 30 * 60 / 2 + 25, { { 0.3, 0.3, 0.4 } });
+  const RefinedSurface before = Embed(mesh, { Curve(mesh, { a, b }) });
+  dgg::GraphicsRefinement refinement;
+  refinement.Levels = 2;
+  refinement.Part = dgg::RefinedPart::AroundCurves;
+  RefinedSurface surface = before;
+  ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  EXPECT_EQ(surface.Paths[0].size(), 4 * before.Paths[0].size() - 3);
+  // Some faces are as they were.
+  EXPECT_GT(std::count_if(surface.Lengths.begin(), surface.Lengths.end(),
+              [](double length) { return length > 0.6; }),
+    1000);
+  refinement.MostFaces = before.GetNumberOfFaces() + 10;
+  EXPECT_FALSE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  refinement.MostFaces = dgg::GraphicsRefinement().MostFaces;
+  surface = before;
+  refinement.Part = dgg::RefinedPart::Faces;
+  refinement.Faces = { 3, 900, 3, 1799 }; // far from the curve
+  refinement.Levels = 1;
+  ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 3), 4);
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 1799), 4);
+  EXPECT_EQ(std::count(surface.Faces.begin(), surface.Faces.end(), 600), 1);
+  EXPECT_EQ(surface.Paths[0].size(), before.Paths[0].size());
+}
+
+// Fragments of coloured surfaces: where they are, their colours, in which faces.
+
+TEST(VectorGraphics, FragmentsAreTheMiddlesOfEqualParts)
+{
+  // A function that is linear on each side of a curve: fragments have its values at their places,
+  // which spread evenly, and on their own side.
+  for (const int division : { 1, 2, 3, 5 })
+  {
+    Drawing drawing(Plane(5, 4, 0.3));
+    drawing.Options.NumberOfChannels = 2;
+    drawing.Add(Diffusion, { drawing.Find(0.0, 0.0), drawing.Find(0.0, 4.0) }, { 0, 9, 0, 9 },
+      { 1, 3, 1, 3 });
+    drawing.Add(Diffusion, { drawing.Find(2.6, 0.0), drawing.Find(2.6, 4.0) }, { 2, 0, 2, 0 },
+      { 7, 8, 7, 8 });
+    drawing.Run(1);
+    const dgg::CutSurface& surface = drawing.Graphics.GetSurface();
+    std::vector<Id> faces;
+    for (Id f = 0; f < surface.GetNumberOfFaces(); f += 2)
+    {
+      faces.push_back(f);
+    }
+    const dgg::GraphicsFragments fragments =
+      dgg::MakeFragments(drawing.Mesh, surface, faces, drawing.Result.Values, 2, division);
+    const auto each = static_cast<std::size_t>(division * division);
+    ASSERT_EQ(fragments.Places.size(), each * faces.size());
+    ASSERT_EQ(fragments.Faces.size(), each * faces.size());
+    ASSERT_EQ(fragments.Values.size(), 2 * each * faces.size());
+    for (std::size_t i = 0; i < fragments.Places.size(); ++i)
+    {
+      const Position p =
+        dgg::PositionOf(drawing.Mesh, fragments.Places[i], drawing.Input.Points.data());
+      EXPECT_EQ(fragments.Faces[i], fragments.Places[i].Face);
+      EXPECT_EQ(fragments.Faces[i], surface.Faces[faces[i / each]]);
+      const double t = p[0] / 2.6;
+      EXPECT_NEAR(fragments.Values[2 * i], t < 1.0 ? 1.0 + t : 7.0, 1e-9);
+      EXPECT_NEAR(fragments.Values[2 * i + 1], t < 1.0 ? 3.0 - 3.0 * t : 8.0, 1e-9);
+    }
+    // Their first and second moments in a triangle: those of the parts about their own middles are
+    // all that is missing, 1/division^2 of those of the triangle.
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      Position corners[3];
+      double middle = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        corners[k] = drawing.Place(surface.Triangles[3 * faces[f] + k]);
+        middle += corners[k][0] / 3.0;
+      }
+      double first = 0.0;
+      double second = 0.0;
+      double whole = 0.0;
+      for (std::size_t i = each * f; i < each * (f + 1); ++i)
+      {
+        const double x =
+          dgg::PositionOf(drawing.Mesh, fragments.Places[i], drawing.Input.Points.data())[0];
+        first += (x - middle) / each;
+        second += (x - middle) * (x - middle) / each;
+      }
+      for (const Position& corner : corners)
+      {
+        whole += (corner[0] - middle) * (corner[0] - middle) / 12.0;
+      }
+      EXPECT_NEAR(first, 0.0, 1e-12);
+      EXPECT_NEAR(second, whole * (1.0 - 1.0 / each), 1e-12);
+    }
+  }
 }
 }
