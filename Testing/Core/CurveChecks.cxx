@@ -362,60 +362,6 @@ void ExpectSoundCut(const RefinedSurface& surface, const dgg::CurveCut& cut)
   }
 }
 
-Id EulerCharacteristic(const std::vector<Id>& triangles)
-{
-  const std::set<Id> vertices(triangles.begin(), triangles.end());
-  return static_cast<Id>(vertices.size()) - static_cast<Id>(CountFacesOfEdges(triangles).size()) +
-    static_cast<Id>(triangles.size() / 3);
-}
-
-Id CountBoundaryLoops(const std::vector<Id>& triangles)
-{
-  // Along edges with one face, each of which goes on in one way.
-  std::map<Id, Id> next;
-  const std::map<Edge, Id> edges = CountFacesOfEdges(triangles);
-  for (Id h = 0; h < static_cast<Id>(triangles.size()); ++h)
-  {
-    const Id from = triangles[h];
-    const Id to = triangles[SurfaceMesh::Next(h)];
-    if (edges.at(Unordered(from, to)) == 1)
-    {
-      EXPECT_TRUE(next.emplace(from, to).second) << "vertex " << from;
-    }
-  }
-  Id loops = 0;
-  while (!next.empty())
-  {
-    ++loops;
-    for (auto at = next.begin(); at != next.end();)
-    {
-      const Id to = at->second;
-      next.erase(at);
-      at = next.find(to);
-    }
-  }
-  return loops;
-}
-
-Id CountParts(const std::vector<Id>& triangles)
-{
-  std::map<Id, Id> parents;
-  std::function<Id(Id)> find = [&](Id v) {
-    const Id parent = parents.emplace(v, v).first->second;
-    return parent == v ? v : parents[v] = find(parent);
-  };
-  for (Id h = 0; h < static_cast<Id>(triangles.size()); ++h)
-  {
-    parents[find(triangles[h])] = find(triangles[SurfaceMesh::Next(h)]);
-  }
-  Id parts = 0;
-  for (const auto& parent : parents)
-  {
-    parts += parent.first == parent.second ? 1 : 0;
-  }
-  return parts;
-}
-
 using dgg::NoId;
 using dgg::RefinedSurface;
 using dgg::SurfaceCurve;

@@ -43,13 +43,6 @@ void ExpectSoundEmbedding(const TestMesh& input, const dgg::SurfaceMesh& mesh,
   const std::vector<dgg::SurfaceCurve>& curves, const dgg::RefinedSurface& surface);
 /// Everything that must hold of a manifold surface cut open along its paths.
 void ExpectSoundCut(const dgg::RefinedSurface& surface, const dgg::CurveCut& cut);
-
-/// Vertices that have faces minus edges plus faces, by vertex pairs.
-Id EulerCharacteristic(const std::vector<Id>& triangles);
-/// Loops of edges with one face, where each vertex has at most two of these.
-Id CountBoundaryLoops(const std::vector<Id>& triangles);
-/// Parts connected through vertices.
-Id CountParts(const std::vector<Id>& triangles);
 }
 
 #endif

@@ -101,7 +101,9 @@ double SmallestAngle(const RefinedSurface& surface)
 
 TEST(FaceRefinement, AllFaces)
 {
-  for (const TestMesh& input : { NoisySphere(1, 0.3, 3), Plane(4, 3, 0.2, 5), Tetrahedron() })
+  std::vector<Id> sheetOf;
+  for (const TestMesh& input :
+    { NoisySphere(1, 0.3, 3), Plane(4, 3, 0.2, 5), Tetrahedron(), Book(5, 3, sheetOf) })
   {
     const dgg::SurfaceMesh mesh = Build(input);
     const RefinedSurface before = Embed(mesh, {});
@@ -130,55 +132,6 @@ TEST(FaceRefinement, GreenFacesAreSplitOnce)
     ExpectSoundEmbedding(input, mesh, {}, surface);
     EXPECT_NEAR(SmallestAngle(surface), dgg::Pi / 6.0, 1e-9) << levels;
   }
-}
-
-TEST(FaceRefinement, CurvesStayCurves)
-{
-  std::uint64_t seed = 40;
-  for (const TestMesh& input : { SingleTriangle(), Plane(4, 3, 0.25, 7), NoisySphere(1, 0.4, 3),
-         WithNoise(Torus(7, 4), 0.1, 5), MisorientedSphere(1, 8), NeedlePlane(2, 1e-5) })
-  {
-    SCOPED_TRACE(seed);
-    const dgg::SurfaceMesh mesh = Build(input);
-    Random random(++seed);
-    for (int i = 0; i < 30; ++i)
-    {
-      SCOPED_TRACE(i);
-      std::vector<SurfaceCurve> curves;
-      for (int c = 0; c < 3; ++c)
-      {
-        curves.push_back(Curve(mesh, RandomCurvePoints(mesh, 6, random), c == 0));
-      }
-      RefinedSurface surface = Embed(mesh, curves);
-      std::vector<Id> faces;
-      for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
-      {
-        if (random.Index(20) == 0)
-        {
-          faces.push_back(f);
-        }
-      }
-      const Id before = surface.GetNumberOfFaces();
-      const std::vector<Id> parents = Refine(mesh, faces, 1 + random.Index(2), surface);
-      EXPECT_TRUE(faces.empty() || surface.GetNumberOfFaces() > before);
-      EXPECT_TRUE(std::is_sorted(parents.begin(), parents.end()));
-      ExpectSoundEmbedding(input, mesh, curves, surface);
-      ExpectSoundCut(surface, CutOpen(surface));
-      ASSERT_FALSE(HasFailure());
-    }
-  }
-}
-
-TEST(FaceRefinement, EdgesWithManyFaces)
-{
-  std::vector<Id> sheetOf;
-  const TestMesh input = Book(5, 3, sheetOf);
-  const dgg::SurfaceMesh mesh = Build(input);
-  RefinedSurface surface = Embed(mesh, {});
-  std::vector<Id> all(surface.Faces.size() / 2);
-  std::iota(all.begin(), all.end(), 0);
-  Refine(mesh, all, 2, surface);
-  ExpectSoundEmbedding(input, mesh, {}, surface);
 }
 
 TEST(FaceRefinement, ParametersBetweenPointsInOnePlace)

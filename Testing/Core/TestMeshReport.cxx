@@ -118,6 +118,7 @@ std::vector<Expected> Cases()
     .Rims(20, 1)
     .With(&MeshReport::RepeatedVertexFaces, 3);
   add("isolated points", SphereWithIsolatedPoints(1)).With(&MeshReport::IsolatedVertices, 3);
+  add("duplicate faces", DuplicateFaceCube(2)).With(&MeshReport::DuplicateFaces, 16);
   add("Moebius", MoebiusStrip(9, 4)).Rims(18, 1).NotOrientable();
   add("Klein bottle", KleinBottle(7, 5)).NotOrientable();
   add("nothing", TestMesh()).With(&MeshReport::Components, 0);
@@ -149,16 +150,6 @@ TEST(MeshReport, KnowsTheGenerators)
     EXPECT_EQ(report.InconsistentEdges > 0, !expected.Orientable);
     EXPECT_EQ(report.Mollification > 0.0, expected.DegenerateFaces > 0);
   }
-}
-
-TEST(MeshReport, CountsDuplicateFaces)
-{
-  const TestMesh cube = Cube(2);
-  const TestMesh mesh = DuplicateFaceCube(2);
-  const MeshReport report = Inspect(mesh);
-  EXPECT_EQ(report.DuplicateFaces, mesh.GetNumberOfFaces() - cube.GetNumberOfFaces());
-  EXPECT_EQ(report.NonManifoldEdges, 0); // they take no part
-  EXPECT_EQ(report.Genus, 0);
 }
 
 TEST(MeshReport, CountsTurnedFaces)
@@ -209,11 +200,6 @@ TEST(MeshReport, MeasuresAnisotropy)
 
 // Numbers that are joined, and half-edges that stand for their edge.
 
-namespace
-{
-using dgg::Id;
-}
-
 TEST(DisjointSets, AreThoseOfLabels)
 {
   const Id count = 300;
@@ -242,18 +228,6 @@ TEST(DisjointSets, AreThoseOfLabels)
   {
     EXPECT_EQ(sets.Find(i), labels[i]) << i;
   }
-}
-
-TEST(DisjointSets, SmallestNumberStandsForALongChain)
-{
-  const Id count = 100000;
-  dgg::DisjointSets sets(count);
-  for (Id i = count - 1; i > 0; --i)
-  {
-    EXPECT_TRUE(sets.Join(i, i - 1));
-  }
-  EXPECT_EQ(sets.Find(count - 1), 0);
-  EXPECT_FALSE(sets.Join(17, 4711));
 }
 
 TEST(Edges, AllHalfEdgesOfAnEdgeHaveTheSame)

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Connectivity, lengths, angles and vertex kinds of SurfaceMesh.
+// Connectivity, lengths, angles and vertex kinds of SurfaceMesh; degenerate faces, refusals,
+// reports.
 #include "TestMeshes.h"
 
 #include "dggSurfaceMesh.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace dggtest
@@ -263,4 +266,247 @@ TEST(SurfaceMesh, ComputesComponents)
   EXPECT_EQ(count, 2);
 }
 
+namespace
+{
+using dgg::NoId;
+using dgg::SurfaceMesh;
+using dgg::VertexKind;
+
+void ExpectRefused(const dgg::Status& status, const SurfaceMesh& mesh, const std::string& message)
+{
+  EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
+  EXPECT_TRUE(Says(status, message));
+  EXPECT_EQ(mesh.GetNumberOfVertices(), 0);
+  EXPECT_EQ(mesh.GetNumberOfFaces(), 0);
+}
+
+/// By points, lengths or glued lengths, whichever there are.
+dgg::Status Try(const TestMesh& input, SurfaceMesh& mesh)
+{
+  const Id vertices = input.GetNumberOfVertices();
+  const Id faces = input.GetNumberOfFaces();
+  const Id* triangles = input.Triangles.data();
+  const double* lengths = input.Lengths.data();
+  return input.Lengths.empty()
+    ? SurfaceMesh::FromPoints(input.Points.data(), vertices, triangles, faces, mesh)
+    : input.Twins.empty()
+    ? SurfaceMesh::FromLengths(vertices, triangles, faces, lengths, mesh)
+    : SurfaceMesh::FromGluedLengths(vertices, triangles, faces, lengths, input.Twins.data(), mesh);
+}
+
+/// Nothing is left of the mesh that there was before.
+void ExpectRefused(const TestMesh& input, const std::string& message)
+{
+  SurfaceMesh mesh = Build(SingleTriangle());
+  ExpectRefused(Try(input, mesh), mesh, message);
+}
+
+}
+
+TEST(SurfaceMeshLengths, EqualPoints)
+{
+  // The lengths of an embedded mesh give the same mesh, misoriented faces included.
+  TestMesh input = MisorientedSphere(1, 4);
+  const SurfaceMesh byPoints = Build(input);
+  for (Id h = 0; h < 3 * input.GetNumberOfFaces(); ++h)
+  {
+    input.Lengths.push_back(
+      EuclideanDistance(input, input.Triangles[h], input.Triangles[SurfaceMesh::Next(h)]));
+  }
+  const SurfaceMesh byLengths = Build(input);
+  ASSERT_EQ(byLengths.GetNumberOfHalfEdges(), byPoints.GetNumberOfHalfEdges());
+  for (Id h = 0; h < byPoints.GetNumberOfHalfEdges(); ++h)
+  {
+    EXPECT_EQ(byLengths.Origin(h), byPoints.Origin(h));
+    EXPECT_EQ(byLengths.Twin(h), byPoints.Twin(h));
+    EXPECT_NEAR(byLengths.Length(h), byPoints.Length(h), 1e-15);
+    EXPECT_NEAR(byLengths.PolarAngle(h), byPoints.PolarAngle(h), 1e-13);
+  }
+}
+
+TEST(SurfaceMeshLengths, GiveFlatSurfaces)
+{
+  for (const bool glued : { false, true })
+  {
+    const SurfaceMesh torus = Build(FlatTorus(4.0, 0.5, 3.0, 4, 3, glued));
+    for (Id v = 0; v < torus.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_EQ(torus.Kind(v), VertexKind::Flat);
+      EXPECT_NEAR(torus.TotalAngle(v), 2.0 * dgg::Pi, 1e-13);
+    }
+  }
+}
+
+TEST(SurfaceMeshLengths, GlueFewTriangles)
+{
+  // One vertex, two triangles, three edges: a torus, and the faces stay although all their corners
+  // are the same vertex.
+  const SurfaceMesh torus = Build(FlatTorus(2.0, 0.0, 1.0, 1, 1, true));
+  ASSERT_EQ(torus.GetNumberOfVertices(), 1);
+  ASSERT_EQ(torus.GetNumberOfFaces(), 2);
+  EXPECT_FALSE(torus.IsDropped(0));
+  EXPECT_FALSE(torus.IsDropped(1));
+  EXPECT_EQ(torus.Kind(0), VertexKind::Flat);
+  EXPECT_EQ(torus.FanEnd(0) - torus.FanBegin(0), 6);
+  EXPECT_NEAR(torus.TotalAngle(0), 2.0 * dgg::Pi, 1e-14);
+  for (Id h = 0; h < 6; ++h)
+  {
+    EXPECT_EQ(torus.Twin(torus.Twin(h)), h);
+    EXPECT_NE(SurfaceMesh::Face(torus.Twin(h)), SurfaceMesh::Face(h));
+  }
+}
+
+TEST(SurfaceMeshLengths, TakeTheLargerOfTwoHalves)
+{
+  TestMesh input;
+  input.AbstractVertices = 4;
+  input.Triangles = { 0, 1, 2, 1, 0, 3 };
+  input.Lengths = { 1.0, 1.0, 1.0, 1.0 + 5e-10, 1.0, 1.0 };
+  const SurfaceMesh mesh = Build(input);
+  EXPECT_EQ(mesh.Length(0), 1.0 + 5e-10);
+  EXPECT_EQ(mesh.Length(3), 1.0 + 5e-10);
+}
+
+TEST(SurfaceMeshDegenerate, IsMollifiedAsLittleAsNeeded)
+{
+  for (const TestMesh& input : { ZippedPlane(6), CollinearPlane(6), CollapsedSphere(2, 12, 9) })
+  {
+    const SurfaceMesh mesh = Build(input);
+    EXPECT_GT(mesh.GetNumberOfDegenerateFaces(), 0);
+    EXPECT_GE(mesh.GetNumberOfMollifiedFaces(), mesh.GetNumberOfDegenerateFaces());
+    EXPECT_GT(mesh.GetMollification(), 0.0);
+    EXPECT_LT(mesh.GetMollification(), 1e-12 * mesh.GetMaximumEdgeLength());
+    Id strict = 0;
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      const double a = mesh.Length(3 * f);
+      const double b = mesh.Length(3 * f + 1);
+      const double c = mesh.Length(3 * f + 2);
+      strict += a + b > c && b + c > a && c + a > b ? 1 : 0;
+    }
+    EXPECT_EQ(strict, mesh.GetNumberOfFaces());
+  }
+}
+
+TEST(SurfaceMeshDegenerate, LeavesLegalSliversAlone)
+{
+  for (const TestMesh& input : { SliverPlane(6, 1e-9), CapPlane(6, 1e-3), NeedlePlane(4, 1e-9) })
+  {
+    const SurfaceMesh mesh = Build(input);
+    EXPECT_EQ(mesh.GetNumberOfDegenerateFaces(), 0);
+    EXPECT_EQ(mesh.GetMollification(), 0.0);
+  }
+}
+
+TEST(SurfaceMeshDegenerate, TouchesOnlyTheFacesConcerned)
+{
+  const TestMesh input = CollinearPlane(6);
+  const SurfaceMesh mesh = Build(input);
+  Id lengthened = 0;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const double length = EuclideanDistance(input, mesh.Origin(h), mesh.Destination(h));
+    lengthened += mesh.Length(h) > length * (1.0 + 1e-15) ? 1 : 0;
+  }
+  EXPECT_GT(lengthened, 0);
+  EXPECT_LE(lengthened, 6 * mesh.GetNumberOfMollifiedFaces());
+  EXPECT_LT(lengthened, mesh.GetNumberOfHalfEdges() / 2);
+}
+
+TEST(SurfaceMeshDegenerate, DropsRepeatedVertices)
+{
+  const TestMesh input = RepeatedVertexPlane(5);
+  const SurfaceMesh mesh = Build(input);
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    EXPECT_EQ(mesh.IsDropped(f), f >= mesh.GetNumberOfFaces() - 3);
+  }
+  const SurfaceMesh plane = Build(Plane(5, 5, 0.2, 5));
+  for (Id h = 0; h < plane.GetNumberOfHalfEdges(); ++h)
+  {
+    EXPECT_EQ(mesh.Twin(h), plane.Twin(h));
+  }
+}
+
+TEST(SurfaceMeshErrors, RefuseTooManyTriangles)
+{
+  // Nothing is read before the counts have been checked.
+  SurfaceMesh mesh = Build(SingleTriangle());
+  const dgg::Offset many = dgg::Offset(1) << 30;
+  ExpectRefused(SurfaceMesh::FromPoints(nullptr, 3, nullptr, many, mesh), mesh, "too large");
+  ExpectRefused(SurfaceMesh::FromPoints(nullptr, many << 8, nullptr, 0, mesh), mesh, "too large");
+  ExpectRefused(
+    SurfaceMesh::FromPoints(nullptr, 3, nullptr, std::numeric_limits<dgg::Offset>::max(), mesh),
+    mesh, "too large");
+  ExpectRefused(SurfaceMesh::FromLengths(-1, nullptr, 0, nullptr, mesh), mesh, "-1 points");
+  ExpectRefused(SurfaceMesh::FromLengths(1, nullptr, -1, nullptr, mesh), mesh, "-1 triangles");
+}
+
+TEST(SurfaceMeshErrors, NameTheBadLength)
+{
+  const TestMesh good = FlatTorus(4.0, 0.0, 3.0, 4, 3, false);
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), dgg::Infinity, -1.0 })
+  {
+    TestMesh input = good;
+    input.Lengths[7] = bad;
+    ExpectRefused(input, "lengths must be finite, not negative");
+  }
+  TestMesh input = good;
+  input.Lengths[7] *= 1.0 + 1e-8; // its twin has another length
+  ExpectRefused(input, "equal on all halves of an edge");
+}
+
+TEST(SurfaceMeshErrors, NameTheFaceThatIsNoTriangle)
+{
+  TestMesh input;
+  input.AbstractVertices = 4;
+  input.AddTriangle(0, 1, 2);
+  input.AddTriangle(0, 2, 3);
+  input.Lengths = { 1.0, 1.0, 1.5, 1.5, 1.0, 100.0 };
+  SurfaceMesh mesh;
+  ExpectRefused(input, "face 1");
+  input.Lengths = { 1.0, 1.0, 2.0, 2.0, 1.0, 1.0 }; // flat: mollified, not refused
+  ASSERT_TRUE(Try(input, mesh).IsOk());
+  EXPECT_EQ(mesh.GetNumberOfDegenerateFaces(), 2);
+}
+
+TEST(SurfaceMeshErrors, RefuseBadGluing)
+{
+  const TestMesh good = FlatTorus(4.0, 0.0, 3.0, 2, 2, true);
+  for (const Id bad : { 24, -2, 0, 8 }) // no half-edge, none, itself, other vertices
+  {
+    TestMesh input = good;
+    input.Twins[0] = bad;
+    ExpectRefused(input, "half-edge 0 cannot be glued to");
+  }
+  TestMesh input = good;
+  input.Twins[0] = NoId;
+  ExpectRefused(input, "is glued in one direction only");
+  input = good;
+  // Two half-edges that name the same twin.
+  for (Id h = 1; h < 24; ++h)
+  {
+    if (h != input.Twins[0] && input.Triangles[h] == input.Triangles[0] &&
+      input.Triangles[SurfaceMesh::Next(h)] == input.Triangles[1])
+    {
+      input.Twins[h] = input.Twins[0];
+    }
+  }
+  ExpectRefused(input, "cannot be glued");
+}
+
+/// A small face that was cut out of a large one has the rounding errors of that.
+TEST(SurfaceMeshLengths, RoundingOfSmallFaces)
+{
+  TestMesh input;
+  input.AbstractVertices = 6;
+  input.Triangles = { 0, 1, 2, 3, 4, 5 };
+  SurfaceMesh mesh;
+  input.Lengths = { 1.0, 1.0, 1.0, 2e-10, 1e-11, 2.1e-10 + 2e-13 };
+  EXPECT_TRUE(Try(input, mesh).IsOk());
+  EXPECT_TRUE(mesh.IsDegenerate(1));
+  EXPECT_GT(mesh.GetMollification(), 0.0);
+  input.Lengths.back() = 2.1e-10 + 2e-12;
+  ExpectRefused(input, "none may be longer");
+}
 }

@@ -287,39 +287,4 @@ TEST(SurfaceCut, SplitsPinchedVertices)
     EXPECT_EQ(cut.VertexOf.back(), more == 1 ? 0 : mesh.GetNumberOfVertices() - 1);
   }
 }
-
-TEST(SurfaceCut, SeparatesAndDoesNot)
-{
-  // A closed path round a torus does not separate it; the boundary of an octant of a sphere does.
-  const dgg::SurfaceMesh torus = Build(Torus(16, 10));
-  std::vector<std::vector<Id>> ring(1);
-  for (Id i = 0; i <= 16; ++i)
-  {
-    ring[0].push_back(i % 16);
-  }
-  RefinedSurface refined = Refine(torus, {});
-  dgg::CutSurface cut;
-  ASSERT_TRUE(dgg::CutAlongChains(refined, ring, cut).IsOk());
-  dgg::SurfaceMesh opened;
-  ASSERT_TRUE(cut.Build(torus, opened).IsOk());
-  Id components = 0;
-  opened.ComputeComponents(components);
-  EXPECT_EQ(components, 1);
-  EXPECT_EQ(opened.GetNumberOfVertices(), torus.GetNumberOfVertices() + 16);
-
-  const dgg::SurfaceMesh sphere = Build(Icosphere(2));
-  std::vector<SurfacePath> paths;
-  const std::vector<Id> corners{ 0, 7, 20 };
-  for (int k = 0; k < 3; ++k)
-  {
-    paths.push_back(FindPaths(sphere, SurfacePoint::AtVertex(corners[k]),
-      { SurfacePoint::AtVertex(corners[(k + 1) % 3]) })[0]);
-  }
-  refined = Refine(sphere, paths);
-  ASSERT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
-  ASSERT_TRUE(cut.Build(sphere, opened).IsOk());
-  opened.ComputeComponents(components);
-  EXPECT_EQ(components, 2);
-  ASSERT_FALSE(dgg::CutAlongChains(refined, { { 0, 11 } }, cut).IsOk());
-}
 }

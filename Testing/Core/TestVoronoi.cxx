@@ -460,31 +460,6 @@ TEST(Voronoi, UnreachedComponents)
   EXPECT_EQ(diagram.GetNumberOfCurves(), 0u);
 }
 
-TEST(Voronoi, BordersBranchOnABook)
-{
-  std::vector<Id> sheetOf;
-  const TestMesh book = Book(3, 6, sheetOf, 0.2, 2);
-  const SearchCase c("book", book, 0.02);
-  // One site in the middle of each sheet; the sheets meet along the spine.
-  Sites sites;
-  for (Id sheet = 0; sheet < 3; ++sheet)
-  {
-    for (Id f = 0; f < c.GetMesh().GetNumberOfFaces(); ++f)
-    {
-      const auto corners = c.GetMesh().GetTriangle(f);
-      if (std::all_of(corners.begin(), corners.end(), [&](Id v) { return sheetOf[v] == sheet; }))
-      {
-        sites.push_back(SurfacePoint::InFace(c.GetMesh(), f, { { 0.3, 0.3, 0.4 } }));
-        break;
-      }
-    }
-  }
-  ASSERT_EQ(sites.size(), 3u);
-  const VoronoiDiagram diagram = DiagramOf(c, sites, 0.02);
-  ExpectWellFormed(c.GetMesh(), diagram, 3, "book");
-  EXPECT_GE(diagram.GetNumberOfCurves(), 2u);
-}
-
 TEST(Voronoi, EveryVertexIsASite)
 {
   for (const NamedMesh& named : SoundMeshes())
