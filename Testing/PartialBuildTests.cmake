@@ -26,7 +26,8 @@ function (dgg_add_partial_build package)
   set_tests_properties("Without${package}.Configure" PROPERTIES
     FIXTURES_REQUIRED dgg_clean_without_${package}
     FIXTURES_SETUP dgg_without_${package}
-    LABELS Install)
+    LABELS Install
+    TIMEOUT 600)
 endfunction ()
 
 # dgg_add_partial_test(<package> <name> <command>...)
@@ -48,6 +49,8 @@ if (DGG_WITH_PCL)
   dgg_add_partial_test(PCL Plan "${CMAKE_COMMAND}" --build "${without_pcl}" -- -n)
   dgg_add_partial_test(PCL BuildReaders
     "${CMAKE_COMMAND}" --build "${without_pcl}" --target Readers --parallel 2)
+  set_tests_properties(WithoutPCL.BuildReaders PROPERTIES
+    PROCESSORS 2)
 endif ()
 
 # The kernel alone, with its tests, installed and used by a program.
@@ -67,7 +70,7 @@ file(WRITE "${dgg_test_output}/KernelProgram/CMakeLists.txt" "cmake_minimum_requ
 project(KernelProgram LANGUAGES C CXX)
 find_package(vtkDGG REQUIRED COMPONENTS Kernel)
 add_executable(KernelOnly \"${PROJECT_SOURCE_DIR}/Examples/Cxx/KernelOnly.cxx\")
-target_link_libraries(KernelOnly PRIVATE DGG::Kernel)
+target_link_libraries(KernelOnly PRIVATE DGG::Core) # the alias
 ")
 dgg_add_partial_test(VTK Program "${CMAKE_CTEST_COMMAND}"
   --build-and-test "${dgg_test_output}/KernelProgram" "${kernel_program}"

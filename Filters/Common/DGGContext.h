@@ -13,7 +13,7 @@ class vtkPolyData;
 
 struct DGGContext : public dgg::TaskContext
 {
-  vtkPolyData* Input; ///< the surface as it came
+  vtkPolyData* Input; ///< of port 0
 };
 
 #endif

@@ -15,16 +15,12 @@
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-
-#include <utility>
 
 vtkStandardNewMacro(vtkDGGPath);
 vtkDGGGraphUserMacro(vtkDGGPath);

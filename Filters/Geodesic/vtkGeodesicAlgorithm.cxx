@@ -298,7 +298,7 @@ bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
     return status.IsOk();
   }
   this->ErrorCode = errorCode;
-  if (this->IsNews(status.GetMessage()))
+  if (this->IsNewError(status.GetMessage()))
   {
     vtkErrorMacro(<< status.GetMessage());
   }
@@ -308,7 +308,7 @@ bool vtkGeodesicAlgorithm::Attempt(const std::function<dgg::Status()>& step)
 //------------------------------------------------------------------------------
 /// Returns true if the error differs from that of the previous update, or the pipeline has changed
 /// since. There is an update for each output, and ParaView updates all of them many times.
-bool vtkGeodesicAlgorithm::IsNews(const std::string& error)
+bool vtkGeodesicAlgorithm::IsNewError(const std::string& error)
 {
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
   const vtkMTimeType time = pipeline->GetPipelineMTime();

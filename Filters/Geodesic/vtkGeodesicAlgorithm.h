@@ -312,7 +312,7 @@ private:
   dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   void MakeSurfaceOutput(vtkDataObject* input, vtkInformation* outInfo) const;
   static bool FollowsFailure(vtkAlgorithm* filter);
-  bool IsNews(const std::string& error);
+  bool IsNewError(const std::string& error);
 
   bool MergeCoincidentPoints;
   double MergeTolerance;

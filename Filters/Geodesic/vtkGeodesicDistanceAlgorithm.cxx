@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 vtkDGGDefineInputMacro(vtkGeodesicDistanceAlgorithm, Source, 1);
 

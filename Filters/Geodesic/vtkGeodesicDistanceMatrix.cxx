@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceMatrix.h"
 
-#include "DGGFreeMemory.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
@@ -19,7 +18,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -39,6 +37,21 @@ namespace
 {
 /// Tables store columns separately and search them by name, which is slow for many columns.
 constexpr std::size_t MaximumNumberOfTableColumns = 10000;
+
+/// Fails if the matrix, or the matrix and its table, would exceed the limit.
+dgg::Status CheckMemory(
+  const dgg::MemoryBudget& memory, std::size_t rows, std::size_t columns, bool withTable)
+{
+  const double bytes = static_cast<double>(rows) * static_cast<double>(columns) * sizeof(double);
+  const std::string size =
+    std::to_string(rows) + " rows and " + std::to_string(columns) + " columns";
+  if (withTable)
+  {
+    return memory.Check("a matrix of " + size + " and its table", 2.0 * bytes,
+      "use fewer points at a time, turn GenerateTable off");
+  }
+  return memory.Check("a matrix of " + size, bytes, "use fewer points at a time");
+}
 
 /// Returns an array of infinities. Writing them commits the memory.
 vtkSmartPointer<vtkDoubleArray> MakeArray(
@@ -216,22 +229,6 @@ DGGSourceSet vtkGeodesicDistanceMatrix::GetColumns(vtkInformationVector** inputV
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceMatrix::CheckMemory(
-  std::size_t rows, std::size_t columns, bool withTable) const
-{
-  const dgg::MemoryBudget memory = DGGMakeBudget(this->MemoryLimit);
-  const double bytes = static_cast<double>(rows) * static_cast<double>(columns) * sizeof(double);
-  const std::string size =
-    std::to_string(rows) + " rows and " + std::to_string(columns) + " columns";
-  if (withTable)
-  {
-    return memory.Check("a matrix of " + size + " and its table", 2.0 * bytes,
-      "use fewer points at a time, turn GenerateTable off");
-  }
-  return memory.Check("a matrix of " + size, bytes, "use fewer points at a time");
-}
-
-//------------------------------------------------------------------------------
 bool vtkGeodesicDistanceMatrix::WantsTable(std::size_t columns)
 {
   if (this->GenerateTable && columns > MaximumNumberOfTableColumns)
@@ -278,13 +275,17 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   }
 
   const std::vector<dgg::SurfacePoint> rows = dgg::GetPoints(sources);
-  std::vector<dgg::SurfacePoint> columns = rows;
-  if (!symmetric)
+  std::vector<dgg::SurfacePoint> columns;
+  if (symmetric)
+  {
+    columns = rows;
+  }
+  else
   {
     DGG_RETURN_IF_ERROR(DGGLocate(context, columnSet, this->ProjectionTolerance, columns, this));
   }
   const bool withTable = this->WantsTable(columns.size());
-  DGG_RETURN_IF_ERROR(this->CheckMemory(rows.size(), columns.size(), withTable));
+  DGG_RETURN_IF_ERROR(CheckMemory(context.Memory, rows.size(), columns.size(), withTable));
   // Before the graph, whose memory is limited by the memory that remains free.
   const auto matrix = MakeMatrix(rows.size(), columns.size());
   const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);

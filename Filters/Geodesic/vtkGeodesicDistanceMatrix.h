@@ -189,7 +189,6 @@ private:
 
   DGGSourceSet GetRows(vtkInformationVector** inputVector) const;
   DGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
-  dgg::Status CheckMemory(std::size_t rows, std::size_t columns, bool withTable) const;
   bool WantsTable(std::size_t columns);
   dgg::Status FillCompressedRows(
     const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output);

@@ -15,7 +15,6 @@
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 #include "dggSourceCollection.h"
-#include "dggSurfacePath.h"
 #include "dggVoronoi.h"
 
 #include "vtkCellArray.h"
@@ -28,7 +27,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>

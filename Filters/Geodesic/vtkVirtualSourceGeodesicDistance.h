@@ -10,13 +10,14 @@
  * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm.
  *
  * <b>Guarantee and cost</b>. Up to rounding, no distance is longer than the shortest path along
- * mesh edges, for any number of sources. Errors have no other bound: the mean is usually 0.1 to 0.4
- * % on scans and 0.6 to 6 % on coarse CAD models, where single distances may be half as long or
- * several times as long as exact ones (QualityWarning). If distances do not converge, the filter
- * warns and keeps the shortest distances found. Five million points take about a second on one
- * thread. Results have single precision: six digits of the largest distance, including initial
- * distances; along strips of ten thousand triangles, rounding errors add up to 1e-4 of that
- * distance.
+ * mesh edges, for any number of sources. Errors have no other bound. Measured with 10 sources on
+ * each of 27 real meshes: on scans, 0.1 to 0.4 % on average, single distances up to 4 % too short
+ * and 13 % too long; on coarse CAD models, 0.6 to 6 % on average, single distances up to 55 % too
+ * short and 60 % too long, or several times too long (QualityWarning). If distances do not
+ * converge, the filter warns and keeps the shortest distances found. Five million points take about
+ * a second on one thread. Results have single precision: six digits of the largest distance,
+ * including initial distances; along strips of ten thousand triangles, rounding errors add up to
+ * 1e-4 of it.
  *
  * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; initial distances that differ by more than
  * 1e30 mean edge lengths. The module page is Filters/Geodesic/Distances.md.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Radius limit, early exit at targets, reuse of a solver; parts of the exact engines.
+// Predecessors, radius limit, early exit at targets, reuse of a solver; parts of the exact engines.
 #include "GeodesicChecks.h"
 #include "TestMeshes.h"
 
@@ -14,12 +14,146 @@ namespace dggtest
 {
 namespace
 {
+/// Follows the roots from v to a source, and checks the length of each straight piece. Returns the
+/// index of the source.
+Id FollowRoots(const dgg::SurfaceMesh& mesh, const std::vector<dgg::GeodesicSource>& sources,
+  const dgg::ExactResult& result, Id v)
+{
+  for (Id steps = 0; steps <= mesh.GetNumberOfVertices(); ++steps)
+  {
+    const dgg::Predecessor& p = result.Predecessors[v];
+    const double scale = result.Distances[v];
+    // Length of the last straight piece.
+    double piece = 0.0;
+    if (p.HalfEdge != dgg::NoId)
+    {
+      EXPECT_EQ(mesh.Apex(p.HalfEdge), v);
+      EXPECT_LT(p.ImageY, 0.0);
+      piece = std::hypot(mesh.ApexX(p.HalfEdge) - p.ImageX, mesh.ApexY(p.HalfEdge) - p.ImageY);
+      // The piece crosses the half-edge.
+      const double t = -p.ImageY / (mesh.ApexY(p.HalfEdge) - p.ImageY);
+      const double x = p.ImageX + t * (mesh.ApexX(p.HalfEdge) - p.ImageX);
+      EXPECT_GE(x, -1e-9 * mesh.Length(p.HalfEdge));
+      EXPECT_LE(x, (1.0 + 1e-9) * mesh.Length(p.HalfEdge));
+    }
+    else if (p.Root >= 0 && p.Root != v)
+    {
+      piece = dgg::Infinity; // along a mesh edge
+      for (const Id* h = mesh.FanBegin(v); h != mesh.FanEnd(v); ++h)
+      {
+        const Id incoming = dgg::SurfaceMesh::Previous(*h);
+        if (mesh.Destination(*h) == p.Root)
+        {
+          piece = std::min(piece, mesh.Length(*h));
+        }
+        if (mesh.Origin(incoming) == p.Root)
+        {
+          piece = std::min(piece, mesh.Length(incoming));
+        }
+      }
+    }
+    if (p.Root < 0)
+    {
+      const Id k = ~p.Root;
+      EXPECT_GE(k, 0);
+      EXPECT_LT(k, static_cast<Id>(sources.size()));
+      if (p.HalfEdge == dgg::NoId)
+      {
+        // The source lies in a face of v.
+        double straight = dgg::Infinity;
+        const dgg::SurfacePoint& point = sources[k].Point;
+        for (int c = 0; c < 3; ++c)
+        {
+          if (mesh.Origin(3 * point.Face + c) == v)
+          {
+            straight = dgg::DistanceToCorner(mesh, point.Face, point.Barycentric, c);
+          }
+        }
+        piece = straight < dgg::Infinity ? straight : scale - sources[k].InitialDistance;
+      }
+      EXPECT_NEAR(scale, sources[k].InitialDistance + piece, 1e-12 * (scale + 1.0));
+      return k;
+    }
+    if (p.Root == v)
+    {
+      const Id k = result.NearestSource[v];
+      EXPECT_EQ(sources[k].Point.Vertex, v);
+      EXPECT_EQ(scale, sources[k].InitialDistance);
+      return k;
+    }
+    EXPECT_NEAR(scale, result.Distances[p.Root] + piece, 1e-11 * (scale + 1.0)) << v;
+    EXPECT_EQ(result.NearestSource[v], result.NearestSource[p.Root]);
+    v = p.Root;
+  }
+  ADD_FAILURE() << "the roots form a cycle";
+  return dgg::NoId;
+}
+
 std::vector<NamedMesh> LimitMeshes()
 {
   return { { "sphere", NoisySphere(3, 0.3, 3) }, { "terrain", Terrain(14, 2.0, 5) },
     { "grid", Plane(14, 14) }, { "ellipsoid", Ellipsoid(2, 20.0) },
     { "components", SeveralComponents() }, { "one triangle", SingleTriangle() } };
 }
+}
+
+class ExactResults : public EngineTest
+{
+};
+DGG_WITH_BOTH_ENGINES(ExactResults);
+
+TEST_P(ExactResults, RootsLeadToTheNearestSource)
+{
+  std::vector<Id> sheetOf;
+  for (const TestMesh& input : { NoisySphere(2, 0.4, 3), Cube(4), Plane(8, 8), Terrain(10, 2.0, 4),
+         Plate(
+           8, 8, [](Id i, Id j) { return i < 3 || j < 3; }, 0.2),
+         SeveralComponents(), WithNoise(Book(3, 4, sheetOf, 0.2, 2), 0.1, 3), MoebiusStrip(9, 4),
+         Ellipsoid(2, 20.0) })
+  {
+    const dgg::SurfaceMesh mesh = Build(input);
+    const auto points = RandomSurfacePoints(mesh, 3, 5);
+    const std::vector<dgg::GeodesicSource> sources{ VertexSource(0, 0.1), { points[0], 0.0 },
+      { points[1], 0.2 }, VertexSource(mesh.GetNumberOfVertices() - 1) };
+    for (const auto& chosen : { std::vector<dgg::GeodesicSource>{ sources[0] },
+           std::vector<dgg::GeodesicSource>{ sources[1] }, sources })
+    {
+      const dgg::ExactResult result = Solve(mesh, this->Engine(), chosen);
+      ASSERT_EQ(static_cast<Id>(result.Predecessors.size()), mesh.GetNumberOfVertices());
+      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+      {
+        if (result.Distances[v] < dgg::Infinity)
+        {
+          EXPECT_EQ(FollowRoots(mesh, chosen, result, v), result.NearestSource[v]) << v;
+        }
+        else
+        {
+          EXPECT_EQ(result.Predecessors[v].Root, dgg::NoId);
+        }
+      }
+    }
+  }
+}
+
+TEST_P(ExactResults, RootsAreWherePathsBend)
+{
+  // In an L, all paths to the far arm bend at the inner corner.
+  const TestMesh input = Plate(
+    6, 6, [](Id i, Id j) { return i < 2 || j < 2; }, 0.2, 3);
+  const dgg::SurfaceMesh mesh = Build(input);
+  const Id corner = VertexAt(input, 2.0, 2.0, 0.0);
+  const Id source = VertexAt(input, 6.0, 0.0, 0.0);
+  const dgg::ExactResult result = Solve(mesh, this->Engine(), { VertexSource(source) });
+  const Id far = VertexAt(input, 0.0, 6.0, 0.0);
+  Id v = far;
+  bool bends = false;
+  while (result.Predecessors[v].Root != v)
+  {
+    v = result.Predecessors[v].Root;
+    bends = bends || v == corner;
+  }
+  EXPECT_TRUE(bends);
+  EXPECT_EQ(v, source);
 }
 
 class ExactLimits : public EngineTest

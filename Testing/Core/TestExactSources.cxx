@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sources of every kind, several at once, with initial distances, and cases in which rules of
-// window propagation fail. Each of these was seen to fail with the rule in question taken out.
+// Sources at vertices, on edges and in faces, several at once, with initial distances, and cases in
+// which rules of window propagation matter: each case fails without the rule that it tests.
 #include "GeodesicChecks.h"
 #include "TestMeshes.h"
 

@@ -97,6 +97,38 @@ double Error(const dgg::PoissonSolver& solver, const std::vector<double>& u,
 }
 }
 
+TEST(PoissonSolver, UnbalancedSourcesAreBalanced)
+{
+  // A unit at one vertex of the sphere, nothing on the torus and the plane beside it.
+  const dgg::SurfaceMesh mesh = Build(SeveralComponents());
+  for (const auto weights : { dgg::PoissonWeights::Area, dgg::PoissonWeights::Uniform })
+  {
+    dgg::PoissonOptions options;
+    options.Weights = weights;
+    const Poisson poisson(mesh, options);
+    std::vector<double> sources(mesh.GetNumberOfVertices(), 0.0);
+    sources[5] = 1.0;
+    const std::vector<double> solution = poisson.Solve(sources);
+    const std::vector<double> product = poisson.Multiply(solution);
+    Id count = 0;
+    const std::vector<Id> components = mesh.ComputeComponents(count);
+    ASSERT_EQ(count, 3);
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      if (components[v] != components[5])
+      {
+        EXPECT_EQ(solution[v], 0.0);
+        continue;
+      }
+      EXPECT_NEAR(product[v], (v == 5 ? 1.0 : 0.0) - poisson.Solver.GetWeight(v), 1e-12);
+    }
+    for (const double mean : Means(poisson.Solver, solution))
+    {
+      EXPECT_NEAR(mean, 0.0, 1e-14);
+    }
+  }
+}
+
 TEST(PoissonSolver, InvertsTheLaplacian)
 {
   for (const NamedMesh& named : SoundMeshes())

@@ -241,6 +241,20 @@ TEST(SourceCollection, WrongCellsAreRefused)
   }
 }
 
+TEST(SourceCollection, CellsOfOtherSurfacesDoNotCount)
+{
+  // A valid cell and coordinates, but the position is elsewhere.
+  Input input = MakeSquare();
+  dgg::SourceCollection sources = InCell(0, { { 0.25, 0.5, 0.25 } });
+  sources.OriginalIds = { 3 };
+  sources.Positions = { 0, 1, 0 };
+  ASSERT_TRUE(Ok(input.Locate(sources)));
+  EXPECT_EQ(input.Found[0].Point.Vertex, 3);
+  sources.Positions = { 0.25, 0.5, 0 };
+  ASSERT_TRUE(Ok(input.Locate(sources)));
+  ExpectNear(input.GetPosition(), { { 0.25, 0.5, 0 } });
+}
+
 TEST(SourceCollection, OriginalIdsCountWhereThePointIs)
 {
   // Two layers with coordinates as large as in maps, and an isolated point.
@@ -256,7 +270,10 @@ TEST(SourceCollection, OriginalIdsCountWhereThePointIs)
     ASSERT_TRUE(Ok(input.Locate(sources)));
     EXPECT_EQ(input.Found[0].Point.Vertex, id);
     EXPECT_EQ(input.Surface->GetMesh().GetNumberOfFaces(), 2);
-    EXPECT_EQ(sources.DescribeIsolated(*input.Surface, input.Found).empty(), id != 6);
+    EXPECT_EQ(sources.DescribeIsolated(*input.Surface, input.Found),
+      id != 6 ? ""
+              : "source point 0 of input port 1 is a point that no polygon uses. Such points reach "
+                "no other point. Choose points of polygons.");
     sources.Positions[0] += 0.1; // not there, but within the precision of floats
     ASSERT_TRUE(Ok(input.Locate(sources)));
     EXPECT_EQ(input.Found[0].Point.On, dgg::SurfacePoint::Support::Edge);

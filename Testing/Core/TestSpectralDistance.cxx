@@ -123,6 +123,24 @@ TEST(Eigenpairs, FlatTorusConverges)
   }
 }
 
+TEST(Eigenpairs, OfAnySize)
+{
+  std::vector<double> expected;
+  for (const double size : { 1.0, 1e-7, 1e7 })
+  {
+    const dgg::SurfaceMesh mesh = Build(Scaled(NoisySphere(3, 0.1, 4), size));
+    const auto solver = Ready(mesh);
+    const dgg::Eigenpairs pairs = FindPairs(*solver, 20);
+    EXPECT_TRUE(pairs.IsComplete);
+    ASSERT_EQ(pairs.GetCount(), 20);
+    expected = expected.empty() ? pairs.Values : expected;
+    for (Id k = 0; k < 20; ++k)
+    {
+      EXPECT_NEAR(pairs.Values[k] * size * size, expected[k], 1e-9 * expected[k]) << size;
+    }
+  }
+}
+
 TEST(Eigenpairs, ComponentsAreIndependent)
 {
   TestMesh spheres;
@@ -248,6 +266,44 @@ TEST(SpectralDistance, AllEigenvaluesAreExact)
       if (kind == dgg::SpectralKind::Biharmonic)
       {
         EXPECT_NEAR(fields[2][v], fields[0][v], 0.06) << v;
+      }
+    }
+  }
+}
+
+TEST(SpectralDistance, MetricAxioms)
+{
+  const dgg::SurfaceMesh mesh = Build(NoisySphere(2, 0.2, 3));
+  const auto solver = Ready(mesh);
+  const std::vector<dgg::SurfacePoint> points = RandomSurfacePoints(mesh, 14, 5);
+  for (const auto method : { dgg::SpectralMethod::Exact, dgg::SpectralMethod::Spectrum })
+  {
+    for (const auto kind : { dgg::SpectralKind::Biharmonic, dgg::SpectralKind::CommuteTime,
+           dgg::SpectralKind::Diffusion })
+    {
+      dgg::SpectralDistance distance(*solver);
+      const dgg::Status status = distance.Prepare(Options(kind, method, 20), nullptr, nullptr);
+      if (kind == dgg::SpectralKind::Diffusion && method == dgg::SpectralMethod::Exact)
+      {
+        EXPECT_TRUE(Says(status, "Spectrum"));
+        continue;
+      }
+      ASSERT_TRUE(status.IsOk()) << status.GetMessage();
+      std::vector<double> d;
+      ASSERT_TRUE(distance.Between(points, points, nullptr, nullptr, d).IsOk());
+      const std::size_t n = points.size();
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        EXPECT_NEAR(d[i * n + i], 0.0, 1e-7);
+        for (std::size_t j = 0; j < n; ++j)
+        {
+          EXPECT_NEAR(d[i * n + j], d[j * n + i], 1e-10);
+          EXPECT_TRUE(i == j || d[i * n + j] > 1e-4);
+          for (std::size_t k = 0; k < n; ++k)
+          {
+            EXPECT_LE(d[i * n + k], (d[i * n + j] + d[j * n + k]) * (1.0 + 1e-9) + 1e-12);
+          }
+        }
       }
     }
   }

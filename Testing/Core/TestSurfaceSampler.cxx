@@ -99,6 +99,20 @@ TEST(SurfaceSampler, SamplesAreSpread)
   }
 }
 
+TEST(SurfaceSampler, ComponentsComeFirst)
+{
+  const SearchCase c("several components", SeveralComponents(), Accuracy);
+  SamplerOptions options;
+  options.NumberOfSamples = 2;
+  options.InFaces = true;
+  const std::vector<SurfaceSample> samples = SamplesOf(c, options);
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_EQ(samples[0].CoveringRadius, dgg::Infinity);
+  Id count = 0;
+  const std::vector<Id> component = c.GetMesh().ComputeComponents(count);
+  EXPECT_NE(component[samples[0].Point.Vertex], component[samples[1].Point.Vertex]);
+}
+
 TEST(SurfaceSampler, OnAnySurface)
 {
   for (bool inFaces : { false, true })

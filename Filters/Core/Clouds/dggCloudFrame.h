@@ -11,17 +11,9 @@
 
 #include <algorithm> // for std::min
 #include <cmath>     // for std::frexp
-#include <cstddef>   // for std::size_t
 
 namespace dgg
 {
-/// Returns point i of `points`, x y z each.
-inline Point3 PointAt(const double* points, Id i)
-{
-  const double* p = points + 3 * static_cast<std::size_t>(i);
-  return { p[0], p[1], p[2] };
-}
-
 /// The bounding box of the finite points of a cloud. Local coordinates are relative to its center
 /// and scaled into [-1, 1] by a power of two, so that scaling is exact.
 class CloudFrame

@@ -35,7 +35,7 @@ double MeasureDirectly(
 {
   if (IsVertex(a) || IsVertex(b))
   {
-    return Infinity; // the links of the other one connect them
+    return Infinity; // already connected by the links of the other point
   }
   const double straight = Norm(GetPosition(positions, a) - GetPosition(positions, b));
   if (a.Vertex == b.Vertex)

@@ -5,7 +5,10 @@
 #ifndef dggPoint3_h
 #define dggPoint3_h
 
-#include <cmath> // for std::sqrt
+#include "dggTypes.h" // for Id
+
+#include <cmath>   // for std::sqrt
+#include <cstddef> // for std::size_t
 
 namespace dgg
 {
@@ -43,6 +46,12 @@ inline double Norm(const Point3& a)
 inline bool IsFinite(const Point3& a)
 {
   return std::isfinite(a.X) && std::isfinite(a.Y) && std::isfinite(a.Z);
+}
+/// Returns point i of `points`, x y z each.
+inline Point3 PointAt(const double* points, Id i)
+{
+  const double* p = points + 3 * static_cast<std::size_t>(i);
+  return { p[0], p[1], p[2] };
 }
 }
 

@@ -43,7 +43,7 @@ public:
   /// the voxels are so small that there are too many, or if the band would exceed `memoryLimit`
   /// bytes (0: no limit); the limit is checked before memory is allocated, and early if balls are
   /// large. The result does not depend on `parallel`. The band is empty on failure, and if
-  /// `progress` asks to stop. `remedy` is the advice in messages about too many voxels.
+  /// `progress` returns false. `remedy` is the advice in messages about too many voxels.
   Status Build(const std::vector<Point3>& points, const std::vector<double>& radii,
     double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
     const ProgressCallback& progress = {}, const std::string& remedy = "use larger voxels");

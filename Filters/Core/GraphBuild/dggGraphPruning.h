@@ -15,8 +15,8 @@ namespace dgg
 /// / (1 + accuracy) + w(r,t) <= w(s,t), where (r,t) is any candidate. The published procedure (Fang
 /// 2019, sec. 3.3) compares w(s,r) + w(r,t) with (1 + accuracy) w(s,t), so that errors accumulate.
 /// With the condition used here, the argument of the progress rule bounds the error for all pairs
-/// that were candidates (see CandidateRule). Fails if `progress`, which may be empty, asks to stop;
-/// then the rows are unchanged.
+/// that were candidates (see CandidateRule). Fails if `progress`, which may be empty, returns
+/// false; the rows are unchanged then.
 Status PruneCandidates(
   RowStore& rows, double accuracy, const ParallelFor& parallel, const ProgressCallback& progress);
 }

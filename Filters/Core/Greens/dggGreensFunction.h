@@ -15,7 +15,6 @@
 
 namespace dgg
 {
-struct GreensWorkspace;
 
 /// Method by which the Green's function of a point is computed.
 enum class GreensMethod

@@ -20,7 +20,7 @@ struct PropagationShortcut
   Id Vertex;
   float Distance;
   /// Label that has entered a face at the vertex. If the path follows an edge from the origin of
-  /// its entry, its root is NoId and stands for the root of that vertex.
+  /// its entry, its root is NoId, which means the root of that vertex.
   PropagationLabel Label;
 };
 

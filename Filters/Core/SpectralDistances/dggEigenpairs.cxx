@@ -116,7 +116,7 @@ public:
   }
 
   /// Returns the number of eigenvalues of L v = lambda M v below sigma, including 0; -1 if it
-  /// cannot be determined, or if progress asks to stop.
+  /// cannot be determined, or if `progress` returns false.
   Id CountBelow(double sigma, const ProgressCallback& progress) const
   {
     Eigen::SparseMatrix<double> matrix = this->System.GetStiffness();

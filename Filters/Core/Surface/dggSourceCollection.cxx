@@ -5,6 +5,7 @@
 #include "dggCellCoordinates.h"
 #include "dggInvalidInput.h"
 #include "dggLocator.h"
+#include "dggPoint3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,6 @@ namespace
 /// identify points of inputs in double precision, may be in single precision.
 constexpr double RoundingOfDoubles = 8.0 * std::numeric_limits<double>::epsilon();
 constexpr double RoundingOfFloats = std::numeric_limits<float>::epsilon();
-
-bool IsFinite(const double* p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
 
 double GetInitialDistance(const std::vector<double>& distances, std::size_t i)
 {
@@ -105,7 +101,7 @@ Status SourceCollection::Check(Offset numberOfPoints) const
   for (std::size_t i = 0; i < this->GetNumberOfPositions(); ++i)
   {
     const double distance = GetInitialDistance(this->InitialDistances, i);
-    if (!IsFinite(this->GetPosition(i).data()))
+    if (!IsFinite(PointAt(this->Positions.data(), static_cast<Id>(i))))
     {
       return InvalidInput(
         this->DescribeWithPosition(i), " has coordinates that are not finite: move or remove it");
@@ -209,7 +205,7 @@ std::string SourceCollection::DescribeIsolated(
   {
     const Id vertex = sources[i].Point.Vertex;
     const bool isIsolated = IsVertex(sources[i].Point) &&
-      (surface.IsCloud() ? !IsFinite(surface.GetPositions() + 3 * static_cast<Offset>(vertex))
+      (surface.IsCloud() ? !IsFinite(PointAt(surface.GetPositions(), vertex))
                          : mesh.FanBegin(vertex) == mesh.FanEnd(vertex));
     if (isIsolated && ++count == 1)
     {

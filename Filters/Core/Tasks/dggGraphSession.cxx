@@ -42,6 +42,17 @@ SharedTable<std::uint64_t, GraphBuilder>& GetBuildersInUse()
 }
 }
 
+std::vector<GraphSeed> MakeSeeds(const std::vector<GraphLink>& links)
+{
+  std::vector<GraphSeed> seeds;
+  seeds.reserve(links.size());
+  for (const GraphLink& link : links)
+  {
+    seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
+  }
+  return seeds;
+}
+
 void GraphSession::Start(const PreparedSurface& surface)
 {
   this->Done = 0.0;

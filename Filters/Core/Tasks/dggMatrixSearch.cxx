@@ -19,13 +19,13 @@ constexpr double TargetsLinked = 0.1;
 /// Number of points that a thread links between reports of the progress.
 constexpr std::size_t LinkBlock = 16;
 
-/// Returns the indices of the points that are vertices, or of the others.
-std::vector<std::size_t> FindPoints(const MatrixSearch::Points& points, bool vertices)
+/// Returns the indices of the points that are not vertices.
+std::vector<std::size_t> FindUnlinked(const MatrixSearch::Points& points)
 {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (IsVertex(points[i]) == vertices)
+    if (!IsVertex(points[i]))
     {
       found.push_back(i);
     }
@@ -65,13 +65,13 @@ template <typename EntryType>
 Status MatrixSearch::LinkPoints(
   const Points& points, const Points& others, double end, Links& links, EntryType entry)
 {
-  const std::vector<std::size_t> unlinked = FindPoints(points, false);
+  const std::vector<std::size_t> unlinked = FindUnlinked(points);
   LinkVertices(points, links);
   if (unlinked.empty())
   {
     return Status::Success();
   }
-  const std::vector<std::size_t> aims = FindPoints(others, false);
+  const std::vector<std::size_t> aims = FindUnlinked(others);
   Points aimPoints;
   for (const std::size_t i : aims)
   {
@@ -124,13 +124,10 @@ Status MatrixSearch::Run(bool symmetric, double radius)
 
 Status MatrixSearch::Search(double radius)
 {
-  std::vector<std::vector<GraphSeed>> seeds(this->Sources.size());
-  for (std::size_t i = 0; i < seeds.size(); ++i)
+  std::vector<std::vector<GraphSeed>> seeds;
+  for (const std::vector<GraphLink>& links : this->SourceLinks)
   {
-    for (const GraphLink& link : this->SourceLinks[i])
-    {
-      seeds[i].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
-    }
+    seeds.push_back(MakeSeeds(links));
   }
   ManyOptions options;
   options.MaximumDistance = radius;

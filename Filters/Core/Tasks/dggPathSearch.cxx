@@ -58,17 +58,6 @@ std::vector<std::vector<std::size_t>> GroupByStart(const PathSearch::Pairs& pair
   return groups;
 }
 
-/// Returns links as seeds of a search.
-std::vector<GraphSeed> MakeSeeds(const std::vector<GraphLink>& links)
-{
-  std::vector<GraphSeed> seeds;
-  for (const GraphLink& link : links)
-  {
-    seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
-  }
-  return seeds;
-}
-
 /// Returns the length of a polyline on a cloud.
 double MeasurePolyline(const SurfacePath& path, const PreparedSurface& cloud)
 {
@@ -125,7 +114,6 @@ std::vector<SurfacePoint> MakePlaces(const BandPath& path, Id from, const Prepar
 
 PathSearch::PathSearch(const TaskContext& context, const Pairs& pairs)
   : Context(context)
-  , Mesh(context.Surface)
   , PointPairs(pairs)
 {
 }
@@ -161,7 +149,7 @@ Status PathSearch::RunOnCloud(GraphSession& graph, bool smooth, Paths& paths) co
 Status PathSearch::FindOnCloud(const GraphSession& graph, const PointPair& pair, bool smooth,
   const ProgressCallback& progress, FoundPath& found) const
 {
-  if (!IsFinite(GetPosition(pair.From, this->Mesh)))
+  if (!IsFinite(GetPosition(pair.From, this->Context.Surface)))
   {
     return Status::Success(); // a point without a position has no path, not even to itself
   }
@@ -190,12 +178,12 @@ Status PathSearch::FindOnCloud(const GraphSession& graph, const PointPair& pair,
     path.Vertices.clear(); // the straight path
   }
   found.Path.Points = MakePlaces(pair, path.Vertices);
-  found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
+  found.Path.Length = MeasurePolyline(found.Path, this->Context.Surface);
   found.IsStraightened = smooth;
   if (smooth && !path.Vertices.empty())
   {
-    const Point3 start = GetPosition(pair.From, this->Mesh);
-    const Point3 end = GetPosition(pair.To, this->Mesh);
+    const Point3 start = GetPosition(pair.From, this->Context.Surface);
+    const Point3 end = GetPosition(pair.To, this->Context.Surface);
     BandPath band;
     DGG_RETURN_IF_ERROR(graph.MakeShortener().Shorten(path.Vertices,
       IsVertex(pair.From) ? nullptr : &start, IsVertex(pair.To) ? nullptr : &end, band, progress));
@@ -205,8 +193,8 @@ Status PathSearch::FindOnCloud(const GraphSession& graph, const PointPair& pair,
       band.Length <= LargestDetour * found.GraphLength || band.Length <= found.Path.Length;
     if (isUseful)
     {
-      found.Path.Points = MakePlaces(band, pair.From.Vertex, this->Mesh);
-      found.Path.Length = MeasurePolyline(found.Path, this->Mesh);
+      found.Path.Points = MakePlaces(band, pair.From.Vertex, this->Context.Surface);
+      found.Path.Length = MeasurePolyline(found.Path, this->Context.Surface);
     }
     found.IsStraightened = isUseful;
   }
@@ -215,7 +203,7 @@ Status PathSearch::FindOnCloud(const GraphSession& graph, const PointPair& pair,
 
 Status PathSearch::RunExact(Paths& paths) const
 {
-  const SurfaceMesh& mesh = this->Mesh.GetMesh();
+  const SurfaceMesh& mesh = this->Context.Surface.GetMesh();
   const std::vector<std::vector<std::size_t>> groups = GroupByStart(this->PointPairs);
   paths.assign(this->PointPairs.size(), FoundPath());
   WorkspacePool<ExactPathFinder> finders;
@@ -237,8 +225,8 @@ Status PathSearch::RunExact(Paths& paths) const
       path.IsStraightened = !path.Path.IsEmpty();
     }
     const bool isInvalid = !status.IsOk() && !status.IsAborted();
-    return isInvalid ? InvalidInput("of the paths that start where pair ", group[0], " does, ",
-                         status.GetMessage(), ". Use Method Graph")
+    return isInvalid ? InvalidInput("pair ", group[0], " has no exact path: ", status.GetMessage(),
+                         ". Set Method to Graph.")
                      : status;
   };
   return ForEach(groups.size(), 1, this->Context.Parallel, this->Context.Progress, step);

@@ -14,7 +14,6 @@
 namespace dgg
 {
 class GraphSession;
-class PreparedSurface;
 struct TaskContext;
 
 /// Ends of a path.
@@ -49,7 +48,6 @@ private:
     const ProgressCallback& progress, FoundPath& found) const;
 
   const TaskContext& Context;
-  const PreparedSurface& Mesh;
   const Pairs& PointPairs;
 };
 }

@@ -42,7 +42,7 @@ public:
 
   const StoredGraph& GetGraph() const { return this->Graph; }
   const PreparedSurface& GetSurface() const { return *this->Surface; }
-  /// Numbers of the graph; valid when its arrays have been emptied, too.
+  /// Summary of the graph; remains valid after its arrays are released.
   const GraphSummary& GetSummary() const { return this->Summary; }
   /// To be copied by users of landmarks.
   const GraphSearch& GetSearch() const { return this->Search; }

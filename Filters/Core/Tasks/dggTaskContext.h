@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a task works with. Internal.
+/// Surface, memory, threads and progress of a task. Internal.
 #ifndef dggTaskContext_h
 #define dggTaskContext_h
 
@@ -13,13 +13,13 @@ namespace dgg
 {
 class PreparedSurface;
 
-/// Made once at the start of an update and passed to all of its steps. It does not change.
+/// Made once at the start of an update and passed to all of its steps, which do not change it.
 struct TaskContext
 {
   const PreparedSurface& Surface;
   MemoryBudget Memory;
-  int NumberOfThreads = 1;   ///< that Parallel runs on
-  ProgressCallback Progress; ///< may be called from any thread; false: stop
+  int NumberOfThreads = 1;   ///< of Parallel
+  ProgressCallback Progress; ///< callable from any thread; returns false to abort
   ParallelFor Parallel;
 };
 }

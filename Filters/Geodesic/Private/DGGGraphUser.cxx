@@ -70,11 +70,13 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   options.Accuracy = this->Accuracy;
   DGG_RETURN_IF_ERROR(this->Check());
   this->SetLinkAccuracy(this->Accuracy);
-  this->Start(context.Surface);
-
   vtkFieldData* data = context.Input->GetFieldData();
-  const bool isOutdated = this->IsFromInput() && !this->InputGraph.IsSame(data, context.Surface);
-  if (!this->HasGraph() || isOutdated)
+  if (this->IsFromInput() && !this->InputGraph.IsSame(data, context.Surface))
+  {
+    this->ForgetGraph();
+  }
+  this->Start(context.Surface);
+  if (!this->HasGraph())
   {
     this->ForgetGraph();
   }
@@ -122,7 +124,6 @@ void DGGGraphUser::ForgetGraph()
 //------------------------------------------------------------------------------
 void DGGGraphUser::SearchIn(const DGGGraphArrays& arrays, const dgg::PreparedSurface& surface)
 {
-  this->Release(); // before there are two graphs
   this->Use(dgg::PreparedGraph::Make(
     arrays.GetGraph(), arrays.GetKey(), std::make_shared<DGGGraphArrays>(arrays), surface));
 }

@@ -21,9 +21,9 @@ struct CloudRowBlock
   std::vector<Id> Targets;
 };
 
-/// Write the graph, each edge in both directions, in the numbering of the points, rows sorted by
-/// target. The blocks hold `rowsPerBlock` rows each and are given up. Lengths are measured only
-/// now, so that rows are half as large. Fails when `progress` asks to stop.
+/// Writes the graph, each edge in both directions, in the numbering of the points, rows sorted by
+/// target. The blocks hold `rowsPerBlock` rows each and are released. Lengths are measured here, so
+/// that rows are half as large. Fails if `progress` returns false.
 Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBlock,
   std::vector<CloudRowBlock>& blocks, bool wide, const ParallelFor& parallel,
   const ProgressCallback& progress, GeodesicGraph& graph);

@@ -29,7 +29,7 @@ struct RowSample
 /// Fails when building rows would take more than the limit; 0: there is none.
 Status CheckRowMemory(double bytes, std::size_t limit);
 
-/// Fails when the memory limit has no room for a single row, and when `progress` asks to stop.
+/// Fails if a single row exceeds the memory limit, or if `progress` returns false.
 Status SampleRows(const CloudSetup& setup, const CloudGraphOptions& options,
   const ProgressCallback& progress, RowSample& sample);
 
