@@ -7,15 +7,17 @@
  * <b>Input and output</b>. The extension of the file name chooses the format; the case is ignored.
  * Coordinates that are read back are equal to those of the input. The module page,
  * Readers/README.md, lists what each format stores and which cells are errors.
- *  - `.ply`: binary; verts are skipped. Components of arrays become properties `name_0`, `name_1`
- *    and so on; blanks in names become `_`. Coordinates are float if those of the input are,
- *    otherwise double.
+ *  - `.ply`: binary; points, polygons, point arrays and, for polygons, numeric cell arrays. Verts
+ *    are skipped. 64-bit integers become double if 32 bits do not suffice, with a warning from 2^53
+ *    on. Components of arrays become properties `name_0`, `name_1` and so on; blanks in names
+ *    become `_`. Coordinates are float if those of the input are, otherwise double.
  *  - `.obj`: verts, lines, polygons; active normals, texture coordinates, colors without alpha.
  *  - `.off`: as `.obj`, with alpha and colors of cells. A point of a vert is a face of one
  *    corner, a line a face of two.
  *  - `.stl`: at least one triangle. Binary if float32 represents all coordinates, otherwise text;
  *    verts are skipped.
- *  - `.xyz`: points. `.pcd`: points and point arrays; vtkPCDWriter has other modes.
+ *  - `.xyz`: points. `.pcd`: points and point arrays, binary; vtkPCDWriter has other modes. Verts
+ *    and polygons are skipped in both. Lines are an error of all formats except `.obj` and `.off`.
  *
  * Triangle strips become triangles without cell arrays. Colors are an array `RGB` or `RGBA`, or the
  * active scalars, of three or four unsigned chars.

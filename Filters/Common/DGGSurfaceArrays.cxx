@@ -99,5 +99,5 @@ dgg::Status DGGCheckPointArray(vtkAbstractArray* array, vtkPolyData* data, const
   return dgg::InvalidInput("the point array '", array->GetName() ? array->GetName() : "(no name)",
     "' of ", where, " has ", found, " components and ", array->GetNumberOfTuples(),
     " tuples of type ", array->GetDataTypeAsString(), " for ", n, " points: ",
-    components == 1 ? "one number per point is needed" : "numbers for each point are needed");
+    components == 1 ? "expected one number per point" : "expected numbers for each point");
 }

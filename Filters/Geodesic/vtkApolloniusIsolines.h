@@ -108,8 +108,8 @@ public:
   ///@{
   /**
    * Largest distance of segments from the curve that they approximate, as a fraction of the mean
-   * edge length. Default 0.001; below 1e-6 an error. The number of points is proportional to one
-   * over the square root. For LocalSources and ridges.
+   * edge length. Default 0.001; a value below 1e-6 is an error. The number of points is
+   * proportional to one over the square root. For LocalSources and ridges.
    */
   vtkSetMacro(ChordTolerance, double);
   vtkGetMacro(ChordTolerance, double);
@@ -202,7 +202,8 @@ public:
 
   ///@{
   /**
-   * True if the last update used windows, or virtual sources (of the input or fitted).
+   * UsedWindows: true if the last update used windows. UsedVirtualSources: true if it used virtual
+   * sources, of the input or fitted.
    */
   vtkGetMacro(UsedWindows, bool);
   vtkGetMacro(UsedVirtualSources, bool);

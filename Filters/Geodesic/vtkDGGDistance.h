@@ -28,7 +28,9 @@
  * distance->SetSourceIds({ 10, 20 });
  * distance->Update(); // milliseconds
  * @endcode
- * <b>Source</b>. See vtkDiscreteGeodesicGraph and, for fans, X. Wang et al. 2017 there.
+ * <b>Source</b>. Graphs: see vtkDiscreteGeodesicGraph. The search corrects labels in buckets of
+ * increasing distance, along the fans of X. Wang et al. 2017; a pass over all edges certifies the
+ * result.
  *
  * @sa vtkDiscreteGeodesicGraph vtkGeodesicDistanceMatrix vtkExactGeodesicDistance
  */
@@ -108,7 +110,7 @@ public:
    *  - Accuracy: largest relative error of the graph that is built if the input has none. Default
    *    0.01; a value outside [1e-6, 0.5] is an error even if the graph on the input is used.
    *  - AcceptCoarserGraph: if on, a graph on the input that is coarser than an explicitly set
-   *    Accuracy is used without a warning. Default off.
+   *    Accuracy is used without a warning. Default off. Neither property is used on clouds.
    *  - Values of the graph of the last update, zero without a graph: true if it comes from the
    *    input, its accuracy (0 for a SaddleVertexGraph), number of directed edges, bytes including
    *    search buffers and links; true if its rule guarantees the accuracy, and the time of the

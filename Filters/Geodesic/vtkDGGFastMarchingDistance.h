@@ -9,9 +9,10 @@
  * front moves through a band of voxels around the points. No graph is used.
  *
  * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm. On clouds, source points may be
- * beside the cloud as in vtkPointCloudDGG; outside the band they start at the closest point, with
- * the distance to that point. Not reached are parts that the band does not connect and, unless a
- * source is there, outliers and points that are not finite.
+ * beside the cloud (see Filters/PointCloud/README.md); outside the band they start at the closest
+ * point, with the distance to that point. Not reached are parts that the band does not connect and,
+ * unless a source is there, outliers (see Filters/PointCloud/README.md) and points that are not
+ * finite. Copies of a point have one distance.
  *
  * <b>Guarantee and cost</b>. Errors have no bound; the module page, Filters/Geodesic/Distances.md,
  * has figures and the behavior on thin parts and close layers. Preparation and memory are small on

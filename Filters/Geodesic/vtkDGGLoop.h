@@ -22,9 +22,9 @@
  * attempts. A loop through a point takes a search over the surface, AroundHandles up to 17 searches
  * along edges per component.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no point, or fewer than three for a rope; an id out
- * of range; a point that is not finite or beyond ProjectionTolerance; edges with more than two
- * triangles with AroundHandles; a graph beyond MemoryLimit. The module page is
+ * <b>Errors</b>. Those of vtkGeodesicAlgorithm; a point cloud; no point, or fewer than three for a
+ * rope; an id out of range; a point that is not finite or beyond ProjectionTolerance; edges with
+ * more than two triangles with AroundHandles; a graph beyond MemoryLimit. The module page is
  * Filters/Geodesic/Curves.md.
  *
  * <b>Source</b>. Straightening: see vtkDGGPath. Handles: J. Erickson, K. Whittlesey, "Greedy

@@ -10,8 +10,9 @@
  * output is new geometry: a polyline per pair, from start to end; of length 0 with two points if
  * both are at the same position. Pairs that are not connected have none; a warning counts them.
  *  - Cell data: `Length` (double); `GraphLength` (double), the length before straightening, NaN
- *    with Method Exact; `Straightened` (int); `PairId`; cell data of the lines of port 1, for
- *    pairs by id zeros and empty strings.
+ *    with Method Exact; `Straightened` (int), 1 if the path was straightened, otherwise 0; `PairId`
+ *    (index of the pair, ids first); cell data of the lines of port 1, for pairs by id zeros and
+ *    empty strings.
  *  - Point data: `FaceId` (-1 on clouds), `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
  *  - Field data: `PathStatus` (int) per pair: 0 for a path, 1 if not connected.
  *
@@ -107,10 +108,11 @@ public:
 
   ///@{
   /**
-   * If on, paths are shortened to locally shortest geodesics. If off, they are those in the graph,
-   * with small bends. Default on. On clouds paths are smoothed along the sampled surface and need
-   * not be shortest. A smooth path that is longer than `GraphLength` by more than 1 % is replaced
-   * by the path from point to point, unless that is longer, and `Straightened` is 0.
+   * If on, paths are shortened to locally shortest geodesics: no nearby path is shorter. If off,
+   * they are those in the graph, with small bends. Default on. On clouds paths are smoothed along
+   * the sampled surface and need not be shortest. A smooth path that is longer than `GraphLength`
+   * by more than 1 % is replaced by the path from point to point, unless that is longer, and
+   * `Straightened` is 0.
    */
   vtkSetMacro(Straighten, bool);
   vtkGetMacro(Straighten, bool);

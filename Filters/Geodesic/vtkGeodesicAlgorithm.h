@@ -10,20 +10,22 @@
  * (OutputPointsPrecision) with the field data of the input except its graph and windows.
  *
  * <b>Arrays of new geometry</b>. `vtkOriginalPointIds`: id of the surface point at this position,
- * otherwise -1. `FaceId`: id of the cell that contains the point; on a polyline, the cell of the
- * segment after the point, at its last point that of the segment before. `Barycentric` (3
- * components, if all polygons are triangles): coordinates with respect to the corners of `FaceId`,
- * 0 where that is -1. `ArcLength`: length of the polyline up to the point. Each segment lies in one
- * triangle.
+ * otherwise -1. `FaceId`: id of the cell that contains the point, -1 if there is none; on a
+ * polyline, the cell of the segment after the point, at its last point that of the segment before.
+ * `Barycentric` (3 components, if all polygons are triangles): coordinates with respect to the
+ * corners of `FaceId`, 0 where that is -1. `ArcLength`: length of the polyline up to the point.
+ * Each segment lies in one triangle.
  *
  * <b>Graphs</b>. vtkDGGDistance, vtkDGGPath, vtkDGGLoop, vtkGeodesicSampler, vtkGeodesicVoronoi and
  * vtkGeodesicDistanceMatrix search the graph on the input. Without one they build a graph with
  * their Accuracy and keep it until the mesh or Accuracy changes. A damaged graph, or that of
  * another surface, is replaced with a warning. All but vtkDGGLoop also search graphs of
- * vtkPointCloudDGG, where a missing or damaged graph is an error.
+ * vtkPointCloudDGG: a missing, damaged or outdated graph is an error, cells are not used, the mesh
+ * report is empty, and Accuracy and AcceptCoarserGraph have no effect.
  *
  * <b>Guarantee and cost</b>. Results are bitwise identical for any number of threads. The prepared
  * mesh is kept until points, polygons or strips change, and shared by the filters of a chain.
+ * Changes in place need Modified() of the coordinates, of the vtkCellArray or of the vtkPolyData.
  * Inputs and properties must not change during an update.
  *
  * <b>Errors</b>. vtkErrorMacro names the problem and the remedy; the output is then empty and

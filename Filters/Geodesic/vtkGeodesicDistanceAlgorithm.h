@@ -10,9 +10,10 @@
  *
  * Sources are point ids (SetSourceIds()) and the points of a vtkPolyData on the optional input port
  * 1 (SetSourceConnection()). Such a point is moved to the closest point of the surface, or
- * identified by point arrays, see vtkGeodesicAlgorithm. Sources are numbered from 0, ids first.
- * Each may start with an initial distance. A source at a point that no polygon uses reaches only
- * that point, with a warning.
+ * identified by the point arrays FaceId and Barycentric, or vtkOriginalPointIds, see
+ * Filters/Geodesic/README.md. Sources are numbered from 0, ids first. Each may start with an
+ * initial distance. A source at a point that no polygon uses reaches only that point, with a
+ * warning.
  *
  * Points that no source reaches and points beyond MaximumDistance get UnreachedValue, and -1 as
  * nearest source.

@@ -8,9 +8,10 @@
  * input port 1, projected to the surface; ids come first. Columns are those of SetColumnIds() and
  * port 2; without any they are the rows, and the matrix is symmetric. The graph is that on the
  * input or built by this filter, see vtkGeodesicAlgorithm. GetMatrix() has a tuple per row and a
- * component per column: the distance (double, units of the coordinates). The output is a vtkTable:
- * the same numbers in columns "0", "1" and so on, or a sparse matrix (CompressedRows). A point that
- * no polygon uses is connected only to itself, with a warning.
+ * component per column: the distance (double, units of the coordinates), UnreachedValue if not
+ * connected. Between points of the mesh distances are a metric, unless Correction is on. The output
+ * is a vtkTable: the same numbers in columns "0", "1" and so on, or a sparse matrix
+ * (CompressedRows). A point that no polygon uses is connected only to itself, with a warning.
  *
  * <b>Guarantee and cost</b>. exact distance <= result <= (1 + accuracy) * exact distance, up to
  * rounding (1e-6), if the rule of the graph has a guarantee. There is one search per point of the
@@ -29,7 +30,9 @@
  * std::cout << matrix->GetMatrix()->GetComponent(0, 2) << "\n"; // from 0 to 20
  * @endcode
  *
- * @sa vtkDiscreteGeodesicGraph (literature) vtkDGGDistance
+ * <b>Source</b>. See vtkDiscreteGeodesicGraph.
+ *
+ * @sa vtkDiscreteGeodesicGraph vtkDGGDistance
  */
 
 #ifndef vtkGeodesicDistanceMatrix_h

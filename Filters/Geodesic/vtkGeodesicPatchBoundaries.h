@@ -95,10 +95,10 @@ public:
    * The layout on input port 4: a vtkPolyData whose polygons and lines name landmarks by index; its
    * points are not used. Null removes it; then the cells of input port 2 are the layout. Polygons
    * are patches, oriented consistently like the faces of a closed surface; their sides are curves.
-   * Lines are further curves, a polyline is a chain of them. With lines only, the first surface
-   * determines the order of curves around landmarks. Errors: a cell with a missing landmark, or one
-   * twice in succession; a line that occurs twice; a side of more than two patches, or of two in
-   * the same direction.
+   * Lines are further curves, a polyline is a chain of them. Two landmarks have at most one curve.
+   * With lines only, the first surface determines the order of curves around landmarks. Errors: a
+   * cell with a missing landmark, or one twice in succession; a line that occurs twice; a side of
+   * more than two patches, or of two in the same direction.
    */
   void SetLayoutConnection(vtkAlgorithmOutput* output);
   void SetLayoutData(vtkPolyData* layout);

@@ -10,14 +10,15 @@
  * see vtkGeodesicAlgorithm. Outputs 1 to 3 are new geometry.
  *  - Output 0: the input with the point arrays `GeodesicSource` (int), the nearest site (the
  *    first of several), and `GeodesicDistance` (double), its distance; -1 and UnreachedValue if
- *    no site reaches the point. With Centroidal also the field array `Energy`.
+ *    no site reaches the point. With Centroidal also the field array `Energy` (double), see
+ *    Centroidal.
  *  - Output 1 (GetBoundaries()): borders of cells as polylines; cell array `SiteId` (int, two
  *    components, the smaller first), point array `GeodesicDistance`.
  *  - Output 2 (GetCells()): the surface cut into polygons along the borders, without gaps. Cell
  *    arrays `SiteId` (int, -1 if unreached), `CellArea` (double; area of the cell of the site),
  *    `FaceId`; point array `GeodesicDistance`. The first points are those of the input.
  *  - Output 3 (GetSites()): sites, after moves, with verts; point arrays `SiteId`, `CellArea`,
- *    `vtkOriginalPointIds`, `FaceId`, `Barycentric`.
+ *    `vtkOriginalPointIds` (-1 for a site that is no point of the input), `FaceId`, `Barycentric`.
  *
  * On a cloud, outputs 1 and 2 are empty and output 3 has no CellArea.
  *
@@ -112,9 +113,9 @@ public:
 
   ///@{
   /**
-   * If off, outputs 1 and 2 are empty, there is no CellArea, and labels come from a single search
-   * before distances are corrected. This is many times faster, but a point at nearly the same
-   * distance from two sites may get the other one. Default on.
+   * If on, make cells and borders. If off, outputs 1 and 2 are empty, there is no CellArea, and
+   * labels come from a single search before distances are corrected. This is many times faster, but
+   * a point at nearly the same distance from two sites may get the other one. Default on.
    */
   vtkSetMacro(GenerateCells, bool);
   vtkGetMacro(GenerateCells, bool);

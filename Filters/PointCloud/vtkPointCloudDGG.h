@@ -16,17 +16,18 @@
  *  - `DGG.Targets` (int32, m): point at the end of each edge, ascending within each row;
  *  - `DGG.Lengths` (float32, m): length in units of the coordinates; float64 for 0 < Accuracy <
  *    1e-5 and for extents beyond the range of floats;
- *  - `DGG.Radii` (float64, n): radius of the ball around each point, 0 at outliers;
+ *  - `DGG.Radii` (float64, n): radius of the ball around each point, units of the coordinates; 0 at
+ *    outliers and at points that are not finite;
  *  - `DGG.Info` (int64, 12): parameters, signature of the points, checksum.
  *
  * <b>Guarantee and cost</b>. Distances have no error bound; errors depend on the sampling. The
  * graph is bitwise identical for any number of threads, and kept until points, normals in use or
  * parameters change; any motion of the points invalidates it. Points that are not finite and
  * outliers are kept with a warning; copies of a point are joined by edges of near-zero length.
- * Fewer threads build where all would exceed MemoryLimit.
+ * If all threads together would exceed MemoryLimit, fewer threads build the graph.
  *
  * <b>Errors</b>. Those of vtkGeodesicAlgorithm and of the module page,
- * Filters/PointCloud/README.md: such as graph and band beyond MemoryLimit.
+ * Filters/PointCloud/README.md, such as a graph and band beyond MemoryLimit.
  *
  * <b>Source</b>. Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University,
  * 2019, chapter 5, for the band and schemes A and B; see the page for the differences.
@@ -270,7 +271,7 @@ public:
   double GetOffSurfaceShare() const;
 
   /**
-   * Returns the noise that was removed (GetNoise()) by the median radius of curvature; 0 without
+   * Returns the removed noise (GetNoise()) divided by the median radius of curvature; 0 without
    * noise. Distances on a sphere are too short by about twice its square. Above 0.07 there is a
    * warning.
    */

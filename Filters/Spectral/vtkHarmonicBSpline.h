@@ -8,7 +8,7 @@
  * NumberOfSites sites are selected. Point arrays:
  *  - `HarmonicBSpline` (double, one component per site, without a unit), with GenerateBasis;
  *  - `Cell` (vtkIdType), with Order Harmonic: the site of each point, or of the corner closest to
- *    an evaluation point; -1 without a polygon, or with a prescribed value;
+ *    an evaluation point; -1 without a polygon, or on a Dirichlet boundary;
  *  - `PoissonSolution` (double), with RightHandSideArrayName;
  *  - `Interpolation` (double, components as in the array of values), with SiteValuesArrayName.
  *
@@ -16,14 +16,16 @@
  * on the boundary, whose points are in no cell.
  *
  * <b>Guarantee and cost</b>. See Order and the properties of the arrays. A basis or interpolation
- * takes one solve per site, two with Order Biharmonic. Meeting values takes up to four times as
- * many again, per component of the interpolation and, with Order Biharmonic, per site of the basis,
- * and a dense matrix of the sites: suitable for some thousand sites. Memory is 8 bytes per point
- * and site for a basis, and 32 bytes per pair of sites for the matrix.
+ * takes one solve per site, two with Order Biharmonic. Interpolating the values takes up to four
+ * times as many again, per component of the interpolation and, with Order Biharmonic, per site of
+ * the basis, and a dense matrix of the sites: suitable for some thousand sites. Memory is 8 bytes
+ * per point and site for a basis, and 32 bytes per pair of sites for the matrix.
  *
  * <b>Errors</b>. Those of vtkSpectralAlgorithm and of the module page, Filters/Spectral/README.md;
- * array names that are empty or equal; a site on a Dirichlet boundary; equations of cells that
- * cannot be solved to 1e-8, values of sites that cannot be met to 1e-9 of their differences.
+ * two sites at the same point; a component without a site; with Order Biharmonic, more sites than
+ * corners of the triangles that contain them; array names that are empty or equal; a site on a
+ * Dirichlet boundary; equations of cells that cannot be solved to 1e-8, values of sites that cannot
+ * be met to 1e-9 of their differences.
  *
  * <b>Source</b>. P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans.
  * Graph. 31(4), 2012, whose biharmonic functions span the same space; Z. Fang, "Discrete geodesic
@@ -90,7 +92,7 @@ public:
   /**
    * Number of sites that are selected if none is given, each as far as possible from earlier ones
    * along edges. Default 20, at least 1. The number is raised to one per component and limited to
-   * one per point with a polygon and without a prescribed value.
+   * one per point that has a polygon and is not on a Dirichlet boundary.
    */
   vtkSetClampMacro(NumberOfSites, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfSites, int);
@@ -102,9 +104,9 @@ public:
    * none; null and "" mean none. The array `PoissonSolution` is u = sum_j lambda_j psi_j with
    * -Laplace u = f, f averaged over cells; its error is of second order in the size of cells. With
    * Order Biharmonic it is u with Laplace^2 u = f, independent of sites. The mean is 0 in
-   * components without prescribed values. With Neumann conditions a sum of f in a component other
-   * than 0 is subtracted evenly, with a warning above 1e-6 of the sum of absolute values
-   * (densities: 1e-2).
+   * components without a Dirichlet boundary. With Neumann conditions a sum of f in a component
+   * other than 0 is balanced evenly over the component, with a warning above 1e-6 of the sum of
+   * absolute values (densities: 1e-2).
    */
   vtkDGGStringMacro(RightHandSideArrayName);
   ///@}
@@ -156,9 +158,9 @@ public:
 
   ///@{
   /**
-   * If on, add the array with the functions of all sites. If off, this saves its memory for an
-   * interpolation or a solution, and with Order Biharmonic half of the time; the last array then
-   * becomes the active scalars. Default on.
+   * If on, add the array with the functions of all sites. Turning it off saves the memory of that
+   * array for an interpolation or a solution, and with Order Biharmonic half of the time; the last
+   * array then becomes the active scalars. Default on.
    */
   vtkSetMacro(GenerateBasis, bool);
   vtkGetMacro(GenerateBasis, bool);

@@ -23,7 +23,8 @@
  *    ProjectionTolerance;
  *  - an empty ResultArrayName;
  *  - triangles that are nearly all too thin for double precision, about a million times as long
- *    as high; if only components of near-zero area are, sources, sites and masses on these;
+ *    as high; if only components of near-zero area are too thin, a source, site or mass on such a
+ *    component;
  *  - a factorization and results beyond MemoryLimit: usually 1 to 2 KiB per point, and 8 bytes
  *    per point and source.
  *
@@ -179,10 +180,10 @@ protected:
 
   ///@{
   /**
-   * For filters that select sources themselves or move given ones: true if there may be no given
-   * source; the number of sources on a surface that is ready to be factorized; and the sources. The
-   * callback takes the progress and returns false to stop. By default sources are required and used
-   * as given.
+   * For filters that select sources themselves or move given ones. CanChooseSources() returns true
+   * if there may be no given source; the number of sources on a surface that is ready to be
+   * factorized; and the sources. The callback takes the progress and returns false to stop. By
+   * default sources are required and used as given.
    */
   virtual bool CanChooseSources() const { return false; }
   virtual std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const;

@@ -36,8 +36,8 @@ inline ChordAngles MeasureChord(
 
 /// Returns the ratio of arc length to chord length, at least 1. A curve whose curvature changes
 /// linearly and that makes small angles a and b with its chord is longer by (2 a^2 + a b + 2 b^2) /
-/// 30: that of a circle for a = b, of an S-curve for a = -b. The closed form of a circular arc is
-/// evaluated for the turning angle that gives the same excess.
+/// 30: for a = b this is the excess of a circle, for a = -b that of an S-curve. The closed form of
+/// a circular arc is evaluated for the turning angle that gives the same excess.
 inline double ArcFactor(const ChordAngles& angles)
 {
   const double a = angles.First;

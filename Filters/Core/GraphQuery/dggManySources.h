@@ -40,7 +40,7 @@ public:
 
   using Sources = std::vector<const std::vector<GraphSeed>*>;
 
-  /// `shouldContinue` is called between phases. Returns false if it asked to stop.
+  /// Calls `shouldContinue` between phases. Returns false if `shouldContinue` returned false.
   bool Run(const Sources& sources, double radius, const SweepOrder& order,
     const std::function<bool()>& shouldContinue);
 

@@ -111,7 +111,8 @@ constexpr double WindowsPerVertex = 8.0;
 /// point inside a triangle.
 constexpr double FitTolerance = 1e-7;
 
-/// Returns the distance up to which all corners are reached of the faces with a corner that near.
+/// Returns the largest distance d such that all corners of every face with a corner within d are
+/// reached.
 double FindCompleteRadius(
   const IntrinsicTriangulation& triangulation, const std::vector<double>& distances)
 {

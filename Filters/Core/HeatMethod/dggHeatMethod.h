@@ -78,7 +78,7 @@ struct HeatResult
 /// The heat method (Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013) on one mesh, which
 /// must outlive the object: heat flows from the sources for a short time; the normalized gradient
 /// of the temperature is projected onto gradients of functions, which gives the distances. Two
-/// linear systems are factorized in advance; a query requires two substitutions. The error is
+/// linear systems are factorized in advance; a query takes two solves. The error is
 /// unbounded: 0.5 to 2.2 % on average is usual on fine meshes, more on coarse ones and close to
 /// sources. Any triangle complex is accepted; vertices are reached in the components (through edges
 /// and shared vertices) that have a source.

@@ -37,7 +37,7 @@ public:
   bool IsReady() const;
 
   /// Returns the result of a query, per vertex, up to a constant per component. Empty if `progress`
-  /// asked to stop.
+  /// returned false.
   std::vector<double> Solve(const std::vector<Load>& loads, const ProgressCallback& progress) const;
 
   const HeatOptions& GetOptions() const { return this->Options; }

@@ -19,8 +19,9 @@ namespace dgg
 class DGG_CORE_EXPORT LoopFinder
 {
 public:
-  /// Arguments as of PathFinder. `linkAccuracy` is the accuracy of the links of points that are not
-  /// vertices; 0 means that of the graph, or 0.01 if it has none (a SaddleVertexGraph).
+  /// The arguments are those of PathFinder. `linkAccuracy` is the accuracy of the links of points
+  /// that are not vertices; 0 means that of the graph, or 0.01 if it has none (a
+  /// SaddleVertexGraph).
   LoopFinder(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
     const double* positions, double linkAccuracy = 0.0);
   ~LoopFinder();

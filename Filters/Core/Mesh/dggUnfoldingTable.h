@@ -33,7 +33,7 @@ struct alignas(64) FaceCrossing
 
   Point2 Apex;         ///< apex in the frame of the edge
   Point2 Direction[2]; ///< unit vectors along the left and the right edge
-  Id Behind[2];        ///< what follows behind these edges: codes of UnfoldingTable
+  Id Behind[2];        ///< codes (see UnfoldingTable) of the entries behind both edges
   Id ApexVertex;       ///< id of the table
   Id HalfEdge;         ///< the edge in the mesh; ~h if entered as its mirror image
 

@@ -16,7 +16,7 @@ namespace dgg
 {
 namespace
 {
-/// Half the opening angle of a beam, radians. Floats below 8 have a rounding error of 2.4e-7, those
+/// Half the opening angle of a cone, radians. Floats below 8 have a rounding error of 2.4e-7, those
 /// below 32 (saddles of five turns) of 1e-6.
 constexpr double HalfWidths[] = { 1.5e-6, 1e-4 };
 constexpr double RefinedHalfWidth = 1e-12;

@@ -37,7 +37,7 @@ public:
   }
 
   /// Finds the first face and the crossings from there to the face of the head. Returns false if
-  /// the head is not where it should be.
+  /// the head is not found in the cone.
   bool Trace(const GraphEdge& edge, Id& firstFace, std::vector<EdgeCrossing>& crossings);
 
   /// Returns the tolerance between lengths in the graph and on the mesh.

@@ -56,7 +56,7 @@ public:
   double GetProgress() const;
 
   /// Relaxes the remaining shortcuts; must be called once, after all rounds. Returns the shortcuts
-  /// that define vertex distances, nearest first, if labels are wanted.
+  /// that define vertex distances, nearest first, if labels are requested.
   const std::vector<PropagationShortcut>& FindShortcuts(const ParallelFor& parallel);
 
   double GetDistance(Id v) const

@@ -241,6 +241,6 @@ Status CheckPreparedSites(
   }
   return revision == system.GetRevision()
     ? Status::Success()
-    : Status::Invalid("the solver has been prepared anew: call Prepare() again");
+    : Status::Invalid("the solver has changed since Prepare(). Call Prepare() again.");
 }
 }

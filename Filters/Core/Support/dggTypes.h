@@ -32,7 +32,7 @@ public:
   {
     Ok,
     InvalidInput, ///< the message names the offending element and the remedy
-    Aborted       ///< the progress callback asked to stop
+    Aborted       ///< aborted by the progress callback
   };
 
   static Status Success() { return {}; }
