@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterCases.h"
 
-#include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -12,59 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <sstream>
 
 namespace dggtest
 {
-namespace
-{
-/// The input of a filter, a copy of its own.
-vtkSmartPointer<vtkPolyData> CopyInput(vtkGeodesicAlgorithm* filter)
-{
-  vtkNew<vtkPolyData> copy;
-  copy->DeepCopy(filter->GetInputDataObject(0, 0));
-  return copy.Get();
-}
-
-std::vector<Refusal> RefuseSurface()
-{
-  using F = vtkGeodesicAlgorithm;
-  return {
-    Refuse<F>([](F* f) { f->SetInputConnection(nullptr); }, { "no input" }),
-    Refuse<F>([](F* f) { f->SetInputDataObject(vtkSmartPointer<vtkImageData>::New()); },
-      { "vtkImageData", "vtkPolyData" }),
-    Refuse<F>(
-      [](F* f) {
-        const auto broken = CopyInput(f);
-        broken->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
-        f->SetInputData(broken);
-      },
-      { "point 5 of cell ", "not finite" }),
-    Refuse<F>(
-      [](F* f) {
-        const auto broken = CopyInput(f);
-        const vtkIdType ids[] = { 0, 1, 81 };
-        broken->GetPolys()->ReplaceCellAtId(7, 3, ids);
-        f->SetInputData(broken);
-      },
-      { "cell 7 ", "point 81" }),
-  };
-}
-
-Refusal RefusePoints()
-{
-  using F = vtkGeodesicAlgorithm;
-  return Refuse<F>(
-    [](F* f) {
-      const auto points = CopyInput(f);
-      points->SetPolys(nullptr);
-      points->SetLines(MakeCells({ { 0, 1 } }));
-      f->SetInputData(points);
-    },
-    { "81 points", "no polygons" });
-}
-}
-
 void PrintTo(const FilterCase& filter, std::ostream* os)
 {
   *os << filter.Name;
@@ -75,22 +26,46 @@ Refusal RefuseMemoryLimit(vtkTypeInt64 limit)
   return { [limit](vtkGeodesicAlgorithm* f) { f->SetMemoryLimit(limit); }, { "MemoryLimit" } };
 }
 
-std::vector<FilterCase> GetAllFilters()
+std::vector<Refusal> RefuseInput()
 {
-  std::vector<FilterCase> all;
-  for (const auto& filters : { GetCurveFilters(), GetDistanceFilters(), GetSpectralFilters() })
+  using F = vtkGeodesicAlgorithm;
+  return {
+    Refuse<F>([](F* f) { f->SetInputConnection(nullptr); }, { "no input" }),
+    Refuse<F>([](F* f) { f->SetInputDataObject(vtkSmartPointer<vtkImageData>::New()); },
+      { "vtkImageData", "vtkPolyData" }),
+  };
+}
+
+std::string DescribeOutputs(vtkGeodesicAlgorithm* filter, bool withFieldData)
+{
+  std::ostringstream os;
+  os.precision(17);
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
   {
-    all.insert(all.end(), filters.begin(), filters.end());
-  }
-  for (FilterCase& filter : all)
-  {
-    filter.Refusals = filter.Refusals + RefuseSurface();
-    if (!filter.TakesPoints)
+    vtkDataObject* output = filter->GetOutputDataObject(port);
+    if (auto* surface = vtkPolyData::SafeDownCast(output))
     {
-      filter.Refusals.push_back(RefusePoints());
+      os << DescribeGeometry(surface);
+    }
+    for (int kind = 0; kind < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++kind)
+    {
+      const bool isDescribed = withFieldData || kind != vtkDataObject::FIELD;
+      vtkFieldData* data = output->GetAttributesAsFieldData(kind);
+      for (int a = 0; data && isDescribed && a < data->GetNumberOfArrays(); ++a)
+      {
+        vtkDataArray* array = data->GetArray(a);
+        os << data->GetArrayName(a);
+        for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+        {
+          os << " "
+             << array->GetComponent(
+                  i / array->GetNumberOfComponents(), i % array->GetNumberOfComponents());
+        }
+        os << "\n";
+      }
     }
   }
-  return all;
+  return os.str();
 }
 
 vtkSmartPointer<vtkPolyData> MakeRelief(int dataType, int n)

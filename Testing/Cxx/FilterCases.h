@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Table of all filters on surfaces: how to make one that runs, and what it must refuse.
+/// Tables of filters on surfaces and clouds: how to make one that runs, and what it must refuse.
 #ifndef FilterCases_h
 #define FilterCases_h
 
@@ -26,7 +26,7 @@ struct Refusal
 struct FilterCase
 {
   const char* Name;
-  /// Returns the filter on a relief, ready to run.
+  /// Returns the filter on a relief, or on its points, ready to run.
   std::function<vtkSmartPointer<vtkGeodesicAlgorithm>(vtkPolyData* relief)> Make;
   std::vector<const char*> Defaults; ///< lines that a new filter prints
   std::vector<Refusal> Refusals;
@@ -39,7 +39,11 @@ void PrintTo(const FilterCase& filter, std::ostream* os);
 std::vector<FilterCase> GetCurveFilters();
 std::vector<FilterCase> GetDistanceFilters();
 std::vector<FilterCase> GetSpectralFilters();
+/// Filters of the test program: all filters on surfaces, or all on clouds.
 std::vector<FilterCase> GetAllFilters();
+
+/// Returns all that a filter puts out, as text.
+std::string DescribeOutputs(vtkGeodesicAlgorithm* filter, bool withFieldData = true);
 
 /// A surface of (n + 1) x (n + 1) points that is neither flat nor straight, with integer
 /// coordinates of the given type.
@@ -77,6 +81,8 @@ Refusal RefuseTolerance(double tolerance)
     [tolerance](Filter* f) { f->SetProjectionTolerance(tolerance); }, { "ProjectionTolerance" });
 }
 Refusal RefuseMemoryLimit(vtkTypeInt64 limit);
+/// Returns the refusals of all filters.
+std::vector<Refusal> RefuseInput();
 
 /// Returns the refusals of all filters that search a graph.
 template <typename Filter>

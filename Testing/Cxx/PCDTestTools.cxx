@@ -150,6 +150,12 @@ void ExpectSameArray(vtkDataArray* a, vtkDataArray* b)
   EXPECT_TRUE(bytes == 0 || std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), bytes) == 0);
 }
 
+const char* GetName(vtkDataArray* array)
+{
+  return array ? array->GetName() : "(none)";
+}
+}
+
 void ExpectSameArrays(vtkFieldData* a, vtkFieldData* b)
 {
   EXPECT_EQ(a->GetNumberOfArrays(), b->GetNumberOfArrays());
@@ -157,12 +163,6 @@ void ExpectSameArrays(vtkFieldData* a, vtkFieldData* b)
   {
     ExpectSameArray(a->GetArray(i), b->GetArray(a->GetArray(i)->GetName()));
   }
-}
-
-const char* GetName(vtkDataArray* array)
-{
-  return array ? array->GetName() : "(none)";
-}
 }
 
 void ExpectSameCloud(vtkPolyData* a, vtkPolyData* b)

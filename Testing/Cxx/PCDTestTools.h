@@ -51,6 +51,8 @@ protected:
 /// several components, NaN, infinity and numbers that need all of their digits.
 vtkSmartPointer<vtkPolyData> MakeRichCloud(int pointType, bool hasColors = true);
 
+/// Expects that all arrays are the same, bit for bit, and so are their names and types.
+void ExpectSameArrays(vtkFieldData* a, vtkFieldData* b);
 /// The coordinates and all arrays of points and of field data are the same, bit for bit, and so are
 /// their names and types.
 void ExpectSameCloud(vtkPolyData* a, vtkPolyData* b);

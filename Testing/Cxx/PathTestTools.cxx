@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathTestTools.h"
 
+#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -201,6 +202,32 @@ void ExpectOnSurface(const PathLine& path, vtkPolyData* surface, double slack)
   }
   EXPECT_NEAR(path.Length, sum, Tolerance * sum + slack);
   EXPECT_NEAR(path.ArcLengths.back(), path.Length, Tolerance * sum);
+}
+
+vtkIdType ExpectPiecesInTheirFaces(vtkPolyData* surface, vtkPolyData* lines)
+{
+  vtkDataArray* faces = lines->GetPointData()->GetArray("FaceId");
+  EXPECT_NE(faces, nullptr);
+  vtkIdType count = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType line = 0; faces && line < lines->GetNumberOfCells(); ++line)
+  {
+    lines->GetCellPoints(line, ids);
+    for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i, ++count)
+    {
+      // The middle of a piece lies between its ends, as triangles are convex.
+      const auto face = static_cast<vtkIdType>(faces->GetComponent(ids->GetId(i), 0));
+      const double unit = std::sqrt(surface->GetCell(face)->GetLength2());
+      for (const vtkIdType id : { ids->GetId(i), ids->GetId(i + 1) })
+      {
+        std::array<double, 3> p;
+        lines->GetPoint(id, p.data());
+        EXPECT_LE(DistanceFromCell(surface, face, p), Tolerance * unit)
+          << "line " << line << ", piece " << i << ", face " << face;
+      }
+    }
+  }
+  return count;
 }
 
 vtkSmartPointer<vtkPolyData> MakePairs(const Points& ends)

@@ -43,6 +43,9 @@ std::vector<int> GetPathStatus(vtkDGGPath* filter);
 /// `slack` is what triangles without area add to lengths.
 void ExpectOnSurface(const PathLine& path, vtkPolyData* surface, double slack = 0.0);
 
+/// Expects that both ends of every piece of the lines lie in the triangle of the surface that
+/// FaceId names, up to 1e-9 of its diagonal. Returns the number of pieces.
+vtkIdType ExpectPiecesInTheirFaces(vtkPolyData* surface, vtkPolyData* lines);
 /// Lines from the first to the second of every two points.
 vtkSmartPointer<vtkPolyData> MakePairs(const Points& ends);
 }

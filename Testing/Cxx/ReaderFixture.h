@@ -24,12 +24,13 @@
 
 namespace dggtest
 {
-/// A file and the expected output or error
+/// A file and the expected output or error. Words of the error may be separated by '*'.
 struct FileCase
 {
   const char* Name;
   std::string Content;
   std::string Expected;
+  unsigned long Code = vtkErrorCode::FileFormatError;
 };
 
 template <typename ReaderType>
@@ -95,33 +96,57 @@ protected:
     EXPECT_GT(this->ReadWell(this->Good)->GetNumberOfPoints(), 0);
   }
 
-  /// A defect is an error that names it; the next file is read well.
-  template <std::size_t Count>
-  void Check(const FileCase (&cases)[Count])
+  /// Reads all files. A defect is an error that names the file and the defect; the output is empty.
+  template <typename Cases>
+  void Check(const Cases& cases)
   {
     for (const FileCase& file : cases)
     {
-      SCOPED_TRACE(file.Name);
+      SCOPED_TRACE(file.Name + (": " + file.Content.substr(0, 300)));
       const std::string path = this->Write(file.Content);
       this->Use(path);
       Listener listener(this->Reader);
       this->Reader->Update();
-      const bool isRead = this->Reader->GetErrorCode() == vtkErrorCode::NoError;
-      const std::string result = isRead ? Describe(this->Reader->GetOutput())
-        : listener.Errors.empty()       ? ""
-                                        : listener.Errors[0];
-      if (isRead)
+      if (this->Reader->GetErrorCode() == vtkErrorCode::NoError)
       {
-        EXPECT_EQ(result, file.Expected);
+        EXPECT_EQ(Describe(this->Reader->GetOutput()), file.Expected);
         EXPECT_TRUE(listener.Errors.empty());
         EXPECT_TRUE(listener.Warnings.empty());
+        continue;
       }
-      else
+      ASSERT_EQ(listener.Errors.size(), 1u);
+      const std::string& error = listener.Errors[0];
+      ASSERT_FALSE(file.Expected.empty()) << error;
+      std::size_t position = error.find("Cannot read " + path + ": ");
+      ASSERT_NE(position, std::string::npos) << error;
+      std::istringstream words(file.Expected);
+      for (std::string word; std::getline(words, word, '*');)
       {
-        EXPECT_NE(result.find("Cannot read " + path + ": "), std::string::npos) << result;
-        EXPECT_NE(result.find(file.Expected), std::string::npos) << result;
-        ExpectEmptyOutput(this->Reader);
+        position = error.find(word, position);
+        ASSERT_NE(position, std::string::npos) << "'" << word << "' is missing in: " << error;
       }
+      EXPECT_EQ(this->Reader->GetErrorCode(), file.Code);
+      ExpectEmptyOutput(this->Reader);
+    }
+    EXPECT_GT(this->ReadWell(this->Good)->GetNumberOfPoints(), 0);
+  }
+
+  /// Each truncated file causes an error, or a warning where the format has no counts.
+  void CheckTruncation(const std::string& content, bool hasCounts)
+  {
+    for (std::size_t i = 0; i < 20; ++i)
+    {
+      std::size_t length = (content.size() - 2) * i / 19;
+      while (!hasCounts && length > 0 && content[length - 1] == '\n')
+      {
+        ++length; // a missing whole line cannot be detected
+      }
+      SCOPED_TRACE(length);
+      this->Use(this->Write(content.substr(0, length)));
+      Listener listener(this->Reader);
+      this->Reader->Update();
+      EXPECT_EQ(listener.Errors.size() + (hasCounts ? 0 : listener.Warnings.size()), 1u);
+      EXPECT_TRUE(listener.Errors.empty() || this->Reader->GetOutput()->GetNumberOfPoints() == 0);
     }
   }
 

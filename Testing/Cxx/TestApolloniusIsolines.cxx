@@ -8,14 +8,12 @@
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkContourFilter.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
@@ -182,22 +180,11 @@ TEST_F(ApolloniusIsolines, AreExactWithWindows)
   EXPECT_GT(this->Distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
 
   const vtkIdType points = output->GetNumberOfPoints();
-  this->Isolines->SetChordTolerance(1e-5);
-  ExpectSuccess(this->Isolines);
-  EXPECT_LT(this->GetErrors()[1], 1.3e-5);
-  EXPECT_GT(output->GetNumberOfPoints(), 3 * points);
-}
-
-TEST_F(ApolloniusIsolines, SmallestChordTolerance)
-{
-  this->Distance->GenerateWindowsOn();
-  this->Isolines->SetChordTolerance(1e-6);
+  this->Isolines->SetChordTolerance(1e-6); // the smallest one
   ExpectSuccess(this->Isolines);
   EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
   EXPECT_LT(this->GetErrors()[1], 1.3e-6);
-  EXPECT_GT(this->GetErrors()[1], 1e-7);
-  // A few hundred in each of some hundred triangles.
-  EXPECT_LT(this->Isolines->GetOutput()->GetNumberOfPoints(), 60000);
+  EXPECT_GT(output->GetNumberOfPoints(), 3 * points);
 }
 
 TEST_F(ApolloniusIsolines, AreGoodWithVirtualSources)
@@ -211,7 +198,13 @@ TEST_F(ApolloniusIsolines, AreGoodWithVirtualSources)
   this->Isolines->SetMethodToLinear();
   ExpectSuccess(this->Isolines);
   EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
-  EXPECT_GT(this->GetErrors()[0], 1e-2);
+  const std::array<double, 3> linear = this->GetErrors();
+  EXPECT_GT(linear[0], 1e-2);
+  this->Isolines->SetMethodToApollonius();
+  EXPECT_STREQ(this->Isolines->GetMethodAsString(), "Apollonius");
+  this->Isolines->SetSteinerPoints(4);
+  ExpectSuccess(this->Isolines);
+  EXPECT_LT(this->GetErrors()[2], 0.5 * linear[2]);
 }
 
 /// Rings around a point, each a fifth smaller than the one around it: most edges are shorter than
@@ -273,25 +266,6 @@ TEST_F(ApolloniusIsolines, WarnOfSourcesInLongTriangles)
   ExpectSuccess(this->Isolines);
   this->Distance->GenerateWindowsOn();
   ExpectSuccess(this->Isolines);
-}
-
-TEST_F(ApolloniusIsolines, PublishedOnesGetBetterWithPointsOnEdges)
-{
-  this->Distance->GenerateVirtualSourceOn();
-  ExpectSuccess(this->Isolines);
-  const double best = this->GetErrors()[2];
-  this->Isolines->SetMethodToApollonius();
-  EXPECT_STREQ(this->Isolines->GetMethodAsString(), "Apollonius");
-  double last = 1.0;
-  for (const int points : { 0, 4 })
-  {
-    this->Isolines->SetSteinerPoints(points);
-    ExpectSuccess(this->Isolines);
-    EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfLines(), 6);
-    EXPECT_LT(this->GetErrors()[2], 0.7 * last) << points;
-    last = this->GetErrors()[2];
-  }
-  EXPECT_LT(best, last);
 }
 
 TEST_F(ApolloniusIsolines, LinearOnesAreThoseOfContourFilters)

@@ -7,7 +7,6 @@
 #include "GraphTestTools.h"
 #include "SpectralTestTools.h"
 
-#include "vtkApolloniusIsolines.h"
 #include "vtkDGGFastMarchingDistance.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkHeatGeodesicDistance.h"
@@ -17,13 +16,11 @@
 
 #include "vtkCellArray.h"
 #include "vtkMath.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <sstream>
 
 using namespace dggtest;
 
@@ -68,28 +65,6 @@ TYPED_TEST(ApproximateDistances, CloseToExact)
     right += single[nearest[i]][i] <= 1.02 * exact[i] ? 1 : 0;
   }
   EXPECT_GT(right, 0.95 * exact.size());
-}
-
-TYPED_TEST(ApproximateDistances, MaximumDistance)
-{
-  this->Distance->SetInputData(MakeTerrain(24));
-  this->Distance->AddSourceId(40);
-  this->Distance->GenerateNearestSourceOn();
-  ExpectSuccess(this->Distance);
-  const auto whole = GetDistances(this->Distance);
-  this->Distance->SetMaximumDistance(0.4);
-  ExpectSuccess(this->Distance);
-  const auto cut = GetDistances(this->Distance);
-  const auto nearest = GetNearestSources(this->Distance);
-  for (std::size_t i = 0; i < whole.size(); ++i)
-  {
-    EXPECT_EQ(std::isnan(cut[i]), whole[i] > 0.4) << i;
-    EXPECT_EQ(nearest[i], whole[i] > 0.4 ? -1 : 0) << i;
-    if (whole[i] <= 0.4)
-    {
-      EXPECT_EQ(cut[i], whole[i]);
-    }
-  }
 }
 
 TYPED_TEST(QualityWarnings, WarnOfLongTrianglesOnceForEachMesh)
@@ -184,9 +159,6 @@ TEST(VirtualSourceGeodesicDistance, Quality)
   ExpectSuccess(filter);
   EXPECT_GT(filter->GetMedianAnisotropy(), 3.0);
   EXPECT_EQ(GetDistances(filter), best);
-  std::ostringstream os;
-  filter->Print(os);
-  EXPECT_NE(os.str().find("Quality: Automatic\n"), std::string::npos);
 }
 
 /// Farther apart than single precision holds.
@@ -250,31 +222,6 @@ TEST(VirtualSourceGeodesicDistance, SinglePrecision)
   EXPECT_EQ(GetNearestSources(filter)[lone], 1);
 }
 
-TEST(VirtualSourceGeodesicDistance, IsolinesOfVirtualSources)
-{
-  // In the plane they are arcs around the source.
-  vtkNew<vtkVirtualSourceGeodesicDistance> filter;
-  filter->SetInputData(MakeGrid(12, 12));
-  filter->AddSourceId(40);
-  filter->GenerateVirtualSourceOn();
-  double center[3];
-  filter->Update();
-  filter->GetOutput()->GetPoint(40, center);
-  vtkNew<vtkApolloniusIsolines> isolines;
-  isolines->SetInputConnection(filter->GetOutputPort());
-  isolines->SetNumberOfContours(1);
-  isolines->SetValue(0, 4.3);
-  ExpectSuccess(isolines);
-  vtkPolyData* lines = isolines->GetOutput();
-  ASSERT_GT(lines->GetNumberOfPoints(), 20);
-  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    lines->GetPoint(i, p);
-    EXPECT_NEAR(std::hypot(p[0] - center[0], p[1] - center[1]), 4.3, 1e-3);
-  }
-}
-
 /// An extruded disc of a thousand corners, whose needles exceed single precision.
 TEST(VirtualSourceGeodesicDistance, EndsWhereDistancesDoNotSettle)
 {
@@ -326,18 +273,11 @@ TEST(FastMarchingGeodesicDistance, FrontShape)
   EXPECT_LT(2.0 * spherical, planar);
   filter->SetFrontShape(77);
   EXPECT_EQ(filter->GetFrontShape(), vtkDGGFastMarchingDistance::Planar);
-  std::ostringstream os;
-  filter->Print(os);
-  EXPECT_NE(os.str().find("FrontShape: Planar\n"), std::string::npos);
 }
 
 TEST(HeatGeodesicDistance, PropertiesAndFactorizations)
 {
   vtkNew<vtkHeatGeodesicDistance> filter;
-  EXPECT_EQ(filter->GetTimeStepFactor(), 1.0);
-  EXPECT_TRUE(filter->GetIntrinsicDelaunay());
-  EXPECT_EQ(filter->GetBoundary(), vtkHeatGeodesicDistance::Neumann);
-  EXPECT_EQ(filter->GetMemoryLimit(), 0);
   EXPECT_EQ(filter->GetMemorySize(), 0u);
   auto terrain = MakeTerrain(30);
   filter->SetInputData(terrain);
@@ -365,28 +305,6 @@ TEST(HeatGeodesicDistance, PropertiesAndFactorizations)
   terrain->GetPoints()->SetPoint(5, 0.2, 0.0, 0.0);
   terrain->GetPoints()->Modified();
   expectWork(3, "points");
-  std::ostringstream os;
-  filter->Print(os);
-  for (const char* text : { "TimeStepFactor: 4\n", "IntrinsicDelaunay: Off\n",
-         "Boundary: Average\n", "NumberOfFactorizations: 10\n" })
-  {
-    EXPECT_NE(os.str().find(text), std::string::npos) << text;
-  }
-}
-
-TEST(HeatGeodesicDistance, ExtremeTimes)
-{
-  vtkNew<vtkHeatGeodesicDistance> filter;
-  filter->SetInputData(MakeGrid(10, 10));
-  filter->AddSourceId(60);
-  for (const double extreme : { 1e-6, 1e6 })
-  {
-    filter->SetTimeStepFactor(extreme);
-    ExpectWarning(filter, { "TimeStepFactor is 1e", "0.1 to 100" });
-    EXPECT_LT(GetMeanError(GetDistances(filter),
-                GetExactDistances(filter->GetOutput(), std::vector<vtkIdType>{ 60 })),
-      0.5);
-  }
 }
 
 /// Once for each mesh, component and factor.
@@ -433,7 +351,7 @@ TEST(HeatGeodesicDistance, WarnsWhereItIsFarOff)
   filter->SetSourceIds({ large / 2 });
   ExpectSuccess(filter);
   EXPECT_FALSE(filter->GetQualityWarning());
-  for (const double factor : { 1e-2, 1e-4, 1e3 })
+  for (const double factor : { 1e-2, 1e-6, 1e6 })
   {
     filter->SetTimeStepFactor(factor);
     ExpectWarning(filter, { dgg::JoinText("TimeStepFactor is ", factor), "0.1 to 100" });
@@ -471,19 +389,4 @@ TEST(HeatGeodesicDistance, NoMemoryIsHeldWithoutFactorizations)
   filter->SetBoundaryToAverage();
   ExpectError(filter, { "MemoryLimit", "heat" });
   EXPECT_GE(filter->GetMemorySize(), size);
-}
-
-TEST(HeatGeodesicDistance, ALongerTimeSmooths)
-{
-  auto terrain = MakeTerrain(40);
-  vtkNew<vtkHeatGeodesicDistance> filter;
-  filter->SetInputData(terrain);
-  filter->AddSourceId(820);
-  const auto exact = GetExactDistances(terrain, std::vector<vtkIdType>{ 820 });
-  ExpectSuccess(filter);
-  const double usual = GetMeanError(GetDistances(filter), exact);
-  EXPECT_LT(usual, 0.03);
-  filter->SetTimeStepFactor(100.0);
-  ExpectSuccess(filter);
-  EXPECT_GT(GetMeanError(GetDistances(filter), exact), usual);
 }

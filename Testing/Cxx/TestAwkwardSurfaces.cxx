@@ -32,6 +32,14 @@ void ExpectEuclidean(vtkGeodesicDistanceAlgorithm* filter, vtkPolyData* plate, d
   }
 }
 
+vtkSmartPointer<vtkExactGeodesicDistance> MakeExact(vtkPolyData* surface, vtkIdType source)
+{
+  auto filter = vtkSmartPointer<vtkExactGeodesicDistance>::New();
+  filter->SetInputData(surface);
+  filter->AddSourceId(source);
+  return filter;
+}
+
 /// A grid of 6 x 6 squares in which every triangle has its own three points, as in an STL file.
 /// They are moved at random by up to `jitter` along each axis.
 vtkSmartPointer<vtkPolyData> MakeSoup(double jitter)
@@ -91,9 +99,7 @@ TEST(AwkwardSurfaces, NonManifoldEdgeConducts)
   auto surface = MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { 0, 1, 0 } },
                                { { 1, 1, 0 } }, { { 2, 1, 0 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } } },
     { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 1, 4, 7, 6 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
+  const auto filter = MakeExact(surface, 0);
   ExpectWarning(filter, { "1 edges with more than two triangles" });
   EXPECT_EQ(filter->GetNumberOfNonManifoldEdges(), 1);
   EXPECT_EQ(filter->GetGenus(), -1);
@@ -117,9 +123,7 @@ TEST(AwkwardSurfaces, DuplicateTriangles)
   surface->GetPolys()->GetCellAtId(4, n, ids);
   const vtkIdType copy[3] = { ids[0], ids[1], ids[2] };
   surface->GetPolys()->InsertNextCell(3, copy);
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
+  const auto filter = MakeExact(surface, 0);
   ExpectWarning(filter, { "1 triangles on the same three points as an earlier one" });
   EXPECT_EQ(filter->GetNumberOfDuplicateFaces(), 1);
   EXPECT_EQ(filter->GetNumberOfNonManifoldEdges(), 0);
@@ -147,9 +151,7 @@ TEST(AwkwardSurfaces, DuplicatesHaveNoBoundary)
       cells.push_back({ first + 1, first + 3, first + 2 });
     }
   }
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(MakeSurface(points, cells));
-  filter->AddSourceId(0);
+  const auto filter = MakeExact(MakeSurface(points, cells), 0);
   ExpectWarning(filter, { "8 triangles on the same three points as an earlier one" });
   EXPECT_EQ(filter->GetNumberOfCoincidentBoundaryPoints(), 0);
   EXPECT_EQ(filter->GetNumberOfBoundaryEdges(), 0);
@@ -163,9 +165,7 @@ TEST(AwkwardSurfaces, PolygonsWithFewerThanThreePointsAreDropped)
   {
     surface->GetPolys()->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
   }
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
+  const auto filter = MakeExact(surface, 0);
   ExpectWarning(filter, { "7 polygons with fewer than three distinct points" });
   EXPECT_EQ(filter->GetNumberOfDroppedFaces(), 7);
   EXPECT_EQ(filter->GetNumberOfTriangles(), 18);
@@ -176,9 +176,7 @@ TEST(AwkwardSurfaces, PolygonsWithFewerThanThreePointsAreDropped)
 TEST(AwkwardSurfaces, SeamsAreCountedAndMerged)
 {
   auto surface = MakeSeam();
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
+  const auto filter = MakeExact(surface, 0);
   filter->GenerateNearestSourceOn();
   ExpectWarning(filter, { "8 points of the boundary", "MergeCoincidentPoints" });
   EXPECT_EQ(filter->GetNumberOfCoincidentPoints(), 4);
@@ -218,9 +216,7 @@ TEST(AwkwardSurfaces, ZerosOfBothSignsCoincide)
   auto surface = MakeSurface({ { { 0.0, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } },
                                { { -0.0, 0, 0 } }, { { 0, 1, -0.0 } }, { { 1, 0, 0 } } },
     { { 0, 1, 2 }, { 3, 5, 4 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(2);
+  const auto filter = MakeExact(surface, 2);
   filter->MergeCoincidentPointsOn();
   ExpectSuccess(filter);
   EXPECT_NEAR(GetDistances(filter)[5], 2.0, 1e-12);
@@ -279,9 +275,7 @@ TEST(AwkwardSurfaces, ChainsOfClosePoints)
     cells.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
   }
   auto surface = MakeSurface(points, cells);
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
+  const auto filter = MakeExact(surface, 0);
   filter->MergeCoincidentPointsOn();
   filter->SetMergeTolerance(0.1 / std::sqrt(9.0 + 16.0 + 9.0));
   ExpectWarning(filter, { "2 points where separate sheets touch" });

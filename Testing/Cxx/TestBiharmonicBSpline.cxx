@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -81,22 +80,8 @@ protected:
     }
     return largest;
   }
-  /// A correct call works afterwards, as if nothing had happened.
-  void ExpectUnharmed()
-  {
-    this->Filter->RemoveAllSources();
-    this->Filter->SetSourceIds({ 45, 200, 321 });
-    this->Filter->SetSiteValuesArrayName("v");
-    this->Filter->SetBoundaryToNeumann();
-    ExpectSuccess(this->Filter);
-    const std::vector<double> values = this->Values();
-    this->Expected = this->Expected.empty() ? values : this->Expected;
-    EXPECT_EQ(values, this->Expected);
-  }
-
   vtkSmartPointer<vtkPolyData> Surface = MakeSphere(3);
   vtkNew<vtkHarmonicBSpline> Filter;
-  std::vector<double> Expected;
 };
 }
 
@@ -165,22 +150,6 @@ TEST_F(BiharmonicBSpline, SitesAnywhere)
   this->Filter->SetSourceIds({});
   ExpectSuccess(this->Filter);
   EXPECT_NEAR(this->Values(0, 1)[2], 4.0, 1e-9);
-}
-
-TEST_F(BiharmonicBSpline, FewSites)
-{
-  this->Filter->SetSourceIds({ 12 });
-  ExpectSuccess(this->Filter);
-  for (const double value : this->Values())
-  {
-    EXPECT_EQ(value, Truth(this->Surface->GetPoint(12)));
-  }
-  this->Filter->SetSourceIds({ 12, 500 });
-  ExpectSuccess(this->Filter);
-  for (const vtkIdType site : { 12, 500 })
-  {
-    EXPECT_NEAR(this->Values()[site], Truth(this->Surface->GetPoint(site)), 1e-9);
-  }
 }
 
 TEST_F(BiharmonicBSpline, WithoutTheBasis)

@@ -14,49 +14,56 @@ using namespace dggtest;
 
 namespace
 {
-void ExpectEuclidean(vtkPolyData* plate, vtkIdType source)
+class CellKinds : public ::testing::Test
 {
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(plate);
-  filter->AddSourceId(source);
-  ExpectSuccess(filter);
-  const auto distances = GetDistances(filter);
-  ASSERT_EQ(static_cast<vtkIdType>(distances.size()), plate->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < plate->GetNumberOfPoints(); ++i)
+protected:
+  std::vector<double> Solve(vtkPolyData* surface, vtkIdType source)
   {
-    EXPECT_NEAR(distances[i], EuclideanDistance(plate, source, i), 1e-12) << i;
+    this->Filter->SetInputData(surface);
+    this->Filter->SetSourceIds({ source });
+    ExpectSuccess(this->Filter);
+    return GetDistances(this->Filter);
   }
-}
+
+  void ExpectEuclidean(vtkPolyData* plate, vtkIdType source)
+  {
+    const std::vector<double> distances = this->Solve(plate, source);
+    ASSERT_EQ(static_cast<vtkIdType>(distances.size()), plate->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < plate->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_NEAR(distances[i], EuclideanDistance(plate, source, i), 1e-12) << i;
+    }
+  }
+
+  vtkNew<vtkExactGeodesicDistance> Filter;
+};
 }
 
-TEST(Cells, Quads)
+TEST_F(CellKinds, Quads)
 {
   auto grid = MakeGrid(6, 5, GridCells::Quads);
-  ExpectEuclidean(grid, 8);
+  this->ExpectEuclidean(grid, 8);
 }
 
-TEST(Cells, Strips)
+TEST_F(CellKinds, Strips)
 {
   auto grid = MakeGrid(6, 5, GridCells::Strips);
   ASSERT_EQ(grid->GetNumberOfPolys(), 0);
-  ExpectEuclidean(grid, 8);
+  this->ExpectEuclidean(grid, 8);
 }
 
-TEST(Cells, StripsThatRepeatPoints)
+TEST_F(CellKinds, StripsThatRepeatPoints)
 {
   // Two rows joined into one strip by points named twice.
   auto grid = MakeGrid(2, 2, GridCells::Strips);
   grid->SetStrips(MakeCells({ { 3, 0, 4, 1, 5, 2, 2, 6, 6, 3, 7, 4, 8, 5 } }));
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(grid);
-  filter->AddSourceId(0);
-  ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetNumberOfTriangles(), 8);
-  EXPECT_EQ(filter->GetNumberOfDroppedFaces(), 0);
-  EXPECT_NEAR(GetDistances(filter)[8], std::sqrt(8.0), 1e-12);
+  const auto distances = this->Solve(grid, 0);
+  EXPECT_EQ(this->Filter->GetNumberOfTriangles(), 8);
+  EXPECT_EQ(this->Filter->GetNumberOfDroppedFaces(), 0);
+  EXPECT_NEAR(distances[8], std::sqrt(8.0), 1e-12);
 }
 
-TEST(Cells, MixedKindsAndIdsOfCells)
+TEST_F(CellKinds, MixedKindsAndIdsOfCells)
 {
   auto surface = MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } },
                                { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 3, 0.5, 0 } } },
@@ -64,29 +71,22 @@ TEST(Cells, MixedKindsAndIdsOfCells)
   surface->SetVerts(MakeCells({ { 0 }, { 3 } }));
   surface->SetLines(MakeCells({ { 0, 6 } })); // a short cut that must not be taken
   surface->SetStrips(MakeCells({ { 1, 2, 4, 5 } }));
-  ExpectEuclidean(surface, 0);
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
-  ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetNumberOfTriangles(), 5);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), surface->GetNumberOfCells());
+  this->ExpectEuclidean(surface, 0);
+  EXPECT_EQ(this->Filter->GetNumberOfTriangles(), 5);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfCells(), surface->GetNumberOfCells());
 }
 
-TEST(Cells, LinesDoNotConduct)
+TEST_F(CellKinds, LinesDoNotConduct)
 {
   auto surface = MakeSurface(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 3, 0, 0 } } }, { { 0, 1, 2 } });
   surface->SetLines(MakeCells({ { 1, 3 } }));
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
-  ExpectSuccess(filter);
-  EXPECT_TRUE(std::isnan(GetDistances(filter)[3]));
-  EXPECT_EQ(filter->GetNumberOfIsolatedPoints(), 1);
+  const auto distances = this->Solve(surface, 0);
+  EXPECT_TRUE(std::isnan(distances[3]));
+  EXPECT_EQ(this->Filter->GetNumberOfIsolatedPoints(), 1);
 }
 
-TEST(Cells, ConvexPolygon)
+TEST_F(CellKinds, ConvexPolygon)
 {
   Points points;
   std::vector<vtkIdType> polygon;
@@ -96,48 +96,42 @@ TEST(Cells, ConvexPolygon)
     points.push_back({ { 3.0 * std::cos(angle), 2.0 * std::sin(angle), 1.0 } });
     polygon.push_back(i);
   }
-  ExpectEuclidean(MakeSurface(points, { polygon }), 4);
+  this->ExpectEuclidean(MakeSurface(points, { polygon }), 4);
 }
 
-TEST(Cells, PolygonWithPointsOnItsEdges)
+TEST_F(CellKinds, PolygonWithPointsOnItsEdges)
 {
-  ExpectEuclidean(MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { 2, 1, 0 } },
-                                { { 2, 2, 0 } }, { { 1, 2, 0 } }, { { 0, 2, 0 } } },
-                    { { 0, 1, 2, 3, 4, 5, 6 } }),
+  this->ExpectEuclidean(
+    MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 2, 0, 0 } }, { { 2, 1, 0 } },
+                  { { 2, 2, 0 } }, { { 1, 2, 0 } }, { { 0, 2, 0 } } },
+      { { 0, 1, 2, 3, 4, 5, 6 } }),
     0);
 }
 
-TEST(Cells, NonConvexPolygon)
+TEST_F(CellKinds, NonConvexPolygon)
 {
   // An L: the way around the inner corner. A fan around the first point would give 2 sqrt 2.
   auto surface = MakeSurface({ { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 1, 1, 0 } }, { { 1, 2, 0 } },
                                { { 0, 2, 0 } }, { { 0, 0, 0 } } },
     { { 0, 1, 2, 3, 4, 5 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(1);
-  ExpectSuccess(filter);
-  const auto distances = GetDistances(filter);
+  const auto distances = this->Solve(surface, 1);
   EXPECT_NEAR(distances[3], 2.0, 1e-12);
   EXPECT_NEAR(distances[4], 1.0 + std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(distances[5], std::sqrt(5.0), 1e-12);
 }
 
-TEST(Cells, PolygonWithAHole)
+TEST_F(CellKinds, PolygonWithAHole)
 {
   // A square around a square hole, as one polygon with a bridge from corner 3 to corner 4 and back.
   auto surface = MakeSurface({ { { 3, 0, 0 } }, { { 3, 3, 0 } }, { { 0, 3, 0 } }, { { 0, 0, 0 } },
                                { { 1, 1, 0 } }, { { 1, 2, 0 } }, { { 2, 2, 0 } }, { { 2, 1, 0 } } },
     { { 0, 1, 2, 3, 4, 5, 6, 7, 4, 3 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(3);
-  ExpectSuccess(filter);
-  EXPECT_NEAR(GetDistances(filter)[6], 1.0 + std::sqrt(5.0), 1e-12);
-  EXPECT_NEAR(GetDistances(filter)[1], 2.0 * std::sqrt(5.0), 1e-12);
+  const auto distances = this->Solve(surface, 3);
+  EXPECT_NEAR(distances[6], 1.0 + std::sqrt(5.0), 1e-12);
+  EXPECT_NEAR(distances[1], 2.0 * std::sqrt(5.0), 1e-12);
 }
 
-TEST(Cells, PolygonWithRepeatedPositions)
+TEST_F(CellKinds, PolygonWithRepeatedPositions)
 {
   // An L whose corner 1 is there twice, exactly or almost, and with a spike from corner 3.
   for (const double gap : { 0.0, 1e-12 })
@@ -146,11 +140,11 @@ TEST(Cells, PolygonWithRepeatedPositions)
       { { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 1, 1, 0 } }, { { 1, 2, 0 } }, { { 0, 2, 0 } },
         { { 0, 0, 0 } }, { { 2, 1 - gap, 0 } }, { { 1, 3, 0 } }, { { 1, 2, 0 } } },
       { { 0, 1, 6, 2, 3, 7, 8, 4, 5 } });
-    vtkNew<vtkExactGeodesicDistance> filter;
-    filter->SetInputData(surface);
-    filter->AddSourceId(0);
-    filter->Update();
-    const auto distances = GetDistances(filter);
+    this->Filter->SetInputData(surface);
+    this->Filter->SetSourceIds({ 0 });
+    const Listener listener(this->Filter); // may warn of the spike
+    this->Filter->Update();
+    const auto distances = GetDistances(this->Filter);
     EXPECT_NEAR(distances[3], 1.0 + std::sqrt(2.0), 1e-9);
     EXPECT_NEAR(distances[4], std::sqrt(8.0), 1e-9);
     EXPECT_NEAR(distances[6], 1.0, 1e-9);
@@ -159,7 +153,7 @@ TEST(Cells, PolygonWithRepeatedPositions)
   }
 }
 
-TEST(Cells, NonConvexQuad)
+TEST_F(CellKinds, NonConvexQuad)
 {
   // An arrow head; only the diagonal from the notch (point 2) lies inside. Whichever point the cell
   // begins with, the way from tip to tip leads around the notch.
@@ -173,50 +167,40 @@ TEST(Cells, NonConvexQuad)
     }
     auto surface = MakeSurface(
       { { { 0, 3, 0 } }, { { -2, 0, 0 } }, { { 0, 1, 0 } }, { { 2, 0, 0 } } }, { turned });
-    vtkNew<vtkExactGeodesicDistance> filter;
-    filter->SetInputData(surface);
-    filter->AddSourceId(1);
-    ExpectSuccess(filter);
-    EXPECT_NEAR(GetDistances(filter)[3], 2.0 * std::sqrt(5.0), 1e-12);
-    EXPECT_NEAR(GetDistances(filter)[0], std::sqrt(13.0), 1e-12);
+    const auto distances = this->Solve(surface, 1);
+    EXPECT_NEAR(distances[3], 2.0 * std::sqrt(5.0), 1e-12);
+    EXPECT_NEAR(distances[0], std::sqrt(13.0), 1e-12);
   }
 }
 
-TEST(Cells, WarpedQuadIsCutAlongTheShorterDiagonal)
+TEST_F(CellKinds, WarpedQuadIsCutAlongTheShorterDiagonal)
 {
   // Diagonal 0-2 is longer than 1-3, so the surface has the ridge 1-3.
   auto surface =
     MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0.5 } }, { { 1.2, 1.2, 0 } }, { { 0, 1, 0.5 } } },
       { { 0, 1, 2, 3 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(1);
-  ExpectSuccess(filter);
-  EXPECT_NEAR(GetDistances(filter)[3], std::sqrt(2.0), 1e-12);
-  filter->SetSourceIds(std::vector<vtkIdType>{ 0 });
-  ExpectSuccess(filter);
+  EXPECT_NEAR(this->Solve(surface, 1)[3], std::sqrt(2.0), 1e-12);
   // Over the middle of the ridge, by symmetry.
   const double expected = std::sqrt(0.25 + 0.25 + 0.25) + std::sqrt(0.49 + 0.49 + 0.25);
-  EXPECT_NEAR(GetDistances(filter)[2], expected, 1e-12);
+  EXPECT_NEAR(this->Solve(surface, 0)[2], expected, 1e-12);
 }
 
-TEST(Cells, PolygonThatCrossesItself)
+TEST_F(CellKinds, PolygonThatCrossesItself)
 {
   // No triangulation is right; there is an answer, and all points are reached.
   auto surface = MakeSurface(
     { { { 0, 0, 0 } }, { { 4, 3, 0 } }, { { 4, 0, 0 } }, { { 0, 3, 0 } }, { { 2, 5, 0 } } },
     { { 0, 1, 2, 3, 4 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->AddSourceId(0);
-  ExpectWarning(filter, { "1 polygons that cross or touch themselves" });
-  for (const double d : GetDistances(filter))
+  this->Filter->SetInputData(surface);
+  this->Filter->SetSourceIds({ 0 });
+  ExpectWarning(this->Filter, { "1 polygons that cross or touch themselves" });
+  for (const double d : GetDistances(this->Filter))
   {
     EXPECT_TRUE(std::isfinite(d));
   }
 }
 
-TEST(Cells, PolygonsAtExtremeScales)
+TEST_F(CellKinds, PolygonsAtExtremeScales)
 {
   for (const double unit : { 1e-38, 1e-6, 1e6, 1e38 })
   {
@@ -224,10 +208,7 @@ TEST(Cells, PolygonsAtExtremeScales)
       MakeSurface({ { { 2 * unit, 0, 0 } }, { { 2 * unit, unit, 0 } }, { { unit, unit, 0 } },
                     { { unit, 2 * unit, 0 } }, { { 0, 2 * unit, 0 } }, { { 0, 0, 0 } } },
         { { 0, 1, 2, 3, 4, 5 } });
-    vtkNew<vtkExactGeodesicDistance> filter;
-    filter->SetInputData(surface);
-    filter->AddSourceId(1);
-    ExpectSuccess(filter);
-    EXPECT_NEAR(GetDistances(filter)[3] / unit, 2.0, 1e-12) << unit;
+    const auto distances = this->Solve(surface, 1);
+    EXPECT_NEAR(distances[3] / unit, 2.0, 1e-12) << unit;
   }
 }

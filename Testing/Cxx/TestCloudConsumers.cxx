@@ -1,21 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What filters have in common that search a graph behind vtkPointCloudDGG, those that cannot, and
-// matrices.
+// Matrices of clouds, and graphs that change behind a filter.
 #include "CloudFixture.h"
 #include "GraphTestTools.h"
 
-#include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
-#include "vtkDGGLoop.h"
-#include "vtkDGGPath.h"
-#include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
-#include "vtkGeodesicProbe.h"
-#include "vtkDoubleArray.h"
-#include "vtkHeatGeodesicDistance.h"
 
-#include <string>
+#include "vtkDoubleArray.h"
+
 #include <vector>
 
 namespace dggtest
@@ -60,35 +53,6 @@ TEST_F(CloudConsumers, Matrix)
   }
 }
 
-TEST_F(CloudConsumers, OtherFiltersNeedASurface)
-{
-  this->Use(MakeFlatPoints(10));
-  vtkNew<vtkDGGDistance> distance;
-  this->Connect(distance);
-  distance->SetSourceIds({ 0 });
-  vtkNew<vtkExactGeodesicDistance> exact;
-  vtkNew<vtkHeatGeodesicDistance> heat;
-  for (vtkGeodesicDistanceAlgorithm* filter : { static_cast<vtkGeodesicDistanceAlgorithm*>(exact),
-         static_cast<vtkGeodesicDistanceAlgorithm*>(heat) })
-  {
-    filter->SetInputConnection(this->Graph->GetOutputPort());
-    filter->SetSourceIds({ 0 });
-    ExpectError(filter, { "no polygons", "vtkPointCloudDGG", "vtkDGGDistance" });
-  }
-  vtkNew<vtkDGGLoop> loop;
-  this->Connect(loop);
-  loop->AddPointId(0);
-  ExpectError(loop, { "no polygons", "vtkPointCloudDGG" });
-  vtkNew<vtkApolloniusIsolines> isolines;
-  isolines->SetInputConnection(distance->GetOutputPort());
-  isolines->SetValue(0, 0.5);
-  ExpectError(isolines, { "no polygons", "vtkPointCloudDGG" });
-  vtkNew<vtkGeodesicProbe> probe;
-  probe->SetInputConnection(distance->GetOutputPort());
-  probe->SetInputData(1, MakeSourcePoints({ { { 0.5, 0.5, 0.0 } } }));
-  ExpectError(probe, { "no polygons", "vtkPointCloudDGG" });
-}
-
 TEST_F(CloudConsumers, FromCloudToMeshAndBack)
 {
   const auto mesh = MakeTerrain(15);
@@ -130,31 +94,4 @@ TEST_F(CloudConsumers, OtherGraphsOfTheSameCloud)
   EXPECT_EQ(GetDistances(distance), fine);
 }
 
-TEST_F(CloudConsumers, ThreadsDoNotMatter)
-{
-  this->Use(MakeSpherePoints(600));
-  const Points places = { { { 1.0, 0.1, 0.0 } }, { { 0.0, 1.0, 0.02 } } };
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  this->Connect(matrix);
-  matrix->SetRowData(MakeSourcePoints(places));
-  matrix->SetProjectionTolerance(0.1);
-  vtkNew<vtkDGGPath> path;
-  this->Connect(path);
-  path->AddPair(0, 599);
-  path->AddPair(100, 300);
-  std::vector<double> first;
-  ForEachThreading([&](const std::string& name) {
-    matrix->Modified();
-    path->Modified();
-    ExpectSuccess(matrix);
-    ExpectSuccess(path);
-    std::vector<double> found = { matrix->GetMatrix()->GetComponent(0, 1) };
-    for (vtkIdType i = 0; i < path->GetOutput()->GetNumberOfPoints(); ++i)
-    {
-      found.push_back(At(path->GetOutput(), i)[0]);
-    }
-    first = first.empty() ? found : first;
-    EXPECT_EQ(found, first) << name;
-  });
-}
 }

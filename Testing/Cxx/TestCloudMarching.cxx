@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkDGGFastMarchingDistance on point clouds.
 #include "CloudTestTools.h"
-#include "GraphTestTools.h"
 
 #include "vtkDGGFastMarchingDistance.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
@@ -157,33 +154,12 @@ TEST_F(CloudMarching, PartsCopiesAndPointsThatAreOff)
   EXPECT_TRUE(std::isnan(values[0]));
 }
 
-TEST_F(CloudMarching, MaximumDistance)
-{
-  this->Use(MakeFlatPoints(40, 0.2));
-  this->Filter->SetSourceIds({ 820 });
-  const std::vector<double> all = this->March();
-  this->Filter->SetMaximumDistance(0.3);
-  this->Filter->SetUnreachedValue(-1.0);
-  const std::vector<double> some = this->March();
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    EXPECT_EQ(some[i], all[i] <= 0.3 ? all[i] : -1.0) << i;
-  }
-}
-
-TEST_F(CloudMarching, ScaleAndThreadsDoNotMatter)
+TEST_F(CloudMarching, ScaleDoesNotMatter)
 {
   const Points points = MakeSpherePoints(2000);
   this->Use(points);
   this->Filter->SetSourceIds({ 3 });
   const std::vector<double> first = this->March();
-  ForEachThreading([&](const std::string& name) {
-    vtkNew<vtkDGGFastMarchingDistance> filter;
-    filter->SetInputData(MakeCloud(points));
-    filter->SetSourceIds({ 3 });
-    ExpectSuccess(filter);
-    EXPECT_EQ(GetDistances(filter), first) << name;
-  });
   Points large = points;
   for (auto& p : large)
   {
@@ -208,41 +184,6 @@ TEST_F(CloudMarching, FewPoints)
   const std::vector<double> two = this->March();
   EXPECT_EQ(two[0], 0.0);
   EXPECT_NEAR(two[1], 1.0, 0.1);
-  this->Filter->SetInputData(MakeCloud({}));
-  ExpectWarning(this->Filter, { "input is empty" });
-}
-
-TEST_F(CloudMarching, Refusals)
-{
-  this->Use(MakeSpherePoints(1000));
-  ExpectError(this->Filter, { "no source" });
-  this->Filter->SetSourceIds({ 1000 });
-  ExpectError(this->Filter, { "1000", "out of range" });
-  this->Filter->SetSourceIds({ 0 });
-  for (const double radius : { -1.0, 0.2, 1001.0, std::nan("") })
-  {
-    this->Filter->SetBandRadius(radius);
-    ExpectError(this->Filter, { "BandRadius" });
-  }
-  this->Filter->SetBandRadius(0.0);
-  for (const int resolution : { -1, 524289 })
-  {
-    this->Filter->SetResolution(resolution);
-    ExpectError(this->Filter, { "Resolution" });
-  }
-  this->Filter->SetResolution(524288);
-  this->Filter->SetBandRadius(1000.0);
-  this->Filter->SetMemoryLimit(1u << 24);
-  ExpectError(this->Filter, { "band", "16 MiB", "smaller Resolution", "MemoryLimit" });
-  this->Filter->SetMemoryLimit(1000);
-  ExpectError(this->Filter, { "1000 bytes", "fewer points" });
-  this->Filter->SetMemoryLimit(0);
-  this->Filter->SetResolution(0);
-  this->Filter->SetBandRadius(0.0);
-  this->Filter->GenerateVirtualSourceOn();
-  ExpectError(this->Filter, { "GenerateVirtualSource" });
-  this->Filter->GenerateVirtualSourceOff();
-  ExpectSuccess(this->Filter);
   const Points part = MakeFlatPoints(20);
   this->Use(Join(part, Move(part, { { 1e10, 0.0, 0.0 } })));
   ExpectError(this->Filter, { "too far apart", "each part on its own" });
@@ -268,18 +209,4 @@ TEST_F(CloudMarching, FromCloudToMeshAndBack)
   EXPECT_EQ(this->March(), onCloud);
 }
 
-TEST_F(CloudMarching, ProgressAndAbort)
-{
-  for (const double stop : { 2.0, 0.12, 0.3, 0.7 })
-  {
-    vtkNew<vtkDGGFastMarchingDistance> filter; // outlived by its observer
-    filter->SetInputData(MakeCloud(MakeSpherePoints(20000)));
-    filter->SetSourceIds({ 0 });
-    ProgressWatch watch(filter);
-    watch.StopAt = stop;
-    filter->Update();
-    EXPECT_EQ(filter->GetErrorCode(), 0u);
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), stop > 1.0 ? 20000 : 0) << stop;
-  }
-}
 }

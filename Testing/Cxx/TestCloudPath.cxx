@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkDGGPath on point clouds.
 #include "CloudFixture.h"
-#include "GraphTestTools.h"
 #include "dggBandSizes.h"
 
 #include "vtkCellArray.h"
@@ -26,20 +25,6 @@ namespace
 {
 class CloudPath : public CloudFixture
 {
-protected:
-  /// Distance from a position to the nearest point of the cloud, by the spacing there.
-  double DistanceBySpacing(const std::array<double, 3>& position)
-  {
-    vtkDataArray* radii = this->Graph->GetOutput()->GetFieldData()->GetArray("DGG.Radii");
-    double least = INFINITY;
-    for (std::size_t i = 0; i < this->Cloud.size(); ++i)
-    {
-      const double spacing =
-        radii->GetTuple1(static_cast<vtkIdType>(i)) / dgg::AutomaticBallBySpacing;
-      least = std::min(least, Distance(position, this->Cloud[i]) / spacing);
-    }
-    return least;
-  }
 };
 
 /// The polyline of a path as points.
@@ -60,37 +45,48 @@ Points GetPolyline(vtkPolyData* paths, vtkIdType line)
 TEST_F(CloudPath, PathsInThePlane)
 {
   this->Use(MakeFlatPoints(40, 0.2));
+  const Points& cloud = this->Cloud;
+  const Points places = { { { 0.111, 0.222, 0.0 } }, { { 0.9, 0.8, 0.0 } }, // far from each other
+    { { 0.501, 0.5, 0.0 } }, { { 0.506, 0.504, 0.0 } } };                   // within a spacing
+  const auto lines = MakeSourcePoints(places);
+  lines->SetLines(MakeCells({ { 0, 1 }, { 2, 3 } }));
   vtkNew<vtkDGGPath> path;
   this->Connect(path);
+  path->SetPairData(lines);
   path->AddPair(0, 1599);
   path->AddPair(39, 800);
   path->AddPair(5, 5);
   ExpectSuccess(path);
   vtkPolyData* output = path->GetOutput();
-  ASSERT_EQ(output->GetNumberOfLines(), 3);
-  const vtkIdType ends[3][2] = { { 0, 1599 }, { 39, 800 }, { 5, 5 } };
-  for (vtkIdType i = 0; i < 3; ++i)
+  ASSERT_EQ(output->GetNumberOfLines(), 5);
+  const std::array<double, 3> ends[5][2] = { { cloud[0], cloud[1599] }, { cloud[39], cloud[800] },
+    { cloud[5], cloud[5] }, { places[0], places[1] }, { places[2], places[3] } };
+  for (vtkIdType i = 0; i < 5; ++i)
   {
+    SCOPED_TRACE(i);
     const Points line = GetPolyline(output, i);
-    const auto& from = this->Cloud[ends[i][0]];
-    const auto& to = this->Cloud[ends[i][1]];
-    EXPECT_EQ(Distance(line.front(), from), 0.0);
-    EXPECT_EQ(Distance(line.back(), to), 0.0);
+    EXPECT_NEAR(Distance(line.front(), ends[i][0]), 0.0, i < 3 ? 0.0 : 1e-12);
+    EXPECT_NEAR(Distance(line.back(), ends[i][1]), 0.0, i < 3 ? 0.0 : 1e-12);
     double length = 0.0;
     for (std::size_t k = 0; k + 1 < line.size(); ++k)
     {
       length += Distance(line[k], line[k + 1]);
     }
-    const double exact = Distance(from, to);
+    const double exact = Distance(ends[i][0], ends[i][1]);
     EXPECT_NEAR(Value(output->GetCellData(), "Length", i), length, 1e-12);
     EXPECT_GE(length, exact - 1e-12);
     EXPECT_LE(length, 1.02 * exact + 1e-12);
     EXPECT_NEAR(Value(output->GetCellData(), "GraphLength", i), exact, 0.02 * exact + 1e-12);
     EXPECT_EQ(Value(output->GetCellData(), "PairId", i), static_cast<double>(i));
   }
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  EXPECT_EQ(GetPolyline(output, 4).size(), 2u);
+  vtkPointData* data = output->GetPointData();
+  const vtkIdType last = output->GetNumberOfPoints() - 1;
+  EXPECT_EQ(Value(data, "vtkOriginalPointIds", 0), 0.0);
+  EXPECT_EQ(Value(data, "vtkOriginalPointIds", last), -1.0);
+  for (vtkIdType i = 0; i <= last; ++i)
   {
-    EXPECT_EQ(Value(output->GetPointData(), "FaceId", i), -1.0);
+    EXPECT_EQ(Value(data, "FaceId", i), -1.0);
   }
   EXPECT_EQ(output->GetFieldData()->GetAbstractArray("DGG.Info"), nullptr);
   EXPECT_EQ(output->GetFieldData()->GetAbstractArray("DGG.Radii"), nullptr);
@@ -122,32 +118,6 @@ TEST_F(CloudPath, PathLengthsAreDistances)
   }
 }
 
-TEST_F(CloudPath, PathsBetweenPlacesNearTheCloud)
-{
-  this->Use(MakeFlatPoints(40, 0.2));
-  const Points ends = { { { 0.111, 0.222, 0.0 } }, { { 0.9, 0.8, 0.0 } }, // far from each other
-    { { 0.501, 0.5, 0.0 } }, { { 0.506, 0.504, 0.0 } } };                 // within a spacing
-  const auto lines = MakeSourcePoints(ends);
-  lines->SetLines(MakeCells({ { 0, 1 }, { 2, 3 } }));
-  vtkNew<vtkDGGPath> path;
-  this->Connect(path);
-  path->SetPairData(lines);
-  ExpectSuccess(path);
-  vtkPolyData* output = path->GetOutput();
-  ASSERT_EQ(output->GetNumberOfLines(), 2);
-  for (vtkIdType i = 0; i < 2; ++i)
-  {
-    const double exact = Distance(ends[2 * i], ends[2 * i + 1]);
-    const Points line = GetPolyline(output, i);
-    EXPECT_NEAR(Distance(line.front(), ends[2 * i]), 0.0, 1e-12);
-    EXPECT_NEAR(Distance(line.back(), ends[2 * i + 1]), 0.0, 1e-12);
-    EXPECT_NEAR(Value(output->GetCellData(), "Length", i), exact, 0.02 * exact);
-    EXPECT_NEAR(Value(output->GetCellData(), "GraphLength", i), exact, 0.02 * exact);
-  }
-  EXPECT_EQ(GetPolyline(output, 1).size(), 2u);
-  EXPECT_EQ(Value(output->GetPointData(), "vtkOriginalPointIds", 0), -1.0);
-}
-
 TEST_F(CloudPath, SmoothPaths)
 {
   this->Use(MakeSpherePoints(3000));
@@ -156,7 +126,6 @@ TEST_F(CloudPath, SmoothPaths)
   path->AddPair(10, 1700);
   path->AddPair(2500, 400);
   double errors[2] = { 0.0, 0.0 };
-  double turns[2] = { 0.0, 0.0 };
   for (const bool smooth : { false, true })
   {
     path->SetStraighten(smooth);
@@ -165,26 +134,10 @@ TEST_F(CloudPath, SmoothPaths)
     ASSERT_EQ(output->GetNumberOfLines(), 2);
     for (vtkIdType i = 0; i < 2; ++i)
     {
-      const Points line = GetPolyline(output, i);
-      const auto& from = this->Cloud[path->GetPairStart(i)];
-      const auto& to = this->Cloud[path->GetPairEnd(i)];
-      EXPECT_EQ(Distance(line.front(), from), 0.0);
-      EXPECT_EQ(Distance(line.back(), to), 0.0);
-      const double exact = SphereDistance(from, to);
+      const double exact =
+        SphereDistance(this->Cloud[path->GetPairStart(i)], this->Cloud[path->GetPairEnd(i)]);
       errors[smooth] += std::abs(Value(output->GetCellData(), "Length", i) / exact - 1.0);
       EXPECT_EQ(Value(output->GetCellData(), "Straightened", i), smooth ? 1.0 : 0.0);
-      for (const auto& p : line)
-      {
-        EXPECT_NEAR(Distance(p, { { 0.0, 0.0, 0.0 } }), 1.0, 2e-3);
-      }
-      // How far it goes to and fro beside the great circle.
-      for (std::size_t k = 1; k + 1 < line.size(); ++k)
-      {
-        const double side = from[0] * (to[1] * line[k][2] - to[2] * line[k][1]) +
-          from[1] * (to[2] * line[k][0] - to[0] * line[k][2]) +
-          from[2] * (to[0] * line[k][1] - to[1] * line[k][0]);
-        turns[smooth] = std::max(turns[smooth], std::abs(side));
-      }
     }
     for (vtkIdType i = 0; i < output->GetNumberOfPoints() && !smooth; ++i)
     {
@@ -193,13 +146,12 @@ TEST_F(CloudPath, SmoothPaths)
   }
   EXPECT_LT(errors[1], 0.5 * errors[0]);
   EXPECT_LT(errors[1], 2e-3);
-  EXPECT_LT(turns[1], 0.5 * turns[0]);
 }
 
-TEST_F(CloudPath, PathsFollowARim)
+TEST_F(CloudPath, SmoothPathsStayWithinASpacing)
 {
-  // Rows of the unit sphere. The geodesic between points of the uppermost row
-  // follows that row, because the great circle leaves the band.
+  // Rows of the unit sphere. The geodesic between points of the uppermost row follows that row,
+  // because the great circle leaves the band.
   Points points;
   for (int k = 0; k < 8; ++k)
   {
@@ -216,22 +168,19 @@ TEST_F(CloudPath, PathsFollowARim)
   this->Connect(path);
   path->AddPair(1120, 1173);
   ExpectSuccess(path);
-  vtkCellData* data = path->GetOutput()->GetCellData();
-  EXPECT_EQ(Value(data, "Straightened", 0), 1.0);
-  EXPECT_NEAR(Value(data, "Length", 0), 1.74674, 0.001 * 1.74674);
-  EXPECT_NEAR(Value(data, "Length", 0), Value(data, "GraphLength", 0), 0.01 * 1.74674);
-  const Points line = GetPolyline(path->GetOutput(), 0);
-  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+  EXPECT_EQ(Value(path->GetOutput()->GetCellData(), "Straightened", 0), 1.0);
+  EXPECT_NEAR(Value(path->GetOutput()->GetCellData(), "Length", 0), 1.74674, 0.001 * 1.74674);
+  vtkDataArray* radii = this->Graph->GetOutput()->GetFieldData()->GetArray("DGG.Radii");
+  for (const auto& position : GetPolyline(path->GetOutput(), 0))
   {
-    for (const double t : { 0.0, 0.25, 0.5, 0.75 })
+    double nearest = INFINITY; // spacings
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
-      std::array<double, 3> place;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        place[axis] = (1.0 - t) * line[k][axis] + t * line[k + 1][axis];
-      }
-      EXPECT_LT(this->DistanceBySpacing(place), 1.0);
+      const double spacing =
+        radii->GetTuple1(static_cast<vtkIdType>(i)) / dgg::AutomaticBallBySpacing;
+      nearest = std::min(nearest, Distance(position, points[i]) / spacing);
     }
+    EXPECT_LT(nearest, 1.0);
   }
 }
 
@@ -245,7 +194,5 @@ TEST_F(CloudPath, PathsThatDoNotExist)
   path->AddPair(0, 100);
   ExpectWarning(path, { "not connected by the graph of the cloud" });
   EXPECT_EQ(path->GetOutput()->GetNumberOfLines(), 1);
-  path->SetMethodToExact();
-  ExpectError(path, { "no exact path on a point cloud", "SetMethodToGraph" });
 }
 }

@@ -1,139 +1,99 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Distances by a graph: the promise, seen through the filter; what the outputs hold.
-#include "DGGDistanceFixture.h"
+/// vtkDGGDistance: distances and other arrays, sources and their links, when a graph is built.
+#include "GraphTestTools.h"
+#include "SpectralTestTools.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkExactGeodesicDistance.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
 
 using namespace dggtest;
 
-TEST_F(DGGDistance, KeepsThePromiseFromPoints)
+namespace
 {
-  for (const double accuracy : { 0.2, 0.05, 0.01, 0.001 })
+/// A terrain, and a filter that finds distances on it from one of its points.
+class DGGDistance : public ::testing::Test
+{
+protected:
+  void SetUp() override
   {
-    this->Filter->SetAccuracy(accuracy);
-    for (const vtkIdType source : { 0, 23, 300, 575 })
+    this->Filter->SetInputData(this->Terrain);
+    this->Filter->AddSourceId(40);
+  }
+
+  void ExpectBuilt(const char* what)
+  {
+    ExpectSuccess(this->Filter);
+    EXPECT_GT(this->Filter->GetGraphBuildTime(), this->Built) << what;
+    this->Built = this->Filter->GetGraphBuildTime();
+  }
+
+  void ExpectKept(const char* what)
+  {
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(this->Filter->GetGraphBuildTime(), this->Built) << what;
+  }
+
+  /// One component of a point array of the output; empty when there is none of that name.
+  static std::vector<double> GetComponent(
+    vtkDGGDistance* filter, const char* name, int component = 0)
+  {
+    std::vector<double> values;
+    vtkDataArray* array = filter->GetOutput()->GetPointData()->GetArray(name);
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
     {
-      SCOPED_TRACE(::testing::Message() << accuracy << " from " << source);
-      const auto exact = GetExactDistances(this->Terrain, { source });
-      this->Filter->SetSourceIds({ source });
+      values.push_back(array->GetComponent(i, component));
+    }
+    return values;
+  }
+
+  vtkSmartPointer<vtkPolyData> Terrain = MakeTerrain(24);
+  vtkNew<vtkDGGDistance> Filter;
+  vtkMTimeType Built = 0;
+};
+}
+
+TEST_F(DGGDistance, KeepsThePromise)
+{
+  // From a point, and from inside of a face.
+  const auto point = MakeSourcePoints({ { { 0.0, 0.0, 0.0 } } });
+  point->GetPoints()->SetPoint(0, PointInCell(this->Terrain, 582, { { 0.2, 0.3, 0.5 } }).data());
+  const auto exact = GetExactDistances(this->Terrain, { 40 });
+  const auto exactFromPoint = GetExactDistances(this->Terrain, point);
+  for (const double accuracy : { 0.1, 0.01 })
+  {
+    SCOPED_TRACE(accuracy);
+    this->Filter->SetAccuracy(accuracy);
+    for (const bool isInFace : { false, true })
+    {
+      const auto& expected = isInFace ? exactFromPoint : exact;
+      this->Filter->SetSourceData(isInFace ? point.Get() : nullptr);
+      this->Filter->SetSourceIds(
+        isInFace ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ 40 });
       this->Filter->CorrectionOff();
       ExpectSuccess(this->Filter);
       const auto raw = GetDistances(this->Filter);
-      ExpectUpperBounds(raw, exact, accuracy);
+      ExpectUpperBounds(raw, expected, accuracy);
       this->Filter->CorrectionOn();
       ExpectSuccess(this->Filter);
       const auto corrected = GetDistances(this->Filter);
-      ExpectWithin(corrected, exact, accuracy);
-      EXPECT_LT(GetMeanError(corrected, exact), 0.6 * GetMeanError(raw, exact));
-    }
-  }
-}
-
-TEST_F(DGGDistance, KeepsThePromiseFromPlacesInsideOfFacesAndOnEdges)
-{
-  this->Filter->RemoveAllSources();
-  for (const auto& surface : { this->Terrain, MakeCube() })
-  {
-    this->Filter->SetInputData(surface);
-    for (const double accuracy : { 0.1, 0.01 })
-    {
-      this->Filter->SetAccuracy(accuracy);
-      for (const auto& place : GetPlaces(surface))
-      {
-        SCOPED_TRACE(::testing::PrintToString(place));
-        auto source = MakeSourcePoints({ place });
-        const auto exact = GetExactDistances(surface, source);
-        this->Filter->SetSourceData(source);
-        this->Filter->CorrectionOff();
-        ExpectSuccess(this->Filter);
-        const auto raw = GetDistances(this->Filter);
-        // Next to the source, rounding of the projection counts.
-        for (std::size_t i = 0; i < exact.size(); ++i)
-        {
-          EXPECT_GE(raw[i], exact[i] - 1e-9) << i;
-          EXPECT_LE(raw[i], exact[i] * (1.0 + accuracy) * (1.0 + 1e-6) + 1e-9) << i;
-        }
-        this->Filter->CorrectionOn();
-        ExpectSuccess(this->Filter);
-        const auto corrected = GetDistances(this->Filter);
-        for (std::size_t i = 0; i < exact.size(); ++i)
-        {
-          EXPECT_NEAR(corrected[i], exact[i], exact[i] * (accuracy + 2e-6) + 1e-9) << i;
-        }
-      }
-    }
-  }
-}
-
-TEST_F(DGGDistance, CornersOfTheFaceOfASourceAreExact)
-{
-  this->Filter->RemoveAllSources();
-  this->Filter->SetAccuracy(0.3);
-  auto grid = MakeGrid(6, 6);
-  this->Filter->SetInputData(grid);
-  this->Filter->SetSourceData(MakeSourcePoints({ { { 2.7, 3.2, 0.0 } } }));
-  for (const bool correct : { false, true })
-  {
-    this->Filter->SetCorrection(correct);
-    ExpectSuccess(this->Filter);
-    const auto distances = GetDistances(this->Filter);
-    EXPECT_NEAR(distances[3 * 7 + 2], std::hypot(0.7, 0.2), 1e-12);
-    EXPECT_NEAR(distances[3 * 7 + 3], std::hypot(0.3, 0.2), 1e-12);
-    EXPECT_NEAR(distances[4 * 7 + 2], std::hypot(0.7, 0.8), 1e-12);
-  }
-}
-
-TEST_F(DGGDistance, MaximumDistance)
-{
-  this->Filter->SetAccuracy(0.1);
-  this->Filter->AddSourceId(300);
-  this->Filter->GenerateNearestSourceOn();
-  this->Filter->GenerateUpperBoundOn();
-  ExpectSuccess(this->Filter);
-  const auto all = GetDistances(this->Filter);
-  vtkNew<vtkPointData> whole;
-  whole->DeepCopy(this->Filter->GetOutput()->GetPointData());
-  this->Filter->CorrectionOff();
-  ExpectSuccess(this->Filter);
-  const auto raw = GetDistances(this->Filter);
-  for (const double limit : { 0.0, 0.2, 0.55, 5.0 })
-  {
-    this->Filter->SetMaximumDistance(limit);
-    this->Filter->CorrectionOn();
-    ExpectSuccess(this->Filter);
-    const auto near = GetDistances(this->Filter);
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      EXPECT_EQ(std::isnan(near[i]), all[i] > limit) << i << " " << limit;
-      if (!std::isnan(near[i]))
-      {
-        EXPECT_EQ(near[i], all[i]) << i;
-      }
-      vtkPointData* data = this->Filter->GetOutput()->GetPointData();
-      const auto point = static_cast<vtkIdType>(i);
-      const auto get = [&](vtkPointData* from, const char* name) {
-        return from->GetArray(name)->GetComponent(point, 0);
-      };
-      EXPECT_EQ(
-        get(data, "GeodesicSource"), std::isnan(near[i]) ? -1.0 : get(whole, "GeodesicSource"));
-      const double bound = get(data, "GeodesicUpperBound");
-      EXPECT_TRUE(
-        std::isnan(near[i]) ? std::isnan(bound) : bound == get(whole, "GeodesicUpperBound"));
-    }
-    this->Filter->CorrectionOff();
-    ExpectSuccess(this->Filter);
-    const auto nearRaw = GetDistances(this->Filter);
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      EXPECT_EQ(std::isnan(nearRaw[i]), raw[i] > limit) << i << " " << limit;
+      ExpectWithin(corrected, expected, accuracy);
+      EXPECT_LT(GetMeanError(corrected, expected), 0.6 * GetMeanError(raw, expected));
     }
   }
 }
@@ -173,9 +133,284 @@ TEST_F(DGGDistance, UpperBoundAndVirtualSource)
   EXPECT_EQ(GetDistances(this->Filter), upper);
   EXPECT_EQ(GetComponent(this->Filter, "Bound"), upper);
   EXPECT_EQ(GetComponent(this->Filter, "Image", 1), length);
+  // Points beyond the maximum distance have no upper bound.
+  const double limit = 0.5 * upper.back();
+  this->Filter->SetMaximumDistance(limit);
+  ExpectSuccess(this->Filter);
+  const auto bounds = GetComponent(this->Filter, "Bound");
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+  {
+    EXPECT_EQ(std::isnan(bounds[i]), upper[i] > limit) << i;
+  }
   // On an empty input the arrays are there as well.
   this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
   ExpectWarning(this->Filter, { "input is empty" });
   ASSERT_NE(this->Filter->GetOutput()->GetPointData()->GetArray("Image"), nullptr);
   EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetArray("Image")->GetNumberOfTuples(), 0);
+}
+
+TEST_F(DGGDistance, BuildsOnce)
+{
+  this->Filter->SetAccuracy(0.05);
+  this->ExpectBuilt("first update");
+  const vtkIdType edges = this->Filter->GetNumberOfGraphEdges();
+  EXPECT_GT(edges, 0);
+  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.05);
+  EXPECT_TRUE(this->Filter->GetGraphIsGuaranteed());
+  EXPECT_GE(this->Filter->GetMemorySize(), static_cast<vtkTypeUInt64>(16 * edges));
+  this->Filter->SetSourceIds({ 1, 7 });
+  this->ExpectKept("source ids");
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, GetTerrainHeight(0.5, 0.5) } } }));
+  this->ExpectKept("source points");
+  this->Filter->CorrectionOff();
+  this->ExpectKept("Correction");
+  this->Filter->SetSearchToDijkstra();
+  this->ExpectKept("Search");
+  this->Filter->SetMaximumDistance(0.5);
+  this->ExpectKept("MaximumDistance");
+  this->Filter->GenerateVirtualSourceOn();
+  this->ExpectKept("GenerateVirtualSource");
+  this->Filter->SetMemoryLimit(1);
+  this->ExpectKept("MemoryLimit");
+  this->Filter->SetMemoryLimit(0);
+  this->Filter->AddSourceId(100000);
+  ExpectError(this->Filter, { "100000" });
+  this->Filter->SetSourceIds({ 1 });
+  this->ExpectKept("after an error");
+  // The graph is our own: it does not go into the output.
+  EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+
+  this->Filter->SetAccuracy(0.04);
+  this->ExpectBuilt("Accuracy");
+  EXPECT_GT(this->Filter->GetNumberOfGraphEdges(), edges);
+  double p[3];
+  this->Terrain->GetPoint(9, p);
+  this->Terrain->GetPoints()->SetPoint(9, p[0], p[1], p[2] + 0.1);
+  this->Terrain->GetPoints()->Modified();
+  this->ExpectBuilt("a point");
+  this->Filter->MergeCoincidentPointsOn();
+  this->ExpectBuilt("MergeCoincidentPoints");
+}
+
+TEST_F(DGGDistance, GraphsWithoutAGuarantee)
+{
+  const auto exact = GetExactDistances(this->Terrain, { 40 });
+  for (const int construction : { vtkDiscreteGeodesicGraph::OneRelay,
+         vtkDiscreteGeodesicGraph::Indirect, vtkDiscreteGeodesicGraph::SaddleVertexGraph })
+  {
+    auto surface = MakeSurfaceWithGraph(this->Terrain, 0.02, construction);
+    vtkNew<vtkDGGDistance> filter;
+    filter->SetInputData(surface);
+    filter->AddSourceId(40);
+    ExpectSuccess(filter);
+    EXPECT_TRUE(filter->GetUsedInputGraph());
+    EXPECT_FALSE(filter->GetGraphIsGuaranteed());
+    EXPECT_LT(GetMeanError(GetDistances(filter), exact), 0.02);
+    filter->SetAccuracy(0.02);
+    ExpectWarning(filter, { "guarantees no accuracy" });
+  }
+}
+
+TEST_F(DGGDistance, AbortedUpdatesKeepTheGraphThatIsThere)
+{
+  this->Filter->SetInputData(MakeTerrain(90));
+  this->Filter->SetAccuracy(0.001);
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  const auto expected = GetDistances(this->Filter);
+  // While searching: the graph is kept.
+  this->Built = this->Filter->GetGraphBuildTime();
+  watch.StopAt = 0.1;
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter); // not an error
+  ExpectEmptyOutput(this->Filter);
+  watch.StopAt = 2.0;
+  this->ExpectKept("after an abort");
+  EXPECT_EQ(GetDistances(this->Filter), expected);
+  // While building.
+  watch.StopAt = 0.11;
+  this->Filter->SetAccuracy(0.0011);
+  ExpectSuccess(this->Filter);
+  ExpectEmptyOutput(this->Filter);
+  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
+  watch.StopAt = 2.0;
+  this->Filter->SetAccuracy(0.001);
+  this->ExpectBuilt("after an abort");
+  EXPECT_EQ(GetDistances(this->Filter), expected);
+}
+
+TEST_F(DGGDistance, SeveralSourcesWithInitialDistances)
+{
+  auto sources =
+    MakeSourcePoints({ { { 0.1, 0.2, 0.0 } }, { { 0.8, 0.7, 0.0 } }, { { 0.5, 0.1, 0.0 } } });
+  vtkNew<vtkDoubleArray> offsets;
+  offsets->SetName("InitialDistance");
+  for (const double offset : { 0.2, -0.1, 0.0 })
+  {
+    offsets->InsertNextValue(offset);
+  }
+  sources->GetPointData()->AddArray(offsets);
+  this->Filter->SetProjectionTolerance(1.0);
+  this->Filter->SetSourceData(sources);
+  this->Filter->SetAccuracy(0.02);
+  this->Filter->GenerateNearestSourceOn();
+  vtkNew<vtkExactGeodesicDistance> exactFilter;
+  exactFilter->SetInputData(this->Terrain);
+  exactFilter->SetSourceIds({ 40 });
+  exactFilter->SetSourceData(sources);
+  exactFilter->SetProjectionTolerance(1.0);
+  exactFilter->GenerateNearestSourceOn();
+  ExpectSuccess(exactFilter);
+  const auto exact = GetDistances(exactFilter);
+  const auto exactSources = GetNearestSources(exactFilter);
+  for (const bool correct : { false, true })
+  {
+    this->Filter->SetCorrection(correct);
+    ExpectSuccess(this->Filter);
+    const auto distances = GetDistances(this->Filter);
+    const auto nearest = GetNearestSources(this->Filter);
+    ASSERT_EQ(nearest.size(), exact.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+    {
+      const double error = 0.020002 * (exact[i] + 0.1) + 1e-9; // the least offset is -0.1
+      EXPECT_GE(distances[i], exact[i] - (correct ? error : 1e-9)) << i;
+      EXPECT_LE(distances[i], exact[i] + error) << i;
+      different += nearest[i] != exactSources[i] ? 1 : 0;
+    }
+    EXPECT_LT(different, exact.size() / 20); // ties within the error
+    EXPECT_EQ(nearest[40], 0);
+  }
+}
+
+TEST_F(DGGDistance, SourcesInSeveralComponents)
+{
+  auto surface = MakeSurface(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 5, 0, 0 } }, { { 6, 0, 0 } },
+      { { 5, 1, 0 } }, { { 9, 0, 0 } }, { { 9, 1, 0 } }, { { 8, 1, 0 } } },
+    { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } });
+  this->Filter->SetInputData(surface);
+  this->Filter->SetSourceIds({ 1, 3 });
+  this->Filter->GenerateNearestSourceOn();
+  this->Filter->GenerateUpperBoundOn();
+  this->Filter->GenerateVirtualSourceOn();
+  ExpectSuccess(this->Filter);
+  const auto distances = GetDistances(this->Filter);
+  EXPECT_NEAR(distances[2], std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(distances[5], 1.0, 1e-6);
+  EXPECT_TRUE(std::isnan(distances[7]));
+  EXPECT_EQ(GetNearestSources(this->Filter), (std::vector<int>{ 0, 0, 0, 1, 1, 1, -1, -1, -1 }));
+  EXPECT_TRUE(std::isnan(GetComponent(this->Filter, "GeodesicUpperBound")[7]));
+  EXPECT_TRUE(std::isnan(GetComponent(this->Filter, "GeodesicVirtualSource", 2)[7]));
+  this->Filter->SetUnreachedValue(-2.0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetDistances(this->Filter)[7], -2.0);
+  EXPECT_EQ(GetComponent(this->Filter, "GeodesicUpperBound")[7], -2.0);
+  EXPECT_EQ(GetComponent(this->Filter, "GeodesicVirtualSource", 1)[7], -2.0);
+}
+
+TEST_F(DGGDistance, InitialDistancesOfSourceIds)
+{
+  this->Filter->GenerateNearestSourceOn();
+  this->Filter->SetSourceIds({ 40 });
+  this->Filter->AddSourceId(500, -0.25);
+  EXPECT_EQ(this->Filter->GetSourceInitialDistance(0), 0.0);
+  EXPECT_EQ(this->Filter->GetSourceInitialDistance(1), -0.25);
+  ExpectSuccess(this->Filter);
+  const auto distances = GetDistances(this->Filter);
+  const auto nearest = GetNearestSources(this->Filter);
+  EXPECT_EQ(distances[500], -0.25);
+  const auto first = GetExactDistances(this->Terrain, { 40 });
+  const auto second = GetExactDistances(this->Terrain, { 500 });
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    const double exact = std::min(first[i], second[i] - 0.25);
+    EXPECT_NEAR(distances[i], exact, 0.0100021 * (exact + 0.25)) << i;
+  }
+  EXPECT_EQ(nearest[500], 1);
+  const vtkMTimeType before = this->Filter->GetMTime();
+  this->Filter->SetSourceIds({ 40, 500 }, { 0.0, -0.25 });
+  EXPECT_EQ(this->Filter->GetMTime(), before); // the same
+  std::ostringstream os;
+  this->Filter->Print(os);
+  EXPECT_NE(os.str().find("SourceIds: 40 500 (from -0.25)\n"), std::string::npos) << os.str();
+
+  this->Filter->SetSourceIds({ 40, 500 }, { 0.0, std::nan("") });
+  ExpectError(this->Filter, { "source id 500 (number 1", "initial distance nan", "finite" });
+  {
+    const Listener listener(this->Filter);
+    this->Filter->SetSourceIds({ 40, 500 }, { 0.0 });
+    ASSERT_EQ(listener.Errors.size(), 1u);
+    EXPECT_NE(listener.Errors[0].find("1 initial distances for 2 source ids"), std::string::npos);
+  }
+  EXPECT_EQ(this->Filter->GetNumberOfSourceIds(), 2);
+  this->Filter->SetSourceIds({ 40 });
+  EXPECT_EQ(this->Filter->GetSourceInitialDistance(0), 0.0);
+}
+
+TEST_F(DGGDistance, ManySourcesAnywhere)
+{
+  Points places;
+  for (int i = 0; i < 4000; ++i)
+  {
+    places.push_back({ { 0.011 * (i % 90), 0.0111 * (i / 90 * 2 % 90), 0.1 } });
+  }
+  this->Filter->RemoveAllSources();
+  this->Filter->SetProjectionTolerance(1.0);
+  this->Filter->SetSourceData(MakeSourcePoints({ places[7] }));
+  ExpectSuccess(this->Filter); // the graph is there
+  this->Filter->SetSourceData(MakeSourcePoints(places));
+  ProgressWatch watch(this->Filter);
+  ExpectSuccess(this->Filter);
+  watch.ExpectGrowth(20); // while they are linked
+  const auto expected = GetDistances(this->Filter);
+  // Kept: then nothing is left to do but the search.
+  watch.Progress.clear();
+  this->Filter->CorrectionOff();
+  ExpectSuccess(this->Filter);
+  EXPECT_LT(watch.Progress.size(), 20u);
+  this->Filter->CorrectionOn();
+  this->Filter->SetSourceData(MakeSourcePoints({ places[7] }));
+  ExpectSuccess(this->Filter);
+  this->Filter->SetSourceData(MakeSourcePoints(places));
+  watch.Progress.clear();
+  watch.StopAt = 0.3;
+  ExpectSuccess(this->Filter); // stopped, which is no error
+  ExpectEmptyOutput(this->Filter);
+  EXPECT_LT(watch.Progress.back(), 0.4);
+  watch.StopAt = 2.0;
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(GetDistances(this->Filter), expected);
+}
+
+TEST_F(DGGDistance, MemoryOfLinks)
+{
+  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Terrain, 0.05));
+  ExpectSuccess(this->Filter);
+  const vtkTypeUInt64 before = this->Filter->GetMemorySize();
+  this->Filter->SetProjectionTolerance(1.0);
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.51, 0.53, 0.1 } } }));
+  ExpectSuccess(this->Filter);
+  // The builder has 64 bytes and more for each half-edge.
+  const vtkTypeUInt64 linked = this->Filter->GetMemorySize();
+  EXPECT_GT(linked, before + 64 * 3 * 1058);
+  this->Filter->SetSourceData(nullptr);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetMemorySize(), linked); // kept for the next point
+  vtkNew<vtkDGGDistance> other;
+  other->SetInputData(this->Filter->GetInput());
+  other->SetProjectionTolerance(1.0);
+  for (vtkDGGDistance* filter : { this->Filter.Get(), other.Get() })
+  {
+    filter->SetMemoryLimit(10000); // also applies to a builder that exists
+    filter->SetSourceData(MakeSourcePoints({ { { 0.61, 0.53, 0.1 } } }));
+    ExpectError(filter, { "linking points that are not vertices", "9.766 KiB", "MemoryLimit" });
+  }
+  this->Filter->SetSourceData(nullptr);
+  ExpectSuccess(this->Filter);
+  EXPECT_LT(this->Filter->GetMemorySize(), before + 64 * 3 * 1058); // the limit does not allow it
+  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.61, 0.53, 0.1 } } }));
+  ExpectError(this->Filter, { "linking points that are not vertices", "9.766 KiB", "MemoryLimit" });
+  this->Filter->SetMemoryLimit(0);
+  ExpectSuccess(this->Filter);
 }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Closed geodesics, ropes and tapes: what they are.
+/// vtkDGGLoop: closed geodesics, ropes and tapes, their arrays, points without a loop, progress.
 #include "GraphTestTools.h"
-#include "LoopFixture.h"
+#include "LoopTestTools.h"
 
-#include "vtkCellArray.h"
+#include "vtkDGGLoop.h"
+
 #include "vtkIdList.h"
 #include "vtkMath.h"
 
@@ -20,31 +21,24 @@ namespace
 {
 const double Pi = vtkMath::Pi();
 
-class DGGLoop : public LoopFixture
+/// A prism, a torus, and a filter that looks for loops on the first.
+class DGGLoop : public ::testing::Test
 {
 protected:
-  Points GetPrismPoints() const
+  static constexpr int Sides = 7;
+  static constexpr int Rows = 8;
+  static constexpr int Nu = 30;
+  static constexpr int Nv = 14;
+
+  void SetUp() override
   {
-    Points points(static_cast<std::size_t>(this->Prism->GetNumberOfPoints()));
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      this->Prism->GetPoint(static_cast<vtkIdType>(i), points[i].data());
-    }
-    return points;
+    this->Filter->SetInputData(this->Prism);
+    this->Filter->SetAccuracy(0.02);
   }
 
-  Cells GetPrismCells() const
-  {
-    Cells cells;
-    for (vtkIdType c = 0; c < this->Prism->GetNumberOfCells(); ++c)
-    {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      this->Prism->GetPolys()->GetCellAtId(c, size, ids);
-      cells.emplace_back(ids, ids + size);
-    }
-    return cells;
-  }
+  vtkSmartPointer<vtkPolyData> Prism = MakePrism(Sides, Rows);
+  vtkSmartPointer<vtkPolyData> Torus = MakeTorus(Nu, Nv);
+  vtkNew<vtkDGGLoop> Filter;
 };
 }
 
@@ -214,33 +208,6 @@ TEST_F(DGGLoop, Ropes)
   EXPECT_EQ(GetLoopStatus(this->Filter), std::vector<int>{ 1 });
 }
 
-TEST_F(DGGLoop, RopesThroughPointsAnywhere)
-{
-  this->Filter->SetInputData(this->Torus);
-  this->Filter->SetModeToRope();
-  this->Filter->SetProjectionTolerance(0.1);
-  Points points;
-  for (int k = 0; k < 6; ++k)
-  {
-    const double u = 1.0 + 2.0 * Pi * k / 6.0;
-    const double z = k % 2 == 0 ? 0.1 : -0.05;
-    points.push_back({ { 0.6 * std::cos(u), 0.6 * std::sin(u), z } });
-  }
-  this->Filter->SetPointData(MakeSourcePoints(points));
-  ExpectSuccess(this->Filter);
-  auto loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_GT(loops[0].Line.Length, GetHoleLength(Nu) + 0.01);
-  EXPECT_EQ(loops[0].Kinked, 1);
-  ExpectOnSurface(loops[0].Line, this->Torus);
-  this->Filter->TautOn();
-  ExpectSuccess(this->Filter);
-  loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_NEAR(loops[0].Line.Length, GetHoleLength(Nu), 1e-9);
-  ExpectOnSurface(loops[0].Line, this->Torus);
-}
-
 TEST_F(DGGLoop, RopesThatDoNotHold)
 {
   this->Filter->SetModeToRope();
@@ -323,68 +290,36 @@ TEST_F(DGGLoop, Tapes)
   }
 }
 
-TEST_F(DGGLoop, CoincidentPointsOfTheSurface)
+TEST_F(DGGLoop, ProgressAndAbort)
 {
-  // The prism cut open along one side: no way around, unless its points are merged.
-  Points points = this->GetPrismPoints();
-  Cells cells = this->GetPrismCells();
-  const auto copies = static_cast<vtkIdType>(points.size());
-  for (vtkIdType j = 0; j <= Rows; ++j)
+  this->Filter->SetInputData(this->Torus);
+  for (vtkIdType i = 0; i < 40; ++i)
   {
-    points.push_back(points[j * Sides]);
+    this->Filter->AddPointId(i * 10);
   }
-  for (std::vector<vtkIdType>& cell : cells)
+  for (const int mode : { vtkDGGLoop::ThroughPoint, vtkDGGLoop::AroundHandles, vtkDGGLoop::Rope })
   {
-    const bool isLast =
-      std::any_of(cell.begin(), cell.end(), [](vtkIdType id) { return id % Sides == Sides - 1; });
-    for (vtkIdType& id : cell)
+    SCOPED_TRACE(mode);
+    this->Filter->SetMode(mode);
+    this->Filter->SetTapeWidth(mode == vtkDGGLoop::ThroughPoint ? 0.0 : 0.5);
+    ExpectSuccess(this->Filter);
+    const auto expected = GetLoops(this->Filter);
+    ASSERT_FALSE(expected.empty());
+    ProgressWatch watch(this->Filter);
+    this->Filter->Modified();
+    ExpectSuccess(this->Filter);
+    watch.ExpectGrowth(3);
+    EXPECT_TRUE(mode != vtkDGGLoop::Rope || watch.Progress.size() > 40u); // leg by leg
+    for (const double stop : { 0.2, 0.7 })
     {
-      id = isLast && id % Sides == 0 ? copies + id / Sides : id;
+      watch.StopAt = stop;
+      this->Filter->Modified();
+      ExpectSuccess(this->Filter);
+      ExpectEmptyOutput(this->Filter);
     }
-  }
-  auto surface = MakeSurface(points, cells);
-  this->Filter->SetInputData(surface);
-  this->Filter->SetPointIds({ 3 * Sides + 2, copies + 4 });
-  Listener listener(this->Filter);
-  this->Filter->Update();
-  ASSERT_EQ(listener.Warnings.size(), 2u); // of the seam, and of the loops
-  EXPECT_EQ(GetLoopStatus(this->Filter), (std::vector<int>{ 1, 1 }));
-  this->Filter->MergeCoincidentPointsOn();
-  ExpectSuccess(this->Filter);
-  const auto loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 2u);
-  for (const LoopLine& loop : loops)
-  {
-    EXPECT_NEAR(loop.Line.Length, Sides, 1e-10);
-    ExpectOnSurface(loop.Line, surface);
-  }
-  EXPECT_EQ(loops[1].Line.PointIds.front(), 4 * Sides); // the first one of those that are merged
-}
-
-TEST_F(DGGLoop, PolygonsOfAnyKind)
-{
-  // Quads and strips: FaceId names cells of the input.
-  Cells quads;
-  for (vtkIdType j = 0; j < Rows; ++j)
-  {
-    for (vtkIdType i = 0; i < Sides; ++i)
-    {
-      const vtkIdType right = (i + 1) % Sides;
-      quads.push_back(
-        { j * Sides + i, j * Sides + right, (j + 1) * Sides + right, (j + 1) * Sides + i });
-    }
-  }
-  auto surface = MakeSurface(this->GetPrismPoints(), quads);
-  this->Filter->SetInputData(surface);
-  this->Filter->SetPointIds({ 3 * Sides + 2 });
-  this->Filter->SetTapeWidth(0.6);
-  ExpectSuccess(this->Filter);
-  const auto loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_NEAR(loops[0].Line.Length, Sides, 1e-10);
-  ExpectOnSurface(loops[0].Line, surface);
-  for (const LoopLine& rim : GetRims(this->Filter))
-  {
-    ExpectOnSurface(rim.Line, surface);
+    watch.StopAt = 2.0;
+    ExpectSuccess(this->Filter);
+    EXPECT_TRUE(GetLoops(this->Filter) == expected);
+    this->Filter->RemoveAllObservers();
   }
 }

@@ -5,8 +5,8 @@
 
 #include "ExtraMeshes.h"
 #include "FilterTestTools.h"
-#include "IsolineTestTools.h"
 #include "MeshFile.h"
+#include "PathTestTools.h"
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"

@@ -1,23 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contract of all filters on surfaces: state, wrong input, threads, progress, caching, and
-/// the graph that some of them search.
+/// The contract of all filters, on surfaces and on clouds: state, wrong input, threads, progress,
+/// caching; names and ranges of distances from sources.
 #include "FilterCases.h"
 #include "GraphTestTools.h"
-#include "PathTestTools.h"
 
-#include "vtkDGGDistance.h"
-#include "vtkDGGLoop.h"
-#include "vtkDGGPath.h"
-#include "vtkGeodesicDistanceMatrix.h"
-#include "vtkGeodesicSampler.h"
-#include "vtkGeodesicVoronoi.h"
+#include "vtkGeodesicDistanceAlgorithm.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -26,46 +19,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace dggtest;
 
 namespace
 {
-/// Everything that a filter puts out, as text.
-std::string Describe(vtkGeodesicAlgorithm* filter, bool withFieldData = true)
-{
-  std::ostringstream os;
-  os.precision(17);
-  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-  {
-    vtkDataObject* output = filter->GetOutputDataObject(port);
-    if (auto* surface = vtkPolyData::SafeDownCast(output))
-    {
-      os << DescribeGeometry(surface);
-    }
-    for (int kind = 0; kind < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++kind)
-    {
-      const bool isDescribed = withFieldData || kind != vtkDataObject::FIELD;
-      vtkFieldData* data = output->GetAttributesAsFieldData(kind);
-      for (int a = 0; data && isDescribed && a < data->GetNumberOfArrays(); ++a)
-      {
-        vtkDataArray* array = data->GetArray(a);
-        os << data->GetArrayName(a);
-        for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-        {
-          os << " "
-             << array->GetComponent(
-                  i / array->GetNumberOfComponents(), i % array->GetNumberOfComponents());
-        }
-        os << "\n";
-      }
-    }
-  }
-  return os.str();
-}
-
 class FilterContract : public ::testing::TestWithParam<FilterCase>
 {
 protected:
@@ -79,76 +41,22 @@ protected:
   vtkSmartPointer<vtkPolyData> Relief;
 };
 
-/// Filters that search a graph: what makes them work on the relief, and points on port 1.
-void Prepare(vtkDGGDistance* filter)
+std::vector<FilterCase> GetFiltersWithSources()
 {
-  filter->AddSourceId(70);
-}
-void Prepare(vtkGeodesicDistanceMatrix* filter)
-{
-  filter->SetRowIds({ 0, 70 });
-}
-void Prepare(vtkDGGPath* filter)
-{
-  filter->AddPair(0, 70);
-}
-void Prepare(vtkDGGLoop* filter)
-{
-  filter->SetModeToRope();
-  filter->SetPointIds({ 11, 15, 69, 65 });
-}
-void Prepare(vtkGeodesicSampler* filter)
-{
-  filter->SetNumberOfSamples(10);
-}
-void Prepare(vtkGeodesicVoronoi* filter)
-{
-  filter->SetSiteIds({ 10, 16, 64, 70 });
-  filter->RefineBoundariesOff(); // which needs links as well
-}
-using Place = std::array<double, 3>;
-void SetPlace(vtkDGGDistance* filter, const Place& place)
-{
-  filter->SetSourceData(MakeSourcePoints({ place }));
-}
-void SetPlace(vtkGeodesicDistanceMatrix* filter, const Place& place)
-{
-  filter->SetRowData(MakeSourcePoints({ place }));
-}
-void SetPlace(vtkDGGPath* filter, const Place& place)
-{
-  filter->SetPairData(MakePairs({ place, { { 15.0, 15.0, 4.0 } } }));
-}
-void SetPlace(vtkDGGLoop* filter, const Place& place)
-{
-  filter->SetPointData(MakeSourcePoints({ place }));
-}
-void SetPlace(vtkGeodesicSampler* filter, const Place& place)
-{
-  filter->SetStartData(MakeSourcePoints({ place }));
-}
-void SetPlace(vtkGeodesicVoronoi* filter, const Place& place)
-{
-  filter->SetSiteData(MakeSourcePoints({ place }));
-}
-
-template <typename FilterType>
-class GraphFilters : public ::testing::Test
-{
-protected:
-  void SetUp() override
+  std::vector<FilterCase> filters;
+  for (const FilterCase& filter : GetAllFilters())
   {
-    this->Filter->SetInputData(this->Relief);
-    this->Filter->SetAccuracy(0.05);
-    Prepare(this->Filter);
+    if (vtkGeodesicDistanceAlgorithm::SafeDownCast(filter.Make(MakeRelief(VTK_DOUBLE))))
+    {
+      filters.push_back(filter);
+    }
   }
+  return filters;
+}
 
-  vtkSmartPointer<vtkPolyData> Relief = MakeRelief(VTK_DOUBLE);
-  vtkNew<FilterType> Filter;
+class DistanceContract : public ::testing::TestWithParam<FilterCase>
+{
 };
-using GraphFilterTypes = ::testing::Types<vtkDGGDistance, vtkGeodesicDistanceMatrix, vtkDGGPath,
-  vtkDGGLoop, vtkGeodesicSampler, vtkGeodesicVoronoi>;
-TYPED_TEST_SUITE(GraphFilters, GraphFilterTypes);
 }
 
 TEST_P(FilterContract, PrintsItsState)
@@ -164,7 +72,8 @@ TEST_P(FilterContract, PrintsItsState)
   ExpectSuccess(used);
   used->Print(os);
   EXPECT_NE(os.str().find("OutputPointsPrecision: 1\n"), std::string::npos);
-  EXPECT_NE(os.str().find("triangles: 128\n"), std::string::npos);
+  const bool isSurface = this->Relief->GetNumberOfPolys() > 0;
+  EXPECT_NE(os.str().find(isSurface ? "triangles: 128\n" : "no surface\n"), std::string::npos);
 }
 
 TEST_P(FilterContract, SameBitsForAnyThreads)
@@ -173,7 +82,7 @@ TEST_P(FilterContract, SameBitsForAnyThreads)
   ForEachThreading([&](const std::string& threading) {
     const auto filter = this->Make(24);
     ExpectSuccess(filter);
-    const std::string found = Describe(filter);
+    const std::string found = DescribeOutputs(filter);
     expected = expected.empty() ? found : expected;
     EXPECT_TRUE(found == expected) << threading;
   });
@@ -185,7 +94,7 @@ TEST_P(FilterContract, ReportsProgressAndStops)
   ProgressWatch watch(filter);
   ExpectSuccess(filter);
   watch.ExpectGrowth(0);
-  const std::string expected = Describe(filter);
+  const std::string expected = DescribeOutputs(filter);
   watch.Progress.clear();
   filter->Modified();
   ExpectSuccess(filter); // what is kept between updates is there
@@ -201,13 +110,13 @@ TEST_P(FilterContract, ReportsProgressAndStops)
     }
     watch.StopAt = 2.0;
     ExpectSuccess(filter); // nothing has changed, yet it runs
-    EXPECT_TRUE(Describe(filter) == expected);
+    EXPECT_TRUE(DescribeOutputs(filter) == expected);
   }
   // A stop that was requested before an update is forgotten.
   filter->AbortExecuteOn();
   filter->Modified();
   ExpectSuccess(filter);
-  EXPECT_TRUE(Describe(filter) == expected);
+  EXPECT_TRUE(DescribeOutputs(filter) == expected);
 }
 
 TEST_P(FilterContract, RefusesWrongPropertiesAndInputs)
@@ -222,44 +131,11 @@ TEST_P(FilterContract, RefusesWrongPropertiesAndInputs)
   }
 }
 
-TEST_P(FilterContract, RecoversFromErrors)
-{
-  const auto filter = this->Make();
-  ExpectSuccess(filter);
-  const std::string expected = Describe(filter);
-  double p[3];
-  this->Relief->GetPoint(5, p);
-  this->Relief->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
-  this->Relief->GetPoints()->Modified();
-  ExpectError(filter, { "point 5" });
-  {
-    const Listener listener(filter);
-    filter->Update(); // nothing has changed: the error is not repeated, but stays
-    EXPECT_TRUE(listener.Errors.empty());
-    EXPECT_NE(filter->GetErrorCode(), vtkErrorCode::NoError);
-    ExpectEmptyOutput(filter);
-  }
-  filter->Modified();
-  ExpectError(filter, { "point 5" });
-  this->Relief->GetPoints()->SetPoint(5, p);
-  this->Relief->GetPoints()->Modified();
-  {
-    const Listener listener(filter);
-    filter->UpdatePiece(0, 2, 0);
-    ASSERT_EQ(listener.Errors.size(), 1u);
-    EXPECT_NE(listener.Errors[0].find("one of 2 pieces"), std::string::npos);
-    ExpectEmptyOutput(filter);
-    filter->UpdatePiece(0, 1, 0);
-    EXPECT_EQ(listener.Errors.size(), 1u);
-  }
-  EXPECT_TRUE(Describe(filter) == expected);
-}
-
 TEST_P(FilterContract, RunsWhenSomethingHasChanged)
 {
   const auto filter = this->Make();
   ExpectSuccess(filter);
-  const std::string expected = Describe(filter);
+  const std::string expected = DescribeOutputs(filter);
   const vtkMTimeType built = filter->GetMeshBuildTime();
   struct
   {
@@ -273,7 +149,7 @@ TEST_P(FilterContract, RunsWhenSomethingHasChanged)
   ExpectSuccess(filter);
   EXPECT_EQ(counter.Starts, 1);
   EXPECT_EQ(filter->GetMeshBuildTime(), built);
-  EXPECT_TRUE(Describe(filter) == expected);
+  EXPECT_TRUE(DescribeOutputs(filter) == expected);
   for (vtkIdType i = 0; i < this->Relief->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -284,7 +160,7 @@ TEST_P(FilterContract, RunsWhenSomethingHasChanged)
   ExpectSuccess(filter);
   EXPECT_EQ(counter.Starts, 2);
   EXPECT_GT(filter->GetMeshBuildTime(), built);
-  EXPECT_FALSE(Describe(filter) == expected);
+  EXPECT_FALSE(DescribeOutputs(filter) == expected);
   filter->RemoveAllObservers();
 }
 
@@ -361,37 +237,58 @@ TEST_P(FilterContract, EmptyInputGivesEmptyOutputWithAWarning)
 INSTANTIATE_TEST_SUITE_P(Filters, FilterContract, ::testing::ValuesIn(GetAllFilters()),
   [](const ::testing::TestParamInfo<FilterCase>& tested) { return tested.param.Name; });
 
-TYPED_TEST(GraphFilters, TakeTheGraphOnTheirInputOrBuildOne)
+TEST_P(DistanceContract, EndsAtTheMaximumDistance)
 {
-  ExpectSuccess(this->Filter);
-  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
-  EXPECT_GT(built, 0u);
-  EXPECT_FALSE(this->Filter->GetUsedInputGraph());
-  EXPECT_TRUE(this->Filter->GetGraphIsGuaranteed());
-  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.05);
-  EXPECT_GE(this->Filter->GetMemorySize(),
-    static_cast<vtkTypeUInt64>(16 * this->Filter->GetNumberOfGraphEdges()));
-  const std::string expected = Describe(this->Filter, false);
-  this->Filter->Modified();
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
-  this->Filter->SetInputData(MakeSurfaceWithGraph(this->Relief, 0.05));
-  ExpectSuccess(this->Filter);
-  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
-  EXPECT_TRUE(this->Filter->GetUsedInputGraph());
-  EXPECT_EQ(Describe(this->Filter, false), expected);
-  this->Filter->SetAccuracy(0.01);
-  ExpectWarning(this->Filter, { "Accuracy 0.01 is asked for" });
-  this->Filter->AcceptCoarserGraphOn();
-  this->Filter->SetAccuracy(0.02);
-  ExpectSuccess(this->Filter);
+  const auto algorithm = this->GetParam().Make(MakeRelief(VTK_DOUBLE, 16));
+  auto* filter = vtkGeodesicDistanceAlgorithm::SafeDownCast(algorithm);
+  ExpectSuccess(filter);
+  const std::vector<double> whole = GetDistances(filter);
+  const std::vector<int> sources = GetNearestSources(filter);
+  ASSERT_EQ(whole.size(), 289u);
+  std::vector<double> sorted = whole;
+  std::sort(sorted.begin(), sorted.end());
+  for (const std::size_t count : { 2u, 20u, 150u })
+  {
+    // The limit belongs to the range: sources are reached with 0.
+    filter->SetMaximumDistance(count == 2 ? 0.0 : 0.5 * (sorted[count - 1] + sorted[count]));
+    filter->SetUnreachedValue(-7.0);
+    ExpectSuccess(filter);
+    const std::vector<double> cut = GetDistances(filter);
+    const std::vector<int> nearest = GetNearestSources(filter);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+    {
+      const bool isReached = whole[i] <= filter->GetMaximumDistance();
+      EXPECT_EQ(cut[i], isReached ? whole[i] : -7.0) << i;
+      EXPECT_EQ(nearest[i], isReached ? sources[i] : -1) << i;
+    }
+  }
+  filter->SetMaximumDistance(std::numeric_limits<double>::infinity());
+  ExpectSuccess(filter);
+  EXPECT_EQ(GetDistances(filter), whole);
 }
 
-TYPED_TEST(GraphFilters, RefuseLinksBeyondTheMemoryLimit)
+TEST_P(DistanceContract, NamesItsArrays)
 {
-  ExpectSuccess(this->Filter);
-  this->Filter->SetMemoryLimit(1000); // the graph is there
-  this->Filter->SetProjectionTolerance(0.1);
-  SetPlace(this->Filter, { { 12.0, 31.0, 4.0 } });
-  ExpectError(this->Filter, { "linking points that are not vertices" });
+  const auto relief = MakeRelief(VTK_DOUBLE);
+  vtkNew<vtkFloatArray> old;
+  old->SetName("d");
+  old->SetNumberOfTuples(relief->GetNumberOfPoints());
+  old->Fill(-5.0);
+  relief->GetPointData()->SetScalars(old);
+  const auto algorithm = this->GetParam().Make(relief);
+  auto* filter = vtkGeodesicDistanceAlgorithm::SafeDownCast(algorithm);
+  filter->SetDistanceArrayName("d"); // takes the place of the array of the input
+  filter->SetSourceArrayName("s");
+  ExpectSuccess(filter);
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  EXPECT_EQ(data->GetNumberOfArrays(), data->HasArray("Component") ? 3 : 2); // of a cloud
+  EXPECT_STREQ(data->GetScalars()->GetName(), "d");
+  EXPECT_EQ(data->GetScalars()->GetDataType(), VTK_DOUBLE);
+  ASSERT_NE(data->GetArray("s"), nullptr);
+  EXPECT_EQ(data->GetArray("s")->GetDataType(), VTK_INT);
+  EXPECT_EQ(relief->GetPointData()->GetScalars(), old.Get());
+  EXPECT_EQ(old->GetValue(1), -5.0f);
 }
+
+INSTANTIATE_TEST_SUITE_P(Filters, DistanceContract, ::testing::ValuesIn(GetFiltersWithSources()),
+  [](const ::testing::TestParamInfo<FilterCase>& tested) { return tested.param.Name; });

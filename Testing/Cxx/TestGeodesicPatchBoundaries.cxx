@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The same layout of curves on two surfaces, as a filter.
-#include "FilterTestTools.h"
+#include "PathTestTools.h"
 
 #include "vtkGeodesicPatchBoundaries.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -133,54 +132,31 @@ TEST_F(GeodesicPatchBoundaries, CurvesCorrespond)
     { 4, 7 }, { 7, 6 }, { 6, 3 }, { 5, 8 }, { 8, 7 } };
   for (const int port : { 0, 1 })
   {
-    vtkPolyData* surface = port == 0 ? this->First : this->Second;
     vtkPolyData* output = this->Filter->GetOutput(port);
-    ASSERT_EQ(output->GetNumberOfLines(), 12);
     ASSERT_EQ(output->GetNumberOfCells(), 12);
+    ASSERT_TRUE(HasPolylines(output, { "Length", "LayoutEdge" }));
     for (vtkIdType c = 0; c < 12; ++c)
     {
+      SCOPED_TRACE(c);
+      PathLine curve;
+      ReadPolyline(output, c, curve);
+      ExpectOnSurface(curve, port == 0 ? this->First : this->Second);
+      EXPECT_NEAR(port == 0 ? curve.Length : 4.0, 4.0, 1e-12); // straight on the grid
+      EXPECT_GE(curve.Length, 4.0 - 1e-12);
+      EXPECT_EQ(Get(output->GetCellData(), "LayoutEdge", c, 0), sides[c][0]);
+      EXPECT_EQ(Get(output->GetCellData(), "LayoutEdge", c, 1), sides[c][1]);
+      EXPECT_EQ(curve.PointIds.front(), GetNine()[sides[c][0]]);
+      EXPECT_EQ(curve.PointIds.back(), GetNine()[sides[c][1]]);
       vtkNew<vtkIdList> ids;
       output->GetCellPoints(c, ids);
-      const vtkIdType count = ids->GetNumberOfIds();
-      ASSERT_GE(count, 2);
-      vtkPointData* points = output->GetPointData();
-      vtkCellData* cells = output->GetCellData();
-      EXPECT_EQ(Get(cells, "LayoutEdge", c, 0), sides[c][0]);
-      EXPECT_EQ(Get(cells, "LayoutEdge", c, 1), sides[c][1]);
-      EXPECT_EQ(Get(points, "vtkOriginalPointIds", ids->GetId(0)), GetNine()[sides[c][0]]);
-      EXPECT_EQ(Get(points, "vtkOriginalPointIds", ids->GetId(count - 1)), GetNine()[sides[c][1]]);
-      EXPECT_EQ(Get(points, "ArcLength", ids->GetId(0)), 0.0);
-      EXPECT_EQ(Get(points, "ArcFraction", ids->GetId(0)), 0.0);
-      EXPECT_EQ(Get(points, "ArcFraction", ids->GetId(count - 1)), 1.0);
-      const double whole = Get(cells, "Length", c);
-      double length = 0.0;
-      for (vtkIdType i = 0; i < count; ++i)
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
       {
-        const vtkIdType id = ids->GetId(i);
-        length += i > 0 ? EuclideanDistance(output, ids->GetId(i - 1), id) : 0.0;
-        EXPECT_NEAR(Get(points, "ArcLength", id), length, 1e-12 * length);
-        EXPECT_NEAR(Get(points, "ArcFraction", id) * whole, length, 1e-12 * length);
-        const auto face = static_cast<vtkIdType>(Get(points, "FaceId", id));
-        double bounds[6];
-        surface->GetCellBounds(face, bounds);
-        double p[3];
-        output->GetPoint(id, p);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          EXPECT_GE(p[axis], bounds[2 * axis] - 1e-12);
-          EXPECT_LE(p[axis], bounds[2 * axis + 1] + 1e-12);
-        }
-        const auto original = static_cast<vtkIdType>(Get(points, "vtkOriginalPointIds", id));
-        if (original >= 0)
-        {
-          double q[3];
-          surface->GetPoint(original, q);
-          EXPECT_NEAR(std::hypot(p[0] - q[0], std::hypot(p[1] - q[1], p[2] - q[2])), 0.0, 1e-14);
-        }
+        EXPECT_NEAR(Get(output->GetPointData(), "ArcFraction", ids->GetId(i)) * curve.Length,
+          curve.ArcLengths[i], 1e-12);
       }
-      EXPECT_NEAR(length, Get(cells, "Length", c), 1e-12 * length);
-      EXPECT_NEAR(port == 0 ? length : 4.0, 4.0, 1e-12); // straight on the grid
-      EXPECT_GE(length, 4.0 - 1e-12);
+      EXPECT_EQ(Get(output->GetPointData(), "ArcFraction", ids->GetId(0)), 0.0);
+      EXPECT_EQ(
+        Get(output->GetPointData(), "ArcFraction", ids->GetId(ids->GetNumberOfIds() - 1)), 1.0);
     }
   }
 }

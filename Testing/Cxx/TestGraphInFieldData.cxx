@@ -7,14 +7,10 @@
 
 #include "vtkDGGDistance.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkStringArray.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -93,14 +89,6 @@ protected:
     this->ExpectRebuilt(copy, { part });
   }
 
-  /// The same for a single value.
-  void ExpectNoticed(const char* array, vtkIdType index, double value, const std::string& part)
-  {
-    SCOPED_TRACE(array);
-    this->ExpectNoticed(
-      [&](vtkFieldData* data) { data->GetArray(array)->SetComponent(index, 0, value); }, part);
-  }
-
   vtkSmartPointer<vtkPolyData> Surface;
   vtkNew<vtkDGGDistance> Filter;
   std::vector<double> Expected;
@@ -162,14 +150,11 @@ TEST_F(GraphInFieldData, SurvivesFilesWithFloatPointsAndDoubleLengths)
   filter->SetInputData(surface);
   ExpectSuccess(filter);
   const auto expected = GetDistances(filter);
-  for (const int mode : { vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended })
-  {
-    filter->SetInputData(WriteAndRead(surface, mode));
-    ExpectSuccess(filter);
-    EXPECT_TRUE(filter->GetUsedInputGraph());
-    EXPECT_EQ(filter->GetGraphAccuracy(), 2e-6);
-    EXPECT_EQ(GetDistances(filter), expected);
-  }
+  filter->SetInputData(WriteAndRead(surface, vtkXMLWriter::Ascii));
+  ExpectSuccess(filter);
+  EXPECT_TRUE(filter->GetUsedInputGraph());
+  EXPECT_EQ(filter->GetGraphAccuracy(), 2e-6);
+  EXPECT_EQ(GetDistances(filter), expected);
 }
 
 TEST_F(GraphInFieldData, IntegersOfAnyNameWillDo)
@@ -355,53 +340,53 @@ TEST_F(GraphInFieldData, ArraysOfOtherTypes)
     "DGG.Lengths is ");
 }
 
-TEST_F(GraphInFieldData, ContentsThatAreNoGraph)
-{
-  const double NaN = std::numeric_limits<double>::quiet_NaN();
-  this->ExpectNoticed("DGG.Targets", 17, 256, "leads to vertex 256 of 256");
-  this->ExpectNoticed("DGG.Targets", 17, -1, "leads to vertex -1");
-  this->ExpectNoticed("DGG.Targets", 0, 0, "own vertex");
-  this->ExpectNoticed("DGG.Targets", 17, 2000000000, "2000000000");
-  this->ExpectNoticed("DGG.Offsets", 0, 1, "offsets");
-  this->ExpectNoticed("DGG.Offsets", 256, 1, "offsets");
-  this->ExpectNoticed("DGG.Offsets", 100, 0, "offsets");
-  this->ExpectNoticed("DGG.Offsets", 100, 1e15, "offsets");
-  this->ExpectNoticed("DGG.Offsets", 100, -1e15, "offsets");
-  this->ExpectNoticed("DGG.Lengths", 17, 0.0, "length");
-  this->ExpectNoticed("DGG.Lengths", 17, -1.0, "length");
-  this->ExpectNoticed("DGG.Lengths", 17, NaN, "length");
-  this->ExpectNoticed("DGG.Angles", 2, NaN, "angle");
-  this->ExpectNoticed("DGG.Angles", 2, 9.0, "sorted by angle");
-  this->ExpectNoticed("DGG.ArrivalAngles", 2, NaN, "angle");
-}
-
 TEST_F(GraphInFieldData, AlteredValues)
 {
-  auto value = [this](const char* name, vtkIdType i) {
-    return this->Surface->GetFieldData()->GetArray(name)->GetComponent(i, 0);
+  const double NaN = std::numeric_limits<double>::quiet_NaN();
+  vtkFieldData* data = this->Surface->GetFieldData();
+  const struct
+  {
+    const char* Array;
+    vtkIdType Index;
+    double Value;
+    const char* Part;
+  } changes[] = {
+    { "DGG.Targets", 17, 256, "leads to vertex 256 of 256" },
+    { "DGG.Targets", 17, -1, "leads to vertex -1" },
+    { "DGG.Targets", 0, 0, "own vertex" },
+    { "DGG.Targets", 17, 2000000000, "2000000000" },
+    { "DGG.Targets", 17, data->GetArray("DGG.Targets")->GetTuple1(18), "checksum" },
+    { "DGG.Offsets", 0, 1, "offsets" },
+    { "DGG.Offsets", 256, 1, "offsets" },
+    { "DGG.Offsets", 100, 0, "offsets" },
+    { "DGG.Offsets", 100, 1e15, "offsets" },
+    { "DGG.Offsets", 100, -1e15, "offsets" },
+    { "DGG.Lengths", 17, 0.0, "length" },
+    { "DGG.Lengths", 17, -1.0, "length" },
+    { "DGG.Lengths", 17, NaN, "length" },
+    { "DGG.Lengths", 17, 0.5 * data->GetArray("DGG.Lengths")->GetTuple1(17), "checksum" },
+    { "DGG.Angles", 2, NaN, "angle" },
+    { "DGG.Angles", 2, 9.0, "sorted by angle" },
+    { "DGG.ArrivalAngles", 2, NaN, "angle" },
+    { "DGG.ArrivalAngles", 17, 0.25, "checksum" },
+    { "DGG.Info", 0, 2, "has the format version 2" },
+    { "DGG.Info", 0, 0, "has the format version 0" },
+    { "DGG.Info", 1, 2, "its kind is 2" }, // 1 would be that of a cloud
+    { "DGG.Info", 2, 4, "construction is 4" },
+    { "DGG.Info", 2, -1, "construction is -1" },
+    { "DGG.Info", 3, 4.517329193108107e18, "checksum" }, // bits of an accuracy near 1e-6
+    { "DGG.Info", 9, 1, "checksum" },
+    { "DGG.Info", 11, 1, "checksum" },
   };
-  this->ExpectNoticed("DGG.Lengths", 17, 0.5 * value("DGG.Lengths", 17), "checksum");
-  this->ExpectNoticed("DGG.Targets", 17, value("DGG.Targets", 18), "checksum");
-  this->ExpectNoticed("DGG.ArrivalAngles", 17, 0.25, "checksum");
-  // The accuracy that it claims.
-  this->ExpectNoticed(
-    [](vtkFieldData* data) {
-      auto* slots = static_cast<vtkTypeInt64*>(data->GetArray("DGG.Info")->GetVoidPointer(0));
-      const double better = 1e-6;
-      std::copy_n(reinterpret_cast<const char*>(&better), 8, reinterpret_cast<char*>(slots + 3));
-    },
-    "checksum");
-  this->ExpectNoticed("DGG.Info", 9, 1, "checksum");
-  this->ExpectNoticed("DGG.Info", 11, 1, "checksum");
-}
-
-TEST_F(GraphInFieldData, ForeignFormats)
-{
-  this->ExpectNoticed("DGG.Info", 0, 2, "has the format version 2");
-  this->ExpectNoticed("DGG.Info", 0, 0, "has the format version 0");
-  this->ExpectNoticed("DGG.Info", 1, 2, "its kind is 2"); // 1 would be that of a cloud
-  this->ExpectNoticed("DGG.Info", 2, 4, "construction is 4");
-  this->ExpectNoticed("DGG.Info", 2, -1, "construction is -1");
+  for (const auto& change : changes)
+  {
+    SCOPED_TRACE(change.Array);
+    this->ExpectNoticed(
+      [&](vtkFieldData* arrays) {
+        arrays->GetArray(change.Array)->SetComponent(change.Index, 0, change.Value);
+      },
+      change.Part);
+  }
 }
 
 TEST_F(GraphInFieldData, ChangesInPlaceAreNoticed)

@@ -4,7 +4,6 @@
 /// Pictures of curves: isolines with ridges and bands, paths, loops with offset curves, patch
 /// boundaries; compared with pictures that were looked at.
 #include "ImageScene.h"
-#include "IsolineTestTools.h"
 #include "LoopTestTools.h"
 #include "PathTestTools.h"
 #include "SpectralTestTools.h"

@@ -3,26 +3,21 @@
 /// @file
 /// Ridges and bands, the further outputs of vtkApolloniusIsolines.
 #include "FilterTestTools.h"
-#include "IsolineTestTools.h"
-#include "TestMeshes.h"
 
 #include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkTriangle.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 using namespace dggtest;
 
@@ -86,7 +81,7 @@ TEST_F(IsolineOutputs, TheRidgeBetweenTwoSourcesIsTheirBisector)
     EXPECT_NEAR(bounds[0], 3.5, 1e-12);
     EXPECT_NEAR(bounds[1], 3.5, 1e-12);
     // Far up and down the directions differ by less.
-    const double reach = 1.5 / std::tan(degrees * 3.14159265358979323846 / 360.0);
+    const double reach = 1.5 / std::tan(degrees * vtkMath::Pi() / 360.0);
     EXPECT_NEAR(bounds[2], std::max(0.0, 4.0 - reach), 0.02) << degrees;
     EXPECT_NEAR(bounds[3], std::min(8.0, 4.0 + reach), 0.02) << degrees;
     vtkDataArray* angles = ridges->GetCellData()->GetArray("RidgeAngle");
@@ -159,10 +154,9 @@ TEST_F(IsolineOutputs, BandsAreRings)
       EXPECT_LE(d, upper->GetComponent(i, 0));
     }
   }
-  const double pi = 3.14159265358979323846;
-  EXPECT_NEAR(areas[0], 2.0 * pi * 0.25, 1e-3);
-  EXPECT_NEAR(areas[1], 2.0 * pi * (1.0 - 0.25), 1e-3);
-  EXPECT_NEAR(areas[2], 2.0 * pi * (2.25 - 1.0), 1e-3);
+  EXPECT_NEAR(areas[0], 2.0 * vtkMath::Pi() * 0.25, 1e-3);
+  EXPECT_NEAR(areas[1], 2.0 * vtkMath::Pi() * (1.0 - 0.25), 1e-3);
+  EXPECT_NEAR(areas[2], 2.0 * vtkMath::Pi() * (2.25 - 1.0), 1e-3);
   EXPECT_NEAR(areas[0] + areas[1] + areas[2] + areas[3], 64.0, 1e-10);
   EXPECT_EQ(distances->GetRange()[0], 0.0);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkDGGOBJReader, vtkDGGPLYReader, vtkDGGSTLReader and vtkDGGXYZReader: dialects, digits, ids,
-// connectivity and bad files; tests that these and vtkDGGOFFReader share.
+// connectivity and bad files; tests that these, vtkDGGOFFReader and vtkPCDReader share.
 #include "MeshDescription.h"
 #include "ReaderFixture.h"
 
@@ -10,6 +10,7 @@
 #include "vtkDGGPLYReader.h"
 #include "vtkDGGSTLReader.h"
 #include "vtkDGGXYZReader.h"
+#include "vtkPCDReader.h"
 
 #include <zlib.h>
 
@@ -101,6 +102,9 @@ std::string MakeSTL(std::uint32_t count, const std::string& header = "binary")
   file += Bytes<float>({ 0, 0, 1, 0, 0.1f, 0, 1, 0, 0, 1, 1, 0 }) + std::string(2, '\0');
   return file;
 }
+
+constexpr auto Unrecognized = vtkErrorCode::UnrecognizedFileTypeError;
+constexpr auto Premature = vtkErrorCode::PrematureEndOfFileError;
 
 const FileCase OBJCases[] = {
   { "points are the lines v whatever normals the faces name",
@@ -199,11 +203,12 @@ const FileCase PLYCases[] = {
   { "no points behind the header", MakeTextPLY("", "", "", "0"), "" },
   { "more points than bytes", MakeTextPLY("", "", "0 0 0\n", "1000000000000"),
     "line 3: the header promises 1000000000000 records of the element 'vertex' with at least 6 "
-    "bytes each, but only 7 bytes follow" },
+    "bytes each, but only 7 bytes follow",
+    Premature },
   { "list beyond the end",
     MakeTextPLY("", "element face 1\nproperty list int int vertex_indices\n",
       "0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n"),
-    "line 13: the file ends in record 0 of 1 of the element 'face'" },
+    "line 13: the file ends in record 0 of 1 of the element 'face'", Premature },
   { "id behind the last point",
     MakeTextPLY("", "element face 1\nproperty list int int vertex_indices\n",
       "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
@@ -219,7 +224,7 @@ const FileCase PLYCases[] = {
     "line 9: 6 bytes follow the last record" },
   { "no number", MakeTextPLY("", "", "0 0 x\n", "1"),
     "line 8: record 0 of the element 'vertex': 'x' is not a number" },
-  { "other file", "plyx\n", "line 1: a PLY file begins" },
+  { "other file", "plyx\n", "line 1: a PLY file begins", Unrecognized },
   { "unknown format", "ply\nformat binary 1.0\nend_header\n", "line 3: the format 'binary'" },
   { "unknown type", "ply\nelement vertex 1\nproperty half x\n", "line 3: 'half' is not a type" },
   { "unknown keyword", "ply\nelements 3\n", "line 2: 'elements' is not a keyword" },
@@ -244,11 +249,12 @@ const FileCase STLCases[] = {
   { "binary that begins with solid", MakeSTL(2, "solid"),
     "float 0 0 0, 1 0 0, 0 " + Digits(0.1f) + " 0, 1 1 0 | polys 0 1 2, 2 1 3" },
   { "binary that is too short", MakeSTL(3, "solid"),
-    "byte 80: the header promises 3 triangles, which take 234 bytes, but the file has 184 bytes" },
+    "byte 80: the header promises 3 triangles, which take 234 bytes, but the file has 184 bytes",
+    Premature },
   { "binary that is too long", MakeSTL(1),
     "byte 80: the header promises 1 triangles, which take 134 bytes, but the file has 184 bytes" },
-  { "short header", "nothing", "byte 7: the file ends inside the header of 84 bytes" },
-  { "text without endsolid", FacetText, "line 9: the file ends before endsolid" },
+  { "short header", "nothing", "byte 7: the file ends inside the header of 84 bytes", Premature },
+  { "text without endsolid", FacetText, "line 9: the file ends before endsolid", Premature },
   { "facet of four corners",
     "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 "
     "0\n"
@@ -265,7 +271,7 @@ const FileCase XYZCases[] = {
     "1 2 3, 4 5 6, 512345.678 0.1 nan | verts 0, 1" },
   { "count", "2\n1 2 3\n4 5 6\n", "1 2 3, 4 5 6 | verts 0, 1" },
   { "count of too many points", "5\n0 0 0\n1 1 1\n",
-    "the file announces 5 points and has 2. The file" },
+    "the file announces 5 points and has 2. The file", Premature },
   { "count of too few points", "1\n0 0 0\n1 1 1\n", "the file announces 1 points and has 2" },
   { "decimal commas", "0;0;0\n1.5;2;3,5\n", "line 2: ',' may separate numbers" },
   { "decimal commas and blanks", "0,5 0,5 0,1\n1,5 2,5 3,5\n", "line 1: ',' may separate numbers" },
@@ -306,6 +312,22 @@ struct Good<vtkDGGOFFReader>
       file += "0 1 " + std::to_string(i) + "\n";
     }
     return file + "3 0 1 2\n";
+  }
+};
+template <>
+struct Good<vtkPCDReader>
+{
+  static constexpr const char* Name = "cloud.pcd";
+  static constexpr bool HasCounts = true;
+  static std::string Make(int points)
+  {
+    std::string file =
+      "FIELDS x y z\nPOINTS " + std::to_string(points) + "\nDATA ascii\n1.5 2.25 1000.5\n";
+    for (int i = 1; i < points; ++i)
+    {
+      file += std::to_string(i) + " 0 1\n";
+    }
+    return file;
   }
 };
 template <>
@@ -368,25 +390,6 @@ protected:
   {
     static const std::string file = Good<ReaderType>::Make(3);
     return file;
-  }
-
-  /// Each truncated file causes an error, or a warning where the format has no counts.
-  void CheckTruncation(const std::string& content, bool hasCounts)
-  {
-    for (std::size_t i = 0; i < 20; ++i)
-    {
-      std::size_t length = (content.size() - 2) * i / 19;
-      while (!hasCounts && length > 0 && content[length - 1] == '\n')
-      {
-        ++length; // a missing whole line cannot be detected
-      }
-      SCOPED_TRACE(length);
-      this->Use(this->Write(content.substr(0, length)));
-      dggtest::Listener listener(this->Reader);
-      this->Reader->Update();
-      EXPECT_EQ(listener.Errors.size() + (hasCounts ? 0 : listener.Warnings.size()), 1u);
-      EXPECT_TRUE(listener.Errors.empty() || this->Reader->GetOutput()->GetNumberOfPoints() == 0);
-    }
   }
 };
 
@@ -463,7 +466,7 @@ TEST_F(XYZReader, ReadsOrRefuses)
 }
 
 using ReaderTypes = testing::Types<vtkDGGOBJReader, vtkDGGOFFReader, vtkDGGPLYReader,
-  vtkDGGSTLReader, vtkDGGXYZReader>;
+  vtkDGGSTLReader, vtkDGGXYZReader, vtkPCDReader>;
 TYPED_TEST_SUITE(MeshReaders, ReaderTypes);
 
 TYPED_TEST(MeshReaders, NoticesTruncatedFiles)

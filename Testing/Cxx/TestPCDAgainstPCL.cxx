@@ -17,6 +17,8 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace dggtest
 {
@@ -69,12 +71,19 @@ protected:
     EXPECT_EQ(writer->Write(), 1);
   }
 
-  /// From PCL's cloud to a file of either side, and back with the other one.
+  /// From PCL's cloud to vtkPolyData and back; to a file of either side, and back with the other
+  /// one.
   template <typename Point>
   void ExpectSameBothWays(const pcl::PointCloud<Point>& cloud)
   {
     vtkSmartPointer<vtkPolyData> expected = vtkDGG::ToPolyData(cloud);
     ASSERT_NE(expected, nullptr);
+    pcl::PointCloud<Point> converted;
+    std::vector<std::string> missing = { "rubbish" };
+    ASSERT_TRUE(vtkDGG::FromPolyData(expected, converted, &missing));
+    EXPECT_TRUE(missing.empty());
+    EXPECT_EQ(converted.is_dense, cloud.is_dense);
+    this->ExpectSamePoints(cloud, converted);
     for (int mode = 0; mode < Modes; ++mode)
     {
       SCOPED_TRACE(mode);

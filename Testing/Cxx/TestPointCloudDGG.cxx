@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPointCloudDGG: outputs, properties, bad values.
+// vtkPointCloudDGG: outputs, properties, what is kept between updates.
 #include "GraphTestTools.h"
 #include "PointCloudDGGFixture.h"
 
@@ -8,6 +8,7 @@
 
 #include "vtkCell.h"
 #include "vtkDataArray.h"
+#include "vtkElevationFilter.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -16,17 +17,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace dggtest
 {
-namespace
-{
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-}
-
 TEST_F(PointCloudDGG, AddsTheGraphAndComponents)
 {
   const Points points = MakeFlatPoints(30, 0.3);
@@ -86,6 +81,7 @@ TEST_F(PointCloudDGG, ReportsWhatItUsed)
   EXPECT_GT(this->Filter->GetUsedAlpha(), 0.0);
   EXPECT_GT(this->Filter->GetReach(), 2.0 * spacing);
 
+  this->Filter->SetComponentArrayName("part");
   this->Filter->SetSchemeToB();
   this->Filter->SetOffsetInVoxels(2.5);
   this->Filter->SetResolution(100);
@@ -94,6 +90,7 @@ TEST_F(PointCloudDGG, ReportsWhatItUsed)
   EXPECT_NEAR(this->Filter->GetUsedOffsetInVoxels(), 2.5, 1e-6);
   EXPECT_EQ(this->Filter->GetUsedResolution(), 100);
   EXPECT_EQ(this->Filter->GetUsedAlpha(), 3.5);
+  EXPECT_NE(this->GetOutput()->GetPointData()->GetArray("part"), nullptr);
   EXPECT_NEAR(this->Filter->GetReach(), 6.0 * this->Filter->GetVoxelSize(), 1e-6);
 }
 
@@ -166,45 +163,90 @@ TEST_F(PointCloudDGG, TakesThePlaceOfAnotherGraph)
   EXPECT_EQ(graph->GetOutput()->GetFieldData()->GetNumberOfArrays(), 6);
 }
 
-TEST_F(PointCloudDGG, BadProperties)
+TEST_F(PointCloudDGG, KeepsTheGraph)
 {
-  ExpectError(this->Filter, { "vtkPointCloudDGG", "there is no input" });
-  this->Use(MakeFlatPoints(10));
-  this->Filter->SetOffsetInVoxels(-1.0);
-  ExpectError(this->Filter, { "OffsetInVoxels", "-1" });
-  this->Filter->SetOffsetInVoxels(NaN);
-  ExpectError(this->Filter, { "OffsetInVoxels", "nan" });
-  this->Filter->SetOffsetInVoxels(1000.5);
-  ExpectError(this->Filter, { "offset is 1000.5 voxels", "at most 1000" });
-  this->Filter->SetOffsetInVoxels(1e-300);
-  ExpectError(this->Filter, { "offset is 1e-300 voxels", "at least 0.5" });
-  this->Filter->SetOffsetInVoxels(0.0);
-  this->Filter->SetResolution(-5);
-  ExpectError(this->Filter, { "Resolution", "-5" });
-  this->Filter->SetResolution(2000000);
-  ExpectError(this->Filter, { "esolution", "2000000" });
-  this->Filter->SetResolution(0);
-  this->Filter->SetAlpha(-0.5);
-  ExpectError(this->Filter, { "Alpha", "-0.5" });
-  this->Filter->SetAlpha(2e6);
-  ExpectError(this->Filter, { "alpha is 2e+06", "at most 1e6" });
-  this->Filter->SetAlpha(1e-300);
-  ExpectError(this->Filter, { "alpha is 1e-300", "at least 1e-3" });
-  this->Filter->SetAlpha(0.0);
-  for (const double accuracy : { -0.1, 1e-7, 0.6, NaN })
-  {
-    this->Filter->SetAccuracy(accuracy);
-    ExpectError(this->Filter, { "ccuracy" });
-  }
-  this->Filter->SetAccuracy(0.001);
-  this->Filter->SetNumberOfNeighbors(2);
-  ExpectError(this->Filter, { "NumberOfNeighbors", "2" });
-  this->Filter->SetNumberOfNeighbors(8);
-  this->Filter->SetComponentArrayName(nullptr);
-  ExpectError(this->Filter, { "ComponentArrayName is empty" });
-  this->Filter->SetComponentArrayName("part");
+  const Points points = MakeFlatPoints(25, 0.2);
+  const auto cloud = MakeCloud(points);
+  vtkNew<vtkElevationFilter> elevation; // changes something upstream, but not the points
+  elevation->SetInputData(cloud);
+  this->Filter->SetInputConnection(elevation->GetOutputPort());
   ExpectSuccess(this->Filter);
-  EXPECT_NE(this->GetOutput()->GetPointData()->GetArray("part"), nullptr);
+  const vtkMTimeType first = this->Filter->GetGraphBuildTime();
+  elevation->SetHighPoint(0.0, 0.0, 3.0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), first);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
+  EXPECT_GT(this->Filter->GetSpacing(), 0.0);
+  this->Filter->SetMemoryLimit(1u << 30);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), first);
+
+  this->Filter->SetAccuracy(0.01);
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType second = this->Filter->GetGraphBuildTime();
+  EXPECT_GT(second, first);
+
+  cloud->GetPoints()->SetPoint(3, 0.1, 0.02, 0.001);
+  cloud->GetPoints()->Modified();
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType third = this->Filter->GetGraphBuildTime();
+  EXPECT_GT(third, second);
+
+  this->Filter->ReleaseGraph();
+  this->Filter->Modified();
+  ExpectSuccess(this->Filter);
+  EXPECT_GT(this->Filter->GetGraphBuildTime(), third);
 }
 
+TEST_F(PointCloudDGG, ReportsTheKeptGraphAfterAnError)
+{
+  this->Use(MakeFlatPoints(25, 0.2));
+  ExpectSuccess(this->Filter);
+  const vtkMTimeType built = this->Filter->GetGraphBuildTime();
+  const double spacing = this->Filter->GetSpacing();
+  this->Filter->SetAlpha(-1.0);
+  ExpectError(this->Filter, { "Alpha" });
+  EXPECT_EQ(this->Filter->GetSpacing(), 0.0);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
+  this->Filter->SetAlpha(0.0);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
+  EXPECT_EQ(this->Filter->GetSpacing(), spacing);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
+  EXPECT_GT(this->Filter->GetNumberOfGraphEdges(), 0);
+}
+
+TEST_F(PointCloudDGG, WarnsOncePerGraph)
+{
+  this->Use(MakeVolumePoints(1500));
+  ExpectWarning(this->Filter, { "do not lie on a surface" });
+  const double scatter = this->Filter->GetScatter();
+  EXPECT_GT(scatter, 1.0);
+  // The graph is kept: what there was to warn of can be asked.
+  this->Filter->SetMemoryLimit(1u << 30);
+  ExpectSuccess(this->Filter);
+  EXPECT_EQ(this->Filter->GetScatter(), scatter);
+  EXPECT_GT(this->Filter->GetOffSurfaceShare(), 0.5);
+  this->Filter->ReleaseGraph();
+  this->Filter->Modified();
+  ExpectWarning(this->Filter, { "do not lie on a surface" });
+}
+
+TEST_F(PointCloudDGG, EstimatesMemory)
+{
+  EXPECT_EQ(this->Filter->GetEstimatedMemory(), 0u);
+  this->Use(MakeFlatPoints(30, 0.3));
+  const vtkTypeUInt64 estimate = this->Filter->EstimateMemory();
+  EXPECT_EQ(this->Filter->GetErrorCode(), 0u);
+  EXPECT_EQ(estimate, this->Filter->GetEstimatedMemory());
+  ExpectSuccess(this->Filter);
+  const auto size = static_cast<double>(this->Filter->GetMemorySize());
+  EXPECT_NEAR(static_cast<double>(estimate), size, 0.8 * size);
+  EXPECT_GE(this->Filter->GetEstimatedPeakMemory(), estimate);
+  this->Filter->SetMemoryLimit(10000);
+  this->Filter->SetAccuracy(0.002);
+  ExpectError(this->Filter, { "limit" });
+  EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
+}
 }

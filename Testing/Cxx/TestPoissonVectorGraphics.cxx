@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace dggtest;
 
@@ -284,5 +285,44 @@ TEST(PoissonVectorGraphics, PointsKnowTheirComponents)
     const bool isAlone = output->GetPoint(i)[0] > 40.0;
     EXPECT_NEAR(net->GetComponent(static_cast<vtkIdType>(components->GetComponent(i, 0)), 0),
       isAlone ? 0.0 : 2.0, 1e-12);
+  }
+}
+
+TEST(PoissonVectorGraphics, OtherCellsAreLeftOutButForTheirPoints)
+{
+  // Beside the square, a vertex, a line, and a point of no cell.
+  GraphicsFixture drawing = MakeTwoAcross();
+  vtkPolyData* surface = drawing.Surface;
+  for (int i = 0; i < 4; ++i)
+  {
+    surface->GetPoints()->InsertNextPoint(10.0 + i, 1.0, 2.0);
+  }
+  surface->SetVerts(MakeCells({ { 35 } }));
+  surface->SetLines(MakeCells({ { 36, 37 } }));
+  std::vector<double> numbers(26);
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  AddArray(surface->GetCellData(), "number", numbers, 1);
+  AddArray(drawing.OfCells(), "LeftColor", { 1, 0.5, 0, 1, 0.5, 0 }, 3);
+  AddArray(drawing.OfCells(), "RightColor", { 0, 0.5, 1, 0, 0.5, 1 }, 3);
+  drawing.Filter->SetBackgroundColor(0.25, 0.5, 0.75);
+  vtkPolyData* output = drawing.Run();
+  EXPECT_EQ(output->GetNumberOfVerts(), 0);
+  EXPECT_EQ(output->GetNumberOfLines(), 0);
+  EXPECT_EQ(output->GetNumberOfPolys(), output->GetNumberOfCells());
+  EXPECT_EQ(output->GetCellData()->GetArray("number")->GetRange(0)[0], 2.0);
+  const std::vector<double> components = GetValues(output, "Component");
+  vtkDataArray* net = output->GetFieldData()->GetArray("NetSource");
+  for (vtkIdType i = 35; i < 39; ++i)
+  {
+    EXPECT_EQ(output->GetPoint(i)[0], 10.0 + static_cast<double>(i - 35));
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_EQ(output->GetPointData()->GetArray("Colors")->GetComponent(i, c), 0.25 * (c + 1));
+      EXPECT_EQ(net->GetComponent(static_cast<vtkIdType>(components[i]), c), 0.0);
+    }
+    for (vtkIdType k = 35; k < i; ++k)
+    {
+      EXPECT_NE(components[k], components[i]); // one of its own
+    }
   }
 }

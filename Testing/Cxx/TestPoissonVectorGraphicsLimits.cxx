@@ -135,53 +135,6 @@ TEST(PoissonVectorGraphics, SurfacesWithoutSides)
   ExpectError(filter, { "oriented differently", "one-sided" });
 }
 
-TEST(PoissonVectorGraphics, AwkwardSurfaces)
-{
-  // Several components, isolated points, degenerate and duplicate cells away from the curve, huge
-  // and tiny scales.
-  for (const double scale : { 1.0, 1e-12, 1e12 })
-  {
-    Points points = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 9, 9, 9 }, { 5, 0, 0 },
-      { 6, 0, 0 }, { 5, 1, 0 }, { 7, 0, 0 } };
-    for (auto& p : points)
-    {
-      for (double& x : p)
-      {
-        x *= scale;
-      }
-    }
-    auto surface =
-      MakeSurface(points, { { 0, 1, 2, 3 }, { 5, 6, 7 }, { 5, 6, 7 }, { 5, 6, 8 }, { 5, 5, 6 } });
-    vtkNew<vtkPolyData> curve;
-    vtkNew<vtkPoints> places;
-    places->SetDataTypeToDouble();
-    places->InsertNextPoint(0.5 * scale, 0.5 * scale, 0);
-    places->InsertNextPoint(1.5 * scale, 1.25 * scale, 0);
-    curve->SetPoints(places);
-    curve->SetLines(MakeCells({ { 0, 1 } }));
-    AddArray(curve->GetCellData(), "LeftColor", { 1, 0.5, 0 }, 3);
-    AddArray(curve->GetCellData(), "RightColor", { 0, 0.5, 1 }, 3);
-    vtkNew<vtkPoissonVectorGraphics> filter;
-    filter->SetInputData(surface);
-    filter->SetCurveData(curve);
-    filter->SetBackgroundColor(0.25, 0.5, 0.75);
-    Listener listener(filter); // warnings are as for other filters
-    filter->Update();
-    EXPECT_EQ(filter->GetErrorCode(), 0u) << scale;
-    vtkDataArray* colors = filter->GetOutput()->GetPointData()->GetArray("Colors");
-    ASSERT_NE(colors, nullptr) << scale;
-    double range[2];
-    colors->GetRange(range, 1);
-    EXPECT_NEAR(range[0], 0.5, 1e-9) << scale;
-    EXPECT_NEAR(range[1], 0.5, 1e-9) << scale;
-    colors->GetRange(range, 0);
-    EXPECT_NEAR(range[0], 0.0, 1e-9) << scale;
-    EXPECT_NEAR(range[1], 1.0, 1e-9) << scale;
-    EXPECT_NEAR(colors->GetComponent(4, 2), 0.75, 1e-9) << scale; // isolated
-    EXPECT_NEAR(colors->GetComponent(5, 2), 0.75, 1e-9) << scale; // another component
-  }
-}
-
 TEST(PoissonVectorGraphics, NumbersOfCellsAreChecked)
 {
   GraphicsFixture drawing = MakeTwoColored();

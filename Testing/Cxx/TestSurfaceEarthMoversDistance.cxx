@@ -2,26 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// vtkSurfaceEarthMoversDistance: known distances, flows, distributions given in several ways,
-/// components, what is kept, wrong input.
+/// components, what is kept.
 #include "SpectralTestTools.h"
 
-#include "vtkExactGeodesicDistance.h"
 #include "vtkSurfaceEarthMoversDistance.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 using namespace dggtest;
 
@@ -157,7 +153,6 @@ TEST(SurfaceEarthMoversDistance, FlowOnASphereIsTangentAndCostsTheDistance)
   // Along meridians: the integral of the mass that passes a parallel, sin^2(t) / 2, over t.
   EXPECT_NEAR(distance, 0.25 * vtkMath::Pi(), 0.01);
   double cost = 0.0;
-  double moment[3] = { 0.0, 0.0, 0.0 };
   for (vtkIdType c = 0; c < sphere->GetNumberOfCells(); ++c)
   {
     const auto a = PointInCell(sphere, c, { 1.0, 0.0, 0.0 });
@@ -172,29 +167,8 @@ TEST(SurfaceEarthMoversDistance, FlowOnASphereIsTangentAndCostsTheDistance)
     const double* flow = moved.Flow()->GetTuple3(c);
     EXPECT_NEAR(vtkMath::Dot(flow, normal), 0.0, 1e-12);
     cost += 0.5 * vtkMath::Norm(normal) * vtkMath::Norm(flow);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      moment[axis] += 0.5 * vtkMath::Norm(normal) * flow[axis];
-    }
   }
   EXPECT_NEAR(cost, distance, 1e-9);
-  // By parts, the integral of the flow is how far the centre of the masses moves.
-  double shift[3] = { 0.0, 0.0, 0.0 };
-  const std::vector<double> areas = GetPointAreas(sphere);
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
-  for (std::size_t i = 0; i < areas.size(); ++i)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      shift[axis] +=
-        (to[i] - from[i]) * areas[i] / area * sphere->GetPoint(static_cast<vtkIdType>(i))[axis];
-    }
-  }
-  EXPECT_NEAR(shift[2], -2.0 / 3.0, 0.02);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    EXPECT_NEAR(moment[axis], shift[axis], 1e-6) << axis;
-  }
 }
 
 TEST(SurfaceEarthMoversDistance, DistributionsInSeveralWays)
@@ -282,19 +256,13 @@ TEST(SurfaceEarthMoversDistance, PartsNeedTheSameMass)
   ExpectError(floats.Filter, { "has the mass", "normalized" });
 }
 
-TEST(SurfaceEarthMoversDistance, PointsThatCoincideAreOne)
+TEST(SurfaceEarthMoversDistance, MassesOfMergedPointsAreAdded)
 {
   // Two halves of a strip that meet along x = 6 with points of their own.
   auto strip = Beside(MakeGrid(6, 4), MakeGrid(6, 4), 6.0);
-  Fixture moved(strip, EndOfStrip(strip, 0.0, 4.0), EndOfStrip(strip, 12.0, 4.0));
+  Fixture moved(strip, EndOfStrip(strip, 0.0, 4.0), EndOfStrip(strip, 6.0, 4.0));
   moved.Filter->SetArrayMeaningToMass();
   moved.Filter->MergeCoincidentPointsOn();
-  EXPECT_NEAR(moved.Distance(), 12.0, 0.0125);
-  const std::vector<double> potential =
-    GetValues(moved.Filter->GetOutput(), "EarthMoversPotential");
-  EXPECT_EQ(potential[6], potential[35]);
-  // Masses of both are added up, densities are those of the first.
-  AddArray(strip, "to", EndOfStrip(strip, 6.0, 4.0));
   EXPECT_NEAR(moved.Distance(), 6.0, 0.0125);
   moved.Filter->NormalizeOff();
   ExpectError(moved.Filter, { "has the mass 4 and the second one 8" });

@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
-#include <queue>
 #include <random>
-#include <thread>
 
 namespace cloudtest
 {
@@ -155,63 +152,13 @@ dgg::CloudGraph BuildGraph(const Cloud& cloud,
   return graph;
 }
 
-dgg::ParallelFor WithThreads(int count)
-{
-  using Body = std::function<void(dgg::Offset, dgg::Offset)>;
-  return [count](dgg::Offset size, dgg::Offset grain, const Body& body) {
-    std::atomic<dgg::Offset> next{ 0 };
-    std::vector<std::thread> threads;
-    for (int i = 0; i < count; ++i)
-    {
-      threads.emplace_back([&] {
-        for (dgg::Offset begin = next.fetch_add(grain); begin < size; begin = next.fetch_add(grain))
-        {
-          body(begin, std::min(begin + grain, size));
-        }
-      });
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  };
-}
-
-std::vector<double> DistancesFrom(const dgg::GraphView& graph, Id source)
-{
-  using Entry = std::pair<double, Id>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  std::vector<double> distances(static_cast<std::size_t>(graph.NumberOfVertices), dgg::Infinity);
-  distances[source] = 0.0;
-  queue.push({ 0.0, source });
-  while (!queue.empty())
-  {
-    const auto [distance, v] = queue.top();
-    queue.pop();
-    if (distance > distances[v])
-    {
-      continue;
-    }
-    for (dgg::Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
-    {
-      const double next = distance + graph.Length(e);
-      if (next < distances[graph.Targets[e]])
-      {
-        distances[graph.Targets[e]] = next;
-        queue.push({ next, graph.Targets[e] });
-      }
-    }
-  }
-  return distances;
-}
-
 Errors MeasureErrors(const Cloud& cloud, const dgg::GraphView& graph, double least)
 {
   Errors errors;
   int count = 0;
   for (Id source = 0; source < 3 && source < cloud.GetSize(); ++source)
   {
-    const std::vector<double> distances = DistancesFrom(graph, source);
+    const std::vector<double> distances = GraphDistances(graph, source);
     for (Id v = 0; v < cloud.GetSize(); ++v)
     {
       const double truth = cloud.Distance(source, v);

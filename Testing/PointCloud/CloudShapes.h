@@ -5,6 +5,8 @@
 #ifndef CloudShapes_h
 #define CloudShapes_h
 
+#include "GraphChecks.h"
+
 #include "dggCloudGraphBuilder.h"
 #include "dggPoint3.h"
 
@@ -16,6 +18,8 @@ namespace cloudtest
 {
 using dgg::Id;
 using dgg::Point3;
+using dggtest::GraphDistances;
+using dggtest::WithThreads;
 
 /// Points, x y z each, and the distance between two of them.
 struct Cloud
@@ -63,12 +67,6 @@ std::string GetRefusal(const Cloud& cloud, const dgg::CloudGraphOptions& options
 dgg::CloudGraph BuildGraph(const Cloud& cloud,
   const std::function<void(dgg::CloudGraphOptions&)>& change = nullptr,
   dgg::CloudGraphStatistics* statistics = nullptr);
-
-/// A loop on so many threads.
-dgg::ParallelFor WithThreads(int count);
-
-/// Shortest paths from one vertex, by Dijkstra.
-std::vector<double> DistancesFrom(const dgg::GraphView& graph, Id source);
 
 struct Errors
 {

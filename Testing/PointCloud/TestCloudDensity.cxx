@@ -46,7 +46,7 @@ double BandPerPoint(const Cloud& cloud, const CloudGraphStatistics& statistics)
 /// first.
 double ErrorOnSphere(const Cloud& sphere, const CloudGraph& graph)
 {
-  const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
+  const std::vector<double> found = GraphDistances(graph.Graph.View(), 0);
   double sum = 0.0;
   for (Id i = 1; i < sphere.GetSize(); ++i)
   {
@@ -72,7 +72,7 @@ TEST(CloudDensity, ScansOfFlatGround)
   EXPECT_GT(statistics.VoxelSize, statistics.Spacing); // or this is no test
   // Rings far off fall apart; those that hang together are gone around the middle.
   EXPECT_GT(graph.ComponentSizes[0], 14 * 64);
-  const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
+  const std::vector<double> found = GraphDistances(graph.Graph.View(), 0);
   double worst = 0.0;
   double sum = 0.0;
   int count = 0;

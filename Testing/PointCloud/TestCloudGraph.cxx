@@ -27,8 +27,8 @@ TEST(CloudGraph, NumberingDoesNotMatter)
   const CloudGraph a = BuildGraph(cloud);
   const CloudGraph b = BuildGraph(reversed);
   ASSERT_EQ(a.Graph.Targets.Size(), b.Graph.Targets.Size());
-  const std::vector<double> there = DistancesFrom(a.Graph.View(), 0);
-  const std::vector<double> back = DistancesFrom(b.Graph.View(), cloud.GetSize() - 1);
+  const std::vector<double> there = GraphDistances(a.Graph.View(), 0);
+  const std::vector<double> back = GraphDistances(b.Graph.View(), cloud.GetSize() - 1);
   for (Id i = 0; i < cloud.GetSize(); ++i)
   {
     EXPECT_DOUBLE_EQ(there[i], back[cloud.GetSize() - 1 - i]);
@@ -50,7 +50,7 @@ TEST(CloudGraph, ComponentsAreThoseOfTheGraph)
   EXPECT_EQ(graph.Components[0], 1);
   EXPECT_EQ(graph.Components[800], 0);
   EXPECT_EQ(graph.Components[2300], 2);
-  const std::vector<double> distances = DistancesFrom(graph.Graph.View(), 0);
+  const std::vector<double> distances = GraphDistances(graph.Graph.View(), 0);
   for (Id i = 0; i < cloud.GetSize(); ++i)
   {
     EXPECT_EQ(distances[i] < dgg::Infinity, graph.Components[i] == 1) << i;

@@ -136,8 +136,8 @@ TEST(CloudGraphAccuracy, SparsificationStaysWithinItsBound)
       EXPECT_LT(sparse.Graph.Targets.Size(), full.Graph.Targets.Size());
       for (const Id source : { 0, 700 })
       {
-        const std::vector<double> truth = DistancesFrom(full.Graph.View(), source);
-        const std::vector<double> found = DistancesFrom(sparse.Graph.View(), source);
+        const std::vector<double> truth = GraphDistances(full.Graph.View(), source);
+        const std::vector<double> found = GraphDistances(sparse.Graph.View(), source);
         double largest = 0.0;
         for (std::size_t v = 0; v < truth.size(); ++v)
         {
@@ -165,8 +165,8 @@ TEST(CloudGraphAccuracy, HoldsUnderRotation)
     turned.Points[3 * i + 1] = c * q.Y - s * q.Z;
     turned.Points[3 * i + 2] = s * q.Y + c * q.Z;
   }
-  const std::vector<double> a = DistancesFrom(BuildGraph(cloud).Graph.View(), 0);
-  const std::vector<double> b = DistancesFrom(BuildGraph(turned).Graph.View(), 0);
+  const std::vector<double> a = GraphDistances(BuildGraph(cloud).Graph.View(), 0);
+  const std::vector<double> b = GraphDistances(BuildGraph(turned).Graph.View(), 0);
   for (std::size_t v = 0; v < a.size(); ++v)
   {
     EXPECT_NEAR(a[v], b[v], 3e-3 * a[v]) << v;

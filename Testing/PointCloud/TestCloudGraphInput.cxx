@@ -72,8 +72,8 @@ TEST(CloudGraphInput, PointsThatAreNotFiniteAreLeftOut)
     EXPECT_EQ(graph.Graph.Offsets[v], graph.Graph.Offsets[v + 1]);
   }
   // The others are connected as if there were nothing else.
-  const std::vector<double> truth = DistancesFrom(BuildGraph(whole).Graph.View(), 0);
-  const std::vector<double> found = DistancesFrom(graph.Graph.View(), places[0]);
+  const std::vector<double> truth = GraphDistances(BuildGraph(whole).Graph.View(), 0);
+  const std::vector<double> found = GraphDistances(graph.Graph.View(), places[0]);
   for (Id i = 0; i < whole.GetSize(); ++i)
   {
     EXPECT_EQ(found[places[i]], truth[i]);
@@ -98,11 +98,11 @@ TEST(CloudGraphInput, CoincidentPointsAreJoined)
   const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
   EXPECT_EQ(statistics.CoincidentPoints, 4);
   EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 1504 }));
-  const std::vector<double> distances = DistancesFrom(graph.Graph.View(), 1501);
+  const std::vector<double> distances = GraphDistances(graph.Graph.View(), 1501);
   EXPECT_LT(distances[5], 1e-11);
   EXPECT_LT(distances[1502], 1e-11);
   EXPECT_GT(distances[5], 0.0);
-  const std::vector<double> truth = DistancesFrom(single.Graph.View(), 5);
+  const std::vector<double> truth = GraphDistances(single.Graph.View(), 5);
   for (Id i = 0; i < 1500; ++i)
   {
     EXPECT_NEAR(distances[i], truth[i], 1e-10);
@@ -124,8 +124,8 @@ TEST(CloudGraphInput, CoincidentPointsAreJoined)
       tenfold.Add(few.At(i));
     }
   }
-  const std::vector<double> a = DistancesFrom(BuildGraph(few).Graph.View(), 0);
-  const std::vector<double> b = DistancesFrom(BuildGraph(tenfold).Graph.View(), 0);
+  const std::vector<double> a = GraphDistances(BuildGraph(few).Graph.View(), 0);
+  const std::vector<double> b = GraphDistances(BuildGraph(tenfold).Graph.View(), 0);
   for (Id i = 0; i < 400; ++i)
   {
     EXPECT_NEAR(a[i], b[i], 1e-9);
@@ -144,7 +144,7 @@ TEST(CloudGraphInput, PointsInALine)
     const CloudGraph graph =
       BuildGraph(cloud, [&](CloudGraphOptions& options) { options.Scheme = scheme; });
     EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 201 }));
-    const std::vector<double> distances = DistancesFrom(graph.Graph.View(), 0);
+    const std::vector<double> distances = GraphDistances(graph.Graph.View(), 0);
     for (Id i = 0; i <= 200; ++i)
     {
       EXPECT_NEAR(distances[i], 0.03 * i, 1e-6);
@@ -155,7 +155,7 @@ TEST(CloudGraphInput, PointsInALine)
 TEST(CloudGraphInput, ScaleAndPlaceDoNotMatter)
 {
   const Cloud cloud = Sphere(1200, 5);
-  const std::vector<double> truth = DistancesFrom(BuildGraph(cloud).Graph.View(), 0);
+  const std::vector<double> truth = GraphDistances(BuildGraph(cloud).Graph.View(), 0);
   const CloudGraph unscaled = BuildGraph(cloud);
   for (const double scale : { 1e-70, 1e-40, 1e-30, 1e-6, 1e6, 1e30, 1e40, 1e70 })
   {
@@ -166,7 +166,7 @@ TEST(CloudGraphInput, ScaleAndPlaceDoNotMatter)
     }
     CloudGraphStatistics statistics;
     const CloudGraph graph = BuildGraph(scaled, nullptr, &statistics);
-    const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
+    const std::vector<double> found = GraphDistances(graph.Graph.View(), 0);
     for (std::size_t i = 0; i < truth.size(); ++i)
     {
       EXPECT_NEAR(found[i] / scale, truth[i], 5e-3 * truth[i]) << scale;
@@ -182,7 +182,7 @@ TEST(CloudGraphInput, ScaleAndPlaceDoNotMatter)
   {
     far.Add(cloud.At(i) + Point3{ 1e6, -1e6, 2e6 });
   }
-  const std::vector<double> found = DistancesFrom(BuildGraph(far).Graph.View(), 0);
+  const std::vector<double> found = GraphDistances(BuildGraph(far).Graph.View(), 0);
   for (std::size_t i = 0; i < truth.size(); ++i)
   {
     EXPECT_NEAR(found[i], truth[i], 5e-3 * truth[i]);
@@ -194,7 +194,7 @@ TEST(CloudGraphInput, OutliersChangeNothing)
   // As far off as that, they would leave no digits, no voxels and no short edges to the others.
   const Cloud clean = Sphere(800, 21);
   const CloudGraph expected = BuildGraph(clean);
-  const std::vector<double> truth = DistancesFrom(expected.Graph.View(), 7);
+  const std::vector<double> truth = GraphDistances(expected.Graph.View(), 7);
   const auto check = [&](const std::vector<Point3>& outliers, std::size_t places) {
     Cloud cloud;
     const auto half = static_cast<Id>(outliers.size() / 2);
@@ -214,7 +214,7 @@ TEST(CloudGraphInput, OutliersChangeNothing)
     EXPECT_EQ(graph.ComponentSizes.size(), 1 + places);
     EXPECT_EQ(graph.ComponentSizes[0], 800);
     EXPECT_EQ(graph.VoxelSize, expected.VoxelSize);
-    const std::vector<double> found = DistancesFrom(graph.Graph.View(), half + 7);
+    const std::vector<double> found = GraphDistances(graph.Graph.View(), half + 7);
     for (Id i = 0; i < 800; ++i)
     {
       ASSERT_EQ(found[half + i], truth[i]) << i;
@@ -240,7 +240,7 @@ TEST(CloudGraphInput, PartsThatAreFarApart)
 {
   // Too many points to be outliers: each part is as it would be on its own, but for the accuracy.
   const Cloud clean = Sphere(1000, 22);
-  const std::vector<double> truth = DistancesFrom(BuildGraph(clean).Graph.View(), 0);
+  const std::vector<double> truth = GraphDistances(BuildGraph(clean).Graph.View(), 0);
   const auto add = [&](double off, Id count) {
     Cloud cloud = clean;
     for (Id i = 0; i < count; ++i)
@@ -253,7 +253,7 @@ TEST(CloudGraphInput, PartsThatAreFarApart)
   {
     const CloudGraph graph = BuildGraph(add(off, 1000));
     EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 1000, 1000 })) << off;
-    const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
+    const std::vector<double> found = GraphDistances(graph.Graph.View(), 0);
     for (Id i = 1; i < 1000; ++i)
     {
       EXPECT_NEAR(found[i], truth[i], 2e-3 * truth[i]) << off;
@@ -323,7 +323,7 @@ TEST(CloudGraphInput, AFewPointsTogetherOffTheOthers)
   const double spacing = 1.0 / std::sqrt(1500.0);
   CloudGraphStatistics expected;
   const std::vector<double> truth =
-    DistancesFrom(BuildGraph(clean, nullptr, &expected).Graph.View(), 0);
+    GraphDistances(BuildGraph(clean, nullptr, &expected).Graph.View(), 0);
   for (const Id count : { 3, 9, 12, 16 })
   {
     Cloud cloud = clean;
@@ -336,7 +336,7 @@ TEST(CloudGraphInput, AFewPointsTogetherOffTheOthers)
     EXPECT_EQ(statistics.Outliers, 0);
     EXPECT_NEAR(statistics.VoxelSize, expected.VoxelSize, 0.01 * expected.VoxelSize) << count;
     EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 1500, count }));
-    const std::vector<double> found = DistancesFrom(graph.Graph.View(), 0);
+    const std::vector<double> found = GraphDistances(graph.Graph.View(), 0);
     for (Id i = 1; i < 1500; ++i)
     {
       EXPECT_NEAR(found[i], truth[i], 2e-3 * truth[i]) << count; // both are that accurate

@@ -122,31 +122,6 @@ TEST(CloudGuards, SheetsTwoSpacingsApart)
   }
 }
 
-TEST(CloudGuards, OrientedNormalsSeparateSheets)
-{
-  const double spacing = 1.0 / std::sqrt(3000.0);
-  const Cloud cloud = TwoSheets(3000, 0.8 * spacing, 5);
-  std::vector<double> normals;
-  for (Id i = 0; i < cloud.GetSize(); ++i)
-  {
-    for (const double x : { 0.0, 0.0, i < 3000 ? -1.0 : 1.0 })
-    {
-      normals.push_back(x);
-    }
-  }
-  const auto edges = [&](bool oriented) {
-    return EdgesBetween(BuildGraph(cloud,
-                          [&](CloudGraphOptions& options) {
-                            options.Normals = normals.data();
-                            options.HasOrientedNormals = oriented;
-                            options.Alpha = 4.0;
-                          }),
-      [](Id v) { return v < 3000; });
-  };
-  EXPECT_GT(edges(false), 0);
-  EXPECT_EQ(edges(true), 0);
-}
-
 TEST(CloudGuards, OrientedNormalsSeparateSheetsAtAnyReach)
 {
   // With the default reach, chords from sheet to sheet are up to 13 gaps long.
@@ -157,12 +132,21 @@ TEST(CloudGuards, OrientedNormalsSeparateSheetsAtAnyReach)
   {
     normals.insert(normals.end(), { 0.0, 0.0, i < 3000 ? -1.0 : 1.0 });
   }
-  const CloudGraph graph = BuildGraph(cloud, [&](CloudGraphOptions& options) {
-    options.Normals = normals.data();
-    options.HasOrientedNormals = true;
-  });
-  EXPECT_EQ(EdgesBetween(graph, [](Id v) { return v < 3000; }), 0);
-  EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 3000, 3000 }));
+  const auto build = [&](bool oriented, double alpha) {
+    return BuildGraph(cloud, [&](CloudGraphOptions& options) {
+      options.Normals = normals.data();
+      options.HasOrientedNormals = oriented;
+      options.Alpha = alpha;
+    });
+  };
+  const auto first = [](Id v) { return v < 3000; };
+  EXPECT_GT(EdgesBetween(build(false, 4.0), first), 0);
+  for (const double alpha : { 0.0, 4.0 })
+  {
+    const CloudGraph graph = build(true, alpha);
+    EXPECT_EQ(EdgesBetween(graph, first), 0);
+    EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ 3000, 3000 }));
+  }
 }
 
 TEST(CloudGuards, PointsWithoutAnOrientedNormalAreConnectedAsUsual)
@@ -185,7 +169,7 @@ TEST(CloudGuards, PointsWithoutAnOrientedNormalAreConnectedAsUsual)
   };
   const CloudGraph oriented = build(true);
   EXPECT_EQ(oriented.ComponentSizes, (std::vector<Id>{ 3000 }));
-  EXPECT_EQ(DistancesFrom(oriented.Graph.View(), 0), DistancesFrom(build(false).Graph.View(), 0));
+  EXPECT_EQ(GraphDistances(oriented.Graph.View(), 0), GraphDistances(build(false).Graph.View(), 0));
 }
 
 TEST(CloudGuards, PathsGoAroundHoles)
@@ -208,7 +192,7 @@ TEST(CloudGuards, PathsGoAroundHoles)
   EXPECT_EQ(graph.ComponentSizes.size(), 1U);
   const double tangent = std::sqrt(0.35 * 0.35 - radius * radius);
   const double truth = 2.0 * tangent + radius * (dgg::Pi - 2.0 * std::acos(radius / 0.35));
-  const double found = DistancesFrom(graph.Graph.View(), 0)[1];
+  const double found = GraphDistances(graph.Graph.View(), 0)[1];
   EXPECT_GT(found, 0.75); // not straight through
   EXPECT_NEAR(found, truth, 0.015 * truth);
 }

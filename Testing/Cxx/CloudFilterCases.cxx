@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Table of filters on point clouds: vtkPointCloudDGG, the filters that search its graph, and fast
+/// marching.
+#include "FilterCases.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkDGGFastMarchingDistance.h"
+#include "vtkDGGPath.h"
+#include "vtkGeodesicDistanceMatrix.h"
+#include "vtkGeodesicSampler.h"
+#include "vtkGeodesicVoronoi.h"
+#include "vtkPointCloudDGG.h"
+
+#include "vtkPoints.h"
+
+#include <cmath>
+
+namespace dggtest
+{
+namespace
+{
+/// Turns a relief into a cloud that is nearly flat.
+void TakePoints(vtkPolyData* relief)
+{
+  relief->SetPolys(nullptr);
+  for (vtkIdType i = 0; i < relief->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    relief->GetPoint(i, p);
+    relief->GetPoints()->SetPoint(i, p[0], p[1], 0.05 * p[2]);
+  }
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeCloudGraph(vtkPolyData* relief)
+{
+  TakePoints(relief);
+  auto graph = MakeFilter<vtkPointCloudDGG>(relief);
+  graph->EstimateNormalsOn();
+  return graph;
+}
+
+/// A filter behind vtkPointCloudDGG.
+template <typename Filter>
+vtkSmartPointer<Filter> MakeConsumer(vtkPolyData* relief)
+{
+  TakePoints(relief);
+  vtkNew<vtkPointCloudDGG> graph;
+  graph->SetInputData(relief);
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputConnection(graph->GetOutputPort());
+  return filter;
+}
+
+/// Positions between points of a relief.
+vtkSmartPointer<vtkPolyData> MakePositions(vtkPolyData* relief, const std::vector<vtkIdType>& ids)
+{
+  Points positions;
+  for (const vtkIdType id : OnRelief(relief, ids))
+  {
+    positions.push_back({ { 0.0, 0.0, 0.0 } });
+    if (id < relief->GetNumberOfPoints())
+    {
+      relief->GetPoint(id, positions.back().data());
+      positions.back()[0] += 3.0;
+    }
+  }
+  return MakeSourcePoints(positions);
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeDistance(vtkPolyData* relief)
+{
+  auto distance = MakeConsumer<vtkDGGDistance>(relief);
+  distance->AddSourceId(OnRelief(relief, 40));
+  distance->SetSourceData(MakePositions(relief, { 20 }));
+  distance->GenerateNearestSourceOn();
+  return distance;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakePath(vtkPolyData* relief)
+{
+  auto path = MakeConsumer<vtkDGGPath>(relief);
+  path->AddPair(OnRelief(relief, 0), OnRelief(relief, 70));
+  path->AddPair(OnRelief(relief, 3), OnRelief(relief, 41));
+  return path;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeMatrix(vtkPolyData* relief)
+{
+  auto matrix = MakeConsumer<vtkGeodesicDistanceMatrix>(relief);
+  matrix->SetRowIds(OnRelief(relief, { 3, 40, 77 }));
+  matrix->SetRowData(MakePositions(relief, { 11, 60 }));
+  return matrix;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeSampler(vtkPolyData* relief)
+{
+  auto sampler = MakeConsumer<vtkGeodesicSampler>(relief);
+  sampler->SetNumberOfSamples(15);
+  return sampler;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeVoronoi(vtkPolyData* relief)
+{
+  auto voronoi = MakeConsumer<vtkGeodesicVoronoi>(relief);
+  voronoi->SetSiteIds(OnRelief(relief, { 10, 16, 64, 70 }));
+  voronoi->CentroidalOn();
+  voronoi->SetNumberOfIterations(2);
+  return voronoi;
+}
+
+vtkSmartPointer<vtkGeodesicAlgorithm> MakeMarching(vtkPolyData* relief)
+{
+  TakePoints(relief);
+  auto marching = MakeFilter<vtkDGGFastMarchingDistance>(relief);
+  marching->SetSourceIds(OnRelief(relief, { 40, 7 }));
+  marching->GenerateNearestSourceOn();
+  return marching;
+}
+
+std::vector<Refusal> RefuseCloudGraph()
+{
+  using F = vtkPointCloudDGG;
+  const double nan = std::nan("");
+  const auto offset = [](double value, const std::vector<std::string>& parts) {
+    return Refuse<F>([value](F* f) { f->SetOffsetInVoxels(value); }, parts);
+  };
+  const auto resolution = [](int value, const std::vector<std::string>& parts) {
+    return Refuse<F>([value](F* f) { f->SetResolution(value); }, parts);
+  };
+  const auto alpha = [](double value, const std::vector<std::string>& parts) {
+    return Refuse<F>([value](F* f) { f->SetAlpha(value); }, parts);
+  };
+  std::vector<Refusal> refusals = { offset(-1.0, { "OffsetInVoxels", "-1" }),
+    offset(nan, { "OffsetInVoxels", "nan" }),
+    offset(1000.5, { "offset is 1000.5 voxels", "at most 1000" }),
+    offset(1e-300, { "offset is 1e-300 voxels", "at least 0.5" }),
+    resolution(-5, { "Resolution", "-5" }), resolution(2000000, { "esolution", "2000000" }),
+    alpha(-0.5, { "Alpha", "-0.5" }), alpha(2e6, { "alpha is 2e+06", "at most 1e6" }),
+    alpha(1e-300, { "alpha is 1e-300", "at least 1e-3" }),
+    Refuse<F>([](F* f) { f->SetNumberOfNeighbors(2); }, { "NumberOfNeighbors", "2" }),
+    Refuse<F>([](F* f) { f->SetComponentArrayName(nullptr); }, { "ComponentArrayName is empty" }),
+    { [](vtkGeodesicAlgorithm* f) { f->SetMemoryLimit(10000); }, { "limit" } } };
+  for (const double accuracy : { -0.1, 1e-7, 0.6, nan })
+  {
+    refusals.push_back(Refuse<F>([accuracy](F* f) { f->SetAccuracy(accuracy); }, { "ccuracy" }));
+  }
+  return refusals;
+}
+
+std::vector<Refusal> RefuseMarching()
+{
+  using F = vtkDGGFastMarchingDistance;
+  const auto band = [](int resolution, vtkTypeInt64 limit, const std::vector<std::string>& parts) {
+    return Refuse<F>(
+      [=](F* f) {
+        f->SetResolution(resolution);
+        f->SetBandRadius(1000.0);
+        f->SetMemoryLimit(limit);
+      },
+      parts);
+  };
+  std::vector<Refusal> refusals = { Refuse<F>([](F* f) { f->RemoveAllSources(); }, { "no source" }),
+    Refuse<F>([](F* f) { f->AddSourceId(81); }, { "81", "out of range" }),
+    Refuse<F>([](F* f) { f->SetResolution(-1); }, { "Resolution" }),
+    Refuse<F>([](F* f) { f->SetResolution(524289); }, { "Resolution" }),
+    Refuse<F>([](F* f) { f->GenerateVirtualSourceOn(); }, { "GenerateVirtualSource" }),
+    band(524288, 1 << 24, { "band", "16 MiB", "smaller Resolution", "MemoryLimit" }),
+    band(0, 1000, { "1000 bytes", "fewer points" }) };
+  for (const double radius : { -1.0, 0.2, 1001.0, std::nan("") })
+  {
+    refusals.push_back(Refuse<F>([radius](F* f) { f->SetBandRadius(radius); }, { "BandRadius" }));
+  }
+  return refusals;
+}
+
+/// Returns the refusal of a position far from the cloud.
+template <typename Filter, typename Function>
+std::vector<Refusal> RefuseFar(Function setPositions)
+{
+  return { Refuse<Filter>(
+    [setPositions](Filter* f) { setPositions(f, MakeSourcePoints({ FarFromRelief })); },
+    { "point 0 of input port 1", "away from the cloud", "ProjectionTolerance" }) };
+}
+}
+
+std::vector<FilterCase> GetAllFilters()
+{
+  std::vector<FilterCase> all = {
+    { "CloudGraph", MakeCloudGraph,
+      { "Scheme: C", "OffsetInVoxels: 0", "Resolution: 0", "Alpha: 0", "Accuracy: 0.001",
+        "EstimateNormals: Off", "GenerateVertices: Off", "NumberOfNeighbors: 16",
+        "ComponentArrayName: Component" },
+      RefuseCloudGraph() },
+    { "CloudDistance", MakeDistance, {},
+      RefuseFar<vtkDGGDistance>([](auto* f, auto points) { f->SetSourceData(points); }) +
+        std::vector<Refusal>{ Refuse<vtkDGGDistance>([](auto* f) { f->GenerateVirtualSourceOn(); },
+          { "point cloud", "turn GenerateVirtualSource off" }) } },
+    { "CloudPath", MakePath, {},
+      { Refuse<vtkDGGPath>([](auto* f) { f->SetMethodToExact(); },
+        { "no exact path on a point cloud", "SetMethodToGraph" }) } },
+    { "CloudMatrix", MakeMatrix, {},
+      RefuseFar<vtkGeodesicDistanceMatrix>([](auto* f, auto points) { f->SetRowData(points); }) },
+    { "CloudSampler", MakeSampler, {},
+      RefuseFar<vtkGeodesicSampler>([](auto* f, auto points) { f->SetStartData(points); }) },
+    { "CloudVoronoi", MakeVoronoi, {},
+      RefuseFar<vtkGeodesicVoronoi>([](auto* f, auto points) { f->SetSiteData(points); }) },
+    { "CloudMarching", MakeMarching, { "BandRadius: 0", "Resolution: 0" }, RefuseMarching() },
+  };
+  for (FilterCase& filter : all)
+  {
+    filter.Refusals = filter.Refusals + RefuseInput();
+  }
+  return all;
+}
+}
