@@ -12,14 +12,14 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-vtkDGGMeshReader::vtkDGGMeshReader(dgg::FileFormat format)
+vtkDGGMeshReader::vtkDGGMeshReader(int format)
   : Format(format)
 {
 }
 
-int vtkDGGMeshReader::CanReadFile(const char* fileName, dgg::FileFormat format)
+int vtkDGGMeshReader::CanReadFile(const char* fileName, int format)
 {
-  return dgg::LooksLike(format, fileName ? fileName : "") ? 1 : 0;
+  return dgg::LooksLike(static_cast<dgg::FileFormat>(format), fileName ? fileName : "") ? 1 : 0;
 }
 
 int vtkDGGMeshReader::RequestData(
@@ -29,8 +29,8 @@ int vtkDGGMeshReader::RequestData(
   const auto work = [&](const dgg::FileProgress& progress) {
     dgg::MeshData mesh;
     dgg::FileStatus status = dgg::ReadMesh(
-      this->Format, this->FileName, [&progress](double done) { return progress(0.9 * done); },
-      mesh);
+      static_cast<dgg::FileFormat>(this->Format), this->FileName,
+      [&progress](double done) { return progress(0.9 * done); }, mesh);
     for (const std::string& warning : mesh.Warnings)
     {
       vtkWarningMacro(<< this->FileName << ": " << warning);

@@ -31,11 +31,6 @@
 #include "vtkAbstractPolyDataReader.h"
 #include "vtkDGGReadersModule.h" // for the export macro
 
-namespace dgg
-{
-enum class FileFormat;
-}
-
 class VTKDGGREADERS_EXPORT vtkDGGMeshReader : public vtkAbstractPolyDataReader
 {
 public:
@@ -43,9 +38,9 @@ public:
 
 protected:
   /**
-   * Constructs a reader of one format.
+   * Constructs a reader of one format, a FileFormat of dggFormats.h.
    */
-  explicit vtkDGGMeshReader(dgg::FileFormat format);
+  explicit vtkDGGMeshReader(int format);
   ~vtkDGGMeshReader() override = default;
 
   int RequestData(
@@ -54,13 +49,13 @@ protected:
   /**
    * Returns 1 if the beginning of the file has the format, otherwise 0.
    */
-  static int CanReadFile(const char* fileName, dgg::FileFormat format);
+  static int CanReadFile(const char* fileName, int format);
 
 private:
   vtkDGGMeshReader(const vtkDGGMeshReader&) = delete;
   void operator=(const vtkDGGMeshReader&) = delete;
 
-  const dgg::FileFormat Format;
+  const int Format;
 };
 
 #endif

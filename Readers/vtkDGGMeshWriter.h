@@ -76,8 +76,8 @@ protected:
   ~vtkDGGMeshWriter() override;
 
   /**
-   * Returns the format, a value of dgg::FileFormat, by the extension of the file name; -1 if it is
-   * unknown.
+   * Returns the format, a FileFormat of dggFormats.h, by the extension of the file name; -1 if it
+   * is unknown.
    */
   virtual int FindFormat() const;
   void WriteData() override;

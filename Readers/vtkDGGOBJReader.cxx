@@ -9,11 +9,11 @@
 vtkStandardNewMacro(vtkDGGOBJReader);
 
 vtkDGGOBJReader::vtkDGGOBJReader()
-  : vtkDGGMeshReader(dgg::FileFormat::OBJ)
+  : vtkDGGMeshReader(static_cast<int>(dgg::FileFormat::OBJ))
 {
 }
 
 int vtkDGGOBJReader::CanReadFile(const char* fileName)
 {
-  return vtkDGGMeshReader::CanReadFile(fileName, dgg::FileFormat::OBJ);
+  return vtkDGGMeshReader::CanReadFile(fileName, static_cast<int>(dgg::FileFormat::OBJ));
 }

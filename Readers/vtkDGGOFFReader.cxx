@@ -9,11 +9,11 @@
 vtkStandardNewMacro(vtkDGGOFFReader);
 
 vtkDGGOFFReader::vtkDGGOFFReader()
-  : vtkDGGMeshReader(dgg::FileFormat::OFF)
+  : vtkDGGMeshReader(static_cast<int>(dgg::FileFormat::OFF))
 {
 }
 
 int vtkDGGOFFReader::CanReadFile(const char* fileName)
 {
-  return vtkDGGMeshReader::CanReadFile(fileName, dgg::FileFormat::OFF);
+  return vtkDGGMeshReader::CanReadFile(fileName, static_cast<int>(dgg::FileFormat::OFF));
 }

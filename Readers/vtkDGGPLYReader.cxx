@@ -9,11 +9,11 @@
 vtkStandardNewMacro(vtkDGGPLYReader);
 
 vtkDGGPLYReader::vtkDGGPLYReader()
-  : vtkDGGMeshReader(dgg::FileFormat::PLY)
+  : vtkDGGMeshReader(static_cast<int>(dgg::FileFormat::PLY))
 {
 }
 
 int vtkDGGPLYReader::CanReadFile(const char* fileName)
 {
-  return vtkDGGMeshReader::CanReadFile(fileName, dgg::FileFormat::PLY);
+  return vtkDGGMeshReader::CanReadFile(fileName, static_cast<int>(dgg::FileFormat::PLY));
 }

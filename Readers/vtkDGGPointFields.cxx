@@ -12,6 +12,16 @@
 #include <algorithm>
 #include <cmath>
 
+/// A source of values, behind the public header.
+class vtkDGG::PointFieldSource::Values : public dgg::FieldSource
+{
+public:
+  explicit Values(dgg::FieldSource&& source)
+    : dgg::FieldSource(std::move(source))
+  {
+  }
+};
+
 namespace
 {
 std::vector<vtkDGG::PointFieldSource> MakeSources(vtkPolyData* data, bool areNamesUnique)
@@ -19,7 +29,8 @@ std::vector<vtkDGG::PointFieldSource> MakeSources(vtkPolyData* data, bool areNam
   std::vector<vtkDGG::PointFieldSource> sources;
   for (dgg::FieldSource& source : dgg::ListFields(vtkDGG::FromPointsOf(data), areNamesUnique))
   {
-    sources.emplace_back(std::move(source));
+    sources.emplace_back(
+      std::make_shared<const vtkDGG::PointFieldSource::Values>(std::move(source)));
   }
   return sources;
 }
@@ -38,8 +49,8 @@ vtkSmartPointer<vtkPolyData> vtkDGG::MakePolyData(const PointCloudView& cloud, s
   return output;
 }
 
-vtkDGG::PointFieldSource::PointFieldSource(dgg::FieldSource&& source)
-  : Source(std::make_shared<const dgg::FieldSource>(std::move(source)))
+vtkDGG::PointFieldSource::PointFieldSource(std::shared_ptr<const Values> values)
+  : Source(std::move(values))
 {
 }
 

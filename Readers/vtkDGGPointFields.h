@@ -31,18 +31,8 @@
 
 class vtkPolyData;
 
-namespace dgg
-{
-class FieldSource;
-}
-
 namespace vtkDGG
 {
-using dgg::PointCloudView;
-using dgg::PointField;
-using dgg::PointFieldView;
-using dgg::Viewpoint;
-
 /// Returns a copy of the cloud. On error returns null, and `error` describes the defect.
 VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
   const PointCloudView& cloud, std::string& error);
@@ -51,8 +41,8 @@ VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
 class VTKDGGREADERS_EXPORT PointFieldSource
 {
 public:
-  /// Stores the source of the values.
-  explicit PointFieldSource(dgg::FieldSource&& source);
+  class Values;
+  explicit PointFieldSource(std::shared_ptr<const Values> values);
 
   /// Returns the description of the values.
   const PointField& GetField() const;
@@ -63,7 +53,7 @@ public:
     std::size_t stride) const;
 
 private:
-  std::shared_ptr<const dgg::FieldSource> Source;
+  std::shared_ptr<const Values> Source;
 };
 
 /// Returns all fields of a vtkPolyData in the order x, y, z, normals, colors, other arrays. Arrays

@@ -9,11 +9,11 @@
 vtkStandardNewMacro(vtkDGGSTLReader);
 
 vtkDGGSTLReader::vtkDGGSTLReader()
-  : vtkDGGMeshReader(dgg::FileFormat::STL)
+  : vtkDGGMeshReader(static_cast<int>(dgg::FileFormat::STL))
 {
 }
 
 int vtkDGGSTLReader::CanReadFile(const char* fileName)
 {
-  return vtkDGGMeshReader::CanReadFile(fileName, dgg::FileFormat::STL);
+  return vtkDGGMeshReader::CanReadFile(fileName, static_cast<int>(dgg::FileFormat::STL));
 }

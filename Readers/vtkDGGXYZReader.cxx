@@ -9,11 +9,11 @@
 vtkStandardNewMacro(vtkDGGXYZReader);
 
 vtkDGGXYZReader::vtkDGGXYZReader()
-  : vtkDGGMeshReader(dgg::FileFormat::XYZ)
+  : vtkDGGMeshReader(static_cast<int>(dgg::FileFormat::XYZ))
 {
 }
 
 int vtkDGGXYZReader::CanReadFile(const char* fileName)
 {
-  return vtkDGGMeshReader::CanReadFile(fileName, dgg::FileFormat::XYZ);
+  return vtkDGGMeshReader::CanReadFile(fileName, static_cast<int>(dgg::FileFormat::XYZ));
 }

@@ -9,11 +9,11 @@
 vtkStandardNewMacro(vtkPCDReader);
 
 vtkPCDReader::vtkPCDReader()
-  : vtkDGGMeshReader(dgg::FileFormat::PCD)
+  : vtkDGGMeshReader(static_cast<int>(dgg::FileFormat::PCD))
 {
 }
 
 int vtkPCDReader::CanReadFile(const char* fileName)
 {
-  return vtkDGGMeshReader::CanReadFile(fileName, dgg::FileFormat::PCD);
+  return vtkDGGMeshReader::CanReadFile(fileName, static_cast<int>(dgg::FileFormat::PCD));
 }

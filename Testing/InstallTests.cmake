@@ -45,6 +45,21 @@ set_tests_properties(Install.BuildConsumer PROPERTIES
   LABELS "Install"
   TIMEOUT 600)
 
+set(headers_dir "${CMAKE_BINARY_DIR}/Testing/PublicHeaders")
+add_test(NAME Install.PublicHeaders
+  COMMAND "${CMAKE_CTEST_COMMAND}"
+    --build-and-test "${CMAKE_CURRENT_SOURCE_DIR}/PublicHeaders" "${headers_dir}"
+    --build-generator "${CMAKE_GENERATOR}"
+    --build-options
+      "-DCMAKE_PREFIX_PATH=${install_prefix}"
+      "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
+      "-DvtkDGG_DIR:PATH=${install_prefix}/${dgg_cmake_destination}"
+      "-DHEADERS=${install_prefix}/${dgg_include_destination}")
+set_tests_properties(Install.PublicHeaders PROPERTIES
+  FIXTURES_REQUIRED dgg_install
+  LABELS "Install"
+  TIMEOUT 600)
+
 # An unknown component is named.
 set(unknown_dir "${consumer_output}/UnknownComponent")
 file(WRITE "${unknown_dir}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.20)

@@ -4,6 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGFieldInput.h"
+#include "DGGFilterInternals.h"
 #include "DGGIsolineOutputs.h"
 #include "DGGNewGeometry.h"
 
@@ -47,6 +48,33 @@ constexpr double SmallestChordTolerance = 1e-6;
 }
 
 //------------------------------------------------------------------------------
+class vtkApolloniusIsolines::vtkInternals : public DGGFilterInternals
+{
+public:
+  explicit vtkInternals(vtkApolloniusIsolines* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  std::vector<double> CopyValues() const;
+  dgg::Status ReadField(const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input);
+  void WarnAbout(const DGGFieldInput& input, const DGGContext& context);
+  void WarnAboutNoLine(const std::vector<double>& distances, const dgg::Isolines& lines);
+  dgg::Status FindCurves(
+    const DGGContext& context, const dgg::DistanceField& field, Curves& curves);
+
+  vtkApolloniusIsolines* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkApolloniusIsolines::vtkApolloniusIsolines()
   : Method(LocalSources)
   , ChordTolerance(1e-3)
@@ -62,6 +90,7 @@ vtkApolloniusIsolines::vtkApolloniusIsolines()
   , NumberOfFallbacks(0)
   , WasEmpty(false)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfOutputPorts(3);
 }
 
@@ -160,13 +189,13 @@ const char* vtkApolloniusIsolines::GetMethodAsString() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkApolloniusIsolines::CopyValues() const
+std::vector<double> vtkApolloniusIsolines::vtkInternals::CopyValues() const
 {
-  const int count = this->ContourValues->GetNumberOfContours();
+  const int count = this->Self->ContourValues->GetNumberOfContours();
   std::vector<double> values(std::max(0, count));
   for (int i = 0; i < count; ++i)
   {
-    values[i] = this->ContourValues->GetValue(i);
+    values[i] = this->Self->ContourValues->GetValue(i);
   }
   return values;
 }
@@ -183,21 +212,21 @@ int vtkApolloniusIsolines::RequestData(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkApolloniusIsolines::CheckProperties() const
+dgg::Status vtkApolloniusIsolines::vtkInternals::CheckProperties() const
 {
-  if (this->SteinerPoints < 0 || this->SteinerPoints > dgg::MaximumSteinerPoints)
+  if (this->Self->SteinerPoints < 0 || this->Self->SteinerPoints > dgg::MaximumSteinerPoints)
   {
-    return dgg::InvalidInput("SteinerPoints is ", this->SteinerPoints,
+    return dgg::InvalidInput("SteinerPoints is ", this->Self->SteinerPoints,
       ": call SetSteinerPoints() with a number from 0 to ", dgg::MaximumSteinerPoints);
   }
-  if (!(this->ChordTolerance >= SmallestChordTolerance))
+  if (!(this->Self->ChordTolerance >= SmallestChordTolerance))
   {
-    return dgg::InvalidInput("ChordTolerance is ", this->ChordTolerance,
+    return dgg::InvalidInput("ChordTolerance is ", this->Self->ChordTolerance,
       ": call SetChordTolerance() with a number of at least ", SmallestChordTolerance);
   }
-  if (!(this->MinimumRidgeAngle >= 0.0 && this->MinimumRidgeAngle <= 180.0))
+  if (!(this->Self->MinimumRidgeAngle >= 0.0 && this->Self->MinimumRidgeAngle <= 180.0))
   {
-    return dgg::InvalidInput("MinimumRidgeAngle is ", this->MinimumRidgeAngle,
+    return dgg::InvalidInput("MinimumRidgeAngle is ", this->Self->MinimumRidgeAngle,
       ": call SetMinimumRidgeAngle() with degrees from 0 to 180");
   }
   const std::vector<double> values = this->CopyValues();
@@ -213,13 +242,13 @@ dgg::Status vtkApolloniusIsolines::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkApolloniusIsolines::GetMemoryRemedy() const
+std::string vtkApolloniusIsolines::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, fewer values or a larger ChordTolerance";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkApolloniusIsolines::Execute(const DGGContext& context,
+dgg::Status vtkApolloniusIsolines::vtkInternals::Execute(const DGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkDataArray* distances = nullptr;
@@ -227,15 +256,15 @@ dgg::Status vtkApolloniusIsolines::Execute(const DGGContext& context,
   DGGFieldInput input;
   Curves curves;
   DGG_RETURN_IF_ERROR(DGGFieldInput::FindDistances(
-    this->Information, this->DistanceArrayName, context.Input, distances));
-  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
+    this->Self->Information, this->Self->DistanceArrayName, context.Input, distances));
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
   DGG_RETURN_IF_ERROR(this->ReadField(context, distances, input));
   this->WarnAbout(input, context);
   DGG_RETURN_IF_ERROR(this->FindCurves(context, input.GetField(), curves));
   this->WarnAboutNoLine(input.GetDistances(), curves.Lines);
-  this->UsedWindows = input.GetField().HasWindows();
-  this->UsedVirtualSources = input.GetField().HasSources();
-  this->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
+  this->Self->UsedWindows = input.GetField().HasWindows();
+  this->Self->UsedVirtualSources = input.GetField().HasSources();
+  this->Self->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
   const DGGIsolineOutputs outputs(geometry, DGGFieldInput::GetName(distances));
   outputs.WriteLines(curves.Lines, this->CopyValues(), vtkPolyData::GetData(outputVector, 0));
   outputs.WriteRidges(curves.Ridges, vtkPolyData::GetData(outputVector, 1));
@@ -245,44 +274,50 @@ dgg::Status vtkApolloniusIsolines::Execute(const DGGContext& context,
 
 //------------------------------------------------------------------------------
 /// Reads the distances and, unless Method is Linear, their windows or virtual sources.
-dgg::Status vtkApolloniusIsolines::ReadField(
+dgg::Status vtkApolloniusIsolines::vtkInternals::ReadField(
   const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input)
 {
-  input.SetUnreachedValue(this->UnreachedValue);
-  return this->Method == Linear ? input.ReadDistances(context, distances)
-                                : input.Read(context, distances, this->VirtualSourceArrayName,
-                                    dgg::ProgressPart(context.Progress, 0.0, ReadingShare));
+  input.SetUnreachedValue(this->Self->UnreachedValue);
+  return this->Self->Method == Linear
+    ? input.ReadDistances(context, distances)
+    : input.Read(context, distances, this->Self->VirtualSourceArrayName,
+        dgg::ProgressPart(context.Progress, 0.0, ReadingShare));
 }
 
 //------------------------------------------------------------------------------
-void vtkApolloniusIsolines::WarnAbout(const DGGFieldInput& input, const DGGContext& context)
+void vtkApolloniusIsolines::vtkInternals::WarnAbout(
+  const DGGFieldInput& input, const DGGContext& context)
 {
   this->WarnAboutQuality(input.DescribeQuality(context.Surface));
   if (!input.GetWarning().empty())
   {
-    vtkWarningMacro(<< input.GetWarning() << ".");
+    vtkWarningWithObjectMacro(this->Self, << input.GetWarning() << ".");
   }
-  if (this->GenerateRidges && !input.GetField().HasWindows() && !input.GetField().HasSources())
+  if (this->Self->GenerateRidges && !input.GetField().HasWindows() &&
+    !input.GetField().HasSources())
   {
-    vtkWarningMacro(<< "there are no ridges in distances that are linear in each triangle: choose "
-                       "another Method, and distances with windows or virtual sources.");
+    vtkWarningWithObjectMacro(
+      this->Self, << "there are no ridges in distances that are linear in each triangle: choose "
+                     "another Method, and distances with windows or virtual sources.");
   }
-  else if (this->GenerateRidges && input.HasFittedSources())
+  else if (this->Self->GenerateRidges && input.HasFittedSources())
   {
-    vtkWarningMacro(<< "ridges of virtual sources that are fitted to distances alone are not "
-                       "reliable: call GenerateWindowsOn() of vtkExactGeodesicDistance, or "
-                       "GenerateVirtualSourceOn() of it or of vtkDGGDistance.");
+    vtkWarningWithObjectMacro(
+      this->Self, << "ridges of virtual sources that are fitted to distances alone are not "
+                     "reliable: call GenerateWindowsOn() of vtkExactGeodesicDistance, or "
+                     "GenerateVirtualSourceOn() of it or of vtkDGGDistance.");
   }
 }
 
 //------------------------------------------------------------------------------
 /// Warns if only lines are requested and there are none, once for consecutive updates without
 /// lines: each move of a source changes the range.
-void vtkApolloniusIsolines::WarnAboutNoLine(
+void vtkApolloniusIsolines::vtkInternals::WarnAboutNoLine(
   const std::vector<double>& distances, const dgg::Isolines& lines)
 {
-  const bool isEmpty = lines.Lines.empty() && !this->GenerateRidges && !this->GenerateBands;
-  if (isEmpty && !this->WasEmpty)
+  const bool isEmpty =
+    lines.Lines.empty() && !this->Self->GenerateRidges && !this->Self->GenerateBands;
+  if (isEmpty && !this->Self->WasEmpty)
   {
     double smallest = dgg::Infinity;
     double largest = -dgg::Infinity;
@@ -295,43 +330,44 @@ void vtkApolloniusIsolines::WarnAboutNoLine(
     {
       return; // no point is reached
     }
-    vtkWarningMacro(<< "there are no isolines: the distances of the points are from " << smallest
-                    << " to " << largest << ", and none of the values yields a line.");
+    vtkWarningWithObjectMacro(
+      this->Self, << "there are no isolines: the distances of the points are from " << smallest
+                  << " to " << largest << ", and none of the values yields a line.");
   }
-  this->WasEmpty = isEmpty;
+  this->Self->WasEmpty = isEmpty;
 }
 
 //------------------------------------------------------------------------------
 /// Finds lines and, if requested, ridges and bands.
-dgg::Status vtkApolloniusIsolines::FindCurves(
+dgg::Status vtkApolloniusIsolines::vtkInternals::FindCurves(
   const DGGContext& context, const dgg::DistanceField& field, Curves& curves)
 {
   const bool isKnown = field.HasWindows() || field.HasSources(); // otherwise linear, with a warning
   const std::vector<double> values = this->CopyValues();
   dgg::IsolineOptions options;
-  options.ChordTolerance = this->ChordTolerance * field.Mesh->GetMeanEdgeLength();
-  options.SteinerPoints = this->SteinerPoints;
-  options.Method = isKnown && this->Method == Apollonius ? dgg::IsolineMethod::Apollonius
-                                                         : dgg::IsolineMethod::LocalSources;
+  options.ChordTolerance = this->Self->ChordTolerance * field.Mesh->GetMeanEdgeLength();
+  options.SteinerPoints = this->Self->SteinerPoints;
+  options.Method = isKnown && this->Self->Method == Apollonius ? dgg::IsolineMethod::Apollonius
+                                                               : dgg::IsolineMethod::LocalSources;
   dgg::RidgeOptions ridgeOptions;
-  ridgeOptions.MinimumAngle = this->MinimumRidgeAngle * RadiansPerDegree;
+  ridgeOptions.MinimumAngle = this->Self->MinimumRidgeAngle * RadiansPerDegree;
   ridgeOptions.ChordTolerance = options.ChordTolerance;
-  const double work =
-    LineWork + (this->GenerateRidges ? RidgeWork : 0.0) + (this->GenerateBands ? BandWork : 0.0);
+  const double work = LineWork + (this->Self->GenerateRidges ? RidgeWork : 0.0) +
+    (this->Self->GenerateBands ? BandWork : 0.0);
   const double unit = (1.0 - ReadingShare) / work;
   const double atRidges = ReadingShare + LineWork * unit;
-  const double atBands = atRidges + (this->GenerateRidges ? RidgeWork * unit : 0.0);
+  const double atBands = atRidges + (this->Self->GenerateRidges ? RidgeWork * unit : 0.0);
   const dgg::ProgressCallback& progress = context.Progress;
   DGG_RETURN_IF_ERROR(dgg::TraceIsolines(field, values, options, context.Parallel,
     dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines));
-  if (this->GenerateRidges && isKnown)
+  if (this->Self->GenerateRidges && isKnown)
   {
     DGG_RETURN_IF_ERROR(dgg::FindRidges(field, ridgeOptions, context.Parallel,
       dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges));
   }
-  return this->GenerateBands ? dgg::MakeBands(field, values, curves.Lines,
-                                 dgg::ProgressPart(progress, atBands, 1.0), curves.Bands)
-                             : dgg::Status::Success();
+  return this->Self->GenerateBands ? dgg::MakeBands(field, values, curves.Lines,
+                                       dgg::ProgressPart(progress, atBands, 1.0), curves.Bands)
+                                   : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -347,13 +383,13 @@ vtkPolyData* vtkApolloniusIsolines::GetBands()
 }
 
 //------------------------------------------------------------------------------
-void vtkApolloniusIsolines::MakeEmptyOutput(
+void vtkApolloniusIsolines::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   DGGNewGeometry geometry;
-  geometry.Take(context, this->GetOutputPointsPrecision());
+  geometry.Take(context, this->Self->GetOutputPointsPrecision());
   const DGGIsolineOutputs outputs(
-    geometry, DGGFieldInput::GetName(this->Information, this->DistanceArrayName));
+    geometry, DGGFieldInput::GetName(this->Self->Information, this->Self->DistanceArrayName));
   outputs.WriteLines(dgg::Isolines(), {}, vtkPolyData::GetData(outputVector, 0));
   outputs.WriteRidges(dgg::Ridges(), vtkPolyData::GetData(outputVector, 1));
   outputs.WriteBands(dgg::Bands(), vtkPolyData::GetData(outputVector, 2));

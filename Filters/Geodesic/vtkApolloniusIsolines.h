@@ -44,13 +44,6 @@
 #include <vector> // For the values
 
 class vtkContourValues;
-class DGGFieldInput;
-class vtkDataArray;
-namespace dgg
-{
-struct DistanceField;
-struct Isolines;
-}
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkApolloniusIsolines : public vtkGeodesicAlgorithm
 {
@@ -221,24 +214,14 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
 
 private:
   vtkApolloniusIsolines(const vtkApolloniusIsolines&) = delete;
   void operator=(const vtkApolloniusIsolines&) = delete;
 
-  struct Curves;
+  class vtkInternals;
 
-  std::vector<double> CopyValues() const;
-  dgg::Status ReadField(const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input);
-  void WarnAbout(const DGGFieldInput& input, const DGGContext& context);
-  void WarnAboutNoLine(const std::vector<double>& distances, const dgg::Isolines& lines);
-  dgg::Status FindCurves(
-    const DGGContext& context, const dgg::DistanceField& field, Curves& curves);
+  struct Curves;
 
   vtkNew<vtkContourValues> ContourValues;
   int Method;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGDistance.h"
 
-#include "DGGDistanceTask.h"
+#include "DGGDistanceInternals.h"
+#include "DGGDistanceInternals.h"
 #include "DGGGraphUser.h"
 
 #include "dggPreparedSurface.h"
@@ -36,6 +37,26 @@ std::vector<Value> Select(const std::vector<Value>& values, const std::vector<dg
 }
 
 //------------------------------------------------------------------------------
+class vtkDGGDistance::vtkInternals : public DGGDistanceInternals
+{
+public:
+  explicit vtkInternals(vtkDGGDistance* self)
+    : DGGDistanceInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  std::vector<DGGPointArray> DeclareArrays() const override;
+  bool IsCloud(vtkPolyData* input) const override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkDGGDistance* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkDGGDistance::vtkDGGDistance()
   : Correction(true)
   , Search(Certified)
@@ -43,6 +64,7 @@ vtkDGGDistance::vtkDGGDistance()
   , UpperBoundArrayName("GeodesicUpperBound")
   , GraphUser(new DGGGraphUser)
 {
+  this->Internals.reset(new vtkInternals(this));
 }
 
 //------------------------------------------------------------------------------
@@ -67,50 +89,50 @@ const char* vtkDGGDistance::GetSearchAsString() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGDistance::CheckProperties() const
+dgg::Status vtkDGGDistance::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(this->GraphUser->Check());
-  return this->Superclass::CheckProperties();
+  DGG_RETURN_IF_ERROR(this->Self->GraphUser->Check());
+  return DGGDistanceInternals::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGDistance::IsCloud(vtkPolyData* input) const
+bool vtkDGGDistance::vtkInternals::IsCloud(vtkPolyData* input) const
 {
   return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkDGGDistance::GetMemoryRemedy() const
+std::string vtkDGGDistance::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or MaximumDistance";
 }
 
 //------------------------------------------------------------------------------
-std::vector<DGGPointArray> vtkDGGDistance::DeclareArrays() const
+std::vector<DGGPointArray> vtkDGGDistance::vtkInternals::DeclareArrays() const
 {
-  if (!this->GenerateUpperBound)
+  if (!this->Self->GenerateUpperBound)
   {
     return {};
   }
-  return { { this->UpperBoundArrayName, "UpperBoundArrayName",
+  return { { this->Self->UpperBoundArrayName, "UpperBoundArrayName",
     std::vector<std::vector<double>>(1) } };
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGDistance::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   const DGGContext& context = task.Context;
   const bool isCloud = context.Surface.IsCloud();
-  const bool correct = this->Correction && !isCloud;
-  DGGGraphUser& graph = *this->GraphUser;
-  DGG_RETURN_IF_ERROR(graph.Update(context, this));
+  const bool correct = this->Self->Correction && !isCloud;
+  DGGGraphUser& graph = *this->Self->GraphUser;
+  DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
   std::vector<dgg::GraphSeed> seeds;
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, task.Sources, seeds));
 
   const dgg::SearchMethod methods[] = { dgg::SearchMethod::Certified,
     dgg::SearchMethod::LabelCorrecting, dgg::SearchMethod::Dijkstra };
   dgg::SearchOptions options;
-  options.Method = methods[this->Search];
+  options.Method = methods[this->Self->Search];
   options.Correct = correct || task.WantVirtualSource;
   options.MaximumDistance =
     correct ? graph.WidenLimit(task.MaximumDistance, task.Sources) : task.MaximumDistance;

@@ -123,15 +123,11 @@ protected:
   vtkDGGDistance();
   ~vtkDGGDistance() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-  std::vector<DGGPointArray> DeclareArrays() const override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkDGGDistance(const vtkDGGDistance&) = delete;
   void operator=(const vtkDGGDistance&) = delete;
+
+  class vtkInternals;
 
   bool Correction;
   int Search;

@@ -3,7 +3,8 @@
 #include "vtkDGGFastMarchingDistance.h"
 
 #include "DGGCloudMarching.h"
-#include "DGGDistanceTask.h"
+#include "DGGDistanceInternals.h"
+#include "DGGDistanceInternals.h"
 #include "DGGMeshQuality.h"
 
 #include "dggFastMarching.h"
@@ -37,12 +38,35 @@ struct vtkDGGFastMarchingDistance::Preparation
 };
 
 //------------------------------------------------------------------------------
+class vtkDGGFastMarchingDistance::vtkInternals : public DGGDistanceInternals
+{
+public:
+  explicit vtkInternals(vtkDGGFastMarchingDistance* self)
+    : DGGDistanceInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  bool IsCloud(vtkPolyData* input) const override;
+  std::string GetMemoryRemedy() const override;
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+
+private:
+  dgg::Status MarchOnMesh(DGGDistanceTask& task);
+  dgg::Status MarchOnCloud(DGGDistanceTask& task);
+
+  vtkDGGFastMarchingDistance* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkDGGFastMarchingDistance::vtkDGGFastMarchingDistance()
   : FrontShape(Spherical)
   , BandRadius(0.0)
   , Resolution(0)
   , QualityWarning(false)
 {
+  this->Internals.reset(new vtkInternals(this));
 }
 
 //------------------------------------------------------------------------------
@@ -79,64 +103,64 @@ int vtkDGGFastMarchingDistance::GetUsedResolution() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGFastMarchingDistance::IsCloud(vtkPolyData* input) const
+bool vtkDGGFastMarchingDistance::vtkInternals::IsCloud(vtkPolyData* input) const
 {
   return input->GetNumberOfPoints() > 0 &&
     input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkDGGFastMarchingDistance::GetMemoryRemedy() const
+std::string vtkDGGFastMarchingDistance::vtkInternals::GetMemoryRemedy() const
 {
-  return this->Superclass::GetMemoryRemedy() + ", or on a cloud a smaller Resolution";
+  return DGGDistanceInternals::GetMemoryRemedy() + ", or on a cloud a smaller Resolution";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFastMarchingDistance::CheckProperties() const
+dgg::Status vtkDGGFastMarchingDistance::vtkInternals::CheckProperties() const
 {
-  const double radius = this->BandRadius;
+  const double radius = this->Self->BandRadius;
   if (radius != 0.0 && !(radius >= LeastRadius && radius <= LargestRadius))
   {
     return dgg::InvalidInput("BandRadius is ", radius, ": call SetBandRadius() with voxels in [",
       LeastRadius, ", ", LargestRadius, "], or with 0 for an automatic one");
   }
-  if (this->Resolution < 0 || this->Resolution > dgg::LargestResolution)
+  if (this->Self->Resolution < 0 || this->Self->Resolution > dgg::LargestResolution)
   {
-    return dgg::InvalidInput("Resolution is ", this->Resolution,
+    return dgg::InvalidInput("Resolution is ", this->Self->Resolution,
       ": call SetResolution() with at most ", dgg::LargestResolution,
       ", or with 0 for an automatic one");
   }
-  return this->Superclass::CheckProperties();
+  return DGGDistanceInternals::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFastMarchingDistance::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkDGGFastMarchingDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   return task.Context.Surface.IsCloud() ? this->MarchOnCloud(task) : this->MarchOnMesh(task);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFastMarchingDistance::MarchOnMesh(DGGDistanceTask& task)
+dgg::Status vtkDGGFastMarchingDistance::vtkInternals::MarchOnMesh(DGGDistanceTask& task)
 {
   dgg::MarchingOptions options;
   options.Update =
-    this->FrontShape == Planar ? dgg::MarchingUpdate::Planar : dgg::MarchingUpdate::Spherical;
+    this->Self->FrontShape == Planar ? dgg::MarchingUpdate::Planar : dgg::MarchingUpdate::Spherical;
   options.MaximumDistance = task.MaximumDistance;
   options.WantVirtualSource = task.WantVirtualSource;
   options.Progress = task.Context.Progress;
 
   const dgg::PreparedSurface& mesh = task.Context.Surface;
-  if (!this->Prepared || this->Prepared->MeshBuild != mesh.GetBuildNumber())
+  if (!this->Self->Prepared || this->Self->Prepared->MeshBuild != mesh.GetBuildNumber())
   {
-    this->Prepared.reset(); // release before the next is allocated
+    this->Self->Prepared.reset(); // release before the next is allocated
     auto solver = std::make_unique<dgg::FastMarching>(mesh.GetMesh());
-    this->Prepared.reset(
+    this->Self->Prepared.reset(
       new Preparation{ mesh.GetBuildNumber(), std::move(solver), nullptr, 0.0, 0 });
   }
-  this->QualityWarning =
+  this->Self->QualityWarning =
     this->WarnAboutQuality(DGGDescribeLongTriangles(mesh, DGGLongTrianglesMislead));
   dgg::MarchingResult result;
-  const dgg::Status status = this->Prepared->Solver->Run(task.Sources, options, result);
+  const dgg::Status status = this->Self->Prepared->Solver->Run(task.Sources, options, result);
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);
   task.VirtualSource = std::move(result.Virtual);
@@ -144,26 +168,26 @@ dgg::Status vtkDGGFastMarchingDistance::MarchOnMesh(DGGDistanceTask& task)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFastMarchingDistance::MarchOnCloud(DGGDistanceTask& task)
+dgg::Status vtkDGGFastMarchingDistance::vtkInternals::MarchOnCloud(DGGDistanceTask& task)
 {
   const DGGContext& context = task.Context;
-  const bool isKept = this->Prepared &&
-    this->Prepared->MeshBuild == context.Surface.GetBuildNumber() &&
-    this->Prepared->BandRadius == this->BandRadius &&
-    this->Prepared->Resolution == this->Resolution;
-  this->QualityWarning = false;
+  const bool isKept = this->Self->Prepared &&
+    this->Self->Prepared->MeshBuild == context.Surface.GetBuildNumber() &&
+    this->Self->Prepared->BandRadius == this->Self->BandRadius &&
+    this->Self->Prepared->Resolution == this->Self->Resolution;
+  this->Self->QualityWarning = false;
   if (!isKept)
   {
-    this->Prepared.reset();
+    this->Self->Prepared.reset();
     dgg::BandOptions options;
-    options.OffsetInVoxels = this->BandRadius;
-    options.Resolution = this->Resolution;
+    options.OffsetInVoxels = this->Self->BandRadius;
+    options.Resolution = this->Self->Resolution;
     auto marching = std::make_unique<DGGCloudMarching>();
     DGG_RETURN_IF_ERROR(
       marching->Prepare(context, options, dgg::ProgressPart(context.Progress, 0.0, BandShare)));
-    this->Prepared.reset(new Preparation{ context.Surface.GetBuildNumber(), nullptr,
-      std::move(marching), this->BandRadius, this->Resolution });
+    this->Self->Prepared.reset(new Preparation{ context.Surface.GetBuildNumber(), nullptr,
+      std::move(marching), this->Self->BandRadius, this->Self->Resolution });
   }
-  return this->Prepared->OnCloud->Run(
+  return this->Self->Prepared->OnCloud->Run(
     task, dgg::ProgressPart(context.Progress, isKept ? 0.0 : BandShare, 1.0));
 }

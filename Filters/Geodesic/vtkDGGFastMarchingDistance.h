@@ -105,19 +105,13 @@ protected:
   vtkDGGFastMarchingDistance();
   ~vtkDGGFastMarchingDistance() override;
 
-  dgg::Status CheckProperties() const override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-
 private:
   vtkDGGFastMarchingDistance(const vtkDGGFastMarchingDistance&) = delete;
   void operator=(const vtkDGGFastMarchingDistance&) = delete;
 
-  struct Preparation;
+  class vtkInternals;
 
-  dgg::Status MarchOnMesh(DGGDistanceTask& task);
-  dgg::Status MarchOnCloud(DGGDistanceTask& task);
+  struct Preparation;
 
   int FrontShape;
   double BandRadius;

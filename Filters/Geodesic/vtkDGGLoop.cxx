@@ -3,6 +3,7 @@
 #include "vtkDGGLoop.h"
 
 #include "DGGContext.h"
+#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
@@ -220,6 +221,30 @@ void FillOutputs(
 }
 
 //------------------------------------------------------------------------------
+class vtkDGGLoop::vtkInternals : public DGGFilterInternals
+{
+public:
+  explicit vtkInternals(vtkDGGLoop* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  DGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
+  void WarnAboutMissingLoops(const DGGLoopSet& set);
+  void WarnAboutMissingTapes(const DGGLoopSet& set);
+
+  vtkDGGLoop* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkDGGLoop::vtkDGGLoop()
   : Mode(ThroughPoint)
   , Taut(false)
@@ -227,6 +252,7 @@ vtkDGGLoop::vtkDGGLoop()
   , ProjectionTolerance(0.01)
   , GraphUser(new DGGGraphUser)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
@@ -267,80 +293,80 @@ vtkPolyData* vtkDGGLoop::GetTape()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGLoop::CheckProperties() const
+dgg::Status vtkDGGLoop::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths(
-    { { "ProjectionTolerance", this->ProjectionTolerance }, { "TapeWidth", this->TapeWidth } }));
-  return std::isinf(this->TapeWidth)
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
+    { "TapeWidth", this->Self->TapeWidth } }));
+  return std::isinf(this->Self->TapeWidth)
     ? dgg::Status::Invalid("TapeWidth is infinite: call SetTapeWidth() with a finite width")
-    : this->GraphUser->Check();
+    : this->Self->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkDGGLoop::GetPointSet(vtkInformationVector** inputVector) const
+DGGSourceSet vtkDGGLoop::vtkInternals::GetPointSet(vtkInformationVector** inputVector) const
 {
-  return { this->PointIds, vtkPolyData::GetData(inputVector[1]), 1, "loop point",
+  return { this->Self->PointIds, vtkPolyData::GetData(inputVector[1]), 1, "loop point",
     "call AddPointId() or SetPointIds()", "" };
 }
 
 //------------------------------------------------------------------------------
-std::string vtkDGGLoop::GetMemoryRemedy() const
+std::string vtkDGGLoop::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer points at a time";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGLoop::Execute(
+dgg::Status vtkDGGLoop::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
   LoopPoints points;
-  if (this->Mode != AroundHandles)
+  if (this->Self->Mode != AroundHandles)
   {
     DGG_RETURN_IF_ERROR(
-      DGGLocate(context, this->GetPointSet(inputVector), this->ProjectionTolerance, points));
+      DGGLocate(context, this->GetPointSet(inputVector), this->Self->ProjectionTolerance, points));
   }
-  if (this->Mode == Rope && points.size() < FewestPointsOfRope)
+  if (this->Self->Mode == Rope && points.size() < FewestPointsOfRope)
   {
     return dgg::InvalidInput("a rope through ", points.size(),
       points.size() == 1 ? " point" : " points",
       " runs back along itself: specify three points or more");
   }
   DGGNewGeometry geometry;
-  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
   dgg::ProgressCallback progress = context.Progress;
-  if (this->Mode != AroundHandles)
+  if (this->Self->Mode != AroundHandles)
   {
-    DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
-    progress = this->GraphUser->GetRemainingProgress(context);
+    DGG_RETURN_IF_ERROR(this->Self->GraphUser->Update(context, this->Self));
+    progress = this->Self->GraphUser->GetRemainingProgress(context);
   }
 
   DGGLoopSet set;
   const dgg::ProgressCallback finding =
-    dgg::ProgressPart(progress, 0.0, this->TapeWidth > 0.0 ? LoopShare : 1.0);
-  if (this->Mode == AroundHandles)
+    dgg::ProgressPart(progress, 0.0, this->Self->TapeWidth > 0.0 ? LoopShare : 1.0);
+  if (this->Self->Mode == AroundHandles)
   {
     DGG_RETURN_IF_ERROR(dgg::FindHandleLoops(mesh.GetMesh(), finding, set.Loops));
   }
   else
   {
-    DGGGraphUser& graph = *this->GraphUser;
+    DGGGraphUser& graph = *this->Self->GraphUser;
     const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
     DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, withLinks));
     const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),
       withLinks ? &graph.GetBuilder() : nullptr, geometry.GetPositions(), graph.GetLinkAccuracy());
-    const auto run = this->Mode == Rope ? RunRope : RunThroughPoints;
-    DGG_RETURN_IF_ERROR(run(finder, points, this->Taut, finding, set));
+    const auto run = this->Self->Mode == Rope ? RunRope : RunThroughPoints;
+    DGG_RETURN_IF_ERROR(run(finder, points, this->Self->Taut, finding, set));
   }
   for (std::size_t i = set.Status.size(); i < set.Loops.size(); ++i)
   {
     set.Status.push_back(set.Loops[i].Loop.IsEmpty() ? LoopStatus::NotFound : LoopStatus::Found);
   }
   DGG_RETURN_IF_ERROR(dgg::ReportTo(finding, 1.0));
-  if (this->TapeWidth > 0.0)
+  if (this->Self->TapeWidth > 0.0)
   {
     DGG_RETURN_IF_ERROR(
-      AddTapes(mesh, this->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set));
+      AddTapes(mesh, this->Self->TapeWidth, dgg::ProgressPart(progress, LoopShare, 1.0), set));
   }
   FillOutputs(set, geometry, outputVector);
   this->WarnAboutMissingLoops(set);
@@ -349,70 +375,75 @@ dgg::Status vtkDGGLoop::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::WarnAboutMissingLoops(const DGGLoopSet& set)
+void vtkDGGLoop::vtkInternals::WarnAboutMissingLoops(const DGGLoopSet& set)
 {
   const auto isMissing = [](LoopStatus status) { return status != LoopStatus::Found; };
   const auto missing = std::count_if(set.Status.begin(), set.Status.end(), isMissing);
   const auto first =
     std::find_if(set.Status.begin(), set.Status.end(), isMissing) - set.Status.begin();
-  if (this->Mode == AroundHandles && set.Status.empty())
+  if (this->Self->Mode == AroundHandles && set.Status.empty())
   {
-    vtkWarningMacro("The surface has no handle, and no component with more than one boundary: all "
-                    "loops on it can be contracted. There are none in the output.");
+    vtkWarningWithObjectMacro(this->Self,
+      "The surface has no handle, and no component with more than one boundary: all "
+      "loops on it can be contracted. There are none in the output.");
   }
-  else if (missing > 0 && this->Mode == AroundHandles)
+  else if (missing > 0 && this->Self->Mode == AroundHandles)
   {
-    vtkWarningMacro(<< missing << " of " << set.Status.size() << " loops around handles "
-                    << (missing == 1 ? "has" : "have")
-                    << " to pass a pinched vertex, and cannot be pulled tight there: "
-                    << (missing == 1 ? "it has" : "they have") << " no polyline, and 1 in "
-                    << "the field array LoopStatus. Separate the fans of faces at such vertices.");
+    vtkWarningWithObjectMacro(
+      this->Self, << missing << " of " << set.Status.size() << " loops around handles "
+                  << (missing == 1 ? "has" : "have")
+                  << " to pass a pinched vertex, and cannot be pulled tight there: "
+                  << (missing == 1 ? "it has" : "they have") << " no polyline, and 1 in "
+                  << "the field array LoopStatus. Separate the fans of faces at such vertices.");
   }
-  else if (missing > 0 && this->Mode == Rope)
+  else if (missing > 0 && this->Self->Mode == Rope)
   {
     const bool isConnected = set.Status[0] != LoopStatus::NotConnected;
-    vtkWarningMacro(<< (isConnected ? "The rope contracts to a point when it is pulled tight. "
-                                    : "The points of the rope are not connected by the surface. ")
-                    << "There is no polyline, and " << (isConnected ? 1 : 2)
-                    << " in the field array LoopStatus.");
+    vtkWarningWithObjectMacro(
+      this->Self, << (isConnected ? "The rope contracts to a point when it is pulled tight. "
+                                  : "The points of the rope are not connected by the surface. ")
+                  << "There is no polyline, and " << (isConnected ? 1 : 2)
+                  << " in the field array LoopStatus.");
   }
   else if (missing > 0)
   {
-    vtkWarningMacro(<< "No loop was found through " << missing << " of " << set.Status.size()
-                    << (set.Status.size() == 1 ? " point" : " points")
-                    << (missing == 1 ? ", point " : ", the first of them point ") << first
-                    << ": all loops that were tried contract to the point, as on a surface without "
-                    << "handles and limbs. " << (missing == 1 ? "It has" : "They have")
-                    << " no polyline, and 1 in the field array LoopStatus.");
+    vtkWarningWithObjectMacro(
+      this->Self, << "No loop was found through " << missing << " of " << set.Status.size()
+                  << (set.Status.size() == 1 ? " point" : " points")
+                  << (missing == 1 ? ", point " : ", the first of them point ") << first
+                  << ": all loops that were tried contract to the point, as on a surface without "
+                  << "handles and limbs. " << (missing == 1 ? "It has" : "They have")
+                  << " no polyline, and 1 in the field array LoopStatus.");
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::WarnAboutMissingTapes(const DGGLoopSet& set)
+void vtkDGGLoop::vtkInternals::WarnAboutMissingTapes(const DGGLoopSet& set)
 {
   if (set.LoopsTooLong > 0)
   {
-    vtkWarningMacro(<< "TapeWidth is " << this->TapeWidth << ", too small for the length of "
-                    << set.LoopsTooLong << " of " << set.Loops.size()
-                    << (set.Loops.size() == 1 ? " loop" : " loops") << ": there is no tape along "
-                    << (set.LoopsTooLong == 1 ? "it" : "them")
-                    << ". For all loops it has to be at least " << RoundUp(set.SmallestOffsetWidth)
-                    << ".");
+    vtkWarningWithObjectMacro(this->Self,
+      << "TapeWidth is " << this->Self->TapeWidth << ", too small for the length of "
+      << set.LoopsTooLong << " of " << set.Loops.size()
+      << (set.Loops.size() == 1 ? " loop" : " loops") << ": there is no tape along "
+      << (set.LoopsTooLong == 1 ? "it" : "them") << ". For all loops it has to be at least "
+      << RoundUp(set.SmallestOffsetWidth) << ".");
   }
   if (set.TapesTooWide > 0)
   {
-    vtkWarningMacro(<< "TapeWidth is " << this->TapeWidth
-                    << ", and no point is at half of that distance from " << set.TapesTooWide
-                    << " of " << set.Loops.size() << (set.Loops.size() == 1 ? " loop" : " loops")
-                    << ": output 1 has no curve for " << (set.TapesTooWide == 1 ? "it" : "them")
-                    << ".");
+    vtkWarningWithObjectMacro(this->Self,
+      << "TapeWidth is " << this->Self->TapeWidth
+      << ", and no point is at half of that distance from " << set.TapesTooWide << " of "
+      << set.Loops.size() << (set.Loops.size() == 1 ? " loop" : " loops")
+      << ": output 1 has no curve for " << (set.TapesTooWide == 1 ? "it" : "them") << ".");
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGLoop::MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector)
+void vtkDGGLoop::vtkInternals::MakeEmptyOutput(
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
   DGGNewGeometry geometry;
-  geometry.Take(context, this->GetOutputPointsPrecision());
+  geometry.Take(context, this->Self->GetOutputPointsPrecision());
   FillOutputs(DGGLoopSet(), geometry, outputVector);
 }

@@ -42,9 +42,6 @@
 #include <memory> // For the internals
 #include <vector> // For ids
 
-struct DGGLoopSet;
-struct DGGSourceSet;
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGLoop : public vtkGeodesicAlgorithm
 {
 public:
@@ -151,19 +148,11 @@ protected:
   vtkDGGLoop();
   ~vtkDGGLoop() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkDGGLoop(const vtkDGGLoop&) = delete;
   void operator=(const vtkDGGLoop&) = delete;
 
-  DGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
-  void WarnAboutMissingLoops(const DGGLoopSet& set);
-  void WarnAboutMissingTapes(const DGGLoopSet& set);
+  class vtkInternals;
 
   int Mode;
   std::vector<vtkIdType> PointIds;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPath.h"
 
+#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
@@ -198,6 +199,30 @@ void WritePaths(const PathSet& set, const DGGNewGeometry& geometry, vtkPolyData*
 }
 
 //------------------------------------------------------------------------------
+class vtkDGGPath::vtkInternals : public DGGFilterInternals
+{
+public:
+  explicit vtkInternals(vtkDGGPath* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  bool IsCloud(vtkPolyData* input) const override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  void WarnAboutUnconnectedPairs(
+    const DGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count);
+
+  vtkDGGPath* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkDGGPath::vtkDGGPath()
   : Method(Graph)
   , Straighten(true)
@@ -206,6 +231,7 @@ vtkDGGPath::vtkDGGPath()
   , NumberOfFallbacks(0)
   , GraphUser(new DGGGraphUser)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
 }
 
@@ -274,52 +300,52 @@ vtkIdType vtkDGGPath::GetPairEnd(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPath::CheckProperties() const
+dgg::Status vtkDGGPath::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths(
-    { { "ProjectionTolerance", this->ProjectionTolerance }, { "Detour", this->Detour } }));
-  return this->GraphUser->Check();
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
+    { "Detour", this->Self->Detour } }));
+  return this->Self->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
-bool vtkDGGPath::IsCloud(vtkPolyData* input) const
+bool vtkDGGPath::vtkInternals::IsCloud(vtkPolyData* input) const
 {
   return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkDGGPath::GetMemoryRemedy() const
+std::string vtkDGGPath::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer pairs at a time";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGPath::Execute(
+dgg::Status vtkDGGPath::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->NumberOfFallbacks = 0;
+  this->Self->NumberOfFallbacks = 0;
   const dgg::PreparedSurface& mesh = context.Surface;
-  if (mesh.IsCloud() && this->Method == Exact)
+  if (mesh.IsCloud() && this->Self->Method == Exact)
   {
     return dgg::Status::Invalid("there is no exact path on a point cloud: call SetMethodToGraph()");
   }
-  const bool isExact = this->Method == Exact;
+  const bool isExact = this->Self->Method == Exact;
   dgg::PathOptions options;
-  options.Straighten = this->Straighten;
-  options.Detour = this->Detour;
+  options.Straighten = this->Self->Straighten;
+  options.Detour = this->Self->Detour;
 
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   PairLines linePairs;
   std::vector<dgg::SurfacePoint> ends;
-  DGG_RETURN_IF_ERROR(linePairs.Read(lines, this->PairIds.empty()));
-  DGG_RETURN_IF_ERROR(DGGLocate(
-    context, MakeSourceSet(this->PairIds, lines, linePairs), this->ProjectionTolerance, ends));
+  DGG_RETURN_IF_ERROR(linePairs.Read(lines, this->Self->PairIds.empty()));
+  DGG_RETURN_IF_ERROR(DGGLocate(context, MakeSourceSet(this->Self->PairIds, lines, linePairs),
+    this->Self->ProjectionTolerance, ends));
   DGGNewGeometry geometry;
-  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
-  DGGGraphUser& graph = *this->GraphUser;
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
+  DGGGraphUser& graph = *this->Self->GraphUser;
   if (!isExact)
   {
-    DGG_RETURN_IF_ERROR(graph.Update(context, this));
+    DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
   }
 
   const dgg::PathSearch::Pairs pairs = MakePairs(ends);
@@ -330,7 +356,7 @@ dgg::Status vtkDGGPath::Execute(
                                      : search.RunInGraph(graph, options, paths));
   for (const dgg::FoundPath& path : paths)
   {
-    this->NumberOfFallbacks += path.NumberOfFallbacks;
+    this->Self->NumberOfFallbacks += path.NumberOfFallbacks;
   }
   WritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, geometry,
     vtkPolyData::GetData(outputVector));
@@ -339,27 +365,29 @@ dgg::Status vtkDGGPath::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGPath::WarnAboutUnconnectedPairs(
+void vtkDGGPath::vtkInternals::WarnAboutUnconnectedPairs(
   const DGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count)
 {
   if (!pairs.empty())
   {
     const bool isOne = pairs.size() == 1;
-    vtkWarningMacro(<< pairs.size() << " of " << count << (count == 1 ? " pair" : " pairs")
-                    << " of points, " << (isOne ? "" : "the first of them ") << "pair " << pairs[0]
-                    << (isOne ? ", is" : ", are") << " not connected by the "
-                    << (context.Surface.IsCloud() ? "graph of the cloud: " : "surface: ")
-                    << (isOne ? "it has" : "they have") << " no polyline, and 1 in the "
-                    << "field array PathStatus.");
+    vtkWarningWithObjectMacro(
+      this->Self, << pairs.size() << " of " << count << (count == 1 ? " pair" : " pairs")
+                  << " of points, " << (isOne ? "" : "the first of them ") << "pair " << pairs[0]
+                  << (isOne ? ", is" : ", are") << " not connected by the "
+                  << (context.Surface.IsCloud() ? "graph of the cloud: " : "surface: ")
+                  << (isOne ? "it has" : "they have") << " no polyline, and 1 in the "
+                  << "field array PathStatus.");
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkDGGPath::MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector)
+void vtkDGGPath::vtkInternals::MakeEmptyOutput(
+  const DGGContext& context, vtkInformationVector* outputVector)
 {
-  this->NumberOfFallbacks = 0;
+  this->Self->NumberOfFallbacks = 0;
   DGGNewGeometry geometry;
-  geometry.Take(context, this->GetOutputPointsPrecision());
+  geometry.Take(context, this->Self->GetOutputPointsPrecision());
   const dgg::PathSearch::Paths none;
   WritePaths({ none, nullptr, {} }, geometry, vtkPolyData::GetData(outputVector));
 }

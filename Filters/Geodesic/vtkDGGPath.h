@@ -148,20 +148,13 @@ protected:
   vtkDGGPath();
   ~vtkDGGPath() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkDGGPath(const vtkDGGPath&) = delete;
   void operator=(const vtkDGGPath&) = delete;
 
+  class vtkInternals;
+
   vtkIdType GetPairId(vtkIdType i, int side) const;
-  void WarnAboutUnconnectedPairs(
-    const DGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count);
 
   int Method;
   bool Straighten;

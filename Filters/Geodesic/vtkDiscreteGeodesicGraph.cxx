@@ -3,6 +3,7 @@
 #include "vtkDiscreteGeodesicGraph.h"
 
 #include "DGGContext.h"
+#include "DGGFilterInternals.h"
 #include "DGGGraphArrays.h"
 
 #include "dggGraphBuildTask.h"
@@ -40,14 +41,39 @@ bool IsMadeBy(const dgg::GraphInfo& info, const dgg::GraphOptions& options)
 }
 
 //------------------------------------------------------------------------------
-struct vtkDiscreteGeodesicGraph::vtkInternals
+class vtkDiscreteGeodesicGraph::vtkInternals : public DGGFilterInternals
 {
+public:
+  explicit vtkInternals(vtkDiscreteGeodesicGraph* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool PassesSurface() const override { return true; }
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+  /// Predicts the memory of the graph without building it.
+  dgg::Status Predict();
+
   DGGGraphArrays OnInput;
   DGGGraphArrays Built;
   dgg::Domain BuiltDomain;
   dgg::GraphSummary Current; // of the graph of the last update
   dgg::GraphEstimate Estimate;
   vtkTimeStamp BuildTime;
+
+private:
+  dgg::GraphOptions MakeOptions() const;
+  bool FindOnInput(const DGGContext& context);
+  dgg::Status Build(const DGGContext& context);
+  dgg::Status AddLines(const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines);
+
+  vtkDiscreteGeodesicGraph* Self;
 };
 
 //------------------------------------------------------------------------------
@@ -56,9 +82,15 @@ vtkDiscreteGeodesicGraph::vtkDiscreteGeodesicGraph()
   , Construction(Guaranteed)
   , NumberOfNeighbors(30)
   , GenerateGraphLines(false)
-  , Internals(new vtkInternals)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkDiscreteGeodesicGraph::vtkInternals& vtkDiscreteGeodesicGraph::GetInternals() const
+{
+  return static_cast<vtkInternals&>(*this->Internals);
 }
 
 //------------------------------------------------------------------------------
@@ -97,13 +129,14 @@ vtkPolyData* vtkDiscreteGeodesicGraph::GetGraphLines()
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDiscreteGeodesicGraph::EstimateMemory()
 {
-  this->Internals->Estimate = dgg::GraphEstimate();
-  const bool done = this->AttemptOutsideOfUpdate([this] { return this->Estimate(); });
+  vtkInternals& internals = this->GetInternals();
+  internals.Estimate = dgg::GraphEstimate();
+  const bool done = internals.AttemptOutsideOfUpdate([&] { return internals.Predict(); });
   return done ? this->GetEstimatedMemory() : 0;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::Estimate()
+dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Predict()
 {
   DGG_RETURN_IF_ERROR(this->CheckProperties());
   vtkSmartPointer<vtkPolyData> surface;
@@ -119,39 +152,39 @@ dgg::Status vtkDiscreteGeodesicGraph::Estimate()
   dgg::GraphOptions options = this->MakeOptions();
   dgg::UseThreads(context, options);
   DGG_RETURN_IF_ERROR(
-    dgg::GraphBuilder(context.Surface.GetMesh()).Estimate(options, this->Internals->Estimate));
+    dgg::GraphBuilder(context.Surface.GetMesh()).Estimate(options, this->Estimate));
   return dgg::ReportTo(context.Progress, 1.0);
 }
 
 //------------------------------------------------------------------------------
 void vtkDiscreteGeodesicGraph::ReleaseGraph()
 {
-  this->Internals->Built.Clear();
-  this->Internals->OnInput.Clear();
+  this->GetInternals().Built.Clear();
+  this->GetInternals().OnInput.Clear();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetEstimatedMemory() const
 {
-  return static_cast<vtkTypeUInt64>(this->Internals->Estimate.Memory);
+  return static_cast<vtkTypeUInt64>(this->GetInternals().Estimate.Memory);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetEstimatedPeakMemory() const
 {
-  return static_cast<vtkTypeUInt64>(this->Internals->Estimate.Peak);
+  return static_cast<vtkTypeUInt64>(this->GetInternals().Estimate.Peak);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkDiscreteGeodesicGraph::GetNumberOfGraphEdges() const
 {
-  return this->Internals->Current.NumberOfEdges;
+  return this->GetInternals().Current.NumberOfEdges;
 }
 
 //------------------------------------------------------------------------------
 double vtkDiscreteGeodesicGraph::GetMeanDegree() const
 {
-  const dgg::GraphSummary& graph = this->Internals->Current;
+  const dgg::GraphSummary& graph = this->GetInternals().Current;
   return graph.NumberOfVertices > 0
     ? static_cast<double>(graph.NumberOfEdges) / graph.NumberOfVertices
     : 0.0;
@@ -160,28 +193,28 @@ double vtkDiscreteGeodesicGraph::GetMeanDegree() const
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetMemorySize() const
 {
-  return this->Internals->Current.MemorySize;
+  return this->GetInternals().Current.MemorySize;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkDiscreteGeodesicGraph::GetInputGraphDamage() const
 {
-  return this->Internals->OnInput.GetDamage();
+  return this->GetInternals().OnInput.GetDamage();
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkDiscreteGeodesicGraph::GetGraphBuildTime() const
 {
-  return this->Internals->BuildTime.GetMTime();
+  return this->GetInternals().BuildTime.GetMTime();
 }
 
 //------------------------------------------------------------------------------
-dgg::GraphOptions vtkDiscreteGeodesicGraph::MakeOptions() const
+dgg::GraphOptions vtkDiscreteGeodesicGraph::vtkInternals::MakeOptions() const
 {
   dgg::GraphOptions options;
-  options.Construction = static_cast<dgg::GraphConstruction>(this->Construction);
-  options.Accuracy = this->Accuracy;
-  options.NumberOfNeighbors = this->NumberOfNeighbors;
+  options.Construction = static_cast<dgg::GraphConstruction>(this->Self->Construction);
+  options.Accuracy = this->Self->Accuracy;
+  options.NumberOfNeighbors = this->Self->NumberOfNeighbors;
   return options;
 }
 
@@ -189,35 +222,34 @@ dgg::GraphOptions vtkDiscreteGeodesicGraph::MakeOptions() const
 int vtkDiscreteGeodesicGraph::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Current = dgg::GraphSummary();
+  this->GetInternals().Current = dgg::GraphSummary();
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::CheckProperties() const
+dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::CheckProperties() const
 {
   return dgg::GraphBuilder::Check(this->MakeOptions());
 }
 
 //------------------------------------------------------------------------------
-std::string vtkDiscreteGeodesicGraph::GetMemoryRemedy() const
+std::string vtkDiscreteGeodesicGraph::vtkInternals::GetMemoryRemedy() const
 {
-  return this->Construction == SaddleVertexGraph
+  return this->Self->Construction == SaddleVertexGraph
     ? "use a smaller mesh or a smaller NumberOfNeighbors"
     : "use a smaller mesh or a larger Accuracy";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::Execute(const DGGContext& context,
+dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Execute(const DGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkInternals& internals = *this->Internals;
   const bool isOnInput = this->FindOnInput(context);
-  DGGGraphArrays& graph = isOnInput ? internals.OnInput : internals.Built;
+  DGGGraphArrays& graph = isOnInput ? this->OnInput : this->Built;
   if (isOnInput)
   {
-    internals.Built.Clear();
-    internals.Estimate = dgg::GraphEstimate(); // no graph is built
+    this->Built.Clear();
+    this->Estimate = dgg::GraphEstimate(); // no graph is built
   }
   else
   {
@@ -225,22 +257,22 @@ dgg::Status vtkDiscreteGeodesicGraph::Execute(const DGGContext& context,
   }
   vtkPolyData* lines = vtkPolyData::GetData(outputVector, 1);
   lines->Initialize();
-  if (this->GenerateGraphLines)
+  if (this->Self->GenerateGraphLines)
   {
     DGG_RETURN_IF_ERROR(this->AddLines(context, graph, lines));
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(context.Input);
   graph.AddTo(output->GetFieldData());
-  internals.Current = dgg::GraphSummary(graph.GetView());
+  this->Current = dgg::GraphSummary(graph.GetView());
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-void vtkDiscreteGeodesicGraph::MakeEmptyOutput(
+void vtkDiscreteGeodesicGraph::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  this->Internals->Estimate = dgg::GraphEstimate();
+  this->Estimate = dgg::GraphEstimate();
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(context.Input);
   DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they belong to another surface
@@ -248,45 +280,44 @@ void vtkDiscreteGeodesicGraph::MakeEmptyOutput(
 }
 
 //------------------------------------------------------------------------------
-bool vtkDiscreteGeodesicGraph::FindOnInput(const DGGContext& context)
+bool vtkDiscreteGeodesicGraph::vtkInternals::FindOnInput(const DGGContext& context)
 {
-  DGGGraphArrays& graph = this->Internals->OnInput;
+  DGGGraphArrays& graph = this->OnInput;
   std::string complaint;
   const bool found = graph.Find(context.Input->GetFieldData(), context.Surface, complaint);
   if (!complaint.empty())
   {
-    vtkWarningMacro(<< complaint << ". A new one takes its place.");
+    vtkWarningWithObjectMacro(this->Self, << complaint << ". A new one takes its place.");
   }
   return found && IsMadeBy(graph.GetView().Info, this->MakeOptions());
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::Build(const DGGContext& context)
+dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Build(const DGGContext& context)
 {
-  vtkInternals& internals = *this->Internals;
   const dgg::PreparedSurface& mesh = context.Surface;
   dgg::GraphOptions options = this->MakeOptions();
-  const dgg::GraphInfo& built = internals.Built.GetView().Info;
-  const bool isKept = internals.Built.IsValid() && built.Surface == mesh.GetSignature() &&
-    internals.BuiltDomain == mesh.GetDomain() && IsMadeBy(built, options);
+  const dgg::GraphInfo& built = this->Built.GetView().Info;
+  const bool isKept = this->Built.IsValid() && built.Surface == mesh.GetSignature() &&
+    this->BuiltDomain == mesh.GetDomain() && IsMadeBy(built, options);
   if (isKept)
   {
     return dgg::Status::Success();
   }
-  internals.Built.Clear();
+  this->Built.Clear();
   options.Progress =
-    dgg::ProgressPart(context.Progress, 0.0, this->GenerateGraphLines ? BuildShare : 1.0);
+    dgg::ProgressPart(context.Progress, 0.0, this->Self->GenerateGraphLines ? BuildShare : 1.0);
   const dgg::GraphBuilder builder(mesh.GetMesh());
   dgg::GeodesicGraph graph;
-  DGG_RETURN_IF_ERROR(dgg::BuildGraph(context, builder, options, graph, internals.Estimate));
-  internals.Built.Adopt(graph, mesh);
-  internals.BuiltDomain = mesh.GetDomain();
-  internals.BuildTime.Modified();
+  DGG_RETURN_IF_ERROR(dgg::BuildGraph(context, builder, options, graph, this->Estimate));
+  this->Built.Adopt(graph, mesh);
+  this->BuiltDomain = mesh.GetDomain();
+  this->BuildTime.Modified();
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::AddLines(
+dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::AddLines(
   const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines)
 {
   const dgg::Id rowsInBlock = 4096; // between two reports of progress

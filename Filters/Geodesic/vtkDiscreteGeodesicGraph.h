@@ -39,14 +39,6 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
-
-namespace dgg
-{
-struct GraphOptions;
-}
-class DGGGraphArrays;
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDiscreteGeodesicGraph : public vtkGeodesicAlgorithm
 {
 public:
@@ -166,30 +158,18 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  bool PassesSurface() const override { return true; }
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
 
 private:
   vtkDiscreteGeodesicGraph(const vtkDiscreteGeodesicGraph&) = delete;
   void operator=(const vtkDiscreteGeodesicGraph&) = delete;
 
-  dgg::GraphOptions MakeOptions() const;
-  bool FindOnInput(const DGGContext& context);
-  dgg::Status Build(const DGGContext& context);
-  dgg::Status Estimate();
-  dgg::Status AddLines(const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines);
+  class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   double Accuracy;
   int Construction;
   int NumberOfNeighbors;
   bool GenerateGraphLines;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExactGeodesicDistance.h"
 
-#include "DGGDistanceTask.h"
+#include "DGGDistanceInternals.h"
+#include "DGGDistanceInternals.h"
 
 #include "dggSourceFinding.h"
 
@@ -14,10 +15,27 @@
 vtkStandardNewMacro(vtkExactGeodesicDistance);
 
 //------------------------------------------------------------------------------
+class vtkExactGeodesicDistance::vtkInternals : public DGGDistanceInternals
+{
+public:
+  explicit vtkInternals(vtkExactGeodesicDistance* self)
+    : DGGDistanceInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+
+private:
+  vtkExactGeodesicDistance* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkExactGeodesicDistance::vtkExactGeodesicDistance()
   : Engine(Triangle)
   , GenerateWindows(false)
 {
+  this->Internals.reset(new vtkInternals(this));
 }
 
 //------------------------------------------------------------------------------
@@ -32,14 +50,14 @@ void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkExactGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkExactGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   dgg::ExactOptions options;
   options.Engine =
-    this->Engine == Reference ? dgg::ExactEngine::Reference : dgg::ExactEngine::Triangle;
+    this->Self->Engine == Reference ? dgg::ExactEngine::Reference : dgg::ExactEngine::Triangle;
   options.MaximumDistance = task.MaximumDistance;
   options.Progress = task.Context.Progress;
-  options.KeepWindows = this->GenerateWindows;
+  options.KeepWindows = this->Self->GenerateWindows;
   if (options.KeepWindows)
   {
     // Not 0, which would mean no limit.

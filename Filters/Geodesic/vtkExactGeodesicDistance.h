@@ -76,11 +76,11 @@ protected:
   vtkExactGeodesicDistance();
   ~vtkExactGeodesicDistance() override;
 
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-
 private:
   vtkExactGeodesicDistance(const vtkExactGeodesicDistance&) = delete;
   void operator=(const vtkExactGeodesicDistance&) = delete;
+
+  class vtkInternals;
 
   int Engine;
   bool GenerateWindows;

@@ -41,27 +41,11 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkDGGPropertyMacros.h"        // For names
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For the whole input
 
-#include <atomic>     // For the progress
-#include <functional> // For Attempt()
-#include <memory>     // For the mesh
-#include <set>        // For the warnings
-#include <string>     // For the report
-#include <thread>     // For the thread of the update
-#include <vector>     // For reached vertices
+#include <memory> // For the internals
+#include <string> // For the report
 
-namespace dgg
-{
-class Status;
-}
-class DGGMeshAdapter;
-class DGGPartedUpdate;
-struct DGGContext;
-namespace dgg
-{
-struct Domain;
-}
+class DGGFilterInternals;
 class vtkMultiProcessController;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
@@ -212,95 +196,10 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  ///@{
   /**
-   * Steps of an update, in this order. Each may return an error, which is reported, or the status
-   * of an abort; each may throw.
-   *
-   * CheckProperties() and CheckInputs() report errors that need no mesh. Execute() is called with a
-   * mesh. MakeEmptyOutput() is called instead if the surface has neither points nor cells. The
-   * context is that of the whole update (DGGContext.h).
+   * What the filter does in an update; set by the constructors of subclasses.
    */
-  virtual dgg::Status CheckProperties() const;
-  virtual dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const;
-  virtual dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) = 0;
-  virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) = 0;
-  ///@}
-
-  /**
-   * Returns true if output 0 is the surface with arrays added and has the pieces of the input.
-   * Default false: output 0 is new geometry, as other outputs are.
-   */
-  virtual bool PassesSurface() const;
-
-  /**
-   * Returns true if this filter treats the input as a cloud and uses its points only. Default
-   * false; filters that search a graph return true for an input with the graph of a cloud.
-   */
-  virtual bool IsCloud(vtkPolyData* input) const;
-
-  /**
-   * Returns advice for the error message when memory is exhausted.
-   */
-  virtual std::string GetMemoryRemedy() const;
-
-  /**
-   * Returns the context of an update or a prediction for the surface that was prepared last.
-   */
-  DGGContext MakeContext(vtkPolyData* surface);
-
-  /**
-   * Brings the mesh up to date; a null surface is an error. For use outside of updates; the mesh is
-   * up to date in Execute().
-   */
-  dgg::Status PrepareMesh(vtkPolyData* surface);
-
-  /**
-   * Gets the input of port 0 with its pieces joined, for use outside of updates; null without
-   * input.
-   */
-  dgg::Status GetWholeInput(vtkSmartPointer<vtkPolyData>& surface);
-
-  /**
-   * Returns the domain (surface or cloud) that an input is treated as.
-   */
-  dgg::Domain GetDomain(vtkPolyData* surface) const;
-
-  /**
-   * Warns once per mesh if most of the surface is not connected to the reached vertices although
-   * its components nearly touch. For use after a distance.
-   */
-  void WarnAboutGaps(const std::vector<bool>& isReached);
-
-  /**
-   * Reports a reason for inaccurate results once per mesh. Returns true if there is a reason.
-   */
-  bool WarnAboutQuality(const std::string& reason);
-
-  /**
-   * Runs a step that may fail or throw, and reports the error. Returns true if the step succeeded
-   * and was not aborted.
-   */
-  bool Attempt(const std::function<dgg::Status()>& step);
-
-  /**
-   * Runs Attempt() outside of updates, after bringing the input up to date. Only an error changes
-   * the error code.
-   */
-  bool AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step);
-
-  /**
-   * Reports the progress of Execute(), in [0, 1]; progress never decreases. Returns false if the
-   * update is to stop. May be called from any thread; observers are invoked by the thread of the
-   * update only.
-   */
-  bool Advance(double fraction);
-
-  /**
-   * Warns that the input lacks something, unless a filter upstream has failed.
-   */
-  void WarnAboutEmptyInput(const char* lack);
+  std::unique_ptr<DGGFilterInternals> Internals;
 
   vtkTypeInt64 MemoryLimit; ///< signed, since ParaView has no unsigned 64-bit properties
 
@@ -308,29 +207,14 @@ private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
   void operator=(const vtkGeodesicAlgorithm&) = delete;
 
-  dgg::Status Try(const std::function<dgg::Status()>& step, unsigned long& errorCode) const;
-  dgg::Status Follow(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector);
-  dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  friend class DGGFilterInternals;
   void MakeSurfaceOutput(vtkDataObject* input, vtkInformation* outInfo) const;
-  static bool FollowsFailure(vtkAlgorithm* filter);
-  bool IsNewError(const std::string& error);
 
   bool MergeCoincidentPoints;
   double MergeTolerance;
   int OutputPointsPrecision;
   vtkMultiProcessController* Controller;
   vtkIdType GatherLimit;
-  std::atomic<double> Reached;          // progress of the update so far
-  std::atomic<bool> IsStopped;          // true if observers have requested a stop
-  std::thread::id Caller;               // thread of the update
-  std::string Reported;                 // error of the last update; empty if none
-  vtkMTimeType ReportTime;              // pipeline time of the report
-  vtkMTimeType GapsBuildTime;           // build time of the mesh that was checked for gaps
-  vtkMTimeType QualityTime;             // build time of the mesh of QualityReasons
-  std::set<std::string> QualityReasons; // reported for this mesh
-  std::unique_ptr<DGGMeshAdapter> Adapter;
-  std::unique_ptr<DGGPartedUpdate> Parts;
 };
 
 #endif

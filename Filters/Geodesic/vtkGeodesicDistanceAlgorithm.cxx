@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceAlgorithm.h"
 
-#include "DGGDistanceTask.h"
+#include "DGGDistanceInternals.h"
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
@@ -205,20 +205,28 @@ double vtkGeodesicDistanceAlgorithm::GetSourceInitialDistance(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
+DGGDistanceInternals::DGGDistanceInternals(vtkGeodesicDistanceAlgorithm* filter)
+  : DGGFilterInternals(filter)
+  , Filter(filter)
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MaximumDistance", this->MaximumDistance },
-    { "ProjectionTolerance", this->ProjectionTolerance } }));
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGDistanceInternals::CheckProperties() const
+{
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MaximumDistance", this->Filter->MaximumDistance },
+    { "ProjectionTolerance", this->Filter->ProjectionTolerance } }));
   std::vector<DGGPointArray> arrays = this->DeclareArrays();
-  if (this->GenerateVirtualSource)
+  if (this->Filter->GenerateVirtualSource)
   {
-    arrays.insert(arrays.begin(), { this->VirtualSourceArrayName, "VirtualSourceArrayName", {} });
+    arrays.insert(
+      arrays.begin(), { this->Filter->VirtualSourceArrayName, "VirtualSourceArrayName", {} });
   }
-  if (this->GenerateNearestSource)
+  if (this->Filter->GenerateNearestSource)
   {
-    arrays.insert(arrays.begin(), { this->SourceArrayName, "SourceArrayName", {} });
+    arrays.insert(arrays.begin(), { this->Filter->SourceArrayName, "SourceArrayName", {} });
   }
-  arrays.insert(arrays.begin(), { this->DistanceArrayName, "DistanceArrayName", {} });
+  arrays.insert(arrays.begin(), { this->Filter->DistanceArrayName, "DistanceArrayName", {} });
   for (std::size_t i = 0; i < arrays.size(); ++i)
   {
     const DGGPointArray& array = arrays[i];
@@ -240,31 +248,34 @@ dgg::Status vtkGeodesicDistanceAlgorithm::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkGeodesicDistanceAlgorithm::GetSources(vtkInformationVector** inputVector) const
+DGGSourceSet DGGDistanceInternals::GetSources(vtkInformationVector** inputVector) const
 {
-  return { this->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
-    "call AddSourceId() or SetSourceIds()", this->InitialDistanceArrayName, &this->SourceOffsets };
+  return { this->Filter->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
+    "call AddSourceId() or SetSourceIds()", this->Filter->InitialDistanceArrayName,
+    &this->Filter->SourceOffsets };
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
+dgg::Status DGGDistanceInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (context.Surface.IsCloud() && this->GenerateVirtualSource)
+  if (context.Surface.IsCloud() && this->Filter->GenerateVirtualSource)
   {
     return dgg::Status::Invalid("virtual sources are directions on a surface and do not exist on a "
                                 "point cloud: turn GenerateVirtualSource off");
   }
   std::vector<dgg::GeodesicSource> sources;
   const DGGSourceSet set = this->GetSources(inputVector);
-  DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->ProjectionTolerance, sources, this));
+  DGG_RETURN_IF_ERROR(
+    DGGLocate(context, set, this->Filter->ProjectionTolerance, sources, this->Filter));
 
   const double limit =
-    this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
+    this->Filter->MaximumDistance < VTK_DOUBLE_MAX ? this->Filter->MaximumDistance : dgg::Infinity;
   DGGDistanceTask task{ context, sources, limit,
-    this->GenerateNearestSource || this->PassSourceArrays, this->GenerateVirtualSource, {}, {}, {},
-    {}, this->DeclareArrays() };
-  task.MayBeSparse = context.Surface.GetNumberOfMergedPoints() == 0 && !this->PassSourceArrays;
+    this->Filter->GenerateNearestSource || this->Filter->PassSourceArrays,
+    this->Filter->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
+  task.MayBeSparse =
+    context.Surface.GetNumberOfMergedPoints() == 0 && !this->Filter->PassSourceArrays;
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
   DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // an abort may still come here
   const std::size_t n = task.IsSparse ? task.Vertices.size() : GetNumberOfVertices(task);
@@ -285,7 +296,7 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
   const std::vector<bool> isReached = FindReached(task);
-  if (this->PassSourceArrays) // before the results, which replace arrays of the same name
+  if (this->Filter->PassSourceArrays) // before the results, which replace arrays of the same name
   {
     std::vector<dgg::Id> nearest(static_cast<std::size_t>(output->GetNumberOfPoints()));
     for (std::size_t i = 0; i < nearest.size(); ++i)
@@ -301,47 +312,47 @@ dgg::Status vtkGeodesicDistanceAlgorithm::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::MakeEmptyOutput(
+void DGGDistanceInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   const std::vector<dgg::GeodesicSource> sources;
-  const DGGDistanceTask task{ context, sources, dgg::Infinity, this->GenerateNearestSource,
-    this->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
+  const DGGDistanceTask task{ context, sources, dgg::Infinity, this->Filter->GenerateNearestSource,
+    this->Filter->GenerateVirtualSource, {}, {}, {}, {}, this->DeclareArrays() };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
   this->AddResults(task, FindReached(task), output);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGeodesicDistanceAlgorithm::GetMemoryRemedy() const
+std::string DGGDistanceInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh or MaximumDistance";
 }
 
 //------------------------------------------------------------------------------
-std::vector<DGGPointArray> vtkGeodesicDistanceAlgorithm::DeclareArrays() const
+std::vector<DGGPointArray> DGGDistanceInternals::DeclareArrays() const
 {
   return {};
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceAlgorithm::AddResults(
+void DGGDistanceInternals::AddResults(
   const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output)
 {
   vtkPointData* data = output->GetPointData();
   // Such arrays of the input belong to the distances that are replaced below.
-  DGGWindowArrays::RemoveFrom(output->GetFieldData(), this->DistanceArrayName);
-  DGGUnreachedArray::RemoveFrom(data, this->DistanceArrayName);
-  if (data->HasArray(this->DistanceArrayName.c_str()))
+  DGGWindowArrays::RemoveFrom(output->GetFieldData(), this->Filter->DistanceArrayName);
+  DGGUnreachedArray::RemoveFrom(data, this->Filter->DistanceArrayName);
+  if (data->HasArray(this->Filter->DistanceArrayName.c_str()))
   {
-    data->RemoveArray(this->SourceArrayName.c_str());
-    data->RemoveArray(this->VirtualSourceArrayName.c_str());
+    data->RemoveArray(this->Filter->SourceArrayName.c_str());
+    data->RemoveArray(this->Filter->VirtualSourceArrayName.c_str());
   }
   const PointArrayMaker maker{ task, task.Context.Surface, isReached, output->GetNumberOfPoints() };
-  maker.Add<vtkDoubleArray>(data, this->DistanceArrayName, 1, this->UnreachedValue,
+  maker.Add<vtkDoubleArray>(data, this->Filter->DistanceArrayName, 1, this->Filter->UnreachedValue,
     [&](std::size_t i, int) { return task.Distances[i]; });
   // Not SetScalars(), which would remove the scalars of the input.
-  data->SetActiveScalars(this->DistanceArrayName.c_str());
+  data->SetActiveScalars(this->Filter->DistanceArrayName.c_str());
   std::vector<bool> isPointReached = isReached;
   isPointReached.resize(static_cast<std::size_t>(maker.NumberOfPoints));
   const bool areMerged = maker.Surface.GetNumberOfMergedPoints() > 0;
@@ -349,22 +360,23 @@ void vtkGeodesicDistanceAlgorithm::AddResults(
   {
     isPointReached[i] = isReached[maker.Surface.GetVertex(static_cast<vtkIdType>(i))];
   }
-  DGGUnreachedArray::AddTo(data, this->DistanceArrayName, this->UnreachedValue, isPointReached);
+  DGGUnreachedArray::AddTo(
+    data, this->Filter->DistanceArrayName, this->Filter->UnreachedValue, isPointReached);
   if (!task.Windows.IsEmpty())
   {
     DGGWindowArrays::AddTo(output->GetFieldData(),
-      vtkDoubleArray::SafeDownCast(data->GetArray(this->DistanceArrayName.c_str())), maker.Surface,
-      task.Windows);
+      vtkDoubleArray::SafeDownCast(data->GetArray(this->Filter->DistanceArrayName.c_str())),
+      maker.Surface, task.Windows);
   }
-  if (this->GenerateNearestSource)
+  if (this->Filter->GenerateNearestSource)
   {
-    maker.Add<vtkIntArray>(data, this->SourceArrayName, 1, -1,
+    maker.Add<vtkIntArray>(data, this->Filter->SourceArrayName, 1, -1,
       [&](std::size_t i, int) { return task.NearestSource[i]; });
   }
   if (task.WantVirtualSource)
   {
-    maker.Add<vtkDoubleArray>(
-      data, this->VirtualSourceArrayName, 3, this->UnreachedValue, [&](std::size_t i, int k) {
+    maker.Add<vtkDoubleArray>(data, this->Filter->VirtualSourceArrayName, 3,
+      this->Filter->UnreachedValue, [&](std::size_t i, int k) {
         const dgg::VirtualSource& source = task.VirtualSource[i];
         return k == 0 ? source.Offset : k == 1 ? source.Length : source.Angle;
       });
@@ -372,14 +384,14 @@ void vtkGeodesicDistanceAlgorithm::AddResults(
   for (const DGGPointArray& array : task.Arrays)
   {
     const int components = static_cast<int>(array.Components.size());
-    maker.Add<vtkDoubleArray>(data, array.Name, components, this->UnreachedValue,
+    maker.Add<vtkDoubleArray>(data, array.Name, components, this->Filter->UnreachedValue,
       [&](std::size_t i, int k) { return array.Components[k][i]; });
     // These arrays can be read as distances.
     DGGWindowArrays::RemoveFrom(output->GetFieldData(), array.Name);
     DGGUnreachedArray::RemoveFrom(data, array.Name);
     if (components == 1)
     {
-      DGGUnreachedArray::AddTo(data, array.Name, this->UnreachedValue, isPointReached);
+      DGGUnreachedArray::AddTo(data, array.Name, this->Filter->UnreachedValue, isPointReached);
     }
   }
 }

@@ -37,13 +37,10 @@
 #include "vtkGeodesicAlgorithm.h"
 
 #include <initializer_list> // For source ids
-#include <memory>           // For the search for source points
 #include <string>           // For array names
 #include <vector>           // For source ids
 
-struct DGGDistanceTask;
-struct DGGPointArray;
-struct DGGSourceSet;
+class DGGDistanceInternals;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceAlgorithm : public vtkGeodesicAlgorithm
 {
@@ -194,36 +191,11 @@ protected:
   vtkGeodesicDistanceAlgorithm();
   ~vtkGeodesicDistanceAlgorithm() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  bool PassesSurface() const override
-  {
-    return true;
-  }
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
-
-  /**
-   * Fills the results of the task. Called with a mesh and at least one source, both checked.
-   * Returns an error, which is reported, or the status of an abort by the task's Progress. May
-   * throw.
-   */
-  virtual dgg::Status ComputeDistances(DGGDistanceTask& task) = 0;
-
-  /**
-   * Returns the point arrays that ComputeDistances() fills besides distances and nearest sources.
-   * Default none.
-   */
-  virtual std::vector<DGGPointArray> DeclareArrays() const;
-
 private:
   vtkGeodesicDistanceAlgorithm(const vtkGeodesicDistanceAlgorithm&) = delete;
   void operator=(const vtkGeodesicDistanceAlgorithm&) = delete;
 
-  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-  void AddResults(
-    const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output);
+  friend class DGGDistanceInternals;
 
   std::vector<vtkIdType> SourceIds;
   std::vector<double> SourceOffsets; // initial distances, one for each id

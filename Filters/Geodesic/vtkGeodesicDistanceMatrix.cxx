@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceMatrix.h"
 
+#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
@@ -125,9 +126,31 @@ void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
 }
 
 //------------------------------------------------------------------------------
-struct vtkGeodesicDistanceMatrix::vtkInternals
+class vtkGeodesicDistanceMatrix::vtkInternals : public DGGFilterInternals
 {
+public:
+  explicit vtkInternals(vtkGeodesicDistanceMatrix* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  bool IsCloud(vtkPolyData* input) const override;
+  std::string GetMemoryRemedy() const override;
+
   vtkSmartPointer<vtkDoubleArray> Matrix = MakeMatrix(0, 1); // never null
+
+private:
+  DGGSourceSet GetRows(vtkInformationVector** inputVector) const;
+  DGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
+  dgg::Status FillCompressedRows(
+    const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output);
+
+  vtkGeodesicDistanceMatrix* Self;
 };
 
 //------------------------------------------------------------------------------
@@ -139,9 +162,15 @@ vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
   , CompressedRows(false)
   , Correction(false)
   , GraphUser(new DGGGraphUser)
-  , Internals(new vtkInternals)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkGeodesicDistanceMatrix::vtkInternals& vtkGeodesicDistanceMatrix::GetInternals() const
+{
+  return static_cast<vtkInternals&>(*this->Internals);
 }
 
 //------------------------------------------------------------------------------
@@ -159,8 +188,8 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateTable: " << (this->GenerateTable ? "On" : "Off") << "\n";
   os << indent << "CompressedRows: " << (this->CompressedRows ? "On" : "Off") << "\n";
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
-  os << indent << "Matrix: " << this->Internals->Matrix->GetNumberOfTuples() << " x "
-     << this->Internals->Matrix->GetNumberOfComponents() << "\n";
+  os << indent << "Matrix: " << this->GetInternals().Matrix->GetNumberOfTuples() << " x "
+     << this->GetInternals().Matrix->GetNumberOfComponents() << "\n";
   this->GraphUser->PrintSelf(os, indent);
 }
 
@@ -179,13 +208,13 @@ vtkTable* vtkGeodesicDistanceMatrix::GetOutput(int port)
 //------------------------------------------------------------------------------
 vtkDoubleArray* vtkGeodesicDistanceMatrix::GetMatrix()
 {
-  return this->Internals->Matrix;
+  return this->GetInternals().Matrix;
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::ReleaseMatrix()
 {
-  this->Internals->Matrix = MakeMatrix(0, 1);
+  this->GetInternals().Matrix = MakeMatrix(0, 1);
   if (vtkDataObject* output = this->GetOutputDataObject(0))
   {
     output->ReleaseData(); // so that the pipeline considers it out of date
@@ -200,31 +229,34 @@ int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), v
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceMatrix::CheckProperties() const
+dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance },
-    { "MaximumDistance", this->MaximumDistance } }));
-  return this->GraphUser->Check();
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
+    { "MaximumDistance", this->Self->MaximumDistance } }));
+  return this->Self->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
 int vtkGeodesicDistanceMatrix::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Matrix = MakeMatrix(0, 1);
+  this->GetInternals().Matrix = MakeMatrix(0, 1);
   return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkGeodesicDistanceMatrix::GetRows(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicDistanceMatrix::vtkInternals::GetRows(
+  vtkInformationVector** inputVector) const
 {
-  return { this->RowIds, vtkPolyData::GetData(inputVector[1]), 1, "row", "call SetRowIds()", "" };
+  return { this->Self->RowIds, vtkPolyData::GetData(inputVector[1]), 1, "row", "call SetRowIds()",
+    "" };
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkGeodesicDistanceMatrix::GetColumns(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicDistanceMatrix::vtkInternals::GetColumns(
+  vtkInformationVector** inputVector) const
 {
-  return { this->ColumnIds, vtkPolyData::GetData(inputVector[2]), 2, "column",
+  return { this->Self->ColumnIds, vtkPolyData::GetData(inputVector[2]), 2, "column",
     "call SetColumnIds()", "" };
 }
 
@@ -243,33 +275,32 @@ bool vtkGeodesicDistanceMatrix::WantsTable(std::size_t columns)
 }
 
 //------------------------------------------------------------------------------
-bool vtkGeodesicDistanceMatrix::IsCloud(vtkPolyData* input) const
+bool vtkGeodesicDistanceMatrix::vtkInternals::IsCloud(vtkPolyData* input) const
 {
   return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGeodesicDistanceMatrix::GetMemoryRemedy() const
+std::string vtkGeodesicDistanceMatrix::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer points at a time";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceMatrix::Execute(
+dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInternals& internals = *this->Internals;
   const DGGSourceSet columnSet = this->GetColumns(inputVector);
   const bool symmetric = columnSet.Ids.empty() && !columnSet.Points;
-  if (this->CompressedRows && !symmetric)
+  if (this->Self->CompressedRows && !symmetric)
   {
     return dgg::Status::Invalid("CompressedRows is on, but columns are chosen. Remove the columns "
                                 "or turn CompressedRows off.");
   }
   std::vector<dgg::GeodesicSource> sources;
-  DGG_RETURN_IF_ERROR(
-    DGGLocate(context, this->GetRows(inputVector), this->ProjectionTolerance, sources, this));
-  if (this->CompressedRows)
+  DGG_RETURN_IF_ERROR(DGGLocate(
+    context, this->GetRows(inputVector), this->Self->ProjectionTolerance, sources, this->Self));
+  if (this->Self->CompressedRows)
   {
     return this->FillCompressedRows(context, sources, vtkTable::GetData(outputVector));
   }
@@ -282,39 +313,41 @@ dgg::Status vtkGeodesicDistanceMatrix::Execute(
   }
   else
   {
-    DGG_RETURN_IF_ERROR(DGGLocate(context, columnSet, this->ProjectionTolerance, columns, this));
+    DGG_RETURN_IF_ERROR(
+      DGGLocate(context, columnSet, this->Self->ProjectionTolerance, columns, this->Self));
   }
-  const bool withTable = this->WantsTable(columns.size());
+  const bool withTable = this->Self->WantsTable(columns.size());
   DGG_RETURN_IF_ERROR(CheckMemory(context.Memory, rows.size(), columns.size(), withTable));
   // Before the graph, whose memory is limited by the memory that remains free.
   const auto matrix = MakeMatrix(rows.size(), columns.size());
   const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);
 
-  DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
+  DGG_RETURN_IF_ERROR(this->Self->GraphUser->Update(context, this->Self));
   // Search from the smaller set.
   const bool sourcesAreRows = rows.size() <= columns.size();
   const dgg::MatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
-  DGG_RETURN_IF_ERROR(dgg::MatrixSearch(context, *this->GraphUser, sourcesAreRows ? rows : columns,
-    sourcesAreRows ? columns : rows, entries)
-                        .Run(symmetric, this->MaximumDistance));
+  DGG_RETURN_IF_ERROR(dgg::MatrixSearch(context, *this->Self->GraphUser,
+    sourcesAreRows ? rows : columns, sourcesAreRows ? columns : rows, entries)
+                        .Run(symmetric, this->Self->MaximumDistance));
   std::replace_if(
     entries.Values, entries.Values + rows.size() * columns.size(),
-    [this](
-      double distance) { return distance == dgg::Infinity || distance > this->MaximumDistance; },
-    this->UnreachedValue);
+    [this](double distance) {
+      return distance == dgg::Infinity || distance > this->Self->MaximumDistance;
+    },
+    this->Self->UnreachedValue);
   vtkTable* output = vtkTable::GetData(outputVector);
   output->Initialize();
   FillTable(matrix, table, output);
-  internals.Matrix = matrix;
+  this->Matrix = matrix;
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicDistanceMatrix::FillCompressedRows(
+dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::FillCompressedRows(
   const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output)
 {
-  DGGGraphUser& graph = *this->GraphUser;
-  DGG_RETURN_IF_ERROR(graph.Update(context, this));
+  DGGGraphUser& graph = *this->Self->GraphUser;
+  DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
   std::vector<dgg::GraphSeed> links;
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, rows, links));
   std::vector<std::vector<dgg::GraphSeed>> seeds(rows.size());
@@ -323,9 +356,9 @@ dgg::Status vtkGeodesicDistanceMatrix::FillCompressedRows(
     seeds[link.Source].push_back(link);
   }
   dgg::DistanceRowsOptions options;
-  options.Correct = this->Correction && !context.Surface.IsCloud();
+  options.Correct = this->Self->Correction && !context.Surface.IsCloud();
   options.MaximumDistance =
-    this->MaximumDistance < VTK_DOUBLE_MAX ? this->MaximumDistance : dgg::Infinity;
+    this->Self->MaximumDistance < VTK_DOUBLE_MAX ? this->Self->MaximumDistance : dgg::Infinity;
   options.SearchRadius =
     options.Correct ? graph.WidenLimit(options.MaximumDistance, rows) : options.MaximumDistance;
   options.MemoryLimit = context.Memory.GetBytes();
@@ -341,7 +374,7 @@ dgg::Status vtkGeodesicDistanceMatrix::FillCompressedRows(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::MakeEmptyOutput(
+void vtkGeodesicDistanceMatrix::vtkInternals::MakeEmptyOutput(
   const DGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
 {
   vtkTable::GetData(outputVector)->Initialize();

@@ -47,12 +47,6 @@
 
 class vtkDoubleArray;
 class vtkTable;
-struct DGGSourceSet;
-
-namespace dgg
-{
-struct GeodesicSource;
-}
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicDistanceMatrix : public vtkGeodesicAlgorithm
 {
@@ -179,22 +173,14 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
 
 private:
   vtkGeodesicDistanceMatrix(const vtkGeodesicDistanceMatrix&) = delete;
   void operator=(const vtkGeodesicDistanceMatrix&) = delete;
 
-  DGGSourceSet GetRows(vtkInformationVector** inputVector) const;
-  DGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
+  class vtkInternals;
+  vtkInternals& GetInternals() const;
   bool WantsTable(std::size_t columns);
-  dgg::Status FillCompressedRows(
-    const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output);
 
   std::vector<vtkIdType> RowIds;
   std::vector<vtkIdType> ColumnIds;
@@ -205,9 +191,6 @@ private:
   bool CompressedRows;
   bool Correction;
   std::unique_ptr<DGGGraphUser> GraphUser;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "vtkGeodesicPatchBoundaries.h"
 
 #include "DGGContext.h"
+#include "DGGFilterInternals.h"
 #include "DGGMakeArray.h"
 #include "DGGMeshAdapter.h"
 #include "DGGNewGeometry.h"
@@ -129,10 +130,34 @@ void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const DGGNewGe
 }
 
 //------------------------------------------------------------------------------
+class vtkGeodesicPatchBoundaries::vtkInternals : public DGGFilterInternals
+{
+public:
+  explicit vtkInternals(vtkGeodesicPatchBoundaries* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  DGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
+  dgg::Status PrepareSecondMesh(vtkPolyData* surface);
+
+  vtkGeodesicPatchBoundaries* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkGeodesicPatchBoundaries::vtkGeodesicPatchBoundaries()
   : ProjectionTolerance(0.01)
   , SecondMesh(new DGGMeshAdapter)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(5);
   this->SetNumberOfOutputPorts(2);
 }
@@ -159,16 +184,16 @@ void vtkGeodesicPatchBoundaries::RemoveAllLandmarks()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicPatchBoundaries::CheckProperties() const
+dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::CheckProperties() const
 {
-  return DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
+  return DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
+DGGSourceSet vtkGeodesicPatchBoundaries::vtkInternals::GetLandmarks(
   int surface, vtkInformationVector** inputVector) const
 {
-  DGGSourceSet set{ surface == 0 ? this->FirstLandmarkIds : this->SecondLandmarkIds,
+  DGGSourceSet set{ surface == 0 ? this->Self->FirstLandmarkIds : this->Self->SecondLandmarkIds,
     vtkPolyData::GetData(inputVector[2 + surface]), 2 + surface,
     surface == 0 ? "first landmark" : "second landmark",
     surface == 0 ? "call AddFirstLandmarkId() or SetFirstLandmarkIds()"
@@ -179,29 +204,29 @@ DGGSourceSet vtkGeodesicPatchBoundaries::GetLandmarks(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicPatchBoundaries::PrepareSecondMesh(vtkPolyData* surface)
+dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::PrepareSecondMesh(vtkPolyData* surface)
 {
-  DGGMeshAdapter& mesh = *this->SecondMesh;
+  DGGMeshAdapter& mesh = *this->Self->SecondMesh;
   const vtkMTimeType built = mesh.GetBuildTime();
   const dgg::Status status = mesh.Update(surface, this->GetDomain(surface));
   if (built != mesh.GetBuildTime())
   {
     for (const std::string& warning : mesh.Get().GetWarnings())
     {
-      vtkWarningMacro(<< "Second surface: " << warning << ".");
+      vtkWarningWithObjectMacro(this->Self, << "Second surface: " << warning << ".");
     }
   }
   return status.Of("second surface");
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGeodesicPatchBoundaries::GetMemoryRemedy() const
+std::string vtkGeodesicPatchBoundaries::vtkInternals::GetMemoryRemedy() const
 {
   return "use smaller meshes";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicPatchBoundaries::Execute(
+dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* secondInput = vtkPolyData::GetData(inputVector[1]);
@@ -223,7 +248,7 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   }
   DGG_RETURN_IF_ERROR(this->PrepareSecondMesh(secondInput));
   const DGGContext contexts[2] = { context,
-    { { this->SecondMesh->Get(), context.Memory, context.NumberOfThreads, context.Progress,
+    { { this->Self->SecondMesh->Get(), context.Memory, context.NumberOfThreads, context.Progress,
         context.Parallel },
       secondInput } };
   std::vector<dgg::SurfacePoint> landmarks[2];
@@ -231,8 +256,9 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
   for (int side = 0; side < 2; ++side)
   {
     DGG_RETURN_IF_ERROR(DGGLocate(contexts[side], this->GetLandmarks(side, inputVector),
-      this->ProjectionTolerance, landmarks[side]));
-    DGG_RETURN_IF_ERROR(geometries[side].Take(contexts[side], this->GetOutputPointsPrecision()));
+      this->Self->ProjectionTolerance, landmarks[side]));
+    DGG_RETURN_IF_ERROR(
+      geometries[side].Take(contexts[side], this->Self->GetOutputPointsPrecision()));
   }
   dgg::PatchBoundaries boundaries;
   DGG_RETURN_IF_ERROR(dgg::TracePatchBoundaries({ contexts[0].Surface.GetMesh(), landmarks[0] },
@@ -247,11 +273,11 @@ dgg::Status vtkGeodesicPatchBoundaries::Execute(
 
 //------------------------------------------------------------------------------
 /// Called if the first surface is empty, whatever the second surface is.
-void vtkGeodesicPatchBoundaries::MakeEmptyOutput(
+void vtkGeodesicPatchBoundaries::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   DGGNewGeometry geometry;
-  geometry.Take(context, this->GetOutputPointsPrecision());
+  geometry.Take(context, this->Self->GetOutputPointsPrecision());
   for (int side = 0; side < 2; ++side)
   {
     FillOutput({}, side, geometry, vtkPolyData::GetData(outputVector, side));

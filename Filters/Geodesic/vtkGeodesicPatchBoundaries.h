@@ -42,7 +42,7 @@
 #include <memory> // For the second surface
 #include <vector> // For ids
 
-struct DGGSourceSet;
+class DGGMeshAdapter;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicPatchBoundaries : public vtkGeodesicAlgorithm
 {
@@ -118,18 +118,11 @@ protected:
   vtkGeodesicPatchBoundaries();
   ~vtkGeodesicPatchBoundaries() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkGeodesicPatchBoundaries(const vtkGeodesicPatchBoundaries&) = delete;
   void operator=(const vtkGeodesicPatchBoundaries&) = delete;
 
-  DGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
-  dgg::Status PrepareSecondMesh(vtkPolyData* surface);
+  class vtkInternals;
 
   std::vector<vtkIdType> FirstLandmarkIds;
   std::vector<vtkIdType> SecondLandmarkIds;

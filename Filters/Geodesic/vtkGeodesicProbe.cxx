@@ -4,6 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGFieldInput.h"
+#include "DGGFilterInternals.h"
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
@@ -69,12 +70,32 @@ double Probe(
 }
 
 //------------------------------------------------------------------------------
+class vtkGeodesicProbe::vtkInternals : public DGGFilterInternals
+{
+public:
+  explicit vtkInternals(vtkGeodesicProbe* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+
+private:
+  vtkGeodesicProbe* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkGeodesicProbe::vtkGeodesicProbe()
   : DistanceArrayName("GeodesicDistance")
   , VirtualSourceArrayName("GeodesicVirtualSource")
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , ProjectionTolerance(0.01)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
 }
 
@@ -92,29 +113,29 @@ void vtkGeodesicProbe::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicProbe::CheckProperties() const
+dgg::Status vtkGeodesicProbe::vtkInternals::CheckProperties() const
 {
-  return DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
+  return DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicProbe::Execute(
+dgg::Status vtkGeodesicProbe::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const DGGSourceSet probes = GetProbes(inputVector);
   std::vector<dgg::SurfacePoint> places;
   vtkDataArray* distances = nullptr;
   DGGFieldInput input;
-  DGG_RETURN_IF_ERROR(DGGLocate(context, probes, this->ProjectionTolerance, places));
+  DGG_RETURN_IF_ERROR(DGGLocate(context, probes, this->Self->ProjectionTolerance, places));
   DGG_RETURN_IF_ERROR(DGGFieldInput::FindDistances(
-    this->Information, this->DistanceArrayName, context.Input, distances));
+    this->Self->Information, this->Self->DistanceArrayName, context.Input, distances));
   const std::string name = DGGFieldInput::GetName(distances);
-  input.SetUnreachedValue(this->UnreachedValue);
-  DGG_RETURN_IF_ERROR(input.Read(context, distances, this->VirtualSourceArrayName,
+  input.SetUnreachedValue(this->Self->UnreachedValue);
+  DGG_RETURN_IF_ERROR(input.Read(context, distances, this->Self->VirtualSourceArrayName,
     dgg::ProgressPart(context.Progress, 0.0, ReadDone)));
   if (!input.GetWarning().empty())
   {
-    vtkWarningMacro(<< input.GetWarning() << ".");
+    vtkWarningWithObjectMacro(this->Self, << input.GetWarning() << ".");
   }
   this->WarnAboutQuality(input.DescribeQuality(context.Surface));
   const auto found = DGGMakeArray<vtkDoubleArray>(name, places.size());
@@ -141,11 +162,11 @@ dgg::Status vtkGeodesicProbe::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicProbe::MakeEmptyOutput(
+void vtkGeodesicProbe::vtkInternals::MakeEmptyOutput(
   const DGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
-  DGGAddArray<vtkDoubleArray>(
-    output->GetPointData(), DGGFieldInput::GetName(this->Information, this->DistanceArrayName), 0);
+  DGGAddArray<vtkDoubleArray>(output->GetPointData(),
+    DGGFieldInput::GetName(this->Self->Information, this->Self->DistanceArrayName), 0);
 }

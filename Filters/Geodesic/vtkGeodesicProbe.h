@@ -39,7 +39,6 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the search for points
 #include <string> // For array names
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicProbe : public vtkGeodesicAlgorithm
@@ -97,14 +96,11 @@ protected:
   vtkGeodesicProbe();
   ~vtkGeodesicProbe() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-
 private:
   vtkGeodesicProbe(const vtkGeodesicProbe&) = delete;
   void operator=(const vtkGeodesicProbe&) = delete;
+
+  class vtkInternals;
 
   std::string DistanceArrayName;
   std::string VirtualSourceArrayName;

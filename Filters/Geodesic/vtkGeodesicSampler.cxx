@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicSampler.h"
 
+#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
@@ -49,6 +50,33 @@ void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const DGGNewGeom
 }
 
 //------------------------------------------------------------------------------
+class vtkGeodesicSampler::vtkInternals : public DGGFilterInternals
+{
+public:
+  explicit vtkInternals(vtkGeodesicSampler* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  bool IsCloud(vtkPolyData* input) const override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  DGGSourceSet GetStart(vtkInformationVector** inputVector) const;
+  dgg::Status MakeOptions(
+    const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
+  void WarnAboutNumber(
+    const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples);
+
+  vtkGeodesicSampler* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkGeodesicSampler::vtkGeodesicSampler()
   : NumberOfSamples(100)
   , FirstSample(-1)
@@ -57,6 +85,7 @@ vtkGeodesicSampler::vtkGeodesicSampler()
   , ProjectionTolerance(0.01)
   , GraphUser(new DGGGraphUser)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
 }
 
@@ -76,57 +105,58 @@ void vtkGeodesicSampler::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicSampler::CheckProperties() const
+dgg::Status vtkGeodesicSampler::vtkInternals::CheckProperties() const
 {
-  if (this->NumberOfSamples < 1)
+  if (this->Self->NumberOfSamples < 1)
   {
-    return dgg::Status::Invalid("NumberOfSamples is " + std::to_string(this->NumberOfSamples) +
-      ": call SetNumberOfSamples() with at least 1");
+    return dgg::Status::Invalid("NumberOfSamples is " +
+      std::to_string(this->Self->NumberOfSamples) + ": call SetNumberOfSamples() with at least 1");
   }
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "CoveringRadius", this->CoveringRadius },
-    { "ProjectionTolerance", this->ProjectionTolerance } }));
-  return this->GraphUser->Check();
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "CoveringRadius", this->Self->CoveringRadius },
+    { "ProjectionTolerance", this->Self->ProjectionTolerance } }));
+  return this->Self->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkGeodesicSampler::GetStart(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicSampler::vtkInternals::GetStart(vtkInformationVector** inputVector) const
 {
   return { NoIds, vtkPolyData::GetData(inputVector[1]), 1, "start", "disconnect input port 1", "" };
 }
 
 //------------------------------------------------------------------------------
-bool vtkGeodesicSampler::IsCloud(vtkPolyData* input) const
+bool vtkGeodesicSampler::vtkInternals::IsCloud(vtkPolyData* input) const
 {
   return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGeodesicSampler::GetMemoryRemedy() const
+std::string vtkGeodesicSampler::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh or a larger Accuracy";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicSampler::MakeOptions(
+dgg::Status vtkGeodesicSampler::vtkInternals::MakeOptions(
   const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  options.NumberOfSamples = this->NumberOfSamples;
-  options.CoveringRadius = this->CoveringRadius;
-  options.InFaces = this->InFaces && !mesh.IsCloud();
+  options.NumberOfSamples = this->Self->NumberOfSamples;
+  options.CoveringRadius = this->Self->CoveringRadius;
+  options.InFaces = this->Self->InFaces && !mesh.IsCloud();
   const DGGSourceSet start = this->GetStart(inputVector);
   if (!start.Points)
   {
     const vtkIdType n = context.Input->GetNumberOfPoints();
-    if (this->FirstSample < -1 || this->FirstSample >= n)
+    if (this->Self->FirstSample < -1 || this->Self->FirstSample >= n)
     {
-      return dgg::InvalidInput("FirstSample ", this->FirstSample,
+      return dgg::InvalidInput("FirstSample ", this->Self->FirstSample,
         " is out of range: the input has ", n, " points, so it must be in [0, ", n - 1, "], or -1");
     }
-    options.FirstVertex = this->FirstSample < 0 ? dgg::NoId : mesh.GetVertex(this->FirstSample);
+    options.FirstVertex =
+      this->Self->FirstSample < 0 ? dgg::NoId : mesh.GetVertex(this->Self->FirstSample);
     return dgg::Status::Success();
   }
-  DGG_RETURN_IF_ERROR(DGGLocate(context, start, this->ProjectionTolerance, options.Given));
+  DGG_RETURN_IF_ERROR(DGGLocate(context, start, this->Self->ProjectionTolerance, options.Given));
   if (mesh.IsCloud()) // samples of a cloud are points of it
   {
     std::transform(options.Given.begin(), options.Given.end(), options.Given.begin(),
@@ -136,35 +166,36 @@ dgg::Status vtkGeodesicSampler::MakeOptions(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicSampler::WarnAboutNumber(
+void vtkGeodesicSampler::vtkInternals::WarnAboutNumber(
   const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples)
 {
   if (numberOfSamples < options.NumberOfSamples && (!last || !(last->CoveringRadius > 0.0)))
   {
-    vtkWarningMacro(<< "NumberOfSamples is " << options.NumberOfSamples << ", but after "
-                    << numberOfSamples << " samples no point of the surface is left. Reduce it, "
-                    << "or subdivide the surface"
-                    << (options.InFaces ? "." : ", or turn InFaces on."));
+    vtkWarningWithObjectMacro(this->Self,
+      << "NumberOfSamples is " << options.NumberOfSamples << ", but after " << numberOfSamples
+      << " samples no point of the surface is left. Reduce it, "
+      << "or subdivide the surface" << (options.InFaces ? "." : ", or turn InFaces on."));
   }
   if (last && !(last->CoveringRadius < dgg::Infinity))
   {
-    vtkWarningMacro(<< "The surface has more components than there are samples (" << numberOfSamples
-                    << "): some have no sample, and the covering radius is infinite. "
-                    << "Raise NumberOfSamples.");
+    vtkWarningWithObjectMacro(
+      this->Self, << "The surface has more components than there are samples (" << numberOfSamples
+                  << "): some have no sample, and the covering radius is infinite. "
+                  << "Raise NumberOfSamples.");
   }
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicSampler::Execute(
+dgg::Status vtkGeodesicSampler::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
   dgg::SamplerOptions options;
   DGG_RETURN_IF_ERROR(this->MakeOptions(context, inputVector, options));
   DGGNewGeometry geometry;
-  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
-  DGGGraphUser& graph = *this->GraphUser;
-  DGG_RETURN_IF_ERROR(graph.Update(context, this));
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
+  DGGGraphUser& graph = *this->Self->GraphUser;
+  DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
   const bool needsLinks =
     options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
   DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, needsLinks));
@@ -180,10 +211,10 @@ dgg::Status vtkGeodesicSampler::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicSampler::MakeEmptyOutput(
+void vtkGeodesicSampler::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   DGGNewGeometry geometry;
-  geometry.Take(context, this->GetOutputPointsPrecision());
+  geometry.Take(context, this->Self->GetOutputPointsPrecision());
   FillOutput({}, geometry, vtkPolyData::GetData(outputVector));
 }

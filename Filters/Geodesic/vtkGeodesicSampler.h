@@ -42,13 +42,6 @@
 
 #include <memory> // For the internals
 
-struct DGGSourceSet;
-namespace dgg
-{
-struct SamplerOptions;
-struct SurfaceSample;
-}
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicSampler : public vtkGeodesicAlgorithm
 {
 public:
@@ -125,22 +118,11 @@ protected:
   vtkGeodesicSampler();
   ~vtkGeodesicSampler() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkGeodesicSampler(const vtkGeodesicSampler&) = delete;
   void operator=(const vtkGeodesicSampler&) = delete;
 
-  DGGSourceSet GetStart(vtkInformationVector** inputVector) const;
-  dgg::Status MakeOptions(
-    const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
-  void WarnAboutNumber(
-    const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples);
+  class vtkInternals;
 
   vtkIdType NumberOfSamples;
   vtkIdType FirstSample;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicVoronoi.h"
 
+#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
@@ -245,6 +246,36 @@ struct VoronoiOutputs
 }
 
 //------------------------------------------------------------------------------
+class vtkGeodesicVoronoi::vtkInternals : public DGGFilterInternals
+{
+public:
+  explicit vtkInternals(vtkGeodesicVoronoi* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool PassesSurface() const override { return true; }
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  bool IsCloud(vtkPolyData* input) const override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  DGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
+  dgg::Status ComputePreview(const DGGContext& context, DGGVoronoiResult& result);
+  dgg::Status Compute(const DGGContext& context, DGGVoronoiResult& result);
+  void FillOutputs(const DGGContext& context, const DGGVoronoiResult& result,
+    const DGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
+  void PassArrays(const DGGContext& context, const DGGVoronoiResult& result,
+    const DGGSourceSet& set, vtkInformationVector* outputVector) const;
+
+  vtkGeodesicVoronoi* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   : Centroidal(false)
   , NumberOfIterations(20)
@@ -260,6 +291,7 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , PreviewSolver(new DGGPropagation)
   , GraphUser(new DGGGraphUser)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
 }
@@ -312,18 +344,19 @@ vtkPolyData* vtkGeodesicVoronoi::GetSites()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicVoronoi::CheckProperties() const
+dgg::Status vtkGeodesicVoronoi::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths(
-    { { "ProjectionTolerance", this->ProjectionTolerance }, { "Tolerance", this->Tolerance } }));
-  if (this->NumberOfIterations < 0)
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
+    { "Tolerance", this->Self->Tolerance } }));
+  if (this->Self->NumberOfIterations < 0)
   {
     return dgg::Status::Invalid("NumberOfIterations is " +
-      std::to_string(this->NumberOfIterations) + ": call SetNumberOfIterations() with at least 0");
+      std::to_string(this->Self->NumberOfIterations) +
+      ": call SetNumberOfIterations() with at least 0");
   }
   const std::pair<const char*, const std::string*> names[] = {
-    { "DistanceArrayName", &this->DistanceArrayName },
-    { "SourceArrayName", &this->SourceArrayName },
+    { "DistanceArrayName", &this->Self->DistanceArrayName },
+    { "SourceArrayName", &this->Self->SourceArrayName },
   };
   for (const auto& name : names)
   {
@@ -333,40 +366,41 @@ dgg::Status vtkGeodesicVoronoi::CheckProperties() const
         std::string(name.first) + " is empty: call Set" + name.first + "() with a name");
     }
   }
-  if (this->DistanceArrayName == this->SourceArrayName)
+  if (this->Self->DistanceArrayName == this->Self->SourceArrayName)
   {
     return dgg::Status::Invalid("DistanceArrayName and SourceArrayName are both '" +
-      this->SourceArrayName + "': call SetSourceArrayName() with another name");
+      this->Self->SourceArrayName + "': call SetSourceArrayName() with another name");
   }
-  if (this->Preview && this->Centroidal)
+  if (this->Self->Preview && this->Self->Centroidal)
   {
     return dgg::Status::Invalid("Preview does not move sites: turn Preview or Centroidal off");
   }
-  return this->GraphUser->Check();
+  return this->Self->GraphUser->Check();
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkGeodesicVoronoi::GetSiteSet(vtkInformationVector** inputVector) const
+DGGSourceSet vtkGeodesicVoronoi::vtkInternals::GetSiteSet(vtkInformationVector** inputVector) const
 {
-  return { this->SiteIds, vtkPolyData::GetData(inputVector[1]), 1, "site",
+  return { this->Self->SiteIds, vtkPolyData::GetData(inputVector[1]), 1, "site",
     "call AddSiteId() or SetSiteIds()", "" };
 }
 
 //------------------------------------------------------------------------------
-bool vtkGeodesicVoronoi::IsCloud(vtkPolyData* input) const
+bool vtkGeodesicVoronoi::vtkInternals::IsCloud(vtkPolyData* input) const
 {
   return DGGGraphUser::IsCloud(input);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkGeodesicVoronoi::GetMemoryRemedy() const
+std::string vtkGeodesicVoronoi::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer sites";
 }
 
 //------------------------------------------------------------------------------
 /// Computes labels from the sites of the result, without a graph.
-dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVoronoiResult& result)
+dgg::Status vtkGeodesicVoronoi::vtkInternals::ComputePreview(
+  const DGGContext& context, DGGVoronoiResult& result)
 {
   if (context.Surface.IsCloud())
   {
@@ -376,7 +410,7 @@ dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVor
   options.Quality = DGGPropagation::Choose(context.Surface);
   options.WantNearestSource = true;
   dgg::PropagationResult found;
-  DGG_RETURN_IF_ERROR(this->PreviewSolver->Run(context, result.Sites, options, found)
+  DGG_RETURN_IF_ERROR(this->Self->PreviewSolver->Run(context, result.Sites, options, found)
                         .Of("Preview, which can be turned off"));
   this->WarnAboutQuality(
     DGGJoinReasons({ DGGDescribeLongTriangles(context.Surface,
@@ -391,10 +425,11 @@ dgg::Status vtkGeodesicVoronoi::ComputePreview(const DGGContext& context, DGGVor
 
 //------------------------------------------------------------------------------
 /// Computes the diagram from the sites of the result. The graph is up to date.
-dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiResult& result)
+dgg::Status vtkGeodesicVoronoi::vtkInternals::Compute(
+  const DGGContext& context, DGGVoronoiResult& result)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  DGGGraphUser& graph = *this->GraphUser;
+  DGGGraphUser& graph = *this->Self->GraphUser;
   const dgg::ProgressCallback progress = graph.GetRemainingProgress(context);
   double start = 0.0;
   if (result.IsCentroidal)
@@ -429,31 +464,32 @@ dgg::Status vtkGeodesicVoronoi::Compute(const DGGContext& context, DGGVoronoiRes
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicVoronoi::Execute(
+dgg::Status vtkGeodesicVoronoi::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
   const DGGSourceSet set = this->GetSiteSet(inputVector);
   DGGVoronoiResult result;
-  DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->ProjectionTolerance, result.Sites, this));
+  DGG_RETURN_IF_ERROR(
+    DGGLocate(context, set, this->Self->ProjectionTolerance, result.Sites, this->Self));
   DGGNewGeometry geometry;
-  DGG_RETURN_IF_ERROR(geometry.Take(context, this->GetOutputPointsPrecision()));
-  result.LabelsOnly = !this->GenerateCells || this->Preview || mesh.IsCloud();
-  result.IsCentroidal = this->Centroidal;
-  result.IsRefined = this->RefineBoundaries && !result.LabelsOnly;
-  result.Moving.NumberOfIterations = this->NumberOfIterations;
-  result.Moving.Tolerance = this->Tolerance;
-  if (this->Preview)
+  DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
+  result.LabelsOnly = !this->Self->GenerateCells || this->Self->Preview || mesh.IsCloud();
+  result.IsCentroidal = this->Self->Centroidal;
+  result.IsRefined = this->Self->RefineBoundaries && !result.LabelsOnly;
+  result.Moving.NumberOfIterations = this->Self->NumberOfIterations;
+  result.Moving.Tolerance = this->Self->Tolerance;
+  if (this->Self->Preview)
   {
     DGG_RETURN_IF_ERROR(this->ComputePreview(context, result));
   }
   else
   {
-    DGG_RETURN_IF_ERROR(this->GraphUser->Update(context, this));
+    DGG_RETURN_IF_ERROR(this->Self->GraphUser->Update(context, this->Self));
     DGG_RETURN_IF_ERROR(this->Compute(context, result));
   }
   this->FillOutputs(context, result, geometry, outputVector);
-  if (this->PassSiteArrays)
+  if (this->Self->PassSiteArrays)
   {
     this->PassArrays(context, result, set, outputVector);
   }
@@ -461,8 +497,8 @@ dgg::Status vtkGeodesicVoronoi::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::PassArrays(const DGGContext& context, const DGGVoronoiResult& result,
-  const DGGSourceSet& set, vtkInformationVector* outputVector) const
+void vtkGeodesicVoronoi::vtkInternals::PassArrays(const DGGContext& context,
+  const DGGVoronoiResult& result, const DGGSourceSet& set, vtkInformationVector* outputVector) const
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   std::vector<dgg::Id> nearest(static_cast<std::size_t>(output->GetNumberOfPoints()));
@@ -479,14 +515,15 @@ void vtkGeodesicVoronoi::PassArrays(const DGGContext& context, const DGGVoronoiR
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::FillOutputs(const DGGContext& context, const DGGVoronoiResult& result,
-  const DGGNewGeometry& geometry, vtkInformationVector* outputVector) const
+void vtkGeodesicVoronoi::vtkInternals::FillOutputs(const DGGContext& context,
+  const DGGVoronoiResult& result, const DGGNewGeometry& geometry,
+  vtkInformationVector* outputVector) const
 {
-  const VoronoiOutputs outputs{ result, context.Surface, geometry, this->DistanceArrayName,
-    this->UnreachedValue };
+  const VoronoiOutputs outputs{ result, context.Surface, geometry, this->Self->DistanceArrayName,
+    this->Self->UnreachedValue };
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(context.Input);
-  outputs.AddToSurface(this->SourceArrayName, output);
+  outputs.AddToSurface(this->Self->SourceArrayName, output);
   if (result.LabelsOnly)
   {
     geometry.Begin(vtkPolyData::GetData(outputVector, 1));
@@ -501,10 +538,10 @@ void vtkGeodesicVoronoi::FillOutputs(const DGGContext& context, const DGGVoronoi
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicVoronoi::MakeEmptyOutput(
+void vtkGeodesicVoronoi::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   DGGNewGeometry geometry;
-  geometry.Take(context, this->GetOutputPointsPrecision());
+  geometry.Take(context, this->Self->GetOutputPointsPrecision());
   this->FillOutputs(context, DGGVoronoiResult(), geometry, outputVector);
 }

@@ -44,13 +44,7 @@
 #include <string> // For array names
 #include <vector> // For site ids
 
-class DGGNewGeometry;
 class DGGPropagation;
-struct DGGSourceSet;
-namespace dgg
-{
-}
-struct DGGVoronoiResult;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicVoronoi : public vtkGeodesicAlgorithm
 {
@@ -214,25 +208,11 @@ protected:
   vtkGeodesicVoronoi();
   ~vtkGeodesicVoronoi() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  bool PassesSurface() const override { return true; }
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkGeodesicVoronoi(const vtkGeodesicVoronoi&) = delete;
   void operator=(const vtkGeodesicVoronoi&) = delete;
 
-  DGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
-  dgg::Status ComputePreview(const DGGContext& context, DGGVoronoiResult& result);
-  dgg::Status Compute(const DGGContext& context, DGGVoronoiResult& result);
-  void FillOutputs(const DGGContext& context, const DGGVoronoiResult& result,
-    const DGGNewGeometry& geometry, vtkInformationVector* outputVector) const;
-  void PassArrays(const DGGContext& context, const DGGVoronoiResult& result,
-    const DGGSourceSet& set, vtkInformationVector* outputVector) const;
+  class vtkInternals;
 
   std::vector<vtkIdType> SiteIds;
   bool Centroidal;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeatGeodesicDistance.h"
 
-#include "DGGDistanceTask.h"
+#include "DGGDistanceInternals.h"
+#include "DGGDistanceInternals.h"
 #include "DGGMeshQuality.h"
 
 #include "dggHeatMethod.h"
@@ -47,6 +48,24 @@ std::string DescribeQuality(const dgg::PreparedSurface& surface, double factor, 
 }
 
 //------------------------------------------------------------------------------
+class vtkHeatGeodesicDistance::vtkInternals : public DGGDistanceInternals
+{
+public:
+  explicit vtkInternals(vtkHeatGeodesicDistance* self)
+    : DGGDistanceInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkHeatGeodesicDistance* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkHeatGeodesicDistance::vtkHeatGeodesicDistance()
   : TimeStepFactor(1.0)
   , IntrinsicDelaunay(true)
@@ -54,6 +73,7 @@ vtkHeatGeodesicDistance::vtkHeatGeodesicDistance()
   , QualityWarning(false)
   , NumberOfFactorizations(0)
 {
+  this->Internals.reset(new vtkInternals(this));
 }
 
 //------------------------------------------------------------------------------
@@ -93,42 +113,43 @@ int vtkHeatGeodesicDistance::GetNumberOfFactorizations() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHeatGeodesicDistance::CheckProperties() const
+dgg::Status vtkHeatGeodesicDistance::vtkInternals::CheckProperties() const
 {
-  if (!(this->TimeStepFactor >= dgg::SmallestTimeStepFactor &&
-        this->TimeStepFactor <= dgg::LargestTimeStepFactor))
+  if (!(this->Self->TimeStepFactor >= dgg::SmallestTimeStepFactor &&
+        this->Self->TimeStepFactor <= dgg::LargestTimeStepFactor))
   {
-    return dgg::InvalidInput("TimeStepFactor is ", this->TimeStepFactor,
+    return dgg::InvalidInput("TimeStepFactor is ", this->Self->TimeStepFactor,
       ": call SetTimeStepFactor() with a number from ", dgg::SmallestTimeStepFactor, " to ",
       dgg::LargestTimeStepFactor, ", such as 1");
   }
-  return this->Superclass::CheckProperties();
+  return DGGDistanceInternals::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeatGeodesicDistance::GetMemoryRemedy() const
+std::string vtkHeatGeodesicDistance::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh or vtkDGGFastMarchingDistance";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkHeatGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   const dgg::HeatBoundary boundaries[] = { dgg::HeatBoundary::Neumann, dgg::HeatBoundary::Dirichlet,
     dgg::HeatBoundary::Average };
   dgg::HeatOptions options;
-  options.TimeStepFactor = this->TimeStepFactor;
-  options.IntrinsicDelaunay = this->IntrinsicDelaunay;
-  options.Boundary = boundaries[this->Boundary];
+  options.TimeStepFactor = this->Self->TimeStepFactor;
+  options.IntrinsicDelaunay = this->Self->IntrinsicDelaunay;
+  options.Boundary = boundaries[this->Self->Boundary];
 
-  if (!this->Prepared || this->Prepared->MeshBuild != task.Context.Surface.GetBuildNumber())
+  if (!this->Self->Prepared ||
+    this->Self->Prepared->MeshBuild != task.Context.Surface.GetBuildNumber())
   {
-    this->NumberOfFactorizations = this->GetNumberOfFactorizations();
-    this->Prepared.reset(); // release before the next is allocated
-    this->Prepared.reset(new Preparation{
+    this->Self->NumberOfFactorizations = this->Self->GetNumberOfFactorizations();
+    this->Self->Prepared.reset(); // release before the next is allocated
+    this->Self->Prepared.reset(new Preparation{
       task.Context.Surface.GetBuildNumber(), dgg::HeatMethod(task.Context.Surface.GetMesh()) });
   }
-  dgg::HeatMethod& method = this->Prepared->Method;
+  dgg::HeatMethod& method = this->Self->Prepared->Method;
   bool isTooMuch = false;
   dgg::Status status = method.Prepare(
     options, dgg::ProgressPart(task.Context.Progress, 0.0, FactorizedAt), [&](double bytes) {
@@ -139,7 +160,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
     });
   if (isTooMuch && method.GetNumberOfFactorizations() == 0)
   {
-    this->Prepared.reset(); // no factorization exists yet
+    this->Self->Prepared.reset(); // no factorization exists yet
   }
   if (!status.IsOk())
   {
@@ -152,7 +173,7 @@ dgg::Status vtkHeatGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
   query.Progress = dgg::ProgressPart(task.Context.Progress, FactorizedAt, 1.0);
   dgg::HeatResult result;
   DGG_RETURN_IF_ERROR(method.Run(task.Sources, query, result));
-  this->QualityWarning = this->WarnAboutQuality(
+  this->Self->QualityWarning = this->WarnAboutQuality(
     DescribeQuality(task.Context.Surface, options.TimeStepFactor, result.FewestTriangles));
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);

@@ -112,13 +112,11 @@ protected:
   vtkHeatGeodesicDistance();
   ~vtkHeatGeodesicDistance() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkHeatGeodesicDistance(const vtkHeatGeodesicDistance&) = delete;
   void operator=(const vtkHeatGeodesicDistance&) = delete;
+
+  class vtkInternals;
 
   struct Preparation;
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVirtualSourceGeodesicDistance.h"
 
-#include "DGGDistanceTask.h"
+#include "DGGDistanceInternals.h"
+#include "DGGDistanceInternals.h"
 #include "DGGMeshQuality.h"
 #include "DGGPropagation.h"
 
@@ -13,11 +14,29 @@
 vtkStandardNewMacro(vtkVirtualSourceGeodesicDistance);
 
 //------------------------------------------------------------------------------
+class vtkVirtualSourceGeodesicDistance::vtkInternals : public DGGDistanceInternals
+{
+public:
+  explicit vtkInternals(vtkVirtualSourceGeodesicDistance* self)
+    : DGGDistanceInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  vtkVirtualSourceGeodesicDistance* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkVirtualSourceGeodesicDistance::vtkVirtualSourceGeodesicDistance()
   : Quality(Automatic)
   , QualityWarning(false)
   , Propagation(new DGGPropagation)
 {
+  this->Internals.reset(new vtkInternals(this));
 }
 
 //------------------------------------------------------------------------------
@@ -39,24 +58,24 @@ const char* vtkVirtualSourceGeodesicDistance::GetQualityAsString() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkVirtualSourceGeodesicDistance::GetMemoryRemedy() const
+std::string vtkVirtualSourceGeodesicDistance::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, or SetQualityToFast()";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkVirtualSourceGeodesicDistance::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   dgg::PropagationOptions options;
-  options.Quality = this->Quality == Automatic ? DGGPropagation::Choose(task.Context.Surface)
-    : this->Quality == High                    ? dgg::PropagationQuality::High
-                                               : dgg::PropagationQuality::Fast;
+  options.Quality = this->Self->Quality == Automatic ? DGGPropagation::Choose(task.Context.Surface)
+    : this->Self->Quality == High                    ? dgg::PropagationQuality::High
+                                                     : dgg::PropagationQuality::Fast;
   options.MaximumDistance = task.MaximumDistance;
   options.WantNearestSource = task.WantNearestSource;
   options.WantVirtualSource = task.WantVirtualSource;
   dgg::PropagationResult result;
-  DGG_RETURN_IF_ERROR(this->Propagation->Run(task.Context, task.Sources, options, result));
-  this->QualityWarning = this->WarnAboutQuality(
+  DGG_RETURN_IF_ERROR(this->Self->Propagation->Run(task.Context, task.Sources, options, result));
+  this->Self->QualityWarning = this->WarnAboutQuality(
     DGGJoinReasons({ DGGDescribeLongTriangles(task.Context.Surface, DGGLongTrianglesMislead),
       result.IsSettled ? "" : DGGUnsettledDistances }));
   task.Distances = std::move(result.Distances);

@@ -85,12 +85,11 @@ protected:
   vtkVirtualSourceGeodesicDistance();
   ~vtkVirtualSourceGeodesicDistance() override;
 
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkVirtualSourceGeodesicDistance(const vtkVirtualSourceGeodesicDistance&) = delete;
   void operator=(const vtkVirtualSourceGeodesicDistance&) = delete;
+
+  class vtkInternals;
 
   int Quality;
   bool QualityWarning;

@@ -4,7 +4,6 @@
 
 #include "PointCloudDGGInternals.h"
 
-#include "DGGContext.h"
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
 #include "DGGSurfaceParts.h"
@@ -72,8 +71,14 @@ vtkPointCloudDGG::vtkPointCloudDGG()
   , GenerateVertices(false)
   , NumberOfNeighbors(16)
   , ComponentArrayName("Component")
-  , Internals(new vtkInternals)
 {
+  this->Internals.reset(new vtkInternals(this));
+}
+
+//------------------------------------------------------------------------------
+vtkPointCloudDGG::vtkInternals& vtkPointCloudDGG::GetInternals() const
+{
+  return static_cast<vtkInternals&>(*this->Internals);
 }
 
 //------------------------------------------------------------------------------
@@ -90,7 +95,7 @@ const char* vtkPointCloudDGG::GetSchemeAsString() const
 int vtkPointCloudDGG::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internals->Current = vtkInternals::Findings();
+  this->GetInternals().Current = vtkInternals::Findings();
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   if (!this->GenerateVertices)
   {
@@ -108,17 +113,18 @@ int vtkPointCloudDGG::RequestData(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPointCloudDGG::CheckProperties() const
+dgg::Status vtkPointCloudDGG::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(CheckNumber("OffsetInVoxels", this->OffsetInVoxels));
-  DGG_RETURN_IF_ERROR(CheckNumber("Resolution", this->Resolution));
-  DGG_RETURN_IF_ERROR(CheckNumber("Alpha", this->Alpha));
-  if (this->NumberOfNeighbors < FewestNeighbors)
+  DGG_RETURN_IF_ERROR(CheckNumber("OffsetInVoxels", this->Self->OffsetInVoxels));
+  DGG_RETURN_IF_ERROR(CheckNumber("Resolution", this->Self->Resolution));
+  DGG_RETURN_IF_ERROR(CheckNumber("Alpha", this->Self->Alpha));
+  if (this->Self->NumberOfNeighbors < FewestNeighbors)
   {
-    return dgg::Status::Invalid("NumberOfNeighbors is " + std::to_string(this->NumberOfNeighbors) +
+    return dgg::Status::Invalid("NumberOfNeighbors is " +
+      std::to_string(this->Self->NumberOfNeighbors) +
       ": call SetNumberOfNeighbors() with at least " + std::to_string(FewestNeighbors));
   }
-  if (this->ComponentArrayName.empty())
+  if (this->Self->ComponentArrayName.empty())
   {
     return dgg::Status::Invalid(
       "ComponentArrayName is empty: call SetComponentArrayName() with a name");
@@ -127,13 +133,13 @@ dgg::Status vtkPointCloudDGG::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkPointCloudDGG::GetInputNormals(vtkPolyData* cloud) const
+vtkDataArray* vtkPointCloudDGG::vtkInternals::GetInputNormals(vtkPolyData* cloud) const
 {
-  return this->UseInputNormals ? cloud->GetPointData()->GetNormals() : nullptr;
+  return this->Self->UseInputNormals ? cloud->GetPointData()->GetNormals() : nullptr;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPointCloudDGG::CheckInputs(
+dgg::Status vtkPointCloudDGG::vtkInternals::CheckInputs(
   vtkPolyData* cloud, vtkInformationVector** vtkNotUsed(inputVector)) const
 {
   vtkDataArray* normals = this->GetInputNormals(cloud);
@@ -150,24 +156,23 @@ dgg::Status vtkPointCloudDGG::CheckInputs(
 }
 
 //------------------------------------------------------------------------------
-bool vtkPointCloudDGG::IsCloud(vtkPolyData* vtkNotUsed(input)) const
+bool vtkPointCloudDGG::vtkInternals::IsCloud(vtkPolyData* vtkNotUsed(input)) const
 {
   return true;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPointCloudDGG::GetMemoryRemedy() const
+std::string vtkPointCloudDGG::vtkInternals::GetMemoryRemedy() const
 {
   return "use fewer points, a larger Accuracy, a smaller Alpha or a smaller Resolution";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPointCloudDGG::Execute(const DGGContext& context,
+dgg::Status vtkPointCloudDGG::vtkInternals::Execute(const DGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkInternals& internals = *this->Internals;
   const NormalsSource source = this->MakeNormalsSource(context.Input);
-  const vtkMTimeType built = this->GetGraphBuildTime();
+  const vtkMTimeType built = this->Self->GetGraphBuildTime();
   dgg::CloudGraphOptions options = this->MakeOptions(context.Input);
   Normals normals;
   double done = 0.0;
@@ -176,38 +181,39 @@ dgg::Status vtkPointCloudDGG::Execute(const DGGContext& context,
   DGG_RETURN_IF_ERROR(this->Build(context, options, done));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  internals.Built.AddTo(output->GetFieldData());
-  internals.Current = internals.BuiltFindings;
+  this->Built.AddTo(output->GetFieldData());
+  this->Current = this->BuiltFindings;
   const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
   const auto components =
-    DGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, n);
-  std::copy(internals.Components.begin(), internals.Components.end(), components->GetPointer(0));
+    DGGAddArray<vtkIntArray>(output->GetPointData(), this->Self->ComponentArrayName, n);
+  std::copy(this->Components.begin(), this->Components.end(), components->GetPointer(0));
   if (source.ByPlanes && normals)
   {
     const auto array = DGGMakeArray<vtkDoubleArray>("Normals", n, 3);
     std::copy(normals->begin(), normals->end(), array->GetPointer(0));
     output->GetPointData()->SetNormals(array);
   }
-  if (built != this->GetGraphBuildTime())
+  if (built != this->Self->GetGraphBuildTime())
   {
     this->WarnAboutPoints();
     this->WarnAboutVoxels(options);
   }
-  if (this->OrientedNormals && !source.Given)
+  if (this->Self->OrientedNormals && !source.Given)
   {
-    vtkWarningMacro("OrientedNormals is on, but the input has no point normals that are used: it "
-                    "has no effect, and layers back to back may be connected. Give the input "
-                    "normals, or turn UseInputNormals on or OrientedNormals off.");
+    vtkWarningWithObjectMacro(this->Self,
+      "OrientedNormals is on, but the input has no point normals that are used: it "
+      "has no effect, and layers back to back may be connected. Give the input "
+      "normals, or turn UseInputNormals on or OrientedNormals off.");
   }
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-void vtkPointCloudDGG::MakeEmptyOutput(
+void vtkPointCloudDGG::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
   DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they belong to another surface
-  DGGAddArray<vtkIntArray>(output->GetPointData(), this->ComponentArrayName, 0);
+  DGGAddArray<vtkIntArray>(output->GetPointData(), this->Self->ComponentArrayName, 0);
 }

@@ -40,14 +40,7 @@
 #include "vtkDGGFiltersPointCloudModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
 #include <string> // For array names
-#include <vector> // For normals
-
-namespace dgg
-{
-struct CloudGraphOptions;
-}
 
 class VTKDGGFILTERSPOINTCLOUD_EXPORT vtkPointCloudDGG : public vtkGeodesicAlgorithm
 {
@@ -294,36 +287,13 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  dgg::Status CheckProperties() const override;
-  dgg::Status CheckInputs(vtkPolyData* cloud, vtkInformationVector** inputVector) const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  bool PassesSurface() const override { return true; }
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
 
 private:
   vtkPointCloudDGG(const vtkPointCloudDGG&) = delete;
   void operator=(const vtkPointCloudDGG&) = delete;
 
-  vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
-  using Normals = std::shared_ptr<const std::vector<double>>;
-  /// Origin of the normals.
-  struct NormalsSource
-  {
-    vtkDataArray* Given = nullptr; ///< of the input
-    bool ByPlanes = false;
-    int NumberOfNeighbors = 0; ///< for planes
-  };
-  NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
-  dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
-  dgg::Status FindNormals(
-    const DGGContext& context, const NormalsSource& source, Normals& normals, double& done);
-  dgg::Status Build(const DGGContext& context, dgg::CloudGraphOptions options, double done);
-  dgg::Status Estimate();
-  void WarnAboutPoints();
-  void WarnAboutVoxels(const dgg::CloudGraphOptions& options);
+  class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   int Scheme;
   double OffsetInVoxels;
@@ -337,9 +307,6 @@ private:
   bool GenerateVertices;
   int NumberOfNeighbors;
   std::string ComponentArrayName;
-
-  struct vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -3,7 +3,7 @@
 #include "vtkBiharmonicDistance.h"
 
 #include "DGGContext.h"
-#include "DGGSpectralOutputs.h"
+#include "DGGSpectralInternals.h"
 
 #include "dggInvalidInput.h"
 #include "dggPreparedSurface.h"
@@ -53,6 +53,25 @@ struct vtkBiharmonicDistance::Preparation
 };
 
 //------------------------------------------------------------------------------
+class vtkBiharmonicDistance::vtkInternals : public DGGSpectralInternals
+{
+public:
+  explicit vtkInternals(vtkBiharmonicDistance* self)
+    : DGGSpectralInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
+    std::size_t numberOfTargets) const override;
+  dgg::Status ComputeValues(DGGSpectralTask& task) override;
+
+private:
+  vtkBiharmonicDistance* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkBiharmonicDistance::vtkBiharmonicDistance()
   : vtkSpectralAlgorithm("BiharmonicDistance")
   , Kind(Biharmonic)
@@ -62,6 +81,7 @@ vtkBiharmonicDistance::vtkBiharmonicDistance()
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
   , NumberOfSpectra(0)
 {
+  this->Internals.reset(new vtkInternals(this));
 }
 
 //------------------------------------------------------------------------------
@@ -107,57 +127,58 @@ vtkTypeUInt64 vtkBiharmonicDistance::GetMemorySize() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkBiharmonicDistance::CheckProperties() const
+dgg::Status vtkBiharmonicDistance::vtkInternals::CheckProperties() const
 {
-  if (this->Kind == Diffusion && this->Method == Exact)
+  if (this->Self->Kind == Diffusion && this->Self->Method == Exact)
   {
     return dgg::Status::Invalid("diffusion distances need eigenvalues: call SetMethodToSpectrum()");
   }
-  if (!(this->DiffusionTime >= 0.0) || !std::isfinite(this->DiffusionTime))
+  if (!(this->Self->DiffusionTime >= 0.0) || !std::isfinite(this->Self->DiffusionTime))
   {
-    return dgg::InvalidInput("DiffusionTime is ", this->DiffusionTime,
+    return dgg::InvalidInput("DiffusionTime is ", this->Self->DiffusionTime,
       ": call SetDiffusionTime() with a positive number, or 0 for the default");
   }
-  if (this->NumberOfEigenvalues < 1)
+  if (this->Self->NumberOfEigenvalues < 1)
   {
-    return dgg::InvalidInput("NumberOfEigenvalues is ", this->NumberOfEigenvalues,
+    return dgg::InvalidInput("NumberOfEigenvalues is ", this->Self->NumberOfEigenvalues,
       ": call SetNumberOfEigenvalues() with a positive number, such as 150");
   }
-  return this->Superclass::CheckProperties();
+  return DGGSpectralInternals::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
-double vtkBiharmonicDistance::EstimateWorkingMemory(
+double vtkBiharmonicDistance::vtkInternals::EstimateWorkingMemory(
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
   const auto n = static_cast<double>(solver.GetAreas().size());
-  const double count = std::min<double>(this->NumberOfEigenvalues, n);
+  const double count = std::min<double>(this->Self->NumberOfEigenvalues, n);
   const auto points =
     numberOfTargets > 0 ? static_cast<double>(numberOfSources + numberOfTargets) : 0.0;
-  const double numbers = this->Method == Exact
+  const double numbers = this->Self->Method == Exact
     ? n * (NumbersPerThread * vtkSMPTools::GetEstimatedNumberOfThreads() + points)
     : count * (FunctionsPerEigenvalue * n + points);
   return numbers * sizeof(double);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkBiharmonicDistance::ComputeValues(DGGSpectralTask& task)
+dgg::Status vtkBiharmonicDistance::vtkInternals::ComputeValues(DGGSpectralTask& task)
 {
   const dgg::SpectralKind kinds[] = { dgg::SpectralKind::Biharmonic, dgg::SpectralKind::CommuteTime,
     dgg::SpectralKind::Diffusion };
   dgg::SpectralOptions options;
-  options.Kind = kinds[this->Kind];
+  options.Kind = kinds[this->Self->Kind];
   options.Method =
-    this->Method == Exact ? dgg::SpectralMethod::Exact : dgg::SpectralMethod::Spectrum;
-  options.NumberOfEigenvalues = this->NumberOfEigenvalues;
-  options.Time = this->DiffusionTime;
-  if (!this->Prepared || this->Prepared->SolverTime != task.SolverTime)
+    this->Self->Method == Exact ? dgg::SpectralMethod::Exact : dgg::SpectralMethod::Spectrum;
+  options.NumberOfEigenvalues = this->Self->NumberOfEigenvalues;
+  options.Time = this->Self->DiffusionTime;
+  if (!this->Self->Prepared || this->Self->Prepared->SolverTime != task.SolverTime)
   {
-    this->NumberOfSpectra = this->GetNumberOfSpectra();
-    this->Prepared.reset(); // release before the next is allocated
-    this->Prepared.reset(new Preparation{ task.SolverTime, dgg::SpectralDistance(task.Solver) });
+    this->Self->NumberOfSpectra = this->Self->GetNumberOfSpectra();
+    this->Self->Prepared.reset(); // release before the next is allocated
+    this->Self->Prepared.reset(
+      new Preparation{ task.SolverTime, dgg::SpectralDistance(task.Solver) });
   }
-  dgg::SpectralDistance& distance = this->Prepared->Distance;
+  dgg::SpectralDistance& distance = this->Self->Prepared->Distance;
   DGG_RETURN_IF_ERROR(
     CheckAll(distance, &dgg::SpectralDistance::CheckSource, task.Sources, "source "));
   DGG_RETURN_IF_ERROR(
@@ -181,8 +202,9 @@ dgg::Status vtkBiharmonicDistance::ComputeValues(DGGSpectralTask& task)
     DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, TargetsDone + (1.0 - TargetsDone) * done));
     const auto row = matrix.begin() + static_cast<std::ptrdiff_t>(k * task.Targets.size());
     std::vector<double> targetValues(row, row + static_cast<std::ptrdiff_t>(task.Targets.size()));
-    std::replace(values.begin(), values.end(), dgg::Infinity, this->UnreachedValue);
-    std::replace(targetValues.begin(), targetValues.end(), dgg::Infinity, this->UnreachedValue);
+    std::replace(values.begin(), values.end(), dgg::Infinity, this->Self->UnreachedValue);
+    std::replace(
+      targetValues.begin(), targetValues.end(), dgg::Infinity, this->Self->UnreachedValue);
     task.Outputs.Set(k, values, targetValues);
   }
   return dgg::ReportTo(task.Progress, 1.0);

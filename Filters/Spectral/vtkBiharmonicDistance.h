@@ -129,14 +129,11 @@ protected:
   vtkBiharmonicDistance();
   ~vtkBiharmonicDistance() override;
 
-  dgg::Status CheckProperties() const override;
-  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
-    std::size_t numberOfTargets) const override;
-  dgg::Status ComputeValues(DGGSpectralTask& task) override;
-
 private:
   vtkBiharmonicDistance(const vtkBiharmonicDistance&) = delete;
   void operator=(const vtkBiharmonicDistance&) = delete;
+
+  class vtkInternals;
 
   struct Preparation;
 

@@ -3,7 +3,7 @@
 #include "vtkDiscreteGreensFunction.h"
 
 #include "DGGContext.h"
-#include "DGGSpectralOutputs.h"
+#include "DGGSpectralInternals.h"
 #include "DGGThreads.h"
 
 #include "dggBlockLoop.h"
@@ -144,10 +144,26 @@ private:
 }
 
 //------------------------------------------------------------------------------
-struct vtkDiscreteGreensFunction::vtkInternals
+class vtkDiscreteGreensFunction::vtkInternals : public DGGSpectralInternals
 {
+public:
+  explicit vtkInternals(vtkDiscreteGreensFunction* self)
+    : DGGSpectralInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::PoissonOptions GetPoissonOptions() const override;
+  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
+    std::size_t numberOfTargets) const override;
+  dgg::Status ComputeValues(DGGSpectralTask& task) override;
+
   std::unique_ptr<Functions> Kept;
   std::vector<UsedMethod> Used; // per source
+
+private:
+  vtkDiscreteGreensFunction* Self;
 };
 
 //------------------------------------------------------------------------------
@@ -160,8 +176,14 @@ vtkDiscreteGreensFunction::vtkDiscreteGreensFunction()
   , Weighting(Area)
   , Radius(0.0)
   , InterpolateRegularPart(false)
-  , Internals(new vtkInternals)
 {
+  this->Internals.reset(new vtkInternals(this));
+}
+
+//------------------------------------------------------------------------------
+vtkDiscreteGreensFunction::vtkInternals& vtkDiscreteGreensFunction::GetInternals() const
+{
+  return static_cast<vtkInternals&>(*this->Internals);
 }
 
 //------------------------------------------------------------------------------
@@ -217,7 +239,7 @@ const char* vtkDiscreteGreensFunction::GetWeightingAsString() const
 //------------------------------------------------------------------------------
 int vtkDiscreteGreensFunction::GetUsedMethod(vtkIdType source) const
 {
-  const std::vector<UsedMethod>& used = this->Internals->Used;
+  const std::vector<UsedMethod>& used = this->GetInternals().Used;
   return source >= 0 && source < static_cast<vtkIdType>(used.size())
     ? static_cast<int>(used[source].Method)
     : -1;
@@ -226,14 +248,14 @@ int vtkDiscreteGreensFunction::GetUsedMethod(vtkIdType source) const
 //------------------------------------------------------------------------------
 double vtkDiscreteGreensFunction::GetUsedRadius(vtkIdType source) const
 {
-  const std::vector<UsedMethod>& used = this->Internals->Used;
+  const std::vector<UsedMethod>& used = this->GetInternals().Used;
   return source >= 0 && source < static_cast<vtkIdType>(used.size()) ? used[source].Radius : 0.0;
 }
 
 //------------------------------------------------------------------------------
 bool vtkDiscreteGreensFunction::IsNearRidge(vtkIdType source) const
 {
-  const std::vector<UsedMethod>& used = this->Internals->Used;
+  const std::vector<UsedMethod>& used = this->GetInternals().Used;
   return source >= 0 && source < static_cast<vtkIdType>(used.size()) &&
     used[source].Remark == dgg::GreensRemark::NearRidge;
 }
@@ -241,38 +263,39 @@ bool vtkDiscreteGreensFunction::IsNearRidge(vtkIdType source) const
 //------------------------------------------------------------------------------
 vtkIdType vtkDiscreteGreensFunction::GetNumberOfColumns() const
 {
-  return this->Internals->Kept ? this->Internals->Kept->Interpolation.GetNumberOfColumns() : 0;
+  return this->GetInternals().Kept ? this->GetInternals().Kept->Interpolation.GetNumberOfColumns()
+                                   : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDiscreteGreensFunction::GetMemorySize() const
 {
   return this->Superclass::GetMemorySize() +
-    (this->Internals->Kept ? this->Internals->Kept->Interpolation.GetMemorySize() : 0);
+    (this->GetInternals().Kept ? this->GetInternals().Kept->Interpolation.GetMemorySize() : 0);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGreensFunction::CheckProperties() const
+dgg::Status vtkDiscreteGreensFunction::vtkInternals::CheckProperties() const
 {
-  if (!(this->Radius >= 0.0) || !std::isfinite(this->Radius))
+  if (!(this->Self->Radius >= 0.0) || !std::isfinite(this->Self->Radius))
   {
-    return dgg::InvalidInput("Radius is ", this->Radius,
+    return dgg::InvalidInput("Radius is ", this->Self->Radius,
       ": call SetRadius() with a positive number, or 0 for the default");
   }
-  return this->Superclass::CheckProperties();
+  return DGGSpectralInternals::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
-dgg::PoissonOptions vtkDiscreteGreensFunction::GetPoissonOptions() const
+dgg::PoissonOptions vtkDiscreteGreensFunction::vtkInternals::GetPoissonOptions() const
 {
-  dgg::PoissonOptions options = this->Superclass::GetPoissonOptions();
+  dgg::PoissonOptions options = DGGSpectralInternals::GetPoissonOptions();
   options.Weights =
-    this->Weighting == Uniform ? dgg::PoissonWeights::Uniform : dgg::PoissonWeights::Area;
+    this->Self->Weighting == Uniform ? dgg::PoissonWeights::Uniform : dgg::PoissonWeights::Area;
   return options;
 }
 
 //------------------------------------------------------------------------------
-double vtkDiscreteGreensFunction::EstimateWorkingMemory(
+double vtkDiscreteGreensFunction::vtkInternals::EstimateWorkingMemory(
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
   const std::size_t blocks = (numberOfSources + BlockSize - 1) / BlockSize;
@@ -283,52 +306,52 @@ double vtkDiscreteGreensFunction::EstimateWorkingMemory(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGreensFunction::ComputeValues(DGGSpectralTask& task)
+dgg::Status vtkDiscreteGreensFunction::vtkInternals::ComputeValues(DGGSpectralTask& task)
 {
   const dgg::GreensMethod methods[] = { dgg::GreensMethod::SingularitySubtraction,
     dgg::GreensMethod::Localized, dgg::GreensMethod::Interpolated, dgg::GreensMethod::Vertex };
   dgg::GreensQuery query;
-  query.Method = methods[this->Method];
-  query.Order = this->Order == BiLaplace ? dgg::GreensOrder::BiLaplace : dgg::GreensOrder::Laplace;
-  query.Sign = this->SignConvention == NegativeAtSource ? dgg::GreensSign::Negative
-                                                        : dgg::GreensSign::Positive;
-  query.Pole =
-    this->PoleValue == InfiniteValue ? dgg::GreensPole::Infinite : dgg::GreensPole::CellAverage;
-  query.Radius = this->Radius;
+  query.Method = methods[this->Self->Method];
+  query.Order =
+    this->Self->Order == BiLaplace ? dgg::GreensOrder::BiLaplace : dgg::GreensOrder::Laplace;
+  query.Sign = this->Self->SignConvention == NegativeAtSource ? dgg::GreensSign::Negative
+                                                              : dgg::GreensSign::Positive;
+  query.Pole = this->Self->PoleValue == InfiniteValue ? dgg::GreensPole::Infinite
+                                                      : dgg::GreensPole::CellAverage;
+  query.Radius = this->Self->Radius;
   query.Targets = task.Targets;
   const bool isInterpolated =
-    this->InterpolateRegularPart && this->Method == SingularitySubtraction;
+    this->Self->InterpolateRegularPart && this->Self->Method == SingularitySubtraction;
 
-  vtkInternals& internals = *this->Internals;
-  if (!internals.Kept || internals.Kept->SolverTime != task.SolverTime)
+  if (!this->Kept || this->Kept->SolverTime != task.SolverTime)
   {
-    internals.Kept.reset(); // release before the next is allocated
-    internals.Kept = std::make_unique<Functions>(task.Solver, task.SolverTime);
+    this->Kept.reset(); // release before the next is allocated
+    this->Kept = std::make_unique<Functions>(task.Solver, task.SolverTime);
   }
-  internals.Used.clear();
+  this->Used.clear();
   std::vector<UsedMethod> used;
   Run run(task, query, used);
   DGG_RETURN_IF_ERROR(run.Check());
   if (isInterpolated)
   {
     const double most = 0.5 * static_cast<double>(std::numeric_limits<std::size_t>::max());
-    internals.Kept->Interpolation.SetMemoryLimit(
+    this->Kept->Interpolation.SetMemoryLimit(
       static_cast<std::size_t>(std::min(most, task.FreeMemory)));
-    DGG_RETURN_IF_ERROR(run.OneByOne(internals.Kept->Interpolation));
+    DGG_RETURN_IF_ERROR(run.OneByOne(this->Kept->Interpolation));
   }
   else
   {
-    DGG_RETURN_IF_ERROR(run.InBlocks(internals.Kept->Function));
+    DGG_RETURN_IF_ERROR(run.InBlocks(this->Kept->Function));
   }
-  internals.Used.swap(used);
-  this->WarnOfRemarks();
+  this->Used.swap(used);
+  this->Self->WarnOfRemarks();
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
 void vtkDiscreteGreensFunction::WarnOfRemarks()
 {
-  const std::vector<UsedMethod>& used = this->Internals->Used;
+  const std::vector<UsedMethod>& used = this->GetInternals().Used;
   for (const NamedRemark& remark : Remarks)
   {
     const auto has = [&](const UsedMethod& of) { return of.Remark == remark.Remark; };

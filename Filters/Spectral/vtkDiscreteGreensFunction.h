@@ -39,8 +39,6 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkSpectralAlgorithm.h"
 
-#include <memory> // For the internals
-
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkDiscreteGreensFunction : public vtkSpectralAlgorithm
 {
 public:
@@ -209,17 +207,12 @@ protected:
   vtkDiscreteGreensFunction();
   ~vtkDiscreteGreensFunction() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::PoissonOptions GetPoissonOptions() const override;
-  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
-    std::size_t numberOfTargets) const override;
-  dgg::Status ComputeValues(DGGSpectralTask& task) override;
-
 private:
   vtkDiscreteGreensFunction(const vtkDiscreteGreensFunction&) = delete;
   void operator=(const vtkDiscreteGreensFunction&) = delete;
 
-  struct vtkInternals;
+  class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   void WarnOfRemarks();
 
@@ -230,7 +223,6 @@ private:
   int Weighting;
   double Radius;
   bool InterpolateRegularPart;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -5,7 +5,7 @@
 #include "DGGContext.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
-#include "DGGSpectralOutputs.h"
+#include "DGGSpectralInternals.h"
 #include "DGGSplineRun.h"
 
 #include "dggInvalidInput.h"
@@ -48,6 +48,34 @@ constexpr double SiteMatrices = 4.0;
 }
 
 //------------------------------------------------------------------------------
+class vtkHarmonicBSpline::vtkInternals : public DGGSpectralInternals
+{
+public:
+  explicit vtkInternals(vtkHarmonicBSpline* self)
+    : DGGSpectralInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  bool CanChooseSources() const override { return true; }
+  std::size_t CountResults(std::size_t numberOfSources) const override;
+  std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;
+  dgg::Status ChooseSources(const dgg::PoissonSolver& solver,
+    const std::function<bool(double)>& progress,
+    std::vector<dgg::SurfacePoint>& sources) const override;
+  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
+    std::size_t numberOfTargets) const override;
+  dgg::Status ComputeValues(DGGSpectralTask& task) override;
+  mutable std::size_t SiteValueComponents = 0; // as CheckInputs() has found them
+
+private:
+  vtkHarmonicBSpline* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkHarmonicBSpline::vtkHarmonicBSpline()
   : vtkSpectralAlgorithm("HarmonicBSpline")
   , Order(Harmonic)
@@ -59,6 +87,7 @@ vtkHarmonicBSpline::vtkHarmonicBSpline()
   , GenerateBasis(true)
   , SmoothEvaluation(false)
 {
+  this->Internals.reset(new vtkInternals(this));
 }
 
 //------------------------------------------------------------------------------
@@ -114,13 +143,14 @@ int vtkHarmonicBSpline::RequestData(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHarmonicBSpline::CheckProperties() const
+dgg::Status vtkHarmonicBSpline::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(this->Superclass::CheckProperties());
+  DGG_RETURN_IF_ERROR(DGGSpectralInternals::CheckProperties());
   std::vector<std::pair<const char*, std::string>> names = { { "ResultArrayName",
-                                                               this->GetResultArrayName() },
-    { "CellArrayName", this->CellArrayName }, { "SolutionArrayName", this->SolutionArrayName },
-    { "InterpolationArrayName", this->InterpolationArrayName } };
+                                                               this->Self->GetResultArrayName() },
+    { "CellArrayName", this->Self->CellArrayName },
+    { "SolutionArrayName", this->Self->SolutionArrayName },
+    { "InterpolationArrayName", this->Self->InterpolationArrayName } };
   for (auto name = names.begin(); name != names.end(); ++name)
   {
     if (name->second.empty())
@@ -140,10 +170,10 @@ dgg::Status vtkHarmonicBSpline::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-void vtkHarmonicBSpline::MakeEmptyOutput(
+void vtkHarmonicBSpline::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  this->Superclass::MakeEmptyOutput(context, outputVector);
+  DGGSpectralInternals::MakeEmptyOutput(context, outputVector);
   for (int port = 0; port < 2; ++port)
   {
     vtkPointData* data = vtkPolyData::GetData(outputVector, port)->GetPointData();
@@ -154,64 +184,67 @@ void vtkHarmonicBSpline::MakeEmptyOutput(
         data->AddArray(array);
       }
     };
-    add(vtkNew<vtkIdTypeArray>(), this->CellArrayName, this->Order == Harmonic);
-    add(vtkNew<vtkDoubleArray>(), this->InterpolationArrayName, !this->SiteValuesArrayName.empty());
-    add(vtkNew<vtkDoubleArray>(), this->SolutionArrayName, !this->RightHandSideArrayName.empty());
+    add(vtkNew<vtkIdTypeArray>(), this->Self->CellArrayName, this->Self->Order == Harmonic);
+    add(vtkNew<vtkDoubleArray>(), this->Self->InterpolationArrayName,
+      !this->Self->SiteValuesArrayName.empty());
+    add(vtkNew<vtkDoubleArray>(), this->Self->SolutionArrayName,
+      !this->Self->RightHandSideArrayName.empty());
   }
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHarmonicBSpline::CheckInputs(
+dgg::Status vtkHarmonicBSpline::vtkInternals::CheckInputs(
   vtkPolyData* surface, vtkInformationVector** inputVector) const
 {
   this->SiteValueComponents = 0;
-  if (!this->SiteValuesArrayName.empty())
+  if (!this->Self->SiteValuesArrayName.empty())
   {
     const DGGSourceSet sites = this->GetSources(inputVector);
     DGG_RETURN_IF_ERROR(sites.IsEmpty() ? dgg::Status::Success()
                                         : DGGCheckSources(sites, surface->GetNumberOfPoints()));
     std::vector<std::vector<double>> siteValues;
-    DGG_RETURN_IF_ERROR(
-      DGGReadSiteValues(this->SiteValuesArrayName, surface, sites.Ids, sites.Points, siteValues));
+    DGG_RETURN_IF_ERROR(DGGReadSiteValues(
+      this->Self->SiteValuesArrayName, surface, sites.Ids, sites.Points, siteValues));
     this->SiteValueComponents = siteValues.size();
   }
   std::vector<double> values;
-  return this->RightHandSideArrayName.empty()
+  return this->Self->RightHandSideArrayName.empty()
     ? dgg::Status::Success()
-    : DGGReadRightHandSide(surface, this->RightHandSideArrayName, values);
+    : DGGReadRightHandSide(surface, this->Self->RightHandSideArrayName, values);
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkHarmonicBSpline::CountResults(std::size_t numberOfSources) const
+std::size_t vtkHarmonicBSpline::vtkInternals::CountResults(std::size_t numberOfSources) const
 {
-  return this->GenerateBasis ? numberOfSources : 0;
+  return this->Self->GenerateBasis ? numberOfSources : 0;
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkHarmonicBSpline::CountSources(
+std::size_t vtkHarmonicBSpline::vtkInternals::CountSources(
   const dgg::PoissonSolver& solver, std::size_t given) const
 {
   const auto wanted =
-    std::max<std::size_t>(this->NumberOfSites, dgg::CountSplineComponents(solver));
+    std::max<std::size_t>(this->Self->NumberOfSites, dgg::CountSplineComponents(solver));
   return given > 0 ? given : std::min(wanted, solver.GetAreas().size());
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHarmonicBSpline::ChooseSources(const dgg::PoissonSolver& solver,
+dgg::Status vtkHarmonicBSpline::vtkInternals::ChooseSources(const dgg::PoissonSolver& solver,
   const std::function<bool(double)>& progress, std::vector<dgg::SurfacePoint>& sources) const
 {
   if (!sources.empty())
   {
     for (dgg::SurfacePoint& source : sources)
     {
-      source = this->Order == Harmonic
+      source = this->Self->Order == Harmonic
         ? dgg::SurfacePoint::AtVertex(DGGFindNearestCorner(solver, source))
         : source;
     }
     return dgg::Status::Success();
   }
   std::vector<dgg::Id> sites;
-  const dgg::Status status = dgg::ChooseSplineSites(solver, this->NumberOfSites, progress, sites);
+  const dgg::Status status =
+    dgg::ChooseSplineSites(solver, this->Self->NumberOfSites, progress, sites);
   for (const dgg::Id site : sites)
   {
     sources.push_back(dgg::SurfacePoint::AtVertex(site));
@@ -220,16 +253,16 @@ dgg::Status vtkHarmonicBSpline::ChooseSources(const dgg::PoissonSolver& solver,
 }
 
 //------------------------------------------------------------------------------
-double vtkHarmonicBSpline::EstimateWorkingMemory(
+double vtkHarmonicBSpline::vtkInternals::EstimateWorkingMemory(
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
   const auto n = static_cast<double>(solver.GetAreas().size());
   const auto sites = static_cast<double>(numberOfSources);
   const auto targets = static_cast<double>(numberOfTargets);
-  const bool isHarmonic = this->Order == Harmonic;
-  const bool isSmooth = this->SmoothEvaluation && isHarmonic && numberOfTargets > 0;
+  const bool isHarmonic = this->Self->Order == Harmonic;
+  const bool isSmooth = this->Self->SmoothEvaluation && isHarmonic && numberOfTargets > 0;
   const bool hasMatrices =
-    !this->SiteValuesArrayName.empty() || (!isHarmonic && this->GenerateBasis);
+    !this->Self->SiteValuesArrayName.empty() || (!isHarmonic && this->Self->GenerateBasis);
   const double bytes = isSmooth ? dgg::GreensFunction::BytesPerVertex : SplineBytesPerVertex;
   const double held =
     HeldNumbers + InterpolationNumbers * static_cast<double>(this->SiteValueComponents);
@@ -242,7 +275,7 @@ double vtkHarmonicBSpline::EstimateWorkingMemory(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
+dgg::Status vtkHarmonicBSpline::vtkInternals::ComputeValues(DGGSpectralTask& task)
 {
   if (task.Sources.empty())
   {
@@ -255,58 +288,59 @@ dgg::Status vtkHarmonicBSpline::ComputeValues(DGGSpectralTask& task)
     sites.push_back(dgg::IsVertex(source) ? source.Vertex : -1);
   }
   std::vector<std::vector<double>> siteValues;
-  if (!this->SiteValuesArrayName.empty())
+  if (!this->Self->SiteValuesArrayName.empty())
   {
     const DGGSourceSet& given = task.SourceSet;
-    DGG_RETURN_IF_ERROR(DGGReadSiteValues(this->SiteValuesArrayName, task.Context.Input,
+    DGG_RETURN_IF_ERROR(DGGReadSiteValues(this->Self->SiteValuesArrayName, task.Context.Input,
       given.IsEmpty() ? sites : given.Ids, given.Points, siteValues));
   }
-  const bool isHarmonic = this->Order == Harmonic;
+  const bool isHarmonic = this->Self->Order == Harmonic;
   const auto part = [&](double begin, double end) {
     return dgg::ProgressPart(task.Progress, begin, end);
   };
-  DGGSplineRun run(task, !isHarmonic, this->SmoothEvaluation);
+  DGGSplineRun run(task, !isHarmonic, this->Self->SmoothEvaluation);
   const bool hasValues = !siteValues.empty();
-  DGG_RETURN_IF_ERROR(run.Prepare(this->GenerateBasis || hasValues, part(0.0, PreparationDone)));
-  if (this->GenerateBasis || (isHarmonic && hasValues))
+  DGG_RETURN_IF_ERROR(
+    run.Prepare(this->Self->GenerateBasis || hasValues, part(0.0, PreparationDone)));
+  if (this->Self->GenerateBasis || (isHarmonic && hasValues))
   {
     DGG_RETURN_IF_ERROR(
-      run.FindBasis(this->GenerateBasis, hasValues, part(PreparationDone, BasisDone)));
+      run.FindBasis(this->Self->GenerateBasis, hasValues, part(PreparationDone, BasisDone)));
   }
   if (isHarmonic)
   {
-    run.AddCells(this->CellArrayName);
+    run.AddCells(this->Self->CellArrayName);
   }
-  const bool isDensity = this->RightHandSideMeaning == Density;
+  const bool isDensity = this->Self->RightHandSideMeaning == Density;
   double imbalance = 0.0;
-  if (!this->RightHandSideArrayName.empty())
+  if (!this->Self->RightHandSideArrayName.empty())
   {
     DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, BasisDone));
-    DGG_RETURN_IF_ERROR(
-      run.AddSolution(this->RightHandSideArrayName, isDensity, this->SolutionArrayName, imbalance));
+    DGG_RETURN_IF_ERROR(run.AddSolution(
+      this->Self->RightHandSideArrayName, isDensity, this->Self->SolutionArrayName, imbalance));
   }
   if (hasValues)
   {
-    DGG_RETURN_IF_ERROR(
-      run.AddInterpolation(siteValues, this->InterpolationArrayName, part(SolutionDone, 1.0)));
+    DGG_RETURN_IF_ERROR(run.AddInterpolation(
+      siteValues, this->Self->InterpolationArrayName, part(SolutionDone, 1.0)));
   }
   if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {
-    vtkWarningMacro(<< "the sources in a component of the surface sum to a fraction of "
-                    << imbalance
-                    << " of their absolute values, and no boundary absorbs the sum: they were "
-                       "balanced in proportion to area. Make their sum 0.");
+    vtkWarningWithObjectMacro(
+      this->Self, << "the sources in a component of the surface sum to a fraction of " << imbalance
+                  << " of their absolute values, and no boundary absorbs the sum: they were "
+                     "balanced in proportion to area. Make their sum 0.");
   }
   const auto components = static_cast<std::size_t>(dgg::CountSplineComponents(task.Solver));
   if (components > 1 && sites.size() == components &&
     task.Solver.GetOptions().Boundary == dgg::PoissonBoundary::Neumann)
   {
-    vtkWarningMacro(
-      << "the surface has " << components
-      << " components, each with a single site, whose function is 1 everywhere: use "
-         "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
+    vtkWarningWithObjectMacro(
+      this->Self, << "the surface has " << components
+                  << " components, each with a single site, whose function is 1 everywhere: use "
+                     "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
   }
   DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, 1.0));
-  this->UsedSites.swap(sites);
+  this->Self->UsedSites.swap(sites);
   return dgg::Status::Success();
 }

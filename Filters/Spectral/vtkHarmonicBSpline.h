@@ -195,22 +195,12 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  dgg::Status CheckProperties() const override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
-  bool CanChooseSources() const override { return true; }
-  std::size_t CountResults(std::size_t numberOfSources) const override;
-  std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;
-  dgg::Status ChooseSources(const dgg::PoissonSolver& solver,
-    const std::function<bool(double)>& progress,
-    std::vector<dgg::SurfacePoint>& sources) const override;
-  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
-    std::size_t numberOfTargets) const override;
-  dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
 private:
   vtkHarmonicBSpline(const vtkHarmonicBSpline&) = delete;
   void operator=(const vtkHarmonicBSpline&) = delete;
+
+  class vtkInternals;
 
   int Order;
   int NumberOfSites;
@@ -223,7 +213,6 @@ private:
   bool GenerateBasis;
   bool SmoothEvaluation;
   std::vector<vtkIdType> UsedSites;
-  mutable std::size_t SiteValueComponents = 0; // as CheckInputs() has found them
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "vtkPoissonVectorGraphics.h"
 
 #include "DGGContext.h"
+#include "DGGFilterInternals.h"
 #include "DGGGraphicsInput.h"
 #include "DGGGraphicsOutput.h"
 #include "DGGProperties.h"
@@ -85,8 +86,21 @@ double EstimateMesh(const dgg::SurfaceMesh& mesh, const Drawing& drawing)
 }
 
 //------------------------------------------------------------------------------
-struct vtkPoissonVectorGraphics::vtkInternals
+class vtkPoissonVectorGraphics::vtkInternals : public DGGFilterInternals
 {
+public:
+  explicit vtkInternals(vtkPoissonVectorGraphics* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
   dgg::VectorGraphics Graphics;
   Drawing Kept; // input that Graphics is prepared for
   bool IsKept = false;
@@ -104,6 +118,9 @@ private:
   dgg::Status Draw(const DGGContext& context, const Drawing& drawing,
     const dgg::GraphicsOptions& options, const std::string& remedy,
     const dgg::ProgressCallback& progress);
+  DGGGraphicsNames GetNames() const;
+
+  vtkPoissonVectorGraphics* Self;
 };
 
 //------------------------------------------------------------------------------
@@ -194,10 +211,16 @@ vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
   , GenerateFragments(false)
   , FragmentDivision(1)
   , ResultArrayName("Colors")
-  , Internals(new vtkInternals)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkPoissonVectorGraphics::vtkInternals& vtkPoissonVectorGraphics::GetInternals() const
+{
+  return static_cast<vtkInternals&>(*this->Internals);
 }
 
 //------------------------------------------------------------------------------
@@ -234,11 +257,12 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 vtkDGGDefineInputMacro(vtkPoissonVectorGraphics, Curve, 1);
 
 //------------------------------------------------------------------------------
-DGGGraphicsNames vtkPoissonVectorGraphics::GetNames() const
+DGGGraphicsNames vtkPoissonVectorGraphics::vtkInternals::GetNames() const
 {
-  return { this->CurveTypeArrayName, this->LeftColorArrayName, this->RightColorArrayName,
-    this->StrengthArrayName, this->RightStrengthArrayName, this->WidthArrayName,
-    this->RegionArrayName, this->RegionStrengthArrayName, this->RefinementArrayName };
+  return { this->Self->CurveTypeArrayName, this->Self->LeftColorArrayName,
+    this->Self->RightColorArrayName, this->Self->StrengthArrayName,
+    this->Self->RightStrengthArrayName, this->Self->WidthArrayName, this->Self->RegionArrayName,
+    this->Self->RegionStrengthArrayName, this->Self->RefinementArrayName };
 }
 
 //------------------------------------------------------------------------------
@@ -257,50 +281,49 @@ vtkPolyData* vtkPoissonVectorGraphics::GetFragments()
 //------------------------------------------------------------------------------
 int vtkPoissonVectorGraphics::GetNumberOfFactorizations() const
 {
-  return this->Internals->NumberOfFactorizations;
+  return this->GetInternals().NumberOfFactorizations;
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
 {
-  return static_cast<vtkTypeUInt64>(this->Internals->Graphics.GetEstimatedMemory());
+  return static_cast<vtkTypeUInt64>(this->GetInternals().Graphics.GetEstimatedMemory());
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::CheckProperties() const
+dgg::Status vtkPoissonVectorGraphics::vtkInternals::CheckProperties() const
 {
-  if (this->ResultArrayName.empty())
+  if (this->Self->ResultArrayName.empty())
   {
     return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
   }
-  if (DGGGraphicsOutput::IsTaken(this->ResultArrayName))
+  if (DGGGraphicsOutput::IsTaken(this->Self->ResultArrayName))
   {
-    return dgg::Status::Invalid("ResultArrayName is '" + this->ResultArrayName +
+    return dgg::Status::Invalid("ResultArrayName is '" + this->Self->ResultArrayName +
       "', which another array of the output has: call SetResultArrayName() with another name");
   }
   return DGGCheckLengths(
-    { { "Width", this->Width }, { "ProjectionTolerance", this->ProjectionTolerance } });
+    { { "Width", this->Self->Width }, { "ProjectionTolerance", this->Self->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPoissonVectorGraphics::GetMemoryRemedy() const
+std::string vtkPoissonVectorGraphics::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh or a lower RefinementLevel, or refine NearCurves only";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::Execute(
+dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& prepared = context.Surface;
-  vtkInternals& internals = *this->Internals;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
   DGGGraphicsNames names = this->GetNames();
   double bounds[6];
   context.Input->GetPoints()->GetBounds(bounds);
   const double diagonal =
     std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-  names.DefaultWidth = this->Width > 0.0 ? this->Width : UsualWidth * diagonal;
+  names.DefaultWidth = this->Self->Width > 0.0 ? this->Self->Width : UsualWidth * diagonal;
   DGGGraphicsInput input;
   DGG_RETURN_IF_ERROR(input.Read(lines, context.Input, names));
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
@@ -318,24 +341,25 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
   {
     DGGSourceSet set{ none, lines, 1, "curve point", "call SetCurveData()", "" };
     set.PointIds = &input.GetPointIds()[k];
-    DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->ProjectionTolerance, drawing.Places[k]));
+    DGG_RETURN_IF_ERROR(
+      DGGLocate(context, set, this->Self->ProjectionTolerance, drawing.Places[k]));
   }
 
-  DGGGraphicsOutput output(this->ResultArrayName);
-  DGG_RETURN_IF_ERROR(output.Take(context, this->GetOutputPointsPrecision()));
+  DGGGraphicsOutput output(this->Self->ResultArrayName);
+  DGG_RETURN_IF_ERROR(output.Take(context, this->Self->GetOutputPointsPrecision()));
   const dgg::RefinedPart parts[] = { dgg::RefinedPart::Everything, dgg::RefinedPart::AroundCurves,
     dgg::RefinedPart::Faces };
-  drawing.Refinement.Levels = this->RefinementLevel;
-  drawing.Refinement.Part = parts[this->RefinementRegion];
-  if (this->RefinementRegion == Cells)
+  drawing.Refinement.Levels = this->Self->RefinementLevel;
+  drawing.Refinement.Part = parts[this->Self->RefinementRegion];
+  if (this->Self->RefinementRegion == Cells)
   {
     DGG_RETURN_IF_ERROR(
       DGGGraphicsInput::FindRefinedFaces(context.Input, names, prepared, drawing.Refinement.Faces));
   }
-  drawing.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  drawing.IntrinsicDelaunay = this->Self->IntrinsicDelaunay;
   dgg::GraphicsOptions options;
   options.NumberOfChannels = input.GetNumberOfChannels();
-  options.Background.assign(this->BackgroundColor, this->BackgroundColor + 3);
+  options.Background.assign(this->Self->BackgroundColor, this->Self->BackgroundColor + 3);
   options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
   if (!std::all_of(options.Background.begin(), options.Background.end(),
         [](double x) { return std::isfinite(x); }))
@@ -343,52 +367,52 @@ dgg::Status vtkPoissonVectorGraphics::Execute(
     return dgg::Status::Invalid(
       "BackgroundColor is not finite: call SetBackgroundColor() with finite numbers");
   }
-  options.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  options.IntrinsicDelaunay = this->Self->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
-    const double points = static_cast<double>(internals.Graphics.GetSurface().Points.size());
+    const double points = static_cast<double>(this->Graphics.GetSurface().Points.size());
     const double own = !context.Memory.IsExplicit() ? missing : bytes;
     return context.Memory.Check("the factorization and the colors",
       own + points * output.GetBytesPerPoint(options.NumberOfChannels), this->GetMemoryRemedy());
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(prepared);
-  const bool isKept = internals.IsKept && internals.Kept.IsSame(drawing);
+  const bool isKept = this->IsKept && this->Kept.IsSame(drawing);
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
   if (!isKept)
   {
-    DGG_RETURN_IF_ERROR(internals.Prepare(context, drawing, options, this->GetMemoryRemedy(),
+    DGG_RETURN_IF_ERROR(this->Prepare(context, drawing, options, this->GetMemoryRemedy(),
       dgg::ProgressPart(context.Progress, 0.0, preparedAt)));
   }
   dgg::GraphicsResult result;
   options.Progress = dgg::ProgressPart(context.Progress, preparedAt, 1.0);
-  DGG_RETURN_IF_ERROR(internals.Graphics.Run(curves, regions, options, result));
-  const dgg::CutSurface& cut = internals.Graphics.GetSurface();
+  DGG_RETURN_IF_ERROR(this->Graphics.Run(curves, regions, options, result));
+  const dgg::CutSurface& cut = this->Graphics.GetSurface();
   const int channels = options.NumberOfChannels;
-  if (this->GenerateFragments)
+  if (this->Self->GenerateFragments)
   {
     // As fragments and as arrays.
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
-    const double count = static_cast<double>(internals.RefinedFaces.size()) *
-      std::pow(static_cast<double>(this->FragmentDivision), 2);
+    const double count = static_cast<double>(this->RefinedFaces.size()) *
+      std::pow(static_cast<double>(this->Self->FragmentDivision), 2);
     DGG_RETURN_IF_ERROR(context.Memory.Check(
       "fragments", count * bytes, "use a smaller FragmentDivision, or refine NearCurves only"));
   }
   output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
-  if (this->GenerateFragments)
+  if (this->Self->GenerateFragments)
   {
-    output.FillFragments(dgg::MakeFragments(prepared.GetMesh(), cut, internals.RefinedFaces,
-                           result.Values, channels, this->FragmentDivision),
+    output.FillFragments(dgg::MakeFragments(prepared.GetMesh(), cut, this->RefinedFaces,
+                           result.Values, channels, this->Self->FragmentDivision),
       channels, vtkPolyData::GetData(outputVector, 1));
   }
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-void vtkPoissonVectorGraphics::MakeEmptyOutput(
+void vtkPoissonVectorGraphics::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  const DGGGraphicsOutput arrays(this->ResultArrayName);
+  const DGGGraphicsOutput arrays(this->Self->ResultArrayName);
   arrays.AddColors({}, 3, output);
   arrays.AddNetSources({}, 3, output);
 }

@@ -39,10 +39,7 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
 #include <string> // For array names
-
-struct DGGGraphicsNames;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkPoissonVectorGraphics : public vtkGeodesicAlgorithm
 {
@@ -231,19 +228,12 @@ protected:
   vtkPoissonVectorGraphics();
   ~vtkPoissonVectorGraphics() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
-
 private:
   vtkPoissonVectorGraphics(const vtkPoissonVectorGraphics&) = delete;
   void operator=(const vtkPoissonVectorGraphics&) = delete;
 
-  struct vtkInternals;
-
-  DGGGraphicsNames GetNames() const;
+  class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   std::string CurveTypeArrayName;
   std::string LeftColorArrayName;
@@ -263,7 +253,6 @@ private:
   bool GenerateFragments;
   int FragmentDivision;
   std::string ResultArrayName;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

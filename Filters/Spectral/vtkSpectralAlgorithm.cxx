@@ -6,7 +6,7 @@
 #include "DGGPoissonCache.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
-#include "DGGSpectralOutputs.h"
+#include "DGGSpectralInternals.h"
 
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
@@ -100,7 +100,7 @@ vtkPolyData* vtkSpectralAlgorithm::GetEvaluation()
 //------------------------------------------------------------------------------
 const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 {
-  return this->Boundary == Dirichlet ? "Dirichlet" : "Neumann";
+  return this->Boundary == vtkSpectralAlgorithm::Dirichlet ? "Dirichlet" : "Neumann";
 }
 
 //------------------------------------------------------------------------------
@@ -116,46 +116,54 @@ vtkTypeUInt64 vtkSpectralAlgorithm::GetMemorySize() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSpectralAlgorithm::CheckProperties() const
+DGGSpectralInternals::DGGSpectralInternals(vtkSpectralAlgorithm* filter)
+  : DGGFilterInternals(filter)
+  , Filter(filter)
 {
-  if (this->ResultArrayName.empty())
-  {
-    return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
-  }
-  return DGGCheckLengths({ { "ProjectionTolerance", this->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSpectralAlgorithm::GetMemoryRemedy() const
+dgg::Status DGGSpectralInternals::CheckProperties() const
+{
+  if (this->Filter->ResultArrayName.empty())
+  {
+    return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
+  }
+  return DGGCheckLengths({ { "ProjectionTolerance", this->Filter->ProjectionTolerance } });
+}
+
+//------------------------------------------------------------------------------
+std::string DGGSpectralInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh or fewer sources at a time";
 }
 
 //------------------------------------------------------------------------------
-dgg::PoissonOptions vtkSpectralAlgorithm::GetPoissonOptions() const
+dgg::PoissonOptions DGGSpectralInternals::GetPoissonOptions() const
 {
   dgg::PoissonOptions options;
-  options.Boundary =
-    this->Boundary == Dirichlet ? dgg::PoissonBoundary::Dirichlet : dgg::PoissonBoundary::Neumann;
-  options.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  options.Boundary = this->Filter->Boundary == vtkSpectralAlgorithm::Dirichlet
+    ? dgg::PoissonBoundary::Dirichlet
+    : dgg::PoissonBoundary::Neumann;
+  options.IntrinsicDelaunay = this->Filter->IntrinsicDelaunay;
   return options;
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkSpectralAlgorithm::CountSources(
+std::size_t DGGSpectralInternals::CountSources(
   const dgg::PoissonSolver& vtkNotUsed(solver), std::size_t given) const
 {
   return given;
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkSpectralAlgorithm::CountResults(std::size_t numberOfSources) const
+std::size_t DGGSpectralInternals::CountResults(std::size_t numberOfSources) const
 {
   return numberOfSources;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSpectralAlgorithm::ChooseSources(const dgg::PoissonSolver& vtkNotUsed(solver),
+dgg::Status DGGSpectralInternals::ChooseSources(const dgg::PoissonSolver& vtkNotUsed(solver),
   const std::function<bool(double)>& vtkNotUsed(progress),
   std::vector<dgg::SurfacePoint>& vtkNotUsed(sources)) const
 {
@@ -163,14 +171,14 @@ dgg::Status vtkSpectralAlgorithm::ChooseSources(const dgg::PoissonSolver& vtkNot
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkSpectralAlgorithm::GetSources(vtkInformationVector** inputVector) const
+DGGSourceSet DGGSpectralInternals::GetSources(vtkInformationVector** inputVector) const
 {
-  return { this->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
+  return { this->Filter->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
     "call AddSourceId() or SetSourceIds()", "" };
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVector)
+DGGSourceSet DGGSpectralInternals::GetTargets(vtkInformationVector** inputVector)
 {
   static const std::vector<vtkIdType> none;
   return { none, vtkPolyData::GetData(inputVector[2]), 2, "evaluation point",
@@ -178,22 +186,22 @@ DGGSourceSet vtkSpectralAlgorithm::GetTargets(vtkInformationVector** inputVector
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSpectralAlgorithm::Execute(
+dgg::Status DGGSpectralInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  DGGPoissonCache& cache = *this->Cache;
+  DGGPoissonCache& cache = *this->Filter->Cache;
   const DGGSourceSet targetSet = GetTargets(inputVector);
   const DGGSourceSet sourceSet = this->GetSources(inputVector);
   std::vector<dgg::SurfacePoint> sources;
   std::vector<dgg::SurfacePoint> targets;
   if (!this->CanChooseSources() || !sourceSet.IsEmpty())
   {
-    DGG_RETURN_IF_ERROR(DGGLocate(context, sourceSet, this->ProjectionTolerance, sources));
+    DGG_RETURN_IF_ERROR(DGGLocate(context, sourceSet, this->Filter->ProjectionTolerance, sources));
   }
   if (!targetSet.IsEmpty())
   {
-    DGG_RETURN_IF_ERROR(DGGLocate(context, targetSet, this->ProjectionTolerance, targets));
+    DGG_RETURN_IF_ERROR(DGGLocate(context, targetSet, this->Filter->ProjectionTolerance, targets));
   }
 
   const auto numberOfPoints = static_cast<std::size_t>(context.Input->GetNumberOfPoints());
@@ -216,7 +224,7 @@ dgg::Status vtkSpectralAlgorithm::Execute(
   const double held = !context.Memory.IsExplicit() ? 0.0 : cache.GetSolver().GetEstimatedMemory();
   const double left = context.Memory.GetBytes() - held - needed;
   DGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(),
-    this->CountResults(sources.size()), this->ResultArrayName);
+    this->CountResults(sources.size()), this->Filter->ResultArrayName);
   DGGSpectralTask task{ context, cache.GetSolver(), cache.GetSolverTime(), sources, targets,
     sourceSet, std::max(0.0, left), dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
   DGG_RETURN_IF_ERROR(this->ComputeValues(task));
@@ -229,11 +237,11 @@ dgg::Status vtkSpectralAlgorithm::Execute(
 }
 
 //------------------------------------------------------------------------------
-void vtkSpectralAlgorithm::MakeEmptyOutput(
+void DGGSpectralInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   const DGGSpectralOutputs outputs(
-    context.Surface, 0, 0, this->CountResults(1), this->ResultArrayName);
+    context.Surface, 0, 0, this->CountResults(1), this->Filter->ResultArrayName);
   AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));
   vtkNew<vtkPolyData> none;

@@ -39,20 +39,11 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <functional> // For progress
-#include <memory>     // For the internals
-#include <string>     // For array names
-#include <vector>     // For source ids
+#include <memory> // For the internals
+#include <string> // For array names
+#include <vector> // For source ids
 
-namespace dgg
-{
-struct PoissonOptions;
-class PoissonSolver;
-struct SurfacePoint;
-}
 class DGGPoissonCache;
-struct DGGSourceSet;
-struct DGGSpectralTask;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkSpectralAlgorithm : public vtkGeodesicAlgorithm
 {
@@ -166,59 +157,11 @@ protected:
   explicit vtkSpectralAlgorithm(const std::string& resultArrayName);
   ~vtkSpectralAlgorithm() override;
 
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  bool PassesSurface() const override { return true; }
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
-
-  /**
-   * Returns the options of the system to factorize.
-   */
-  virtual dgg::PoissonOptions GetPoissonOptions() const;
-
-  ///@{
-  /**
-   * For filters that select sources themselves or move given ones. CanChooseSources() returns true
-   * if there may be no given source; the number of sources on a surface that is ready to be
-   * factorized; and the sources. The callback takes the progress and returns false to stop. By
-   * default sources are required and used as given.
-   */
-  virtual bool CanChooseSources() const { return false; }
-  virtual std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const;
-  virtual dgg::Status ChooseSources(const dgg::PoissonSolver& solver,
-    const std::function<bool(double)>& progress, std::vector<dgg::SurfacePoint>& sources) const;
-  ///@}
-
-  /**
-   * Returns the number of components of the result array; 0 if the array is not requested. Default:
-   * one per source.
-   */
-  virtual std::size_t CountResults(std::size_t numberOfSources) const;
-
-  /**
-   * Returns the given sources.
-   */
-  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-
-  /**
-   * Returns the largest number of bytes that ComputeValues() allocates besides its results.
-   */
-  virtual double EstimateWorkingMemory(const dgg::PoissonSolver& solver,
-    std::size_t numberOfSources, std::size_t numberOfTargets) const = 0;
-
-  /**
-   * Sets the outputs of the task for each source. Returns an error, which is reported, or the
-   * status of an abort by the task's Progress. May throw.
-   */
-  virtual dgg::Status ComputeValues(DGGSpectralTask& task) = 0;
-
 private:
   vtkSpectralAlgorithm(const vtkSpectralAlgorithm&) = delete;
   void operator=(const vtkSpectralAlgorithm&) = delete;
 
-  static DGGSourceSet GetTargets(vtkInformationVector** inputVector);
+  friend class DGGSpectralInternals;
 
   std::vector<vtkIdType> SourceIds;
   double ProjectionTolerance;

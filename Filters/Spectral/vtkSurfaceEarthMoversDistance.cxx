@@ -4,6 +4,7 @@
 
 #include "DGGContext.h"
 #include "DGGDistribution.h"
+#include "DGGFilterInternals.h"
 #include "DGGMakeArray.h"
 #include "DGGPoissonCache.h"
 #include "DGGProperties.h"
@@ -134,6 +135,31 @@ void AddNumber(vtkPolyData* output, const char* name, double value)
 }
 
 //------------------------------------------------------------------------------
+class vtkSurfaceEarthMoversDistance::vtkInternals : public DGGFilterInternals
+{
+public:
+  explicit vtkInternals(vtkSurfaceEarthMoversDistance* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool PassesSurface() const override { return true; }
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  std::string GetMemoryRemedy() const override;
+
+private:
+  DGGMassOrigin GetOrigin(int which, vtkInformationVector** inputVector) const;
+  void SetResults(const DGGContext& context, vtkPolyData* output, double total,
+    const dgg::EarthMoversResult& result);
+
+  vtkSurfaceEarthMoversDistance* Self;
+};
+
+//------------------------------------------------------------------------------
 vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   : ArrayMeaning(Density)
   , Normalize(true)
@@ -143,6 +169,7 @@ vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   , IntrinsicDelaunay(false)
   , Cache(new DGGPoissonCache)
 {
+  this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(3);
   this->ForgetResults();
 }
@@ -213,46 +240,46 @@ int vtkSurfaceEarthMoversDistance::RequestData(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSurfaceEarthMoversDistance::CheckProperties() const
+dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::CheckProperties() const
 {
-  return DGGCheckLengths(
-    { { "Tolerance", this->Tolerance }, { "ProjectionTolerance", this->ProjectionTolerance } });
+  return DGGCheckLengths({ { "Tolerance", this->Self->Tolerance },
+    { "ProjectionTolerance", this->Self->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------
-DGGMassOrigin vtkSurfaceEarthMoversDistance::GetOrigin(
+DGGMassOrigin vtkSurfaceEarthMoversDistance::vtkInternals::GetOrigin(
   int which, vtkInformationVector** inputVector) const
 {
   vtkPolyData* points = vtkPolyData::GetData(inputVector[1 + which]);
-  return which == 0
-    ? DGGMassOrigin{ "from", this->FromArrayName, "SetFromArrayName()", points, 1,
-        this->MassArrayName }
-    : DGGMassOrigin{ "to", this->ToArrayName, "SetToArrayName()", points, 2, this->MassArrayName };
+  return which == 0 ? DGGMassOrigin{ "from", this->Self->FromArrayName, "SetFromArrayName()",
+    points, 1, this->Self->MassArrayName }
+                    : DGGMassOrigin{ "to", this->Self->ToArrayName, "SetToArrayName()", points, 2,
+                        this->Self->MassArrayName };
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSurfaceEarthMoversDistance::GetMemoryRemedy() const
+std::string vtkSurfaceEarthMoversDistance::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh";
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkSurfaceEarthMoversDistance::Execute(
+dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  DGGPoissonCache& cache = *this->Cache;
+  DGGPoissonCache& cache = *this->Self->Cache;
   DGGDistribution distributions[2];
   for (int k = 0; k < 2; ++k)
   {
-    DGG_RETURN_IF_ERROR(
-      distributions[k].Read(context, this->GetOrigin(k, inputVector), this->ProjectionTolerance));
+    DGG_RETURN_IF_ERROR(distributions[k].Read(
+      context, this->GetOrigin(k, inputVector), this->Self->ProjectionTolerance));
   }
   dgg::PoissonOptions poisson;
-  poisson.IntrinsicDelaunay = this->IntrinsicDelaunay;
+  poisson.IntrinsicDelaunay = this->Self->IntrinsicDelaunay;
   dgg::EarthMoversOptions options;
-  options.MostIterations = this->MaximumNumberOfIterations;
-  options.Tolerance = this->Tolerance;
+  options.MostIterations = this->Self->MaximumNumberOfIterations;
+  options.Tolerance = this->Self->Tolerance;
 
   const double prepared = cache.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
   const auto others = [&](const dgg::PoissonSolver& solver) {
@@ -261,7 +288,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   DGG_RETURN_IF_ERROR(cache.Prepare(context, poisson, others, this->GetMemoryRemedy(),
     dgg::ProgressPart(context.Progress, 0.0, prepared)));
   const std::vector<double>* areas =
-    this->ArrayMeaning == Density ? &cache.GetSolver().GetAreas() : nullptr;
+    this->Self->ArrayMeaning == Density ? &cache.GetSolver().GetAreas() : nullptr;
   std::vector<double> masses[2];
   for (int k = 0; k < 2; ++k)
   {
@@ -269,36 +296,38 @@ dgg::Status vtkSurfaceEarthMoversDistance::Execute(
   }
   double total = 1.0;
   DGG_RETURN_IF_ERROR(
-    dgg::BalanceMasses(mesh.GetMesh(), this->Normalize, masses[0], masses[1], total));
+    dgg::BalanceMasses(mesh.GetMesh(), this->Self->Normalize, masses[0], masses[1], total));
   dgg::EarthMoversResult result;
   options.Progress = dgg::ProgressPart(context.Progress, prepared, 1.0);
   DGG_RETURN_IF_ERROR(
     dgg::EarthMovers(cache.GetSolver()).Run(masses[0], masses[1], options, result));
   DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0));
-  this->NumberOfIterations = result.Iterations;
+  this->Self->NumberOfIterations = result.Iterations;
   this->SetResults(context, vtkPolyData::GetData(outputVector), total, result);
   if (options.MostIterations > 0 &&
     result.GetGap() > std::max(options.Tolerance, dgg::LeastEarthMoversGap))
   {
-    vtkWarningMacro("The distance is between "
-      << this->LowerBound << " and " << this->Distance << ", a gap of " << 100.0 * this->Gap
-      << " %, after " << result.Iterations << " iterations: raise MaximumNumberOfIterations or "
-      << "Tolerance, or improve the triangles.");
+    vtkWarningWithObjectMacro(this->Self,
+      "The distance is between " << this->Self->LowerBound << " and " << this->Self->Distance
+                                 << ", a gap of " << 100.0 * this->Self->Gap << " %, after "
+                                 << result.Iterations
+                                 << " iterations: raise MaximumNumberOfIterations or "
+                                 << "Tolerance, or improve the triangles.");
   }
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::SetResults(const DGGContext& context, vtkPolyData* output,
-  double total, const dgg::EarthMoversResult& result)
+void vtkSurfaceEarthMoversDistance::vtkInternals::SetResults(const DGGContext& context,
+  vtkPolyData* output, double total, const dgg::EarthMoversResult& result)
 {
   vtkPolyData* surface = context.Input;
-  this->Distance = total * result.Distance;
-  this->LowerBound = total * result.LowerBound;
-  this->Gap = result.GetGap();
+  this->Self->Distance = total * result.Distance;
+  this->Self->LowerBound = total * result.LowerBound;
+  this->Self->Gap = result.GetGap();
   output->ShallowCopy(surface);
-  AddNumber(output, DistanceName, this->Distance);
-  AddNumber(output, BoundName, this->LowerBound);
+  AddNumber(output, DistanceName, this->Self->Distance);
+  AddNumber(output, BoundName, this->Self->LowerBound);
   ShowPotential(
     output, MakePotential(context.Surface, surface->GetNumberOfPoints(), result.Potential));
   if (!result.Flow.empty())
@@ -308,7 +337,7 @@ void vtkSurfaceEarthMoversDistance::SetResults(const DGGContext& context, vtkPol
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::MakeEmptyOutput(
+void vtkSurfaceEarthMoversDistance::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);

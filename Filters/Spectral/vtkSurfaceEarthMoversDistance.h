@@ -42,12 +42,7 @@
 #include <memory> // For the internals
 #include <string> // For array names
 
-namespace dgg
-{
-struct EarthMoversResult;
-}
 class DGGPoissonCache;
-struct DGGMassOrigin;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkSurfaceEarthMoversDistance : public vtkGeodesicAlgorithm
 {
@@ -187,21 +182,13 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  dgg::Status CheckProperties() const override;
-  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  bool PassesSurface() const override { return true; }
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
 
 private:
   vtkSurfaceEarthMoversDistance(const vtkSurfaceEarthMoversDistance&) = delete;
   void operator=(const vtkSurfaceEarthMoversDistance&) = delete;
 
-  DGGMassOrigin GetOrigin(int which, vtkInformationVector** inputVector) const;
+  class vtkInternals;
   void ForgetResults();
-  void SetResults(const DGGContext& context, vtkPolyData* output, double total,
-    const dgg::EarthMoversResult& result);
 
   std::string FromArrayName;
   std::string ToArrayName;

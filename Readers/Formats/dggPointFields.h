@@ -55,4 +55,13 @@ struct PointCloudView : CloudLayout
 };
 }
 
+/// Names for programs with VTK, see vtkDGGPointFields.h.
+namespace vtkDGG
+{
+using dgg::PointCloudView;
+using dgg::PointField;
+using dgg::PointFieldView;
+using dgg::Viewpoint;
+}
+
 #endif

@@ -4,7 +4,7 @@
 /// What all distance filters promise: defaults, arrays, what is passed through, limits.
 #include "FilterTestTools.h"
 
-#include "DGGDistanceTask.h"
+#include "DGGDistanceInternals.h"
 #include "vtkExactGeodesicDistance.h"
 
 #include "vtkIdList.h"
@@ -126,26 +126,42 @@ public:
   Fault Do = Fault::None;
 
 protected:
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override
+  MisbehavingDistance() { this->Internals.reset(new vtkInternals(this)); }
+
+private:
+  class vtkInternals : public DGGDistanceInternals
   {
-    switch (this->Do)
+  public:
+    explicit vtkInternals(MisbehavingDistance* self)
+      : DGGDistanceInternals(self)
+      , Self(self)
     {
-      case Fault::Memory:
-        throw std::bad_alloc();
-      case Fault::Exception:
-        throw std::runtime_error("the engine stalled");
-      case Fault::Other:
-        throw 5;
-      case Fault::Status:
-        return dgg::Status::Invalid("the status says no");
-      case Fault::Size:
-        return dgg::Status::Success();
-      case Fault::None:
-        break;
     }
-    task.Distances.assign(task.Context.Surface.GetMesh().GetNumberOfVertices(), 2.5);
-    return dgg::Status::Success();
-  }
+
+    dgg::Status ComputeDistances(DGGDistanceTask& task) override
+    {
+      switch (this->Self->Do)
+      {
+        case Fault::Memory:
+          throw std::bad_alloc();
+        case Fault::Exception:
+          throw std::runtime_error("the engine stalled");
+        case Fault::Other:
+          throw 5;
+        case Fault::Status:
+          return dgg::Status::Invalid("the status says no");
+        case Fault::Size:
+          return dgg::Status::Success();
+        case Fault::None:
+          break;
+      }
+      task.Distances.assign(task.Context.Surface.GetMesh().GetNumberOfVertices(), 2.5);
+      return dgg::Status::Success();
+    }
+
+  private:
+    MisbehavingDistance* Self;
+  };
 };
 vtkStandardNewMacro(MisbehavingDistance);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGCloudMarching.h"
 
-#include "DGGDistanceTask.h"
+#include "DGGDistanceInternals.h"
 
 #include "dggBlockLoop.h"
 #include "dggInvalidInput.h"

@@ -45,13 +45,14 @@ dgg::Signature MakeKey(const dgg::CloudGraphOptions& options, dgg::Id numberOfPo
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPointCloudDGG::EstimateMemory()
 {
-  this->Internals->Estimate = dgg::CloudGraphEstimate();
-  const bool done = this->AttemptOutsideOfUpdate([this] { return this->Estimate(); });
+  vtkInternals& internals = this->GetInternals();
+  internals.Estimate = dgg::CloudGraphEstimate();
+  const bool done = internals.AttemptOutsideOfUpdate([&] { return internals.Predict(); });
   return done ? this->GetEstimatedMemory() : 0;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPointCloudDGG::Estimate()
+dgg::Status vtkPointCloudDGG::vtkInternals::Predict()
 {
   DGG_RETURN_IF_ERROR(this->CheckProperties());
   vtkSmartPointer<vtkPolyData> cloud;
@@ -76,41 +77,41 @@ dgg::Status vtkPointCloudDGG::Estimate()
   options.Parallel = context.Parallel;
   DGG_RETURN_IF_ERROR(
     dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
-      .Estimate(options, this->Internals->Estimate));
+      .Estimate(options, this->Estimate));
   return dgg::ReportTo(context.Progress, 1.0);
 }
 
 //------------------------------------------------------------------------------
 /// Without normals.
-dgg::CloudGraphOptions vtkPointCloudDGG::MakeOptions(vtkPolyData* cloud) const
+dgg::CloudGraphOptions vtkPointCloudDGG::vtkInternals::MakeOptions(vtkPolyData* cloud) const
 {
   dgg::CloudGraphOptions options;
-  options.Scheme = static_cast<dgg::CloudScheme>(this->Scheme);
-  options.OffsetInVoxels = this->OffsetInVoxels;
-  options.Resolution = this->Resolution;
-  options.Alpha = this->Alpha;
-  options.Accuracy = this->Accuracy;
-  options.ArcLengthWeights = this->ArcLengthWeights;
-  options.HasOrientedNormals = this->OrientedNormals && cloud && this->GetInputNormals(cloud);
-  options.MemoryLimit = static_cast<std::size_t>(DGGMakeBudget(this->MemoryLimit).GetBytes());
+  options.Scheme = static_cast<dgg::CloudScheme>(this->Self->Scheme);
+  options.OffsetInVoxels = this->Self->OffsetInVoxels;
+  options.Resolution = this->Self->Resolution;
+  options.Alpha = this->Self->Alpha;
+  options.Accuracy = this->Self->Accuracy;
+  options.ArcLengthWeights = this->Self->ArcLengthWeights;
+  options.HasOrientedNormals = this->Self->OrientedNormals && cloud && this->GetInputNormals(cloud);
+  options.MemoryLimit = static_cast<std::size_t>(DGGMakeBudget(this->Self->MemoryLimit).GetBytes());
   options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
   return options;
 }
 
 //------------------------------------------------------------------------------
-vtkPointCloudDGG::NormalsSource vtkPointCloudDGG::MakeNormalsSource(vtkPolyData* cloud) const
+vtkPointCloudDGG::vtkInternals::NormalsSource vtkPointCloudDGG::vtkInternals::MakeNormalsSource(
+  vtkPolyData* cloud) const
 {
   vtkDataArray* given = this->GetInputNormals(cloud);
-  return { given, this->EstimateNormals && !given, this->NumberOfNeighbors };
+  return { given, this->Self->EstimateNormals && !given, this->Self->NumberOfNeighbors };
 }
 
 //------------------------------------------------------------------------------
 /// The normals to build with, null when the builder is to find them. `done` is the share of the
 /// progress that it took.
-dgg::Status vtkPointCloudDGG::FindNormals(
+dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
   const DGGContext& context, const NormalsSource& source, Normals& normals, double& done)
 {
-  vtkInternals& internals = *this->Internals;
   const dgg::PreparedSurface& mesh = context.Surface;
   normals.reset();
   done = 0.0;
@@ -131,9 +132,8 @@ dgg::Status vtkPointCloudDGG::FindNormals(
   {
     return dgg::Status::Success();
   }
-  const bool isKept = internals.PlaneNormals &&
-    internals.NormalsNeighbors == source.NumberOfNeighbors &&
-    internals.NormalsMesh == mesh.GetBuildNumber();
+  const bool isKept = this->PlaneNormals && this->NormalsNeighbors == source.NumberOfNeighbors &&
+    this->NormalsMesh == mesh.GetBuildNumber();
   if (!isKept)
   {
     DGG_RETURN_IF_ERROR(context.Memory.Check(
@@ -141,52 +141,51 @@ dgg::Status vtkPointCloudDGG::FindNormals(
     auto found = std::make_shared<std::vector<double>>();
     DGG_RETURN_IF_ERROR(DGGEstimateNormals(mesh.GetPositions(), points, source.NumberOfNeighbors,
       dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found));
-    internals.PlaneNormals = found;
-    internals.NormalsNeighbors = source.NumberOfNeighbors;
-    internals.NormalsMesh = mesh.GetBuildNumber();
+    this->PlaneNormals = found;
+    this->NormalsNeighbors = source.NumberOfNeighbors;
+    this->NormalsMesh = mesh.GetBuildNumber();
     done = NormalsShare;
   }
-  normals = internals.PlaneNormals;
+  normals = this->PlaneNormals;
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
 /// Build a graph with these options, unless it is the one that is kept.
-dgg::Status vtkPointCloudDGG::Build(
+dgg::Status vtkPointCloudDGG::vtkInternals::Build(
   const DGGContext& context, dgg::CloudGraphOptions options, double done)
 {
-  vtkInternals& internals = *this->Internals;
   const dgg::PreparedSurface& mesh = context.Surface;
   const dgg::Id n = mesh.GetMesh().GetNumberOfVertices();
   const dgg::Signature key = MakeKey(options, n);
-  const bool isKept = internals.Built.IsValid() && internals.BuiltBy == key &&
-    internals.Built.GetView().Info.Surface == mesh.GetSignature();
+  const bool isKept = this->Built.IsValid() && this->BuiltBy == key &&
+    this->Built.GetView().Info.Surface == mesh.GetSignature();
   if (isKept)
   {
     return dgg::Status::Success();
   }
-  internals.Built.Clear();
+  this->Built.Clear();
   options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
   options.Parallel = context.Parallel;
   dgg::CloudGraph result;
-  vtkInternals::Findings findings;
+  Findings findings;
   DGG_RETURN_IF_ERROR(
     dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics));
   result.Graph.Info.Surface = mesh.GetSignature();
-  internals.Built.Adopt(result.Graph, result.Radii, result.VoxelSize, mesh);
-  internals.BuiltBy = key;
-  internals.Components = std::move(result.Components);
+  this->Built.Adopt(result.Graph, result.Radii, result.VoxelSize, mesh);
+  this->BuiltBy = key;
+  this->Components = std::move(result.Components);
   findings.ComponentSizes = std::move(result.ComponentSizes);
-  findings.Graph = dgg::GraphSummary(internals.Built.GetView());
-  internals.BuiltFindings = findings;
-  internals.BuildTime.Modified();
+  findings.Graph = dgg::GraphSummary(this->Built.GetView());
+  this->BuiltFindings = findings;
+  this->BuildTime.Modified();
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
 void vtkPointCloudDGG::ReleaseGraph()
 {
-  this->Internals->Built.Clear();
-  this->Internals->Components = {};
-  this->Internals->PlaneNormals.reset();
+  this->GetInternals().Built.Clear();
+  this->GetInternals().Components = {};
+  this->GetInternals().PlaneNormals.reset();
 }

@@ -1,22 +1,46 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a vtkPointCloudDGG keeps between updates. Internal.
+/// What a vtkPointCloudDGG does in an update, and keeps between updates. Internal.
 #ifndef PointCloudDGGInternals_h
 #define PointCloudDGGInternals_h
 
 #include "vtkPointCloudDGG.h"
 
-#include "DGGGraphArrays.h" // for the graph
+#include "DGGFilterInternals.h" // for the base
+#include "DGGGraphArrays.h"     // for the graph
 
 #include "dggCloudGraphBuilder.h" // for options and statistics
 
 #include "vtkTimeStamp.h" // for the time of the build
 
+#include <memory> // for normals
+#include <string> // for the remedy
 #include <vector> // for components
 
-struct vtkPointCloudDGG::vtkInternals
+class vtkDataArray;
+
+class vtkPointCloudDGG::vtkInternals : public DGGFilterInternals
 {
+public:
+  explicit vtkInternals(vtkPointCloudDGG* self)
+    : DGGFilterInternals(self)
+    , Self(self)
+  {
+  }
+
+  dgg::Status CheckProperties() const override;
+  dgg::Status CheckInputs(vtkPolyData* cloud, vtkInformationVector** inputVector) const override;
+  dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool PassesSurface() const override { return true; }
+  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+  bool IsCloud(vtkPolyData* input) const override;
+  std::string GetMemoryRemedy() const override;
+
+  /// Predicts the memory of the graph without building it.
+  dgg::Status Predict();
+
   /// What is reported of a graph.
   struct Findings
   {
@@ -24,6 +48,8 @@ struct vtkPointCloudDGG::vtkInternals
     std::vector<dgg::Id> ComponentSizes;
     dgg::CloudGraphStatistics Statistics;
   };
+  using Normals = std::shared_ptr<const std::vector<double>>;
+
   DGGGraphArrays Built;
   dgg::Signature BuiltBy{};        ///< options and normals
   std::vector<dgg::Id> Components; // of what was built
@@ -36,6 +62,25 @@ struct vtkPointCloudDGG::vtkInternals
   Normals PlaneNormals;
   vtkMTimeType NormalsMesh = 0;
   int NormalsNeighbors = 0;
+
+private:
+  /// Origin of the normals.
+  struct NormalsSource
+  {
+    vtkDataArray* Given = nullptr; ///< of the input
+    bool ByPlanes = false;
+    int NumberOfNeighbors = 0; ///< for planes
+  };
+  vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
+  NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
+  dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
+  dgg::Status FindNormals(
+    const DGGContext& context, const NormalsSource& source, Normals& normals, double& done);
+  dgg::Status Build(const DGGContext& context, dgg::CloudGraphOptions options, double done);
+  void WarnAboutPoints();
+  void WarnAboutVoxels(const dgg::CloudGraphOptions& options);
+
+  vtkPointCloudDGG* Self;
 };
 
 #endif

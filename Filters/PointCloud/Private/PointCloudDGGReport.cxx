@@ -12,10 +12,10 @@ constexpr double LargestNoiseByRadius = 0.07;
 }
 
 /// A number of the graph of the last update.
-#define vtkPointCloudDGGNumberMacro(Type, Name, member) \
-  Type vtkPointCloudDGG::Get##Name() const              \
-  {                                                     \
-    return this->Internals->Current.Statistics.member;  \
+#define vtkPointCloudDGGNumberMacro(Type, Name, member)    \
+  Type vtkPointCloudDGG::Get##Name() const                 \
+  {                                                        \
+    return this->GetInternals().Current.Statistics.member; \
   }
 vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfUnusedPoints, UnusedPoints);
 vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfOutliers, Outliers);
@@ -73,25 +73,26 @@ void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedMemory() const
 {
-  return static_cast<vtkTypeUInt64>(this->Internals->Estimate.Memory);
+  return static_cast<vtkTypeUInt64>(this->GetInternals().Estimate.Memory);
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedPeakMemory() const
 {
-  return static_cast<vtkTypeUInt64>(std::ceil(this->Internals->Estimate.Peak)); // a limit that does
+  return static_cast<vtkTypeUInt64>(
+    std::ceil(this->GetInternals().Estimate.Peak)); // a limit that does
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetNumberOfGraphEdges() const
 {
-  return this->Internals->Current.Graph.NumberOfEdges;
+  return this->GetInternals().Current.Graph.NumberOfEdges;
 }
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetMeanDegree() const
 {
-  const dgg::GraphSummary& graph = this->Internals->Current.Graph;
+  const dgg::GraphSummary& graph = this->GetInternals().Current.Graph;
   return graph.NumberOfVertices > 0
     ? static_cast<double>(graph.NumberOfEdges) / graph.NumberOfVertices
     : 0.0;
@@ -100,20 +101,21 @@ double vtkPointCloudDGG::GetMeanDegree() const
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPointCloudDGG::GetMemorySize() const
 {
-  return this->Internals->Current.Graph.MemorySize;
+  return this->GetInternals().Current.Graph.MemorySize;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetNumberOfComponents() const
 {
-  return static_cast<vtkIdType>(this->Internals->Current.ComponentSizes.size());
+  return static_cast<vtkIdType>(this->GetInternals().Current.ComponentSizes.size());
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetComponentSize(vtkIdType i) const
 {
-  return i >= 0 && i < this->GetNumberOfComponents() ? this->Internals->Current.ComponentSizes[i]
-                                                     : 0;
+  return i >= 0 && i < this->GetNumberOfComponents()
+    ? this->GetInternals().Current.ComponentSizes[i]
+    : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -125,44 +127,44 @@ double vtkPointCloudDGG::GetUsedOffset() const
 //------------------------------------------------------------------------------
 vtkMTimeType vtkPointCloudDGG::GetGraphBuildTime() const
 {
-  return this->Internals->BuildTime.GetMTime();
+  return this->GetInternals().BuildTime.GetMTime();
 }
 
 //------------------------------------------------------------------------------
 /// Of a graph that has just been built.
-void vtkPointCloudDGG::WarnAboutPoints()
+void vtkPointCloudDGG::vtkInternals::WarnAboutPoints()
 {
-  const dgg::Id unused = this->Internals->Current.Statistics.UnusedPoints;
+  const dgg::Id unused = this->Current.Statistics.UnusedPoints;
   if (unused > 0)
   {
     const bool isOne = unused == 1;
-    vtkWarningMacro(<< "the cloud has " << unused << (isOne ? " point that is" : " points that are")
-                    << " not finite. " << (isOne ? "It is" : "They are")
-                    << " kept, and connected to nothing.");
+    vtkWarningWithObjectMacro(this->Self,
+      << "the cloud has " << unused << (isOne ? " point that is" : " points that are")
+      << " not finite. " << (isOne ? "It is" : "They are") << " kept, and connected to nothing.");
   }
-  const dgg::Id outliers = this->Internals->Current.Statistics.Outliers;
+  const dgg::Id outliers = this->Current.Statistics.Outliers;
   if (outliers > 0)
   {
     const bool isOne = outliers == 1;
-    vtkWarningMacro(<< "the cloud has " << outliers
-                    << (isOne ? " point that is" : " points that are")
-                    << " more than 1000 times as far off as all others. "
-                    << (isOne ? "It is" : "They are")
-                    << " kept, and connected to nothing but points in the same place.");
+    vtkWarningWithObjectMacro(this->Self,
+      << "the cloud has " << outliers << (isOne ? " point that is" : " points that are")
+      << " more than 1000 times as far off as all others. " << (isOne ? "It is" : "They are")
+      << " kept, and connected to nothing but points in the same place.");
   }
-  const dgg::CloudGraphStatistics& statistics = this->Internals->Current.Statistics;
+  const dgg::CloudGraphStatistics& statistics = this->Current.Statistics;
   if (statistics.Scatter > 0.0)
   {
-    vtkWarningMacro(<< "the neighbours of " << 100.0 * statistics.OffSurface
-                    << " % of the points do not lie on a surface: points typically scatter by "
-                    << statistics.Scatter
-                    << " times their spacing. That much is not all taken off: distances may be "
-                       "wrong by far. Thin the cloud out, to every tenth point for example or to "
-                       "averages of points, until points scatter by less than their spacing.");
+    vtkWarningWithObjectMacro(
+      this->Self, << "the neighbours of " << 100.0 * statistics.OffSurface
+                  << " % of the points do not lie on a surface: points typically scatter by "
+                  << statistics.Scatter
+                  << " times their spacing. That much is not all taken off: distances may be "
+                     "wrong by far. Thin the cloud out, to every tenth point for example or to "
+                     "averages of points, until points scatter by less than their spacing.");
   }
   else if (statistics.NoiseByRadius > LargestNoiseByRadius)
   {
-    vtkWarningMacro(
+    vtkWarningWithObjectMacro(this->Self,
       << "the noise of the points, " << statistics.Noise << ", is " << statistics.NoiseByRadius
       << " of the radius at which the surface typically bends. It has been taken "
          "off, but what is left is not quite the surface: distances may be wrong by 1 % "
@@ -173,13 +175,13 @@ void vtkPointCloudDGG::WarnAboutPoints()
 
 //------------------------------------------------------------------------------
 /// Of a graph that has just been built: voxels that are coarser than the points.
-void vtkPointCloudDGG::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
+void vtkPointCloudDGG::vtkInternals::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
 {
-  const dgg::CloudGraphStatistics& used = this->Internals->Current.Statistics;
+  const dgg::CloudGraphStatistics& used = this->Current.Statistics;
   if (used.Spacing > 0.0 && used.VoxelSize > used.Spacing)
   {
     const bool isGiven = options.OffsetInVoxels > 0.0;
-    vtkWarningMacro(
+    vtkWarningWithObjectMacro(this->Self,
       << "the voxels of the band, of size " << used.VoxelSize << " (Resolution " << used.Resolution
       << (options.Resolution > 0 ? "" : ", automatic")
       << "), are larger than the spacing of the points, which is " << used.Spacing << ". "

@@ -5,7 +5,7 @@
 #ifndef DGGSplineRun_h
 #define DGGSplineRun_h
 
-#include "DGGSpectralOutputs.h" // for the task
+#include "DGGSpectralInternals.h" // for the task
 
 #include "dggBiharmonicSplines.h" // for splines of order 2
 #include "dggHarmonicSplines.h"   // for splines of order 1

@@ -5,13 +5,8 @@
 #ifndef DGGSpectralOutputs_h
 #define DGGSpectralOutputs_h
 
-#include "dggPoissonSolver.h" // for PoissonSolver
-#include "dggSurfacePoint.h"  // for surface points
-#include "dggTypes.h"         // for numbers
-
 #include "vtkDoubleArray.h"  // for the arrays
 #include "vtkSmartPointer.h" // to hold them
-#include "vtkType.h"         // for vtkMTimeType
 
 #include <cstddef> // for std::size_t
 #include <string>  // for the name
@@ -21,8 +16,6 @@ namespace dgg
 {
 class PreparedSurface;
 }
-struct DGGContext;
-struct DGGSourceSet;
 
 /// The results of a vtkSpectralAlgorithm at the points of the surface and at evaluation points.
 class DGGSpectralOutputs
@@ -72,21 +65,6 @@ private:
   vtkSmartPointer<vtkDoubleArray> AtPoints;
   vtkSmartPointer<vtkDoubleArray> AtTargets;
   std::vector<vtkSmartPointer<vtkDataArray>> Further[2];
-};
-
-/// Arguments of vtkSpectralAlgorithm::ComputeValues(). Surface points are valid and the solver is
-/// ready; a filter checks further inputs and properties of its own.
-struct DGGSpectralTask
-{
-  const DGGContext& Context;                     ///< of the update
-  const dgg::PoissonSolver& Solver;              ///< ready
-  vtkMTimeType SolverTime;                       ///< changes with the solver
-  const std::vector<dgg::SurfacePoint>& Sources; ///< empty only if the filter may select sources
-  const std::vector<dgg::SurfacePoint>& Targets; ///< may be empty
-  const DGGSourceSet& SourceSet;                 ///< sources as given
-  double FreeMemory;                             ///< bytes of the limit that are left for caches
-  dgg::ProgressCallback Progress;                ///< remaining progress of the context
-  DGGSpectralOutputs& Outputs;                   ///< to be set for each source
 };
 
 #endif

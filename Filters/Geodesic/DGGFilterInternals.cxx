@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DGGFilterInternals.h"
+
+#include "DGGCompatibility.h"
+#include "DGGFreeMemory.h"
+#include "DGGMeshAdapter.h"
+#include "DGGPartedUpdate.h"
+#include "DGGProperties.h"
+#include "DGGThreads.h"
+#include "vtkGeodesicAlgorithm.h"
+
+#include "dggInvalidInput.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+namespace
+{
+/// Progress weight of the preparation of the mesh.
+constexpr double PreparationShare = 0.1;
+
+/// Returns the value of the key on the output port that the request names, for which the input was
+/// updated. Values of earlier requests of other ports are ignored.
+int GetAsked(vtkInformation* request, vtkInformationVector* outputVector,
+  vtkInformationIntegerKey* key, int otherwise)
+{
+  const int ports = outputVector->GetNumberOfInformationObjects();
+  const int asked = request && request->Has(vtkExecutive::FROM_OUTPUT_PORT())
+    ? request->Get(vtkExecutive::FROM_OUTPUT_PORT())
+    : -1;
+  int value = otherwise;
+  for (int port = 0; port < ports; ++port)
+  {
+    vtkInformation* outInfo = outputVector->GetInformationObject(port);
+    if ((port == asked || asked < 0 || asked >= ports) && outInfo->Has(key))
+    {
+      value = std::max(value, outInfo->Get(key));
+    }
+  }
+  return value;
+}
+
+/// Other data sets are accepted up to here to report an error with a remedy.
+dgg::Status CheckType(vtkDataObject* input)
+{
+  if (!vtkDataSet::SafeDownCast(input) || vtkPolyData::SafeDownCast(input))
+  {
+    return dgg::Status::Success();
+  }
+  return dgg::InvalidInput("the input is a ", input->GetClassName(),
+    ", but a vtkPolyData is required: extract the surface with vtkDataSetSurfaceFilter");
+}
+
+/// Returns an error if the other pieces are not available: each process must have one piece.
+dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* controller)
+{
+  if (pieces <= 1 ||
+    (controller && pieces == controller->GetNumberOfProcesses() &&
+      piece == controller->GetLocalProcessId()))
+  {
+    return dgg::Status::Success();
+  }
+  return dgg::InvalidInput("one of ", pieces,
+    " pieces is requested, but distances need the whole surface: call SetController() with a "
+    "controller of as many processes, each of which updates its piece, or gather the surface on "
+    "one process and update this filter there, with one piece");
+}
+
+/// Empties the outputs and marks them as not generated, so that the next update executes again.
+void Empty(vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* outInfo = outputVector->GetInformationObject(port);
+    vtkDataObject::GetData(outInfo)->Initialize();
+    outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+DGGFilterInternals::DGGFilterInternals(vtkGeodesicAlgorithm* filter)
+  : Filter(filter)
+  , Reached(0.0)
+  , IsStopped(false)
+  , ReportTime(0)
+  , GapsBuildTime(0)
+  , QualityTime(0)
+  , Mesh(new DGGMeshAdapter)
+  , Parts(new DGGPartedUpdate)
+{
+}
+
+//------------------------------------------------------------------------------
+DGGFilterInternals::~DGGFilterInternals() = default;
+
+//------------------------------------------------------------------------------
+bool DGGFilterInternals::Update(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const bool done = this->Attempt([&] { return this->Follow(request, inputVector, outputVector); });
+  if (!done)
+  {
+    Empty(outputVector);
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step)
+{
+  // Not by SetErrorCode(): a failure does not modify the filter.
+  this->Filter->ErrorCode = vtkErrorCode::NoError;
+  this->Filter->SetAbortExecute(0); // VTK 9.1 does so at the start of an update, later ones do not
+  this->Reached = 0.0;
+  this->IsStopped = false;
+  this->Caller = std::this_thread::get_id();
+  unsigned long errorCode = vtkErrorCode::UserError;
+  const dgg::Status status = this->Try(step, errorCode);
+  this->IsStopped = status.IsAborted();
+  if (status.IsOk() || status.IsAborted() || FollowsFailure(this->Filter))
+  {
+    this->Reported.clear();
+    return status.IsOk();
+  }
+  this->Filter->ErrorCode = errorCode;
+  if (this->IsNewError(status.GetMessage()))
+  {
+    vtkErrorWithObjectMacro(this->Filter, << status.GetMessage());
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+/// Returns true if the error differs from that of the previous update, or the pipeline has changed
+/// since. There is an update for each output, and ParaView updates all of them many times.
+bool DGGFilterInternals::IsNewError(const std::string& error)
+{
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->Filter->GetExecutive());
+  const vtkMTimeType time = pipeline->GetPipelineMTime();
+  const bool isNews = error != this->Reported || time != this->ReportTime;
+  this->Reported = error;
+  this->ReportTime = time;
+  return isNews;
+}
+
+//------------------------------------------------------------------------------
+/// Returns true if a filter of this module upstream has failed and reported it, or was aborted. Its
+/// output is then empty, and errors that follow from this are not reported.
+bool DGGFilterInternals::FollowsFailure(vtkAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithm* input = filter->GetInputAlgorithm(port, i);
+      auto* ours = vtkGeodesicAlgorithm::SafeDownCast(input);
+      const bool hasFailed =
+        ours && (ours->GetErrorCode() != vtkErrorCode::NoError || ours->Internals->IsStopped);
+      if (hasFailed || FollowsFailure(input))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+/// Runs a step without letting exceptions pass VTK: one that reaches Python ends the interpreter.
+dgg::Status DGGFilterInternals::Try(
+  const std::function<dgg::Status()>& step, unsigned long& errorCode) const
+{
+  try
+  {
+    return step();
+  }
+  catch (const std::bad_alloc&)
+  {
+    errorCode = vtkErrorCode::UnknownError;
+    return dgg::Status::Invalid("memory is exhausted: " + this->GetMemoryRemedy());
+  }
+  catch (const std::exception& exception)
+  {
+    errorCode = vtkErrorCode::UnknownError;
+    return dgg::Status::Invalid(std::string("unexpected failure: ") + exception.what());
+  }
+  catch (...)
+  {
+    errorCode = vtkErrorCode::UnknownError;
+    return dgg::Status::Invalid("unexpected failure");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool DGGFilterInternals::AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step)
+{
+  const unsigned long errorCode = this->Filter->GetErrorCode();
+  this->Reported.clear();
+  vtkDGGClearAbortMacro(this->Filter);
+  const bool done = this->Attempt([this, &step] {
+    if (this->Filter->GetNumberOfInputConnections(0) > 0)
+    {
+      this->Filter->GetInputAlgorithm()->Update(this->Filter->GetInputConnection(0, 0)->GetIndex());
+    }
+    return step();
+  });
+  this->Reported.clear();
+  if (this->Filter->ErrorCode == vtkErrorCode::NoError)
+  {
+    this->Filter->ErrorCode = errorCode; // of the last update
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::Follow(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  DGG_RETURN_IF_ERROR(CheckType(vtkDataObject::GetData(inputVector[0])));
+  const int pieces = GetAsked(request, outputVector, Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  const int piece = GetAsked(request, outputVector, Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  DGG_RETURN_IF_ERROR(CheckPieces(piece, pieces, this->Filter->Controller));
+  const int ports = this->Filter->GetNumberOfInputPorts();
+  if (pieces == 1 && DGGPartedUpdate::IsPlain(inputVector, ports))
+  {
+    *this->Parts = DGGPartedUpdate();
+    return this->Compute(inputVector, outputVector);
+  }
+  const auto compute = [this](vtkInformationVector** inputs, vtkInformationVector* outputs) {
+    unsigned long errorCode = vtkErrorCode::NoError;
+    return this->Try([&] { return this->Compute(inputs, outputs); }, errorCode);
+  };
+  const dgg::Status status =
+    this->Parts->Run(DGGProcesses(pieces > 1 ? this->Filter->Controller : nullptr),
+      pieces > 1 ? this->Filter->GatherLimit : VTK_ID_MAX, this->Filter->MemoryLimit, inputVector,
+      ports, outputVector, this->PassesSurface(), compute);
+  if (status.IsOk() && this->Parts->GetNumberOfOthers() > 0)
+  {
+    vtkWarningWithObjectMacro(
+      this->Filter, << this->Parts->GetNumberOfOthers()
+                    << " blocks of the input are not vtkPolyData and are ignored. Extract their "
+                       "surfaces first.");
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::Compute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
+  {
+    // First of all checks: other remedies would not help.
+    const dgg::Status status = DGGMeshAdapter::CheckSurface(input);
+    if (!status.IsOk())
+    {
+      this->Mesh->Clear(); // so that the report is not that of another surface
+      return status;
+    }
+  }
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->Filter->MergeTolerance },
+    { "MemoryLimit", static_cast<double>(this->Filter->MemoryLimit) } }));
+  DGG_RETURN_IF_ERROR(this->CheckProperties());
+  if (input && input->GetNumberOfPoints() == 0 && input->GetNumberOfCells() == 0)
+  {
+    this->WarnAboutEmptyInput("neither points nor cells");
+    this->Mesh->Clear();
+    this->MakeEmptyOutput(this->MakeContext(input), outputVector);
+    return dgg::Status::Success();
+  }
+  DGG_RETURN_IF_ERROR(input ? this->CheckInputs(input, inputVector) : dgg::Status::Success());
+  DGG_RETURN_IF_ERROR(this->PrepareMesh(input));
+  return this->Advance(0.0) ? this->Execute(this->MakeContext(input), inputVector, outputVector)
+                            : dgg::Status::Abort();
+}
+
+//------------------------------------------------------------------------------
+void DGGFilterInternals::WarnAboutEmptyInput(const char* lack)
+{
+  if (!FollowsFailure(this->Filter))
+  {
+    vtkWarningWithObjectMacro(
+      this->Filter, "The input is empty: it has " << lack << ". The output is empty, too.");
+  }
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::CheckProperties() const
+{
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::CheckInputs(
+  vtkPolyData* vtkNotUsed(surface), vtkInformationVector** vtkNotUsed(inputVector)) const
+{
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+bool DGGFilterInternals::PassesSurface() const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::GetWholeInput(vtkSmartPointer<vtkPolyData>& surface)
+{
+  vtkDataObject* input = this->Filter->GetInputDataObject(0, 0);
+  DGG_RETURN_IF_ERROR(CheckType(input));
+  surface = vtkPolyData::SafeDownCast(input);
+  return input && !surface ? DGGPartedUpdate::Join(input, surface) : dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+bool DGGFilterInternals::IsCloud(vtkPolyData* vtkNotUsed(input)) const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string DGGFilterInternals::GetMemoryRemedy() const
+{
+  return "use a smaller mesh";
+}
+
+//------------------------------------------------------------------------------
+DGGContext DGGFilterInternals::MakeContext(vtkPolyData* surface)
+{
+  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
+  return { { this->Mesh->Get(), DGGMakeBudget(this->Filter->MemoryLimit),
+             vtkSMPTools::GetEstimatedNumberOfThreads(), progress, DGGMakeParallelFor(progress) },
+    surface };
+}
+
+//------------------------------------------------------------------------------
+dgg::Domain DGGFilterInternals::GetDomain(vtkPolyData* surface) const
+{
+  if (this->IsCloud(surface))
+  {
+    return { dgg::Domain::Cloud, 0.0 };
+  }
+  return this->Filter->MergeCoincidentPoints
+    ? dgg::Domain{ dgg::Domain::MergedSurface, this->Filter->MergeTolerance }
+    : dgg::Domain{ dgg::Domain::Surface, 0.0 };
+}
+
+//------------------------------------------------------------------------------
+void DGGFilterInternals::WarnAboutGaps(const std::vector<bool>& isReached)
+{
+  if (this->GapsBuildTime == this->Mesh->GetBuildTime() ||
+    2 * std::count(isReached.begin(), isReached.end(), true) >
+      static_cast<std::ptrdiff_t>(isReached.size()))
+  {
+    return;
+  }
+  this->GapsBuildTime = this->Mesh->GetBuildTime();
+  const std::string warning = this->Mesh->Get().DescribeGaps(isReached);
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << warning << ".");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool DGGFilterInternals::WarnAboutQuality(const std::string& reason)
+{
+  if (this->QualityTime != this->Mesh->GetBuildTime())
+  {
+    this->QualityTime = this->Mesh->GetBuildTime();
+    this->QualityReasons.clear();
+  }
+  if (!reason.empty() && this->QualityReasons.insert(reason).second)
+  {
+    vtkWarningWithObjectMacro(this->Filter, << reason << ".");
+  }
+  return !reason.empty();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::PrepareMesh(vtkPolyData* surface)
+{
+  if (!surface)
+  {
+    return dgg::Status::Invalid(
+      "there is no input: call SetInputConnection() or SetInputData() with a surface");
+  }
+  const vtkMTimeType built = this->Mesh->GetBuildTime();
+  const dgg::Status status = this->Mesh->Update(surface, this->GetDomain(surface));
+  if (built != this->Mesh->GetBuildTime())
+  {
+    for (const std::string& warning : this->Mesh->Get().GetWarnings())
+    {
+      vtkWarningWithObjectMacro(this->Filter, << warning << ".");
+    }
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+bool DGGFilterInternals::Advance(double fraction)
+{
+  const double now =
+    PreparationShare + (1.0 - PreparationShare) * std::min(1.0, std::max(0.0, fraction));
+  double before = this->Reached;
+  while (before < now && !this->Reached.compare_exchange_weak(before, now))
+  {
+  }
+  if (std::this_thread::get_id() == this->Caller)
+  {
+    this->Filter->UpdateProgress(this->Reached);
+    this->IsStopped = vtkDGGIsAbortedMacro(this->Filter);
+  }
+  return !this->IsStopped;
+}

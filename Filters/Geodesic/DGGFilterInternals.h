@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What a filter does in an update, behind its public class. Internal.
+#ifndef DGGFilterInternals_h
+#define DGGFilterInternals_h
+
+#include "DGGContext.h" // for the update
+
+#include "dggPreparedSurface.h" // for the domain
+
+#include "vtkDGGFiltersGeodesicModule.h" // for the export macro
+#include "vtkSmartPointer.h"             // for the whole input
+#include "vtkType.h"                     // for vtkMTimeType
+
+#include <atomic>     // for the progress
+#include <functional> // for steps
+#include <memory>     // for the mesh
+#include <set>        // for the warnings
+#include <string>     // for texts
+#include <thread>     // for the thread of the update
+#include <vector>     // for reached vertices
+
+class DGGMeshAdapter;
+class DGGPartedUpdate;
+class vtkAlgorithm;
+class vtkGeodesicAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+
+/// The steps of an update, which each filter implements, and what all filters do around them. The
+/// constructor of a filter creates its own and assigns it to vtkGeodesicAlgorithm::Internals.
+class VTKDGGFILTERSGEODESIC_EXPORT DGGFilterInternals
+{
+public:
+  explicit DGGFilterInternals(vtkGeodesicAlgorithm* filter);
+  virtual ~DGGFilterInternals();
+  DGGFilterInternals(const DGGFilterInternals&) = delete;
+  void operator=(const DGGFilterInternals&) = delete;
+
+  ///@{
+  /// Steps of an update, in this order. Each may return an error, which is reported, or the status
+  /// of an abort; each may throw.
+  ///
+  /// CheckProperties() and CheckInputs() report errors that need no mesh. Execute() is called with
+  /// a mesh. MakeEmptyOutput() is called instead if the surface has neither points nor cells. The
+  /// context is that of the whole update (DGGContext.h).
+  virtual dgg::Status CheckProperties() const;
+  virtual dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const;
+  virtual dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) = 0;
+  virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) = 0;
+  ///@}
+
+  /// Returns true if output 0 is the surface with arrays added and has the pieces of the input.
+  /// Default false: output 0 is new geometry, as other outputs are.
+  virtual bool PassesSurface() const;
+  /// Returns true if this filter treats the input as a cloud and uses its points only. Default
+  /// false; filters that search a graph return true for an input with the graph of a cloud.
+  virtual bool IsCloud(vtkPolyData* input) const;
+  /// Returns advice for the error message when memory is exhausted.
+  virtual std::string GetMemoryRemedy() const;
+
+  /// Runs an update: gathers pieces and blocks, and runs the steps. Returns false after an error,
+  /// which is reported, or an abort; the outputs are then empty.
+  bool Update(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+
+  /// Runs a step outside of updates after bringing the input up to date. Only an error changes the
+  /// error code. Returns true if the step succeeded and was not aborted.
+  bool AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step);
+
+  /// Gets the input of port 0 with its pieces joined, for use outside of updates; null without
+  /// input.
+  dgg::Status GetWholeInput(vtkSmartPointer<vtkPolyData>& surface);
+
+  /// Brings the mesh up to date; a null surface is an error. For use outside of updates; the mesh
+  /// is up to date in Execute().
+  dgg::Status PrepareMesh(vtkPolyData* surface);
+
+  /// Returns the context of an update or a prediction for the surface that was prepared last.
+  DGGContext MakeContext(vtkPolyData* surface);
+
+  /// Returns the domain (surface or cloud) that an input is treated as.
+  dgg::Domain GetDomain(vtkPolyData* surface) const;
+
+  /// The mesh that is kept between updates, which is empty before the first.
+  const DGGMeshAdapter& GetMesh() const { return *this->Mesh; }
+
+  /// Warns once per mesh if most of the surface is not connected to the reached vertices although
+  /// its components nearly touch. For use after a distance.
+  void WarnAboutGaps(const std::vector<bool>& isReached);
+
+  /// Reports a reason for inaccurate results once per mesh. Returns true if there is a reason.
+  bool WarnAboutQuality(const std::string& reason);
+
+  /// Warns that the input lacks something, unless a filter upstream has failed.
+  void WarnAboutEmptyInput(const char* lack);
+
+private:
+  bool Attempt(const std::function<dgg::Status()>& step);
+  dgg::Status Try(const std::function<dgg::Status()>& step, unsigned long& errorCode) const;
+  dgg::Status Follow(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+  dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  bool Advance(double fraction);
+  static bool FollowsFailure(vtkAlgorithm* filter);
+  bool IsNewError(const std::string& error);
+
+  vtkGeodesicAlgorithm* Filter;
+  std::atomic<double> Reached;          // progress of the update so far
+  std::atomic<bool> IsStopped;          // true if observers have requested a stop
+  std::thread::id Caller;               // thread of the update
+  std::string Reported;                 // error of the last update; empty if none
+  vtkMTimeType ReportTime;              // pipeline time of the report
+  vtkMTimeType GapsBuildTime;           // build time of the mesh that was checked for gaps
+  vtkMTimeType QualityTime;             // build time of the mesh of QualityReasons
+  std::set<std::string> QualityReasons; // reported for this mesh
+  std::unique_ptr<DGGMeshAdapter> Mesh;
+  std::unique_ptr<DGGPartedUpdate> Parts;
+};
+
+#endif
