@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Discrete geodesic graphs: building and asking them, beside the heat method of CGAL (when it was
-/// found with Eigen) and the edge graph of VTK, in one run.
+/// Discrete geodesic graphs: construction and queries, beside our other methods, the heat method of
+/// CGAL (when it was found with Eigen) and the edge graph of VTK, in one run.
 ///
 /// Usage: BenchmarkGraph [--benchmark_...] [--name=value...] [mesh...]
 ///   --rules=Guaranteed,OneRelay,Indirect,SVG  which constructions
@@ -17,10 +17,11 @@
 ///
 /// Names of the results are GROUP/MESH/CASE with these groups:
 ///   Graph/MESH/RULE/PARAMETER/...  one graph (GraphCases.h)
-///   Peer/MESH/...                  the others, on the same mesh from the same sources
+///   Peer/MESH/METHOD/...           the others, on the same mesh from the same sources
 /// Times are CPU seconds of this process, but those of several threads, which are seconds on the
 /// wall. Errors are against our exact engine T. summarize_graph.py makes tables of it.
 
+#include "ApproximateCases.h"
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
 #include "ExactCases.h"
@@ -120,6 +121,10 @@ void RegisterPeers(const MeshRecipe& recipe, int sources)
   cases.AddSources(
     "Exact/Query", sources, MeasureEngine, recipe, dgg::ExactEngine::Triangle, dgg::Infinity);
   cases.AddSources("VTK/Query", sources, MeasureVTK, recipe);
+  cases.Add("Heat/Precompute", MeasureHeatFactors, recipe);
+  cases.AddSources("Heat/Query", sources, MeasureHeatField, recipe);
+  cases.Add("Marching/Precompute", MeasureMarchingTables, recipe);
+  cases.AddSources("Marching/Query", sources, MeasureMarchingField, recipe);
 #ifdef DGG_WITH_HEAT
   using Triangulation = PeerHeat::Triangulation;
   for (const Triangulation kind : { Triangulation::Direct, Triangulation::IntrinsicDelaunay })

@@ -143,6 +143,10 @@ def ratio_text(numerator, denominator):
     return f"{digits(numerator / denominator)}x"
 
 
+def gain_text(gain):
+    return ratio_text(gain, 1.0)
+
+
 def quotient_text(numerator, denominator):
     return DASH if numerator is None or not denominator else digits(numerator / denominator)
 

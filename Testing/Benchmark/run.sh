@@ -11,7 +11,7 @@
 #        Testing/Benchmark/run.sh local [--out DIR] [--readme] [NUMBER-OF-POINTS...]
 #        Testing/Benchmark/run.sh path [--out DIR] [--data DIR] [MESH...] [OPTIONS OF BenchmarkPath]
 #        Testing/Benchmark/run.sh isolines [--out DIR] [--data DIR] [MESH...]
-#                                 [OPTIONS OF BenchmarkIsolines]
+#                                 [OPTIONS OF measure_isolines.py]
 #        Testing/Benchmark/run.sh cloud [--out DIR] [--data DIR] [--full] [--readme] [MESH...]
 #                                 [OPTIONS OF BenchmarkCloud]
 #        Testing/Benchmark/run.sh spectral [--out DIR] [--data DIR] [--libigl DIR] [--readme]
@@ -29,7 +29,7 @@
 #             local.json and local.md
 #   path      what a graph gives: paths, samples, Voronoi cells, a matrix, loops: writes path.json
 #             and path.md
-#   isolines  isolines and approximate distances: writes isolines.json and isolines.md
+#   isolines  isolines by all methods, beside vtkContourFilter: writes isolines.json and isolines.md
 #   cloud     graphs of point clouds: their errors with all schemes, fast marching beside, clouds
 #             that are not easy, parameters varied, and what 200K points take; the vertices of
 #             meshes are measured as clouds: writes cloud.json, cloud.md and cloud_error.png (needs
@@ -63,7 +63,7 @@
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
 #   Testing/Benchmark/run.sh graph --readme
 #   Testing/Benchmark/run.sh path scan.ply --pairs=100 --matrix=0
-#   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000 --sources=0
+#   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000
 #   Testing/Benchmark/run.sh cloud scan.ply --clouds= --curves=0 --guards=0 --speed=0
 #   Testing/Benchmark/run.sh spectral scan.ply --sizes= --levels=
 #   Testing/Benchmark/run.sh thesis --exhibits T3.2,F3.9
@@ -111,7 +111,7 @@ case "$mode" in
     packages+=(python3-matplotlib)
     ;;
   isolines)
-    program=BenchmarkIsolines
+    tables=measure_isolines.py
     scans+=(igea)
     ;;
   local)
@@ -238,7 +238,7 @@ measure_thesis() {
 
 with_python=OFF
 case "$mode$readme" in
-  compare | first* | local* | passrate | spectralyes | thesis*) with_python=ON ;;
+  compare | first* | isolines* | local* | passrate | spectralyes | thesis*) with_python=ON ;;
 esac
 dgg_install "${packages[@]}"
 
@@ -258,7 +258,7 @@ case "$mode" in
     dgg_with_display "$build/bin/vtkdgg" compare --methods --out "$out/compare" \
       ${arguments[@]+"${arguments[@]}"}
     ;;
-  first | local) measure_by_script ;;
+  first | isolines | local) measure_by_script ;;
   passrate)
     "$build/bin/vtkdgg-python" "$here/passrate.py" "$out" ${arguments[@]+"${arguments[@]}"}
     ;;

@@ -31,6 +31,8 @@ from benchmark_results import (
 
 TITLES = {
     "Exact": "the exact solver",
+    "Heat": "heat method",
+    "Marching": "fast marching",
     "HeatDirect": "heat method (CGAL)",
     "HeatDelaunay": "heat method, intrinsic Delaunay (CGAL)",
     "VTK": "vtkDijkstraGraphGeodesicPath",
@@ -156,6 +158,7 @@ def peer_table(run):
         ("vertices", figure("Query", "vertices", count_text)),
         ("peer", lambda _, peer, cases: TITLES[peer]),
         ("precomputation", figure("Precompute")),
+        ("its peak bytes per vertex", figure("Precompute", "heap_bytes_per_vertex")),
         ("query", figure("Query")),
         ("error: mean / 99.9 % / max", errors_of("Query")),
     ]

@@ -16,7 +16,6 @@ import insert_table
 import summarize
 import summarize_cloud
 import summarize_graph
-import summarize_isolines
 import summarize_path
 import summarize_spectral
 from table_support import HERE, PNG, draw, entry, errors, write_results
@@ -140,43 +139,6 @@ def matrix_results():
     return [result for result in path_results() if result["name"].startswith("Matrix/")]
 
 
-def isoline_results():
-    """Two meshes, the larger one first; Steiner points, approximate distances and a peer on others."""
-
-    def lines(mesh, vertices, case, milliseconds, mean, **more):
-        figures = {"vertices": vertices, "faces": 2 * vertices, "heap_bytes_per_vertex": 500.0}
-        figures.update({"segments": 4000, "levels": 20, "error_by_length": 2.0 * mean})
-        name = f"Isolines/{mesh}/{case}/manual_time"
-        return entry(name, milliseconds, **figures, **errors(mean), **more)
-
-    def ball(mesh, vertices, error):
-        return [
-            lines(mesh, vertices, "Exact/Contour", 2.0, error),
-            lines(mesh, vertices, "Exact/Windows", 8.0, error / 500, chord=1e-5, fallbacks=2),
-            lines(mesh, vertices, "Exact/WindowsHalved", 9.0, error / 1000, chord=5e-6),
-            lines(mesh, vertices, "Exact/WindowsDrawn", 5.0, error / 50, chord=1e-3),
-            lines(mesh, vertices, "Exact/Sources", 20.0, error / 8, chord=1e-5, fallbacks=3),
-        ]
-
-    return (
-        ball("large-10K", 10000, 0.001)
-        + ball("small-1K", 1000, 0.004)
-        + [
-            lines("small-1K", 1000, f"Exact/Apollonius{count}", 10.0 * count, 0.001)
-            for count in (10, 2, 0)
-        ]
-        + [
-            lines("small-1K", 1000, "Heat/Contour", 2.0, 0.03),
-            lines("small-1K", 1000, "Heat/Sources", 2.0, 0.02),
-            entry("Isolines/small-1K/Heat/Input/manual_time", 2.0, **errors(0.04)),
-            entry("Approximate/ball/Heat/Factors/x", 200, heap_bytes_per_vertex=1000.0),
-            entry("Approximate/ball/Heat/Query/0/x", 8.0, vertices=500, **errors(0.01)),
-            entry("Approximate/ball/Heat/Query/1/x", 10.0, vertices=500, **errors(0.03)),
-            entry("Peer/ball/Heat/Query/0/x", 20.0, vertices=500, **errors(0.02)),
-        ]
-    )
-
-
 def cloud_results():
     """Clouds of published and of other sizes, clouds with points that are not reached, a failed query,
     clouds with and without meshes of the same points, and curves."""
@@ -263,7 +225,6 @@ CASES = {
     "graph": (summarize_graph, graph_results),
     "path": (summarize_path, path_results),
     "matrix": (summarize_path, matrix_results),
-    "isolines": (summarize_isolines, isoline_results),
     "cloud": (summarize_cloud, cloud_results),
     "spectral": (summarize_spectral, spectral_results),
     "spheres": (summarize_spectral, sphere_results),

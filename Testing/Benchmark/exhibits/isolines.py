@@ -2,30 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Isolines: errors at the middles of their segments, by method and input."""
 
+import measure_isolines
 import numpy as np
 import vtkdgg
-from benchmark_results import (
-    count_text,
-    digits,
-    median,
-    nested,
-    percent,
-    ratio_text,
-    slope,
-    table,
-)
+from benchmark_results import count_text, digits, gain_text, nested, percent, slope, table
+from measure_isolines import METHODS, exact_with, levels_of, line_errors, linear, solved, traced
 from plot_tools import STYLES
-from summarize_isolines import METHODS, STEINER
-from summarize_isolines import Run as IsolineRun
 from vtkdgg.commands.methods import graph as graph_of
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkContourFilter
 
 from .drawing import plot_curves
 from .exhibit import NOT_COMPARABLE, Exhibit, Verdict, judged
 from .fields import sources_of
 from .run import shared
-from .tables import column, hundredths, listing, named
+from .tables import column, hundredths, joined, listing, named
 
 # Published: model, vertices, mean error with two Steiner points, and linear, in percent.
 PUBLISHED = (
@@ -44,25 +33,14 @@ SHOWN = ("Contour", "Apollonius0", "Apollonius2", "Sources", "Windows")
 
 @shared
 def isolines(run):
-    """{mesh: {method: {figure: value}}} of isolines of exact distances, by BenchmarkIsolines."""
-    rings = run.pick(100, 320)
-    run.uses(f"a torus of {rings} rings")
-    path = run.program(
-        "BenchmarkIsolines",
-        f"--sizes={run.pick('600,1000,5000', '600,1000,5000,10000,50000')}",
-        f"--torus={rings}",
-        "--sources=0",
-        "--subdivided=none",
-        "--benchmark_filter=^Isolines/[^/]*/Exact/",
-        *(run.file(name) for name in ["bumpy-4", *run.scans(run.pick(2, None))]),
-    )
-    keys = ("error_mean", "error_max", "seconds", "vertices", "segments")
-    return {
-        mesh: {
-            method: {key: median(figures, key) for key in keys} for method, figures in cases.items()
-        }
-        for mesh, cases in IsolineRun(path).exact()
-    }
+    """{mesh: {"vertices": number, method: errors}} of isolines of exact distances."""
+    torus = f"torus-{run.pick(100, 320)}"
+    run.uses(torus)
+    meshes = [run.file(name) for name in ["bumpy-4", *run.scans(run.pick(2, None))]]
+    sizes = run.pick("600,1000,5000", "600,1000,5000,10000,50000")
+    options = ("-", "-", f"--sizes={sizes}", "--accuracy=0", *meshes, torus)
+    found = measure_isolines.measure(measure_isolines.parse(options))
+    return {mesh: {"vertices": row["vertices"], **row["exact"]} for mesh, row in found.items()}
 
 
 class Errors(Exhibit):
@@ -82,8 +60,8 @@ class Errors(Exhibit):
     def table(self, figures):
         columns = (
             column("mesh", str, "name"),
-            column("vertices", count_text, "Contour", "vertices"),
-            *(column(f"{METHODS[m]}, %", percent, m, "error_mean") for m in SHOWN),
+            column("vertices", count_text, "vertices"),
+            *(column(f"{METHODS[m]}, %", percent, m, "mean") for m in SHOWN),
         )
         return listing(columns, named(figures))
 
@@ -97,9 +75,9 @@ class Errors(Exhibit):
     def verdict(self, figures):
         words, gains = [], []
         for cases in figures.values():
-            (low, high), _ = self.near(cases["Contour"]["vertices"])
-            words.append(judged(cases["Apollonius2"]["error_mean"], low, high, slack=2.0))
-            gains.append(cases["Apollonius2"]["error_mean"] / cases["Sources"]["error_mean"])
+            (low, high), _ = self.near(cases["vertices"])
+            words.append(judged(cases["Apollonius2"]["mean"], low, high, slack=2.0))
+            gains.append(cases["Apollonius2"]["mean"] / cases["Sources"]["mean"])
         return Verdict(
             max(words, key=words.count),
             "The Apollonius method is beside published errors of models of about the same size. Virtual "
@@ -118,16 +96,16 @@ class ByModel(Errors):
 
     def table(self, figures):
         gains = {
-            mesh: {m: cases["Contour"]["error_mean"] / cases[m]["error_mean"] for m in SHOWN[1:]}
+            mesh: {m: cases["Contour"]["mean"] / cases[m]["mean"] for m in SHOWN[1:]}
             for mesh, cases in figures.items()
         }
-        columns = [column(METHODS[m], times_text, m) for m in SHOWN[1:]]
+        columns = [column(METHODS[m], gain_text, m) for m in SHOWN[1:]]
         return listing([column("mesh", str, "name"), *columns], named(gains))
 
     def verdict(self, figures):
         published = [linear / apollonius for _, _, apollonius, linear in PUBLISHED]
         ours = [
-            c["Contour"]["error_mean"] / c["Apollonius2"]["error_mean"] for c in figures.values()
+            c["Contour"]["mean"] / c["Apollonius2"]["mean"] for c in figures.values()
         ]
         return Verdict(
             judged(1.0 / np.median(ours), 1.0 / max(published), 1.0 / min(published)),
@@ -135,11 +113,6 @@ class ByModel(Errors):
             f"accurate as linear ones; published are {digits(min(published))} to "
             f"{digits(max(published))}.",
         )
-
-
-def times_text(gain):
-    """As ratio_text() has it."""
-    return ratio_text(gain, 1.0)
 
 
 class Resolution(Errors):
@@ -156,7 +129,7 @@ class Resolution(Errors):
         found = {}
         for mesh, cases in figures.items():
             for method in self.methods:
-                point = cases[method]["vertices"], 100.0 * cases[method]["error_mean"]
+                point = cases["vertices"], 100.0 * cases[method]["mean"]
                 nested(found, mesh.rsplit("-", 1)[0]).setdefault(method, []).append(point)
         return found
 
@@ -198,11 +171,9 @@ class SteinerPoints(Errors):
         """{mesh: [(k, error)]} where more than two were measured."""
         found = {}
         for mesh, cases in figures.items():
-            counts = sorted(
-                int(STEINER.match(name)["count"]) for name in cases if STEINER.match(name)
-            )
+            counts = measure_isolines.steiner_counts(cases)
             if len(counts) > 2:
-                found[mesh] = [(k, cases[f"Apollonius{k}"]["error_mean"]) for k in counts]
+                found[mesh] = [(k, cases[f"Apollonius{k}"]["mean"]) for k in counts]
         return found
 
     def table(self, figures):
@@ -212,7 +183,7 @@ class SteinerPoints(Errors):
             [
                 mesh,
                 *(percent(e) for _, e in points),
-                percent(figures[mesh]["Sources"]["error_mean"]),
+                percent(figures[mesh]["Sources"]["mean"]),
             ]
             for mesh, points in curves.items()
         ]
@@ -242,90 +213,21 @@ class SteinerPoints(Errors):
         )
 
 
-# Several sources and approximate distances, by the filters.
-
-
-def exact_with_windows(mesh, sources):
-    """The filter of exact distances, which can be asked at any point of the surface."""
-    exact = vtkdgg.vtkExactGeodesicDistance()
-    exact.SetInputData(mesh)
-    exact.SetSourceIds(sources)
-    exact.GenerateWindowsOn()
-    exact.GenerateVirtualSourceOn()
-    vtkdgg.check(exact)
-    return exact
-
-
-def middles(lines):
-    """Of all segments of polylines, and their levels."""
-    points = vtk_to_numpy(lines.GetPoints().GetData()).astype(float)
-    offsets = vtk_to_numpy(lines.GetLines().GetOffsetsArray())
-    ids = vtk_to_numpy(lines.GetLines().GetConnectivityArray())
-    inside = np.ones(max(0, len(ids) - 1), bool)
-    inside[offsets[1:-1] - 1] = False
-    levels = lines.GetPointData().GetArray("IsoValue") or lines.GetCellData().GetArray("IsoValue")
-    if lines.GetPointData().GetArray("IsoValue"):
-        values = vtk_to_numpy(levels)[ids[:-1]]
-    elif levels:
-        values = np.repeat(vtk_to_numpy(levels), np.diff(offsets))[:-1]
-    else:
-        values = vtk_to_numpy(lines.GetPointData().GetScalars())[ids[:-1]]
-    return 0.5 * (points[ids[:-1]] + points[ids[1:]])[inside], values[inside]
-
-
-def line_errors(exact, lines):
-    """Mean and largest |d - c| / c over the segments."""
-    places, levels = middles(lines)
-    probe = vtkdgg.vtkGeodesicProbe()
-    probe.SetInputConnection(exact.GetOutputPort())
-    probe.SetProbeData(vtkdgg.Mesh(places).as_polydata())
-    found = vtkdgg.check(probe).GetPointData().GetArray(exact.GetDistanceArrayName())
-    sizes = np.abs(vtk_to_numpy(found) / levels - 1.0)
-    sizes = sizes[np.isfinite(sizes)]
-    return {"mean": float(sizes.mean()), "max": float(sizes.max()), "segments": len(sizes)}
-
-
-def levels_of(exact, count=20):
-    """Evenly spread over the distances."""
-    array = exact.GetOutput().GetPointData().GetArray(exact.GetDistanceArrayName())
-    largest = np.nanmax(vtk_to_numpy(array))
-    return largest * np.arange(1, count + 1) / (count + 1)
-
-
-def traced(distance, levels, method, steiner=2):
-    """Isolines by one of our methods."""
-    lines = vtkdgg.vtkApolloniusIsolines()
-    lines.SetInputConnection(distance.GetOutputPort())
-    lines.SetMethod(getattr(lines, method))
-    lines.SetSteinerPoints(steiner)
-    for i, level in enumerate(levels):
-        lines.SetValue(i, level)
-    return vtkdgg.check(lines)
-
-
-def linear(distance, levels):
-    """Those of vtkContourFilter."""
-    lines = vtkContourFilter()
-    lines.SetInputConnection(distance.GetOutputPort())
-    lines.SetInputArrayToProcess(0, 0, 0, 0, distance.GetDistanceArrayName())
-    for i, level in enumerate(levels):
-        lines.SetValue(i, level)
-    return vtkdgg.check(lines)
-
-
-def errors_by_method(exact, distance, levels):
-    return {
-        "linear": line_errors(exact, linear(distance, levels)),
-        "Apollonius, k = 2": line_errors(exact, traced(distance, levels, "Apollonius")),
-        "virtual sources": line_errors(exact, traced(distance, levels, "LocalSources")),
+def errors_by_method(exact, field):
+    """Returns the errors of the isolines of a field, exact distances with windows given."""
+    levels = levels_of(exact)
+    lines = {
+        "linear": linear(field, levels),
+        "Apollonius, k = 2": traced(field, levels, 2),
+        "virtual sources": traced(field, levels),
     }
+    return {title: line_errors(exact, vtkdgg.check(made)) for title, made in lines.items()}
 
 
 def by_method(title, figures, note, keys):
     """The table of the errors of methods, in percent."""
     columns = [
-        column(method, lambda errors: " / ".join(percent(errors[key]) for key in keys), method)
-        for method in next(iter(figures.values()))
+        column(method, joined(percent, *keys), method) for method in next(iter(figures.values()))
     ]
     return listing([column(title, str, "name"), *columns], named(figures), note)
 
@@ -342,8 +244,8 @@ class SeveralSources(Exhibit):
         mesh = run.mesh(run.pick("bumpy-4", "bumpy-5"))
         found = {}
         for count in self.counts:
-            exact = exact_with_windows(mesh, sources_of(mesh, count))
-            found[str(count)] = errors_by_method(exact, exact, levels_of(exact))
+            exact, field = (exact_with(mesh, sources_of(mesh, count), w) for w in (True, False))
+            found[str(count)] = errors_by_method(exact, field)
         return found
 
     def table(self, figures):
@@ -369,23 +271,17 @@ class ApproximateInput(Exhibit):
     def measure(self, run):
         mesh = run.mesh(run.pick("bumpy-4", "bumpy-5"))
         sources = sources_of(mesh, 1)
-        exact = exact_with_windows(mesh, sources)
-        levels = levels_of(exact)
+        exact = exact_with(mesh, sources, True)
         inputs = {
-            "exact": exact,
-            "DGG, ε = 0.01": graph_of(0.01)(),
-            "heat": vtkdgg.vtkHeatGeodesicDistance(),
-            "fast marching": vtkdgg.vtkDGGFastMarchingDistance(),
+            "exact": vtkdgg.vtkExactGeodesicDistance,
+            "DGG, ε = 0.01": graph_of(0.01),
+            "heat": vtkdgg.vtkHeatGeodesicDistance,
+            "fast marching": vtkdgg.vtkDGGFastMarchingDistance,
         }
-        found = {}
-        for title, distance in inputs.items():
-            if distance is not exact:
-                distance.SetInputData(mesh)
-                distance.SetSourceIds(sources)
-                distance.GenerateVirtualSourceOn()
-                vtkdgg.check(distance)
-            found[title] = errors_by_method(exact, distance, levels)
-        return found
+        return {
+            title: errors_by_method(exact, solved(make, mesh, sources))
+            for title, make in inputs.items()
+        }
 
     def table(self, figures):
         return by_method("distances", figures, "Mean errors, %.", ("mean",))

@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of exhibits: rows are dictionaries of figures, columns say how these are written."""
 
-from benchmark_results import count_text, digits, in_form, number, tabulate
+from benchmark_results import DASH, count_text, digits, in_form, number, tabulate
 
 
 def column(title, form, *keys):
-    """That of the figure which a row has below these keys."""
+    """Returns a column of the figures below these keys of a row, with a dash where there is none."""
 
     def cell(row):
         for key in keys:
+            if isinstance(row, dict) and key not in row:
+                return DASH
             row = row[key]
         return form(row)
 
@@ -19,6 +21,11 @@ def column(title, form, *keys):
 def listing(columns, rows, note=""):
     """A table of columns (title, function of a row), below a note."""
     return (note and f"{note}\n\n") + tabulate(columns, [(row,) for row in rows])
+
+
+def joined(form, *keys):
+    """Returns a function that writes several figures of a dictionary."""
+    return lambda figures: " / ".join(form(figures[key]) for key in keys)
 
 
 def named(rows):
