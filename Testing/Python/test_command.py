@@ -13,6 +13,7 @@ import sys
 import time
 import unittest
 from unittest import mock
+from unittest import mock
 
 import numpy as np
 import support
@@ -20,7 +21,7 @@ import vtkdgg
 from support import BUMPY, HAS_CLOUDS, TETRAHEDRON
 from support import call as command
 from vtkdgg import graph, queries
-from vtkdgg.command_line import make_parser
+from vtkdgg.command_line import make_parser, script
 from vtkdgg.commands.output import with_arrays
 
 PACKAGES = os.path.dirname(os.path.dirname(vtkdgg.__file__))
@@ -465,6 +466,19 @@ class Command(unittest.TestCase):
         self.assertGreater(support.number_of_colours(first), 1000)
         first, second = support.read_image(first), support.read_image(second)
         self.assertLess(support.image_error(first, second), 100.0)
+
+    def test_missing_display(self):
+        """Only the program replaces its process, by one with a virtual display."""
+        arguments = ["render", BUMPY, "--source", "0", "--out", out("display.png")]
+        with mock.patch.dict(os.environ), mock.patch("os.execvpe", side_effect=SystemExit) as start:
+            os.environ.pop("DISPLAY", None)
+            result = command(*arguments)
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, r"\Aerror: there is no display to draw with; ")
+            start.assert_not_called()
+            with mock.patch("shutil.which"), mock.patch("sys.argv", ["vtkdgg", *arguments]):
+                self.assertRaises(SystemExit, script)
+            self.assertEqual(start.call_args[0][1][-6:], arguments)
 
     def test_views(self):
         # A flat L seen from the top: x to the right, y up; from below it is mirrored.

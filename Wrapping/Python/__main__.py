@@ -4,6 +4,6 @@
 
 import sys
 
-from .command_line import main
+from .command_line import script
 
-sys.exit(main())
+sys.exit(script())

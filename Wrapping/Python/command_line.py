@@ -291,8 +291,8 @@ def answer(options):
     return 0
 
 
-def with_display(arguments):
-    """Starts the command again with a virtual display."""
+def restart_with_display(arguments):
+    """Replaces this process by the same command with a virtual display."""
     if shutil.which("xvfb-run") is None:
         raise compare.UsageError("there is no display to draw with, and no xvfb-run to make one")
     packages = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -314,8 +314,19 @@ def reason_of(problem):
 
 
 def main(arguments=None):
-    """Runs the command, and returns its exit code."""
-    arguments = sys.argv[1:] if arguments is None else list(map(str, arguments))
+    """Runs the command in this process, and returns its exit code. Drawing needs a display."""
+    return _run(sys.argv[1:] if arguments is None else list(map(str, arguments)))
+
+
+def script():
+    """Runs the command as a program, and returns its exit code. Without a display, a command that
+    draws replaces the process by one with a virtual display."""
+    return _run(sys.argv[1:], restart_with_display)
+
+
+def _run(arguments, restart=None):
+    """Runs the command, and returns its exit code. `restart`, if any, is called with the arguments
+    when a display is missing."""
     try:
         parser = make_parser()
         if not arguments:
@@ -326,7 +337,9 @@ def main(arguments=None):
         options = parser.parse_args([re.sub(r"^-(?=[\d.])", " -", a) for a in arguments])
         if options.command in DRAWING:
             if sys.platform == "linux" and not os.environ.get("DISPLAY"):
-                with_display(arguments)
+                if restart is None:
+                    raise compare.UsageError("there is no display to draw with; set DISPLAY")
+                restart(arguments)
         code = options.run(options) if options.command == "compare" else answer(options)
         sys.stdout.flush()
         return code
