@@ -14,16 +14,13 @@
 
 namespace
 {
-constexpr double HoleRadius = 0.3;
-
 vtkSmartPointer<vtkPolyData> Generated(const MeshRecipe& recipe)
 {
   if (recipe.Rings > 0)
   {
     return ToPolyData(Torus(recipe.Rings, recipe.Rings / 2));
   }
-  const MeshArrays sphere = recipe.IsRound ? Icosphere(recipe.Level) : BumpySphere(recipe.Level);
-  return ToPolyData(WithHoles(sphere, recipe.Holes, HoleRadius));
+  return ToPolyData(recipe.IsRound ? Icosphere(recipe.Level) : BumpySphere(recipe.Level));
 }
 
 /// Drop points without a face; merge nothing.
@@ -56,24 +53,10 @@ vtkSmartPointer<vtkPolyData> Subdivided(vtkPolyData* mesh, int steps)
 }
 }
 
-vtkSmartPointer<vtkPolyData> MeshRecipe::Make(std::size_t* dropped) const
+vtkSmartPointer<vtkPolyData> MeshRecipe::Make() const
 {
   vtkSmartPointer<vtkPolyData> mesh =
     this->File.empty() ? Generated(*this) : ReadPolyData(this->File);
-  if (this->GridLines > 0)
-  {
-    mesh = ToPolyData(CornerOfGrid(ToArrays(mesh), this->GridLines));
-  }
-  if (this->LongestEdge > 0.0)
-  {
-    const MeshArrays whole = ToArrays(mesh);
-    const MeshArrays rest = WithoutLongEdges(whole, this->LongestEdge);
-    if (dropped)
-    {
-      *dropped = whole.GetNumberOfFaces() - rest.GetNumberOfFaces();
-    }
-    mesh = ToPolyData(rest);
-  }
   if (this->Vertices > 0)
   {
     mesh = Decimated(mesh, this->Vertices);
@@ -86,7 +69,7 @@ vtkSmartPointer<vtkPolyData> MeshRecipe::Make(std::size_t* dropped) const
 }
 
 BenchmarkMesh::BenchmarkMesh(const MeshRecipe& recipe)
-  : PolyData(recipe.Make(&DroppedFaces))
+  : PolyData(recipe.Make())
 {
   this->Arrays = ToArrays(this->PolyData);
   if (this->Arrays.Triangles.empty())

@@ -34,16 +34,11 @@ struct MeshRecipe
   std::string File;     ///< empty: a generated surface
   int Level = 0;        ///< refinement of the generated surface, a sphere
   bool IsRound = false; ///< that sphere is one of radius 1, else it has waves
-  int Holes = 0;        ///< in that sphere, of radius 0.3
   int Rings = 0;        ///< when positive: the generated surface is a torus of so many rings
-  int GridLines = 0;    ///< when positive: the corner of a grid with so many lines both ways
-  /// When positive: without faces that have an edge longer than so many median ones.
-  double LongestEdge = 0.0;
   int Vertices = 0;     ///< when positive: decimate to about this many
   int Subdivisions = 0; ///< steps of Loop subdivision, each with four times the vertices
 
-  /// The mesh; where it is asked for, with the number of faces that LongestEdge leaves out.
-  vtkSmartPointer<vtkPolyData> Make(std::size_t* dropped = nullptr) const;
+  vtkSmartPointer<vtkPolyData> Make() const;
 };
 
 /// Which graph of which mesh.
@@ -63,8 +58,6 @@ public:
   const std::string& GetError() const { return this->Error; }
   const MeshArrays& GetArrays() const { return this->Arrays; }
   const dgg::SurfaceMesh& GetSurface() const { return this->Surface; }
-  /// Faces with an edge that is longer than the recipe wants.
-  std::size_t GetNumberOfDroppedFaces() const { return this->DroppedFaces; }
   double GetNumberOfVertices() const
   {
     return static_cast<double>(this->Arrays.GetNumberOfVertices());
@@ -95,7 +88,6 @@ public:
 
 private:
   std::string Error;
-  std::size_t DroppedFaces = 0;
   vtkSmartPointer<vtkPolyData> PolyData;
   MeshArrays Arrays;
   dgg::SurfaceMesh Surface;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What a graph gives: paths, farthest point samples and their Voronoi cells, a matrix of
-/// distances, closed geodesics; beside exact propagation and the edge paths of VTK, in one run.
+/// distances; beside exact propagation and the edge paths of VTK, in one run.
 ///
 /// Usage: BenchmarkPath [--benchmark_...] [--name=value...] [mesh...]
 ///   --accuracy=0.01     of the graph
@@ -11,10 +11,8 @@
 ///   --vertex_pairs=20   random pairs of vertices, for VTK; 0 leaves them out
 ///   --samples=1000      farthest point samples; 0 leaves them and their cells out
 ///   --matrix=1000       rows and columns of the matrix; 0 leaves it out
-///   --loops=5           vertices that loops are asked to go through; 0 leaves all loops out
 ///   --threads=2         threads of the matrix, and of what comes before all that is measured
-///   --torus=64          rings of a generated torus, for loops as the generated surface has no
-///                       handle; 0 leaves it out
+///   --torus=64          rings of a generated torus; 0 leaves it out
 ///   --subdivided=armadillo  meshes that are measured after a step of Loop subdivision as well
 /// Meshes as for BenchmarkExact. Every mesh is measured in all ways.
 ///
@@ -24,14 +22,12 @@
 ///                   (MarkedRaw and so on) with them
 ///   Cells/MESH/...  CellCases.h
 ///   Matrix/MESH/Update
-///   Loop/MESH/...   LoopCases.h
 /// Times are CPU seconds on one thread, but those of the matrix, of the graph and of landmarks,
 /// which are seconds on the wall. summarize_path.py makes tables of it.
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
 #include "CellCases.h"
-#include "LoopCases.h"
 #include "MatrixCases.h"
 #include "PathCases.h"
 
@@ -46,7 +42,6 @@ struct Settings
   PairRecipe VertexPairs;
   int Samples = 0;
   int Matrix = 0;
-  int Loops = 0;
   int Threads = 0;
 };
 
@@ -81,8 +76,6 @@ void RegisterPaths(const GraphRecipe& recipe, const Settings& settings)
   cases.Add("Graph", MeasureGraphOfPaths, recipe, settings.Threads);
   cases.Add("FirstPath", MeasureFirstPath, recipe, pairs);
   cases.Add("Exact", MeasureExactPairs, recipe.Mesh, pairs);
-  cases.Add("ShortKept", MeasureShortPaths, recipe.Mesh, true);
-  cases.Add("ShortAnew", MeasureShortPaths, recipe.Mesh, false);
   for (const bool withLandmarks : { false, true })
   {
     if (withLandmarks)
@@ -115,13 +108,6 @@ void RegisterMesh(const MeshRecipe& mesh, const Settings& settings)
     const CaseGroup cases("Cells/" + mesh.Name + "/", Once);
     cases.Add("FarthestPoints", MeasureFarthestPoints, recipe, settings.Samples);
     cases.Add("Voronoi", MeasureVoronoi, recipe, settings.Samples);
-  }
-  if (settings.Loops > 0)
-  {
-    const CaseGroup cases("Loop/" + mesh.Name + "/", Once);
-    cases.Add("AroundHandles", MeasureAroundHandles, mesh);
-    cases.Add("ThroughPoint", MeasureThroughPoint, recipe, settings.Loops, false);
-    cases.Add("ThroughPointTaut", MeasureThroughPoint, recipe, settings.Loops, true);
   }
   if (settings.Matrix > 0)
   {
@@ -162,12 +148,10 @@ Settings ReadSettings(const BenchmarkArguments& arguments)
   settings.VertexPairs.AtVertices = true;
   settings.Samples = arguments.GetInteger("samples");
   settings.Matrix = arguments.GetInteger("matrix");
-  settings.Loops = arguments.GetInteger("loops");
   settings.Threads = arguments.GetInteger("threads");
   Require(dgg::GraphBuilder::Check(settings.Options));
   Require(std::min({ settings.Pairs.Count, settings.Pairs.PerStart, settings.Threads }) >= 1 &&
-      std::min({ settings.VertexPairs.Count, settings.Samples, settings.Matrix, settings.Loops }) >=
-        0,
+      std::min({ settings.VertexPairs.Count, settings.Samples, settings.Matrix }) >= 0,
     "pairs, targets and threads must be at least 1, all else at least 0");
   return settings;
 }
@@ -186,7 +170,7 @@ int main(int argc, char** argv)
 {
   return RunBenchmarks(argc, argv,
     { { "accuracy", "0.01" }, { "pairs", "1000" }, { "targets", "10" }, { "vertex_pairs", "20" },
-      { "samples", "1000" }, { "matrix", "1000" }, { "loops", "5" }, { "threads", "2" },
-      { "torus", "64" }, { "subdivided", "armadillo" } },
+      { "samples", "1000" }, { "matrix", "1000" }, { "threads", "2" }, { "torus", "64" },
+      { "subdivided", "armadillo" } },
     RegisterAll);
 }

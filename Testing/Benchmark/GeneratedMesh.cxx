@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <random>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -131,105 +129,6 @@ MeshArrays BumpySphere(int level, double amplitude)
     }
   }
   return mesh;
-}
-
-MeshArrays WithHoles(const MeshArrays& mesh, int count, double radius)
-{
-  const auto isInHole = [&](dgg::Id id) {
-    const Vector p = PointOf(mesh, id);
-    for (int hole = 0; hole < count; ++hole)
-    {
-      const Vector centre = PointOf(mesh, hole);
-      if (std::hypot(p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]) < radius)
-      {
-        return true;
-      }
-    }
-    return false;
-  };
-  std::vector<char> isRemoved;
-  for (std::size_t id = 0; id < mesh.GetNumberOfVertices(); ++id)
-  {
-    isRemoved.push_back(isInHole(static_cast<dgg::Id>(id)) ? 1 : 0);
-  }
-  MeshArrays rest;
-  rest.Points = mesh.Points;
-  for (std::size_t h = 0; h < mesh.Triangles.size(); h += 3)
-  {
-    const dgg::Id* face = mesh.Triangles.data() + h;
-    if (!isRemoved[face[0]] && !isRemoved[face[1]] && !isRemoved[face[2]])
-    {
-      AddTriangle(rest, face[0], face[1], face[2]);
-    }
-  }
-  return rest;
-}
-
-MeshArrays WithoutLongEdges(const MeshArrays& mesh, double factor)
-{
-  const auto edge = [&](std::size_t h) {
-    const std::size_t next = h % 3 == 2 ? h - 2 : h + 1;
-    const Vector p = PointOf(mesh, mesh.Triangles[h]);
-    const Vector q = PointOf(mesh, mesh.Triangles[next]);
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  };
-  std::vector<double> lengths;
-  for (std::size_t h = 0; h < mesh.Triangles.size(); ++h)
-  {
-    lengths.push_back(edge(h));
-  }
-  if (lengths.empty())
-  {
-    return mesh;
-  }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  const double longest = factor * *middle;
-  MeshArrays rest;
-  rest.Points = mesh.Points;
-  for (std::size_t h = 0; h < mesh.Triangles.size(); h += 3)
-  {
-    if (std::max({ edge(h), edge(h + 1), edge(h + 2) }) <= longest)
-    {
-      const dgg::Id* face = mesh.Triangles.data() + h;
-      AddTriangle(rest, face[0], face[1], face[2]);
-    }
-  }
-  return rest;
-}
-
-MeshArrays CornerOfGrid(const MeshArrays& mesh, int lines)
-{
-  // The last of the lines along each axis.
-  std::array<double, 2> last;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    std::set<double> places;
-    for (std::size_t i = axis; i < mesh.Points.size(); i += 3)
-    {
-      places.insert(mesh.Points[i]);
-    }
-    const auto kept = std::min(places.size(), static_cast<std::size_t>(lines));
-    last[axis] = kept > 0 ? *std::next(places.begin(), static_cast<std::ptrdiff_t>(kept) - 1) : 0.0;
-  }
-  MeshArrays corner;
-  std::vector<dgg::Id> ids;
-  for (std::size_t id = 0; id < mesh.GetNumberOfVertices(); ++id)
-  {
-    const Vector p = PointOf(mesh, static_cast<dgg::Id>(id));
-    ids.push_back(p[0] <= last[0] && p[1] <= last[1] ? AddPoint(corner, p) : dgg::NoId);
-  }
-  for (std::size_t h = 0; h < mesh.Triangles.size(); h += 3)
-  {
-    const dgg::Id a = ids[mesh.Triangles[h]];
-    const dgg::Id b = ids[mesh.Triangles[h + 1]];
-    const dgg::Id c = ids[mesh.Triangles[h + 2]];
-    if (a != dgg::NoId && b != dgg::NoId && c != dgg::NoId)
-    {
-      AddTriangle(corner, a, b, c);
-    }
-  }
-  return corner;
 }
 
 MeshArrays Torus(int rings, int sides)

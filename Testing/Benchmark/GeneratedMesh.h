@@ -15,16 +15,6 @@ MeshArrays Icosphere(int level);
 /// edge lengths.
 MeshArrays BumpySphere(int level, double amplitude = 0.1);
 
-/// Without the faces that have a corner within `radius` of one of the first `count` vertices: those
-/// of a BumpySphere() are spread out evenly, up to 12.
-MeshArrays WithHoles(const MeshArrays& mesh, int count, double radius);
-
-/// Without the faces that have an edge longer than `factor` times the median.
-MeshArrays WithoutLongEdges(const MeshArrays& mesh, double factor);
-
-/// The corner of a terrain on a grid: its vertices on the first `lines` grid lines in x and in y.
-MeshArrays CornerOfGrid(const MeshArrays& mesh, int lines);
-
 /// Torus of radii 1 and 0.4 with `rings` x `sides` vertices, shifted at random along the surface by
 /// up to 0.2 steps.
 MeshArrays Torus(int rings, int sides);

@@ -4,11 +4,8 @@
 
 #include "BenchmarkTools.h"
 #include "PathStatistics.h"
-#include "dggExactPath.h"
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace
 {
@@ -26,18 +23,6 @@ const dgg::GraphSearch& SearchOf(MeasuredGraph& graph, bool withLandmarks)
   return graph.GetSearch();
 }
 
-constexpr dgg::Id NumberOfShortPaths = 200;
-constexpr int EdgesOfShortPath = 3;
-
-/// The vertex some edges away, each the last one around the vertex before.
-dgg::Id WalkAlongEdges(const dgg::SurfaceMesh& mesh, dgg::Id v)
-{
-  for (int k = 0; k < EdgesOfShortPath && mesh.FanBegin(v) != mesh.FanEnd(v); ++k)
-  {
-    v = mesh.Destination(*(mesh.FanEnd(v) - 1));
-  }
-  return v;
-}
 }
 
 void MeasureGraphOfPaths(benchmark::State& state, const GraphRecipe& recipe, int threads)
@@ -129,37 +114,6 @@ void MeasureExactPairs(benchmark::State& state, const MeshRecipe& recipe, const 
     (void)unused;
     state.SetIterationTime(mesh.GetPairs(pairs).GetExactSeconds());
   }
-}
-
-void MeasureShortPaths(benchmark::State& state, const MeshRecipe& recipe, bool isKept)
-{
-  BenchmarkMesh& mesh = OpenMesh(recipe);
-  const dgg::SurfaceMesh& surface = mesh.GetSurface();
-  const dgg::Id step = std::max<dgg::Id>(1, surface.GetNumberOfVertices() / NumberOfShortPaths);
-  auto finder = std::make_unique<dgg::ExactPathFinder>(surface);
-  std::vector<dgg::SurfacePath> paths;
-  dgg::Status status;
-  for (auto unused : state)
-  {
-    (void)unused;
-    double sum = 0.0;
-    double count = 0.0;
-    for (dgg::Id v = 0; v < surface.GetNumberOfVertices() && status.IsOk(); v += step)
-    {
-      const auto end = dgg::SurfacePoint::AtVertex(WalkAlongEdges(surface, v));
-      const double start = ThreadSeconds();
-      if (!isKept)
-      {
-        finder = std::make_unique<dgg::ExactPathFinder>(surface);
-      }
-      status = finder->Find(dgg::SurfacePoint::AtVertex(v), { end }, nullptr, paths);
-      sum += ThreadSeconds() - start;
-      count += 1.0;
-    }
-    state.SetIterationTime(sum / count);
-  }
-  Require(status);
-  ReportMesh(state, mesh);
 }
 
 void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs)

@@ -28,10 +28,6 @@ void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const Pair
 /// to all of its ends.
 void MeasureExactPairs(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs);
 
-/// Exact paths of a few edges all over the mesh, one by one, as a curve through many points needs
-/// them: by one finder, or by a new one for each. The time of the case is that of the mean path.
-void MeasureShortPaths(benchmark::State& state, const MeshRecipe& recipe, bool isKept);
-
 /// Paths along mesh edges between pairs of vertices, as VTK finds them.
 void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs);
 

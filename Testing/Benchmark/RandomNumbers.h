@@ -5,9 +5,6 @@
 #ifndef RandomNumbers_h
 #define RandomNumbers_h
 
-#include "dggTypes.h" // for Pi
-
-#include <cmath>  // for std::log
 #include <random> // for the engine
 
 class RandomNumbers
@@ -20,13 +17,6 @@ public:
 
   /// Uniform in [0, 1).
   double operator()() { return static_cast<double>(this->Engine()) / 4294967296.0; }
-
-  /// Normal, of deviation 1 (Box and Muller, 1958).
-  double GetNormal()
-  {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - (*this)()));
-    return radius * std::cos(2.0 * dgg::Pi * (*this)());
-  }
 
 private:
   std::mt19937 Engine;

@@ -3,6 +3,7 @@
 """Library of the modes that measure the Python module: command line, meshes, clocks."""
 
 import argparse
+import ctypes
 import json
 import os
 import time
@@ -33,7 +34,9 @@ def parse(usage, arguments=None, **defaults):
     parser.add_argument("table")
     parser.add_argument("meshes", nargs="*")
     for name, default in defaults.items():
-        kind = values_of(type(default[0])) if isinstance(default, tuple) else type(default)
+        kind = type(default)
+        if kind is tuple:
+            kind = values_of(type(default[0]) if default else str)
         parser.add_argument(f"--{name}", type=kind, default=default)
     return parser.parse_intermixed_args(arguments)
 
@@ -112,3 +115,31 @@ def fastest(function, clock=time.process_time):
         seconds, result = timed(function, clock)
         times.append(seconds)
     return min(times), result
+
+
+class ResidentPeak:
+    """Largest growth of the resident set since construction, in bytes; 0 where the system does not
+    report it."""
+
+    def __init__(self):
+        if hasattr(ctypes.CDLL(None), "malloc_trim"):
+            # Free blocks that the allocator keeps would hide growth.
+            ctypes.CDLL(None).malloc_trim(0)
+        try:
+            with open("/proc/self/clear_refs", "w", encoding="ascii") as file:
+                file.write("5")  # resets the peak
+        except OSError:
+            pass
+        self.before = self._read("VmRSS")
+
+    def growth(self):
+        return max(0, self._read("VmHWM") - self.before)
+
+    @staticmethod
+    def _read(key):
+        try:
+            with open("/proc/self/status", encoding="ascii") as file:
+                found = dict(line.split(":", 1) for line in file)
+        except OSError:
+            return 0
+        return 1024 * int(found[key].split()[0])

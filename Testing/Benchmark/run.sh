@@ -13,9 +13,10 @@
 #        Testing/Benchmark/run.sh isolines [--out DIR] [--data DIR] [MESH...]
 #                                 [OPTIONS OF measure_isolines.py]
 #        Testing/Benchmark/run.sh cloud [--out DIR] [--data DIR] [--full] [--readme] [MESH...]
-#                                 [OPTIONS OF BenchmarkCloud]
+#                                 [OPTIONS OF measure_clouds.py]
 #        Testing/Benchmark/run.sh spectral [--out DIR] [--data DIR] [--libigl DIR] [--readme]
 #                                 [MESH...] [OPTIONS OF BenchmarkSpectral]
+#        Testing/Benchmark/run.sh spheres [--out DIR] [--readme] [OPTIONS OF measure_spheres.py]
 #        Testing/Benchmark/run.sh thesis [--out DIR] [--data DIR] [--full] [--keep] [--readme]
 #                                 [--exhibits LIST]
 #        Testing/Benchmark/run.sh passrate [--out DIR] FOLDER [--accuracies 0.1,0.01,0.001]
@@ -27,16 +28,17 @@
 #             and error_against_degree.png (needs matplotlib)
 #   local     queries about a few points on meshes of growing size, beside SciPy and gdist: writes
 #             local.json and local.md
-#   path      what a graph gives: paths, samples, Voronoi cells, a matrix, loops: writes path.json
+#   path      what a graph gives: paths, samples, Voronoi cells, a matrix: writes path.json
 #             and path.md
 #   isolines  isolines by all methods, beside vtkContourFilter: writes isolines.json and isolines.md
 #   cloud     graphs of point clouds: their errors with all schemes, fast marching beside, clouds
 #             that are not easy, parameters varied, and what 200K points take; the vertices of
 #             meshes are measured as clouds: writes cloud.json, cloud.md and cloud_error.png (needs
 #             matplotlib)
-#   spectral  Green's functions and what is made of them: times and memory beside other libraries,
-#             errors on spheres: writes spectral.json, spectral.md and greens_convergence.png (needs
-#             matplotlib)
+#   spectral  Green's functions and what is made of them: times and memory beside other libraries:
+#             writes spectral.json and spectral.md
+#   spheres   errors of Green's functions and B-splines on spheres: writes spheres.json, spheres.md
+#             and greens_convergence.png (needs matplotlib)
 #   thesis    the tables and figures of the thesis, published figures beside ours: writes a folder
 #             thesis with JSON and pictures, and thesis.md there (needs matplotlib)
 #   passrate  whether graphs of all meshes of a folder keep their promise: writes passrate.json,
@@ -55,7 +57,7 @@
 #   --exhibits  of the thesis: only these, T3.4,F3.9,...
 #   --libigl  folder with the headers of libigl, as a further peer of spectral
 #   --readme  put the tables into Testing/Benchmark/README.md and the plot into Examples/Images as
-#             well: first and local (no plot), graph, cloud, spectral; for spectral, draw
+#             well: first, local and spectral (no plot), graph, cloud, spheres; for spectral, draw
 #             Examples/Images/greens_function.png too; for thesis, write Testing/Benchmark/Thesis.md
 #             and its pictures to Testing/Benchmark/Images
 # For example:
@@ -65,7 +67,7 @@
 #   Testing/Benchmark/run.sh path scan.ply --pairs=100 --matrix=0
 #   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000
 #   Testing/Benchmark/run.sh cloud scan.ply --clouds= --curves=0 --guards=0 --speed=0
-#   Testing/Benchmark/run.sh spectral scan.ply --sizes= --levels=
+#   Testing/Benchmark/run.sh spectral scan.ply --sizes=
 #   Testing/Benchmark/run.sh thesis --exhibits T3.2,F3.9
 #   Testing/Benchmark/run.sh graph scan.ply --rules=Guaranteed,SVG --accuracies=0.02 --many=0
 
@@ -81,7 +83,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  cloud | compare | exact | first | graph | isolines | local | passrate | path | spectral | thesis)
+  cloud | compare | exact | first | graph | isolines | local | passrate | path | spectral | spheres | thesis)
     mode="$1"
     shift
     ;;
@@ -97,7 +99,7 @@ scans=(bunny armadillo fertility kitten gargoyle)
 packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
 case "$mode" in
   cloud)
-    program=BenchmarkCloud plot=plot_cloud.py picture=cloud_error.png
+    tables=measure_clouds.py plot=plot_clouds.py picture=cloud_error.png
     scans=(awkward/bunny_raw_5holes igea)
     packages+=(python3-matplotlib)
     ;;
@@ -124,9 +126,13 @@ case "$mode" in
     ;;
   path) program=BenchmarkPath ;;
   spectral)
-    program=BenchmarkSpectral plot=plot_spectral.py picture=greens_convergence.png
+    program=BenchmarkSpectral
     scans=(bunny igea)
-    packages+=(python3-matplotlib libsuitesparse-dev)
+    packages+=(libsuitesparse-dev)
+    ;;
+  spheres)
+    tables=measure_spheres.py plot=plot_spheres.py picture=greens_convergence.png
+    packages+=(python3-matplotlib)
     ;;
 esac
 
@@ -175,7 +181,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     --readme)
-      only_for --readme "cloud first graph local spectral thesis"
+      only_for --readme "cloud first graph local spectral spheres thesis"
       readme=yes
       ;;
     *) arguments+=("$1") ;;
@@ -205,15 +211,20 @@ draw() {
   fi
 }
 
+# present: puts the tables into the page, and draws the plot of the mode.
+present() {
+  echo "Written: $out/$mode.json and $out/$mode.md"
+  insert
+  [ -z "$plot" ] || draw "$picture" "$python" "$here/$plot" "$out/$mode.json"
+}
+
 measure_by_program() {
   # BLAS below CHOLMOD: one thread, as all others have.
   OPENBLAS_NUM_THREADS=1 "$build/bin/$program" --benchmark_out="$out/$mode.json" \
     --benchmark_out_format=json ${arguments[@]+"${arguments[@]}"}
   echo
   "$python" "$here/$tables" "$out/$mode.json" "$out/$mode.md"
-  echo "Written: $out/$mode.json and $out/$mode.md"
-  insert
-  [ -z "$plot" ] || draw "$picture" "$python" "$here/$plot" "$out/$mode.json"
+  present
   if [ "$mode" = spectral ] && [ -n "$readme" ]; then
     draw greens_function.png dgg_with_display "$build/bin/vtkdgg-python" \
       "$DGG_ROOT/Examples/Python/greens_function.py"
@@ -221,10 +232,10 @@ measure_by_program() {
 }
 
 measure_by_script() {
-  "$build/bin/vtkdgg-python" "$here/$tables" "$out/$mode.json" "$out/$mode.md" \
+  python="$build/bin/vtkdgg-python"
+  "$python" "$here/$tables" "$out/$mode.json" "$out/$mode.md" \
     ${arguments[@]+"${arguments[@]}"}
-  echo "Written: $out/$mode.json and $out/$mode.md"
-  insert
+  present
 }
 
 measure_thesis() {
@@ -238,7 +249,7 @@ measure_thesis() {
 
 with_python=OFF
 case "$mode$readme" in
-  compare | first* | isolines* | local* | passrate | spectralyes | thesis*) with_python=ON ;;
+  cloud* | compare | first* | isolines* | local* | passrate | spectralyes | spheres* | thesis*) with_python=ON ;;
 esac
 dgg_install "${packages[@]}"
 
@@ -258,7 +269,7 @@ case "$mode" in
     dgg_with_display "$build/bin/vtkdgg" compare --methods --out "$out/compare" \
       ${arguments[@]+"${arguments[@]}"}
     ;;
-  first | isolines | local) measure_by_script ;;
+  cloud | first | isolines | local | spheres) measure_by_script ;;
   passrate)
     "$build/bin/vtkdgg-python" "$here/passrate.py" "$out" ${arguments[@]+"${arguments[@]}"}
     ;;

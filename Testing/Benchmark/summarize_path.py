@@ -33,7 +33,7 @@ KINDS = {"Raw": "as in the graph", "Straight": "straightened", "Default": "defau
 class Run(Results):
     """groups[group][mesh][case]."""
 
-    patterns = {"groups": r"(Path|Cells|Matrix|Loop)/([^/]+)/([A-Za-z]+)(?:/|$)"}
+    patterns = {"groups": r"(Path|Cells|Matrix)/([^/]+)/([A-Za-z]+)(?:/|$)"}
 
     def meshes(self, group, *cases):
         """Mesh and cases of a group, where one of these cases was measured."""
@@ -137,8 +137,6 @@ def before_table(run):
         ("landmarks (wall)", figure("Landmarks")),
         ("held after them", figure("Landmarks", "landmark_bytes", bytes_text)),
         ("exact propagation", figure("Exact")),
-        ("exact path of 3 edges", figure("ShortKept")),
-        ("by a new finder", figure("ShortAnew")),
     ]
     return tabulate(columns, run.meshes("Path", "Graph", "FirstPath", "Landmarks", "Exact"))
 
@@ -206,36 +204,6 @@ def matrix_table(run):
     return tabulate(columns, run.meshes("Matrix", "Update"))
 
 
-def loop_table(run):
-    def loops(_, cases):
-        handles = cases.get("AroundHandles")
-        found, runs, fixed = (median(handles, key) for key in ("loops", "runs", "empty"))
-        pinned = f" and {digits(fixed / runs)} fixed" if fixed else ""
-        return (DASH if found is None else digits(found / runs)) + pinned
-
-    def through(case):
-        def make(_, cases):
-            figures = cases.get(case)
-            found = f" ({joined(figures, ('loops', 'runs'), number)})" if figures else ""
-            return time_text(median(figures, "seconds")) + found
-
-        return make
-
-    def invalid(_, cases):
-        counts = [median(figures, "invalid") for figures in cases.values()]
-        return number(sum(count for count in counts if count is not None))
-
-    columns = [
-        ("mesh", first_of),
-        ("around handles", figure("AroundHandles")),
-        ("loops", loops),
-        ("through a point (found / asked)", through("ThroughPoint")),
-        ("let go there", through("ThroughPointTaut")),
-        ("invalid", invalid),
-    ]
-    return tabulate(columns, run.meshes("Loop", "AroundHandles", "ThroughPoint"))
-
-
 def summarize(path):
     run = Run(path)
     parts = [
@@ -249,7 +217,6 @@ def summarize(path):
         "Checks of all paths": check_table,
         "Farthest points and their cells": cell_table,
         "Matrices": matrix_table,
-        "Loops (median times)": loop_table,
     }
     return "\n".join(parts + titled(run, titles))
 

@@ -5,8 +5,7 @@
 
 Usage: summarize_spectral.py RESULT.json [TABLE.md]
 
-Times are medians over the sources of a mesh. The order of an error is the slope of its logarithm
-over that of the mean edge, a line fitted to all spheres (least squares).
+Times are medians over the sources of a mesh.
 """
 
 from benchmark_results import (
@@ -17,7 +16,6 @@ from benchmark_results import (
     figure,
     first_median,
     first_of,
-    folded,
     in_form,
     largest,
     median,
@@ -28,8 +26,6 @@ from benchmark_results import (
     ratio_text,
     run_as_script,
     size_text,
-    slope,
-    table,
     tabulate,
     text,
     time_text,
@@ -49,40 +45,15 @@ PEERS = {
     "LibiglBiharmonic": "libigl, bi-Laplacian",
     "Heat": "heat method (CGAL), two matrices",
 }
-ERRORS = {
-    "error_local": "within 0.2",
-    "error_global": "everywhere",
-    "error_largest": "largest",
-}
-
 
 class Run(Results):
-    """meshes[mesh][case], peers[mesh][peer][case], spheres[way][level] and splines[sites]."""
+    """meshes[mesh][case] and peers[mesh][peer][case]."""
 
     patterns = {
         "meshes": r"Spectral/([^/]+)/(Greens/[A-Za-z]+|[A-Za-z]+)(?:/[0-9]+)?(?:/[a-z]|$)",
         "peers": r"Peer/([^/]+)/([A-Za-z]+)/([A-Za-z]+)(?:/|$)",
-        "spheres": r"Convergence/([0-9]+)/([A-Za-z]+)(?:/|$)",
-        "splines": r"Splines/([0-9]+)(?:/|$)",
     }
 
-    def key(self, group, match):
-        parts = [int(part) if part.isdigit() else part for part in match.groups()]
-        return parts[::-1] if group == "spheres" else parts
-
-    def curve(self, way, error):
-        """Vertices, mean edge and error on all spheres, coarse ones first."""
-        levels = self.spheres.get(way, {})
-        points = [
-            tuple(median(levels[level], key) for key in ("vertices", "mean_edge", error))
-            for level in sorted(levels)
-        ]
-        return [point for point in points if None not in point]
-
-
-def order(points):
-    """Slope of the logarithms of errors over those of mean edges; None for less than two."""
-    return slope([(edge, error) for _, edge, error in points])
 
 
 def factor_table(run):
@@ -181,46 +152,6 @@ def peer_table(run):
     return tabulate(columns, rows)
 
 
-def convergence_table(run):
-    ways = [way for way in WAYS if way in run.spheres]
-    rows = []
-    for error, title in ERRORS.items():
-        curves = {way: run.curve(way, error) for way in ways}
-        sizes = sorted({vertices for points in curves.values() for vertices, _, _ in points})
-        for size in sizes:
-            row = [title, f"{size:.0f}"]
-            for way in ways:
-                found = [value for vertices, _, value in curves[way] if vertices == size]
-                row.append(f"{found[0]:.1e}" if found else DASH)
-            rows.append(row)
-        if sizes:
-            rows.append([title, "order"] + [text(order(curves[way]), "{:.2f}") for way in ways])
-    return table(["error", "vertices"] + [WAYS[way] for way in ways], rows)
-
-
-def spline_table(run):
-    def of_sites(key, form):
-        return lambda _, figures: form(median(figures, key))
-
-    columns = [
-        ("vertices of a sphere", of_sites("vertices", size_text)),
-        ("sites of B-splines", lambda sites, _: number(sites)),
-        ("error of a solution, %", of_sites("error", percent)),
-        ("time", of_sites("seconds", time_text)),
-    ]
-    return tabulate(columns, sorted(run.splines.items()))
-
-
-def fallback_text(run):
-    """Something to say about poles on spheres where another method was used."""
-    count = sum(
-        sum(figures.get("other_method", []))
-        for levels in run.spheres.values()
-        for figures in levels.values()
-    )
-    return f"\nAt {count:.0f} poles another method was used.\n" if count else ""
-
-
 def summarize(path):
     run = Run(path)
     parts = [f"CPU seconds on one thread ({environment(run.context)}).\n"]
@@ -228,15 +159,9 @@ def summarize(path):
         "Factorizations and columns": factor_table,
         "Green's functions of points anywhere": point_table,
         "Eigenpairs, earth mover's distance of two vertices": long_table,
-        "Harmonic B-splines": spline_table,
         "Peers": peer_table,
     }
-    parts += titled(run, titles)
-    made = convergence_table(run)
-    if made:
-        made += fallback_text(run)
-    parts += folded("Errors on spheres of radius 1", made)
-    return "\n".join(parts)
+    return "\n".join(parts + titled(run, titles))
 
 
 if __name__ == "__main__":

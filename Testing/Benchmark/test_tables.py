@@ -14,7 +14,6 @@ import unittest
 
 import insert_table
 import summarize
-import summarize_cloud
 import summarize_graph
 import summarize_path
 import summarize_spectral
@@ -33,14 +32,6 @@ def spectral_mesh(case, milliseconds, **figures):
 
 def spectral_peer(case, milliseconds, **figures):
     return entry(f"Peer/ball/{case}/min_time:0.1", milliseconds, vertices=10000, **figures)
-
-
-def sphere(level, way, error):
-    """Errors of orders 2, 1 and 0, by the mean edge, from `error` on level 3."""
-    step = 0.5 ** (level - 3)
-    figures = {"vertices": 10 * 4**level + 2, "mean_edge": 0.15 * step, "other_method": 1}
-    figures.update({"error_local": error * step**2, "error_global": error * step})
-    return entry(f"Convergence/{level}/{way}/manual_time", 5.0, error_largest=error, **figures)
 
 
 def graph(rule, parameter, degree, error):
@@ -112,12 +103,11 @@ def graph_results():
 
 
 def path_results():
-    """Paths, cells, a matrix and loops on one mesh."""
+    """Paths, cells and a matrix on one mesh."""
     cells = {"vertices": 10000, "samples": 100}
     voronoi = {"query_seconds": 0.004, "nearest_per_query": 1.125, "labels_per_query": 2.25}
     voronoi.update({"labels_per_corrected": 1.5, "diagram_per_query": 3.5})
     voronoi["refined_per_query"] = 4.25
-    loops = {"runs": 5, "invalid": 0}
     return [
         entry("Path/ball/Graph/manual_time", 1500.0, threads=2, graph_bytes=1.25e7),
         entry("Path/ball/Exact/manual_time", 30.0),
@@ -129,8 +119,6 @@ def path_results():
         entry("Cells/ball/FarthestPoints/x", 30.0, per_ten_queries=0.75, **cells),
         entry("Cells/ball/Voronoi/manual_time", 14.0, **voronoi, **cells),
         entry("Matrix/ball/Update", 2500, size=50, threads=2, error_mean=4e-4, error_max=2e-3),
-        entry("Loop/ball/AroundHandles/manual_time", 70.0, loops=20, empty=5, **loops),
-        entry("Loop/ball/ThroughPoint/manual_time", 8.0, loops=4, **loops),
     ]
 
 
@@ -139,52 +127,8 @@ def matrix_results():
     return [result for result in path_results() if result["name"].startswith("Matrix/")]
 
 
-def cloud_results():
-    """Clouds of published and of other sizes, clouds with points that are not reached, a failed query,
-    clouds with and without meshes of the same points, and curves."""
-
-    def graph(prefix, points, error, milliseconds=500.0, **more):
-        size = {"points": points, "degree": 80.4, "spacing": 0.02, "reach": 0.21}
-        size.update({"graph_bytes": 6.4e6, "false_edges": 0, "components": 1, "noise": 0.0})
-        size.update({"cpu_seconds": 0.9, "threads": 2, "resident_bytes": 9e6, **more})
-        return [
-            entry(prefix + "Build/manual_time", milliseconds, **size),
-            entry(prefix + "Query/0/manual_time", 4.0, unreached=0, **errors(error)),
-            entry(prefix + "Query/1/manual_time", 6.0, unreached=3, **errors(3.0 * error)),
-        ]
-
-    results = (
-        graph("Cloud/torus-57K/C/chord/", 57000, 4e-4)
-        + graph("Cloud/torus-57K/C/arc/", 57000, 1e-4)
-        + graph("Cloud/torus-57K/C/fine/", 57000, 1e-5, accuracy=1e-4)
-        + [entry("Cloud/torus-57K/Band/march/Query/0/x", 50.0, **errors(0.02))]
-        + graph("Cloud/square-40K/A/arc/", 40000, 1e-4)
-        + graph("Cloud/torus-57K_few/C/arc/", 9000, 1e-4)
-        + graph("Cloud/igea/C/arc/", 134000, 1e-4)
-        + graph("Cloud/half/C/arc/", 100, 1e-4)
-        + graph("Cloud/none/C/arc/", 100, 1e-4)[:1]
-        + [entry("Cloud/none/C/arc/Query/0/x", 1.0, error_occurred=True, **errors(0.0))]
-        + graph("Guard/sheets/B/arc/", 2000, 1e-3, components=2, false_edges=7)
-        + graph("Guard/noise_0.5/C/arc/", 2000, 2e-3, noise=0.0101)
-        + [entry("Guard/noise_0.5/C/arc/Query/2/x", 5.0, reached_beyond=4)]
-        + graph("Speed/ball/C/arc/", 200000, 1e-4, milliseconds=25000.0)
-        + [
-            entry("Speed/ball/C/arc/Estimate/x", 80.0, estimated_peak_bytes=1.2e7),
-            entry("Speed/ball/Mesh/Build/manual_time", 2000.0, vertices=200000),
-            entry("Speed/ball/Mesh/Query/0/manual_time", 60.0, **errors(1e-3)),
-        ]
-        + graph("Speed/sphere/C/arc/", 200000, 1e-4)
-    )
-    for alpha, error in (("2.5", 2e-3), ("10.5", 1e-4)):
-        results += graph(f"Curve/sphere-10K/C/arc/Alpha/{alpha}/", 10000, error)
-    results += graph("Curve/sphere-10K/A/chord/Offset/3/", 10000, 5e-4)
-    results += graph("Curve/sphere-10K/A/chord/Offset/1/", 10000, 0.5)
-    results[-1]["unreached"] = 5000
-    return results
-
-
 def spectral_results():
-    """One mesh with two peers, and spheres; a failed result."""
+    """One mesh with two peers; a failed result."""
     results = [
         spectral_mesh("Factor", 1000.0, peak_bytes=2.5e7, **FACTOR),
         spectral_mesh("Column/0", 4.0),
@@ -206,18 +150,7 @@ def spectral_results():
         spectral_peer("LibiglBiharmonic/Factor", 6000.0, peak_bytes=1e8),
         spectral_peer("LibiglBiharmonic/Column/0", 20.0, difference=2e-7),
     ]
-    for level in (3, 4, 5):
-        results.append(sphere(level, "SingularitySubtraction", 8e-4))
-        results.append(sphere(level, "Vertex", 0.5))
-    for sites, error in ((320, 0.02), (80, 0.08)):
-        figures = {"vertices": 10242, "sites": sites, "error": error}
-        results.append(entry(f"Splines/{sites}/min_time:0.000", 50.0, **figures))
     return results
-
-
-def sphere_results():
-    """One sphere alone, which gives no order."""
-    return [sphere(3, "Vertex", 0.5)]
 
 
 CASES = {
@@ -225,9 +158,7 @@ CASES = {
     "graph": (summarize_graph, graph_results),
     "path": (summarize_path, path_results),
     "matrix": (summarize_path, matrix_results),
-    "cloud": (summarize_cloud, cloud_results),
     "spectral": (summarize_spectral, spectral_results),
-    "spheres": (summarize_spectral, sphere_results),
 }
 
 
@@ -251,20 +182,11 @@ class Tables(unittest.TestCase):
             with self.subTest(case):
                 self.assertEqual(insert_table.insert(page, case, tables_of(case)), page)
 
-    def test_order(self):
-        # A line through points that are not on one: by hand, over edges 1, 1/2, 1/4.
-        points = [(1, 1.0, 1.0), (2, 0.5, 0.5), (3, 0.25, 0.0625)]
-        self.assertAlmostEqual(summarize_spectral.order(points), 2.0)
-        self.assertIsNone(summarize_spectral.order(points[:1]))
-
 
 class Plots(unittest.TestCase):
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
-    def test_all(self):
-        for case in ("graph", "cloud", "spectral"):
-            with self.subTest(case):
-                found = draw(f"plot_{case}.py", results_of(case), f"{case}.png")
-                self.assertEqual(found, PNG)
+    def test_graph(self):
+        self.assertEqual(draw("plot_graph.py", results_of("graph"), "graph.png"), PNG)
 
     def test_curves_of_graphs(self):
         import plot_graph
@@ -273,18 +195,6 @@ class Plots(unittest.TestCase):
         points = plot_graph.curve(graphs, "Guaranteed", "Certified", 0)
         self.assertEqual([round(x) for x, _ in points], [15, 50])
         self.assertAlmostEqual(points[1][1], 0.08)
-
-    def test_curves_of_clouds(self):
-        import plot_cloud
-
-        graphs = summarize_cloud.Run(results_of("cloud")).curves["sphere-10K"]
-        self.assertEqual(plot_cloud.name_of("sphere-10K", graphs), "sphere, 10K points")
-        points = plot_cloud.curve(graphs, "C/arc", "Alpha")
-        self.assertEqual([value for value, _ in points], [2.5, 10.5])
-        self.assertAlmostEqual(points[1][1], 0.02)
-        self.assertEqual(plot_cloud.curve(graphs, "C/arc", "Offset"), [])
-        # Where half of the points is not reached, the others show nothing.
-        self.assertEqual([x for x, _ in plot_cloud.curve(graphs, "A/chord", "Offset")], [3.0])
 
 
 class Insert(unittest.TestCase):
@@ -304,7 +214,7 @@ class Insert(unittest.TestCase):
         with open(os.path.join(HERE, "README.md"), encoding="utf-8") as file:
             page = file.read()
         written = re.findall(r"written by Testing/Benchmark/run.sh (\w+) --readme", page)
-        self.assertEqual(sorted(written), ["cloud", "first", "graph", "local", "spectral"])
+        self.assertEqual(sorted(written), ["cloud", "first", "graph", "local", "spectral", "spheres"])
         for name in written:
             self.assertIn("\nnew\n<!-- end", insert_table.insert(page, name, "new"))
 

@@ -2,14 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of exhibits of the thesis, and what it stands on; no exhibit is measured."""
 
+import importlib.util
 import json
 import os
 import shutil
 import unittest
 import unittest.mock
 
+import measure_clouds
+import measure_spheres
 import numpy as np
 import passrate
+import plot_clouds
+import plot_spheres
 import thesis
 import vtkdgg
 from exhibits import surfaces
@@ -30,7 +35,7 @@ from exhibits.local_triangles import local_triangles
 from exhibits.run import Run, TooLong, limited_time
 from Published import bidirectional, green_sums
 from Published.delaunay_mesh import DelaunayMesh
-from table_support import OUTPUT, cells_of
+from table_support import OUTPUT, PNG, cells_of
 
 NAMES = (
     "T3.1 T3.2 T3.4 T5.1 T5.2 T5.3 T5.4 F1.1 F3.6 F3.7 F3.8 F3.9 F3.10 F3.11 F3.12 F3.13 F3.14 F3.15 "
@@ -155,6 +160,27 @@ class Clouds(unittest.TestCase):
         edges, counts = np.unique(sides, axis=0, return_counts=True)
         within = np.abs(points[edges][:, :, :2] - 0.5).max(axis=(1, 2)) < 0.3
         self.assertTrue((counts[within] == 2).all())
+
+    def test_published(self):
+        published = measure_clouds.published_of
+        self.assertEqual(published("torus-57K", "C, arcs", 57000), (1.2e-3, 1.7e-3))
+        self.assertEqual(published("torus-57K", "fast marching", 57000), (1.8e-2, 3.7e-2))
+        self.assertIsNone(published("torus-9K", "C, arcs", 9000))
+        self.assertIsNone(published("igea", "C, arcs", 134000))
+
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
+    def test_plots(self):
+        errors = [(642, 1.0, 1.0), (2562, 0.5, 0.5), (10242, 0.25, 0.0625)]
+        self.assertAlmostEqual(measure_spheres.order(errors), 2.0)
+        self.assertIsNone(measure_spheres.order(errors[:1]))
+        spheres = {w: dict.fromkeys(measure_spheres.ERRORS, errors) for w in measure_spheres.WAYS}
+        clouds = {"sphere": {"A, chords": {"Alpha": [(1.0, 0.5), (2.0, 0.1)], "Offset": []}}}
+        os.makedirs(OUTPUT, exist_ok=True)
+        for plot, curves in ((plot_spheres, spheres), (plot_clouds, clouds)):
+            path = os.path.join(OUTPUT, "plot.png")
+            plot.plot_curves(curves, path)
+            with open(path, "rb") as file:
+                self.assertEqual(file.read(8), PNG)
 
     def test_fit(self):
         x = np.geomspace(0.01, 0.3, 20)

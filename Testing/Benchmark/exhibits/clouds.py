@@ -2,21 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Point clouds: errors by scheme and parameter, cost, cells."""
 
-import os
 import time
 
+import measure_clouds
 import numpy as np
 import vtkdgg
 from benchmark_results import bytes_text, count_text, digits, percent, table
-from plot_cloud import curve, plot
-from summarize_cloud import PUBLISHED
-from summarize_cloud import Run as CloudRun
-from vtkdgg.commands.sizes import floor_of
+from measure_clouds import PUBLISHED, Through, built, marching
+from plot_clouds import plot_curves
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import surfaces
 from .exhibit import NOT_COMPARABLE, REPRODUCED, Exhibit, Verdict, judged
-from .fields import exact_fields, sources_of, summary
 from .local_triangles import local_triangles
 from .tables import DEGREE, ERRORS, column, errors_text, listing, named, short
 
@@ -24,48 +21,18 @@ from .tables import DEGREE, ERRORS, column, errors_text, listing, named, short
 RESOLUTION = 512
 BALLS = (2.0, 4.0)
 ALPHAS = {"A": (1.0, 2.5), "B": (4.0,)}
+SOURCES = 3
 
 
-def random_sphere(run, count, seed=surfaces.SEED):
+def random_sphere(run, count, **options):
     """Random points of a sphere of radius 1."""
     run.uses(f"{count_text(count)} random points of a sphere")
-    points = np.random.default_rng(seed).standard_normal((count, 3))
-    return points / np.linalg.norm(points, axis=1)[:, None]
+    return measure_clouds.sphere(count, **options)
 
 
-def arcs(points, source):
-    """Distances along that sphere."""
-    found = np.arccos(np.clip(points @ points[source], -1.0, 1.0))
-    found[source] = 0.0
-    return found
-
-
-def sphere_errors(graph, points, sources=3):
-    """Against arcs."""
-    count = len(points)
-    ids = [count * (2 * k + 1) // (2 * sources) for k in range(sources)]
-    found = [graph.distance(source, unreached=np.inf) for source in ids]
-    return summary(found, [arcs(points, source) for source in ids], 1e-6)
-
-
-class Through:
-    """A filter that is asked as a graph is."""
-
-    def __init__(self, make, data):
-        self.filter = make()
-        self.filter.SetInputData(data)
-
-    def distance(self, source, unreached=np.nan):
-        self.filter.SetSourceIds([source])
-        self.filter.SetUnreachedValue(unreached)
-        return vtk_to_numpy(
-            vtkdgg.check(self.filter).GetPointData().GetArray("GeodesicDistance")
-        ).copy()
-
-
-def marching(cloud):
-    """Fast marching in a band of voxels."""
-    return Through(vtkdgg.vtkDGGFastMarchingDistance, cloud)
+def errors_of(cloud, graph):
+    """Returns the errors of a graph, or of another method, on a cloud."""
+    return cloud.errors(graph, SOURCES)["error"]
 
 
 def heat(cloud):
@@ -73,19 +40,6 @@ def heat(cloud):
     points = vtk_to_numpy(cloud.GetPoints().GetData()).astype(float)
     triangles = local_triangles(cloud, points)
     return Through(vtkdgg.vtkHeatGeodesicDistance, surfaces.from_arrays(points, triangles))
-
-
-def built(cloud, **options):
-    """A graph, and the seconds on the wall that it took; chords, as published."""
-    graph = vtkdgg.vtkPointCloudDGG()
-    graph.SetInputData(cloud)
-    graph.SetScheme(getattr(graph, options.pop("Scheme", "C")))
-    for name, value in options.items():
-        getattr(graph, "Set" + name)(value)
-    start = time.perf_counter()
-    output = vtkdgg.check(graph)
-    seconds = time.perf_counter() - start
-    return vtkdgg.CloudGraph.from_polydata(output), seconds
 
 
 def as_published(scheme, alpha, balls, resolution):
@@ -100,7 +54,7 @@ def as_published(scheme, alpha, balls, resolution):
     }
 
 
-def best_published(cloud, errors, resolution):
+def best_published(cloud, resolution):
     """{scheme: parameters and errors} of the best of the published parameters: those of the graphs
     that reach the most points."""
 
@@ -111,12 +65,12 @@ def best_published(cloud, errors, resolution):
     for scheme, alphas in ALPHAS.items():
         for balls in BALLS:
             for alpha in alphas:
-                graph, _ = built(cloud, **as_published(scheme, alpha, balls, resolution))
+                graph, _ = built(cloud.data, **as_published(scheme, alpha, balls, resolution))
                 entry = {
                     "balls": balls,
                     "alpha": alpha,
                     "degree": graph.degree,
-                    "error": errors(graph),
+                    "error": errors_of(cloud, graph),
                 }
                 if scheme not in found or rank(entry) < rank(found[scheme]):
                     found[scheme] = entry
@@ -139,43 +93,28 @@ class Errors(Exhibit):
     )
 
     def clouds(self, run):
-        """Name, kind, points as data, function of the errors of a graph."""
+        """Yields title, kind and cloud."""
         count = run.pick(30000, 160000)
-        points = random_sphere(run, count)
-        yield (
-            f"sphere, {count_text(count)}",
-            "sphere",
-            vtkdgg.Mesh(points).as_polydata(),
-            lambda graph: sphere_errors(graph, points),
-        )
+        yield f"sphere, {count_text(count)}", "sphere", random_sphere(run, count)
         names = ["torus-200", "terrain-160"] + [name for name in run.scans() if name == "bunny"]
         for name in run.pick(names, ["torus-338", "terrain-257", *names[2:]]):
-            yield self.vertices(run, name)
-
-    def vertices(self, run, name):
-        mesh = run.mesh(name)
-        sources = sources_of(mesh, 3)
-        exact = exact_fields(run, name, 3)
-        points, _ = surfaces.arrays_of(mesh)
-
-        def errors(graph):
-            found = [graph.distance(s, unreached=np.inf) for s in sources]
-            return summary(found, exact, floor_of(mesh))
-
-        title = f"vertices of {name}, {count_text(len(points))}"
-        return title, name.split("-")[0], vtkdgg.Mesh(points).as_polydata(), errors
+            cloud = measure_clouds.vertices(run.mesh(name))
+            title = f"vertices of {name}, {count_text(len(cloud.points))}"
+            yield title, name.split("-")[0], cloud
 
     def measure(self, run):
         found = {}
-        for title, kind, cloud, errors in self.clouds(run):
+        for title, kind, cloud in self.clouds(run):
             count = next(count for name, count, _ in PUBLISHED if name == kind)
-            resolution = round(RESOLUTION * (cloud.GetNumberOfPoints() / count) ** 0.5)
-            graph, _ = built(cloud)
-            entry = {"kind": kind, "C": {"degree": graph.degree, "error": errors(graph)}}
-            entry.update(best_published(cloud, errors, resolution))
-            entry["marching"] = errors(marching(cloud))
-            entry["heat"] = errors(heat(cloud))
-            found[title] = entry
+            resolution = round(RESOLUTION * (len(cloud.points) / count) ** 0.5)
+            graph, _ = built(cloud.data)
+            found[title] = {
+                "kind": kind,
+                "C": {"degree": graph.degree, "error": errors_of(cloud, graph)},
+                **best_published(cloud, resolution),
+                "marching": errors_of(cloud, marching(cloud.data)),
+                "heat": errors_of(cloud, heat(cloud.data)),
+            }
         return found
 
     def table(self, figures):
@@ -276,11 +215,10 @@ class Sparsification(Exhibit):
     tolerances = (0.0, 1e-4, 1e-3, 1e-2, 0.1)
 
     def measure(self, run):
-        points = random_sphere(run, run.pick(20000, 100000))
-        cloud = vtkdgg.Mesh(points).as_polydata()
+        cloud = random_sphere(run, run.pick(20000, 100000))
         rows = []
         for tolerance in self.tolerances:
-            graph, _ = built(cloud, Accuracy=tolerance)
+            graph, _ = built(cloud.data, Accuracy=tolerance)
             graph.distance(0)
             start = time.process_time()
             for source in range(1, 6):
@@ -292,7 +230,7 @@ class Sparsification(Exhibit):
                     "bytes": graph.nbytes,
                     "seconds": seconds,
                     "degree": graph.degree,
-                    "error": sphere_errors(graph, points),
+                    "error": errors_of(cloud, graph),
                 }
             )
         return rows
@@ -333,48 +271,25 @@ class Parameters(Exhibit):
         run.uses(
             *(f"{count_text(count)} random points of a {shape}" for shape in ("sphere", "torus"))
         )
-        path = run.program(
-            "BenchmarkCloud",
-            "--clouds=",
-            "--torus=200",
-            f"--curves={count}",
-            "--guards=0",
-            "--speed=0",
-            "--benchmark_filter=^Curve/",
-            run.unused_file(),
-        )
-        return {"path": path, "curves": self.curves(path)}
-
-    def curves(self, path):
-        return {
-            cloud: {
-                graph: {
-                    parameter: curve(graphs, graph, parameter) for parameter in ("Alpha", "Offset")
-                }
-                for graph in graphs
-            }
-            for cloud, graphs in CloudRun(path).curves.items()
-        }
+        return measure_clouds.measure_curves(count)
 
     def table(self, figures):
         rows = []
-        for cloud, graphs in figures["curves"].items():
+        for cloud, graphs in figures.items():
             for graph, parameters in graphs.items():
                 best = [min(points, key=lambda p: p[1]) for points in parameters.values() if points]
                 rows.append([cloud, graph, *(f"{x:g}: {digits(e)} %" for x, e in best)])
         return table(["cloud", "scheme, lengths", "best alpha: error", "best h: error"], rows)
 
     def draw(self, figures, path):
-        if not os.path.isfile(figures["path"]):
-            return False
-        plot(figures["path"], path)
+        plot_curves(figures, path)
         return True
 
     def verdict(self, figures):
         inner = 0
         count = 0
-        for graphs in figures["curves"].values():
-            points = graphs["B/chord"]["Alpha"]
+        for graphs in figures.values():
+            points = graphs["B, chords"]["Alpha"]
             best = min(range(len(points)), key=lambda i: points[i][1])
             inner += 0 < best < len(points) - 1
             count += 1
@@ -396,19 +311,18 @@ class Noisy(Exhibit):
     noises = (0.0, 0.005, 0.01)
 
     def measure(self, run):
-        points = random_sphere(run, run.pick(10000, 40000))
-        away = np.random.default_rng(surfaces.SEED + 1).standard_normal(len(points))
+        count = run.pick(10000, 40000)
         rows = []
         for noise in self.noises:
-            moved = points * (1.0 + 2.0 * noise * away)[:, None]
+            cloud = random_sphere(run, count, noise=2.0 * noise)
             for scheme in "ABC":
-                graph, _ = built(vtkdgg.Mesh(moved).as_polydata(), Scheme=scheme)
+                graph, _ = built(cloud.data, Scheme=scheme)
                 rows.append(
                     {
                         "noise": noise,
                         "scheme": scheme,
                         "degree": graph.degree,
-                        "error": sphere_errors(graph, points),
+                        "error": errors_of(cloud, graph),
                     }
                 )
         return rows

@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Green's functions on spheres, where there is a closed form; by BenchmarkSpectral."""
+"""Green's functions on spheres, where there is a closed form."""
 
 from benchmark_results import count_text, percent, table
-from plot_spectral import plot
-from summarize_spectral import WAYS, order
-from summarize_spectral import Run as SpectralRun
+from measure_spheres import WAYS, measure_ways, order
+from plot_spheres import plot_curves
 
 from .exhibit import NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
 from .run import shared
@@ -17,23 +16,10 @@ NEAR, FAR = "error_local", "error_global"
 
 @shared
 def spheres(run):
-    """{way: {error: [(vertices, mean edge, error)]}}, and the path of the JSON of it."""
-    levels = run.pick("3,4,5", "3,4,5,6")
-    run.uses(*(f"sphere-{level}" for level in levels.split(",")))
-    path = run.program(
-        "BenchmarkSpectral",
-        "--sizes=",
-        f"--levels={levels}",
-        f"--poles={run.pick(10, 50)}",
-        "--splines=",
-        "--movers=0",
-        "--eigenpairs=0",
-        "--benchmark_filter=^Convergence/",
-        run.unused_file(),
-    )
-    found = SpectralRun(path)
-    curves = {way: {key: found.curve(way, key) for key in (NEAR, FAR)} for way in WAYS}
-    return {"curves": curves, "path": path}
+    """{way: {error: [(vertices, mean edge, error)]}}."""
+    levels = run.pick((3, 4, 5), (3, 4, 5, 6))
+    run.uses(*(f"sphere-{level}" for level in levels))
+    return measure_ways(levels, run.pick(10, 50))[0]
 
 
 class Anywhere(Exhibit):
@@ -46,7 +32,7 @@ class Anywhere(Exhibit):
     )
 
     def measure(self, run):
-        return spheres(run)["curves"]
+        return spheres(run)
 
     def last(self, figures, way):
         """The error on the finest sphere."""
@@ -124,21 +110,18 @@ class Convergence(Anywhere):
         "second order."
     )
 
-    def measure(self, run):
-        return spheres(run)
-
     def orders(self, figures):
-        return {way: order(points[NEAR]) for way, points in figures["curves"].items()}
+        return {way: order(points[NEAR]) for way, points in figures.items()}
 
     def table(self, figures):
         columns = [column("way", WAYS.get, "name")]
-        for i, (vertices, *_) in enumerate(figures["curves"]["Vertex"][NEAR]):
+        for i, (vertices, *_) in enumerate(figures["Vertex"][NEAR]):
             columns.append(column(f"{count_text(vertices)} vertices, %", percent, NEAR, i, 2))
         columns.append(("order", lambda row: hundredths(order(row[NEAR]))))
-        return listing(columns, named(figures["curves"]))
+        return listing(columns, named(figures))
 
     def draw(self, figures, path):
-        plot(figures["path"], path)
+        plot_curves(figures, path)
         return True
 
     def verdict(self, figures):

@@ -4,18 +4,14 @@
 
 from dataclasses import dataclass
 
+import measure_clouds
 import numpy as np
-import vtkdgg
 from benchmark_results import count_text, digits, percent, table
 from plot_tools import STYLES
 
-from . import surfaces
-from .clouds import arcs, built, marching, random_sphere
+from .clouds import errors_of
 from .drawing import plot_curves
 from .exhibit import NOT_COMPARABLE, Exhibit, Verdict
-from .fields import summary
-
-SOURCES = 3
 
 
 class CloudDensity(Exhibit):
@@ -38,57 +34,28 @@ class CloudDensity(Exhibit):
     def measure(self, run):
         counts = run.pick((1000, 2000, 5000, 10000, 20000), (1000, 2000, 5000, 10000, 20000, 50000))
         found = {}
+        run.uses("random points of a sphere", measure_clouds.TORUS)
         for shape, radius, area, draw in (
-            ("sphere", 1.0, 4.0 * np.pi, self.sphere(run)),
-            ("torus", 0.4, 4.0 * np.pi**2 * 0.4, self.torus(run)),
+            ("sphere", 1.0, 4.0 * np.pi, measure_clouds.sphere),
+            ("torus", 0.4, 4.0 * np.pi**2 * 0.4, measure_clouds.torus),
         ):
             found[shape] = []
             for count in counts:
                 for seed in range(run.pick(3, 5)):
-                    points, exact = draw(count, seed)
+                    cloud = draw(count, seed=seed)
                     row = {"points": count, "seed": seed, "x": (area / count) ** 0.5 / radius}
                     methods = [m for m in self.methods if seed == 0 or m != "finer graph"]
-                    row.update({method: self.errors(method, points, exact) for method in methods})
+                    row.update({method: self.errors(method, cloud) for method in methods})
                     found[shape].append(row)
         return found
 
-    def errors(self, method, points, exact):
-        """Of distances from the first points."""
-        cloud = vtkdgg.Mesh(points).as_polydata()
+    def errors(self, method, cloud):
+        """Returns the errors of a method on a cloud."""
         if method in self.tolerances:
-            asked, _ = built(cloud, Accuracy=self.tolerances[method])
+            asked, _ = measure_clouds.built(cloud.data, Accuracy=self.tolerances[method])
         else:
-            asked = marching(cloud)
-        fields = [asked.distance(k, unreached=np.inf) for k in range(SOURCES)]
-        return summary(fields, exact, 1e-6)
-
-    def sphere(self, run):
-        """A function that draws random points."""
-
-        def draw(count, seed):
-            points = random_sphere(run, count, seed)
-            return points, [arcs(points, k) for k in range(SOURCES)]
-
-        return draw
-
-    def torus(self, run):
-        """A function that draws vertices of a fine mesh, the sources first."""
-        mesh = run.mesh("torus-640")
-        points, _ = surfaces.arrays_of(mesh)
-        sources = np.array([len(points) * (2 * k + 1) // (2 * SOURCES) for k in range(SOURCES)])
-        exact = [vtkdgg.distance(mesh, int(source)) for source in sources]
-        # Vertices are even in the angles: by how wide the torus is there they are even in area.
-        weights = np.linalg.norm(points[:, :2], axis=1)
-        weights[sources] = 0.0
-        weights /= weights.sum()
-
-        def draw(count, seed):
-            random = np.random.default_rng(seed)
-            others = random.choice(len(points), count - SOURCES, replace=False, p=weights)
-            chosen = np.concatenate([sources, others])
-            return points[chosen], [field[chosen] for field in exact]
-
-        return draw
+            asked = measure_clouds.marching(cloud.data)
+        return errors_of(cloud, asked)
 
     def points_of(self, rows, method):
         """(x, mean error in percent)."""

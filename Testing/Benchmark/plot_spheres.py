@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plot of the errors of Green's functions on spheres, from the JSON of BenchmarkSpectral.
+"""Plot of the errors of Green's functions on spheres, from the JSON of measure_spheres.py.
 
-Usage: plot_spectral.py RESULT.json PLOT.png
+Usage: plot_spheres.py RESULT.json PLOT.png
 
 Over the mean edge: left within 0.2 of the pole, in the middle everywhere, right the largest. Grey
 lines fall with the first and the second power of it. The legend has the orders of the left one.
 """
 
+import json
+
+from measure_spheres import WAYS, order
 from plot_tools import (
     STYLES,
     PlotError,
@@ -18,7 +21,6 @@ from plot_tools import (
     run_as_script,
     style_axes,
 )
-from summarize_spectral import WAYS, Run, order
 
 COLUMNS = (
     ("error_local", "within 0.2 of the pole", "relative L2 error"),
@@ -38,33 +40,38 @@ def draw_power(axes, power, line, edges, error):
     axes.plot((fine, coarse), values, color="#999999", linestyle=line, linewidth=1.2, zorder=1)
 
 
-def plot(path, picture):
-    run = Run(path)
+def plot_curves(curves, picture):
+    """Draws curves as measure_spheres.measure_ways() returns them."""
     subplots, handle = load_matplotlib()
-    ways = [way for way in WAYS if len(run.curve(way, "error_local")) > 1]
+    ways = [way for way in WAYS if len(curves[way]["error_local"]) > 1]
     if not ways:
         raise PlotError("no errors on two spheres or more in the result")
     styles = dict(zip(WAYS, STYLES))
     figure, row = subplots(1, len(COLUMNS), figsize=(14, 5.4))
     for axes, (error, title, label) in zip(row, COLUMNS):
         for way in ways:
-            points = [(edge, value) for _, edge, value in run.curve(way, error)]
+            points = [(edge, value) for _, edge, value in curves[way][error]]
             draw_curve(axes, points, styles[way])
         edges = [edge for edge, _ in points]
         for power, line, way in POWERS:
             if way in ways:
-                draw_power(axes, power, line, edges, BELOW * run.curve(way, error)[0][2])
+                draw_power(axes, power, line, edges, BELOW * curves[way][error][0][2])
         style_axes(axes, title, "mean edge, on a sphere of radius 1", label, y_format=None)
         axes.set_xticks(edges[-MOST_TICKS:])
         axes.set_xticklabels([f"{edge:.2g}" for edge in edges[-MOST_TICKS:]])
-    curves = [
-        (f"{WAYS[way]}: order {order(run.curve(way, 'error_local')):.2f}", styles[way])
+    legend = [
+        (f"{WAYS[way]}: order {order(curves[way]['error_local']):.2f}", styles[way])
         for way in ways
     ]
     lines = [(f"order {power}", line) for power, line, _ in POWERS]
-    add_legend(figure, handle, curves, lines, columns=4)
+    add_legend(figure, handle, legend, lines, columns=4)
     figure.tight_layout(rect=(0.0, 0.12, 1.0, 1.0))
     figure.savefig(picture, dpi=110)
+
+
+def plot(path, picture):
+    with open(path, encoding="utf-8") as file:
+        plot_curves(json.load(file)["curves"], picture)
 
 
 if __name__ == "__main__":
