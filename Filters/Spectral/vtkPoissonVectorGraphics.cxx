@@ -141,7 +141,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& conte
       dgg::ProgressPart(progress, begin, begin + part), joined[k])
                           .Of(drawing.Curves[k].Name));
   }
-  dgg::RefinedSurface refined;
+  dgg::SubMesh refined;
   DGG_RETURN_IF_ERROR(
     dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined));
   dgg::GraphicsRefinement refinement = drawing.Refinement;
@@ -385,7 +385,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   dgg::GraphicsResult result;
   options.Progress = dgg::ProgressPart(context.Progress, preparedAt, 1.0);
   DGG_RETURN_IF_ERROR(this->Graphics.Run(curves, regions, options, result));
-  const dgg::CutSurface& cut = this->Graphics.GetSurface();
+  const dgg::SubMesh& cut = this->Graphics.GetSurface();
   const int channels = options.NumberOfChannels;
   if (this->Self->GenerateFragments)
   {

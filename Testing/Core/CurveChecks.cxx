@@ -14,7 +14,7 @@ namespace dggtest
 namespace
 {
 using dgg::NoId;
-using dgg::RefinedSurface;
+using dgg::SubMesh;
 using dgg::SurfaceCurve;
 using dgg::SurfaceMesh;
 using dgg::SurfacePoint;
@@ -47,7 +47,7 @@ std::map<Edge, Id> CountFacesOfEdges(const std::vector<Id>& triangles)
 }
 
 /// Twice the area of a face in units of its parent.
-double PartOf(const SurfaceMesh& mesh, const RefinedSurface& surface, Id face)
+double PartOf(const SurfaceMesh& mesh, const SubMesh& surface, Id face)
 {
   std::array<double, 3> p[3];
   for (int k = 0; k < 3; ++k)
@@ -58,7 +58,7 @@ double PartOf(const SurfaceMesh& mesh, const RefinedSurface& surface, Id face)
   return (p[1][1] - p[0][1]) * (p[2][2] - p[0][2]) - (p[1][2] - p[0][2]) * (p[2][1] - p[0][1]);
 }
 
-void ExpectFacesCovered(const SurfaceMesh& mesh, const RefinedSurface& surface)
+void ExpectFacesCovered(const SurfaceMesh& mesh, const SubMesh& surface)
 {
   std::vector<double> parts(mesh.GetNumberOfFaces(), 0.0);
   for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
@@ -74,7 +74,7 @@ void ExpectFacesCovered(const SurfaceMesh& mesh, const RefinedSurface& surface)
 }
 
 /// The half-edge of the mesh on which both points lie; NoId when the edge between them is inside.
-Id FindOldEdge(const SurfaceMesh& mesh, const RefinedSurface& surface, Id h)
+Id FindOldEdge(const SurfaceMesh& mesh, const SubMesh& surface, Id h)
 {
   const Id face = surface.Faces[SurfaceMesh::Face(h)];
   std::array<double, 3> p{};
@@ -118,7 +118,7 @@ bool HasDuplicateFaces(const SurfaceMesh& mesh)
 }
 
 /// Each edge has the faces that it had, or two inside a face.
-void ExpectEdgesFit(const SurfaceMesh& mesh, const RefinedSurface& surface)
+void ExpectEdgesFit(const SurfaceMesh& mesh, const SubMesh& surface)
 {
   const std::map<Edge, Id> edges = CountFacesOfEdges(surface.Triangles);
   const bool hasDuplicates = HasDuplicateFaces(mesh);
@@ -134,7 +134,7 @@ void ExpectEdgesFit(const SurfaceMesh& mesh, const RefinedSurface& surface)
 }
 
 void ExpectSoundChain(const TestMesh& input, const SurfaceMesh& mesh,
-  const std::vector<SurfaceCurve>& curves, std::size_t number, const RefinedSurface& surface,
+  const std::vector<SurfaceCurve>& curves, std::size_t number, const SubMesh& surface,
   const std::map<Edge, Id>& edges)
 {
   const SurfaceCurve& curve = curves[number];
@@ -189,7 +189,7 @@ void ExpectSoundChain(const TestMesh& input, const SurfaceMesh& mesh,
 }
 
 /// Edges of the paths with two faces, per vertex at which they are.
-std::map<Id, Id> CountCutsAt(const RefinedSurface& surface, std::set<Edge>& cuts)
+std::map<Id, Id> CountCutsAt(const SubMesh& surface, std::set<Edge>& cuts)
 {
   const std::map<Edge, Id> edges = CountFacesOfEdges(surface.Triangles);
   std::map<Id, Id> cutsAt;
@@ -209,7 +209,7 @@ std::map<Id, Id> CountCutsAt(const RefinedSurface& surface, std::set<Edge>& cuts
 }
 
 /// Copies as the sectors between cuts demand, and edges that are all of one or two faces.
-void ExpectSoundCopies(const RefinedSurface& surface, const dgg::CutSurface& cut)
+void ExpectSoundCopies(const SubMesh& surface, const dgg::SubMesh& cut)
 {
   std::set<Edge> cuts;
   const std::map<Id, Id> cutsAt = CountCutsAt(surface, cuts);
@@ -274,7 +274,7 @@ void ExpectSoundCopies(const RefinedSurface& surface, const dgg::CutSurface& cut
 }
 
 void ExpectSoundSide(
-  const dgg::CutSurface& cut, const dgg::EdgeSide& side, const Edge& edge, bool isLeft)
+  const dgg::SubMesh& cut, const dgg::EdgeSide& side, const Edge& edge, bool isLeft)
 {
   ASSERT_GE(side.Face, 0);
   ASSERT_EQ(cut.VertexOf[side.From], edge.first);
@@ -312,7 +312,7 @@ void ExpectSoundCurve(
 }
 
 void ExpectSoundEmbedding(const TestMesh& input, const SurfaceMesh& mesh,
-  const std::vector<SurfaceCurve>& curves, const RefinedSurface& surface)
+  const std::vector<SurfaceCurve>& curves, const SubMesh& surface)
 {
   ASSERT_EQ(surface.Triangles.size(), 3 * surface.Faces.size());
   ASSERT_EQ(surface.Paths.size(), curves.size());
@@ -333,7 +333,7 @@ void ExpectSoundEmbedding(const TestMesh& input, const SurfaceMesh& mesh,
   }
 }
 
-void ExpectSoundCut(const RefinedSurface& surface, const dgg::CurveCut& cut)
+void ExpectSoundCut(const SubMesh& surface, const dgg::CurveCut& cut)
 {
   ExpectSoundCopies(surface, cut.Surface);
   const std::map<Edge, Id> edges = CountFacesOfEdges(surface.Triangles);
@@ -363,7 +363,7 @@ void ExpectSoundCut(const RefinedSurface& surface, const dgg::CurveCut& cut)
 }
 
 using dgg::NoId;
-using dgg::RefinedSurface;
+using dgg::SubMesh;
 using dgg::SurfaceCurve;
 using dgg::SurfaceMesh;
 using dgg::SurfacePoint;
@@ -478,14 +478,14 @@ SurfaceCurve Curve(const SurfaceMesh& mesh, const std::vector<SurfacePoint>& poi
   return curve;
 }
 
-RefinedSurface Embed(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves)
+SubMesh Embed(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves)
 {
-  RefinedSurface surface;
+  SubMesh surface;
   EXPECT_TRUE(Ok(dgg::EmbedCurves(mesh, curves, nullptr, surface)));
   return surface;
 }
 
-dgg::CurveCut CutOpen(const RefinedSurface& surface)
+dgg::CurveCut CutOpen(const SubMesh& surface)
 {
   dgg::CurveCut cut;
   EXPECT_TRUE(Ok(dgg::CutAlongCurves(surface, surface.Paths, cut)));

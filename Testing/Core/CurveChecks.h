@@ -7,7 +7,7 @@
 
 #include "TestMeshes.h"
 
-#include "dggCurveCut.h"
+#include "dggSurfaceCut.h"
 #include "dggCurveEmbedding.h"
 
 namespace dggtest
@@ -29,10 +29,9 @@ std::vector<dgg::SurfacePoint> RandomCurvePoints(
 dgg::SurfaceCurve Curve(const dgg::SurfaceMesh& mesh, const std::vector<dgg::SurfacePoint>& points,
   bool isClosed = false);
 /// A surface refined along curves, which must be possible.
-dgg::RefinedSurface Embed(
-  const dgg::SurfaceMesh& mesh, const std::vector<dgg::SurfaceCurve>& curves);
+dgg::SubMesh Embed(const dgg::SurfaceMesh& mesh, const std::vector<dgg::SurfaceCurve>& curves);
 /// The same cut open.
-dgg::CurveCut CutOpen(const dgg::RefinedSurface& surface);
+dgg::CurveCut CutOpen(const dgg::SubMesh& surface);
 
 /// Everything that must hold of a curve.
 void ExpectSoundCurve(const dgg::SurfaceMesh& mesh, const std::vector<dgg::SurfacePoint>& points,
@@ -40,9 +39,9 @@ void ExpectSoundCurve(const dgg::SurfaceMesh& mesh, const std::vector<dgg::Surfa
 /// Everything that must hold of a surface refined along curves: faces cover their parents exactly,
 /// edges fit, and chains lie on their curves.
 void ExpectSoundEmbedding(const TestMesh& input, const dgg::SurfaceMesh& mesh,
-  const std::vector<dgg::SurfaceCurve>& curves, const dgg::RefinedSurface& surface);
+  const std::vector<dgg::SurfaceCurve>& curves, const dgg::SubMesh& surface);
 /// Everything that must hold of a manifold surface cut open along its paths.
-void ExpectSoundCut(const dgg::RefinedSurface& surface, const dgg::CurveCut& cut);
+void ExpectSoundCut(const dgg::SubMesh& surface, const dgg::CurveCut& cut);
 }
 
 #endif

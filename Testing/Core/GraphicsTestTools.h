@@ -20,14 +20,14 @@ namespace dggtest
 using dgg::GraphicsCurve;
 using dgg::GraphicsCurveType;
 using dgg::GraphicsRegion;
-using dgg::RefinedSurface;
+using dgg::SubMesh;
 using dgg::SurfaceCurve;
 using dgg::SurfaceMesh;
 using dgg::SurfacePoint;
 
 using Position = std::array<double, 3>;
 
-inline void RefineAll(const SurfaceMesh& mesh, int levels, RefinedSurface& surface)
+inline void RefineAll(const SurfaceMesh& mesh, int levels, SubMesh& surface)
 {
   dgg::GraphicsRefinement refinement;
   refinement.Levels = levels;
@@ -146,7 +146,7 @@ public:
   std::vector<GraphicsCurve> Curves;
   std::vector<GraphicsRegion> Regions;
   dgg::GraphicsOptions Options;
-  RefinedSurface Surface;
+  SubMesh Surface;
   dgg::VectorGraphics Graphics;
   dgg::GraphicsResult Result;
 };

@@ -110,7 +110,7 @@ std::vector<double> LevelsOf(const DistanceField& field, int count)
 /// What holds of bands always: they cover what is reached, once, and no corner is beyond a level.
 void ExpectSound(const BandCase& test, const std::string& what)
 {
-  const RefinedSurface& surface = test.Found.Surface;
+  const SubMesh& surface = test.Found.Surface;
   const double area = test.AreaOfReachedFaces();
   EXPECT_NEAR(test.AreaOfAllBands(), area, 1e-10 * area) << what;
   const double close = 1e-8 * test.Field.Mesh->GetMaximumEdgeLength();
@@ -131,7 +131,7 @@ void ExpectSound(const BandCase& test, const std::string& what)
 /// returns the largest difference.
 double LargestMiss(const BandCase& test)
 {
-  const RefinedSurface& surface = test.Found.Surface;
+  const SubMesh& surface = test.Found.Surface;
   FaceProfile profile(test.Field);
   double largest = 0.0;
   for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
@@ -200,7 +200,7 @@ TEST(Bands, VerticesOnLinesAreExactlyAtTheLevel)
   const ExactField field(mesh, { VertexSource(0) });
   const std::vector<double> levels = LevelsOf(field.Exact, 9);
   const BandCase test(field.Exact, levels);
-  const RefinedSurface& surface = test.Found.Surface;
+  const SubMesh& surface = test.Found.Surface;
   ASSERT_EQ(surface.Paths.size(), test.Lines.Lines.size());
   for (std::size_t p = 0; p < surface.Paths.size(); ++p)
   {

@@ -24,26 +24,26 @@ namespace dggtest
 {
 namespace
 {
-using dgg::RefinedSurface;
+using dgg::SubMesh;
 using dgg::SurfaceCurve;
 
 std::vector<Id> Refine(
-  const dgg::SurfaceMesh& mesh, const std::vector<Id>& faces, int levels, RefinedSurface& surface)
+  const dgg::SurfaceMesh& mesh, const std::vector<Id>& faces, int levels, SubMesh& surface)
 {
   std::vector<Id> parents;
   EXPECT_TRUE(Ok(dgg::RefineFaces(mesh, faces, levels, nullptr, surface, parents)));
   return parents;
 }
 
-double AreaOf(const RefinedSurface& surface, Id f)
+double AreaOf(const SubMesh& surface, Id f)
 {
   return dgg::TriangleArea(
     surface.Lengths[3 * f], surface.Lengths[3 * f + 1], surface.Lengths[3 * f + 2]);
 }
 
 /// Faces are parts of their parents, and the chosen ones have parts of one size.
-void ExpectParts(const RefinedSurface& before, const RefinedSurface& after,
-  const std::vector<Id>& parents, const std::vector<Id>& chosen, int levels)
+void ExpectParts(const SubMesh& before, const SubMesh& after, const std::vector<Id>& parents,
+  const std::vector<Id>& chosen, int levels)
 {
   ASSERT_EQ(parents.size(), after.Faces.size());
   std::vector<double> areas(before.Faces.size(), 0.0);
@@ -85,7 +85,7 @@ TestMesh EquilateralPlane(Id n)
   return mesh;
 }
 
-double SmallestAngle(const RefinedSurface& surface)
+double SmallestAngle(const SubMesh& surface)
 {
   double smallest = dgg::Pi;
   for (Id h = 0; h < static_cast<Id>(surface.Triangles.size()); ++h)
@@ -106,8 +106,8 @@ TEST(FaceRefinement, AllFaces)
     { NoisySphere(1, 0.3, 3), Plane(4, 3, 0.2, 5), Tetrahedron(), Book(5, 3, sheetOf) })
   {
     const dgg::SurfaceMesh mesh = Build(input);
-    const RefinedSurface before = Embed(mesh, {});
-    RefinedSurface surface = before;
+    const SubMesh before = Embed(mesh, {});
+    SubMesh surface = before;
     std::vector<Id> all(before.Faces.size());
     std::iota(all.begin(), all.end(), 0);
     const std::vector<Id> parents = Refine(mesh, all, 3, surface);
@@ -121,11 +121,11 @@ TEST(FaceRefinement, GreenFacesAreSplitOnce)
 {
   const TestMesh input = EquilateralPlane(12);
   const dgg::SurfaceMesh mesh = Build(input);
-  const RefinedSurface before = Embed(mesh, {});
+  const SubMesh before = Embed(mesh, {});
   ASSERT_NEAR(SmallestAngle(before), dgg::Pi / 3.0, 1e-12);
   for (int levels = 1; levels <= 4; ++levels)
   {
-    RefinedSurface surface = before;
+    SubMesh surface = before;
     const std::vector<Id> chosen{ 130, 131, 155 };
     const std::vector<Id> parents = Refine(mesh, chosen, levels, surface);
     ExpectParts(before, surface, parents, chosen, levels);
@@ -142,7 +142,7 @@ TEST(FaceRefinement, ParametersBetweenPointsInOnePlace)
   const dgg::SurfacePoint stop = dgg::SurfacePoint::AtVertex(1);
   const std::vector<SurfaceCurve> curves{ Curve(
     mesh, { start, stop, stop, stop, dgg::SurfacePoint::AtVertex(3) }) };
-  RefinedSurface surface = Embed(mesh, curves);
+  SubMesh surface = Embed(mesh, curves);
   Refine(mesh, { 0, 1 }, 1, surface);
   const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, 0);
   EXPECT_EQ(chain.Parameters, (std::vector<double>{ 0.0, 0.5, 1.0, 3.5, 4.0 }));

@@ -7,6 +7,7 @@
 
 #include "dggPatchBoundaries.h"
 #include "dggSurfaceCut.h"
+#include "dggSurfaceRefinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +103,7 @@ std::vector<std::size_t> ExpectCurves(const dgg::SurfaceMesh& mesh, const Points
   {
     EXPECT_TRUE(Ok(dgg::CheckPath(mesh, curve)));
   }
-  dgg::RefinedSurface refined;
+  dgg::SubMesh refined;
   dgg::Status status = dgg::RefineAlongPaths(mesh, paths, {}, refined); // fails at crossings
   EXPECT_TRUE(status.IsOk()) << status.GetMessage();
   if (!status.IsOk())
@@ -126,7 +127,7 @@ std::vector<std::size_t> ExpectCurves(const dgg::SurfaceMesh& mesh, const Points
     EXPECT_EQ(taken.count(refined.Paths[l][0]), 0u) << "a curve runs through landmark " << l;
   }
   // Count the corners of each part.
-  dgg::CutSurface cut;
+  dgg::SubMesh cut;
   EXPECT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
   dgg::SurfaceMesh opened;
   EXPECT_TRUE(cut.Build(mesh, opened).IsOk());

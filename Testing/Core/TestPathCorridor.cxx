@@ -169,7 +169,7 @@ TEST(MeshParts, RefinedFacesKnowWhatIsDegenerate)
     SCOPED_TRACE(named.Name);
     const SurfaceMesh mesh = Build(named.Mesh);
     const std::vector<Id> ends = SomeVertices(mesh, 4, 9);
-    dgg::RefinedSurface refined;
+    dgg::SubMesh refined;
     ASSERT_TRUE(
       dgg::RefineAlongPaths(mesh, { PathBetween(mesh, ends[1], ends[2]) }, {}, refined).IsOk());
     SurfaceMesh fine;

@@ -243,7 +243,7 @@ TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
       ASSERT_TRUE(drawing.Prepare(1).IsOk());
       expectEnough("prepared");
       EXPECT_EQ(count, 1 + regions);
-      drawing.Surface = RefinedSurface(); // it is not needed any more
+      drawing.Surface = SubMesh(); // it is not needed any more
       ASSERT_TRUE(drawing.Solve().IsOk());
       expectEnough("solved");
       EXPECT_EQ(count, 2 + regions);

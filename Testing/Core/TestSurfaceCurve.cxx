@@ -20,7 +20,7 @@ namespace dggtest
 namespace
 {
 using dgg::NoId;
-using dgg::RefinedSurface;
+using dgg::SubMesh;
 using dgg::SurfaceCurve;
 using dgg::SurfacePoint;
 }
@@ -119,7 +119,7 @@ TEST(CurveEmbedding, ParametersAreLengthsAlongTheCurve)
     Curve(mesh,
       { PointInPlane(input, mesh, 1.9, 5.3), PointInPlane(input, mesh, 2.1, 1.2),
         PointInPlane(input, mesh, 5.9, 1.4) }) };
-  const RefinedSurface surface = Embed(mesh, curves);
+  const SubMesh surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
   const dgg::CurveChain chain = dgg::FollowCurve(surface, curves, 0);
   ASSERT_GT(chain.Vertices.size(), 15u);
@@ -144,7 +144,7 @@ TEST(CurveEmbedding, CrossingsAndTouchesAreShared)
   const std::vector<SurfaceCurve> curves{ Curve(mesh, { at(0.125, 0.25), at(0.625, 0.25) }),
     Curve(mesh, { at(0.25, 0.125), at(0.25, 0.5) }), Curve(mesh, { at(0.5, 0.25), at(0.5, 0.375) }),
     Curve(mesh, { at(0.25, 0.25), at(0.375, 0.25) }) };
-  const RefinedSurface surface = Embed(mesh, curves);
+  const SubMesh surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
   // The fourth curve adds one; it and the third one have a single edge, which gets a middle.
   EXPECT_EQ(surface.GetNumberOfVertices(), 3 + 2 + 2 + 2 + 2 + 2);
@@ -167,7 +167,7 @@ TEST(CurveEmbedding, CurvesThatPassVerticesClosely)
   const std::vector<SurfaceCurve> curves{ Curve(mesh, { at(0.5, 0.0), at(0.5, 0.375) }),
     Curve(mesh, { at(0.25, 1.5e-9), at(0.75, 0.0) }), Curve(mesh, { at(0.0, 3e-9), at(0.25, 0.0) }),
     Curve(mesh, { at(0.25, 0.375 + 5e-10), at(0.625, 0.375) }) };
-  const RefinedSurface surface = Embed(mesh, curves);
+  const SubMesh surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
   EXPECT_EQ(surface.GetNumberOfVertices(), 3 + 2 + 2 + 2 + 2);
   ASSERT_EQ(surface.Paths[1].size(), 3u);
@@ -176,7 +176,7 @@ TEST(CurveEmbedding, CurvesThatPassVerticesClosely)
   EXPECT_EQ(surface.Paths[3][1], surface.Paths[0][1]);
   // Across a corner, closer to it than to both of its ends.
   const std::vector<SurfaceCurve> corner{ Curve(mesh, { at(1.2e-9, 0.0), at(0.0, 1.2e-9) }) };
-  const RefinedSurface around = Embed(mesh, corner);
+  const SubMesh around = Embed(mesh, corner);
   ExpectSoundEmbedding(input, mesh, corner, around);
   EXPECT_EQ(around.GetNumberOfVertices(), 5);
   ASSERT_EQ(around.Paths[0].size(), 3u);
@@ -215,7 +215,7 @@ namespace
 {
 using dgg::CurveCut;
 using dgg::NoId;
-using dgg::RefinedSurface;
+using dgg::SubMesh;
 using dgg::SurfaceCurve;
 using dgg::SurfacePoint;
 
@@ -238,7 +238,7 @@ std::array<Id, 2> FindCopies(
   return copies;
 }
 
-RefinedSurface EmbedVertices(
+SubMesh EmbedVertices(
   const dgg::SurfaceMesh& mesh, const std::vector<std::vector<Id>>& curves, bool isClosed = false)
 {
   std::vector<SurfaceCurve> joined;
@@ -274,7 +274,7 @@ double SideInPlane(const TestMesh& input, const dgg::SurfaceMesh& mesh, const Cu
   return sum;
 }
 
-CurveCut SoundCut(const RefinedSurface& surface)
+CurveCut SoundCut(const SubMesh& surface)
 {
   CurveCut cut = CutOpen(surface);
   ExpectSoundCut(surface, cut);
@@ -297,7 +297,7 @@ TEST(CurveCut, SlitHasOneRim)
 {
   // Points 6, 7 and 8 of a plane of 4 x 4 cells are inside.
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
-  const RefinedSurface surface = EmbedVertices(mesh, { { 6, 7, 8 } });
+  const SubMesh surface = EmbedVertices(mesh, { { 6, 7, 8 } });
   const CurveCut cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, 6), 1);
   EXPECT_EQ(CountCopies(cut, 7), 2);
@@ -318,7 +318,7 @@ TEST(CurveCut, CrossingHasFourCopies)
 {
   // A cross in the middle of a plane: 12 is its center.
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
-  const RefinedSurface surface = EmbedVertices(mesh, { { 11, 12, 13 }, { 7, 12, 17 } });
+  const SubMesh surface = EmbedVertices(mesh, { { 11, 12, 13 }, { 7, 12, 17 } });
   const CurveCut cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, 12), 4);
   ExpectTopology(mesh, cut, 1, 2);
@@ -348,7 +348,7 @@ TEST(CurveCut, ClosedCurves)
   {
     ring.push_back(sphere.Destination(*h));
   }
-  RefinedSurface surface = EmbedVertices(sphere, { ring }, true);
+  SubMesh surface = EmbedVertices(sphere, { ring }, true);
   CurveCut cut = SoundCut(surface);
   ExpectTopology(sphere, cut, 2, 2);
   // Fans turn counter-clockwise: the vertex is on the left, all around.
@@ -396,7 +396,7 @@ TEST(CurveCut, LeftIsLeft)
   {
     const std::vector<SurfaceCurve> curves{ Curve(mesh, RandomCurvePoints(mesh, 6, random), true),
       Curve(mesh, RandomCurvePoints(mesh, 6, random)) };
-    const RefinedSurface surface = Embed(mesh, curves);
+    const SubMesh surface = Embed(mesh, curves);
     const CurveCut cut = SoundCut(surface);
     for (const dgg::CurveSides& sides : cut.Sides)
     {
@@ -419,7 +419,7 @@ TEST(CurveCut, SheetsThatTouchInAPoint)
   const Id* h = mesh.FanBegin(0);
   const Id before = mesh.Destination(h[0]);
   const Id after = mesh.Destination(h[2]); // of the same fan
-  const RefinedSurface surface = EmbedVertices(mesh, { { before, 0, after } });
+  const SubMesh surface = EmbedVertices(mesh, { { before, 0, after } });
   const CurveCut cut = CutOpen(surface);
   EXPECT_EQ(CountCopies(cut, 0), 3); // left, right, and the other sphere
   ExpectTopology(mesh, cut, 2, 1);
@@ -451,7 +451,7 @@ TEST(CurveFuzz, EmbeddedCutAndRefined)
           Curve(mesh, RandomCurvePoints(mesh, points, random), isManifold && random.Index(2) == 0));
       }
       total += count;
-      RefinedSurface surface = Embed(mesh, curves);
+      SubMesh surface = Embed(mesh, curves);
       ExpectSoundEmbedding(input, mesh, curves, surface);
       std::vector<Id> faces;
       for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)

@@ -18,14 +18,14 @@ namespace dggtest
 namespace
 {
 using dgg::GridPoint;
-using dgg::RefinedSurface;
+using dgg::SubMesh;
 using dgg::SurfacePath;
 using dgg::SurfacePoint;
 
-RefinedSurface Refine(
+SubMesh Refine(
   const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& paths, bool insertCrossings = false)
 {
-  RefinedSurface refined;
+  SubMesh refined;
   dgg::RefinementOptions options;
   options.InsertCrossings = insertCrossings;
   EXPECT_TRUE(Ok(dgg::RefineAlongPaths(mesh, paths, options, refined)));
@@ -40,7 +40,7 @@ double AreaOf(const std::vector<double>& lengths, Id f)
 /// Everything that must hold of a refined surface: old faces are covered exactly, chains are edges
 /// and as long as their paths, and distances do not change.
 void ExpectSound(const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& paths,
-  const RefinedSurface& refined, double tolerance)
+  const SubMesh& refined, double tolerance)
 {
   ASSERT_EQ(refined.Triangles.size(), 3 * refined.Faces.size());
   ASSERT_EQ(refined.Paths.size(), paths.size());
@@ -207,7 +207,7 @@ TEST(SurfaceRefinement, TangledPaths)
         paths.push_back(path);
       }
     }
-    RefinedSurface refined;
+    SubMesh refined;
     const dgg::Status status = dgg::RefineAlongPaths(mesh, paths, {}, refined);
     EXPECT_TRUE(Says(status, "cross in face"));
     EXPECT_TRUE(refined.Points.empty());
@@ -222,7 +222,7 @@ TEST(SurfaceRefinement, CrossingsBecomeVertices)
   std::vector<SurfacePath> paths =
     FindPaths(mesh, SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) });
   paths.push_back(FindPaths(mesh, SurfacePoint::AtVertex(1), { SurfacePoint::AtVertex(2) })[0]);
-  const RefinedSurface refined = Refine(mesh, paths); // they touch: the edge is crossed at a node
+  const SubMesh refined = Refine(mesh, paths); // they touch: the edge is crossed at a node
   EXPECT_EQ(refined.GetNumberOfVertices(), 5);
   EXPECT_EQ(refined.GetNumberOfFaces(), 4);
   EXPECT_EQ(refined.Paths[0].size(), 3u);
@@ -235,11 +235,11 @@ TEST(SurfaceRefinement, CrossingsBecomeVertices)
   };
   paths = FindPaths(single, inFace(0.2, 0.2), { inFace(0.5, 0.3) });
   paths.push_back(FindPaths(single, inFace(0.3, 0.5), { inFace(0.4, 0.1) })[0]);
-  const RefinedSurface crossed = Refine(single, paths, true);
+  const SubMesh crossed = Refine(single, paths, true);
   EXPECT_EQ(crossed.GetNumberOfVertices(), 8);
   EXPECT_EQ(crossed.Paths[0][1], crossed.Paths[1][1]);
   ExpectSound(single, paths, crossed, 1e-12);
-  RefinedSurface none;
+  SubMesh none;
   EXPECT_FALSE(dgg::RefineAlongPaths(single, paths, {}, none).IsOk());
 }
 
@@ -248,10 +248,10 @@ TEST(SurfaceRefinement, PointsGoBackToTheOldMesh)
   for (const TestMesh& input : { NoisySphere(1, 0.3, 3), MisorientedSphere(1, 8) })
   {
     const dgg::SurfaceMesh mesh = Build(input);
-    const RefinedSurface refined = Refine(mesh, Star(mesh, 8, 5), true);
+    const SubMesh refined = Refine(mesh, Star(mesh, 8, 5), true);
     for (Id f = 0; f < refined.GetNumberOfFaces(); f += 3)
     {
-      const SurfacePoint middle = refined.ToOldMesh(mesh, f, { { 0.2, 0.3, 0.5 } });
+      const SurfacePoint middle = refined.ToParent(mesh, f, { { 0.2, 0.3, 0.5 } });
       ASSERT_TRUE(middle.Check(mesh).IsOk());
       const auto p = dgg::PositionOf(mesh, middle, input.Points.data());
       for (int c = 0; c < 3; ++c)
@@ -272,10 +272,10 @@ TEST(SurfaceRefinement, PointsGoBackToTheOldMesh)
 TEST(SurfaceCut, SplitsPinchedVertices)
 {
   const dgg::SurfaceMesh mesh = Build(TouchingSpheres(1));
-  const RefinedSurface refined = Refine(mesh, {});
+  const SubMesh refined = Refine(mesh, {});
   for (const auto pinched : { dgg::PinchedVertices::Stay, dgg::PinchedVertices::Split })
   {
-    dgg::CutSurface cut;
+    dgg::SubMesh cut;
     ASSERT_TRUE(dgg::CutAlongChains(refined, {}, cut, pinched).IsOk());
     dgg::SurfaceMesh opened;
     ASSERT_TRUE(cut.Build(mesh, opened).IsOk());

@@ -167,7 +167,7 @@ TEST(VectorGraphics, StrengthsThatChangeAreBlended)
     drawing.Add(Poisson, circle, strengths, strengths, true).Width = 2.0 * radius;
     drawing.Run(level);
     ASSERT_FALSE(HasFatalFailure());
-    const dgg::CutSurface& surface = drawing.Graphics.GetSurface();
+    const dgg::SubMesh& surface = drawing.Graphics.GetSurface();
     const double background = [&] { // that of v, since B is added to it
       double far = 0.0;
       for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
@@ -393,11 +393,11 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   const SurfaceMesh mesh = Build(plane);
   const SurfacePoint a = PointIn(mesh, 30 * 60 / 2 + 20, { { 0.3, 0.3, 0.4 } });
   const SurfacePoint b = PointIn(mesh, 30 * 60 / 2 + 25, { { 0.3, 0.3, 0.4 } });
-  const RefinedSurface before = Embed(mesh, { Curve(mesh, { a, b }) });
+  const SubMesh before = Embed(mesh, { Curve(mesh, { a, b }) });
   dgg::GraphicsRefinement refinement;
   refinement.Levels = 2;
   refinement.Part = dgg::RefinedPart::AroundCurves;
-  RefinedSurface surface = before;
+  SubMesh surface = before;
   ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
   EXPECT_EQ(surface.Paths[0].size(), 4 * before.Paths[0].size() - 3);
   // Some faces are as they were.
@@ -433,7 +433,7 @@ TEST(VectorGraphics, FragmentsAreTheMiddlesOfEqualParts)
     drawing.Add(Diffusion, { drawing.Find(2.6, 0.0), drawing.Find(2.6, 4.0) }, { 2, 0, 2, 0 },
       { 7, 8, 7, 8 });
     drawing.Run(1);
-    const dgg::CutSurface& surface = drawing.Graphics.GetSurface();
+    const dgg::SubMesh& surface = drawing.Graphics.GetSurface();
     std::vector<Id> faces;
     for (Id f = 0; f < surface.GetNumberOfFaces(); f += 2)
     {

@@ -121,13 +121,13 @@ TEST(VectorGraphicsSources, EachCurveFindsItsOwnLeft)
   const std::vector<SurfaceCurve> curves = { square(1, 7, false), square(2, 6, false),
     square(3, 5, true), square(1, 4, false), square(2, 6, false) };
   const std::size_t counts[] = { 72, 32, 128 - 8, 18, 32 };
-  const RefinedSurface surface = Embed(mesh, curves);
+  const SubMesh surface = Embed(mesh, curves);
   std::vector<dgg::CurveChain> chains;
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
     chains.push_back(dgg::FollowCurve(surface, curves, k));
   }
-  const dgg::ChainEdges edges(surface, chains, std::vector<char>(curves.size(), 1));
+  const dgg::PathEdges edges(surface, surface.Paths);
   dgg::LeftFaces left(edges);
   std::vector<Id> faces;
   for (std::size_t k = 0; k < curves.size(); ++k)

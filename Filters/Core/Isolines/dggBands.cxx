@@ -3,13 +3,13 @@
 #include "dggBands.h"
 
 #include "dggFaceProfile.h"
+#include "dggPathEdges.h"
 #include "dggProgressPart.h"
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -78,6 +78,7 @@ public:
     , Result(bands)
     , Profile(field)
     , Close(MergeDistance * field.Mesh->GetMaximumEdgeLength())
+    , Lines(bands.Surface, bands.Surface.Paths)
   {
   }
 
@@ -89,15 +90,14 @@ private:
   bool IsReached(Id face) const;
   std::pair<Id, Id> BandsOf(Id face) const;
   Id BandOfCentroid(Id face);
-  bool IsOnLine(Id h) const;
   void Spread(std::vector<Id>& front);
 
   const DistanceField& Field;
   Bands& Result;
   FaceProfile Profile;
-  const double Close;      // tolerance of a level whose line may have collapsed to a vertex
+  const double Close; // tolerance of a level whose line may have collapsed to a vertex
+  const PathEdges Lines;
   std::vector<Id> LevelAt; // per vertex, the level of the lines that pass it, or NoId
-  std::set<std::pair<Id, Id>> Segments; // edges of the lines, smaller vertex first
 };
 
 /// Returns the first band whose upper level is above the distance.
@@ -116,20 +116,15 @@ bool BandFinder::IsReached(Id face) const
 /// on lines.
 void BandFinder::FindDistances(const std::vector<double>& levels, const std::vector<Id>& levelOf)
 {
-  const RefinedSurface& surface = this->Result.Surface;
+  const SubMesh& surface = this->Result.Surface;
   this->LevelAt.assign(surface.GetNumberOfVertices(), NoId);
   for (std::size_t p = 0; p < surface.Paths.size(); ++p)
   {
     const Id level = this->BandAt(levels[levelOf[p]]) - 1;
-    const std::vector<Id>& path = surface.Paths[p];
-    for (std::size_t i = 0; i < path.size(); ++i)
+    for (const Id v : surface.Paths[p])
     {
-      Id& known = this->LevelAt[path[i]];
+      Id& known = this->LevelAt[v];
       known = known == NoId ? level : std::min(known, level); // where lines touch
-      if (i > 0)
-      {
-        this->Segments.insert(std::minmax(path[i - 1], path[i]));
-      }
     }
   }
   this->Result.Distances.resize(surface.GetNumberOfVertices());
@@ -161,7 +156,7 @@ std::pair<Id, Id> BandFinder::BandsOf(Id face) const
 
 Id BandFinder::BandOfCentroid(Id face)
 {
-  const RefinedSurface& surface = this->Result.Surface;
+  const SubMesh& surface = this->Result.Surface;
   const Id old = surface.Faces[face];
   std::array<double, 3> sum{ { 0.0, 0.0, 0.0 } };
   for (Id h = 3 * face; h < 3 * face + 3; ++h)
@@ -177,18 +172,11 @@ Id BandFinder::BandOfCentroid(Id face)
   return this->BandAt(this->Profile.At(this->Profile.PlaceOf(sum)));
 }
 
-bool BandFinder::IsOnLine(Id h) const
-{
-  const Id a = this->Result.Surface.Triangles[h];
-  const Id b = this->Result.Surface.Triangles[SurfaceMesh::Next(h)];
-  return this->Segments.count(std::minmax(a, b)) > 0;
-}
-
 /// Assigns bands: first to faces that are determined by their corners, then to their neighbors that
 /// are not separated by a line, and finally to the rest one by one.
 void BandFinder::FindBands()
 {
-  const RefinedSurface& surface = this->Result.Surface;
+  const SubMesh& surface = this->Result.Surface;
   std::vector<Id>& bandOf = this->Result.BandOf;
   bandOf.assign(surface.GetNumberOfFaces(), NoId);
   std::vector<Id> front;
@@ -224,13 +212,14 @@ void BandFinder::FindBands()
 /// Spreads bands from faces to neighbors that may be in the same band, nearest first.
 void BandFinder::Spread(std::vector<Id>& front)
 {
-  const RefinedSurface& surface = this->Result.Surface;
+  const SubMesh& surface = this->Result.Surface;
   std::vector<Id>& bandOf = this->Result.BandOf;
   for (std::size_t i = 0; i < front.size(); ++i)
   {
     for (Id h = 3 * front[i]; h < 3 * front[i] + 3; ++h)
     {
-      for (Id e = surface.Twins[h]; e != NoId && e != h && !this->IsOnLine(h); e = surface.Twins[e])
+      for (Id e = surface.Twins[h]; e != NoId && e != h && !this->Lines.IsOnPath(h);
+           e = surface.Twins[e])
       {
         const Id f = SurfaceMesh::Face(e);
         if (bandOf[f] != NoId || !this->IsReached(f))

@@ -5,10 +5,10 @@
 #ifndef dggBands_h
 #define dggBands_h
 
-#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
-#include "dggDistanceField.h"  // for DistanceField
-#include "dggIsolines.h"       // for Isolines
-#include "dggRefinedSurface.h" // for RefinedSurface
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
+#include "dggDistanceField.h" // for DistanceField
+#include "dggIsolines.h"      // for Isolines
+#include "dggSubMesh.h"       // for SubMesh
 
 #include <vector> // for the bands
 
@@ -17,7 +17,7 @@ namespace dgg
 /// A mesh cut along isolines, each face of which lies between two levels.
 struct Bands
 {
-  RefinedSurface Surface;
+  SubMesh Surface;
   /// The levels in increasing order, each once. Band i lies between levels i - 1 and i; the first
   /// one is below all levels, the last one above.
   std::vector<double> Levels;

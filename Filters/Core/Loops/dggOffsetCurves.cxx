@@ -67,7 +67,7 @@ std::vector<GeodesicSource> SampleChain(
 }
 
 /// Returns a curve of the refined surface as a curve of the mesh, with all its points.
-SurfacePath ToMesh(const SurfaceMesh& mesh, const RefinedSurface& refined, const SurfaceMesh& part,
+SurfacePath ToMesh(const SurfaceMesh& mesh, const SubMesh& refined, const SurfaceMesh& part,
   const SurfacePath& curve, bool isClosed)
 {
   SurfacePath path;
@@ -76,7 +76,7 @@ SurfacePath ToMesh(const SurfaceMesh& mesh, const RefinedSurface& refined, const
     const Id face = curve.Faces[i > 0 ? i - 1 : 0];
     const SurfacePoint point = isClosed && i + 1 == curve.Points.size()
       ? path.Points.front()
-      : refined.ToOldMesh(mesh, part, face, curve.Points[i]);
+      : refined.ToParent(mesh, part, face, curve.Points[i]);
     path.Append(mesh, point, refined.Faces[face]);
   }
   return path;
@@ -208,7 +208,7 @@ private:
   const SurfaceMesh& Mesh;
   const double Distance;
   const ProgressCallback& Progress;
-  RefinedSurface Refined;
+  SubMesh Refined;
   SurfaceMesh Part;
   double Longest = 0.0; // longest edge that an offset curve may have crossed before the last step
   double Done = 0.0;    // progress so far

@@ -45,7 +45,7 @@ std::pair<Id, Id> FindOnlyEdge(const std::vector<Id>& path)
 
 /// Splits edges that form an entire path: cut along such an edge, the surface would not open.
 /// Continuations by other paths do not count, since callers need not cut along all paths.
-void SplitLoneEdges(const SurfaceMesh& mesh, RefinedSurface& surface)
+void SplitLoneEdges(const SurfaceMesh& mesh, SubMesh& surface)
 {
   std::vector<std::pair<Id, Id>> edges;
   for (const std::vector<Id>& path : surface.Paths)
@@ -92,9 +92,9 @@ void SplitLoneEdges(const SurfaceMesh& mesh, RefinedSurface& surface)
 }
 
 Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves,
-  const ProgressCallback& progress, RefinedSurface& surface)
+  const ProgressCallback& progress, SubMesh& surface)
 {
-  surface = RefinedSurface();
+  surface = SubMesh();
   std::vector<SurfacePath> paths;
   paths.reserve(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c)
@@ -115,7 +115,7 @@ Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& cur
 }
 
 CurveChain FollowCurve(
-  const RefinedSurface& surface, const std::vector<SurfaceCurve>& curves, std::size_t number)
+  const SubMesh& surface, const std::vector<SurfaceCurve>& curves, std::size_t number)
 {
   const SurfaceCurve& curve = curves[number];
   const std::vector<double>& places = surface.Places[number];

@@ -5,9 +5,9 @@
 #ifndef dggCurveEmbedding_h
 #define dggCurveEmbedding_h
 
-#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
-#include "dggRefinedSurface.h" // for RefinedSurface
-#include "dggSurfaceCurve.h"   // for SurfaceCurve
+#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
+#include "dggSubMesh.h"      // for SubMesh
+#include "dggSurfaceCurve.h" // for SurfaceCurve
 
 #include <cstddef> // for std::size_t
 #include <vector>  // for curves
@@ -35,12 +35,12 @@ struct CurveChain
 /// The surface is unchanged: each face lies in a face of the mesh and has its orientation, and
 /// edges are split in all of their faces, including non-manifold edges.
 DGG_CORE_EXPORT Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& curves,
-  const ProgressCallback& progress, RefinedSurface& surface);
+  const ProgressCallback& progress, SubMesh& surface);
 
 /// Returns the chain of curve `number` on the surface that EmbedCurves() made of `curves`, possibly
 /// refined afterwards.
 DGG_CORE_EXPORT CurveChain FollowCurve(
-  const RefinedSurface& surface, const std::vector<SurfaceCurve>& curves, std::size_t number);
+  const SubMesh& surface, const std::vector<SurfaceCurve>& curves, std::size_t number);
 }
 
 #endif

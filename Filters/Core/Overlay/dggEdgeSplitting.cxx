@@ -22,8 +22,7 @@ constexpr double SmallestCoordinate = 2e-9;
 class EdgeSplitter
 {
 public:
-  EdgeSplitter(
-    const SurfaceMesh& oldMesh, const std::vector<char>& isSplit, RefinedSurface& surface)
+  EdgeSplitter(const SurfaceMesh& oldMesh, const std::vector<char>& isSplit, SubMesh& surface)
     : OldMesh(oldMesh)
     , Old(surface)
     , New(surface)
@@ -42,7 +41,7 @@ public:
     this->Reserve();
   }
 
-  void Run(RefinedSurface& surface, std::vector<Id>* parents)
+  void Run(SubMesh& surface, std::vector<Id>* parents)
   {
     for (Id f = 0; f < this->Old.GetNumberOfFaces(); ++f)
     {
@@ -69,7 +68,7 @@ private:
     }
     const auto middle = static_cast<Id>(this->New.Points.size());
     this->New.Points.push_back(
-      this->Old.ToOldMesh(this->OldMesh, SurfaceMesh::Face(h), CoordinatesOnEdge(h, 0.5)));
+      this->Old.ToParent(this->OldMesh, SurfaceMesh::Face(h), CoordinatesOnEdge(h, 0.5)));
     this->Middles[h] = middle;
     for (Id e = this->Old.Twins[h]; e != NoId && e != h; e = this->Old.Twins[e])
     {
@@ -240,8 +239,8 @@ private:
   }
 
   const SurfaceMesh& OldMesh;
-  const RefinedSurface Old; // a copy: the surface itself is replaced
-  RefinedSurface New;
+  const SubMesh Old; // a copy: the surface itself is replaced
+  SubMesh New;
   std::vector<Id> Middles;        // per half-edge
   std::vector<Id> Parents;        // per new face
   std::vector<Offset> OldPlaces;  // per new half-edge, the old edge or face that contains it
@@ -249,7 +248,7 @@ private:
 };
 }
 
-bool HasMiddle(const SurfaceMesh& oldMesh, const RefinedSurface& surface, Id halfEdge)
+bool HasMiddle(const SurfaceMesh& oldMesh, const SubMesh& surface, Id halfEdge)
 {
   const Id face = surface.Faces[SurfaceMesh::Face(halfEdge)];
   std::array<double, 3> p{};
@@ -265,8 +264,8 @@ bool HasMiddle(const SurfaceMesh& oldMesh, const RefinedSurface& surface, Id hal
   return isClear;
 }
 
-void SplitEdges(const SurfaceMesh& oldMesh, const std::vector<char>& isSplit,
-  RefinedSurface& surface, std::vector<Id>* parents)
+void SplitEdges(const SurfaceMesh& oldMesh, const std::vector<char>& isSplit, SubMesh& surface,
+  std::vector<Id>* parents)
 {
   EdgeSplitter(oldMesh, isSplit, surface).Run(surface, parents);
 }

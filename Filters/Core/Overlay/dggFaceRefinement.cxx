@@ -18,7 +18,7 @@ namespace
 class LevelRefiner
 {
 public:
-  LevelRefiner(const SurfaceMesh& mesh, RefinedSurface& surface, std::vector<Id>& parents)
+  LevelRefiner(const SurfaceMesh& mesh, SubMesh& surface, std::vector<Id>& parents)
     : Mesh(mesh)
     , Surface(surface)
     , Parents(parents)
@@ -35,7 +35,7 @@ private:
   std::vector<char> Grow(int rings) const;
 
   const SurfaceMesh& Mesh;
-  RefinedSurface& Surface;
+  SubMesh& Surface;
   std::vector<Id>& Parents;
   std::vector<char> IsChosen; // per face
 };
@@ -116,15 +116,14 @@ Status LevelRefiner::SplitOnce(int rings, Offset mostFaces)
 }
 
 Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces, int levels,
-  const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents,
-  Offset mostFaces)
+  const ProgressCallback& progress, SubMesh& surface, std::vector<Id>& parents, Offset mostFaces)
 {
   parents.clear();
   if (levels < 0)
   {
     return Status::Invalid("the number of levels must not be negative");
   }
-  RefinedSurface refined = surface;
+  SubMesh refined = surface;
   std::vector<Id> refinedParents;
   LevelRefiner refiner(mesh, refined, refinedParents);
   DGG_RETURN_IF_ERROR(refiner.Choose(faces));

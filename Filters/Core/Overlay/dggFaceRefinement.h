@@ -5,8 +5,8 @@
 #ifndef dggFaceRefinement_h
 #define dggFaceRefinement_h
 
-#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
-#include "dggRefinedSurface.h" // for RefinedSurface
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggSubMesh.h"    // for SubMesh
 
 #include <limits> // for the most faces
 #include <vector> // for faces
@@ -29,7 +29,7 @@ namespace dgg
 /// Fails, leaving the surface unchanged, if a face does not exist, `levels` is negative, there
 /// would be more than `mostFaces` faces or 2^31 - 1 half-edges, or when stopped.
 DGG_CORE_EXPORT Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces,
-  int levels, const ProgressCallback& progress, RefinedSurface& surface, std::vector<Id>& parents,
+  int levels, const ProgressCallback& progress, SubMesh& surface, std::vector<Id>& parents,
   Offset mostFaces = std::numeric_limits<Id>::max() / 3);
 }
 

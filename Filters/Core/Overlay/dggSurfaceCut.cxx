@@ -4,153 +4,266 @@
 
 #include "dggDisjointSets.h"
 #include "dggInvalidInput.h"
+#include "dggPathEdges.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <numeric>
-#include <utility>
+#include <set>
 
 namespace dgg
 {
 namespace
 {
-/// Opens the edges of chains, finds the resulting sectors around each vertex, and gives each of
-/// them a vertex of its own.
-class ChainCutter
+/// Opens the edges of paths, finds the sectors that they leave around each vertex, and gives each
+/// sector a vertex of its own.
+class PathCutter
 {
 public:
-  ChainCutter(const RefinedSurface& surface, CutSurface& cut)
+  PathCutter(const SubMesh& surface, const std::vector<std::vector<Id>>& paths)
     : Surface(surface)
-    , Cut(cut)
-    , HalfEdges(static_cast<Id>(surface.Triangles.size()))
-    , Sectors(surface.Triangles.size())
+    , Paths(paths)
+    , Edges(surface, paths)
   {
   }
 
-  Status Run(const std::vector<std::vector<Id>>& chains, PinchedVertices pinched)
-  {
-    this->Cut = CutSurface();
-    static_cast<RefinedSurface&>(this->Cut) = this->Surface;
-    this->Cut.Paths.clear();
-    this->Cut.Places.clear();
-    this->CollectEdges(chains);
-    Status status = this->OpenEdges();
-    if (!status.IsOk())
-    {
-      this->Cut = CutSurface();
-      return status;
-    }
-    this->JoinCorners();
-    this->CopyVertices(pinched);
-    return status;
-  }
+  Status CheckSides() const;
+  Status Run(PinchedVertices pinched, SubMesh& cut) const;
+  std::vector<CurveSides> FindSides(const SubMesh& cut) const;
 
 private:
-  static std::pair<Id, Id> Unordered(Id a, Id b) { return { std::min(a, b), std::max(a, b) }; }
-
-  void CollectEdges(const std::vector<std::vector<Id>>& chains)
+  enum class Defect
   {
-    for (const std::vector<Id>& chain : chains)
-    {
-      for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-      {
-        this->Edges.push_back(Unordered(chain[i], chain[i + 1]));
-      }
-    }
-    std::sort(this->Edges.begin(), this->Edges.end());
-    this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
-  }
+    None,
+    Crowded, ///< more than two faces
+    Twisted  ///< two faces of opposite orientation
+  };
 
-  /// Unglues the half-edges on the chains. Fails if an edge does not exist.
-  Status OpenEdges()
+  Defect FindDefect(Id h) const;
+  bool IsAtPath(Id h) const
   {
-    std::vector<char> isFound(this->Edges.size(), 0);
-    for (Id h = 0; h < this->HalfEdges; ++h)
-    {
-      const std::pair<Id, Id> edge =
-        Unordered(this->Surface.Triangles[h], this->Surface.Triangles[SurfaceMesh::Next(h)]);
-      const auto place = std::lower_bound(this->Edges.begin(), this->Edges.end(), edge);
-      if (place != this->Edges.end() && *place == edge)
-      {
-        isFound[place - this->Edges.begin()] = 1;
-        this->Cut.Twins[h] = NoId;
-      }
-    }
-    const auto missing = std::find(isFound.begin(), isFound.end(), 0);
-    if (missing == isFound.end())
-    {
-      return Status::Success();
-    }
-    const std::pair<Id, Id>& edge = this->Edges[missing - isFound.begin()];
-    return InvalidInput(
-      "vertices ", edge.first, " and ", edge.second, " of a chain are not neighbours");
+    return this->Edges.IsVertexOnPath(this->Surface.Origin(h)) ||
+      this->Edges.IsVertexOnPath(this->Surface.Destination(h));
   }
+  Offset CountDefects(Defect defect) const;
+  Status OpenEdges(SubMesh& cut) const;
+  DisjointSets FindSectors(const SubMesh& cut) const;
+  void CopyVertices(PinchedVertices pinched, SubMesh& cut) const;
+  EdgeSide FindSide(const SubMesh& cut, Id from, Id to, bool isLeft) const;
 
-  /// Joins corners that still share an edge at their vertex into one sector.
-  void JoinCorners()
-  {
-    for (Id h = 0; h < this->HalfEdges; ++h)
-    {
-      const Id t = this->Cut.Twins[h];
-      if (t == NoId)
-      {
-        continue;
-      }
-      const Id hNext = SurfaceMesh::Next(h);
-      const Id tNext = SurfaceMesh::Next(t);
-      const bool along = this->Surface.Triangles[h] == this->Surface.Triangles[t];
-      this->Sectors.Join(h, along ? t : tNext);
-      this->Sectors.Join(hNext, along ? tNext : t);
-    }
-  }
-
-  /// Creates one copy per sector of the vertices on chains.
-  void CopyVertices(PinchedVertices pinched)
-  {
-    const Id vertices = this->Surface.GetNumberOfVertices();
-    std::vector<char> isPassed(vertices, pinched == PinchedVertices::Split ? 1 : 0);
-    for (const std::pair<Id, Id>& edge : this->Edges)
-    {
-      isPassed[edge.first] = 1;
-      isPassed[edge.second] = 1;
-    }
-    this->Cut.VertexOf.resize(vertices);
-    std::iota(this->Cut.VertexOf.begin(), this->Cut.VertexOf.end(), 0);
-    std::vector<Id> copyOf(this->HalfEdges, NoId); // per corner that represents a sector
-    std::vector<char> hasCopy(vertices, 0);
-    for (Id h = 0; h < this->HalfEdges; ++h)
-    {
-      const Id v = this->Surface.Triangles[h];
-      if (!isPassed[v])
-      {
-        continue;
-      }
-      Id& copy = copyOf[this->Sectors.Find(h)];
-      if (copy == NoId)
-      {
-        copy = v;
-        if (hasCopy[v])
-        {
-          copy = static_cast<Id>(this->Cut.VertexOf.size());
-          this->Cut.VertexOf.push_back(v);
-          this->Cut.Points.push_back(this->Surface.Points[v]);
-        }
-        hasCopy[v] = 1;
-      }
-      this->Cut.Triangles[h] = copy;
-    }
-  }
-
-  const RefinedSurface& Surface;
-  CutSurface& Cut;
-  const Id HalfEdges;
-  std::vector<std::pair<Id, Id>> Edges; // edges of the chains, sorted
-  DisjointSets Sectors;                 // sectors as sets of corners
+  const SubMesh& Surface;
+  const std::vector<std::vector<Id>>& Paths;
+  const PathEdges Edges;
 };
+
+/// Returns the defect of the edge of a half-edge.
+PathCutter::Defect PathCutter::FindDefect(Id h) const
+{
+  const Id twin = this->Surface.Twin(h);
+  if (twin == NoId)
+  {
+    return Defect::None;
+  }
+  if (this->Surface.Twin(twin) != h)
+  {
+    return Defect::Crowded;
+  }
+  return this->Surface.Origin(h) == this->Surface.Origin(twin) ? Defect::Twisted : Defect::None;
 }
 
-Status CutAlongChains(const RefinedSurface& surface, const std::vector<std::vector<Id>>& chains,
-  CutSurface& cut, PinchedVertices pinched)
+/// Returns the number of edges of the parent that have a defect and a piece that touches a path.
+/// Pieces of one edge meet in points inside the edge, which are on no other edge.
+Offset PathCutter::CountDefects(Defect defect) const
 {
-  return ChainCutter(surface, cut).Run(chains, pinched);
+  const Id halfEdges = this->Surface.GetNumberOfHalfEdges();
+  DisjointSets edges(this->Surface.Triangles.size());
+  std::vector<Id> pieceAt(this->Surface.Points.size(), NoId);
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    if (this->FindDefect(h) != defect)
+    {
+      continue;
+    }
+    edges.Join(h, this->Surface.Twin(h));
+    for (const Id v : { this->Surface.Origin(h), this->Surface.Destination(h) })
+    {
+      if (this->Surface.Points[v].On == SurfacePoint::Support::Edge)
+      {
+        edges.Join(h, pieceAt[v] == NoId ? h : pieceAt[v]);
+        pieceAt[v] = h;
+      }
+    }
+  }
+  std::set<Id> touched;
+  for (Id h = 0; h < halfEdges; ++h)
+  {
+    if (this->FindDefect(h) == defect && this->IsAtPath(h))
+    {
+      touched.insert(edges.Find(h));
+    }
+  }
+  return static_cast<Offset>(touched.size());
+}
+
+Status PathCutter::CheckSides() const
+{
+  bool isSound = true;
+  for (Id h = 0; h < this->Surface.GetNumberOfHalfEdges() && isSound; ++h)
+  {
+    isSound = !this->IsAtPath(h) || this->FindDefect(h) == Defect::None;
+  }
+  if (isSound)
+  {
+    return Status::Success();
+  }
+  return InvalidInput("curves have no sides where they meet ", this->CountDefects(Defect::Crowded),
+    " edges of more than two faces and ", this->CountDefects(Defect::Twisted),
+    " edges of two faces that are oriented differently. Remove sheets that stand on"
+    " others, orient the faces alike, and do not draw curves across the seam"
+    " of a one-sided surface");
+}
+
+Status PathCutter::Run(PinchedVertices pinched, SubMesh& cut) const
+{
+  cut = this->Surface;
+  cut.Paths.clear();
+  cut.Places.clear();
+  Status status = this->OpenEdges(cut);
+  if (status.IsOk())
+  {
+    this->CopyVertices(pinched, cut);
+  }
+  else
+  {
+    cut = SubMesh();
+  }
+  return status;
+}
+
+/// Separates the half-edges of the paths from their twins. Fails for an edge without half-edges.
+Status PathCutter::OpenEdges(SubMesh& cut) const
+{
+  for (const std::vector<Id>& path : this->Paths)
+  {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      const std::vector<Id> halfEdges = this->Edges.Find(path[i], path[i + 1]);
+      if (halfEdges.empty())
+      {
+        return InvalidInput(
+          "vertices ", path[i], " and ", path[i + 1], " of a chain are not neighbours");
+      }
+      for (const Id h : halfEdges)
+      {
+        cut.Twins[h] = NoId;
+      }
+    }
+  }
+  return Status::Success();
+}
+
+/// Returns sets of corners. Two corners at a vertex that an edge still joins are in one sector.
+DisjointSets PathCutter::FindSectors(const SubMesh& cut) const
+{
+  DisjointSets sectors(cut.Triangles.size());
+  for (Id h = 0; h < cut.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id t = cut.Twin(h);
+    if (t == NoId)
+    {
+      continue;
+    }
+    const Id hNext = SurfaceMesh::Next(h);
+    const Id tNext = SurfaceMesh::Next(t);
+    const bool along = this->Surface.Origin(h) == this->Surface.Origin(t);
+    sectors.Join(h, along ? t : tNext);
+    sectors.Join(hNext, along ? tNext : t);
+  }
+  return sectors;
+}
+
+/// Makes one copy per sector of the vertices that paths pass.
+void PathCutter::CopyVertices(PinchedVertices pinched, SubMesh& cut) const
+{
+  DisjointSets sectors = this->FindSectors(cut);
+  const Id vertices = this->Surface.GetNumberOfVertices();
+  cut.VertexOf.resize(vertices);
+  std::iota(cut.VertexOf.begin(), cut.VertexOf.end(), 0);
+  std::vector<Id> copyOf(cut.Triangles.size(), NoId); // per corner that represents a sector
+  std::vector<char> hasCopy(vertices, 0);
+  for (Id h = 0; h < cut.GetNumberOfHalfEdges(); ++h)
+  {
+    const Id v = this->Surface.Origin(h);
+    if (pinched == PinchedVertices::Stay && !this->Edges.IsVertexOnPath(v))
+    {
+      continue;
+    }
+    Id& copy = copyOf[sectors.Find(h)];
+    if (copy == NoId)
+    {
+      copy = v;
+      if (hasCopy[v])
+      {
+        copy = static_cast<Id>(cut.VertexOf.size());
+        cut.VertexOf.push_back(v);
+        cut.Points.push_back(this->Surface.Points[v]);
+      }
+      hasCopy[v] = 1;
+    }
+    cut.Triangles[h] = copy;
+  }
+}
+
+/// The half-edge of the face on the left runs along the path, that on the right against the path.
+EdgeSide PathCutter::FindSide(const SubMesh& cut, Id from, Id to, bool isLeft) const
+{
+  EdgeSide side;
+  for (const Id h : this->Edges.Find(from, to))
+  {
+    if (side.Face == NoId && this->Surface.Origin(h) == (isLeft ? from : to))
+    {
+      side.Face = SurfaceMesh::Face(h);
+      side.From = isLeft ? cut.Origin(h) : cut.Destination(h);
+      side.To = isLeft ? cut.Destination(h) : cut.Origin(h);
+    }
+  }
+  return side;
+}
+
+std::vector<CurveSides> PathCutter::FindSides(const SubMesh& cut) const
+{
+  std::vector<CurveSides> sides(this->Paths.size());
+  for (std::size_t p = 0; p < sides.size(); ++p)
+  {
+    const std::vector<Id>& path = this->Paths[p];
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      sides[p].Left.push_back(this->FindSide(cut, path[i], path[i + 1], true));
+      sides[p].Right.push_back(this->FindSide(cut, path[i], path[i + 1], false));
+    }
+  }
+  return sides;
+}
+}
+
+Status CutAlongChains(const SubMesh& surface, const std::vector<std::vector<Id>>& chains,
+  SubMesh& cut, PinchedVertices pinched)
+{
+  return PathCutter(surface, chains).Run(pinched, cut);
+}
+
+Status CutAlongCurves(
+  const SubMesh& surface, const std::vector<std::vector<Id>>& paths, CurveCut& cut)
+{
+  cut = CurveCut();
+  const PathCutter cutter(surface, paths);
+  DGG_RETURN_IF_ERROR(cutter.CheckSides());
+  DGG_RETURN_IF_ERROR(cutter.Run(PinchedVertices::Stay, cut.Surface));
+  cut.Sides = cutter.FindSides(cut.Surface);
+  return Status::Success();
+}
+
+Status CheckSides(const SubMesh& surface, const std::vector<std::vector<Id>>& paths)
+{
+  return PathCutter(surface, paths).CheckSides();
 }
 }

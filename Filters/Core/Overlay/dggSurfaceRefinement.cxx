@@ -31,7 +31,7 @@ class Refiner
 {
 public:
   Refiner(const SurfaceMesh& mesh, const std::vector<SurfacePath>& paths,
-    const RefinementOptions& options, RefinedSurface& refined)
+    const RefinementOptions& options, SubMesh& refined)
     : Mesh(mesh)
     , Paths(paths)
     , Options(options)
@@ -68,7 +68,7 @@ private:
   const SurfaceMesh& Mesh;
   const std::vector<SurfacePath>& Paths;
   const RefinementOptions& Options;
-  RefinedSurface& Refined;
+  SubMesh& Refined;
 
   PathNodes Nodes;
   std::vector<PathPiece> Pieces;                   // pieces of all paths, concatenated
@@ -78,7 +78,7 @@ private:
 
 Status Refiner::Run()
 {
-  this->Refined = RefinedSurface();
+  this->Refined = SubMesh();
   DGG_RETURN_IF_ERROR(this->CheckPaths());
   this->Nodes.AddPointsOnEdges(this->Paths);
   this->MakePieces();
@@ -356,13 +356,13 @@ void Refiner::AddPlaces(const PathPiece& piece, std::vector<double>& places) con
 }
 
 Status RefineAlongPaths(const SurfaceMesh& mesh, const std::vector<SurfacePath>& paths,
-  const RefinementOptions& options, RefinedSurface& refined)
+  const RefinementOptions& options, SubMesh& refined)
 {
-  refined = RefinedSurface();
+  refined = SubMesh();
   Status status = Refiner(mesh, paths, options, refined).Run();
   if (!status.IsOk())
   {
-    refined = RefinedSurface();
+    refined = SubMesh();
   }
   return status;
 }

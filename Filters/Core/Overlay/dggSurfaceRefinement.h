@@ -5,8 +5,8 @@
 #ifndef dggSurfaceRefinement_h
 #define dggSurfaceRefinement_h
 
-#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
-#include "dggRefinedSurface.h" // for RefinedSurface
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggSubMesh.h"    // for SubMesh
 
 #include <vector> // for the paths
 
@@ -24,7 +24,7 @@ struct RefinementOptions
 /// the mesh or each other. Points within 1e-9, in barycentric coordinates, become one vertex. Fails
 /// if a path is not on the mesh, or if paths cross and InsertCrossings is false.
 DGG_CORE_EXPORT Status RefineAlongPaths(const SurfaceMesh& mesh,
-  const std::vector<SurfacePath>& paths, const RefinementOptions& options, RefinedSurface& refined);
+  const std::vector<SurfacePath>& paths, const RefinementOptions& options, SubMesh& refined);
 }
 
 #endif

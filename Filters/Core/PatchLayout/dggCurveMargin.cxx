@@ -25,8 +25,8 @@ struct Corner
 class MarginRemover
 {
 public:
-  MarginRemover(const SurfaceMesh& oldMesh, const RefinedSurface& surface,
-    const std::vector<char>& isBlocked, const std::vector<char>& isCut, RefinedSurface& rest)
+  MarginRemover(const SurfaceMesh& oldMesh, const SubMesh& surface,
+    const std::vector<char>& isBlocked, const std::vector<char>& isCut, SubMesh& rest)
     : OldMesh(oldMesh)
     , Surface(surface)
     , IsBlocked(isBlocked)
@@ -45,17 +45,17 @@ private:
   void AddEdge(Id f, const Corner& a, const Corner& b);
 
   const SurfaceMesh& OldMesh;
-  const RefinedSurface& Surface;
+  const SubMesh& Surface;
   const std::vector<char>& IsBlocked;
   const std::vector<char>& IsCut;
-  RefinedSurface& Rest;
+  SubMesh& Rest;
   std::vector<Id> NewPoints;  // two per half-edge: near its origin and near its end
   std::vector<Offset> Places; // per half-edge of the rest, the edge or face that contains it
 };
 
 void MarginRemover::Run()
 {
-  this->Rest = RefinedSurface();
+  this->Rest = SubMesh();
   this->Rest.Points = this->Surface.Points;
   std::vector<Corner> polygon;
   for (Id f = 0; f < this->Surface.GetNumberOfFaces(); ++f)
@@ -106,7 +106,7 @@ Corner MarginRemover::PointOn(Id h, bool nearOrigin)
   {
     point = this->Rest.GetNumberOfVertices();
     this->Rest.Points.push_back(
-      this->Surface.ToOldMesh(this->OldMesh, SurfaceMesh::Face(h), corner.Barycentric));
+      this->Surface.ToParent(this->OldMesh, SurfaceMesh::Face(h), corner.Barycentric));
   }
   corner.Vertex = point;
   return corner;
@@ -150,8 +150,8 @@ void MarginRemover::AddEdge(Id f, const Corner& a, const Corner& b)
 }
 }
 
-void RemoveMargin(const SurfaceMesh& oldMesh, const RefinedSurface& surface,
-  const std::vector<char>& isBlocked, const std::vector<char>& isCut, RefinedSurface& rest)
+void RemoveMargin(const SurfaceMesh& oldMesh, const SubMesh& surface,
+  const std::vector<char>& isBlocked, const std::vector<char>& isCut, SubMesh& rest)
 {
   MarginRemover(oldMesh, surface, isBlocked, isCut, rest).Run();
 }

@@ -5,7 +5,7 @@
 #ifndef dggCurveMargin_h
 #define dggCurveMargin_h
 
-#include "dggSurfaceRefinement.h" // for RefinedSurface
+#include "dggSurfaceRefinement.h" // for SubMesh
 #include "dggTypes.h"             // for Id
 
 #include <vector> // for flags
@@ -19,8 +19,8 @@ namespace dgg
 /// `isBlocked`, per vertex: keep away from the vertex. `isCut`, per half-edge: on a curve; at least
 /// one of its ends is blocked. Vertices keep their ids; blocked ones lose their faces. Edges may
 /// have at most two faces.
-void RemoveMargin(const SurfaceMesh& oldMesh, const RefinedSurface& surface,
-  const std::vector<char>& isBlocked, const std::vector<char>& isCut, RefinedSurface& rest);
+void RemoveMargin(const SurfaceMesh& oldMesh, const SubMesh& surface,
+  const std::vector<char>& isBlocked, const std::vector<char>& isCut, SubMesh& rest);
 }
 
 #endif

@@ -5,11 +5,11 @@
 #include "dggCurveMargin.h"
 #include "dggDisjointSets.h"
 #include "dggInvalidInput.h"
+#include "dggPathEdges.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace dgg
@@ -28,7 +28,6 @@ double PlaceInFan(const SurfaceMesh& mesh, Id vertex, Id neighbor)
   }
   return static_cast<double>(place - begin);
 }
-
 }
 
 Status LayoutDrawing::Begin()
@@ -81,7 +80,7 @@ Status LayoutDrawing::CheckLandmarks() const
 }
 
 /// Splits the faces along the landmarks, the curves, and optionally one more path.
-Status LayoutDrawing::Refine(const SurfacePath* more, RefinedSurface& refined) const
+Status LayoutDrawing::Refine(const SurfacePath* more, SubMesh& refined) const
 {
   std::vector<SurfacePath> paths(this->Landmarks.size());
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
@@ -188,7 +187,7 @@ Status LayoutDrawing::FindPathsFrom(ExactPathFinder& finder, Id landmark,
 std::vector<EdgeOrder> LayoutDrawing::FindOrders(const std::vector<SurfacePath>& paths) const
 {
   std::vector<EdgeOrder> orders(this->Landmarks.size());
-  RefinedSurface crossed;
+  SubMesh crossed;
   SurfaceMesh mesh;
   RefinementOptions options;
   options.InsertCrossings = true;
@@ -248,7 +247,7 @@ Status LayoutDrawing::Draw(
         : "the other edges separate them. Check that the landmarks correspond, or turn patches "
           "the other way");
   }
-  RefinedSurface refined;
+  SubMesh refined;
   DGG_RETURN_IF_ERROR(this->KeepClear(edge, progress, connection, refined));
   InsertIntoOrder(orders[a], connection.From, edge);
   InsertIntoOrder(orders[b], connection.To, edge);
@@ -281,7 +280,7 @@ Status LayoutDrawing::Connect(const std::vector<LayoutSector>& from,
 /// Splits the surface along the path as well. If the path touches other curves, or itself, it is
 /// replaced by one at a distance from everything.
 Status LayoutDrawing::KeepClear(
-  Id edge, const ProgressCallback& progress, Connection& connection, RefinedSurface& refined) const
+  Id edge, const ProgressCallback& progress, Connection& connection, SubMesh& refined) const
 {
   if (this->Refine(&connection.Path, refined).IsOk() && this->KeepsClear(refined))
   {
@@ -315,7 +314,7 @@ Status LayoutDrawing::Trace(const LayoutSector& from, const std::vector<LayoutSe
   {
     if (!paths[i].IsEmpty() && (path.IsEmpty() || paths[i].Length < path.Length))
     {
-      path = this->Surface.Opened.ToOldMesh(this->Mesh, this->Surface.OpenedMesh, paths[i]);
+      path = this->Surface.Opened.ToParent(this->Mesh, this->Surface.OpenedMesh, paths[i]);
       reached = i;
     }
   }
@@ -329,7 +328,7 @@ Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& t
   std::vector<char> isBlocked;
   std::vector<char> isCut;
   this->MarkObstacles(from.Vertex, to.Vertex, isBlocked, isCut);
-  RefinedSurface rest;
+  SubMesh rest;
   RemoveMargin(this->Mesh, this->Surface.Opened, isBlocked, isCut, rest);
   SurfaceMesh mesh;
   DGG_RETURN_IF_ERROR(rest.Build(this->Mesh, mesh));
@@ -338,7 +337,7 @@ Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& t
     SurfacePoint::AtVertex(from.Vertex), { SurfacePoint::AtVertex(to.Vertex) }, progress, paths));
   if (!paths[0].IsEmpty())
   {
-    path = rest.ToOldMesh(this->Mesh, mesh, paths[0]);
+    path = rest.ToParent(this->Mesh, mesh, paths[0]);
   }
   return Status::Success();
 }
@@ -348,16 +347,11 @@ void LayoutDrawing::MarkObstacles(
   Id from, Id to, std::vector<char>& isBlocked, std::vector<char>& isCut) const
 {
   std::vector<char> isTaken(this->Surface.Refined.Points.size(), 0);
-  std::set<std::pair<Id, Id>> onCurves;
   for (const std::vector<Id>& chain : this->Surface.Refined.Paths)
   {
-    for (std::size_t i = 0; i < chain.size(); ++i)
+    for (const Id v : chain)
     {
-      isTaken[chain[i]] = 1;
-      if (i > 0)
-      {
-        onCurves.insert(std::minmax(chain[i - 1], chain[i]));
-      }
+      isTaken[v] = 1;
     }
   }
   isBlocked.assign(this->Surface.Opened.Points.size(), 0);
@@ -365,18 +359,17 @@ void LayoutDrawing::MarkObstacles(
   {
     isBlocked[v] = isTaken[this->Surface.Opened.VertexOf[v]] && v != from && v != to ? 1 : 0;
   }
-  const Id halfEdges = this->Surface.Opened.GetNumberOfHalfEdges();
+  const PathEdges curves(this->Surface.Refined, this->Surface.Refined.Paths);
+  const Id halfEdges = this->Surface.Refined.GetNumberOfHalfEdges();
   isCut.assign(halfEdges, 0);
   for (Id h = 0; h < halfEdges; ++h)
   {
-    const Id a = this->Surface.Opened.VertexOf[this->Surface.Opened.Origin(h)];
-    const Id b = this->Surface.Opened.VertexOf[this->Surface.Opened.Destination(h)];
-    isCut[h] = isTaken[a] && isTaken[b] && onCurves.count(std::minmax(a, b)) > 0 ? 1 : 0;
+    isCut[h] = curves.IsOnPath(h) ? 1 : 0; // The cut has not changed the ids of half-edges.
   }
 }
 
 /// Returns true if the last path meets the others, and itself, only at its ends.
-bool LayoutDrawing::KeepsClear(const RefinedSurface& refined) const
+bool LayoutDrawing::KeepsClear(const SubMesh& refined) const
 {
   std::vector<char> isTaken(refined.Points.size(), 0);
   for (std::size_t p = 0; p + 1 < refined.Paths.size(); ++p)

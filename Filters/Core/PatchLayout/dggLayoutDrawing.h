@@ -8,7 +8,7 @@
 #include "dggExactPath.h"         // for paths
 #include "dggLayoutOrder.h"       // for EdgeOrder, LayoutSector
 #include "dggPatchBoundaries.h"   // for PatchSurface
-#include "dggSurfaceRefinement.h" // for RefinedSurface
+#include "dggSurfaceRefinement.h" // for SubMesh
 
 #include <string> // for the name
 #include <vector> // for curves
@@ -64,13 +64,13 @@ private:
   std::vector<EdgeOrder> FindOrders(const std::vector<SurfacePath>& paths) const;
   Status CheckSurface() const;
   Status CheckLandmarks() const;
-  Status Refine(const SurfacePath* more, RefinedSurface& refined) const;
+  Status Refine(const SurfacePath* more, SubMesh& refined) const;
   Status Cut();
   Status Connect(const std::vector<LayoutSector>& from, const std::vector<LayoutSector>& to,
     const ProgressCallback& progress, Connection& connection) const;
-  Status KeepClear(Id edge, const ProgressCallback& progress, Connection& connection,
-    RefinedSurface& refined) const;
-  bool KeepsClear(const RefinedSurface& refined) const;
+  Status KeepClear(
+    Id edge, const ProgressCallback& progress, Connection& connection, SubMesh& refined) const;
+  bool KeepsClear(const SubMesh& refined) const;
   Status Trace(const LayoutSector& from, const std::vector<LayoutSector>& to,
     const ProgressCallback& progress, SurfacePath& path, std::size_t& reached) const;
   Status TraceClear(const LayoutSector& from, const LayoutSector& to,

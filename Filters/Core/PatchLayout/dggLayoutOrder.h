@@ -6,7 +6,7 @@
 #define dggLayoutOrder_h
 
 #include "dggPatchBoundaries.h" // for PatchLayout
-#include "dggSurfaceCut.h"      // for CutSurface
+#include "dggSurfaceCut.h"      // for CutAlongChains
 
 #include <array>  // for edges
 #include <vector> // for lists
@@ -65,10 +65,10 @@ struct DrawnSurface
 {
   /// Split at the landmarks (its first paths, single points), and along the curves (the remaining
   /// paths).
-  RefinedSurface Refined;
+  SubMesh Refined;
   std::vector<Id> DrawnEdges; ///< edges of the layout, in the order of their curves
   std::vector<char> IsDrawn;  ///< per edge of the layout
-  CutSurface Opened;          ///< cut open along all of them
+  SubMesh Opened;             ///< cut open along all of them
   SurfaceMesh OpenedMesh;
 };
 

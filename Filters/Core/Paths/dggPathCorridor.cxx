@@ -20,12 +20,21 @@ constexpr double Margin = 1e-9;
 /// of faces; the solver is stopped beyond a hundred.
 constexpr std::size_t LeastReports = 10;
 constexpr std::size_t FacesPerReport = 200;
+
+/// Returns a point of a face of a mesh as a point of a submesh that contains the face.
+SurfacePoint ToSubMesh(const SurfaceMesh& parent, const SurfacePoint& point, Id face,
+  const SubMesh& subMesh, const SurfaceMesh& mesh)
+{
+  std::array<double, 3> barycentric{};
+  FindInFace(parent, point, face, barycentric);
+  const auto found = std::find(subMesh.Faces.begin(), subMesh.Faces.end(), face);
+  return SurfacePoint::InFace(mesh, static_cast<Id>(found - subMesh.Faces.begin()), barycentric);
+}
 }
 
 PathCorridor::PathCorridor(const SurfaceMesh& mesh)
   : Mesh(mesh)
-  , Vertices(mesh.GetNumberOfVertices())
-  , FaceRuns(mesh.GetNumberOfFaces(), 0)
+  , Selector(mesh)
 {
 }
 
@@ -36,22 +45,24 @@ bool PathCorridor::Shorten(double detour, SurfacePath& path)
   {
     return false;
   }
-  this->Begin();
+  this->Selector.Clear();
+  this->Vertices.clear();
   this->Length = path.Length;
   this->Detour = detour;
   this->LayPath(path);
   this->Grow();
-  SurfaceMesh part;
-  if (!this->Build(part).IsOk())
+  const SubMesh corridor = this->Selector.Take();
+  SurfaceMesh mesh;
+  if (!corridor.Build(this->Mesh, mesh).IsOk())
   {
     return false;
   }
-  ExactPathFinder finder(part);
+  ExactPathFinder finder(mesh);
   std::vector<SurfacePath> found;
-  std::size_t reports = LeastReports + this->Faces.size() / FacesPerReport;
+  std::size_t reports = LeastReports + corridor.Faces.size() / FacesPerReport;
   const Status status = finder.Find(
-    this->ToPart(part, path.Points.front(), path.Faces.front()),
-    { this->ToPart(part, path.Points.back(), path.Faces.back()) },
+    ToSubMesh(this->Mesh, path.Points.front(), path.Faces.front(), corridor, mesh),
+    { ToSubMesh(this->Mesh, path.Points.back(), path.Faces.back(), corridor, mesh) },
     [&](double) { return reports-- > 0; }, found, path.Length * (1.0 + Margin));
   this->WasStopped = status.IsAborted();
   if (!status.IsOk() || found.front().IsEmpty() ||
@@ -59,17 +70,13 @@ bool PathCorridor::Shorten(double detour, SurfacePath& path)
   {
     return false;
   }
-  SurfacePath shorter;
-  for (const SurfacePoint& point : found.front().Points)
-  {
-    shorter.Points.push_back(this->FromPart(part, point));
-  }
+  SurfacePath shorter = corridor.ToParent(this->Mesh, mesh, found.front());
   shorter.Points.front() = path.Points.front();
   shorter.Points.back() = path.Points.back();
-  for (const Id face : found.front().Faces)
+  shorter.Length = 0.0; // The ends may differ from the converted ones by rounding errors.
+  for (std::size_t piece = 0; piece < shorter.Faces.size(); ++piece)
   {
-    shorter.Faces.push_back(this->Faces[face]);
-    shorter.Length += MeasurePiece(this->Mesh, shorter, shorter.Faces.size() - 1);
+    shorter.Length += MeasurePiece(this->Mesh, shorter, piece);
   }
   if (!(shorter.Length < path.Length * (1.0 - LengthTolerance)))
   {
@@ -79,42 +86,16 @@ bool PathCorridor::Shorten(double detour, SurfacePath& path)
   return true;
 }
 
-void PathCorridor::Begin()
-{
-  if (++this->Run == 0) // after four billion runs
-  {
-    std::fill(this->Vertices.begin(), this->Vertices.end(), Vertex());
-    std::fill(this->FaceRuns.begin(), this->FaceRuns.end(), 0);
-    this->Run = 1;
-  }
-  this->Faces.clear();
-  this->PartVertices.clear();
-  this->Triangles.clear();
-  this->Lengths.clear();
-}
-
 void PathCorridor::Put(Id v, const Point2& place, bool isNear)
 {
-  Vertex& vertex = this->Vertices[v];
-  if (vertex.Run == this->Run)
+  if (this->Selector.GetVertexId(v) != NoId)
   {
+    Vertex& vertex = this->At(v);
     vertex.IsNear = vertex.IsNear || isNear;
     return;
   }
-  vertex.Run = this->Run;
-  vertex.Local = static_cast<Id>(this->PartVertices.size());
-  vertex.Place = place;
-  vertex.IsNear = isNear || this->IsWithin(place);
-  this->PartVertices.push_back(v);
-}
-
-void PathCorridor::AddFace(Id f)
-{
-  if (this->FaceRuns[f] != this->Run)
-  {
-    this->FaceRuns[f] = this->Run;
-    this->Faces.push_back(f);
-  }
+  this->Selector.AddVertex(v);
+  this->Vertices.push_back({ place, isNear || this->IsWithin(place) });
 }
 
 /// Lays out the path along the x axis.
@@ -140,7 +121,7 @@ void PathCorridor::LayPath(const SurfacePath& path)
         const Point2 c = Difference(PlaceInFrame(this->Mesh, h, CoordinatesOfCorner(k)), p);
         this->Put(this->Mesh.Origin(h + k), { x + Dot(axis, c), dgg::Cross(axis, c) }, true);
       }
-      this->AddFace(f);
+      this->Selector.AddFace(f);
     }
     x += length;
   }
@@ -150,23 +131,22 @@ void PathCorridor::LayPath(const SurfacePath& path)
 void PathCorridor::Grow()
 {
   // NOLINTNEXTLINE(modernize-loop-convert): the list grows during the loop
-  for (std::size_t next = 0; next < this->Faces.size(); ++next)
+  for (std::size_t next = 0; next < this->Selector.GetFaces().size(); ++next)
   {
-    const Id f = this->Faces[next];
+    const Id f = this->Selector.GetFaces()[next];
     for (Id h = 3 * f; h < 3 * f + 3; ++h)
     {
-      if (!this->Vertices[this->Mesh.Origin(h)].IsNear &&
-        !this->Vertices[this->Mesh.Destination(h)].IsNear)
+      if (!this->At(this->Mesh.Origin(h)).IsNear && !this->At(this->Mesh.Destination(h)).IsNear)
       {
         continue;
       }
       ForEachTwin(this->Mesh, h, [&](Id e) {
         const Id apex = this->Mesh.Apex(e);
-        if (!this->Find(apex))
+        if (this->Selector.GetVertexId(apex) == NoId)
         {
           this->Put(apex, this->PlaceBehind(h, e), false);
         }
-        this->AddFace(SurfaceMesh::Face(e));
+        this->Selector.AddFace(SurfaceMesh::Face(e));
       });
     }
   }
@@ -176,9 +156,9 @@ void PathCorridor::Grow()
 /// apex.
 Point2 PathCorridor::PlaceBehind(Id exit, Id entry)
 {
-  const Point2& a = this->Vertices[this->Mesh.Origin(entry)].Place;
-  const Point2& b = this->Vertices[this->Mesh.Destination(entry)].Place;
-  const Point2& own = this->Vertices[this->Mesh.Apex(exit)].Place;
+  const Point2& a = this->At(this->Mesh.Origin(entry)).Place;
+  const Point2& b = this->At(this->Mesh.Destination(entry)).Place;
+  const Point2& own = this->At(this->Mesh.Apex(exit)).Place;
   const Point2 edge = Difference(b, a);
   const double length = Norm(edge.X, edge.Y);
   if (!(length > 0.0))
@@ -194,48 +174,5 @@ bool PathCorridor::IsWithin(const Point2& place) const
 {
   return Norm(place.X, place.Y) + Norm(this->Length - place.X, place.Y) <=
     this->Length * (1.0 + this->Detour);
-}
-
-Status PathCorridor::Build(SurfaceMesh& part)
-{
-  for (const Id f : this->Faces)
-  {
-    for (Id h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      this->Triangles.push_back(this->Vertices[this->Mesh.Origin(h)].Local);
-      this->Lengths.push_back(this->Mesh.Length(h));
-    }
-  }
-  return SurfaceMesh::FromLengths(static_cast<Offset>(this->PartVertices.size()),
-    this->Triangles.data(), static_cast<Offset>(this->Faces.size()), this->Lengths.data(), part,
-    { &this->Mesh, this->Faces.data() });
-}
-
-SurfacePoint PathCorridor::ToPart(const SurfaceMesh& part, const SurfacePoint& point, Id face) const
-{
-  if (point.On == SurfacePoint::Support::Vertex)
-  {
-    return SurfacePoint::AtVertex(this->Vertices[point.Vertex].Local);
-  }
-  std::array<double, 3> barycentric{};
-  FindInFace(this->Mesh, point, face, barycentric);
-  const auto place = std::find(this->Faces.begin(), this->Faces.end(), face);
-  // The corners of the face were passed in the order of the mesh.
-  return SurfacePoint::InFace(part, static_cast<Id>(place - this->Faces.begin()), barycentric);
-}
-
-SurfacePoint PathCorridor::FromPart(const SurfaceMesh& part, const SurfacePoint& point) const
-{
-  if (point.On == SurfacePoint::Support::Vertex)
-  {
-    return SurfacePoint::AtVertex(this->PartVertices[point.Vertex]);
-  }
-  // Restore the order in which the submesh was given its corners.
-  std::array<double, 3> barycentric = point.Barycentric;
-  if (part.IsFlipped(point.Face))
-  {
-    std::swap(barycentric[1], barycentric[2]);
-  }
-  return SurfacePoint::InTriangle(this->Mesh, this->Faces[point.Face], barycentric);
 }
 }

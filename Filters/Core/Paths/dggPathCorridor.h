@@ -5,6 +5,7 @@
 #ifndef dggPathCorridor_h
 #define dggPathCorridor_h
 
+#include "dggSubMesh.h"     // for FaceSelector
 #include "dggSurfacePath.h" // for SurfacePath
 #include "dggUnfolding.h"   // for Point2
 
@@ -30,41 +31,26 @@ public:
   bool IsStopped() const { return this->WasStopped; }
 
   /// Size of the reused buffers in bytes, excluding corridors.
-  std::size_t GetMemorySize() const
-  {
-    return this->Vertices.size() * sizeof(Vertex) + this->FaceRuns.size() * sizeof(std::uint32_t);
-  }
+  std::size_t GetMemorySize() const { return this->Selector.GetMemorySize(); }
 
 private:
   /// Per-vertex state of the current run.
   struct Vertex
   {
-    std::uint32_t Run = 0;
-    Id Local = NoId;
     Point2 Place;        ///< position along the path and across
     bool IsNear = false; ///< all faces around it are in the corridor
   };
 
-  void Begin();
-  Vertex* Find(Id v) { return this->Vertices[v].Run == this->Run ? &this->Vertices[v] : nullptr; }
+  Vertex& At(Id v) { return this->Vertices[this->Selector.GetVertexId(v)]; }
   void Put(Id v, const Point2& place, bool isNear);
-  void AddFace(Id f);
   void LayPath(const SurfacePath& path);
   void Grow();
   Point2 PlaceBehind(Id exit, Id entry);
   bool IsWithin(const Point2& place) const;
-  Status Build(SurfaceMesh& part);
-  SurfacePoint ToPart(const SurfaceMesh& part, const SurfacePoint& point, Id face) const;
-  SurfacePoint FromPart(const SurfaceMesh& part, const SurfacePoint& point) const;
 
   const SurfaceMesh& Mesh;
-  std::vector<Vertex> Vertices;
-  std::vector<std::uint32_t> FaceRuns; // per face, the last run with the face in the corridor
-  std::uint32_t Run = 0;
-  std::vector<Id> Faces; // of the corridor
-  std::vector<Id> PartVertices;
-  std::vector<Id> Triangles;
-  std::vector<double> Lengths;
+  FaceSelector Selector;
+  std::vector<Vertex> Vertices; // of the corridor
   bool WasStopped = false;
   double Length = 0.0;
   double Detour = 0.0;

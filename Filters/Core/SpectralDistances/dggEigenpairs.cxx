@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggEigenpairs.h"
 
-#include "dggMeshPart.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
+#include "dggSubMesh.h"
 
 #include <Eigen/Dense>
 #include <Spectra/SymEigsSolver.h>
@@ -15,6 +15,7 @@
 #include <functional>
 #include <new>
 #include <numeric>
+#include <utility>
 
 namespace dgg
 {
@@ -328,14 +329,14 @@ Status FindOnComponent(
   return !status.IsOk() || Goes(progress, 1.0) ? status : Status::Abort();
 }
 
-/// Returns the options for a submesh.
-PoissonOptions OptionsOf(const PoissonSystem& system, const MeshPart& part)
+/// Returns the options for a submesh with the given vertices of the parent.
+PoissonOptions OptionsOf(const PoissonSystem& system, const std::vector<Id>& vertices)
 {
   PoissonOptions options = system.GetOptions();
   options.DirichletVertices.clear();
-  for (std::size_t k = 0; k < part.Vertices.size(); ++k)
+  for (std::size_t k = 0; k < vertices.size(); ++k)
   {
-    if (system.IsFixed(part.Vertices[k]))
+    if (system.IsFixed(vertices[k]))
     {
       options.DirichletVertices.push_back(static_cast<Id>(k));
     }
@@ -358,13 +359,14 @@ Status FindEigenpairs(const PoissonSolver& solver, Id count, const ProgressCallb
   }
   const PoissonSystem& system = solver.GetSystem();
   const SurfaceMesh& mesh = system.GetMesh();
-  std::vector<MeshPart> parts = FindComponentParts(mesh);
+  std::vector<std::vector<Id>> parts = FindComponentFaces(mesh);
+  FaceSelector selector(mesh);
   std::vector<Eigenpairs> found(static_cast<std::size_t>(system.GetNumberOfComponents()));
   double done = 0.0;
-  for (MeshPart& part : parts)
+  for (std::vector<Id>& faces : parts)
   {
-    const Id c = system.GetComponent(mesh.Origin(3 * part.Faces[0]));
-    const double size = static_cast<double>(part.Faces.size()) / mesh.GetNumberOfFaces();
+    const Id c = system.GetComponent(mesh.Origin(3 * faces[0]));
+    const double size = static_cast<double>(faces.size()) / mesh.GetNumberOfFaces();
     const ProgressCallback reported = ProgressPart(progress, done, done + size);
     done += size;
     if (!isWanted.empty() && !isWanted[c])
@@ -379,13 +381,21 @@ Status FindEigenpairs(const PoissonSolver& solver, Id count, const ProgressCallb
     }
     else if (!system.IsThin(c))
     {
-      DGG_RETURN_IF_ERROR(part.Build(mesh));
-      PoissonSystem own(part.Mesh);
-      DGG_RETURN_IF_ERROR(own.Analyze(OptionsOf(system, part), nullptr));
+      SurfaceMesh component;
+      std::vector<Id> vertices;
+      {
+        const SubMesh part = selector.Select(faces);
+        DGG_RETURN_IF_ERROR(part.Build(mesh, component));
+        for (const SurfacePoint& point : part.Points)
+        {
+          vertices.push_back(point.Vertex);
+        }
+      }
+      PoissonSystem own(component);
+      DGG_RETURN_IF_ERROR(own.Analyze(OptionsOf(system, vertices), nullptr));
       DGG_RETURN_IF_ERROR(own.Factorize());
       DGG_RETURN_IF_ERROR(FindOnComponent(own, count, reported, found[c]));
-      found[c].Vertices.swap(part.Vertices);
-      part = MeshPart(); // Release the submesh before the next one is built.
+      found[c].Vertices.swap(vertices);
     }
   }
   pairs.swap(found);

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphicsBand.h"
 
-#include "dggMeshPart.h"
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
+#include "dggSubMesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace dgg
 {
@@ -129,20 +130,21 @@ public:
     const CurveChain& chain, const GraphicsCurve& curve, int channels,
     const ProgressCallback& progress)
   {
-    MeshPart part;
+    std::vector<Id> faces;
     for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
     {
       if (IsFaceInBand(mesh, f, isInBand))
       {
-        part.Faces.push_back(f);
+        faces.push_back(f);
       }
     }
-    DGG_RETURN_IF_ERROR(part.Build(mesh));
-    const SurfaceMesh& band = part.Mesh;
+    const SubMesh part = FaceSelector(mesh).Select(faces);
+    SurfaceMesh band;
+    DGG_RETURN_IF_ERROR(part.Build(mesh, band));
     this->Places.assign(isInBand.size(), NoId);
-    for (std::size_t v = 0; v < part.Vertices.size(); ++v)
+    for (Id v = 0; v < part.GetNumberOfVertices(); ++v)
     {
-      this->Places[part.Vertices[v]] = static_cast<Id>(v);
+      this->Places[part.Points[v].Vertex] = v;
     }
     const auto n = static_cast<std::size_t>(band.GetNumberOfVertices());
     const auto count = static_cast<std::size_t>(channels);

@@ -13,7 +13,7 @@ namespace
 {
 /// Cuts along the curves for which `isMeant` holds.
 template <typename Predicate>
-Status CutAlong(const RefinedSurface& surface, const std::vector<CurveChain>& chains,
+Status CutAlong(const SubMesh& surface, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, const Predicate& isMeant, CurveCut& cut,
   std::vector<std::size_t>& numbers)
 {
@@ -59,7 +59,7 @@ std::string NameOf(const GraphicsCurve& curve, std::size_t number)
   return curve.Name.empty() ? "curve " + std::to_string(number) : curve.Name;
 }
 
-Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
+Status CutForGraphics(const SurfaceMesh& mesh, const SubMesh& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   GraphicsDomain& domain)
 {

@@ -5,7 +5,7 @@
 #ifndef dggGraphicsDomain_h
 #define dggGraphicsDomain_h
 
-#include "dggCurveCut.h"       // for CurveCut
+#include "dggSurfaceCut.h"     // for CurveCut
 #include "dggVectorGraphics.h" // for curves
 
 #include <cstddef> // for std::size_t
@@ -53,7 +53,7 @@ void ForEachEnd(const CurveSides& sides, const CurveChain& chain, Visitor&& visi
 }
 
 /// Cuts a surface for graphics. Fails if a curve has no length or no sides.
-Status CutForGraphics(const SurfaceMesh& mesh, const RefinedSurface& surface,
+Status CutForGraphics(const SurfaceMesh& mesh, const SubMesh& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   GraphicsDomain& domain);
 

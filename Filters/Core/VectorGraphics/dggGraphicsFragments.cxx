@@ -31,7 +31,7 @@ std::vector<std::array<double, 3>> FindCentroids(int division)
 }
 }
 
-GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
+GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const SubMesh& surface,
   const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division)
 {
   GraphicsFragments fragments;
@@ -45,7 +45,7 @@ GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surfa
   {
     for (const std::array<double, 3>& centroid : centroids)
     {
-      fragments.Places.push_back(surface.ToOldMesh(mesh, face, centroid));
+      fragments.Places.push_back(surface.ToParent(mesh, face, centroid));
       fragments.Faces.push_back(surface.Faces[face]);
       for (std::size_t c = 0; c < width; ++c)
       {

@@ -6,7 +6,7 @@
 #define dggGraphicsFragments_h
 
 #include "dggCoreExport.h"  // for DGG_CORE_EXPORT
-#include "dggSurfaceCut.h"  // for CutSurface
+#include "dggSubMesh.h"     // for SubMesh
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
 #include <vector> // for places and values
@@ -25,7 +25,7 @@ struct GraphicsFragments
 /// Subdivides faces of a colored surface into division^2 congruent triangles, and samples the
 /// center of each. The mean over the fragments of a face equals the mean over the face. `faces` are
 /// faces of `surface`; `values` has `channels` values per vertex.
-DGG_CORE_EXPORT GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const CutSurface& surface,
+DGG_CORE_EXPORT GraphicsFragments MakeFragments(const SurfaceMesh& mesh, const SubMesh& surface,
   const std::vector<Id>& faces, const std::vector<double>& values, int channels, int division);
 }
 

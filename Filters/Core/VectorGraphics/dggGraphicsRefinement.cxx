@@ -15,7 +15,7 @@ namespace dgg
 namespace
 {
 /// Returns the faces with a vertex on a path.
-std::vector<Id> FindFacesAroundCurves(const RefinedSurface& surface)
+std::vector<Id> FindFacesAroundCurves(const SubMesh& surface)
 {
   std::vector<char> isTouched(surface.Points.size(), 0);
   for (const std::vector<Id>& path : surface.Paths)
@@ -37,7 +37,7 @@ std::vector<Id> FindFacesAroundCurves(const RefinedSurface& surface)
   return faces;
 }
 
-std::vector<Id> ChooseFaces(const GraphicsRefinement& refinement, const RefinedSurface& surface)
+std::vector<Id> ChooseFaces(const GraphicsRefinement& refinement, const SubMesh& surface)
 {
   if (refinement.Part == RefinedPart::AroundCurves)
   {
@@ -72,7 +72,7 @@ void FindParts(const std::vector<Id>& faces, const std::vector<Id>& parents, std
 }
 
 Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refinement,
-  RefinedSurface& surface, std::vector<Id>* parts)
+  SubMesh& surface, std::vector<Id>* parts)
 {
   const std::vector<Id> faces = ChooseFaces(refinement, surface);
   const double partsPerFace = std::pow(4.0, refinement.Levels);

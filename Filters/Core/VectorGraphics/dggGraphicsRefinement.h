@@ -5,8 +5,8 @@
 #ifndef dggGraphicsRefinement_h
 #define dggGraphicsRefinement_h
 
-#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
-#include "dggRefinedSurface.h" // for RefinedSurface
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggSubMesh.h"    // for SubMesh
 
 #include <limits> // for the most faces
 #include <vector> // for faces
@@ -43,7 +43,7 @@ struct GraphicsRefinement
 /// refined surface that lie in chosen faces, without those into which neighbors were split; may be
 /// null.
 DGG_CORE_EXPORT Status RefineForGraphics(const SurfaceMesh& mesh,
-  const GraphicsRefinement& refinement, RefinedSurface& surface, std::vector<Id>* parts = nullptr);
+  const GraphicsRefinement& refinement, SubMesh& surface, std::vector<Id>* parts = nullptr);
 }
 
 #endif

@@ -9,54 +9,7 @@
 
 namespace dgg
 {
-namespace
-{
-std::pair<Id, Id> Unordered(Id a, Id b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-}
-
-ChainEdges::ChainEdges(const RefinedSurface& surface, const std::vector<CurveChain>& chains,
-  const std::vector<char>& isMeant)
-  : Surface(surface)
-{
-  std::vector<char> isPassed(surface.Points.size(), 0);
-  for (std::size_t k = 0; k < chains.size(); ++k)
-  {
-    for (std::size_t i = 0; i < chains[k].Vertices.size() && isMeant[k]; ++i)
-    {
-      isPassed[chains[k].Vertices[i]] = 1;
-    }
-  }
-  const auto isBetween = [&](Id h) {
-    return isPassed[surface.Triangles[h]] && isPassed[surface.Triangles[SurfaceMesh::Next(h)]];
-  };
-  for (Id h = 0; h < static_cast<Id>(surface.Triangles.size()); ++h)
-  {
-    if (isBetween(h))
-    {
-      const Id a = surface.Triangles[h];
-      this->HalfEdges.emplace_back(Unordered(a, surface.Triangles[SurfaceMesh::Next(h)]), h);
-    }
-  }
-  std::sort(this->HalfEdges.begin(), this->HalfEdges.end());
-}
-
-std::vector<Id> ChainEdges::Find(Id a, Id b) const
-{
-  const std::pair<Id, Id> edge = Unordered(a, b);
-  std::vector<Id> found;
-  for (auto i =
-         std::lower_bound(this->HalfEdges.begin(), this->HalfEdges.end(), std::make_pair(edge, 0));
-       i != this->HalfEdges.end() && i->first == edge; ++i)
-  {
-    found.push_back(i->second);
-  }
-  return found;
-}
-
-LeftFaces::LeftFaces(const ChainEdges& edges)
+LeftFaces::LeftFaces(const PathEdges& edges)
   : Edges(edges)
   , Surface(edges.GetSurface())
   , IsFound(Surface.Faces.size(), 0)
@@ -155,7 +108,7 @@ Status LeftFaces::Find(const CurveChain& chain, bool isClosed, std::vector<Id>& 
   return status;
 }
 
-RegionSources::RegionSources(const SurfaceMesh& mesh, const CutSurface& surface)
+RegionSources::RegionSources(const SurfaceMesh& mesh, const SubMesh& surface)
   : Mesh(mesh)
   , Surface(surface)
   , States(surface.Faces.size(), State::Outside)
@@ -271,7 +224,7 @@ void RegionSources::Add(const std::vector<Id>& faces, const std::vector<double>&
   }
 }
 
-std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain)
+std::vector<ChainPart> SplitChain(const PathEdges& edges, const CurveChain& chain)
 {
   std::vector<ChainPart> parts;
   for (std::size_t i = 0; i + 1 < chain.Vertices.size(); ++i)
@@ -290,7 +243,7 @@ std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& cha
   return parts;
 }
 
-void AddLineSource(const CutSurface& surface, const CurveChain& chain,
+void AddLineSource(const SubMesh& surface, const CurveChain& chain,
   const std::vector<ChainPart>& parts, const GraphicsCurve& curve,
   std::vector<std::vector<double>>& loads)
 {
@@ -316,20 +269,21 @@ void AddLineSource(const CutSurface& surface, const CurveChain& chain,
   }
 }
 
-Status GraphicsLoads::Prepare(const RefinedSurface& surface, Id numberOfFaces,
+Status GraphicsLoads::Prepare(const SubMesh& surface, Id numberOfFaces,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress)
 {
   this->NumberOfFaces = numberOfFaces;
   this->ChainParts.assign(curves.size(), {});
-  std::vector<char> isMeant;
-  isMeant.reserve(curves.size());
-  for (const GraphicsCurve& curve : curves)
+  std::vector<std::vector<Id>> paths;
+  for (std::size_t k = 0; k < curves.size(); ++k)
   {
-    isMeant.push_back(
-      curve.Type == GraphicsCurveType::Source || curve.Type == GraphicsCurveType::Region);
+    if (curves[k].Type == GraphicsCurveType::Source || curves[k].Type == GraphicsCurveType::Region)
+    {
+      paths.push_back(chains[k].Vertices);
+    }
   }
-  const ChainEdges edges(surface, chains, isMeant);
+  const PathEdges edges(surface, paths);
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
     if (curves[k].Type == GraphicsCurveType::Source)
@@ -342,7 +296,7 @@ Status GraphicsLoads::Prepare(const RefinedSurface& surface, Id numberOfFaces,
 
 /// Finds the faces on the left of regions; for many regions their number may far exceed that of the
 /// surface.
-Status GraphicsLoads::FindRegions(const ChainEdges& edges, const std::vector<CurveChain>& chains,
+Status GraphicsLoads::FindRegions(const PathEdges& edges, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
   const ProgressCallback& progress)
 {
@@ -380,7 +334,7 @@ Status GraphicsLoads::Add(const GraphicsDomain& domain, const std::vector<CurveC
   const std::vector<std::vector<double>>& strengths, const ProgressCallback& progress,
   std::vector<std::vector<double>>& columns) const
 {
-  const CutSurface& surface = domain.Solved.Surface;
+  const SubMesh& surface = domain.Solved.Surface;
   Groups parts; // faces of the surface by face of the unrefined mesh
   if (!regions.empty())
   {

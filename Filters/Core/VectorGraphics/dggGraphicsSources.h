@@ -6,38 +6,21 @@
 #define dggGraphicsSources_h
 
 #include "dggGraphicsDomain.h" // for the surface
+#include "dggPathEdges.h"      // for PathEdges
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for flags
-#include <utility> // for edges
 #include <vector>  // for loads
 
 namespace dgg
 {
-/// Lookup of the half-edges of the edges of all chains.
-class ChainEdges
-{
-public:
-  /// Contains the chains for which `isMeant` is set.
-  ChainEdges(const RefinedSurface& surface, const std::vector<CurveChain>& chains,
-    const std::vector<char>& isMeant);
-
-  /// Returns all half-edges between two vertices, in either direction.
-  std::vector<Id> Find(Id a, Id b) const;
-  const RefinedSurface& GetSurface() const { return this->Surface; }
-
-private:
-  const RefinedSurface& Surface;
-  std::vector<std::pair<std::pair<Id, Id>, Id>> HalfEdges; // by ends, smaller vertex first; sorted
-};
-
 /// Finds the faces on the left of closed curves. The cost of a curve is proportional to its number
 /// of edges and faces.
 class LeftFaces
 {
 public:
   /// The edges and their surface must outlive the object.
-  explicit LeftFaces(const ChainEdges& edges);
+  explicit LeftFaces(const PathEdges& edges);
 
   /// Fails if the curve is open, runs along edges without two sides, or does not separate its left
   /// from its right.
@@ -54,8 +37,8 @@ private:
   Status FindSides(const CurveChain& chain, ChainSides& sides) const;
   Status Spread(const ChainSides& sides, std::vector<Id>& faces);
 
-  const ChainEdges& Edges;
-  const RefinedSurface& Surface;
+  const PathEdges& Edges;
+  const SubMesh& Surface;
   std::vector<char> IsFound; // per face; all 0 between calls
   std::vector<char> IsWall;  // per half-edge; all 0 between calls
 };
@@ -65,7 +48,7 @@ private:
 class RegionSources
 {
 public:
-  RegionSources(const SurfaceMesh& mesh, const CutSurface& surface);
+  RegionSources(const SurfaceMesh& mesh, const SubMesh& surface);
 
   /// Adds the integrals of the sources of a region against hat functions. Faces are those of the
   /// surface and may repeat. Loads are per vertex, one array per channel; the loads of a patch with
@@ -87,7 +70,7 @@ private:
   double GetArea(Id face) const;
 
   const SurfaceMesh& Mesh;
-  const CutSurface& Surface;
+  const SubMesh& Surface;
   std::vector<State> States; // per face
   std::vector<Id> Patch;     // faces
   std::vector<Id> Rim;       // half-edges, one per edge
@@ -103,12 +86,12 @@ struct ChainPart
 };
 
 /// Returns the parts of a chain.
-std::vector<ChainPart> SplitChain(const ChainEdges& edges, const CurveChain& chain);
+std::vector<ChainPart> SplitChain(const PathEdges& edges, const CurveChain& chain);
 
 /// Adds the integrals of a flux per length along a curve, piecewise linear, against hat functions.
 /// `parts` are those of SplitChain(). The flux into a face is assigned to its own corners: where
 /// the surface is cut at a vertex of the curve, to the copy of this face.
-void AddLineSource(const CutSurface& surface, const CurveChain& chain,
+void AddLineSource(const SubMesh& surface, const CurveChain& chain,
   const std::vector<ChainPart>& parts, const GraphicsCurve& curve,
   std::vector<std::vector<double>>& loads);
 
@@ -120,9 +103,9 @@ public:
   /// belongs to curve k. `checkMemory`, which may be empty, is called with the bytes that the faces
   /// of regions take, which may exceed the size of the surface if there are many regions. Fails if
   /// a region's curve is open or does not separate its left from its right.
-  Status Prepare(const RefinedSurface& surface, Id numberOfFaces,
-    const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
-    const GraphicsMemoryCheck& checkMemory, const ProgressCallback& progress);
+  Status Prepare(const SubMesh& surface, Id numberOfFaces, const std::vector<CurveChain>& chains,
+    const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
+    const ProgressCallback& progress);
 
   /// Adds the integrals of all sources against hat functions to columns, one per channel.
   /// `strengths` are those of regions.
@@ -135,7 +118,7 @@ public:
   double GetMemorySize() const;
 
 private:
-  Status FindRegions(const ChainEdges& edges, const std::vector<CurveChain>& chains,
+  Status FindRegions(const PathEdges& edges, const std::vector<CurveChain>& chains,
     const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
     const ProgressCallback& progress);
 

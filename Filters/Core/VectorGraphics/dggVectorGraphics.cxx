@@ -208,7 +208,7 @@ VectorGraphics::VectorGraphics()
 
 VectorGraphics::~VectorGraphics() = default;
 
-Status VectorGraphics::Prepare(const SurfaceMesh& mesh, const RefinedSurface& surface,
+Status VectorGraphics::Prepare(const SurfaceMesh& mesh, const SubMesh& surface,
   const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
   const GraphicsOptions& options)
 {
@@ -301,7 +301,7 @@ Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
   return Status::Success();
 }
 
-const CutSurface& VectorGraphics::GetSurface() const
+const SubMesh& VectorGraphics::GetSurface() const
 {
   return this->Internals->Domain.Drawn.Surface;
 }

@@ -7,8 +7,7 @@
 
 #include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggCurveEmbedding.h" // for CurveChain
-#include "dggRefinedSurface.h" // for RefinedSurface
-#include "dggSurfaceCut.h"     // for CutSurface
+#include "dggSubMesh.h"        // for SubMesh
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
 
 #include <functional> // for checks of memory
@@ -150,7 +149,7 @@ public:
   ///
   /// Fails if curves have no sides (CutAlongCurves()) or no length, or if a region's curve is open
   /// or does not separate its left from its right.
-  Status Prepare(const SurfaceMesh& mesh, const RefinedSurface& surface,
+  Status Prepare(const SurfaceMesh& mesh, const SubMesh& surface,
     const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
     const GraphicsOptions& options);
 
@@ -162,7 +161,7 @@ public:
     const GraphicsOptions& options, GraphicsResult& result);
 
   /// The surface cut open along diffusion and Poisson curves, to which the values belong.
-  const CutSurface& GetSurface() const;
+  const SubMesh& GetSurface() const;
   /// Releases prepared data.
   void Clear();
   /// Returns the approximate memory in bytes.

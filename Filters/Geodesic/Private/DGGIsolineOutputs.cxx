@@ -93,7 +93,7 @@ void DGGIsolineOutputs::WriteRidges(const dgg::Ridges& ridges, vtkPolyData* outp
 void DGGIsolineOutputs::WriteBands(const dgg::Bands& bands, vtkPolyData* output) const
 {
   this->Geometry.Begin(output);
-  const dgg::RefinedSurface& surface = bands.Surface;
+  const dgg::SubMesh& surface = bands.Surface;
   std::vector<dgg::Id> faces;
   std::vector<dgg::Id> used; // vertices
   std::vector<vtkIdType> pointOf(surface.Points.size(), -1);

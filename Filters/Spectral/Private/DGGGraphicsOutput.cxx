@@ -47,7 +47,7 @@ dgg::Status DGGGraphicsOutput::Take(const DGGContext& context, int precision)
 }
 
 //------------------------------------------------------------------------------
-void DGGGraphicsOutput::Fill(const dgg::CutSurface& cut, const dgg::GraphicsResult& result,
+void DGGGraphicsOutput::Fill(const dgg::SubMesh& cut, const dgg::GraphicsResult& result,
   int channels, vtkPolyData* output) const
 {
   this->Geometry.Begin(output);
@@ -141,7 +141,7 @@ void DGGGraphicsOutput::AddPoints(
 }
 
 //------------------------------------------------------------------------------
-void DGGGraphicsOutput::AddTriangles(const dgg::CutSurface& cut, vtkPolyData* output) const
+void DGGGraphicsOutput::AddTriangles(const dgg::SubMesh& cut, vtkPolyData* output) const
 {
   const auto faces = static_cast<vtkIdType>(cut.Faces.size());
   vtkNew<vtkCellArray> cells;

@@ -37,7 +37,7 @@ public:
   double GetBytesPerPoint(int channels) const;
 
   /// Points, triangles and all arrays.
-  void Fill(const dgg::CutSurface& cut, const dgg::GraphicsResult& result, int channels,
+  void Fill(const dgg::SubMesh& cut, const dgg::GraphicsResult& result, int channels,
     vtkPolyData* output) const;
 
   /// Fragments as points with all arrays.
@@ -51,7 +51,7 @@ public:
 
 private:
   void AddPoints(const std::vector<dgg::SurfacePoint>& places, vtkPolyData* output) const;
-  void AddTriangles(const dgg::CutSurface& cut, vtkPolyData* output) const;
+  void AddTriangles(const dgg::SubMesh& cut, vtkPolyData* output) const;
 
   std::string Name;
   vtkPolyData* Surface = nullptr;

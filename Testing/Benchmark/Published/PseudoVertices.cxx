@@ -70,7 +70,7 @@ dgg::Status AddPseudoVertices(const dgg::SurfaceMesh& mesh, const dgg::GraphView
       }
     }
   }
-  dgg::RefinedSurface surface;
+  dgg::SubMesh surface;
   DGG_RETURN_IF_ERROR(dgg::RefineAlongPaths(mesh, places, {}, surface));
   added = surface.GetNumberOfVertices() - mesh.GetNumberOfVertices();
   return surface.Build(mesh, refined);
