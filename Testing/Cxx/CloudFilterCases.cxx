@@ -175,42 +175,43 @@ std::vector<Refusal> RefuseMarching()
   return refusals;
 }
 
-/// Returns the refusal of a position far from the cloud.
-template <typename Filter, typename Function>
-std::vector<Refusal> RefuseFar(Function setPositions)
-{
-  return { Refuse<Filter>(
-    [setPositions](Filter* f) { setPositions(f, MakeSourcePoints({ FarFromRelief })); },
-    { "point 0 of input port 1", "away from the cloud", "ProjectionTolerance" }) };
-}
 }
 
 std::vector<FilterCase> GetAllFilters()
 {
   std::vector<FilterCase> all = {
-    { "CloudGraph", MakeCloudGraph,
+    { "CloudGraph", MakeCloudGraph, nullptr,
       { "Scheme: C", "OffsetInVoxels: 0", "Resolution: 0", "Alpha: 0", "Accuracy: 0.001",
         "EstimateNormals: Off", "GenerateVertices: Off", "NumberOfNeighbors: 16",
         "ComponentArrayName: Component" },
       RefuseCloudGraph() },
-    { "CloudDistance", MakeDistance, {},
-      RefuseFar<vtkDGGDistance>([](auto* f, auto points) { f->SetSourceData(points); }) +
-        std::vector<Refusal>{ Refuse<vtkDGGDistance>([](auto* f) { f->GenerateVirtualSourceOn(); },
-          { "point cloud", "turn GenerateVirtualSource off" }) } },
-    { "CloudPath", MakePath, {},
+    { "CloudDistance", MakeDistance,
+      PointSetter<vtkDGGDistance>([](auto* f, vtkPolyData* points) { f->SetSourceData(points); }),
+      {},
+      { Refuse<vtkDGGDistance>([](auto* f) { f->GenerateVirtualSourceOn(); },
+        { "point cloud", "turn GenerateVirtualSource off" }) } },
+    { "CloudPath", MakePath, nullptr, {},
       { Refuse<vtkDGGPath>([](auto* f) { f->SetMethodToExact(); },
         { "no exact path on a point cloud", "SetMethodToGraph" }) } },
-    { "CloudMatrix", MakeMatrix, {},
-      RefuseFar<vtkGeodesicDistanceMatrix>([](auto* f, auto points) { f->SetRowData(points); }) },
-    { "CloudSampler", MakeSampler, {},
-      RefuseFar<vtkGeodesicSampler>([](auto* f, auto points) { f->SetStartData(points); }) },
-    { "CloudVoronoi", MakeVoronoi, {},
-      RefuseFar<vtkGeodesicVoronoi>([](auto* f, auto points) { f->SetSiteData(points); }) },
-    { "CloudMarching", MakeMarching, { "BandRadius: 0", "Resolution: 0" }, RefuseMarching() },
+    { "CloudMatrix", MakeMatrix,
+      PointSetter<vtkGeodesicDistanceMatrix>(
+        [](auto* f, vtkPolyData* points) { f->SetRowData(points); }) },
+    { "CloudSampler", MakeSampler,
+      PointSetter<vtkGeodesicSampler>(
+        [](auto* f, vtkPolyData* points) { f->SetStartData(points); }) },
+    { "CloudVoronoi", MakeVoronoi,
+      PointSetter<vtkGeodesicVoronoi>(
+        [](auto* f, vtkPolyData* points) { f->SetSiteData(points); }) },
+    { "CloudMarching", MakeMarching, nullptr, { "BandRadius: 0", "Resolution: 0" },
+      RefuseMarching() },
   };
   for (FilterCase& filter : all)
   {
     filter.Refusals = filter.Refusals + RefuseInput();
+    if (filter.SetPoints)
+    {
+      filter.Refusals = filter.Refusals + RefusePoints(filter, "away from the cloud");
+    }
   }
   return all;
 }

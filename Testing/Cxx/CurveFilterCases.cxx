@@ -54,6 +54,27 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeSampler(vtkPolyData* surface)
   return sampler;
 }
 
+void SetCurve(vtkPoissonVectorGraphics* graphics, vtkPolyData* points)
+{
+  vtkNew<vtkPolyData> curve;
+  curve->ShallowCopy(points);
+  Cells line(1);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    line[0].push_back(i);
+  }
+  curve->SetLines(MakeCells(line));
+  for (const char* name : { "LeftColor", "RightColor" })
+  {
+    vtkNew<vtkDoubleArray> colors;
+    colors->SetName(name);
+    colors->SetNumberOfComponents(3);
+    colors->InsertNextTuple3(0.25, 0.5, name[0] == 'L' ? 1.0 : 0.0);
+    curve->GetCellData()->AddArray(colors);
+  }
+  graphics->SetCurveData(curve);
+}
+
 vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraphics(vtkPolyData* surface)
 {
   vtkNew<vtkPoints> places;
@@ -71,19 +92,10 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraphics(vtkPolyData* surface)
     places->InsertNextPoint(
       (2.0 * p[0] + q[0]) / 3.0, (2.0 * p[1] + q[1]) / 3.0, (2.0 * p[2] + q[2]) / 3.0);
   }
-  vtkNew<vtkPolyData> curves;
-  curves->SetPoints(places);
-  curves->SetLines(MakeCells({ { 0, 1, 2 } }));
-  for (const char* name : { "LeftColor", "RightColor" })
-  {
-    vtkNew<vtkDoubleArray> colors;
-    colors->SetName(name);
-    colors->SetNumberOfComponents(3);
-    colors->InsertNextTuple3(0.25, 0.5, name[0] == 'L' ? 1.0 : 0.0);
-    curves->GetCellData()->AddArray(colors);
-  }
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(places);
   auto graphics = MakeFilter<vtkPoissonVectorGraphics>(surface);
-  graphics->SetCurveData(curves);
+  SetCurve(graphics, points);
   return graphics;
 }
 
@@ -120,18 +132,6 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeBoundaries(vtkPolyData* surface)
   return boundaries;
 }
 
-/// Returns the refusals of filters with surface points on port 1.
-template <typename Filter, typename Function>
-std::vector<Refusal> RefusePlaces(Function setPlaces)
-{
-  const auto place = [setPlaces](const std::array<double, 3>& point) {
-    return [setPlaces, point](Filter* f) { setPlaces(f, point); };
-  };
-  return { Refuse<Filter>(place({ { 0.5, NaN, 0.0 } }), { "point 0 of input port 1", "finite" }),
-    Refuse<Filter>(place(FarFromRelief), { "point 0 of input port 1", "ProjectionTolerance" }),
-    RefuseTolerance<Filter>(-1.0), RefuseTolerance<Filter>(NaN) };
-}
-
 std::vector<Refusal> RefusePath()
 {
   using F = vtkDGGPath;
@@ -140,12 +140,10 @@ std::vector<Refusal> RefusePath()
     pairs->SetLines(MakeCells(cells));
     return pairs;
   };
-  return RefuseGraph<F>() + RefusePlaces<F>([lines](F* f, const std::array<double, 3>& place) {
-    auto pairs = lines({ { 0, 1 } });
-    pairs->GetPoints()->SetPoint(0, place.data());
-    f->SetPairData(pairs);
-  }) +
+  return RefuseGraph<F>() +
     std::vector<Refusal>{
+      RefuseTolerance<F>(-1.0),
+      RefuseTolerance<F>(NaN),
       Refuse<F>([](F* f) { f->RemoveAllPairs(); }, { "no pair", "AddPair()" }),
       Refuse<F>([](F* f) { f->AddPair(3, 81); }, { "id 81 ", "number 5", "[0, 80]" }),
       Refuse<F>([](F* f) { f->AddPair(-1, 3); }, { "id -1 " }),
@@ -174,10 +172,10 @@ std::vector<Refusal> RefusePath()
 std::vector<Refusal> RefuseLoop()
 {
   using F = vtkDGGLoop;
-  return RefuseGraph<F>() + RefusePlaces<F>([](F* f, const std::array<double, 3>& place) {
-    f->SetPointData(MakeSourcePoints({ place }));
-  }) +
+  return RefuseGraph<F>() +
     std::vector<Refusal>{
+      RefuseTolerance<F>(-1.0),
+      RefuseTolerance<F>(NaN),
       Refuse<F>([](F* f) { f->SetPointIds({}); }, { "no loop point", "AddPointId()" }),
       Refuse<F>([](F* f) { f->AddPointId(81); }, { "id 81 ", "number 4", "[0, 80]" }),
       Refuse<F>([](F* f) { f->AddPointId(-1); }, { "id -1 " }),
@@ -217,10 +215,10 @@ std::vector<Refusal> RefuseIsolines()
 std::vector<Refusal> RefuseSampler()
 {
   using F = vtkGeodesicSampler;
-  return RefuseGraph<F>() + RefusePlaces<F>([](F* f, const std::array<double, 3>& place) {
-    f->SetStartData(MakeSourcePoints({ place }));
-  }) +
+  return RefuseGraph<F>() +
     std::vector<Refusal>{
+      RefuseTolerance<F>(-1.0),
+      RefuseTolerance<F>(NaN),
       Refuse<F>([](F* f) { f->SetNumberOfSamples(0); }, { "NumberOfSamples", "0" }),
       Refuse<F>([](F* f) { f->SetCoveringRadius(-1.0); }, { "CoveringRadius", "-1" }),
       Refuse<F>([](F* f) { f->SetFirstSample(81); }, { "FirstSample 81", "80" }),
@@ -232,10 +230,10 @@ std::vector<Refusal> RefuseSampler()
 std::vector<Refusal> RefuseVoronoi()
 {
   using F = vtkGeodesicVoronoi;
-  return RefuseGraph<F>() + RefusePlaces<F>([](F* f, const std::array<double, 3>& place) {
-    f->SetSiteData(MakeSourcePoints({ place }));
-  }) +
+  return RefuseGraph<F>() +
     std::vector<Refusal>{
+      RefuseTolerance<F>(-1.0),
+      RefuseTolerance<F>(NaN),
       Refuse<F>([](F* f) { f->RemoveAllSites(); }, { "no site", "AddSiteId()" }),
       Refuse<F>(
         [](F* f) {
@@ -326,33 +324,55 @@ std::vector<FilterCase> GetCurveFilters()
   const std::vector<const char*> curve{ "FaceId", "Barycentric", "vtkOriginalPointIds",
     "ArcLength" };
   return {
-    { "Path", MakePath,
+    { "Path", MakePath, PointSetter<vtkDGGPath>([](auto* path, vtkPolyData* points) {
+       vtkNew<vtkPolyData> pairs;
+       pairs->ShallowCopy(points);
+       pairs->SetLines(MakeCells({ { 0, 1 }, { 2, 4 } }));
+       path->RemoveAllPairs();
+       path->SetPairData(pairs);
+     }),
       { "Method: Graph", "NumberOfPairs: 0", "Straighten: On", "Detour: 0.0001",
         "ProjectionTolerance: 0.01", "NumberOfFallbacks: 0", "Accuracy: 0.01", "GraphAccuracy: 0" },
       RefusePath(), { 0 }, curve },
-    { "Loop", MakeLoop,
+    { "Loop", MakeLoop, PointSetter<vtkDGGLoop>([](auto* loop, vtkPolyData* points) {
+       loop->RemoveAllPointIds();
+       loop->SetPointData(points);
+     }),
       { "Mode: ThroughPoint", "PointIds: (none)", "Taut: Off", "TapeWidth: 0",
         "ProjectionTolerance: 0.01", "Accuracy: 0.01", "GraphAccuracy: 0" },
       RefuseLoop(), { 0, 1 }, curve },
-    { "Isolines", MakeIsolines,
+    { "Isolines", MakeIsolines, nullptr,
       { "Method: LocalSources", "ChordTolerance: 0.001", "SteinerPoints: 2",
         "ContourValues:", "NumberOfFallbacks: 0", "DistanceArrayName: GeodesicDistance" },
       RefuseIsolines(), { 0 }, curve },
     { "Sampler", MakeSampler,
+      PointSetter<vtkGeodesicSampler>(
+        [](auto* sampler, vtkPolyData* points) { sampler->SetStartData(points); }),
       { "NumberOfSamples: 100", "FirstSample: -1", "CoveringRadius: 0", "InFaces: Off",
         "ProjectionTolerance: 0.01", "Accuracy: 0.01" },
       RefuseSampler(), { 0 },
       { "FaceId", "Barycentric", "vtkOriginalPointIds", "CoveringRadius" } },
     { "Voronoi", MakeVoronoi,
+      PointSetter<vtkGeodesicVoronoi>([](auto* voronoi, vtkPolyData* points) {
+        voronoi->RemoveAllSites();
+        voronoi->SetSiteData(points);
+      }),
       { "SiteIds: (none)", "Centroidal: Off", "NumberOfIterations: 20", "Tolerance: 0.001",
         "GenerateCells: On", "RefineBoundaries: On", "PassSiteArrays: Off", "UnreachedValue: nan",
         "DistanceArrayName: GeodesicDistance", "SourceArrayName: GeodesicSource",
         "ProjectionTolerance: 0.01", "Accuracy: 0.01" },
       RefuseVoronoi(), { 1, 2, 3 } },
-    { "Graphics", MakeGraphics,
+    { "Graphics", MakeGraphics, PointSetter<vtkPoissonVectorGraphics>(SetCurve),
       { "Width: 0", "RefinementRegion: Everywhere", "RefinementLevel: 1" }, RefuseGraphics(), { 0 },
       { "Colors", "RGB" } },
     { "PatchBoundaries", MakeBoundaries,
+      PointSetter<vtkGeodesicPatchBoundaries>([](auto* boundaries, vtkPolyData* points) {
+        boundaries->SetSecondSurfaceData(vtkPolyData::SafeDownCast(boundaries->GetInput()));
+        boundaries->SetFirstLandmarkIds({});
+        boundaries->SetSecondLandmarkIds({});
+        boundaries->SetFirstLandmarkData(points);
+        boundaries->SetSecondLandmarkData(points);
+      }),
       { "FirstLandmarkIds: (none)", "SecondLandmarkIds: (none)", "ProjectionTolerance: 0.01" },
       RefuseBoundaries(), { 0, 1 },
       { "FaceId", "Barycentric", "vtkOriginalPointIds", "ArcLength", "ArcFraction" } },

@@ -36,6 +36,12 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeDistance(vtkPolyData* surface)
   return distance;
 }
 
+const auto SetSources =
+  PointSetter<vtkGeodesicDistanceAlgorithm>([](auto* distance, vtkPolyData* points) {
+    distance->RemoveAllSources();
+    distance->SetSourceData(points);
+  });
+
 vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraphDistance(vtkPolyData* surface)
 {
   auto distance = MakeDistance<vtkDGGDistance>(surface);
@@ -89,9 +95,6 @@ void SetInitialDistances(vtkGeodesicDistanceAlgorithm* filter, vtkAbstractArray*
 std::vector<Refusal> RefuseDistance()
 {
   using F = vtkGeodesicDistanceAlgorithm;
-  const auto place = [](const std::array<double, 3>& point) {
-    return [point](F* f) { f->SetSourceData(MakeSourcePoints({ point })); };
-  };
   const auto initial = [](int tuples, int components, const char* part) {
     return Refuse<F>(
       [=](F* f) {
@@ -112,8 +115,6 @@ std::vector<Refusal> RefuseDistance()
       },
       { "no source", "port 1 has no points" }),
     Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "number 2 of", "[0, 80]" }),
-    Refuse<F>(place({ { 0.5, NaN, 0.0 } }), { "source point 0 of input port 1", "not finite" }),
-    Refuse<F>(place(FarFromRelief), { "source point 0 of input port 1", "ProjectionTolerance" }),
     Refuse<F>([](F* f) { f->SetMaximumDistance(-1.0); }, { "MaximumDistance" }),
     Refuse<F>([](F* f) { f->SetMaximumDistance(NaN); }, { "MaximumDistance" }),
     Refuse<F>([](F* f) { f->SetDistanceArrayName(""); }, { "SetDistanceArrayName()" }),
@@ -224,9 +225,7 @@ std::vector<Refusal> RefuseMatrix()
           f->SetRowIds({ 0, 81 });
         },
         { "row id 81 ", "number 1 of", "[0, 80]" }),
-      columns({}, { "no column", "port 2 has no points" }),
-      columns({ FarFromRelief }, { "column point 0 of input port 2", "ProjectionTolerance" }),
-      RefuseTolerance<F>(-1.0) };
+      columns({}, { "no column", "port 2 has no points" }), RefuseTolerance<F>(-1.0) };
 }
 
 std::vector<Refusal> RefuseProbe()
@@ -236,11 +235,6 @@ std::vector<Refusal> RefuseProbe()
     Refuse<F>(
       [](F* f) { f->SetDistanceArrayName("nothing"); }, { "'nothing'", "'GeodesicDistance'" }),
     Refuse<F>([](F* f) { f->SetProbeData(nullptr); }, { "probe point", "SetProbeData()" }),
-    Refuse<F>(
-      [](F* f) {
-        f->SetProbeData(MakeSourcePoints({ { { 0, 0, 0 } }, FarFromRelief }));
-      },
-      { "probe point 1", "ProjectionTolerance" }),
     Refuse<F>(
       [](F* f) {
         vtkPolyData::SafeDownCast(f->GetInput())
@@ -263,33 +257,41 @@ std::vector<FilterCase> GetDistanceFilters()
     return own;
   };
   return {
-    { "Exact", MakeDistance<vtkExactGeodesicDistance>,
+    { "Exact", MakeDistance<vtkExactGeodesicDistance>, SetSources,
       defaults({ "Engine: Triangle", "GenerateWindows: Off" }), RefuseExact() },
-    { "GraphDistance", MakeGraphDistance,
+    { "GraphDistance", MakeGraphDistance, SetSources,
       defaults({ "Accuracy: 0.01", "Correction: On", "Search: Certified", "AcceptCoarserGraph: Off",
         "GenerateUpperBound: Off", "GenerateVirtualSource: Off",
         "UpperBoundArrayName: GeodesicUpperBound", "VirtualSourceArrayName: GeodesicVirtualSource",
         "UsedInputGraph: no", "GraphAccuracy: 0", "NumberOfGraphEdges: 0" }),
       RefuseGraphDistance() },
-    { "VirtualSource", MakeDistance<vtkVirtualSourceGeodesicDistance>,
+    { "VirtualSource", MakeDistance<vtkVirtualSourceGeodesicDistance>, SetSources,
       defaults({ "Quality: Automatic" }), RefuseDistance() },
-    { "Heat", MakeDistance<vtkHeatGeodesicDistance>,
+    { "Heat", MakeDistance<vtkHeatGeodesicDistance>, SetSources,
       defaults({ "TimeStepFactor: 1", "IntrinsicDelaunay: On", "Boundary: Neumann",
         "NumberOfFactorizations: 0" }),
       RefuseHeat() },
-    { "FastMarching", MakeDistance<vtkDGGFastMarchingDistance>,
+    { "FastMarching", MakeDistance<vtkDGGFastMarchingDistance>, SetSources,
       defaults({ "FrontShape: Spherical" }), RefuseDistance(), {}, {}, true },
-    { "Graph", MakeGraph,
+    { "Graph", MakeGraph, nullptr,
       { "Accuracy: 0.01", "Construction: Guaranteed", "NumberOfNeighbors: 30",
         "GenerateGraphLines: Off", "MergeCoincidentPoints: Off", "MemoryLimit: 0",
         "NumberOfGraphEdges: 0" },
       RefuseGraphOptions() },
     { "Matrix", MakeMatrix,
+      PointSetter<vtkGeodesicDistanceMatrix>([](auto* matrix, vtkPolyData* points) {
+        matrix->SetRowIds(nullptr);
+        matrix->SetColumnIds(nullptr);
+        matrix->SetRowData(points);
+        matrix->SetColumnData(points);
+      }),
       { "NumberOfRowIds: 0", "NumberOfColumnIds: 0", "Accuracy: 0.01", "ProjectionTolerance: 0.01",
         "UnreachedValue: nan", "GenerateTable: On" },
       RefuseMatrix() },
-    { "Probe", MakeProbe, { "DistanceArrayName: GeodesicDistance", "ProjectionTolerance: 0.01" },
-      RefuseProbe() },
+    { "Probe", MakeProbe, PointSetter<vtkGeodesicProbe>([](auto* probe, vtkPolyData* points) {
+       probe->SetProbeData(points);
+     }),
+      { "DistanceArrayName: GeodesicDistance", "ProjectionTolerance: 0.01" }, RefuseProbe() },
   };
 }
 }

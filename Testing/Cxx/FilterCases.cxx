@@ -36,6 +36,19 @@ std::vector<Refusal> RefuseInput()
   };
 }
 
+std::vector<Refusal> RefusePoints(const FilterCase& filter, const std::string& words)
+{
+  const auto refuse = [&](const std::array<double, 3>& point, const std::string& part) {
+    const auto spoil = [set = filter.SetPoints, point](vtkGeodesicAlgorithm* f) {
+      Points points = GetPointsOnEdges(MakeRelief(VTK_DOUBLE));
+      points[0] = point;
+      set(f, MakeSourcePoints(points));
+    };
+    return Refusal{ spoil, { "point 0", part } };
+  };
+  return { refuse({ { 0.5, std::nan(""), 0.0 } }, "not finite"), refuse(FarFromRelief, words) };
+}
+
 std::string DescribeOutputs(vtkGeodesicAlgorithm* filter, bool withFieldData)
 {
   std::ostringstream os;
@@ -97,6 +110,21 @@ std::vector<vtkIdType> OnRelief(vtkPolyData* relief, std::vector<vtkIdType> ids)
     id = OnRelief(relief, id);
   }
   return ids;
+}
+
+Points GetPointsOnEdges(vtkPolyData* relief)
+{
+  Points points;
+  for (const vtkIdType id : OnRelief(relief, { 20, 24, 60, 56, 40 }))
+  {
+    double p[3];
+    double q[3];
+    relief->GetPoint(id, p);
+    relief->GetPoint(id + 1, q);
+    points.push_back(
+      { { 0.75 * p[0] + 0.25 * q[0], 0.75 * p[1] + 0.25 * q[1], 0.75 * p[2] + 0.25 * q[2] } });
+  }
+  return points;
 }
 
 void AddNote(vtkPolyData* surface, const char* name)

@@ -28,8 +28,11 @@ struct FilterCase
   const char* Name;
   /// Returns the filter on a relief, or on its points, ready to run.
   std::function<vtkSmartPointer<vtkGeodesicAlgorithm>(vtkPolyData* relief)> Make;
-  std::vector<const char*> Defaults; ///< lines that a new filter prints
-  std::vector<Refusal> Refusals;
+  /// Makes the filter use surface points on its further input ports, in place of ids. Null for
+  /// filters without such a port.
+  std::function<void(vtkGeodesicAlgorithm*, vtkPolyData* points)> SetPoints;
+  std::vector<const char*> Defaults = {}; ///< lines that a new filter prints
+  std::vector<Refusal> Refusals = {};
   std::vector<int> Ports = {};          ///< outputs with new points on the surface
   std::vector<const char*> Arrays = {}; ///< point arrays of each of these outputs
   bool TakesPoints = false;             ///< without polygons, as a cloud
@@ -57,6 +60,8 @@ void AddNote(vtkPolyData* surface, const char* name);
 double AddSpaceDistances(vtkPolyData* surface);
 /// A point above the relief, farther than the tolerance.
 constexpr std::array<double, 3> FarFromRelief{ { 0.0, 0.0, 99.0 } };
+/// Returns five points on edges of a relief: four around its middle, and one in the middle.
+Points GetPointsOnEdges(vtkPolyData* relief);
 
 template <typename Filter>
 vtkSmartPointer<Filter> MakeFilter(vtkPolyData* relief)
@@ -73,6 +78,17 @@ Refusal Refuse(Function spoil, const std::vector<std::string>& parts)
   return { [spoil](vtkGeodesicAlgorithm* filter) { spoil(Filter::SafeDownCast(filter)); }, parts };
 }
 
+/// Returns FilterCase::SetPoints by a function of the class of the filter.
+template <typename Filter, typename Function>
+std::function<void(vtkGeodesicAlgorithm*, vtkPolyData*)> PointSetter(Function set)
+{
+  return [set](vtkGeodesicAlgorithm* filter, vtkPolyData* points) {
+    set(Filter::SafeDownCast(filter), points);
+  };
+}
+
+/// Returns the refusals of surface points that are not finite or far away.
+std::vector<Refusal> RefusePoints(const FilterCase& filter, const std::string& words);
 /// Returns the refusals of all filters with a ProjectionTolerance.
 template <typename Filter>
 Refusal RefuseTolerance(double tolerance)

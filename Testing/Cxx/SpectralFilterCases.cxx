@@ -89,19 +89,47 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeMovers(vtkPolyData* surface)
   return movers;
 }
 
+/// Sources and evaluation points.
+const auto SetSources = PointSetter<vtkSpectralAlgorithm>([](auto* filter, vtkPolyData* points) {
+  filter->RemoveAllSources();
+  filter->SetSourceData(points);
+  filter->SetEvaluationData(points);
+});
+
+/// Sites; those of ids are in the first and in the last component.
+const auto SetSites = PointSetter<vtkHarmonicBSpline>([](auto* splines, vtkPolyData* points) {
+  vtkNew<vtkPolyData> sites;
+  sites->ShallowCopy(points);
+  AddArray(sites, "v", [](vtkIdType i) { return 1.0 + i; });
+  splines->SetSourceIds({ 0, GetSurface(splines)->GetNumberOfPoints() - 1 });
+  splines->SetSourceData(sites);
+});
+
+/// Points with masses.
+const auto SetMasses =
+  PointSetter<vtkSurfaceEarthMoversDistance>([](auto* movers, vtkPolyData* points) {
+    vtkNew<vtkPolyData> ends[2];
+    for (const int end : { 0, 1 })
+    {
+      ends[end]->ShallowCopy(points);
+      AddArray(ends[end], "mass", [end](vtkIdType i) { return end == 0 ? 1.0 + i : 5.0 - i; });
+    }
+    movers->SetFromArrayName(nullptr);
+    movers->SetToArrayName(nullptr);
+    movers->SetMassArrayName("mass");
+    movers->SetFromData(ends[0]);
+    movers->SetToData(ends[1]);
+  });
+
 /// Returns the refusals of filters with sources.
 std::vector<Refusal> RefuseSources()
 {
   using F = vtkSpectralAlgorithm;
-  const auto place = [](const std::array<double, 3>& point) {
-    return [point](F* f) { f->SetSourceData(MakeSourcePoints({ { { 0, 0, 0 } }, point })); };
-  };
   const auto evaluation = [](const std::array<double, 3>& point) {
     return [point](F* f) { f->SetEvaluationData(MakeSourcePoints({ { { 0, 0, 0 } }, point })); };
   };
   return { RefuseTolerance<F>(NaN), RefuseMemoryLimit(1000),
     Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "out of range" }),
-    Refuse<F>(place(FarFromRelief), { "source point 1", "ProjectionTolerance" }),
     Refuse<F>(
       evaluation(FarFromRelief), { "evaluation point 1 of input port 2", "ProjectionTolerance" }) };
 }
@@ -273,22 +301,17 @@ std::vector<Refusal> RefuseMovers()
                     const std::vector<std::string>& parts) {
     return Refuse<F>([=](F* f) { AddArray(GetSurface(f), "to", value, components); }, parts);
   };
-  const auto from = [](const std::array<double, 3>& point, const char* mass, double value,
-                      const std::vector<std::string>& parts) {
+  const auto mass = [](const char* name, const std::vector<std::string>& parts) {
     return Refuse<F>(
       [=](F* f) {
         f->SetFromArrayName(nullptr);
-        auto points = MakeSourcePoints({ point });
-        if (mass)
-        {
-          AddArray(points, "mass", [=](vtkIdType) { return value; });
-          f->SetMassArrayName(mass);
-        }
+        auto points = MakeSourcePoints({ { { 0, 0, 0 } } });
+        AddArray(points, "mass", [](vtkIdType) { return -2.0; });
+        f->SetMassArrayName(name);
         f->SetFromData(points);
       },
       parts);
   };
-  const std::array<double, 3> corner{ { 0, 0, 0 } };
   return { RefuseTolerance<F>(-1.0), RefuseTolerance<F>(NaN), RefuseMemoryLimit(1000),
     Refuse<F>([](F* f) { f->SetTolerance(-1.0); }, { "Tolerance" }),
     Refuse<F>([](F* f) { f->SetTolerance(NaN); }, { "Tolerance" }),
@@ -317,24 +340,23 @@ std::vector<Refusal> RefuseMovers()
         AddArray(GetSurface(f), "to", [](vtkIdType) { return 2.0; });
       },
       { "the mass 81", "162" }),
-    from(FarFromRelief, nullptr, 0.0, { "'from' point 0 of input port 1" }),
-    from({ { 0.5, NaN, 0.0 } }, nullptr, 0.0, { "not finite" }),
-    from(corner, "missing", 1.0, { "input port 1", "'missing'", "SetMassArrayName()" }),
-    from(corner, "mass", -2.0, { "'mass'", "-2" }) };
+    mass("missing", { "input port 1", "'missing'", "SetMassArrayName()" }),
+    mass("mass", { "'mass'", "-2" }) };
 }
 }
 
 std::vector<FilterCase> GetSpectralFilters()
 {
   return {
-    { "Greens", MakeGreens, { "Method: SingularitySubtraction", "Boundary: Neumann", "Radius: 0" },
-      RefuseGreens() },
-    { "Biharmonic", MakeBiharmonic,
+    { "Greens", MakeGreens, SetSources,
+      { "Method: SingularitySubtraction", "Boundary: Neumann", "Radius: 0" }, RefuseGreens() },
+    { "Biharmonic", MakeBiharmonic, SetSources,
       { "Kind: Biharmonic", "Method: Spectrum", "UnreachedValue: nan" }, RefuseBiharmonic() },
-    { "Splines", MakeSplines, { "Order: Harmonic", "NumberOfSites: 20", "SourceIds: (none)" },
-      RefuseSplines() },
-    { "BiharmonicSplines", MakeBiharmonicSplines, {}, RefuseBiharmonicSplines() },
-    { "EarthMovers", MakeMovers, { "ArrayMeaning: Density", "Normalize: On" }, RefuseMovers() },
+    { "Splines", MakeSplines, SetSites,
+      { "Order: Harmonic", "NumberOfSites: 20", "SourceIds: (none)" }, RefuseSplines() },
+    { "BiharmonicSplines", MakeBiharmonicSplines, SetSites, {}, RefuseBiharmonicSplines() },
+    { "EarthMovers", MakeMovers, SetMasses, { "ArrayMeaning: Density", "Normalize: On" },
+      RefuseMovers() },
   };
 }
 }

@@ -43,7 +43,7 @@ std::vector<Refusal> RefuseSurface()
   };
 }
 
-Refusal RefusePoints()
+Refusal RefuseCloud()
 {
   using F = vtkGeodesicAlgorithm;
   return Refuse<F>(
@@ -69,7 +69,11 @@ std::vector<FilterCase> GetAllFilters()
     filter.Refusals = filter.Refusals + RefuseInput() + RefuseSurface();
     if (!filter.TakesPoints)
     {
-      filter.Refusals.push_back(RefusePoints());
+      filter.Refusals.push_back(RefuseCloud());
+    }
+    if (filter.SetPoints)
+    {
+      filter.Refusals = filter.Refusals + RefusePoints(filter, "ProjectionTolerance");
     }
   }
   return all;

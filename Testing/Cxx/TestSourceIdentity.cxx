@@ -2,28 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Points of input ports that are identified by point arrays, in every filter with such a port.
-#include "FilterTestTools.h"
+#include "FilterCases.h"
 
-#include "vtkBiharmonicDistance.h"
-#include "vtkDGGDistance.h"
-#include "vtkDGGFastMarchingDistance.h"
-#include "vtkDGGLoop.h"
-#include "vtkDGGPath.h"
-#include "vtkDiscreteGreensFunction.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
-#include "vtkGeodesicPatchBoundaries.h"
-#include "vtkGeodesicProbe.h"
 #include "vtkGeodesicSampler.h"
 #include "vtkGeodesicVoronoi.h"
-#include "vtkHarmonicBSpline.h"
-#include "vtkHeatGeodesicDistance.h"
-#include "vtkPoissonVectorGraphics.h"
-#include "vtkSurfaceEarthMoversDistance.h"
-#include "vtkVirtualSourceGeodesicDistance.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
+#include "vtkAppendPolyData.h"
+#include "vtkCell.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
@@ -33,8 +20,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -123,158 +108,6 @@ vtkSmartPointer<vtkPolyData> MakePoints(
   return points;
 }
 
-/// Makes points of some of the places of a test.
-using PointMaker = std::function<vtkSmartPointer<vtkPolyData>(const std::vector<int>& which)>;
-
-struct PortCase
-{
-  const char* Name;
-  std::function<vtkSmartPointer<vtkAlgorithm>(vtkPolyData* surface, const PointMaker& points)> Make;
-};
-
-void PrintTo(const PortCase& port, std::ostream* os)
-{
-  *os << port.Name;
-}
-
-template <typename Filter>
-vtkSmartPointer<vtkAlgorithm> MakeDistance(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<Filter> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(points({ 0, 1 }));
-  return filter.Get();
-}
-
-template <typename Filter>
-vtkSmartPointer<vtkAlgorithm> MakeSpectral(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<Filter> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceIds({ 0, surface->GetNumberOfPoints() - 1 }); // splines need one in each layer
-  filter->SetSourceData(points({ 0, 1, 2 }));
-  filter->SetEvaluationData(points({ 3, 4 }));
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakePath(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkDGGPath> filter;
-  filter->SetInputData(surface);
-  auto pairs = points({ 0, 1, 2, 4 });
-  pairs->SetLines(MakeCells({ { 0, 1 }, { 2, 3 } }));
-  filter->SetPairData(pairs);
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeLoop(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkDGGLoop> filter;
-  filter->SetInputData(surface);
-  filter->SetModeToRope();
-  filter->SetPointData(points({ 0, 1, 2, 3 }));
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeVoronoi(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkGeodesicVoronoi> filter;
-  filter->SetInputData(surface);
-  filter->SetSiteData(points({ 0, 1, 2 }));
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeSampler(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkGeodesicSampler> filter;
-  filter->SetInputData(surface);
-  filter->SetStartData(points({ 0, 1 }));
-  filter->SetNumberOfSamples(6);
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeMatrix(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkGeodesicDistanceMatrix> filter;
-  filter->SetInputData(surface);
-  filter->SetRowData(points({ 0, 1 }));
-  filter->SetColumnData(points({ 2, 3, 4 }));
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeProbe(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkExactGeodesicDistance> distance;
-  distance->SetInputData(surface);
-  distance->SetSourceIds({ 3, surface->GetNumberOfPoints() - 20 });
-  const Listener listener(distance);
-  distance->Update();
-  vtkNew<vtkGeodesicProbe> filter;
-  filter->SetInputData(distance->GetOutput());
-  filter->SetProbeData(points({ 0, 1, 2, 3, 4 }));
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeBoundaries(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkGeodesicPatchBoundaries> filter;
-  filter->SetInputData(surface);
-  filter->SetSecondSurfaceData(surface);
-  filter->SetFirstLandmarkData(points({ 0, 1, 2, 3 }));
-  filter->SetSecondLandmarkData(points({ 1, 2, 3, 0 }));
-  vtkNew<vtkPolyData> layout;
-  layout->SetPolys(MakeCells({ { 0, 1, 2 }, { 0, 2, 3 } }));
-  filter->SetLayoutData(layout);
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeEarthMovers(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkSurfaceEarthMoversDistance> filter;
-  filter->SetInputData(surface);
-  filter->SetFromData(points({ 0, 1 }));
-  filter->SetToData(points({ 2, 3 }));
-  return filter.Get();
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeGraphics(vtkPolyData* surface, const PointMaker& points)
-{
-  vtkNew<vtkPoissonVectorGraphics> filter;
-  filter->SetInputData(surface);
-  auto curves = points({ 0, 1, 2 });
-  curves->SetLines(MakeCells({ { 0, 1, 2 } }));
-  for (const char* name : { "LeftColor", "RightColor" })
-  {
-    vtkNew<vtkDoubleArray> colors;
-    colors->SetName(name);
-    colors->SetNumberOfComponents(3);
-    colors->InsertNextTuple3(0.2, 0.6, name[0] == 'L' ? 1.0 : 0.0);
-    curves->GetCellData()->AddArray(colors);
-  }
-  filter->SetCurveData(curves);
-  return filter.Get();
-}
-
-const std::vector<PortCase> Ports = {
-  { "Exact", MakeDistance<vtkExactGeodesicDistance> },
-  { "Graph", MakeDistance<vtkDGGDistance> },
-  { "VirtualSources", MakeDistance<vtkVirtualSourceGeodesicDistance> },
-  { "Heat", MakeDistance<vtkHeatGeodesicDistance> },
-  { "FastMarching", MakeDistance<vtkDGGFastMarchingDistance> },
-  { "Path", MakePath },
-  { "Loop", MakeLoop },
-  { "Voronoi", MakeVoronoi },
-  { "Sampler", MakeSampler },
-  { "Matrix", MakeMatrix },
-  { "Probe", MakeProbe },
-  { "PatchBoundaries", MakeBoundaries },
-  { "Greens", MakeSpectral<vtkDiscreteGreensFunction> },
-  { "Biharmonic", MakeSpectral<vtkBiharmonicDistance> },
-  { "BSpline", MakeSpectral<vtkHarmonicBSpline> },
-  { "EarthMovers", MakeEarthMovers },
-  { "Graphics", MakeGraphics },
-};
-
 /// All numbers that a filter puts out, but for the arrays that identify points; FaceId on request.
 std::vector<double> GetNumbers(vtkAlgorithm* filter, bool withFaces)
 {
@@ -308,20 +141,6 @@ std::vector<double> GetNumbers(vtkAlgorithm* filter, bool withFaces)
   return numbers;
 }
 
-std::vector<double> RunPort(const PortCase& port, vtkPolyData* surface,
-  const std::vector<Place>& places, Naming naming, bool withFaces = false)
-{
-  const PointMaker make = [&](const std::vector<int>& which) {
-    std::vector<Place> some;
-    for (const int i : which)
-    {
-      some.push_back(places[i]);
-    }
-    return MakePoints(surface, some, naming);
-  };
-  return GetNumbers(port.Make(surface, make), withFaces);
-}
-
 bool AreSame(const std::vector<double>& a, const std::vector<double>& b, double tolerance)
 {
   return a.size() == b.size() &&
@@ -330,16 +149,16 @@ bool AreSame(const std::vector<double>& a, const std::vector<double>& b, double 
     });
 }
 
-/// Four places around the middle of a terrain of 9 x 9 points, and one in the middle; the cells of
+/// Four places around the middle of a surface of 9 x 9 points, and one in the middle; the cells of
 /// a second layer begin at `firstCell`.
 std::vector<Place> MakePlaces(
-  vtkPolyData* terrain, const Weights& coordinates, vtkIdType firstCell = 0)
+  vtkPolyData* surface, const Weights& coordinates, vtkIdType firstCell = 0)
 {
   std::vector<Place> places;
   for (const vtkIdType id : { 20, 24, 60, 56, 40 })
   {
     vtkIdType cell = 0;
-    while (terrain->GetCell(cell)->GetPointId(0) != id)
+    while (surface->GetCell(cell)->GetPointId(0) != id)
     {
       ++cell;
     }
@@ -348,49 +167,94 @@ std::vector<Place> MakePlaces(
   return places;
 }
 
-class SourceIdentity : public ::testing::TestWithParam<PortCase>
+std::vector<FilterCase> GetFiltersWithPoints()
 {
+  std::vector<FilterCase> filters;
+  for (const FilterCase& filter : GetAllFilters())
+  {
+    if (filter.SetPoints)
+    {
+      filters.push_back(filter);
+    }
+  }
+  return filters;
+}
+
+/// A filter on a relief, or on two coincident reliefs with different arrays.
+class SourceIdentity : public ::testing::TestWithParam<FilterCase>
+{
+protected:
+  SourceIdentity()
+    : Filter(this->GetParam().Make(this->Relief))
+  {
+  }
+
+  void UseLayers()
+  {
+    vtkNew<vtkPolyData> other;
+    other->DeepCopy(this->Relief);
+    for (int a = 0; a < other->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* array = other->GetPointData()->GetArray(a);
+      for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+      {
+        array->SetComponent(i, 0, 0.5 * array->GetComponent(i, 0));
+      }
+    }
+    vtkNew<vtkAppendPolyData> append;
+    append->AddInputData(this->Relief);
+    append->AddInputData(other);
+    append->Update();
+    this->Filter->SetInputData(append->GetOutput());
+  }
+
+  std::vector<double> Run(const std::vector<Place>& places, Naming naming, bool withFaces = false)
+  {
+    auto* surface = vtkPolyData::SafeDownCast(this->Filter->GetInput());
+    this->GetParam().SetPoints(this->Filter, MakePoints(surface, places, naming));
+    return GetNumbers(this->Filter, withFaces);
+  }
+
+  vtkSmartPointer<vtkPolyData> Relief = MakeRelief(VTK_DOUBLE);
+  vtkSmartPointer<vtkGeodesicAlgorithm> Filter;
 };
 }
 
 TEST_P(SourceIdentity, FacesNamePointsAsPositionsDo)
 {
-  const auto terrain = MakeTerrain(9);
-  const std::vector<Place> places = MakePlaces(terrain, { { 0.5, 0.2, 0.3 } });
-  const std::vector<double> expected = RunPort(this->GetParam(), terrain, places, ByPosition);
+  const std::vector<Place> places = MakePlaces(this->Relief, { { 0.5, 0.2, 0.3 } });
+  const std::vector<double> expected = this->Run(places, ByPosition);
   ASSERT_FALSE(expected.empty());
   for (const Naming naming : { ByFace, ByAllArrays })
   {
-    EXPECT_TRUE(AreSame(expected, RunPort(this->GetParam(), terrain, places, naming), 1e-9))
-      << naming;
+    EXPECT_TRUE(AreSame(expected, this->Run(places, naming), 1e-9)) << naming;
   }
 }
 
 TEST_P(SourceIdentity, CoincidentLayersAreDistinguished)
 {
-  const auto terrain = MakeTerrain(9);
-  const auto twice = Beside(terrain, terrain, 0.0);
   // Other numbers of these filters do not depend on the layer.
   const std::string name = this->GetParam().Name;
   const bool withFaces =
     name == "Path" || name == "Loop" || name == "PatchBoundaries" || name == "Sampler";
+  this->UseLayers();
   std::vector<double> expected[2];
   for (int layer = 0; layer < 2; ++layer)
   {
     const std::vector<Place> places =
-      MakePlaces(terrain, { { 1.0, 0.0, 0.0 } }, layer * terrain->GetNumberOfCells());
-    expected[layer] = RunPort(this->GetParam(), twice, places, ByPointId, withFaces);
+      MakePlaces(this->Relief, { { 1.0, 0.0, 0.0 } }, layer * this->Relief->GetNumberOfCells());
+    expected[layer] = this->Run(places, ByPointId, withFaces);
     for (const Naming naming : { ByFace, ByAllArrays })
     {
-      const auto numbers = RunPort(this->GetParam(), twice, places, naming, withFaces);
+      const auto numbers = this->Run(places, naming, withFaces);
       EXPECT_TRUE(AreSame(expected[layer], numbers, 0.0)) << layer << naming;
     }
   }
   EXPECT_EQ(AreSame(expected[0], expected[1], 1e-9), name == "Matrix"); // see below
 }
 
-INSTANTIATE_TEST_SUITE_P(Filters, SourceIdentity, ::testing::ValuesIn(Ports),
-  [](const auto& info) { return std::string(info.param.Name); });
+INSTANTIATE_TEST_SUITE_P(Filters, SourceIdentity, ::testing::ValuesIn(GetFiltersWithPoints()),
+  [](const ::testing::TestParamInfo<FilterCase>& tested) { return tested.param.Name; });
 
 TEST(SourceFaces, RowsAndColumnsAreOnTheirLayers)
 {

@@ -110,72 +110,39 @@ protected:
   vtkSmartPointer<vtkPolyData> Relief = MakeRelief(VTK_DOUBLE);
 };
 
-/// Filters that search a graph: what makes them work on the relief, and points on port 1.
-void Prepare(vtkDGGDistance* filter)
-{
-  filter->AddSourceId(70);
-}
-void Prepare(vtkGeodesicDistanceMatrix* filter)
-{
-  filter->SetRowIds({ 0, 70 });
-}
-void Prepare(vtkDGGPath* filter)
-{
-  filter->AddPair(0, 70);
-}
-void Prepare(vtkDGGLoop* filter)
-{
-  filter->SetModeToRope();
-  filter->SetPointIds({ 11, 15, 69, 65 });
-}
-void Prepare(vtkGeodesicSampler* filter)
-{
-  filter->SetNumberOfSamples(10);
-}
-void Prepare(vtkGeodesicVoronoi* filter)
-{
-  filter->SetSiteIds({ 10, 16, 64, 70 });
-  filter->RefineBoundariesOff(); // which needs links as well
-}
-using Place = std::array<double, 3>;
-void SetPlace(vtkDGGDistance* filter, const Place& place)
-{
-  filter->SetSourceData(MakeSourcePoints({ place }));
-}
-void SetPlace(vtkGeodesicDistanceMatrix* filter, const Place& place)
-{
-  filter->SetRowData(MakeSourcePoints({ place }));
-}
-void SetPlace(vtkDGGPath* filter, const Place& place)
-{
-  filter->SetPairData(MakePairs({ place, { { 15.0, 15.0, 4.0 } } }));
-}
-void SetPlace(vtkDGGLoop* filter, const Place& place)
-{
-  filter->SetPointData(MakeSourcePoints({ place }));
-}
-void SetPlace(vtkGeodesicSampler* filter, const Place& place)
-{
-  filter->SetStartData(MakeSourcePoints({ place }));
-}
-void SetPlace(vtkGeodesicVoronoi* filter, const Place& place)
-{
-  filter->SetSiteData(MakeSourcePoints({ place }));
-}
-
+/// Filters that search a graph.
 template <typename FilterType>
 class GraphFilters : public ::testing::Test
 {
 protected:
   void SetUp() override
   {
-    this->Filter->SetInputData(this->Relief);
-    this->Filter->SetAccuracy(0.05);
-    Prepare(this->Filter);
+    for (const FilterCase& tested : GetAllFilters())
+    {
+      const auto filter = tested.Make(this->Relief);
+      if (FilterType::SafeDownCast(filter))
+      {
+        this->Filter = FilterType::SafeDownCast(filter);
+        this->SetPoints = tested.SetPoints;
+      }
+    }
+    if (auto* voronoi = vtkGeodesicVoronoi::SafeDownCast(this->Filter))
+    {
+      voronoi->RefineBoundariesOff(); // which needs links as well
+    }
+  }
+
+  /// Makes the filter use points that are not vertices.
+  void UseLinks()
+  {
+    this->SetPoints(this->Filter, MakeSourcePoints(GetPointsOnEdges(this->Relief)));
   }
 
   vtkSmartPointer<vtkPolyData> Relief = MakeRelief(VTK_DOUBLE);
-  vtkNew<FilterType> Filter;
+  vtkSmartPointer<FilterType> Filter;
+
+private:
+  std::function<void(vtkGeodesicAlgorithm*, vtkPolyData*)> SetPoints;
 };
 using GraphFilterTypes = ::testing::Types<vtkDGGDistance, vtkGeodesicDistanceMatrix, vtkDGGPath,
   vtkDGGLoop, vtkGeodesicSampler, vtkGeodesicVoronoi>;
@@ -320,15 +287,13 @@ TYPED_TEST(GraphFilters, RefuseLinksBeyondTheMemoryLimit)
 {
   ExpectSuccess(this->Filter);
   this->Filter->SetMemoryLimit(1000); // the graph is there
-  this->Filter->SetProjectionTolerance(0.1);
-  SetPlace(this->Filter, { { 12.0, 31.0, 4.0 } });
+  this->UseLinks();
   ExpectError(this->Filter, { "linking points that are not vertices" });
 }
 
 TYPED_TEST(GraphFilters, TakeGraphsOfAnyConstruction)
 {
-  this->Filter->SetProjectionTolerance(0.1);
-  SetPlace(this->Filter, { { 12.0, 31.0, 4.0 } });
+  this->UseLinks();
   this->Filter->AcceptCoarserGraphOn();
   for (const int construction : { vtkDiscreteGeodesicGraph::OneRelay,
          vtkDiscreteGeodesicGraph::Indirect, vtkDiscreteGeodesicGraph::SaddleVertexGraph })
