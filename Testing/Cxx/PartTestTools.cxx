@@ -6,12 +6,18 @@
 #include "vtkCellData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -45,6 +51,40 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeMarks()
   auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
   marks->SetName(vtkDataSetAttributes::GhostArrayName());
   return marks;
+}
+
+/// Expects the same points in the same number of cells, whatever their order, or nothing in other
+/// processes than the first.
+void ExpectSameSet(vtkPolyData* found, vtkPolyData* expected, bool isFirst)
+{
+  EXPECT_EQ(found->GetNumberOfPoints(), isFirst ? expected->GetNumberOfPoints() : 0);
+  EXPECT_EQ(found->GetNumberOfCells(), isFirst ? expected->GetNumberOfCells() : 0);
+  for (vtkIdType i = 0; isFirst && i < expected->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    expected->GetPoint(i, p);
+    double nearest = VTK_DOUBLE_MAX;
+    for (vtkIdType j = 0; j < found->GetNumberOfPoints(); ++j)
+    {
+      double q[3];
+      found->GetPoint(j, q);
+      nearest = std::min(nearest, std::sqrt(vtkMath::Distance2BetweenPoints(p, q)));
+    }
+    ASSERT_LT(nearest, FloatTolerance * expected->GetLength());
+  }
+}
+
+void ExpectSameRows(vtkTable* found, vtkTable* expected, bool isFirst)
+{
+  ASSERT_EQ(found->GetNumberOfRows(), isFirst ? expected->GetNumberOfRows() : 0);
+  for (vtkIdType row = 0; row < found->GetNumberOfRows(); ++row)
+  {
+    for (vtkIdType column = 0; column < expected->GetNumberOfColumns(); ++column)
+    {
+      const double value = expected->GetValue(row, column).ToDouble();
+      EXPECT_NEAR(found->GetValue(row, column).ToDouble(), value, FloatTolerance * value);
+    }
+  }
 }
 }
 
@@ -187,6 +227,67 @@ vtkSmartPointer<vtkPolyData> TakePart(
     part->GetCellData()->AddArray(cellMarks);
   }
   return part;
+}
+
+void ExpectArray(vtkPolyData* part, vtkPolyData* whole, const std::string& name, double tolerance)
+{
+  vtkDataArray* array = part->GetPointData()->GetArray(name.c_str());
+  vtkDataArray* expected = whole->GetPointData()->GetArray(name.c_str());
+  vtkDataArray* ids = part->GetPointData()->GetArray("Whole");
+  ASSERT_TRUE(array && expected && ids) << name;
+  ASSERT_EQ(array->GetNumberOfTuples(), part->GetNumberOfPoints());
+  ASSERT_EQ(array->GetNumberOfComponents(), expected->GetNumberOfComponents());
+  const double range = std::max(std::abs(expected->GetRange()[0]), expected->GetRange()[1]);
+  for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(ids->GetComponent(i, 0));
+    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+    {
+      ASSERT_NEAR(array->GetComponent(i, k), expected->GetComponent(id, k), tolerance * range)
+        << name << " at point " << id;
+    }
+  }
+}
+
+void ExpectOutputsOfParts(vtkAlgorithm* onParts, vtkAlgorithm* onWhole, bool isFirst)
+{
+  for (int port = 0; port < onWhole->GetNumberOfOutputPorts(); ++port)
+  {
+    SCOPED_TRACE(port);
+    vtkDataObject* found = onParts->GetOutputDataObject(port);
+    vtkDataObject* expected = onWhole->GetOutputDataObject(port);
+    auto* whole = vtkPolyData::SafeDownCast(expected);
+    std::vector<vtkPolyData*> parts;
+    if (auto* partitions = vtkPartitionedDataSet::SafeDownCast(found))
+    {
+      for (unsigned int i = 0; i < partitions->GetNumberOfPartitions(); ++i)
+      {
+        parts.push_back(vtkPolyData::SafeDownCast(partitions->GetPartitionAsDataObject(i)));
+      }
+    }
+    else if (vtkPolyData::SafeDownCast(found))
+    {
+      parts.push_back(vtkPolyData::SafeDownCast(found));
+    }
+    if (parts.size() > 1 || (!parts.empty() && parts[0]->GetPointData()->HasArray("Whole")))
+    {
+      for (vtkPolyData* part : parts)
+      {
+        for (int a = 0; a < whole->GetPointData()->GetNumberOfArrays(); ++a)
+        {
+          ExpectArray(part, whole, whole->GetPointData()->GetArrayName(a), FloatTolerance);
+        }
+      }
+    }
+    else if (whole)
+    {
+      ExpectSameSet(parts.at(0), whole, isFirst);
+    }
+    else
+    {
+      ExpectSameRows(vtkTable::SafeDownCast(found), vtkTable::SafeDownCast(expected), isFirst);
+    }
+  }
 }
 
 vtkSmartPointer<vtkPolyData> MakeSeam(int n)

@@ -7,6 +7,7 @@
 
 #include "FilterTestTools.h"
 
+#include <string>
 #include <vector>
 
 namespace dggtest
@@ -29,6 +30,17 @@ enum class PartIds
 /// `ghosts`, also all cells at their points, marked.
 vtkSmartPointer<vtkPolyData> TakePart(vtkPolyData* surface, const Labels& labels, int label,
   PartIds ids = PartIds::None, bool ghosts = false);
+
+/// Where cells come in another order, angles in graphs are rounded to other floats, and with them
+/// corrected distances.
+constexpr double FloatTolerance = 1e-7;
+
+/// Expects that an array of the points of a part is that of the whole, up to `tolerance` times its
+/// largest value.
+void ExpectArray(vtkPolyData* part, vtkPolyData* whole, const std::string& name, double tolerance);
+/// Expects that outputs of a filter on parts of a surface are those on the whole surface: arrays at
+/// the points of parts; new geometry and tables in the first process, in any order.
+void ExpectOutputsOfParts(vtkAlgorithm* onParts, vtkAlgorithm* onWhole, bool isFirst = true);
 
 /// A terrain with a seam along half of the line in the middle: points of its sides lie in the same
 /// places.

@@ -15,15 +15,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace dggtest
 {
-/// Where cells come in another order, angles in graphs are rounded to other floats, and with them
-/// corrected distances.
-constexpr double FloatTolerance = 1e-7;
-
 class SeveralProcesses : public testing::Test
 {
 protected:
@@ -56,52 +51,29 @@ protected:
   }
 
   /// What a filter finds without other processes.
-  template <typename Filter>
-  static vtkSmartPointer<Filter> Alone(
-    vtkPolyData* surface, const std::function<void(Filter*)>& prepare)
+  template <typename Filter, typename Prepare>
+  static vtkSmartPointer<Filter> Alone(vtkPolyData* surface, const Prepare& prepare)
   {
     auto filter = vtkSmartPointer<Filter>::New();
     filter->SetController(nullptr);
     filter->SetInputData(surface);
-    prepare(filter);
+    prepare(filter.Get());
     filter->Update();
     return filter;
   }
 
-  template <typename Filter>
-  vtkSmartPointer<Filter> Together(vtkDataObject* part, const std::function<void(Filter*)>& prepare)
+  template <typename Filter, typename Prepare>
+  vtkSmartPointer<Filter> Together(vtkDataObject* part, const Prepare& prepare)
   {
     auto filter = vtkSmartPointer<Filter>::New();
     filter->SetInputDataObject(part);
-    prepare(filter);
+    prepare(filter.Get());
     const Listener listener(filter);
     this->Update(filter);
     EXPECT_TRUE(listener.Errors.empty()) << listener.Errors[0];
     EXPECT_TRUE(listener.Warnings.empty()) << listener.Warnings[0];
     EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
     return filter;
-  }
-
-  /// Arrays of points of a part are those of the whole.
-  static void ExpectArray(
-    vtkPolyData* part, vtkPolyData* whole, const std::string& name, double tolerance)
-  {
-    vtkDataArray* array = part->GetPointData()->GetArray(name.c_str());
-    vtkDataArray* expected = whole->GetPointData()->GetArray(name.c_str());
-    vtkDataArray* ids = part->GetPointData()->GetArray("Whole");
-    ASSERT_TRUE(array && expected) << name;
-    ASSERT_EQ(array->GetNumberOfTuples(), part->GetNumberOfPoints());
-    ASSERT_EQ(array->GetNumberOfComponents(), expected->GetNumberOfComponents());
-    const double range = std::max(std::abs(expected->GetRange()[0]), expected->GetRange()[1]);
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
-    {
-      const auto id = static_cast<vtkIdType>(ids->GetComponent(i, 0));
-      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
-      {
-        ASSERT_NEAR(array->GetComponent(i, k), expected->GetComponent(id, k), tolerance * range)
-          << name << " at point " << id;
-      }
-    }
   }
 
   static vtkIdType GetNumberOfReached(vtkPolyData* part)
@@ -113,27 +85,6 @@ protected:
       reached += array->GetComponent(i, 0) >= 0.0 ? 1 : 0;
     }
     return reached;
-  }
-
-  /// The same points in the same number of cells, whatever their order.
-  static void ExpectSameSet(vtkPolyData* curves, vtkPolyData* expected, double tolerance)
-  {
-    ASSERT_GT(expected->GetNumberOfPoints(), 0);
-    EXPECT_EQ(curves->GetNumberOfPoints(), expected->GetNumberOfPoints());
-    EXPECT_EQ(curves->GetNumberOfCells(), expected->GetNumberOfCells());
-    for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      expected->GetPoint(i, p);
-      double nearest = 1e300;
-      for (vtkIdType j = 0; j < curves->GetNumberOfPoints(); ++j)
-      {
-        double q[3];
-        curves->GetPoint(j, q);
-        nearest = std::min(nearest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
-      }
-      ASSERT_LT(nearest, tolerance);
-    }
   }
 };
 }

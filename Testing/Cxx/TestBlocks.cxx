@@ -4,13 +4,9 @@
 /// Input in blocks and partitions, in one process.
 #include "PartTestTools.h"
 
-#include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
-#include "vtkDGGPath.h"
 #include "vtkDiscreteGeodesicGraph.h"
-#include "vtkDiscreteGreensFunction.h"
 #include "vtkExactGeodesicDistance.h"
-#include "vtkGeodesicVoronoi.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -262,122 +258,32 @@ TEST_F(Blocks, NestedBlocksAndSourcesInSeveral)
 }
 
 //------------------------------------------------------------------------------
-/// New geometry is one output for all blocks.
-TEST_F(Blocks, PathsIsolinesCellsAndGreensFunctions)
-{
-  auto ends = MakeSourcePoints({ GetPlace(1, 0.1, 0.2), GetPlace(1, 0.9, 0.7),
-    GetPlace(2, 0.2, 0.2), GetPlace(2, 0.8, 0.9), GetPlace(0, 0.5, 0.5) });
-  ends->SetLines(MakeCells({ { 0, 1 }, { 2, 3 } }));
-  vtkNew<vtkDGGPath> path;
-  path->SetInputDataObject(this->All);
-  path->SetPairData(ends);
-  path->SetMethodToExact();
-  ExpectSuccess(path);
-  vtkNew<vtkDGGPath> expected;
-  expected->SetInputData(this->Surfaces[2]);
-  expected->SetPairData(ends);
-  expected->SetMethodToExact();
-  ends->SetLines(MakeCells({ { 2, 3 } }));
-  expected->Update();
-  ASSERT_EQ(path->GetOutput()->GetNumberOfCells(), 2);
-  EXPECT_NEAR(path->GetOutput()->GetCellData()->GetArray("Length")->GetComponent(1, 0),
-    expected->GetOutput()->GetCellData()->GetArray("Length")->GetComponent(0, 0), 1e-12);
-  // Between blocks.
-  ends->SetLines(MakeCells({ { 0, 4 } }));
-  ends->Modified();
-  ExpectWarning(path, { "not connected" });
-  EXPECT_EQ(path->GetOutput()->GetNumberOfCells(), 0);
-
-  vtkNew<vtkExactGeodesicDistance> distance;
-  distance->SetInputDataObject(this->All);
-  distance->SetSourceData(MakeSourcePoints({ GetPlace(0, 0.5, 0.5), GetPlace(2, 0.2, 0.2) }));
-  distance->GenerateWindowsOn();
-  vtkNew<vtkApolloniusIsolines> isolines;
-  isolines->SetInputConnection(distance->GetOutputPort());
-  isolines->SetValue(0, 0.3);
-  ExpectSuccess(isolines);
-  EXPECT_TRUE(isolines->GetUsedWindows());
-  EXPECT_EQ(isolines->GetOutput()->GetNumberOfLines(), 2);
-
-  vtkNew<vtkGeodesicVoronoi> voronoi;
-  voronoi->SetInputDataObject(this->All);
-  voronoi->SetSiteData(
-    MakeSourcePoints({ GetPlace(1, 0.1, 0.2), GetPlace(0, 0.5, 0.5), GetPlace(1, 0.9, 0.7) }));
-  ExpectSuccess(voronoi);
-  double range[2];
-  GetArray(voronoi, 1, "GeodesicSource")->GetRange(range);
-  EXPECT_EQ(range[0], 0.0);
-  EXPECT_EQ(range[1], 2.0);
-  GetArray(voronoi, 0, "GeodesicSource")->GetRange(range);
-  EXPECT_EQ(range[0], 1.0);
-  EXPECT_EQ(range[1], 1.0);
-  ASSERT_NE(voronoi->GetCells(), nullptr);
-  EXPECT_GT(voronoi->GetCells()->GetNumberOfCells(), 0);
-  EXPECT_GT(voronoi->GetBoundaries()->GetNumberOfCells(), 0);
-
-  vtkNew<vtkDiscreteGreensFunction> greens;
-  greens->SetInputDataObject(this->All);
-  greens->SetSourceData(MakeSourcePoints({ GetPlace(1, 0.5, 0.5), GetPlace(2, 0.2, 0.2) }));
-  greens->SetEvaluationData(MakeSourcePoints({ GetPlace(2, 0.4, 0.4) }));
-  ExpectSuccess(greens);
-  vtkNew<vtkDiscreteGreensFunction> alone;
-  alone->SetInputData(this->Surfaces[2]);
-  alone->SetSourceData(MakeSourcePoints({ GetPlace(2, 0.2, 0.2) }));
-  alone->Update();
-  vtkDataArray* found = GetArray(greens, 2, "GreensFunction");
-  vtkDataArray* single = alone->GetOutput()->GetPointData()->GetArray("GreensFunction");
-  ASSERT_EQ(found->GetNumberOfComponents(), 2);
-  for (vtkIdType i = 0; i < found->GetNumberOfTuples(); ++i)
-  {
-    ASSERT_EQ(found->GetComponent(i, 0), 0.0);
-    ASSERT_NEAR(found->GetComponent(i, 1), single->GetComponent(i, 0), 1e-10);
-  }
-  EXPECT_EQ(greens->GetEvaluation()->GetNumberOfPoints(), 1);
-}
-
-//------------------------------------------------------------------------------
-/// The partitions of a vtkPartitionedDataSet are one surface, those of a collection are not.
+/// The partitions of each member of a collection are one surface; the members are not.
 TEST_F(Blocks, PartitionsAreJoined)
 {
   vtkPolyData* surface = this->Surfaces[2];
   const Labels labels = LabelRandomly(surface, 4, 3);
-  vtkNew<vtkPartitionedDataSet> partitions;
   vtkNew<vtkPartitionedDataSetCollection> collection;
   for (int i = 0; i < 4; ++i)
   {
-    const auto index = static_cast<unsigned int>(i);
-    partitions->SetPartition(index, TakePart(surface, labels, i));
-    collection->SetPartition(0, index, TakePart(surface, labels, i, PartIds::None, true));
+    collection->SetPartition(
+      0, static_cast<unsigned int>(i), TakePart(surface, labels, i, PartIds::None, true));
   }
   collection->SetPartition(1, 0, this->Surfaces[0]);
   const auto source = MakeSourcePoints({ GetPlace(2, 0.3, 0.6) });
-  vtkDataArray* expected = nullptr;
   const auto whole = this->OnBlock<vtkExactGeodesicDistance>(2, source);
-  expected = whole->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetSourceData(source);
-  for (const bool isCollection : { false, true })
+  filter->SetInputDataObject(collection);
+  ExpectSuccess(filter);
+  EXPECT_EQ(filter->GetNumberOfComponents(), 2);
+  auto* output = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_NE(output, nullptr);
+  for (unsigned int i = 0; i < 4; ++i)
   {
-    filter->SetInputDataObject(isCollection ? static_cast<vtkDataObject*>(collection) : partitions);
-    ExpectSuccess(filter);
-    auto* members = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(0));
-    auto* output = isCollection && members
-      ? members->GetPartitionedDataSet(0)
-      : vtkPartitionedDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    ASSERT_NE(output, nullptr);
-    EXPECT_EQ(filter->GetNumberOfComponents(), isCollection ? 2 : 1);
-    for (unsigned int i = 0; i < 4; ++i)
-    {
-      auto* part = vtkPolyData::SafeDownCast(output->GetPartitionAsDataObject(i));
-      ASSERT_NE(part, nullptr);
-      vtkDataArray* ids = part->GetPointData()->GetArray("Whole");
-      vtkDataArray* distances = part->GetPointData()->GetArray("GeodesicDistance");
-      for (vtkIdType k = 0; k < part->GetNumberOfPoints(); ++k)
-      {
-        const auto id = static_cast<vtkIdType>(ids->GetComponent(k, 0));
-        ASSERT_NEAR(distances->GetComponent(k, 0), expected->GetComponent(id, 0), 1e-12);
-      }
-    }
+    auto* part =
+      vtkPolyData::SafeDownCast(output->GetPartitionedDataSet(0)->GetPartitionAsDataObject(i));
+    ExpectArray(part, whole->GetOutput(), "GeodesicDistance", 1e-12);
   }
 }
 

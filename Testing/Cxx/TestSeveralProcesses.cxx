@@ -2,21 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The same results on any number of processes. Run under mpiexec; alone as well.
+#include "FilterCases.h"
 #include "SeveralProcessesFixture.h"
 
-#include "vtkApolloniusIsolines.h"
-#include "vtkBiharmonicDistance.h"
 #include "vtkDGGDistance.h"
-#include "vtkDGGFastMarchingDistance.h"
-#include "vtkDGGPath.h"
 #include "vtkDiscreteGeodesicGraph.h"
-#include "vtkDiscreteGreensFunction.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
-#include "vtkGeodesicVoronoi.h"
-#include "vtkHarmonicBSpline.h"
-#include "vtkHeatGeodesicDistance.h"
-#include "vtkVirtualSourceGeodesicDistance.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -29,44 +21,48 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <string>
 
 using namespace dggtest;
 
-//------------------------------------------------------------------------------
-template <typename Filter>
-class SeveralProcessesDistance : public SeveralProcesses
+namespace
+{
+class SeveralProcessesContract
+  : public SeveralProcesses
+  , public testing::WithParamInterface<FilterCase>
 {
 };
-template <typename Filter>
-constexpr double Tolerance = 1e-12;
-template <>
-constexpr double Tolerance<vtkDGGDistance> = FloatTolerance;
+}
 
-using DistanceFilters = testing::Types<vtkDGGDistance, vtkExactGeodesicDistance,
-  vtkHeatGeodesicDistance, vtkDGGFastMarchingDistance, vtkVirtualSourceGeodesicDistance>;
-TYPED_TEST_SUITE(SeveralProcessesDistance, DistanceFilters);
-
-TYPED_TEST(SeveralProcessesDistance, IsThatOfTheWhole)
+//------------------------------------------------------------------------------
+/// Every filter, on parts that several processes have.
+TEST_P(SeveralProcessesContract, OutputsAreThoseOfTheWhole)
 {
-  const std::function<void(TypeParam*)> prepare = [this](TypeParam* filter) {
-    filter->SetSourceData(this->MakeSources());
-    filter->GenerateNearestSourceOn();
-  };
-  const auto alone = this->template Alone<TypeParam>(this->Surface, prepare);
+  if (this->Count == 1)
+  {
+    GTEST_SKIP() << "the whole surface is here";
+  }
+  const auto surface = MakeRelief(VTK_DOUBLE);
+  const auto alone = this->GetParam().Make(surface);
+  alone->SetController(nullptr);
+  ExpectSuccess(alone);
   for (unsigned int seed = 0; seed < 3; ++seed)
   {
-    const auto part =
-      seed == 0 ? this->TakeStrip(this->Surface) : this->TakeRandom(this->Surface, seed);
-    const auto filter = this->template Together<TypeParam>(part, prepare);
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), part->GetNumberOfPoints());
-    EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "GeodesicDistance");
-    this->ExpectArray(
-      filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", Tolerance<TypeParam>);
-    this->ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicSource", 0.0);
+    SCOPED_TRACE(seed);
+    const auto filter = this->GetParam().Make(surface);
+    filter->SetInputData(seed == 0 ? this->TakeStrip(surface, PartIds::Global)
+                                   : TakePart(surface, LabelRandomly(surface, this->Count, seed),
+                                       this->Here, PartIds::Global));
+    const Listener listener(filter);
+    this->Update(filter);
+    EXPECT_EQ(listener.Errors, std::vector<std::string>());
+    EXPECT_EQ(listener.Warnings, std::vector<std::string>());
+    ExpectOutputsOfParts(filter, alone, this->IsFirst());
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Filters, SeveralProcessesContract, testing::ValuesIn(GetAllFilters()),
+  [](const testing::TestParamInfo<FilterCase>& tested) { return tested.param.Name; });
 
 //------------------------------------------------------------------------------
 TEST_F(SeveralProcesses, ArraysOfSources)
@@ -77,12 +73,11 @@ TEST_F(SeveralProcesses, ArraysOfSources)
   names->InsertNextValue("middle");
   names->InsertNextValue("rim");
   sources->GetPointData()->AddArray(names);
-  const std::function<void(vtkExactGeodesicDistance*)> prepare =
-    [&sources](vtkExactGeodesicDistance* filter) {
-      filter->SetSourceData(sources);
-      filter->GenerateNearestSourceOn();
-      filter->PassSourceArraysOn();
-    };
+  const auto prepare = [&sources](auto* filter) {
+    filter->SetSourceData(sources);
+    filter->GenerateNearestSourceOn();
+    filter->PassSourceArraysOn();
+  };
   const auto filter =
     this->Together<vtkExactGeodesicDistance>(this->TakeStrip(this->Surface), prepare);
   vtkPointData* data = filter->GetOutput()->GetPointData();
@@ -101,9 +96,7 @@ TEST_F(SeveralProcesses, GlobalIdsNumberPoints)
   for (const bool ghosts : { false, true })
   {
     const auto part = this->TakeStrip(this->Surface, PartIds::Global, ghosts);
-    const std::function<void(vtkDGGDistance*)> prepare = [](vtkDGGDistance* filter) {
-      filter->SetSourceIds({ 77, 500 });
-    };
+    const auto prepare = [](auto* filter) { filter->SetSourceIds({ 77, 500 }); };
     const auto alone = Alone<vtkDGGDistance>(this->Surface, prepare);
     const auto filter = this->Together<vtkDGGDistance>(part, prepare);
     ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
@@ -125,9 +118,7 @@ TEST_F(SeveralProcesses, LargeGlobalIds)
       ids->SetValue(i, ids->GetValue(i) + (vtkIdType(1) << 54) + (vtkIdType(1) << 33));
     }
   }
-  const std::function<void(vtkDGGDistance*)> prepare = [](vtkDGGDistance* filter) {
-    filter->SetSourceIds({ 77, 500 });
-  };
+  const auto prepare = [](auto* filter) { filter->SetSourceIds({ 77, 500 }); };
   const auto alone = Alone<vtkDGGDistance>(this->Surface, prepare);
   const auto filter = this->Together<vtkDGGDistance>(part, prepare);
   ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
@@ -145,7 +136,7 @@ TEST_F(SeveralProcesses, GraphDistancesAreTheSame)
   {
     const auto part = this->TakeStrip(this->Surface, corrects ? PartIds::Global : PartIds::None);
     part->GetPointData()->RemoveArray("GlobalPointIds");
-    const std::function<void(vtkDGGDistance*)> prepare = [&](vtkDGGDistance* filter) {
+    const auto prepare = [&](auto* filter) {
       filter->SetSourceData(MakeSources());
       filter->SetCorrection(corrects);
     };
@@ -160,8 +151,7 @@ TEST_F(SeveralProcesses, GhostCellsAreLeftOut)
 {
   const auto part = this->TakeStrip(this->Surface, PartIds::None, true);
   const auto own = this->TakeStrip(this->Surface);
-  const std::function<void(vtkExactGeodesicDistance*)> prepare =
-    [](vtkExactGeodesicDistance* filter) { filter->SetSourceData(MakeSources()); };
+  const auto prepare = [](auto* filter) { filter->SetSourceData(MakeSources()); };
   const auto alone = Alone<vtkExactGeodesicDistance>(this->Surface, prepare);
   const auto filter = this->Together<vtkExactGeodesicDistance>(part, prepare);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), own->GetNumberOfPoints());
@@ -179,10 +169,9 @@ TEST_F(SeveralProcesses, GhostCellsAreLeftOut)
 TEST_F(SeveralProcesses, SeamsStaySeams)
 {
   const auto seam = MakeSeam(25);
-  const std::function<void(vtkExactGeodesicDistance*)> prepare =
-    [](vtkExactGeodesicDistance* filter) {
-      filter->SetSourceData(MakeSourcePoints({ { { 0.9, 0.4, GetTerrainHeight(0.9, 0.4) } } }));
-    };
+  const auto prepare = [](auto* filter) {
+    filter->SetSourceData(MakeSourcePoints({ { { 0.9, 0.4, GetTerrainHeight(0.9, 0.4) } } }));
+  };
   const auto open = Alone<vtkExactGeodesicDistance>(seam, prepare);
   EXPECT_EQ(open->GetNumberOfBoundaryLoops(), 1);
   for (int shift = 0; shift < 8; ++shift)
@@ -197,7 +186,7 @@ TEST_F(SeveralProcesses, SeamsStaySeams)
     const auto part = TakePart(seam, labels, this->Here);
     vtkNew<vtkExactGeodesicDistance> filter;
     filter->SetInputData(part);
-    prepare(filter);
+    prepare(filter.Get());
     const Listener listener(filter);
     this->Update(filter);
     ASSERT_TRUE(listener.Errors.empty()) << listener.Errors[0];
@@ -211,97 +200,10 @@ TEST_F(SeveralProcesses, SeamsStaySeams)
 }
 
 //------------------------------------------------------------------------------
-TEST_F(SeveralProcesses, PathsIsolinesAndCells)
-{
-  const auto part = this->TakeRandom(this->Surface, 5);
-  auto pairs = MakeSources();
-  pairs->SetLines(MakeCells({ { 0, 1 } }));
-  for (const int method : { vtkDGGPath::Graph, vtkDGGPath::Exact })
-  {
-    const std::function<void(vtkDGGPath*)> prepare = [&](vtkDGGPath* path) {
-      path->SetMethod(method);
-      path->SetPairData(pairs);
-    };
-    const auto alone = Alone<vtkDGGPath>(this->Surface, prepare);
-    const auto path = this->Together<vtkDGGPath>(part, prepare);
-    if (this->IsFirst())
-    {
-      ExpectSameSet(path->GetOutput(), alone->GetOutput(), 1e-12);
-      EXPECT_NEAR(path->GetOutput()->GetCellData()->GetArray("Length")->GetComponent(0, 0),
-        alone->GetOutput()->GetCellData()->GetArray("Length")->GetComponent(0, 0), 1e-12);
-    }
-    else
-    {
-      EXPECT_EQ(path->GetOutput()->GetNumberOfPoints(), 0);
-    }
-  }
-
-  const std::function<void(vtkExactGeodesicDistance*)> exact = [](auto* filter) {
-    filter->SetSourceData(MakeSources());
-    filter->GenerateWindowsOn();
-  };
-  const std::function<void(vtkApolloniusIsolines*)> lines = [](vtkApolloniusIsolines* isolines) {
-    isolines->GenerateValues(5, 0.05, 0.55);
-  };
-  const auto alone = Alone<vtkExactGeodesicDistance>(this->Surface, exact);
-  const auto linesAlone = Alone<vtkApolloniusIsolines>(alone->GetOutput(), lines);
-  const auto filter = this->Together<vtkExactGeodesicDistance>(part, exact);
-  const auto isolines = this->Together<vtkApolloniusIsolines>(filter->GetOutput(), lines);
-  if (this->IsFirst())
-  {
-    EXPECT_TRUE(isolines->GetUsedWindows());
-    ExpectSameSet(isolines->GetOutput(), linesAlone->GetOutput(), 1e-9);
-  }
-
-  const std::function<void(vtkGeodesicVoronoi*)> sites = [](vtkGeodesicVoronoi* voronoi) {
-    voronoi->SetSiteData(MakeSources());
-    voronoi->RefineBoundariesOff();
-  };
-  const auto cellsAlone = Alone<vtkGeodesicVoronoi>(this->Surface, sites);
-  const auto cells = this->Together<vtkGeodesicVoronoi>(part, sites);
-  ExpectArray(cells->GetOutput(), cellsAlone->GetOutput(), "GeodesicSource", 0.0);
-  ExpectArray(cells->GetOutput(), cellsAlone->GetOutput(), "GeodesicDistance", FloatTolerance);
-  if (this->IsFirst())
-  {
-    ExpectSameSet(cells->GetBoundaries(), cellsAlone->GetBoundaries(), 1e-9);
-    EXPECT_EQ(cells->GetSites()->GetNumberOfPoints(), 2);
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST_F(SeveralProcesses, SpectralFilters)
-{
-  const auto part = this->TakeRandom(this->Surface, 7);
-  const std::function<void(vtkDiscreteGreensFunction*)> greens =
-    [](vtkDiscreteGreensFunction* filter) {
-      filter->SetSourceData(MakeSources());
-      filter->SetEvaluationData(MakeSources());
-    };
-  const auto alone = Alone<vtkDiscreteGreensFunction>(this->Surface, greens);
-  const auto filter = this->Together<vtkDiscreteGreensFunction>(part, greens);
-  ExpectArray(filter->GetOutput(), alone->GetOutput(), "GreensFunction", 1e-10);
-  EXPECT_EQ(filter->GetEvaluation()->GetNumberOfPoints(), this->IsFirst() ? 2 : 0);
-  const std::function<void(vtkBiharmonicDistance*)> biharmonic = [](vtkBiharmonicDistance* other) {
-    other->SetSourceData(MakeSources());
-  };
-  ExpectArray(this->Together<vtkBiharmonicDistance>(part, biharmonic)->GetOutput(),
-    Alone<vtkBiharmonicDistance>(this->Surface, biharmonic)->GetOutput(), "BiharmonicDistance",
-    1e-10);
-  const std::function<void(vtkHarmonicBSpline*)> spline = [](vtkHarmonicBSpline* other) {
-    other->SetSourceData(MakeSources());
-  };
-  const auto splines = this->Together<vtkHarmonicBSpline>(part, spline);
-  const auto splinesAlone = Alone<vtkHarmonicBSpline>(this->Surface, spline);
-  ExpectArray(splines->GetOutput(), splinesAlone->GetOutput(), "HarmonicBSpline", 1e-10);
-  ExpectArray(splines->GetOutput(), splinesAlone->GetOutput(), "Cell", 0.0);
-}
-
-//------------------------------------------------------------------------------
 TEST_F(SeveralProcesses, AGraphServesAChain)
 {
   const auto part = this->TakeStrip(this->Surface);
-  const auto graph =
-    this->Together<vtkDiscreteGeodesicGraph>(part, [](vtkDiscreteGeodesicGraph*) {});
+  const auto graph = this->Together<vtkDiscreteGeodesicGraph>(part, [](auto*) {});
   EXPECT_EQ(graph->GetOutput()->GetFieldData()->HasArray("DGG.Offsets"), this->IsFirst());
   const vtkMTimeType built = graph->GetGraphBuildTime();
   vtkNew<vtkDGGDistance> distance;
@@ -361,8 +263,7 @@ TEST_F(SeveralProcesses, SourcesCountOnce)
       sources->GetPoint(std::min(this->Here, 1), p);
       here = this->Here < 2 ? MakeSourcePoints({ { { p[0], p[1], p[2] } } }) : none;
     }
-    const std::function<void(vtkGeodesicDistanceMatrix*)> prepare =
-      [&](vtkGeodesicDistanceMatrix* matrix) { matrix->SetRowData(here); };
+    const auto prepare = [&](auto* matrix) { matrix->SetRowData(here); };
     const auto matrix = this->Together<vtkGeodesicDistanceMatrix>(part, prepare);
     EXPECT_EQ(matrix->GetOutput()->GetNumberOfRows(), this->IsFirst() ? 2 : 0) << where;
   }
@@ -372,8 +273,7 @@ TEST_F(SeveralProcesses, SourcesCountOnce)
 /// What every process has as a whole, as with most readers, counts once.
 TEST_F(SeveralProcesses, TheSameSurfaceEverywhereCountsOnce)
 {
-  const std::function<void(vtkExactGeodesicDistance*)> prepare =
-    [](vtkExactGeodesicDistance* filter) { filter->SetSourceIds({ 3 }); };
+  const auto prepare = [](auto* filter) { filter->SetSourceIds({ 3 }); };
   const auto alone = Alone<vtkExactGeodesicDistance>(this->Surface, prepare);
   const auto filter = this->Together<vtkExactGeodesicDistance>(this->Surface, prepare);
   EXPECT_EQ(GetDistances(filter), GetDistances(alone));

@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <string>
 
 using namespace dggtest;
@@ -32,9 +31,7 @@ TEST_F(SeveralProcesses, FewerPartsThanProcesses)
   {
     part = TakePart(this->Surface, Labels(this->Surface->GetNumberOfCells(), 0), 0);
   }
-  const std::function<void(vtkDGGDistance*)> prepare = [](vtkDGGDistance* filter) {
-    filter->SetSourceIds({ 40 });
-  };
+  const auto prepare = [](auto* filter) { filter->SetSourceIds({ 40 }); };
   const auto filter = this->Together<vtkDGGDistance>(part, prepare);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), part->GetNumberOfPoints());
   EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
@@ -78,10 +75,9 @@ TEST_F(SeveralProcesses, PiecesOfQuadsAndStrips)
     }
     part->SetVerts(MakeCells({ { 1 }, { 5 } }));
     part->SetLines(MakeCells({ { 0, 7, 3 } }));
-    const std::function<void(vtkExactGeodesicDistance*)> prepare =
-      [](vtkExactGeodesicDistance* filter) {
-        filter->SetSourceData(MakeSourcePoints({ { { 2.5, 0.5, 0.0 } } }));
-      };
+    const auto prepare = [](auto* filter) {
+      filter->SetSourceData(MakeSourcePoints({ { { 2.5, 0.5, 0.0 } } }));
+    };
     const auto filter = this->Together<vtkExactGeodesicDistance>(part, prepare);
     const auto distances = GetDistances(filter);
     ASSERT_EQ(distances.size(), static_cast<std::size_t>(part->GetNumberOfPoints()));
@@ -286,7 +282,7 @@ TEST_F(SeveralProcesses, BlocksInParts)
         : this->IsFirst() ? TakePart(surface, Labels(surface->GetNumberOfCells(), 0), 0).Get()
                           : nullptr);
   }
-  const std::function<void(vtkDGGDistance*)> prepare = [](vtkDGGDistance* filter) {
+  const auto prepare = [](auto* filter) {
     filter->SetSourceData(MakeSourcePoints({ { { 0.3, 0.5, GetTerrainHeight(0.3, 0.5) } },
       { { 2.8, 0.5, GetTerrainHeight(0.8, 0.5) } } }));
     filter->SetUnreachedValue(-1.0);
@@ -294,7 +290,7 @@ TEST_F(SeveralProcesses, BlocksInParts)
   vtkNew<vtkDGGDistance> alone;
   alone->SetController(nullptr);
   alone->SetInputDataObject(whole);
-  prepare(alone);
+  prepare(alone.Get());
   alone->Update();
   const auto filter = this->Together<vtkDGGDistance>(part, prepare);
   auto* expected = vtkMultiBlockDataSet::SafeDownCast(alone->GetOutputDataObject(0));

@@ -5,7 +5,7 @@
 /// used, coincident points, and the graph that some filters search.
 #include "FilterCases.h"
 #include "GraphTestTools.h"
-#include "PathTestTools.h"
+#include "PartTestTools.h"
 
 #include "vtkDGGDistance.h"
 #include "vtkDGGLoop.h"
@@ -18,6 +18,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 
@@ -246,6 +247,23 @@ TEST_P(SurfaceContract, MergesCoincidentPoints)
   this->ExpectTheSame(surface, 0, filter, [](vtkDataArray* array, vtkIdType i) {
     EXPECT_TRUE(AreSame(array->GetComponent(i, 0), array->GetComponent(i - 81 + 36, 0)));
   });
+}
+
+TEST_P(SurfaceContract, PartitionsAreOneSurface)
+{
+  const auto whole = this->Make();
+  ExpectSuccess(whole);
+  const Labels labels = LabelRandomly(this->Relief, 4, 3);
+  vtkNew<vtkPartitionedDataSet> partitions;
+  for (int i = 0; i < 4; ++i)
+  {
+    partitions->SetPartition(
+      static_cast<unsigned int>(i), TakePart(this->Relief, labels, i, PartIds::Global));
+  }
+  const auto filter = this->Make();
+  filter->SetInputDataObject(partitions);
+  ExpectSuccess(filter);
+  ExpectOutputsOfParts(filter, whole);
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, SurfaceContract, ::testing::ValuesIn(GetAllFilters()),
