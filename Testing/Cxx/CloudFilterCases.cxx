@@ -123,30 +123,19 @@ std::vector<Refusal> RefuseCloudGraph()
 {
   using F = vtkPointCloudDGG;
   const double nan = std::nan("");
-  const auto offset = [](double value, const std::vector<std::string>& parts) {
-    return Refuse<F>([value](F* f) { f->SetOffsetInVoxels(value); }, parts);
-  };
-  const auto resolution = [](int value, const std::vector<std::string>& parts) {
-    return Refuse<F>([value](F* f) { f->SetResolution(value); }, parts);
-  };
-  const auto alpha = [](double value, const std::vector<std::string>& parts) {
-    return Refuse<F>([value](F* f) { f->SetAlpha(value); }, parts);
-  };
-  std::vector<Refusal> refusals = { offset(-1.0, { "OffsetInVoxels", "-1" }),
-    offset(nan, { "OffsetInVoxels", "nan" }),
-    offset(1000.5, { "offset is 1000.5 voxels", "at most 1000" }),
-    offset(1e-300, { "offset is 1e-300 voxels", "at least 0.5" }),
-    resolution(-5, { "Resolution", "-5" }), resolution(2000000, { "esolution", "2000000" }),
-    alpha(-0.5, { "Alpha", "-0.5" }), alpha(2e6, { "alpha is 2e+06", "at most 1e6" }),
-    alpha(1e-300, { "alpha is 1e-300", "at least 1e-3" }),
-    Refuse<F>([](F* f) { f->SetNumberOfNeighbors(2); }, { "NumberOfNeighbors", "2" }),
-    Refuse<F>([](F* f) { f->SetComponentArrayName(nullptr); }, { "ComponentArrayName is empty" }),
-    { [](vtkGeodesicAlgorithm* f) { f->SetMemoryLimit(10000); }, { "limit" } } };
-  for (const double accuracy : { -0.1, 1e-7, 0.6, nan })
-  {
-    refusals.push_back(Refuse<F>([accuracy](F* f) { f->SetAccuracy(accuracy); }, { "ccuracy" }));
-  }
-  return refusals;
+  return RefuseValues(&F::SetOffsetInVoxels, { -1.0 }, { "OffsetInVoxels", "-1" }) +
+    RefuseValues(&F::SetOffsetInVoxels, { nan }, { "OffsetInVoxels", "nan" }) +
+    RefuseValues(&F::SetOffsetInVoxels, { 1000.5 }, { "offset is 1000.5 voxels", "at most 1000" }) +
+    RefuseValues(&F::SetOffsetInVoxels, { 1e-300 }, { "offset is 1e-300 voxels", "at least 0.5" }) +
+    RefuseValues(&F::SetResolution, { -5 }, { "Resolution", "-5" }) +
+    RefuseValues(&F::SetResolution, { 2000000 }, { "esolution", "2000000" }) +
+    RefuseValues(&F::SetAlpha, { -0.5 }, { "Alpha", "-0.5" }) +
+    RefuseValues(&F::SetAlpha, { 2e6 }, { "alpha is 2e+06", "at most 1e6" }) +
+    RefuseValues(&F::SetAlpha, { 1e-300 }, { "alpha is 1e-300", "at least 1e-3" }) +
+    RefuseValues(&F::SetNumberOfNeighbors, { 2 }, { "NumberOfNeighbors", "2" }) +
+    RefuseValues(&F::SetComponentArrayName, { nullptr }, { "ComponentArrayName is empty" }) +
+    RefuseValues(&F::SetAccuracy, { -0.1, 1e-7, 0.6, nan }, { "ccuracy" }) +
+    RefuseValues(&F::SetMemoryLimit, { 10000 }, { "limit" });
 }
 
 std::vector<Refusal> RefuseMarching()
@@ -161,18 +150,13 @@ std::vector<Refusal> RefuseMarching()
       },
       parts);
   };
-  std::vector<Refusal> refusals = { Refuse<F>([](F* f) { f->RemoveAllSources(); }, { "no source" }),
-    Refuse<F>([](F* f) { f->AddSourceId(81); }, { "81", "out of range" }),
-    Refuse<F>([](F* f) { f->SetResolution(-1); }, { "Resolution" }),
-    Refuse<F>([](F* f) { f->SetResolution(524289); }, { "Resolution" }),
-    Refuse<F>([](F* f) { f->GenerateVirtualSourceOn(); }, { "GenerateVirtualSource" }),
-    band(524288, 1 << 24, { "band", "16 MiB", "smaller Resolution", "MemoryLimit" }),
-    band(0, 1000, { "1000 bytes", "fewer points" }) };
-  for (const double radius : { -1.0, 0.2, 1001.0, std::nan("") })
-  {
-    refusals.push_back(Refuse<F>([radius](F* f) { f->SetBandRadius(radius); }, { "BandRadius" }));
-  }
-  return refusals;
+  return RefuseValues(&F::SetResolution, { -1, 524289 }, { "Resolution" }) +
+    RefuseValues(&F::SetBandRadius, { -1.0, 0.2, 1001.0, std::nan("") }, { "BandRadius" }) +
+    std::vector<Refusal>{ Refuse<F>([](F* f) { f->RemoveAllSources(); }, { "no source" }),
+      Refuse<F>([](F* f) { f->AddSourceId(81); }, { "81", "out of range" }),
+      Refuse<F>([](F* f) { f->GenerateVirtualSourceOn(); }, { "GenerateVirtualSource" }),
+      band(524288, 1 << 24, { "band", "16 MiB", "smaller Resolution", "MemoryLimit" }),
+      band(0, 1000, { "1000 bytes", "fewer points" }) };
 }
 
 }

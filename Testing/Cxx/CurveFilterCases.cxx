@@ -141,13 +141,12 @@ std::vector<Refusal> RefusePath()
     return pairs;
   };
   return RefuseGraph<F>() +
+    RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
+    RefuseValues(&F::SetDetour, { NaN }, { "Detour" }) +
     std::vector<Refusal>{
-      RefuseTolerance<F>(-1.0),
-      RefuseTolerance<F>(NaN),
       Refuse<F>([](F* f) { f->RemoveAllPairs(); }, { "no pair", "AddPair()" }),
       Refuse<F>([](F* f) { f->AddPair(3, 81); }, { "id 81 ", "number 5", "[0, 80]" }),
       Refuse<F>([](F* f) { f->AddPair(-1, 3); }, { "id -1 " }),
-      Refuse<F>([](F* f) { f->SetDetour(NaN); }, { "Detour" }),
       Refuse<F>([lines](F* f) { f->SetPairData(lines({})); }, { "port 1", "no lines" }),
       Refuse<F>(
         [lines](F* f) {
@@ -173,56 +172,46 @@ std::vector<Refusal> RefuseLoop()
 {
   using F = vtkDGGLoop;
   return RefuseGraph<F>() +
+    RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
+    RefuseValues(&F::SetTapeWidth, { -0.1, NaN, Infinity }, { "TapeWidth" }) +
     std::vector<Refusal>{
-      RefuseTolerance<F>(-1.0),
-      RefuseTolerance<F>(NaN),
       Refuse<F>([](F* f) { f->SetPointIds({}); }, { "no loop point", "AddPointId()" }),
       Refuse<F>([](F* f) { f->AddPointId(81); }, { "id 81 ", "number 4", "[0, 80]" }),
       Refuse<F>([](F* f) { f->AddPointId(-1); }, { "id -1 " }),
-      Refuse<F>([](F* f) { f->SetTapeWidth(-0.1); }, { "TapeWidth" }),
-      Refuse<F>([](F* f) { f->SetTapeWidth(NaN); }, { "TapeWidth" }),
-      Refuse<F>([](F* f) { f->SetTapeWidth(Infinity); }, { "TapeWidth" }),
     };
 }
 
 std::vector<Refusal> RefuseIsolines()
 {
   using F = vtkApolloniusIsolines;
-  std::vector<Refusal> refusals = {
-    Refuse<F>([](F* f) { f->SetValue(2, NaN); }, { "value 2", "nan", "SetValue" }),
-    Refuse<F>([](F* f) { f->SetValue(2, Infinity); }, { "value 2", "inf" }),
-    Refuse<F>([](F* f) { f->SetSteinerPoints(-1); }, { "SteinerPoints is", "50" }),
-    Refuse<F>([](F* f) { f->SetSteinerPoints(51); }, { "SteinerPoints is", "50" }),
-    Refuse<F>([](F* f) { f->SetDistanceArrayName("none"); }, { "none" }),
-    Refuse<F>(
-      [](F* f) {
-        vtkNew<vtkDoubleArray> vectors;
-        vectors->SetName("GeodesicDistance");
-        vectors->SetNumberOfComponents(3);
-        vectors->SetNumberOfTuples(81);
-        vtkPolyData::SafeDownCast(f->GetInput())->GetPointData()->AddArray(vectors);
-      },
-      { "GeodesicDistance", "3 components" }),
-  };
-  for (const double tolerance : { 0.0, 0.99e-6, NaN })
-  {
-    refusals.push_back(Refuse<F>(
-      [tolerance](F* f) { f->SetChordTolerance(tolerance); }, { "ChordTolerance", "1e-06" }));
-  }
-  return refusals;
+  return RefuseValues(&F::SetSteinerPoints, { -1, 51 }, { "SteinerPoints is", "50" }) +
+    RefuseValues(&F::SetChordTolerance, { 0.0, 0.99e-6, NaN }, { "ChordTolerance", "1e-06" }) +
+    RefuseValues(&F::SetDistanceArrayName, { "none" }, { "none" }) +
+    std::vector<Refusal>{
+      Refuse<F>([](F* f) { f->SetValue(2, NaN); }, { "value 2", "nan", "SetValue" }),
+      Refuse<F>([](F* f) { f->SetValue(2, Infinity); }, { "value 2", "inf" }),
+      Refuse<F>(
+        [](F* f) {
+          vtkNew<vtkDoubleArray> vectors;
+          vectors->SetName("GeodesicDistance");
+          vectors->SetNumberOfComponents(3);
+          vectors->SetNumberOfTuples(81);
+          vtkPolyData::SafeDownCast(f->GetInput())->GetPointData()->AddArray(vectors);
+        },
+        { "GeodesicDistance", "3 components" }),
+    };
 }
 
 std::vector<Refusal> RefuseSampler()
 {
   using F = vtkGeodesicSampler;
   return RefuseGraph<F>() +
+    RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
+    RefuseValues(&F::SetNumberOfSamples, { 0 }, { "NumberOfSamples", "0" }) +
+    RefuseValues(&F::SetCoveringRadius, { -1.0 }, { "CoveringRadius", "-1" }) +
+    RefuseValues(&F::SetFirstSample, { 81 }, { "FirstSample 81", "80" }) +
+    RefuseValues(&F::SetFirstSample, { -2 }, { "FirstSample -2" }) +
     std::vector<Refusal>{
-      RefuseTolerance<F>(-1.0),
-      RefuseTolerance<F>(NaN),
-      Refuse<F>([](F* f) { f->SetNumberOfSamples(0); }, { "NumberOfSamples", "0" }),
-      Refuse<F>([](F* f) { f->SetCoveringRadius(-1.0); }, { "CoveringRadius", "-1" }),
-      Refuse<F>([](F* f) { f->SetFirstSample(81); }, { "FirstSample 81", "80" }),
-      Refuse<F>([](F* f) { f->SetFirstSample(-2); }, { "FirstSample -2" }),
       Refuse<F>([](F* f) { f->SetStartData(MakeSourcePoints({})); }, { "no start", "port 1" }),
     };
 }
@@ -231,31 +220,28 @@ std::vector<Refusal> RefuseVoronoi()
 {
   using F = vtkGeodesicVoronoi;
   return RefuseGraph<F>() +
+    RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
+    RefuseValues(&F::SetTolerance, { -1.0 }, { "Tolerance" }) +
+    RefuseValues(&F::SetNumberOfIterations, { -1 }, { "NumberOfIterations" }) +
+    RefuseValues(&F::SetDistanceArrayName, { "" }, { "DistanceArrayName" }) +
+    RefuseValues(&F::SetDistanceArrayName, { "GeodesicSource" }, { "SourceArrayName" }) +
     std::vector<Refusal>{
-      RefuseTolerance<F>(-1.0),
-      RefuseTolerance<F>(NaN),
       Refuse<F>([](F* f) { f->RemoveAllSites(); }, { "no site", "AddSiteId()" }),
       Refuse<F>(
         [](F* f) {
           f->SetSiteIds({ 3, 81 });
         },
         { "site id 81", "80" }),
-      Refuse<F>([](F* f) { f->SetTolerance(-1.0); }, { "Tolerance" }),
-      Refuse<F>([](F* f) { f->SetNumberOfIterations(-1); }, { "NumberOfIterations" }),
-      Refuse<F>([](F* f) { f->SetDistanceArrayName(""); }, { "DistanceArrayName" }),
-      Refuse<F>([](F* f) { f->SetDistanceArrayName("GeodesicSource"); }, { "SourceArrayName" }),
     };
 }
 
 std::vector<Refusal> RefuseGraphics()
 {
   using F = vtkPoissonVectorGraphics;
-  return { RefuseTolerance<F>(-1.0), RefuseTolerance<F>(NaN), RefuseMemoryLimit(1000),
-    Refuse<F>([](F* f) { f->SetWidth(-1.0); }, { "Width" }),
-    Refuse<F>([](F* f) { f->SetWidth(NaN); }, { "Width" }),
-    Refuse<F>([](F* f) { f->SetResultArrayName(""); }, { "ResultArrayName" }),
-    Refuse<F>([](F* f) { f->SetResultArrayName("RGB"); }, { "ResultArrayName", "RGB" }),
-    Refuse<F>([](F* f) { f->SetResultArrayName("Component"); }, { "ResultArrayName" }) };
+  return RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
+    RefuseValues(&F::SetWidth, { -1.0, NaN }, { "Width" }) +
+    RefuseValues(&F::SetResultArrayName, { "", "RGB", "Component" }, { "ResultArrayName" }) +
+    std::vector<Refusal>{ RefuseMemoryLimit(1000) };
 }
 
 std::vector<Refusal> RefuseBoundaries()
@@ -280,42 +266,44 @@ std::vector<Refusal> RefuseBoundaries()
       { "second surface: ", part });
   };
   using Parts = std::vector<std::string>;
-  return { RefuseTolerance<F>(-1.0),
-    Refuse<F>([](F* f) { f->SetSecondSurfaceData(nullptr); }, { "no second surface" }),
-    second(MakeSurface({ { { 0, 0, 0 } } }, {}), "no polygons"),
-    second(vtkNew<vtkPolyData>(), "no polygons"),
-    second(MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, NaN, 0 } } }, { { 0, 1, 2 } }),
-      "not finite"),
-    Refuse<F>([](F* f) { f->SetSecondLandmarkIds({ 1 }); }, { "4 landmarks", " 1 on the second" }),
-    Refuse<F>(
-      [](F* f) {
-        f->SetSecondLandmarkIds({ 0, 8, 80, 81 });
-      },
-      { "second landmark id 81", "81" }),
-    Refuse<F>([](F* f) { f->SetFirstLandmarkIds({}); }, { "no first landmark" }),
-    Refuse<F>(
-      [](F* f) {
-        f->SetSecondLandmarkIds({ 20, 24, 60, 24 });
-      },
-      { "landmarks 1 and 3 of the second surface" }),
-    Refuse<F>([](F* f) { f->SetLayoutData(nullptr); }, { "no layout" }),
-    layout({}, {}, Parts{ "layout is empty" }),
-    layout({ { 0, 1, 4 } }, {}, Parts{ "patch 0", "4" }),
-    layout({}, { { 0, 1 }, { 1, 2, 1 } }, Parts{ "edge 2 of the layout" }),
-    Refuse<F>(
-      [](F* f) {
-        vtkNew<vtkPolyData> broken;
-        broken->SetPolys(MakeContradictoryCells());
-        f->SetLayoutData(broken);
-      },
-      { "layout", "contradict" }),
-    Refuse<F>(
-      [](F* f) {
-        vtkNew<vtkPolyData> broken;
-        broken->SetLines(MakeContradictoryCells());
-        f->SetLayoutData(broken);
-      },
-      { "layout", "contradict" }) };
+  return RefuseValues(&F::SetProjectionTolerance, { -1.0 }, { "ProjectionTolerance" }) +
+    std::vector<Refusal>{ Refuse<F>([](F* f) { f->SetSecondSurfaceData(nullptr); },
+                            { "no second surface" }),
+      second(MakeSurface({ { { 0, 0, 0 } } }, {}), "no polygons"),
+      second(vtkNew<vtkPolyData>(), "no polygons"),
+      second(MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, NaN, 0 } } }, { { 0, 1, 2 } }),
+        "not finite"),
+      Refuse<F>(
+        [](F* f) { f->SetSecondLandmarkIds({ 1 }); }, { "4 landmarks", " 1 on the second" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetSecondLandmarkIds({ 0, 8, 80, 81 });
+        },
+        { "second landmark id 81", "81" }),
+      Refuse<F>([](F* f) { f->SetFirstLandmarkIds({}); }, { "no first landmark" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetSecondLandmarkIds({ 20, 24, 60, 24 });
+        },
+        { "landmarks 1 and 3 of the second surface" }),
+      Refuse<F>([](F* f) { f->SetLayoutData(nullptr); }, { "no layout" }),
+      layout({}, {}, Parts{ "layout is empty" }),
+      layout({ { 0, 1, 4 } }, {}, Parts{ "patch 0", "4" }),
+      layout({}, { { 0, 1 }, { 1, 2, 1 } }, Parts{ "edge 2 of the layout" }),
+      Refuse<F>(
+        [](F* f) {
+          vtkNew<vtkPolyData> broken;
+          broken->SetPolys(MakeContradictoryCells());
+          f->SetLayoutData(broken);
+        },
+        { "layout", "contradict" }),
+      Refuse<F>(
+        [](F* f) {
+          vtkNew<vtkPolyData> broken;
+          broken->SetLines(MakeContradictoryCells());
+          f->SetLayoutData(broken);
+        },
+        { "layout", "contradict" }) };
 }
 }
 

@@ -106,35 +106,37 @@ std::vector<Refusal> RefuseDistance()
       },
       { "'InitialDistance'", part });
   };
-  return { RefuseTolerance<F>(-1e-9), RefuseTolerance<F>(NaN),
-    Refuse<F>([](F* f) { f->RemoveAllSources(); }, { "no source", "AddSourceId()", "port 1" }),
-    Refuse<F>(
-      [](F* f) {
-        f->RemoveAllSources();
-        f->SetSourceData(MakeSourcePoints({}));
-      },
-      { "no source", "port 1 has no points" }),
-    Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "number 2 of", "[0, 80]" }),
-    Refuse<F>([](F* f) { f->SetMaximumDistance(-1.0); }, { "MaximumDistance" }),
-    Refuse<F>([](F* f) { f->SetMaximumDistance(NaN); }, { "MaximumDistance" }),
-    Refuse<F>([](F* f) { f->SetDistanceArrayName(""); }, { "SetDistanceArrayName()" }),
-    Refuse<F>([](F* f) { f->SetSourceArrayName(nullptr); }, { "SetSourceArrayName()" }),
-    Refuse<F>([](F* f) { f->SetSourceArrayName("GeodesicDistance"); },
-      { "'GeodesicDistance'", "SetSourceArrayName()" }),
-    initial(3, 1, "3 tuples"), initial(2, 3, "3 components"),
-    Refuse<F>(
-      [](F* f) {
-        vtkNew<vtkStringArray> words;
-        words->SetNumberOfValues(2);
-        SetInitialDistances(f, words);
-      },
-      { "'InitialDistance'", "of type string" }) };
+  return RefuseValues(&F::SetProjectionTolerance, { -1e-9, NaN }, { "ProjectionTolerance" }) +
+    RefuseValues(&F::SetMaximumDistance, { -1.0, NaN }, { "MaximumDistance" }) +
+    RefuseValues(&F::SetDistanceArrayName, { "" }, { "SetDistanceArrayName()" }) +
+    RefuseValues(&F::SetSourceArrayName, { nullptr }, { "SetSourceArrayName()" }) +
+    RefuseValues(&F::SetSourceArrayName, { "GeodesicDistance" },
+      { "'GeodesicDistance'", "SetSourceArrayName()" }) +
+    std::vector<Refusal>{ Refuse<F>([](F* f) { f->RemoveAllSources(); },
+                            { "no source", "AddSourceId()", "port 1" }),
+      Refuse<F>(
+        [](F* f) {
+          f->RemoveAllSources();
+          f->SetSourceData(MakeSourcePoints({}));
+        },
+        { "no source", "port 1 has no points" }),
+      Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "number 2 of", "[0, 80]" }),
+      initial(3, 1, "3 tuples"), initial(2, 3, "3 components"),
+      Refuse<F>(
+        [](F* f) {
+          vtkNew<vtkStringArray> words;
+          words->SetNumberOfValues(2);
+          SetInitialDistances(f, words);
+        },
+        { "'InitialDistance'", "of type string" }) };
 }
 
 std::vector<Refusal> RefuseHeat()
 {
   using F = vtkHeatGeodesicDistance;
-  std::vector<Refusal> refusals = RefuseDistance() +
+  return RefuseDistance() +
+    RefuseValues(&F::SetTimeStepFactor, { 0.0, 0.99e-6, 1.01e6, Infinity, NaN },
+      { "TimeStepFactor", "1e-06", "1e+06" }) +
     std::vector<Refusal>{
       RefuseMemoryLimit(1000),
       Refuse<F>(
@@ -144,12 +146,6 @@ std::vector<Refusal> RefuseHeat()
         },
         { "boundary", "Neumann" }),
     };
-  for (const double factor : { 0.0, 0.99e-6, 1.01e6, Infinity, NaN })
-  {
-    refusals.push_back(Refuse<F>(
-      [factor](F* f) { f->SetTimeStepFactor(factor); }, { "TimeStepFactor", "1e-06", "1e+06" }));
-  }
-  return refusals;
 }
 
 std::vector<Refusal> RefuseGraphDistance()
@@ -225,24 +221,25 @@ std::vector<Refusal> RefuseMatrix()
           f->SetRowIds({ 0, 81 });
         },
         { "row id 81 ", "number 1 of", "[0, 80]" }),
-      columns({}, { "no column", "port 2 has no points" }), RefuseTolerance<F>(-1.0) };
+      columns({}, { "no column", "port 2 has no points" }) } +
+    RefuseValues(&F::SetProjectionTolerance, { -1.0 }, { "ProjectionTolerance" });
 }
 
 std::vector<Refusal> RefuseProbe()
 {
   using F = vtkGeodesicProbe;
-  return { RefuseTolerance<F>(-1.0),
-    Refuse<F>(
-      [](F* f) { f->SetDistanceArrayName("nothing"); }, { "'nothing'", "'GeodesicDistance'" }),
-    Refuse<F>([](F* f) { f->SetProbeData(nullptr); }, { "probe point", "SetProbeData()" }),
-    Refuse<F>(
-      [](F* f) {
-        vtkPolyData::SafeDownCast(f->GetInput())
-          ->GetPointData()
-          ->GetArray("GeodesicDistance")
-          ->SetComponent(0, 0, -Infinity);
-      },
-      { "point 0", "minus infinity" }) };
+  return RefuseValues(&F::SetProjectionTolerance, { -1.0 }, { "ProjectionTolerance" }) +
+    RefuseValues(&F::SetDistanceArrayName, { "nothing" }, { "'nothing'", "'GeodesicDistance'" }) +
+    std::vector<Refusal>{ Refuse<F>([](F* f) { f->SetProbeData(nullptr); },
+                            { "probe point", "SetProbeData()" }),
+      Refuse<F>(
+        [](F* f) {
+          vtkPolyData::SafeDownCast(f->GetInput())
+            ->GetPointData()
+            ->GetArray("GeodesicDistance")
+            ->SetComponent(0, 0, -Infinity);
+        },
+        { "point 0", "minus infinity" }) };
 }
 }
 

@@ -12,6 +12,7 @@
 #include <limits>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace dggtest
@@ -89,12 +90,17 @@ std::function<void(vtkGeodesicAlgorithm*, vtkPolyData*)> PointSetter(Function se
 
 /// Returns the refusals of surface points that are not finite or far away.
 std::vector<Refusal> RefusePoints(const FilterCase& filter, const std::string& words);
-/// Returns the refusals of all filters with a ProjectionTolerance.
-template <typename Filter>
-Refusal RefuseTolerance(double tolerance)
+/// Returns the refusals of values of a property.
+template <typename Filter, typename Value>
+std::vector<Refusal> RefuseValues(void (Filter::*set)(Value),
+  const std::vector<std::decay_t<Value>>& values, const std::vector<std::string>& parts)
 {
-  return Refuse<Filter>(
-    [tolerance](Filter* f) { f->SetProjectionTolerance(tolerance); }, { "ProjectionTolerance" });
+  std::vector<Refusal> refusals;
+  for (const auto& value : values)
+  {
+    refusals.push_back(Refuse<Filter>([set, value](Filter* f) { (f->*set)(value); }, parts));
+  }
+  return refusals;
 }
 Refusal RefuseMemoryLimit(vtkTypeInt64 limit);
 /// Returns the refusals of all filters.
@@ -104,12 +110,8 @@ std::vector<Refusal> RefuseInput();
 template <typename Filter>
 std::vector<Refusal> RefuseGraph()
 {
-  std::vector<Refusal> refusals;
-  for (const double accuracy : { 0.0, 9e-7, 0.51, std::numeric_limits<double>::quiet_NaN() })
-  {
-    refusals.push_back(Refuse<Filter>(
-      [accuracy](Filter* f) { f->SetAccuracy(accuracy); }, { "ccuracy", "1e-06", "0.5" }));
-  }
+  auto refusals = RefuseValues(&Filter::SetAccuracy,
+    { 0.0, 9e-7, 0.51, std::numeric_limits<double>::quiet_NaN() }, { "ccuracy", "1e-06", "0.5" });
   refusals.push_back(RefuseMemoryLimit(1000));
   return refusals;
 }

@@ -128,10 +128,11 @@ std::vector<Refusal> RefuseSources()
   const auto evaluation = [](const std::array<double, 3>& point) {
     return [point](F* f) { f->SetEvaluationData(MakeSourcePoints({ { { 0, 0, 0 } }, point })); };
   };
-  return { RefuseTolerance<F>(NaN), RefuseMemoryLimit(1000),
-    Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "out of range" }),
-    Refuse<F>(
-      evaluation(FarFromRelief), { "evaluation point 1 of input port 2", "ProjectionTolerance" }) };
+  return RefuseValues(&F::SetProjectionTolerance, { NaN }, { "ProjectionTolerance" }) +
+    std::vector<Refusal>{ RefuseMemoryLimit(1000),
+      Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "out of range" }),
+      Refuse<F>(evaluation(FarFromRelief),
+        { "evaluation point 1 of input port 2", "ProjectionTolerance" }) };
 }
 
 Refusal RefuseNoSource()
@@ -143,9 +144,10 @@ Refusal RefuseNoSource()
 std::vector<Refusal> RefuseGreens()
 {
   using F = vtkDiscreteGreensFunction;
-  std::vector<Refusal> refusals = RefuseSources() +
+  return RefuseSources() +
+    RefuseValues(&F::SetRadius, { -1.0, NaN, Infinity }, { "Radius", "SetRadius()" }) +
+    RefuseValues(&F::SetResultArrayName, { nullptr }, { "ResultArrayName" }) +
     std::vector<Refusal>{ RefuseNoSource(),
-      Refuse<F>([](F* f) { f->SetResultArrayName(nullptr); }, { "ResultArrayName" }),
       Refuse<F>(
         [](F* f) {
           f->SetBoundaryToDirichlet();
@@ -159,12 +161,6 @@ std::vector<Refusal> RefuseGreens()
           f->SetBoundaryToDirichlet();
         },
         { "source 0", "without a boundary", "Neumann" }) };
-  for (const double radius : { -1.0, NaN, Infinity })
-  {
-    refusals.push_back(
-      Refuse<F>([radius](F* f) { f->SetRadius(radius); }, { "Radius", "SetRadius()" }));
-  }
-  return refusals;
 }
 
 std::vector<Refusal> RefuseBiharmonic()
@@ -185,8 +181,8 @@ std::vector<Refusal> RefuseBiharmonic()
           f->SetMethodToExact();
         },
         { "diffusion", "SetMethodToSpectrum()" }),
-      Refuse<F>(time(-1.0), { "DiffusionTime" }), Refuse<F>(time(NaN), { "DiffusionTime" }),
-      Refuse<F>([](F* f) { f->SetNumberOfEigenvalues(0); }, { "NumberOfEigenvalues" }) };
+      Refuse<F>(time(-1.0), { "DiffusionTime" }), Refuse<F>(time(NaN), { "DiffusionTime" }) } +
+    RefuseValues(&F::SetNumberOfEigenvalues, { 0 }, { "NumberOfEigenvalues" });
 }
 
 std::vector<Refusal> RefuseSplines()
@@ -312,36 +308,35 @@ std::vector<Refusal> RefuseMovers()
       },
       parts);
   };
-  return { RefuseTolerance<F>(-1.0), RefuseTolerance<F>(NaN), RefuseMemoryLimit(1000),
-    Refuse<F>([](F* f) { f->SetTolerance(-1.0); }, { "Tolerance" }),
-    Refuse<F>([](F* f) { f->SetTolerance(NaN); }, { "Tolerance" }),
-    Refuse<F>([](F* f) { f->SetFromArrayName(nullptr); },
-      { "nothing to move from", "SetFromArrayName()", "input port 1" }),
-    Refuse<F>([](F* f) { f->SetToArrayName(""); },
-      { "nothing to move to", "SetToArrayName()", "input port 2" }),
-    Refuse<F>(
-      [](F* f) { f->SetToArrayName("else"); }, { "no point array 'else'", "SetToArrayName()" }),
-    to([](vtkIdType i) { return i == 37 ? -1.0 : 1.0; }, 1, { "'to'", "point 37" }),
-    to([](vtkIdType i) { return i == 37 ? NaN : 1.0; }, 1, { "'to'", "point 37" }),
-    to([](vtkIdType i) { return i == 37 ? Infinity : 1.0; }, 1, { "'to'", "point 37" }),
-    to([](vtkIdType) { return 1.0; }, 2, { "'to'", "2 components" }),
-    to([](vtkIdType) { return 0.0; }, 1, { "second distribution has no mass" }),
-    Refuse<F>(
-      [](F* f) {
-        f->SetArrayMeaningToMass();
-        AddArray(GetSurface(f), "to", [](vtkIdType) { return 1.7e308; });
-      },
-      { "sum of the masses is not finite" }),
-    Refuse<F>(
-      [](F* f) {
-        f->SetArrayMeaningToMass();
-        f->NormalizeOff();
-        AddArray(GetSurface(f), "from", [](vtkIdType) { return 1.0; });
-        AddArray(GetSurface(f), "to", [](vtkIdType) { return 2.0; });
-      },
-      { "the mass 81", "162" }),
-    mass("missing", { "input port 1", "'missing'", "SetMassArrayName()" }),
-    mass("mass", { "'mass'", "-2" }) };
+  return RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
+    RefuseValues(&F::SetTolerance, { -1.0, NaN }, { "Tolerance" }) +
+    RefuseValues(&F::SetFromArrayName, { nullptr },
+      { "nothing to move from", "SetFromArrayName()", "input port 1" }) +
+    RefuseValues(
+      &F::SetToArrayName, { "" }, { "nothing to move to", "SetToArrayName()", "input port 2" }) +
+    RefuseValues(&F::SetToArrayName, { "else" }, { "no point array 'else'", "SetToArrayName()" }) +
+    std::vector<Refusal>{ RefuseMemoryLimit(1000),
+      to([](vtkIdType i) { return i == 37 ? -1.0 : 1.0; }, 1, { "'to'", "point 37" }),
+      to([](vtkIdType i) { return i == 37 ? NaN : 1.0; }, 1, { "'to'", "point 37" }),
+      to([](vtkIdType i) { return i == 37 ? Infinity : 1.0; }, 1, { "'to'", "point 37" }),
+      to([](vtkIdType) { return 1.0; }, 2, { "'to'", "2 components" }),
+      to([](vtkIdType) { return 0.0; }, 1, { "second distribution has no mass" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetArrayMeaningToMass();
+          AddArray(GetSurface(f), "to", [](vtkIdType) { return 1.7e308; });
+        },
+        { "sum of the masses is not finite" }),
+      Refuse<F>(
+        [](F* f) {
+          f->SetArrayMeaningToMass();
+          f->NormalizeOff();
+          AddArray(GetSurface(f), "from", [](vtkIdType) { return 1.0; });
+          AddArray(GetSurface(f), "to", [](vtkIdType) { return 2.0; });
+        },
+        { "the mass 81", "162" }),
+      mass("missing", { "input port 1", "'missing'", "SetMassArrayName()" }),
+      mass("mass", { "'mass'", "-2" }) };
 }
 }
 

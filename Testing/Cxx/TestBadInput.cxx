@@ -38,23 +38,6 @@ protected:
     ASSERT_EQ(this->Expected.size(), 16u);
   }
 
-  /// After the error has been repaired.
-  void ExpectRecovery()
-  {
-    ExpectSuccess(this->Filter);
-    EXPECT_EQ(GetDistances(this->Filter), this->Expected);
-  }
-
-  /// The error, then a correct input.
-  void ExpectErrorOn(vtkPolyData* input, const std::vector<std::string>& parts)
-  {
-    this->Filter->SetInputData(input);
-    ExpectError(this->Filter, parts);
-    EXPECT_EQ(this->Filter->GetMeshReport(), "no surface\n");
-    this->Filter->SetInputData(this->Grid);
-    this->ExpectRecovery();
-  }
-
   vtkSmartPointer<vtkPolyData> Grid;
   vtkNew<vtkExactGeodesicDistance> Filter;
   std::vector<double> Expected;
@@ -120,41 +103,43 @@ TEST_F(BadInput, WhatFollowsFromAFailureIsNotReported)
   EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 16);
 }
 
-TEST_F(BadInput, CellThatNamesAPointThatDoesNotExist)
+TEST_F(BadInput, SurfacesThatAreRefused)
 {
   const Points points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } };
-  auto surface = MakeSurface(points, { { 0, 1, 2 }, { 0, 1, 3 } });
-  this->ExpectErrorOn(surface, { "cell 1 ", "point 3,", "3 points" });
-  surface = MakeSurface(points, { { 0, -5, 2 } });
-  this->ExpectErrorOn(surface, { "cell 0 ", "point -5," });
+  const std::array<double, 3> p = { { 1.0, 2.0, 3.0 } };
   // The ids of cells are those of the input: verts and lines come first.
-  surface = MakeSurface(points, { { 0, 1, 2 } });
-  surface->SetVerts(MakeCells({ { 0 }, { 1 } }));
-  surface->SetLines(MakeCells({ { 0, 1 } }));
-  surface->SetStrips(MakeCells({ { 0, 1, 2, 77 } }));
-  this->ExpectErrorOn(surface, { "cell 4 ", "point 77," });
-}
-
-TEST_F(BadInput, CellsThatContradictThemselves)
-{
-  auto surface = MakeGrid(1, 1);
-  surface->SetPolys(MakeContradictoryCells());
-  this->ExpectErrorOn(surface, { "contradict" });
-}
-
-TEST_F(BadInput, CoordinatesThatAreNotFinite)
-{
-  for (const double value : { NaN, Inf, -Inf })
+  const auto mixed = MakeSurface(points, { { 0, 1, 2 } });
+  mixed->SetVerts(MakeCells({ { 0 }, { 1 } }));
+  mixed->SetLines(MakeCells({ { 0, 1 } }));
+  mixed->SetStrips(MakeCells({ { 0, 1, 2, 77 } }));
+  const auto contradictory = MakeGrid(1, 1);
+  contradictory->SetPolys(MakeContradictoryCells());
+  const struct
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      auto surface = MakeGrid(3, 3);
-      double p[3];
-      surface->GetPoint(5, p);
-      p[k] = value;
-      surface->GetPoints()->SetPoint(5, p);
-      this->ExpectErrorOn(surface, { "point 5 of cell ", "not finite" });
-    }
+    vtkSmartPointer<vtkPolyData> Surface;
+    std::vector<std::string> Parts;
+  } cases[] = {
+    { MakeSurface(points, { { 0, 1, 2 }, { 0, 1, 3 } }), { "cell 1 ", "point 3,", "3 points" } },
+    { MakeSurface(points, { { 0, -5, 2 } }), { "cell 0 ", "point -5," } },
+    { mixed, { "cell 4 ", "point 77," } },
+    { contradictory, { "contradict" } },
+    { MakeSurface({ points[0], { { 0, -Inf, 0 } }, points[2] }, { { 0, 1, 2 } }),
+      { "point 1 of cell ", "not finite" } },
+    { MakeGrid(3, 3, GridCells::Triangles, 1e100), { "scale the mesh" } },
+    { MakeGrid(3, 3, GridCells::Triangles, 1e-100), { "scale the mesh" } },
+    { MakeSurface(points, { { 0, 0, 0 }, { 0, 1 }, { 2 }, { 0, 1, 0, 1 }, { 1, 2, 2, 1 } }),
+      { "none of the 5 polygons", "three distinct points" } },
+    { MakeSurface({ p, p, p }, { { 0, 1, 2 } }), { "single points" } },
+  };
+  for (const auto& refused : cases)
+  {
+    SCOPED_TRACE(::testing::PrintToString(refused.Parts));
+    this->Filter->SetInputData(refused.Surface);
+    ExpectError(this->Filter, refused.Parts);
+    EXPECT_EQ(this->Filter->GetMeshReport(), "no surface\n");
+    this->Filter->SetInputData(this->Grid);
+    ExpectSuccess(this->Filter);
+    EXPECT_EQ(GetDistances(this->Filter), this->Expected);
   }
 }
 
@@ -178,24 +163,4 @@ TEST_F(BadInput, PointsThatAreNotFiniteAndNotUsed)
     ExpectSuccess(this->Filter);
     this->Filter->SetSourceData(nullptr);
   }
-}
-
-TEST_F(BadInput, ExtentsBeyondTheRangeOfDoubles)
-{
-  this->ExpectErrorOn(MakeGrid(3, 3, GridCells::Triangles, 1e100), { "scale the mesh" });
-  this->ExpectErrorOn(MakeGrid(3, 3, GridCells::Triangles, 1e-100), { "scale the mesh" });
-}
-
-TEST_F(BadInput, OnlyPolygonsWithFewerThanThreePoints)
-{
-  const Points points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } };
-  auto surface =
-    MakeSurface(points, { { 0, 0, 0 }, { 0, 1 }, { 2 }, { 0, 1, 0, 1 }, { 1, 2, 2, 1 } });
-  this->ExpectErrorOn(surface, { "none of the 5 polygons", "three distinct points" });
-}
-
-TEST_F(BadInput, AllPointsInOnePlace)
-{
-  const std::array<double, 3> p = { { 1.0, 2.0, 3.0 } };
-  this->ExpectErrorOn(MakeSurface({ p, p, p }, { { 0, 1, 2 } }), { "single points" });
 }

@@ -14,8 +14,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 using namespace dggtest;
@@ -67,9 +65,6 @@ TEST(ImageClouds, ComponentsAndNormals)
   graph->SetInputData(MakeCloud(Join(sheets, part)));
   graph->EstimateNormalsOn();
   ExpectSuccess(graph);
-  EXPECT_EQ(graph->GetNumberOfComponents(), 2);
-  EXPECT_EQ(graph->GetComponentSize(0), 15 * 15);
-
   ImageScene scene;
   scene.AddPanel({ { { 0.0, -2.0, 1.9 } }, { { 0.64, 0.52, 0.27 } }, 28.0 });
   scene.AddPoints(graph->GetOutput(), 0.02, "Component", NumberColors(2));
@@ -84,22 +79,11 @@ TEST(ImageClouds, DistanceAndPath)
   distance->SetInputData(cloud);
   distance->SetSourceIds({ Source });
   ExpectSuccess(distance);
-  const auto distances = GetDistances(distance);
-  EXPECT_EQ(distances[Source], 0.0);
-  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
-  {
-    EXPECT_GE(distances[i] * 1.001, EuclideanDistance(cloud, Source, i));
-  }
   vtkNew<vtkDGGPath> path;
   path->SetInputData(cloud);
   path->AddPair(Source, Side * 17 + 33);
   path->AddPair(Source, Side * 34 + 30);
   ExpectSuccess(path);
-  const auto paths = GetPaths(path);
-  ASSERT_EQ(paths.size(), 2u);
-  EXPECT_NEAR(paths[0].Length, distances[Side * 17 + 33], 0.01);
-  EXPECT_NEAR(paths[1].Length, distances[Side * 34 + 30], 0.01);
-
   ImageScene distanceScene;
   distanceScene.AddPanel(TerrainView);
   distanceScene.AddPoints(distance->GetOutput(), 0.013, "GeodesicDistance", FieldColors(0.0, 1.4));
@@ -123,12 +107,6 @@ TEST(ImageClouds, Cells)
   voronoi->SetSiteConnection(sampler->GetOutputPort());
   voronoi->CentroidalOn();
   ExpectSuccess(voronoi);
-  const auto cells = GetValues(voronoi->GetOutput(), "GeodesicSource");
-  for (int site = 0; site < 18; ++site)
-  {
-    EXPECT_GT(std::count(cells.begin(), cells.end(), site), 30) << site;
-  }
-
   ImageScene scene;
   scene.AddPanel(TerrainView);
   scene.AddPoints(voronoi->GetOutput(), 0.013, "GeodesicSource", NumberColors(18));

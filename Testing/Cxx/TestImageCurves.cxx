@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> MakeStar()
 }
 
 /// The filter on exact distances, with so many values evenly in between.
-double Prepare(vtkApolloniusIsolines* isolines, vtkPolyData* surface,
+void Prepare(vtkApolloniusIsolines* isolines, vtkPolyData* surface,
   const std::vector<vtkIdType>& sources, bool hasWindows, int number)
 {
   vtkNew<vtkExactGeodesicDistance> distance;
@@ -78,7 +78,6 @@ double Prepare(vtkApolloniusIsolines* isolines, vtkPolyData* surface,
   isolines->SetInputConnection(distance->GetOutputPort());
   isolines->GenerateValues(number, farthest / (number + 1), farthest * number / (number + 1));
   isolines->GenerateBandsOn();
-  return farthest;
 }
 
 /// Colours of bands, light enough for lines to be seen.
@@ -119,10 +118,6 @@ TEST(ImageCurves, IsolinesByAllMethods)
           : column == 1               ? vtkApolloniusIsolines::Apollonius
                                       : vtkApolloniusIsolines::LocalSources);
       ExpectSuccess(isolines);
-      EXPECT_GE(isolines->GetOutput()->GetNumberOfLines(), number);
-      EXPECT_EQ(isolines->GetUsedWindows(), column == 3);
-      EXPECT_EQ(isolines->GetRidges()->GetNumberOfLines() > 0, column > 0);
-
       scene.AddPanel(isCube ? cubeView : PebbleView);
       const double radius = isCube ? 0.008 : 0.012;
       scene.AddSurface(isolines->GetBands(), "Band", BandColors(number));
@@ -139,17 +134,11 @@ TEST(ImageCurves, RidgesAndBands)
   constexpr int number = 14;
   auto terrain = MakeTerrain(40);
   vtkNew<vtkApolloniusIsolines> isolines;
-  const double farthest = Prepare(isolines, terrain, { 40 * 12 + 6, 40 * 30 + 33 }, true, number);
+  Prepare(isolines, terrain, { 40 * 12 + 6, 40 * 30 + 33 }, true, number);
   isolines->GenerateRidgesOn();
   ExpectSuccess(isolines);
   EXPECT_GT(ExpectPiecesInTheirFaces(terrain, isolines->GetOutput()), 1000);
   EXPECT_GT(ExpectPiecesInTheirFaces(terrain, isolines->GetRidges()), 50);
-  vtkDataArray* values = isolines->GetOutput()->GetCellData()->GetArray("IsoValue");
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    const double step = values->GetComponent(i, 0) * (number + 1) / farthest;
-    EXPECT_NEAR(step, std::round(step), 1e-9);
-  }
 
   ImageScene scene;
   scene.AddPanel(TerrainView);
@@ -166,31 +155,16 @@ TEST(ImageCurves, Paths)
 {
   constexpr int side = 60;
   auto terrain = MakeTerrain(side);
-  const auto prepare = [&](vtkDGGPath* filter) {
-    filter->SetInputData(terrain);
-    for (const auto& end : { std::array<int, 2>{ { 59, 2 } }, { { 57, 21 } }, { { 56, 33 } },
-           { { 51, 48 } }, { { 30, 57 } }, { { 4, 41 } }, { { 40, 21 } } })
-    {
-      filter->AddPair(5 * side + 3, end[1] * side + end[0]);
-    }
-    filter->SetPairData(MakePairs({ { { 0.11, 0.93, 0.0 } }, { { 0.42, 0.63, 0.0 } } }));
-    filter->SetProjectionTolerance(0.2); // the points are dropped onto the sheet
-    ExpectSuccess(filter);
-    return GetPaths(filter);
-  };
   vtkNew<vtkDGGPath> filter;
-  const auto paths = prepare(filter);
-  vtkNew<vtkDGGPath> exact;
-  exact->SetMethodToExact();
-  const auto shortest = prepare(exact);
-  ASSERT_EQ(paths.size(), 8u);
-  ASSERT_EQ(shortest.size(), 8u);
-  for (std::size_t i = 0; i < paths.size(); ++i)
+  filter->SetInputData(terrain);
+  for (const auto& end : { std::array<int, 2>{ { 59, 2 } }, { { 57, 21 } }, { { 56, 33 } },
+         { { 51, 48 } }, { { 30, 57 } }, { { 4, 41 } }, { { 40, 21 } } })
   {
-    ExpectOnSurface(paths[i], terrain);
-    EXPECT_NEAR(paths[i].Length, shortest[i].Length, 1e-6) << i;
-    EXPECT_LT(paths[i].Length, 1.4);
+    filter->AddPair(5 * side + 3, end[1] * side + end[0]);
   }
+  filter->SetPairData(MakePairs({ { { 0.11, 0.93, 0.0 } }, { { 0.42, 0.63, 0.0 } } }));
+  filter->SetProjectionTolerance(0.2); // the points are dropped onto the sheet
+  ExpectSuccess(filter);
 
   ImageScene scene;
   scene.AddPanel(TerrainView);
@@ -214,19 +188,10 @@ TEST(ImageCurves, StraightenedPaths)
   {
     filter->AddPair(side, end);
   }
-  std::vector<PathLine> before;
   for (const bool isStraight : { false, true })
   {
     filter->SetStraighten(isStraight);
     ExpectSuccess(filter);
-    const auto paths = GetPaths(filter);
-    ASSERT_EQ(paths.size(), 3u);
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      ExpectOnSurface(paths[i], terrain);
-      EXPECT_TRUE(!isStraight || paths[i].Length < before[i].Length) << i;
-    }
-    before = paths;
     scene.AddLines(filter->GetOutput(), isStraight ? 0.008 : 0.006, isStraight ? Red : Blue);
   }
   scene.ExpectBaseline("TestImageStraightenedPath");
@@ -240,25 +205,12 @@ TEST(ImageCurves, HandlesAndRope)
   handles->SetInputData(torus);
   handles->SetModeToAroundHandles();
   ExpectSuccess(handles);
-  EXPECT_EQ(GetLoops(handles).size(), 2u);
   vtkNew<vtkDGGLoop> rope;
   rope->SetInputData(torus);
   rope->SetModeToRope();
   rope->SetPointData(MakeStar());
   rope->SetTapeWidth(0.2);
   ExpectSuccess(rope);
-  const auto loops = GetLoops(rope);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_EQ(loops[0].Kinked, 1);
-  ExpectOnSurface(loops[0].Line, torus);
-  const auto rims = GetRims(rope);
-  EXPECT_EQ(rims.size(), 2u);
-  for (const LoopLine& rim : rims)
-  {
-    EXPECT_TRUE(rim.IsClosed);
-    ExpectOnSurface(rim.Line, torus);
-  }
-
   ImageScene scene;
   scene.AddPanel({ { { 0.6, -2.3, 4.4 } }, { { 0.0, -0.05, 0.0 } }, 32.0 });
   scene.AddSurface(torus);
@@ -277,19 +229,12 @@ TEST(ImageCurves, LoopsThroughPoints)
   loop->SetInputData(vase);
   loop->SetPointIds({ 28 * 4 + 22, 28 * 13 + 20 });
   ExpectSuccess(loop);
-  EXPECT_EQ(GetLoops(loop).size(), 2u);
   vtkNew<vtkDGGLoop> taut;
   taut->SetInputData(vase);
   taut->AddPointId(28 * 17 + 20);
   taut->TautOn();
   taut->SetTapeWidth(0.12);
   ExpectSuccess(taut);
-  const auto loops = GetLoops(taut);
-  ASSERT_EQ(loops.size(), 1u);
-  EXPECT_EQ(loops[0].Kinked, 0);
-  ExpectStraight(loops[0], vase);
-  EXPECT_EQ(GetRims(taut).size(), 2u);
-
   ImageScene scene;
   scene.AddPanel(VaseView);
   scene.AddSurface(vase);

@@ -27,7 +27,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 using namespace dggtest;
 
@@ -54,9 +53,8 @@ vtkSmartPointer<vtkPolyData> MakeCutTerrain()
 }
 
 /// Adds a panel with the relative errors of a filter on the terrain in percent, and lines of equal
-/// distance. Returns the errors.
-std::vector<double> AddErrors(
-  ImageScene& scene, vtkGeodesicDistanceAlgorithm* filter, double largest)
+/// distance.
+void AddErrors(ImageScene& scene, vtkGeodesicDistanceAlgorithm* filter, double largest)
 {
   constexpr vtkIdType source = 30 * 9 + 6;
   auto terrain = MakeTerrain(30);
@@ -64,27 +62,17 @@ std::vector<double> AddErrors(
   filter->SetSourceIds({ source });
   ExpectSuccess(filter);
   const auto exact = GetExactDistances(terrain, { source });
-  auto errors = GetDistances(filter);
-  EXPECT_EQ(errors[source], 0.0);
+  const auto distances = GetDistances(filter);
   vtkNew<vtkDoubleArray> array;
   array->SetName("Error");
-  for (std::size_t i = 0; i < errors.size(); ++i)
+  for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    errors[i] = exact[i] > 0.0 ? 100.0 * (errors[i] / exact[i] - 1.0) : 0.0;
-    array->InsertNextValue(errors[i]);
+    array->InsertNextValue(exact[i] > 0.0 ? 100.0 * (distances[i] / exact[i] - 1.0) : 0.0);
   }
   filter->GetOutput()->GetPointData()->AddArray(array);
   scene.AddPanel(TerrainView);
   scene.AddSurface(filter->GetOutput(), "Error", ErrorColors(largest));
   scene.AddContours(filter->GetOutput(), 0.003, filter->GetDistanceArrayName(), 0.1, 1.3, 13);
-  return errors;
-}
-
-double MeanSize(const std::vector<double>& values)
-{
-  return std::accumulate(values.begin(), values.end(), 0.0,
-           [](double sum, double value) { return sum + std::abs(value); }) /
-    values.size();
 }
 }
 
@@ -102,19 +90,6 @@ TEST(ImageDistances, Exact)
   filter->SetSourceData(sources);
   filter->SetProjectionTolerance(0.2); // the point is dropped onto the sheet
   ExpectSuccess(filter);
-  const auto distances = GetDistances(filter);
-  EXPECT_EQ(distances[60 * 12 + 9], 0.0);
-  const auto unreached =
-    std::count_if(distances.begin(), distances.end(), [](double d) { return std::isnan(d); });
-  EXPECT_TRUE(std::isnan(distances.back()));
-  EXPECT_GT(unreached, 100);
-  EXPECT_LT(unreached, 600);
-  double range[2];
-  filter->GetOutput()->GetPointData()->GetScalars()->GetRange(range);
-  EXPECT_EQ(range[0], 0.0);
-  EXPECT_GT(range[1], 0.9);
-  EXPECT_LT(range[1], 1.2);
-
   ImageScene scene;
   scene.AddPanel(TerrainView);
   scene.AddSurface(filter->GetOutput(), "GeodesicDistance", FieldColors(0.0, 1.2));
@@ -131,7 +106,7 @@ TEST(ImageDistances, ErrorsOfTheHeatMethod)
   {
     vtkNew<vtkHeatGeodesicDistance> filter;
     filter->SetBoundary(boundary);
-    EXPECT_LT(MeanSize(AddErrors(scene, filter, 10.0)), 5.0) << boundary;
+    AddErrors(scene, filter, 10.0);
   }
   scene.ExpectBaseline("TestImageHeatMethod");
 }
@@ -140,12 +115,9 @@ TEST(ImageDistances, ErrorsOfFastMarching)
 {
   ImageScene scene(2, 1, 240, 200);
   vtkNew<vtkDGGFastMarchingDistance> filter;
-  const double spherical = MeanSize(AddErrors(scene, filter, 5.0));
+  AddErrors(scene, filter, 5.0);
   filter->SetFrontShapeToPlanar();
-  const double planar = MeanSize(AddErrors(scene, filter, 5.0));
-  EXPECT_LT(spherical, 1.0);
-  EXPECT_LT(planar, 5.0);
-  EXPECT_LT(2.0 * spherical, planar);
+  AddErrors(scene, filter, 5.0);
   scene.ExpectBaseline("TestImageFastMarching");
 }
 
@@ -154,10 +126,9 @@ TEST(ImageDistances, ErrorsOfVirtualSources)
   ImageScene scene(2, 1, 240, 200);
   vtkNew<vtkVirtualSourceGeodesicDistance> filter;
   filter->SetQualityToFast();
-  const double fast = MeanSize(AddErrors(scene, filter, 2.0));
-  EXPECT_LT(fast, 0.5);
+  AddErrors(scene, filter, 2.0);
   filter->SetQualityToHigh();
-  EXPECT_LE(MeanSize(AddErrors(scene, filter, 2.0)), fast);
+  AddErrors(scene, filter, 2.0);
   scene.ExpectBaseline("TestImageVirtualSources");
 }
 
@@ -167,11 +138,9 @@ TEST(ImageDistances, ErrorsOfTheGraph)
   vtkNew<vtkDGGDistance> filter;
   filter->SetAccuracy(0.1);
   filter->CorrectionOff();
-  const auto errors = AddErrors(scene, filter, 4.0);
-  EXPECT_GE(*std::min_element(errors.begin(), errors.end()), -1e-4);
-  EXPECT_LE(*std::max_element(errors.begin(), errors.end()), 10.0);
+  AddErrors(scene, filter, 4.0);
   filter->CorrectionOn();
-  EXPECT_LT(2.0 * MeanSize(AddErrors(scene, filter, 4.0)), MeanSize(errors));
+  AddErrors(scene, filter, 4.0);
   scene.ExpectBaseline("TestImageGraphDistance");
 }
 
@@ -195,18 +164,6 @@ TEST(ImageDistances, QuadsAndComponents)
   filter->SetMaximumDistance(9.0);
   filter->GenerateNearestSourceOn();
   ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetNumberOfComponents(), 3);
-  const auto distances = GetDistances(filter);
-  const auto nearest = GetNearestSources(filter);
-  EXPECT_TRUE(std::isnan(distances.back()));
-  EXPECT_EQ(nearest.back(), -1);
-  EXPECT_EQ(nearest[0], 0);
-  EXPECT_EQ(nearest[179], 1);
-  EXPECT_EQ(nearest[233], 2);
-  for (const double distance : distances)
-  {
-    EXPECT_FALSE(distance > 9.0);
-  }
 
   ImageScene scene(1, 2, 360, 160);
   const Viewpoint view = { { { 11.0, -20.0, 27.0 } }, { { 14.0, 4.8, 0.0 } }, 22.0 };
@@ -238,7 +195,6 @@ TEST(ImageDistances, GraphEdges)
     graph->SetAccuracy(0.02);
     ExpectSuccess(graph);
     vtkPolyData* lines = graph->GetGraphLines();
-    EXPECT_EQ(2 * lines->GetNumberOfLines(), graph->GetNumberOfGraphEdges());
     Cells chosen;
     for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
     {
@@ -250,7 +206,6 @@ TEST(ImageDistances, GraphEdges)
         chosen.emplace_back(ids, ids + n);
       }
     }
-    EXPECT_GT(chosen.size(), 60u);
     vtkNew<vtkPolyData> star;
     star->SetPoints(lines->GetPoints());
     star->SetLines(MakeCells(chosen));
@@ -291,9 +246,7 @@ TEST(ImageDistances, Matrix)
   {
     for (int column = 0; column < side; ++column)
     {
-      const double value = filter->GetMatrix()->GetComponent(row, column);
-      EXPECT_GE(value * 1.001, EuclideanDistance(terrain, rows[row], columns[column]));
-      values->InsertNextValue(value);
+      values->InsertNextValue(filter->GetMatrix()->GetComponent(row, column));
     }
   }
   grid->GetCellData()->AddArray(values);
@@ -324,18 +277,6 @@ TEST(ImageDistances, Probe)
   probe->SetInputConnection(distance->GetOutputPort());
   probe->SetProbeConnection(fine->GetOutputPort());
   ExpectSuccess(probe);
-  const auto linear = GetValues(fine->GetOutput(), "GeodesicDistance");
-  const auto probed = GetValues(probe->GetOutput(), "GeodesicDistance");
-  const auto known = GetDistances(distance);
-  ASSERT_EQ(linear.size(), probed.size());
-  double largest = 0.0;
-  for (std::size_t i = 0; i < linear.size(); ++i)
-  {
-    largest = std::max(largest, linear[i] - probed[i]);
-    EXPECT_TRUE(i >= known.size() || std::abs(probed[i] - known[i]) < 1e-6);
-  }
-  EXPECT_GT(largest, 0.02);
-
   ImageScene scene(2, 1, 240, 200);
   for (vtkPolyData* surface : { fine->GetOutput(), probe->GetOutput() })
   {

@@ -17,7 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -48,10 +47,6 @@ TEST(ImageSites, Samples)
     sampler->SetFirstSample(isInFaces ? 22 : 500);
     sampler->SetInFaces(isInFaces);
     ExpectSuccess(sampler);
-    const auto radii = GetValues(sampler->GetOutput(), "CoveringRadius");
-    ASSERT_EQ(radii.size(), 60u);
-    EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
-
     scene.AddPanel(TerrainView);
     scene.AddSurface(terrain)->GetProperty()->SetEdgeVisibility(isInFaces);
     scene.AddPoints(sampler->GetOutput(), 0.022, "CoveringRadius", FieldColors(0.09, 0.4));
@@ -103,13 +98,8 @@ TEST(ImageSites, CentroidalVoronoiCells)
   {
     voronoi->SetCentroidal(isCentroidal);
     ExpectSuccess(voronoi);
-    const auto areas = GetValues(voronoi->GetSites(), "CellArea");
-    const auto range = std::minmax_element(areas.begin(), areas.end());
-    EXPECT_EQ(*range.second < 3.0 * *range.first, isCentroidal);
     scene.AddPanel(TerrainView);
     AddCells(scene, voronoi, 0.016);
   }
-  vtkDataArray* energy = voronoi->GetOutput()->GetFieldData()->GetArray("Energy");
-  EXPECT_LT(2.0 * energy->GetRange()[0], energy->GetRange()[1]);
   scene.ExpectBaseline("TestImageCentroidal");
 }

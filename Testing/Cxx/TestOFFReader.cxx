@@ -168,7 +168,7 @@ const FileCase Cases[] = {
   { "keyword", "OFFSET 3 1 0\n", "line 1: *'OFFSET'", Unrecognized },
   { "keyword", "Off 3 1 0\n", "line 1: *'Off'", Unrecognized },
   { "keyword", "OFF3x 1 0\n", "line 1: *'OFF3x'", Unrecognized },
-  { "keyword", std::string("\x7f\x45\x4c\x46\x00\x01", 6), "line 1: *'?ELF??'", Unrecognized },
+  { "keyword", std::string("\x7f\x45\x4c\x46\x00\x01", 6), "line 1: *'?ELF?\?'", Unrecognized },
   { "keyword", std::string(100, 'x'), "line 1: *...'", Unrecognized },
   { "keyword", "4OFF 1 0 0\n0 0 0 1\n", "line 1: *other than three", Unrecognized },
   { "keyword", "nOFF 3\n1 0 0\n0 0 0\n", "line 1: *Convert the file", Unrecognized },

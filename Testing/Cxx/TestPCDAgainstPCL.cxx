@@ -140,21 +140,6 @@ pcl::PointCloud<Point> MakeCloud()
   return cloud;
 }
 
-TEST_F(PCDAgainstPCL, Coordinates)
-{
-  this->ExpectSameBothWays(MakeCloud<pcl::PointXYZ>());
-}
-
-TEST_F(PCDAgainstPCL, Intensity)
-{
-  auto cloud = MakeCloud<pcl::PointXYZI>();
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-  {
-    cloud[i].intensity = std::sqrt(static_cast<float>(i));
-  }
-  this->ExpectSameBothWays(cloud);
-}
-
 TEST_F(PCDAgainstPCL, Colors)
 {
   auto rgb = MakeCloud<pcl::PointXYZRGB>();

@@ -17,7 +17,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSOADataArrayTemplate.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -302,22 +301,6 @@ TEST_F(PCDWriter, ChangesNamesThatCannotBeWritten)
       EXPECT_EQ(data->GetArray(i)->GetTuple1(0), i);
     }
   }
-}
-
-TEST_F(PCDWriter, LeavesOutStrings)
-{
-  auto cloud = MakeRow(1);
-  vtkNew<vtkStringArray> words;
-  words->SetName("Words");
-  words->InsertNextValue("one");
-  cloud->GetPointData()->AddArray(words);
-  this->Writer->SetInputData(cloud);
-  this->Writer->SetFileName(this->GetPath("cloud.pcd").c_str());
-  dggtest::Listener listener(this->Writer);
-  EXPECT_EQ(this->Writer->Write(), 1);
-  ASSERT_EQ(listener.Warnings.size(), 1u);
-  EXPECT_NE(listener.Warnings[0].find("Words"), std::string::npos);
-  EXPECT_EQ(this->GetLine("FIELDS"), "FIELDS x y z");
 }
 
 TEST_F(PCDWriter, ReportsWhatCannotBeWritten)

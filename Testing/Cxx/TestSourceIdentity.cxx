@@ -14,7 +14,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
-#include "vtkTable.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,6 @@
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
-#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -25,20 +24,6 @@ using namespace dggtest;
 
 namespace
 {
-void ExpectEuclidean(
-  vtkGeodesicDistanceAlgorithm* filter, vtkPolyData* plate, const std::array<double, 3>& source)
-{
-  const auto distances = GetDistances(filter);
-  ASSERT_EQ(static_cast<vtkIdType>(distances.size()), plate->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < plate->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    plate->GetPoint(i, p);
-    EXPECT_NEAR(distances[i], std::sqrt(vtkMath::Distance2BetweenPoints(p, source.data())), 1e-12)
-      << i;
-  }
-}
-
 vtkSmartPointer<vtkPolyData> WithInitialDistances(
   const Points& points, const std::vector<double>& values, const char* name = "InitialDistance")
 {
@@ -52,23 +37,6 @@ vtkSmartPointer<vtkPolyData> WithInitialDistances(
   data->GetPointData()->AddArray(array);
   return data;
 }
-}
-
-TEST(SourcePoints, AtVerticesOnEdgesAndInsideFaces)
-{
-  auto grid = MakeGrid(5, 4);
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(grid);
-  const Points places = { { { 2, 3, 0 } }, { { 2.5, 3, 0 } }, { { 2, 2.25, 0 } },
-    { { 2.5, 2.5, 0 } }, { { 2.125, 1.25, 0 } }, { { 0, 0, 0 } }, { { 0, 1.5, 0 } },
-    { { 4.9, 3.95, 0 } } };
-  for (const auto& place : places)
-  {
-    SCOPED_TRACE(::testing::PrintToString(place));
-    filter->SetSourceData(MakeSourcePoints({ place }));
-    ExpectSuccess(filter);
-    ExpectEuclidean(filter, grid, place);
-  }
 }
 
 TEST(SourcePoints, NumberingIsIdsFirst)
@@ -213,26 +181,4 @@ TEST(SourcePoints, InitialDistances)
   filter->SetInitialDistanceArrayName("Start");
   ExpectSuccess(filter);
   expectOffsets(offsets);
-}
-
-TEST(SourcePoints, OnTrianglesWithoutArea)
-{
-  // A dangling triangle that is a doubled segment, and the plate that it hangs on.
-  auto surface = MakeSurface(
-    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 3, 0, 0 } }, { { 2, 0, 0 } } },
-    { { 0, 1, 2 }, { 1, 3, 4 } });
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(surface);
-  filter->SetSourceData(MakeSourcePoints({ { { 2.5, 0.0, 0.0 } } }));
-  Listener listener(filter);
-  filter->Update();
-  EXPECT_EQ(listener.Errors, std::vector<std::string>());
-  EXPECT_EQ(listener.Warnings.size(), 2u); // no area, and sheets that touch in a point
-  EXPECT_EQ(filter->GetNumberOfDegenerateFaces(), 1);
-  EXPECT_EQ(filter->GetNumberOfNonManifoldVertices(), 1);
-  const auto distances = GetDistances(filter);
-  EXPECT_NEAR(distances[4], 0.5, 1e-9);
-  EXPECT_NEAR(distances[3], 0.5, 1e-9);
-  EXPECT_NEAR(distances[0], 2.5, 1e-9);
-  EXPECT_NEAR(distances[2], 1.5 + std::sqrt(2.0), 1e-9);
 }

@@ -24,7 +24,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -321,5 +320,8 @@ TYPED_TEST(GraphFilters, TakeGraphsOfAnyConstruction)
     EXPECT_TRUE(this->Filter->GetUsedInputGraph());
     EXPECT_FALSE(this->Filter->GetGraphIsGuaranteed());
     EXPECT_FALSE(DescribeOutputs(this->Filter, false).empty());
+    this->Filter->AcceptCoarserGraphOff();
+    ExpectWarning(this->Filter, { "guarantees no accuracy" });
+    this->Filter->AcceptCoarserGraphOn();
   }
 }
