@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Searches by tasks: sessions, paths for pairs, and matrices. Distances in the plane are known.
+#include "TaskTestTools.h"
+
+#include "dggGraphSession.h"
+#include "dggMatrixSearch.h"
+#include "dggPathSearch.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace dggtest
+{
+namespace
+{
+using dgg::GraphSession;
+using dgg::MatrixSearch;
+using dgg::PathSearch;
+using dgg::SurfacePoint;
+using Points = std::vector<SurfacePoint>;
+
+constexpr double Accuracy = 0.01;
+
+/// A rectangle in the plane and a second one beside it, not connected.
+TestMesh TwoPlanes()
+{
+  TestMesh mesh = Plane(5, 4, 0.2, 3);
+  Append(mesh, Translated(Plane(1, 1), 20, 0, 0));
+  return mesh;
+}
+
+/// Vertices of both rectangles, and points inside of faces and edges of the first.
+Points MakePoints(const dgg::SurfaceMesh& mesh)
+{
+  return { SurfacePoint::AtVertex(0), SurfacePoint::InFace(mesh, 3, { { 0.2, 0.3, 0.5 } }),
+    SurfacePoint::AtVertex(29), SurfacePoint::OnEdge(mesh, 40, 0.25),
+    SurfacePoint::InFace(mesh, 3, { { 0.6, 0.3, 0.1 } }), SurfacePoint::AtVertex(31) };
+}
+
+/// Distance of two points of the rectangles.
+double TrueDistance(
+  const dgg::PreparedSurface& surface, const SurfacePoint& a, const SurfacePoint& b)
+{
+  const auto p = PositionOf(surface.GetMesh(), a, surface.GetPositions());
+  const auto q = PositionOf(surface.GetMesh(), b, surface.GetPositions());
+  return (p[0] < 10.0) == (q[0] < 10.0) ? std::hypot(p[0] - q[0], p[1] - q[1]) : dgg::Infinity;
+}
+
+dgg::PreparedGraph::Pointer MakeGraph(const GraphWorld& world, std::uintptr_t key = 1)
+{
+  return dgg::PreparedGraph::Make(world.Store(), { key }, nullptr, *world.Surface);
+}
+
+GraphSession StartSession(const GraphWorld& world)
+{
+  GraphSession session;
+  session.Start(*world.Surface);
+  session.Use(MakeGraph(world));
+  return session;
+}
+}
+
+TEST(GraphSession, KeepsTheGraphOfEqualSurfacesOnly)
+{
+  const GraphWorld world(TwoPlanes(), Accuracy);
+  EXPECT_EQ(MakeGraph(world), MakeGraph(world, 1));
+  GraphSession session;
+  EXPECT_EQ(session.GetSummary().NumberOfVertices, 0);
+  EXPECT_EQ(session.GetMemorySize(), 0u);
+  session = StartSession(world);
+  session.Start(*world.Surface);
+  ASSERT_TRUE(session.HasGraph());
+  EXPECT_EQ(session.GetSummary().NumberOfVertices, 34);
+  EXPECT_GE(session.GetMemorySize(), world.Graph.GetMemorySize());
+  // The merged surface has the same triangles, but distances on it are those of another domain.
+  session.Start(*Prepare(TwoPlanes(), { dgg::Domain::MergedSurface, 0.0 }));
+  EXPECT_FALSE(session.HasGraph());
+}
+
+TEST(GraphSession, SeedsOfVerticesAndLinks)
+{
+  const GraphWorld world(TwoPlanes(), Accuracy);
+  GraphSession session = StartSession(world);
+  const dgg::SurfaceMesh& mesh = world.Surface->GetMesh();
+  const SurfacePoint inside = SurfacePoint::InFace(mesh, 3, { { 0.2, 0.3, 0.5 } });
+  std::vector<dgg::GraphSeed> seeds;
+  ASSERT_TRUE(Ok(session.MakeSeeds(
+    world.MakeContext(), { { SurfacePoint::AtVertex(7), 2.0 }, { inside, 0.5 } }, seeds)));
+  ASSERT_GE(seeds.size(), 4u);
+  EXPECT_EQ(seeds[0].Vertex, 7);
+  EXPECT_EQ(seeds[0].Distance, 2.0);
+  EXPECT_LT(seeds[0].ArrivalAngle, 0.0);
+  for (std::size_t i = 1; i < seeds.size(); ++i)
+  {
+    const double distance =
+      TrueDistance(*world.Surface, inside, SurfacePoint::AtVertex(seeds[i].Vertex));
+    EXPECT_NEAR(seeds[i].Distance, 0.5 + distance, 1e-6);
+    EXPECT_EQ(seeds[i].InitialDistance, 0.5);
+    EXPECT_EQ(seeds[i].Source, 1);
+    EXPECT_GE(seeds[i].ArrivalAngle, 0.0);
+  }
+  EXPECT_TRUE(Says(session.PrepareBuilder(world.MakeContext(1)), "use vertices only"));
+  EXPECT_TRUE(Ok(session.PrepareBuilder(world.MakeContext(1), false)));
+}
+
+TEST(GraphSession, WidensTheRadiusByTheAccuracy)
+{
+  const GraphWorld world(TwoPlanes(), Accuracy);
+  const GraphSession session = StartSession(world);
+  const std::vector<dgg::GeodesicSource> sources = { { SurfacePoint::AtVertex(0), 3.0 },
+    { SurfacePoint::AtVertex(1), 1.0 } };
+  EXPECT_EQ(session.WidenLimit(dgg::Infinity, sources), dgg::Infinity);
+  EXPECT_NEAR(session.WidenLimit(5.0, sources), 5.0 + 4.0 * Accuracy, 1e-5);
+  EXPECT_EQ(session.WidenLimit(0.5, sources), 0.5);
+}
+
+TEST(GraphSession, LandmarksAfterManyPairs)
+{
+  const GraphWorld world(TwoPlanes(), Accuracy);
+  GraphSession session = StartSession(world);
+  ASSERT_TRUE(Ok(session.PrepareForPairs(world.MakeContext(), 255)));
+  EXPECT_FALSE(session.GetSearch().HasLandmarks());
+  ASSERT_TRUE(Ok(session.PrepareForPairs(world.MakeContext(), 1)));
+  EXPECT_TRUE(session.GetSearch().HasLandmarks());
+}
+
+TEST(PathSearch, PathsInThePlane)
+{
+  const GraphWorld world(TwoPlanes(), Accuracy);
+  GraphSession session = StartSession(world);
+  const Points points = MakePoints(world.Surface->GetMesh());
+  PathSearch::Pairs pairs;
+  for (const SurfacePoint& from : points)
+  {
+    for (const SurfacePoint& to : points)
+    {
+      pairs.push_back({ from, to });
+    }
+  }
+  const dgg::TaskContext context = world.MakeContext();
+  const PathSearch search(context, pairs);
+  PathSearch::Paths inGraph;
+  PathSearch::Paths exact;
+  ASSERT_TRUE(Ok(search.RunInGraph(session, {}, inGraph)));
+  ASSERT_TRUE(Ok(search.RunExact(exact)));
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    SCOPED_TRACE(i);
+    const double distance = TrueDistance(*world.Surface, pairs[i].From, pairs[i].To);
+    EXPECT_TRUE(std::isnan(exact[i].GraphLength));
+    if (distance == dgg::Infinity)
+    {
+      EXPECT_EQ(inGraph[i].GraphLength, dgg::Infinity);
+      EXPECT_TRUE(inGraph[i].Path.IsEmpty());
+      EXPECT_TRUE(exact[i].Path.IsEmpty());
+      continue;
+    }
+    EXPECT_NEAR(inGraph[i].Path.Length, distance, 1e-9);
+    EXPECT_NEAR(exact[i].Path.Length, distance, 1e-9);
+    EXPECT_GE(inGraph[i].GraphLength, distance * (1.0 - 1e-9));
+    EXPECT_LE(inGraph[i].GraphLength, distance * (1.0 + Accuracy) + 1e-6);
+    EXPECT_TRUE(inGraph[i].IsStraightened && exact[i].IsStraightened);
+  }
+}
+
+TEST(PathSearch, RefusesAndStops)
+{
+  const GraphWorld world(TwoPlanes(), Accuracy);
+  GraphSession session = StartSession(world);
+  PathSearch::Pairs pairs(3, { SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(29) });
+  dgg::TaskContext context = world.MakeContext();
+  context.Progress = [](double) { return false; };
+  PathSearch::Paths paths;
+  EXPECT_TRUE(PathSearch(context, pairs).RunInGraph(session, {}, paths).IsAborted());
+  EXPECT_TRUE(PathSearch(context, pairs).RunExact(paths).IsAborted());
+  context.Progress = nullptr;
+  pairs[1].To = SurfacePoint::AtVertex(34);
+  EXPECT_TRUE(Says(PathSearch(context, pairs).RunInGraph(session, {}, paths), "pair 1"));
+  pairs[1].From = SurfacePoint::AtVertex(5);
+  EXPECT_TRUE(Says(PathSearch(context, pairs).RunExact(paths), "pair 1 has no exact path: "));
+}
+
+TEST(PathSearch, PolylinesOnClouds)
+{
+  const GraphWorld world = CornerWorld();
+  GraphSession session = StartSession(world);
+  const auto at = &SurfacePoint::AtVertex;
+  const PathSearch::Pairs pairs = { { at(0), at(2) }, { at(2), at(2) }, { at(0), at(3) } };
+  const dgg::TaskContext context = world.MakeContext();
+  PathSearch::Paths paths;
+  ASSERT_TRUE(Ok(PathSearch(context, pairs).RunOnCloud(session, false, paths)));
+  EXPECT_EQ(paths[0].Path.Length, 2.0);
+  EXPECT_EQ(paths[0].GraphLength, 2.0);
+  EXPECT_EQ(paths[0].Path.Points.size(), 3u);
+  EXPECT_FALSE(paths[0].IsStraightened);
+  EXPECT_EQ(paths[1].GraphLength, 0.0);
+  EXPECT_EQ(paths[2].GraphLength, dgg::Infinity);
+  EXPECT_TRUE(paths[2].Path.IsEmpty());
+  // The straight path leaves the band only by its corner, which the balls of radius 1 contain.
+  ASSERT_TRUE(Ok(PathSearch(context, pairs).RunOnCloud(session, true, paths)));
+  EXPECT_TRUE(paths[0].IsStraightened);
+  EXPECT_LT(paths[0].Path.Length, 2.0);
+  EXPECT_GE(paths[0].Path.Length, std::sqrt(2.0) - 1e-9);
+}
+
+TEST(MatrixSearch, DistancesInThePlane)
+{
+  const GraphWorld world(TwoPlanes(), Accuracy);
+  const Points points = MakePoints(world.Surface->GetMesh());
+  const Points targets(points.begin() + 1, points.end());
+  const dgg::TaskContext context = world.MakeContext();
+  constexpr double radius = 3.0;
+  for (const bool isSymmetric : { false, true })
+  {
+    for (const bool areRows : { false, true })
+    {
+      for (const double limit : { dgg::Infinity, radius })
+      {
+        GraphSession session = StartSession(world);
+        const Points& others = isSymmetric ? points : targets;
+        std::vector<double> values(points.size() * others.size(), dgg::Infinity);
+        const dgg::MatrixEntries matrix{ values.data(), areRows ? others.size() : points.size(),
+          areRows };
+        MatrixSearch search(context, session, points, others, matrix);
+        ASSERT_TRUE(Ok(search.Run(isSymmetric, limit)));
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          for (std::size_t j = 0; j < others.size(); ++j)
+          {
+            const double distance = TrueDistance(*world.Surface, points[i], others[j]);
+            const double found = matrix(i, j);
+            EXPECT_GE(found, distance * (1.0 - 1e-9));
+            EXPECT_TRUE(found <= distance * (1.0 + Accuracy) + 1e-6 || distance > limit / 1.02);
+            EXPECT_TRUE(!isSymmetric || found == matrix(j, i));
+            EXPECT_TRUE(!IsSamePoint(points[i], others[j]) || found == 0.0);
+          }
+        }
+      }
+    }
+  }
+}
+}
