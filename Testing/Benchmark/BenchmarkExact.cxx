@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Exact geodesic distance from one vertex to all: our two engines, CGAL (when it was found) and
-/// the edge graph of VTK, in one run.
+/// Exact geodesic distance from one vertex to all: our engine, CGAL (when it was found) and the
+/// edge graph of VTK, in one run.
 ///
-/// Usage: BenchmarkExact [--benchmark_...] [--growth=FILE|none] [--cgal_limit=N]
-///                       [--reference_limit=N] [mesh...]
+/// Usage: BenchmarkExact [--benchmark_...] [--growth=FILE|none] [--cgal_limit=N] [mesh...]
 ///
 /// Meshes may also come from the environment (DGG_BENCHMARK_MESHES, separated by ':'). Without any,
 /// a generated surface is measured, and the bunny of Debian's glmark2-data when it is installed.
 /// The growth of engine T is followed over coarser and finer versions (quadric decimation, Loop
 /// subdivision; 5K to about 700K vertices) of the mesh of --growth, by default the last mesh.
-/// The limits are numbers of vertices above which CGAL (default 60000) and engine R (default
-/// 200000) are left out.
+/// CGAL is left out above the limit of vertices, by default 60000.
 ///
 /// Every line of the result is one source of one mesh, so that peers alternate within a mesh and a
 /// busy machine disturbs them alike. Times are CPU seconds of this process, the set-up of each
@@ -21,30 +19,11 @@
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
 #include "ExactCases.h"
+#include "FieldMethods.h"
 
 namespace
 {
 constexpr int NumberOfSources = 5;
-
-#ifdef DGG_WITH_CGAL
-void MeasureCGAL(benchmark::State& state, const MeshRecipe& recipe, double limit, int k, int)
-{
-  BenchmarkMesh& mesh = OpenMesh(recipe, limit);
-  PeerCGAL& peer = mesh.GetPeerCGAL();
-  Require(peer.GetRefusal());
-  const dgg::Id source = mesh.GetSource(k, NumberOfSources);
-  peer.SetSourceVertex(source);
-  // Seconds per run: memory is measured in the very run that is timed.
-  const MemoryProbe probe;
-  std::vector<double> distances;
-  Measure(
-    state, [&] { peer.SetSourceVertex(source); }, [&] { distances = peer.ComputeDistances(); });
-  ReportMemory(state, mesh, probe);
-  ReportMesh(state, mesh);
-  ReportErrors(state, mesh, source, distances);
-  peer.SetSourceVertex(source); // frees the tree of the run
-}
-#endif
 
 void RegisterComparison(const MeshRecipe& recipe, const BenchmarkArguments& arguments)
 {
@@ -52,14 +31,11 @@ void RegisterComparison(const MeshRecipe& recipe, const BenchmarkArguments& argu
   cases.Add("SetUp", MeasureSetUp, recipe);
   for (int k = 0; k < NumberOfSources; ++k)
   {
-    cases.AddSource(
-      "T", k, NumberOfSources, MeasureEngine, recipe, dgg::ExactEngine::Triangle, dgg::Infinity);
-    cases.AddSource("R", k, NumberOfSources, MeasureEngine, recipe, dgg::ExactEngine::Reference,
-      arguments.GetNumber("reference_limit"));
-    cases.AddSource("VTK", k, NumberOfSources, MeasureVTK, recipe);
+    cases.AddSource("T", k, NumberOfSources, MeasureEngine, recipe);
+    cases.AddSource("VTK", k, NumberOfSources, MeasureField, recipe, EdgesOfVTK(), dgg::Infinity);
 #ifdef DGG_WITH_CGAL
-    cases.AddSource(
-      "CGAL", k, NumberOfSources, MeasureCGAL, recipe, arguments.GetNumber("cgal_limit"));
+    cases.AddSource("CGAL", k, NumberOfSources, MeasureField, recipe, ExactOfCGAL(),
+      arguments.GetNumber("cgal_limit"));
 #endif
   }
 }
@@ -86,8 +62,7 @@ void RegisterGrowth(const MeshRecipe& base)
   for (const MeshRecipe& recipe : recipes)
   {
     CaseGroup("Growth/" + recipe.Name + "/")
-      .AddSources(
-        "T", NumberOfSources, MeasureEngine, recipe, dgg::ExactEngine::Triangle, dgg::Infinity);
+      .AddSources("T", NumberOfSources, MeasureEngine, recipe);
   }
 }
 
@@ -107,6 +82,5 @@ void RegisterAll(const BenchmarkArguments& arguments)
 
 int main(int argc, char** argv)
 {
-  return RunBenchmarks(argc, argv,
-    { { "growth", "" }, { "cgal_limit", "60000" }, { "reference_limit", "200000" } }, RegisterAll);
+  return RunBenchmarks(argc, argv, { { "growth", "" }, { "cgal_limit", "60000" } }, RegisterAll);
 }

@@ -21,14 +21,11 @@
 /// Times are CPU seconds of this process, but those of several threads, which are seconds on the
 /// wall. Errors are against our exact engine T. summarize_graph.py makes tables of it.
 
-#include "ApproximateCases.h"
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
 #include "ExactCases.h"
+#include "FieldMethods.h"
 #include "GraphCases.h"
-#ifdef DGG_WITH_HEAT
-#include "HeatCases.h"
-#endif
 
 #include <algorithm>
 #include <cstdlib>
@@ -118,22 +115,20 @@ void RegisterPeers(const MeshRecipe& recipe, int sources)
 {
   const CaseGroup cases("Peer/" + recipe.Name + "/");
   cases.Add("SetUp", MeasureSetUp, recipe);
-  cases.AddSources(
-    "Exact/Query", sources, MeasureEngine, recipe, dgg::ExactEngine::Triangle, dgg::Infinity);
-  cases.AddSources("VTK/Query", sources, MeasureVTK, recipe);
-  cases.Add("Heat/Precompute", MeasureHeatFactors, recipe);
-  cases.AddSources("Heat/Query", sources, MeasureHeatField, recipe);
-  cases.Add("Marching/Precompute", MeasureMarchingTables, recipe);
-  cases.AddSources("Marching/Query", sources, MeasureMarchingField, recipe);
+  cases.AddSources("Exact/Query", sources, MeasureEngine, recipe);
+  std::vector<NamedMethod> methods = { EdgesOfVTK(), HeatOfOurs(), MarchingOfOurs() };
 #ifdef DGG_WITH_HEAT
-  using Triangulation = PeerHeat::Triangulation;
-  for (const Triangulation kind : { Triangulation::Direct, Triangulation::IntrinsicDelaunay })
-  {
-    const std::string name = kind == Triangulation::Direct ? "HeatDirect/" : "HeatDelaunay/";
-    cases.Add(name + "Precompute", MeasureHeatPrecomputation, recipe, kind);
-    cases.AddSources(name + "Query", sources, MeasureHeatQuery, recipe, kind);
-  }
+  methods.push_back(HeatOfCGAL(PeerHeat::Triangulation::Direct));
+  methods.push_back(HeatOfCGAL(PeerHeat::Triangulation::IntrinsicDelaunay));
 #endif
+  for (const NamedMethod& method : methods)
+  {
+    if (method.IsPrepared)
+    {
+      cases.Add(method.Name + "/Precompute", MeasurePreparation, recipe, method);
+    }
+    cases.AddSources(method.Name + "/Query", sources, MeasureField, recipe, method, dgg::Infinity);
+  }
 }
 
 bool Contains(const std::vector<std::string>& list, const std::string& word)

@@ -133,39 +133,6 @@ vtkPolyData* BenchmarkMesh::GetPolyData() const
   return this->PolyData;
 }
 
-PeerVTK& BenchmarkMesh::GetPeerVTK()
-{
-  if (!this->VTK)
-  {
-    this->VTK = std::make_unique<PeerVTK>(this->PolyData);
-  }
-  return *this->VTK;
-}
-
-#ifdef DGG_WITH_CGAL
-PeerCGAL& BenchmarkMesh::GetPeerCGAL()
-{
-  if (!this->CGAL)
-  {
-    this->CGAL = std::make_unique<PeerCGAL>(this->Arrays);
-  }
-  return *this->CGAL;
-}
-#endif
-
-#ifdef DGG_WITH_HEAT
-PeerHeat& BenchmarkMesh::GetPeerHeat(PeerHeat::Triangulation triangulation)
-{
-  if (!this->Heat || this->HeatTriangulation != triangulation)
-  {
-    this->Heat.reset(); // before the next one needs the memory
-    this->Heat = std::make_unique<PeerHeat>(this->Arrays, triangulation);
-    this->HeatTriangulation = triangulation;
-  }
-  return *this->Heat;
-}
-#endif
-
 BenchmarkMesh& GetBenchmarkMesh(const MeshRecipe& recipe)
 {
   static std::unique_ptr<BenchmarkMesh> kept;

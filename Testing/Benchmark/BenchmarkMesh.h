@@ -8,13 +8,6 @@
 #include "MeasuredGraph.h" // for MeasuredGraph
 #include "MeasuredPairs.h" // for MeasuredPairs
 #include "MeshArrays.h"    // for MeshArrays
-#include "PeerVTK.h"       // for PeerVTK
-#ifdef DGG_WITH_CGAL
-#include "PeerCGAL.h" // for PeerCGAL
-#endif
-#ifdef DGG_WITH_HEAT
-#include "PeerHeat.h" // for PeerHeat
-#endif
 
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
@@ -77,14 +70,6 @@ public:
   MeasuredGraph& GetGraph(const GraphRecipe& recipe);
 
   vtkPolyData* GetPolyData() const;
-  PeerVTK& GetPeerVTK();
-#ifdef DGG_WITH_CGAL
-  PeerCGAL& GetPeerCGAL();
-#endif
-#ifdef DGG_WITH_HEAT
-  /// Only the last one is kept.
-  PeerHeat& GetPeerHeat(PeerHeat::Triangulation triangulation);
-#endif
 
 private:
   std::string Error;
@@ -95,14 +80,6 @@ private:
   std::map<PairRecipe, MeasuredPairs> Pairs;
   std::unique_ptr<MeasuredGraph> Graph;
   std::string GraphName;
-  std::unique_ptr<PeerVTK> VTK;
-#ifdef DGG_WITH_CGAL
-  std::unique_ptr<PeerCGAL> CGAL;
-#endif
-#ifdef DGG_WITH_HEAT
-  std::unique_ptr<PeerHeat> Heat;
-  PeerHeat::Triangulation HeatTriangulation = PeerHeat::Triangulation::Direct;
-#endif
 };
 
 /// The mesh of a recipe. Only the last one is kept: the large ones do not fit together.

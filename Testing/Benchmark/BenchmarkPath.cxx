@@ -17,13 +17,14 @@
 /// Meshes as for BenchmarkExact. Every mesh is measured in all ways.
 ///
 /// Names of the results are GROUP/MESH/CASE with these groups:
-///   Path/MESH/...   PathCases.h; Raw, Straight and Default are paths as traced in the graph,
-///                   straightened, and with other detours tried as well, without landmarks and
-///                   (MarkedRaw and so on) with them
+///   Path/MESH/...   PathCases.h; Straight and Default are paths that are straightened, and that
+///   try
+///                   other detours as well, without landmarks and (MarkedStraight and so on) with
+///                   them
 ///   Cells/MESH/...  CellCases.h
 ///   Matrix/MESH/Update
-/// Times are CPU seconds on one thread, but those of the matrix, of the graph and of landmarks,
-/// which are seconds on the wall. summarize_path.py makes tables of it.
+/// Times are CPU seconds on one thread, but those of the matrix and of landmarks, which are seconds
+/// on the wall. summarize_path.py makes tables of it.
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
@@ -32,6 +33,7 @@
 #include "PathCases.h"
 
 #include <algorithm>
+#include <map>
 
 namespace
 {
@@ -45,47 +47,28 @@ struct Settings
   int Threads = 0;
 };
 
-struct PathKind
-{
-  const char* Name;
-  bool Straighten;
-  bool WithDetours;
+/// Paths that are straightened only, and default ones, which try detours as well.
+const std::map<std::string, double> Detours = {
+  { "Straight", 0.0 },
+  { "Default", dgg::PathOptions().Detour },
 };
-
-const std::vector<PathKind> PathKinds = {
-  { "Raw", false, false },
-  { "Straight", true, false },
-  { "Default", true, true },
-};
-
-dgg::PathOptions OptionsOf(const PathKind& kind)
-{
-  dgg::PathOptions options;
-  options.Straighten = kind.Straighten;
-  if (!kind.WithDetours)
-  {
-    options.Detour = 0.0;
-  }
-  return options;
-}
 
 void RegisterPaths(const GraphRecipe& recipe, const Settings& settings)
 {
   const CaseGroup cases("Path/" + recipe.Mesh.Name + "/", Once);
   const PairRecipe& pairs = settings.Pairs;
-  cases.Add("Graph", MeasureGraphOfPaths, recipe, settings.Threads);
-  cases.Add("FirstPath", MeasureFirstPath, recipe, pairs);
-  cases.Add("Exact", MeasureExactPairs, recipe.Mesh, pairs);
   for (const bool withLandmarks : { false, true })
   {
     if (withLandmarks)
     {
       cases.Add("Landmarks", MeasureLandmarks, recipe, settings.Threads);
     }
-    for (const PathKind& kind : PathKinds)
+    for (const auto& [kind, detour] : Detours)
     {
-      const std::string name = std::string(withLandmarks ? "Marked" : "") + kind.Name;
-      cases.Add(name, MeasurePaths, recipe, pairs, OptionsOf(kind), withLandmarks);
+      dgg::PathOptions options;
+      options.Detour = detour;
+      const std::string name = (withLandmarks ? "Marked" : "") + kind;
+      cases.Add(name, MeasurePaths, recipe, pairs, options, withLandmarks);
     }
   }
   if (settings.VertexPairs.Count > 0)

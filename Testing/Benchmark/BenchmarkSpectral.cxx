@@ -16,17 +16,16 @@
 /// Names of the results are
 ///   Spectral/MESH/CASE[/K]          SpectralCases.h
 ///   Spectral/MESH/Greens/WAY/K      OpenedSolver.h
-///   Peer/MESH/PEER/CASE[/K]         PoissonPeerCases.h; HeatCases.h for the peer Heat, which has
+///   Peer/MESH/PEER/CASE[/K]         PoissonPeerCases.h; FieldMethods.h for the peer Heat, which
+///   has
 ///                                   two matrices
 /// Times are CPU seconds on one thread. summarize_spectral.py makes tables of it.
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
+#include "FieldMethods.h"
 #include "PoissonPeerCases.h"
 #include "SpectralCases.h"
-#ifdef DGG_WITH_HEAT
-#include "HeatCases.h"
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +74,10 @@ void RegisterPeers(const MeshRecipe& mesh, int sources)
     cases.AddSources("Column", sources, MeasurePeerColumn, mesh, peer);
   }
 #ifdef DGG_WITH_HEAT
-  const auto direct = PeerHeat::Triangulation::Direct;
+  const NamedMethod direct = HeatOfCGAL(PeerHeat::Triangulation::Direct);
   const CaseGroup cases("Peer/" + mesh.Name + "/Heat/");
-  cases.Add("Factor", MeasureHeatPrecomputation, mesh, direct);
-  cases.AddSources("Column", sources, MeasureHeatQuery, mesh, direct);
+  cases.Add("Factor", MeasurePreparation, mesh, direct);
+  cases.AddSources("Column", sources, MeasureField, mesh, direct, dgg::Infinity);
 #endif
 }
 

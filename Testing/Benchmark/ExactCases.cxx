@@ -3,6 +3,7 @@
 #include "ExactCases.h"
 
 #include "BenchmarkTools.h"
+#include "dggExactGeodesics.h"
 
 #include <memory>
 #include <utility>
@@ -28,14 +29,11 @@ void MeasureSetUp(benchmark::State& state, const MeshRecipe& recipe)
   ReportMemory(state, mesh, probe);
 }
 
-void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, dgg::ExactEngine engine,
-  double limit, int k, int numberOfSources)
+void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)
 {
-  BenchmarkMesh& mesh = OpenMesh(recipe, limit);
+  BenchmarkMesh& mesh = OpenMesh(recipe);
   const dgg::Id source = mesh.GetSource(k, numberOfSources);
   const std::vector<dgg::GeodesicSource> sources = { { dgg::SurfacePoint::AtVertex(source), 0.0 } };
-  dgg::ExactOptions options;
-  options.Engine = engine;
   dgg::ExactResult result;
   std::unique_ptr<dgg::ExactGeodesics> solver;
   // A new solver for every run: nothing is warm that a user would find cold.
@@ -45,12 +43,8 @@ void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, dgg::Exact
       solver = std::make_unique<dgg::ExactGeodesics>(mesh.GetSurface());
       result = dgg::ExactResult();
     },
-    [&] { solver->Run(sources, options, result); });
+    [&] { solver->Run(sources, {}, result); });
   ReportMesh(state, mesh);
-  if (engine == dgg::ExactEngine::Reference)
-  {
-    ReportErrors(state, mesh, source, result.Distances);
-  }
   state.counters["windows"] = static_cast<double>(result.NumberOfWindows);
   state.counters["windows_per_second"] = benchmark::Counter(
     static_cast<double>(result.NumberOfWindows) * static_cast<double>(state.iterations()),
@@ -58,29 +52,14 @@ void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, dgg::Exact
   state.counters["engine_bytes_per_vertex"] =
     static_cast<double>(result.PeakMemory) / mesh.GetNumberOfVertices();
 
-  if (engine == dgg::ExactEngine::Triangle)
-  {
-    mesh.SetExactDistances(source, std::move(result.Distances));
-  }
-
+  mesh.SetExactDistances(source, std::move(result.Distances));
   // Memory in a run of its own. One source is enough where runs are long.
   if (k == 0 || mesh.GetNumberOfVertices() < 2e5)
   {
     solver.reset();
     result = dgg::ExactResult();
     const MemoryProbe probe;
-    dgg::ExactGeodesics(mesh.GetSurface()).Run(sources, options, result);
+    dgg::ExactGeodesics(mesh.GetSurface()).Run(sources, {}, result);
     ReportMemory(state, mesh, probe);
   }
-}
-
-void MeasureVTK(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources)
-{
-  BenchmarkMesh& mesh = OpenMesh(recipe);
-  PeerVTK& peer = mesh.GetPeerVTK();
-  const dgg::Id source = mesh.GetSource(k, numberOfSources);
-  Measure(
-    state, [] {}, [&] { peer.Run(source); });
-  ReportMesh(state, mesh);
-  ReportErrors(state, mesh, source, peer.GetDistances());
 }

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredPairs.h"
 
-#include "BenchmarkTools.h"
 #include "RandomNumbers.h"
-#include "SampleStatistics.h"
 #include "dggExactGeodesics.h"
 #include "dggUnfolding.h"
 
@@ -84,7 +82,6 @@ const std::vector<double>& MeasuredPairs::GetExactDistances()
     return this->ExactDistances;
   }
   dgg::ExactGeodesics solver(this->Surface);
-  SampleStatistics seconds;
   for (std::size_t begin = 0; begin < this->Ends.size(); begin += this->PerStart)
   {
     const std::size_t end = std::min(begin + this->PerStart, this->Ends.size());
@@ -93,19 +90,10 @@ const std::vector<double>& MeasuredPairs::GetExactDistances()
       this->Ends.begin() + static_cast<std::ptrdiff_t>(end));
     options.StopAtTargets = true;
     dgg::ExactResult result;
-    const double start = ThreadSeconds();
     // Points of the surface: it cannot fail.
     solver.Run({ { this->GetStart(begin), 0.0 } }, options, result);
-    seconds.Add(ThreadSeconds() - start);
     this->ExactDistances.insert(
       this->ExactDistances.end(), result.TargetDistances.begin(), result.TargetDistances.end());
   }
-  this->ExactSeconds = seconds.GetQuantile(0.5);
   return this->ExactDistances;
-}
-
-double MeasuredPairs::GetExactSeconds()
-{
-  this->GetExactDistances();
-  return this->ExactSeconds;
 }

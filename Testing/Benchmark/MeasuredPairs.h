@@ -45,8 +45,6 @@ public:
 
   /// Exact distances of the pairs, computed once; Infinity where they are not connected.
   const std::vector<double>& GetExactDistances();
-  /// CPU seconds of an exact propagation from a start to its ends, the median of all.
-  double GetExactSeconds();
 
 private:
   const dgg::SurfaceMesh& Surface;
@@ -54,7 +52,6 @@ private:
   std::vector<dgg::SurfacePoint> Starts;
   std::vector<dgg::SurfacePoint> Ends;
   std::vector<double> ExactDistances;
-  double ExactSeconds = 0.0;
 };
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "BenchmarkTools.h"
 #include "PathStatistics.h"
+#include "PeerVTK.h"
 
 #include <cmath>
 
@@ -25,19 +26,6 @@ const dgg::GraphSearch& SearchOf(MeasuredGraph& graph, bool withLandmarks)
 
 }
 
-void MeasureGraphOfPaths(benchmark::State& state, const GraphRecipe& recipe, int threads)
-{
-  const OpenedGraph opened = OpenGraph(recipe);
-  MeasuredGraph& graph = *opened.Graph;
-  Measure(
-    state, [&] { graph.Clear(); }, [&] { graph.Build(ThreadedLoop(threads)); }, WallSeconds);
-  Require(graph.GetError());
-  ReportMesh(state, *opened.Mesh);
-  state.counters["threads"] = threads;
-  state.counters["graph_bytes"] = static_cast<double>(graph.GetGraph().GetMemorySize());
-  state.counters["search_bytes"] = static_cast<double>(graph.GetSearch().GetMemorySize());
-}
-
 void MeasureLandmarks(benchmark::State& state, const GraphRecipe& recipe, int threads)
 {
   const OpenedGraph opened = OpenBuiltGraph(recipe);
@@ -52,25 +40,6 @@ void MeasureLandmarks(benchmark::State& state, const GraphRecipe& recipe, int th
   Require(status);
   state.counters["threads"] = threads;
   state.counters["landmark_bytes"] = static_cast<double>(search.GetMemorySize() - before);
-}
-
-void MeasureFirstPath(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs)
-{
-  const OpenedGraph opened = OpenBuiltGraph(recipe);
-  const dgg::SurfaceMesh& surface = opened.Mesh->GetSurface();
-  const MeasuredPairs& measured = opened.Mesh->GetPairs(pairs);
-  dgg::Status status;
-  Measure(
-    state, [] {},
-    [&] {
-      const dgg::GraphSearch search(opened.Graph->GetGraph().View(), &surface);
-      const dgg::GraphBuilder builder(surface);
-      const dgg::PathFinder finder(
-        surface, search, &builder, opened.Mesh->GetArrays().Points.data());
-      dgg::FoundPath found;
-      status = finder.Find(measured.GetStart(0), measured.GetEnd(0), {}, found);
-    });
-  Require(status);
 }
 
 void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs,
@@ -97,7 +66,8 @@ void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const Pair
       status = finder.Find(measured.GetStart(i), measured.GetEnd(i), options, found);
       const double seconds = ThreadSeconds() - start;
       sum += seconds;
-      statistics.AddPath(surface, seconds, found, exact[i]);
+      const bool exists = !found.Path.IsEmpty();
+      statistics.AddLength(seconds, exists ? found.Path.Length : dgg::Infinity, exact[i]);
     }
     state.SetIterationTime(sum / static_cast<double>(measured.GetCount()));
   }
@@ -106,22 +76,12 @@ void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const Pair
   statistics.Report(state);
 }
 
-void MeasureExactPairs(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs)
-{
-  BenchmarkMesh& mesh = OpenMesh(recipe);
-  for (auto unused : state)
-  {
-    (void)unused;
-    state.SetIterationTime(mesh.GetPairs(pairs).GetExactSeconds());
-  }
-}
-
 void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs)
 {
   BenchmarkMesh& mesh = OpenMesh(recipe);
   MeasuredPairs& measured = mesh.GetPairs(pairs);
   const std::vector<double>& exact = measured.GetExactDistances();
-  PeerVTK& peer = mesh.GetPeerVTK();
+  PeerVTK peer(mesh.GetPolyData());
   PathStatistics statistics;
   for (auto unused : state)
   {

@@ -10,23 +10,13 @@
 
 #include <benchmark/benchmark.h> // for State
 
-/// The graph itself: time on the wall, as it is built with threads, and its size.
-void MeasureGraphOfPaths(benchmark::State& state, const GraphRecipe& recipe, int threads);
-
 /// Distances of landmarks: time on the wall, and the bytes that the search holds afterwards besides
 /// those of a query, so also the workspaces of all threads that found them.
 void MeasureLandmarks(benchmark::State& state, const GraphRecipe& recipe, int threads);
 
-/// What comes between a graph and its first path, and that.
-void MeasureFirstPath(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs);
-
 /// A path for each of the pairs, timed one by one; the time of the case is that of the mean path.
 void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs,
   const dgg::PathOptions& options, bool withLandmarks);
-
-/// Exact distances of the same pairs: the time of the case is that of one propagation from a start
-/// to all of its ends.
-void MeasureExactPairs(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs);
 
 /// Paths along mesh edges between pairs of vertices, as VTK finds them.
 void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs);

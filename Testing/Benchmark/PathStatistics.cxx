@@ -8,37 +8,21 @@ namespace
 {
 /// Relative difference of lengths up to which a path counts as the shortest one.
 constexpr double SameLength = 1e-6;
-/// Relative difference of lengths that rounding explains.
-constexpr double Rounding = 1e-9;
 }
 
 void PathStatistics::AddLength(double seconds, double length, double exact)
 {
   this->Seconds.Add(seconds);
-  this->Mismatches += std::isfinite(length) == std::isfinite(exact) ? 0 : 1;
-  this->Unconnected += std::isfinite(exact) ? 0 : 1;
   if (!std::isfinite(length) || !std::isfinite(exact) || exact <= 0.0)
   {
     return;
   }
   const double excess = length / exact - 1.0;
   this->Excess.Add(excess);
-  this->TooShort += excess < -Rounding ? 1 : 0;
   if (excess > SameLength)
   {
     this->Outside.Add(excess);
   }
-}
-
-void PathStatistics::AddPath(
-  const dgg::SurfaceMesh& mesh, double seconds, const dgg::FoundPath& found, double exact)
-{
-  const bool exists = !found.Path.IsEmpty();
-  this->AddLength(seconds, exists ? found.Path.Length : dgg::Infinity, exact);
-  this->Invalid += dgg::CheckPath(mesh, found.Path).IsOk() ? 0 : 1;
-  this->Longer += exists && found.Path.Length > found.GraphLength * (1.0 + Rounding) ? 1 : 0;
-  this->Unstraightened += exists && !found.IsStraightened ? 1 : 0;
-  this->Fallbacks += found.NumberOfFallbacks;
 }
 
 void PathStatistics::Report(benchmark::State& state) const
@@ -59,11 +43,4 @@ void PathStatistics::Report(benchmark::State& state) const
   set("outside", static_cast<double>(this->Outside.GetCount()));
   set("outside_median", this->Outside.GetQuantile(0.5));
   set("outside_max", this->Outside.GetMaximum());
-  set("unconnected", this->Unconnected);
-  set("mismatches", this->Mismatches);
-  set("too_short", this->TooShort);
-  set("longer", this->Longer);
-  set("invalid", this->Invalid);
-  set("unstraightened", this->Unstraightened);
-  set("fallbacks", this->Fallbacks);
 }

@@ -6,7 +6,6 @@
 #define PathStatistics_h
 
 #include "SampleStatistics.h" // for times and excesses
-#include "dggPathFinder.h"    // for FoundPath
 
 #include <benchmark/benchmark.h> // for State
 
@@ -15,9 +14,6 @@ class PathStatistics
 public:
   /// A length in place of a path; both are Infinity where there is no way.
   void AddLength(double seconds, double length, double exact);
-  /// A path on the mesh, which is checked.
-  void AddPath(
-    const dgg::SurfaceMesh& mesh, double seconds, const dgg::FoundPath& found, double exact);
 
   /// Everything as counters. The excess of a path is how much longer it is than the shortest one,
   /// relative to that.
@@ -27,13 +23,6 @@ private:
   SampleStatistics Seconds;
   SampleStatistics Excess;
   SampleStatistics Outside; // excesses that another class of homotopy explains, not rounding
-  int Unconnected = 0;      // pairs without a way, as the exact solver says
-  int Mismatches = 0;       // of which the graph says something else
-  int TooShort = 0;         // shorter than the shortest
-  int Longer = 0;           // than before they were straightened
-  int Invalid = 0;          // do not lie on the surface
-  int Unstraightened = 0;
-  int Fallbacks = 0;
 };
 
 #endif

@@ -22,14 +22,14 @@ from benchmark_results import (
     tabulate,
 )
 
-TITLES = {"R": "engine R", "CGAL": "CGAL exact", "VTK": "vtkDijkstraGraphGeodesicPath"}
+TITLES = {"CGAL": "CGAL exact", "VTK": "vtkDijkstraGraphGeodesicPath"}
 
 
 class Run(Results):
     """exact[mesh][case] and growth[mesh][case]."""
 
     patterns = {
-        "exact": r"Exact/([^/]+)/(SetUp|T|R|VTK|CGAL)(?:/|$)",
+        "exact": r"Exact/([^/]+)/(SetUp|T|VTK|CGAL)(?:/|$)",
         "growth": r"Growth/([^/]+)/(T)(?:/|$)",
     }
 
@@ -128,8 +128,8 @@ def summarize(path):
     )
     parts.append(f"CPU seconds on one thread, median over the sources of a mesh ({about}).\n")
     if exact:
-        timed = [peer for peer in ("R", "CGAL", "VTK") if peer in measured]
-        weighed = [peer for peer in ("R", "CGAL") if peer in measured]
+        timed = [peer for peer in ("CGAL", "VTK") if peer in measured]
+        weighed = [peer for peer in ("CGAL",) if peer in measured]
         parts.append("**Exact distance from one vertex to all** (peers: times engine T)\n")
         parts.append(time_table(exact, timed))
         parts.append("**Peak memory, bytes per vertex above the loaded mesh**\n")

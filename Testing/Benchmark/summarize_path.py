@@ -27,7 +27,7 @@ from benchmark_results import (
     titled,
 )
 
-KINDS = {"Raw": "as in the graph", "Straight": "straightened", "Default": "default"}
+KINDS = {"Straight": "straightened", "Default": "default"}
 
 
 class Run(Results):
@@ -105,40 +105,14 @@ def path_table(run):
     return tabulate(columns, kinds(run))
 
 
-def check_table(run):
-    def count(key):
-        return of_kind(lambda figures: number(median(figures, key)))
-
-    def unstraightened(_, kind, cases):
-        return DASH if kind == "Raw" else number(median(cases[kind], "unstraightened"))
-
+def landmark_table(run):
     columns = [
         ("mesh", first_of),
-        ("path", lambda _, kind, cases: KINDS[kind]),
-        ("pairs", count("pairs")),
-        ("not connected", count("unconnected")),
-        ("connected for one of the two only", count("mismatches")),
-        ("shorter than exact", count("too_short")),
-        ("longer than before straightening", count("longer")),
-        ("not on the surface", count("invalid")),
-        ("not straightened", unstraightened),
-        ("edges found anew", count("fallbacks")),
-    ]
-    return tabulate(columns, kinds(run))
-
-
-def before_table(run):
-    columns = [
-        ("mesh", first_of),
-        ("graph (wall)", figure("Graph")),
-        ("threads", figure("Graph", "threads")),
-        ("its size", figure("Graph", "graph_bytes", bytes_text)),
-        ("preparation + first path", figure("FirstPath")),
         ("landmarks (wall)", figure("Landmarks")),
+        ("threads", figure("Landmarks", "threads")),
         ("held after them", figure("Landmarks", "landmark_bytes", bytes_text)),
-        ("exact propagation", figure("Exact")),
     ]
-    return tabulate(columns, run.meshes("Path", "Graph", "FirstPath", "Landmarks", "Exact"))
+    return tabulate(columns, run.meshes("Path", "Landmarks"))
 
 
 def peer_table(run):
@@ -212,9 +186,8 @@ def summarize(path):
     ]
     titles = {
         "Paths between random points": path_table,
-        "What comes before paths": before_table,
+        "Landmarks": landmark_table,
         "Paths along edges": peer_table,
-        "Checks of all paths": check_table,
         "Farthest points and their cells": cell_table,
         "Matrices": matrix_table,
     }

@@ -25,7 +25,6 @@ PAGES = (
     "Filters/Spectral/README.md",
     "Readers/README.md",
     "Testing/Benchmark/Differences.md",
-    "Testing/Benchmark/ExpectedTables.md",
     "Testing/Benchmark/README.md",
     "Testing/Benchmark/Thesis.md",
     "Testing/README.md",
