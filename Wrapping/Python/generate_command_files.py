@@ -35,23 +35,23 @@ def completion(commands):
 
 
 def plain(text):
-    """Text in which roff finds nothing to interpret."""
+    """Returns the text with escaped commands of roff."""
     text = text.replace("\\", "\\e").replace("-", "\\-")
     return re.sub(r"^(?=[.'])", "\\&", text, flags=re.M)
 
 
 def paragraphs(text):
-    """Paragraphs, which are filled."""
+    """Returns filled paragraphs."""
     return [f".PP\n{plain(' '.join(part.split()))}" for part in text.split("\n\n")]
 
 
 def examples(text):
-    """The lines after the first one as they are."""
+    """Returns the lines after the first one without filling."""
     return [".PP\n.EX", *(plain(line) for line in text.splitlines()[1:]), ".EE"] if text else []
 
 
 def section(name, parser):
-    """One command: how to call it, what it does, its arguments."""
+    """Returns the section of a command: usage, description, arguments."""
     formatter = parser._get_formatter()
     usage = " ".join(parser.format_usage().split()).replace("usage: ", "")
     lines = [f".SS {name}", plain(usage), *paragraphs(parser.description)]
@@ -82,7 +82,7 @@ def man_page(parser):
 
 
 def main(completion_path, page_path):
-    """Write both."""
+    """Writes both files."""
     parser = make_parser()
     with open(completion_path, "w", encoding="utf-8") as file:
         file.write(completion(parser.commands))

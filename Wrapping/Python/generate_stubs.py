@@ -17,7 +17,7 @@ import re
 import sys
 from collections import defaultdict
 
-# Where classes of VTK that occur in signatures come from.
+# Modules with the classes of VTK that occur in signatures.
 VTK_MODULES = (
     "vtkCommonCore",
     "vtkCommonDataModel",
@@ -49,7 +49,7 @@ class Stub:
         return "\n".join([typing, "", *imports, "", "", body, ""])
 
     def of_class(self, kind):
-        """The lines of a class."""
+        """Returns the lines of a class."""
         lines = [f"class {kind.__name__}({self.known(kind.__bases__[0].__name__)}):"]
         for name, value in vars(kind).items():
             if name.startswith("_"):
@@ -63,7 +63,7 @@ class Stub:
         return lines + (["    ..."] if len(lines) == 1 else [])
 
     def of_constant(self, kind, value):
-        """The type of a constant."""
+        """Returns the type of a constant."""
         own = type(value).__name__
         return f"{kind.__name__}.{own}" if isinstance(vars(kind).get(own), type) else "int"
 
@@ -98,7 +98,7 @@ class Stub:
         return name + annotation + (" = ..." if default else "")
 
     def of_type(self, text, sequence):
-        """(int, ...) is a sequence that is read, [int, ...] one that is written."""
+        """Returns a type: (int, ...) is a sequence that is read, [int, ...] one that is written."""
         if text[0] not in "([":
             return self.known(text)
         parts = re.findall(r"\w+", text)
@@ -109,7 +109,7 @@ class Stub:
         return f"Sequence[{parts[0]}]"
 
     def known(self, name):
-        """The name of a type; classes of other modules are imported."""
+        """Returns the name of a type, and imports classes of other modules."""
         if name in self.classes or name in ("None", "bool", "float", "int", "str"):
             return name
         for module in (f"vtkmodules.{m}" for m in VTK_MODULES):
@@ -173,7 +173,7 @@ class Overloads(ast.NodeTransformer):
             found.append(self._with(node, other, return_source=True, as_polydata=False))
         flags = {"return_source": False} if others else {}
         found.append(self._with(node, first, **flags, as_polydata=False))
-        return [*found, self._with(node, node.returns)]  # values that are not known to the checker
+        return [*found, self._with(node, node.returns)]  # values unknown to the checker
 
     @staticmethod
     def _with(node, returned, **flags):
@@ -196,7 +196,7 @@ def stub_of_source(path):
 
 
 def main(folder, names):
-    """Write them."""
+    """Writes the stubs."""
     for name in names:
         if name.endswith(".py"):
             text = stub_of_source(name)

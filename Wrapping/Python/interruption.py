@@ -1,12 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Signals that arrive while VTK works, such as Ctrl-C."""
+"""Signals that arrive during an update of VTK, such as Ctrl-C."""
 
 import signal
 import threading
 
-
-# Those from which programs raise exceptions; to ask for all takes long beside a query.
+# Signals whose handlers raise exceptions. Examining all signals would take longer than a query.
 _NAMES = "INT TERM HUP QUIT BREAK ALRM VTALRM PROF XCPU PIPE USR1 USR2".split()
 _NUMBERS = [getattr(signal, f"SIG{name}") for name in _NAMES if hasattr(signal, f"SIG{name}")]
 
@@ -14,10 +13,10 @@ _NUMBERS = [getattr(signal, f"SIG{name}") for name in _NAMES if hasattr(signal, 
 class Interruption:
     """Defers the exceptions of signal handlers until the update ends.
 
-    Python runs these handlers in the main thread as soon as it executes any bytecode, and that is
-    in an observer here. What an observer raises is lost, and a KeyboardInterrupt ends the program
-    there. So handlers are called as ever, but `raised` has their exception, for the observer to
-    stop the work and for the caller to raise.
+    Python runs handlers in the main thread at the next bytecode, which an observer executes here.
+    VTK ignores exceptions of observers, and a KeyboardInterrupt there ends the program. Therefore
+    `raised` stores the exception of a handler: the observer stops the update, and the caller raises
+    the exception.
     """
 
     def __init__(self):
@@ -43,10 +42,10 @@ class Interruption:
     def _handle(self, number, frame):
         try:
             self._handlers[number](number, frame)
-        except BaseException as exception:  # whatever it is, it is raised by the caller
+        except BaseException as exception:  # the caller raises it
             self.raised = self.raised or exception
 
     def _restore(self):
         for number, handler in self._handlers.items():
-            if signal.getsignal(number) == self._handle:  # else the handler has chosen another one
+            if signal.getsignal(number) == self._handle:  # otherwise a handler has set another
                 signal.signal(number, handler)

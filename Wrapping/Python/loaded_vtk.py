@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Check that the loaded VTK is the one that the package was built with. With another VTK, the
-first object would crash."""
+"""Check that the package was built with the loaded VTK. With another VTK, the first object would
+crash."""
 
 import os
 import re
@@ -13,7 +13,7 @@ from . import build_info
 
 
 def require():
-    """Raise an ImportError where the VTK that is loaded is another one."""
+    """Raises an ImportError if another VTK is loaded."""
     version = f"{vtkVersion.GetVTKMajorVersion()}.{vtkVersion.GetVTKMinorVersion()}"
     library = _library()
     if version == build_info.VTK_VERSION and library in (None, build_info.VTK_LIBRARY):
@@ -28,8 +28,8 @@ def require():
 
 
 def _library():
-    """The name of VTK's core library in this process, where the system reports it (Linux). Builds of
-    one version differ, as ParaView's do from others, and two in one process do not get along."""
+    """Returns the name of VTK's core library in this process, None if the system hides the name.
+    Builds of one version differ, such as that of ParaView, and two in one process conflict."""
     try:
         with open("/proc/self/maps", encoding="utf-8", errors="replace") as maps:
             found = re.search(r"/(libvtkCommonCore[^/\n]*)\.so", maps.read())
