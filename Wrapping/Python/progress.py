@@ -9,7 +9,7 @@ import time
 
 __all__ = ["show_progress"]
 
-# Seconds before anything is shown, and between two lines.
+# Seconds before the first line, and between two lines.
 _PATIENCE = 1.0
 _PAUSE = 0.1
 
@@ -44,7 +44,8 @@ class Bar:
         if now >= self._next:
             self._next = now + _PAUSE
             self._line = self._line or _line()
-            self._line.show(name, fraction)
+            if self._line:
+                self._line.show(name, fraction)
 
     def close(self):
         """Removes the bar."""
@@ -67,22 +68,15 @@ class Part:
 
 
 def _line():
+    """Returns a line for the progress; None without a terminal and outside notebooks."""
     is_terminal = sys.stderr is not None and sys.stderr.isatty()
     if not is_terminal and "ipykernel" not in sys.modules:
-        return _Nothing()
+        return None
     try:
         from tqdm.auto import tqdm
     except ImportError:
-        return _Plain() if is_terminal else _Nothing()
+        return _Plain() if is_terminal else None
     return _Tqdm(tqdm)
-
-
-class _Nothing:
-    def show(self, name, fraction):
-        """Does nothing."""
-
-    def close(self):
-        """Does nothing."""
 
 
 class _Plain:

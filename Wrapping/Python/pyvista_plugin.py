@@ -46,10 +46,8 @@ class DGGAccessor:
     def distance(self, sources: Any, accuracy: Optional[float] = None, **options: Any) -> Any:
         """The mesh with the point array "GeodesicDistance"; see `vtkdgg.distance`."""
         if accuracy is not None:
-            found = self.graph(accuracy).distance(sources, as_polydata=True, **options)
-        else:
-            found = distances.distance(self._mesh, sources, as_polydata=True, **options)
-        return pyvista.wrap(found)
+            return _wrapped(self.graph(accuracy).distance, sources, **options)
+        return _wrapped(distances.distance, self._mesh, sources, **options)
 
     def geodesic(
         self,
@@ -88,54 +86,53 @@ class DGGAccessor:
         self, starts: Any, ends: Any, accuracy: Optional[float] = None, **options: Any
     ) -> Any:
         """Paths between many pairs of points; see `vtkdgg.Graph.paths`."""
-        graph = self.graph(accuracy)
-        return pyvista.wrap(graph.paths(starts, ends, as_polydata=True, **options))
+        return _wrapped(self.graph(accuracy).paths, starts, ends, **options)
 
     def isolines(
         self, sources: Any, values: Any, accuracy: Optional[float] = None, **options: Any
     ) -> Any:
         """Curves of equal distance; see `vtkdgg.Graph.isolines`."""
-        graph = self.graph(accuracy)
-        return pyvista.wrap(graph.isolines(sources, values, as_polydata=True, **options))
+        return _wrapped(self.graph(accuracy).isolines, sources, values, **options)
 
     def loop(self, points: Any = None, accuracy: Optional[float] = None, **options: Any) -> Any:
         """Closed geodesics; see `vtkdgg.Graph.loop`."""
-        return pyvista.wrap(self.graph(accuracy).loop(points, as_polydata=True, **options))
+        return _wrapped(self.graph(accuracy).loop, points, **options)
 
     def sample(
         self, number_of_samples: int, accuracy: Optional[float] = None, **options: Any
     ) -> Any:
         """Points that are spread evenly; see `vtkdgg.Graph.sample`."""
-        graph = self.graph(accuracy)
-        return pyvista.wrap(graph.sample(number_of_samples, as_polydata=True, **options))
+        return _wrapped(self.graph(accuracy).sample, number_of_samples, **options)
 
     def voronoi(self, sites: Any, accuracy: Optional[float] = None, **options: Any) -> Any:
         """Cells of some sites; see `vtkdgg.Graph.voronoi`."""
-        return pyvista.wrap(self.graph(accuracy).voronoi(sites, as_polydata=True, **options))
+        return _wrapped(self.graph(accuracy).voronoi, sites, **options)
 
     def greens_function(self, sources: Any, **options: Any) -> Any:
         """Green's functions; see `vtkdgg.greens_function`."""
-        found = spectral.greens_function(self._mesh, sources, as_polydata=True, **options)
-        return pyvista.wrap(found)
+        return _wrapped(spectral.greens_function, self._mesh, sources, **options)
 
     def biharmonic(self, sources: Any, **options: Any) -> Any:
         """Smooth distances; see `vtkdgg.biharmonic`."""
-        return pyvista.wrap(spectral.biharmonic(self._mesh, sources, as_polydata=True, **options))
+        return _wrapped(spectral.biharmonic, self._mesh, sources, **options)
 
     def earth_movers(self, start: Any, end: Any, **options: Any) -> Any:
-        """How mass is moved; see `vtkdgg.earth_movers`."""
-        found = spectral.earth_movers(self._mesh, start, end, as_polydata=True, **options)
-        return pyvista.wrap(found)
+        """Transport of mass; see `vtkdgg.earth_movers`."""
+        return _wrapped(spectral.earth_movers, self._mesh, start, end, **options)
 
     def interpolate(self, sites: Any, values: Any, **options: Any) -> Any:
         """A smooth function with given values; see `vtkdgg.interpolate`."""
-        found = spectral.interpolate(self._mesh, sites, values, as_polydata=True, **options)
-        return pyvista.wrap(found)
+        return _wrapped(spectral.interpolate, self._mesh, sites, values, **options)
 
     def _path(self, start, end, use_scalar_weights, as_polydata):
         if use_scalar_weights:
             raise ValueError("use_scalar_weights: geodesics of a surface have no weights")
         return paths.path(self._mesh, start, end, as_polydata=as_polydata)
+
+
+def _wrapped(function, *arguments, **options):
+    """Returns the vtkPolyData of a function as a mesh of PyVista."""
+    return pyvista.wrap(function(*arguments, as_polydata=True, **options))
 
 
 def read_pcd(path: Any, **_: Any) -> Any:
