@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .checks import check_ids, coordinates, numbers  # noqa: F401
-from .surface import add_array
+from .surface import add_array, cells_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -157,6 +157,13 @@ def surface_point(value, name, surface, is_cloud=False):
     return surface_points(value, name, surface, is_cloud)
 
 
+def set_points(algorithm, name, points):
+    """Sets `SurfacePoints`, or None for none, as ids or data of a filter. `name` is the prefix of
+    its properties, such as "Source"."""
+    getattr(algorithm, f"Set{name}Ids")([] if points is None else points.ids)
+    getattr(algorithm, f"Set{name}Data")(None if points is None else points.data)
+
+
 def is_mixed(values):
     """Returns true for a sequence that is not an array: of tuples (face, barycentric coordinates),
     of ids and coordinates, or of such sequences."""
@@ -210,9 +217,7 @@ def _check_faces(points, name, surface, is_cloud):
             raise ValueError(f"{entry} does not exist; there are {count} cells")
         polygon = face - first
         if not 0 <= polygon < len(offsets) - 1 or offsets[polygon + 1] - offsets[polygon] != 3:
-            raise ValueError(
-                f"{entry} is not a triangle; barycentric coordinates need one"
-            )
+            raise ValueError(f"{entry} is not a triangle; barycentric coordinates need one")
         # False for NaN.
         if not (weights.min() >= -_BARYCENTRIC_TOLERANCE) or not (
             abs(weights.sum() - 1.0) <= _BARYCENTRIC_TOLERANCE
@@ -270,14 +275,16 @@ def accuracy(value):
     return result
 
 
-def integer(value, name):
-    """Returns one integer of 32 bits."""
+def integer(value, name, least=-(2**31)):
+    """Returns one integer of 32 bits that is not less than `least`."""
     try:
         result = operator.index(value)
     except TypeError:
         raise ValueError(f"{name}: expected an integer, got {value!r}") from None
     if not -(2**31) <= result < 2**31:
         raise ValueError(f"{name}: expected an integer of 32 bits, got {result}")
+    if result < least:
+        raise ValueError(f"{name}: expected at least {least}, got {result}")
     return result
 
 
@@ -301,6 +308,13 @@ def number_of_bytes(value, name):
     if not 1.0 <= number(value, name) < 2.0**63:
         raise ValueError(f"{name}: expected 1 to 2^63 - 1 bytes, got {value}")
     return int(value)
+
+
+def polyline(points):
+    """Returns coordinates as points with one line through all of them."""
+    result = polydata(points)
+    result.SetLines(cells_of(np.array([0, len(points)]), np.arange(len(points))))
+    return result
 
 
 def polydata(points):

@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import arguments, meshes
 from .errors import run
-from .graph_info import choose_method, set_merging
+from .graph_info import choose_method, set_up
 from .results import array_of
 from .surface import add_array
 from .vtkDGGFiltersGeodesic import (
@@ -28,6 +28,14 @@ if TYPE_CHECKING:
     from .arguments import SurfacePointsLike
 
 __all__ = ["distance"]
+
+#: Filters by the names of methods.
+FILTERS = {
+    "exact": vtkExactGeodesicDistance,
+    "graph": vtkDGGDistance,
+    "fast": vtkVirtualSourceGeodesicDistance,
+    "marching": vtkDGGFastMarchingDistance,
+}
 
 
 def distance(
@@ -129,15 +137,10 @@ def distance(
     limit = arguments.limit(maximum_distance, "maximum_distance")
     sources = arguments.surface_points(sources, "sources", surface)
     unreached = arguments.number(unreached, "unreached")
-    tolerance = arguments.projection_tolerance(projection_tolerance)
-    kinds = {
-        "exact": vtkExactGeodesicDistance,
-        "graph": vtkDGGDistance,
-        "fast": vtkVirtualSourceGeodesicDistance,
-        "marching": vtkDGGFastMarchingDistance,
-    }
-    method, info = choose_method(method, accuracy, surface, kinds)
-    distance_filter = kinds[method]()
+    method, info = choose_method(method, accuracy, surface, FILTERS)
+    distance_filter = FILTERS[method]()
+    merging = merge_coincident_points, merge_tolerance
+    set_up(distance_filter, surface, *merging, projection_tolerance, info)
     set_sources(distance_filter, sources, initial_distances)
     if surface.GetNumberOfPoints() == 0:
         if as_polydata:
@@ -146,10 +149,7 @@ def distance(
 
     if accuracy is not None:
         distance_filter.SetAccuracy(arguments.accuracy(accuracy))
-    distance_filter.SetInputData(surface)
     distance_filter.SetGenerateNearestSource(bool(return_source))
-    set_merging(distance_filter, merge_coincident_points, merge_tolerance, info)
-    distance_filter.SetProjectionTolerance(tolerance)
     distance_filter.SetMaximumDistance(limit)
     distance_filter.SetUnreachedValue(unreached)
     output = run(distance_filter)

@@ -19,12 +19,12 @@ from .progress import Bar
 
 __all__ = ["VTKError", "check"]
 
-# What VTK puts before a message, and the addresses of objects in it.
+# Prefix of a message by VTK, and addresses of objects in a message.
 _PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 _ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
-# The name of the class that reports.
-_SPEAKER = re.compile(r"\A\w+: ")
-# Words in messages of filters, and their replacements in functions.
+# Name of the class that reports.
+_REPORTER = re.compile(r"\A\w+: ")
+# Words in messages of filters, and their replacements in messages of functions.
 _IN_ARGUMENTS = {
     " of input port 1, at": ", at",
     "Use vtkExactGeodesicDistance or vtkDGGDistance": 'Use method="exact" or "graph"',
@@ -37,16 +37,14 @@ _IN_ARGUMENTS = {
     "Accuracy 0": "accuracy 0",
     "larger Accuracy": "larger accuracy",
     "FirstSample": "first",
-    "MaximumDistance": "maximum_distance",
-    "MemoryLimit": "memory_limit",
-    "MergeTolerance": "merge_tolerance",
-    "NumberOfNeighbors": "number_of_neighbors",
-    "NumberOfSamples": "number_of_samples",
-    "ProjectionTolerance": "projection_tolerance",
 }
-# The end of a path that a function was given: its filter has starts and ends on a port, by turns.
+# Properties that are arguments of the same name.
+_PROPERTIES = re.compile(
+    r"(Maximum|Memory|Merge|NumberOf|Projection)(Distance|Limit|Neighbors|Samples|Tolerance)"
+)
+# End of a path of a function. The port of its filter has starts and ends alternately.
 _END = re.compile(r"path end point (\d+) of input port 1")
-# How an executive reports that an algorithm failed: it names the request, not the reason.
+# Messages by which an executive reports a failure without its reason.
 _NO_REASON = re.compile(r"returned failure for request|No update piece number has been set")
 
 
@@ -56,9 +54,9 @@ class VTKError(RuntimeError):
     Attributes
     ----------
     messages : list of str
-        What was reported, one entry per error, in order.
+        Messages, one entry per error, in order.
     code : int
-        ``GetErrorCode()`` of the algorithm that failed first, 0 when none was set.
+        ``GetErrorCode()`` of the algorithm that failed first; 0 without a code.
     """
 
     def __init__(self, messages: List[str], code: int = 0) -> None:
@@ -70,15 +68,14 @@ class VTKError(RuntimeError):
 def check(algorithm: vtkAlgorithm) -> Any:
     """Update an algorithm and raise when it, or anything upstream of it, reports an error.
 
-    A writer is asked to write. The messages are in the exception, without the file, line and address
-    that VTK puts before them, and are not printed. When nothing failed, VTK's warnings become
-    Python warnings.
+    Writers write their file. The messages are in the exception, without VTK's file, line and
+    address, and are not printed. After an update without errors, VTK's warnings become Python
+    warnings.
 
-    An update that an observer stops by AbortExecute is no error, here as in VTK: the output is
-    empty then, until the algorithm that was stopped runs again or is modified; its
-    ``GetAbortExecute()`` says why. Ctrl-C stops it as well and is a
-    KeyboardInterrupt as ever, after which the algorithm can be used again. Other threads of Python
-    go on meanwhile.
+    An update that an observer stops by AbortExecute is no error, as in VTK. The output is then
+    empty until the stopped algorithm is modified or runs again; its ``GetAbortExecute()`` returns
+    true. Ctrl-C stops an update with a KeyboardInterrupt, after which the algorithm can be used
+    again. Other Python threads run during the update.
 
     Parameters
     ----------
@@ -93,7 +90,7 @@ def check(algorithm: vtkAlgorithm) -> Any:
     Raises
     ------
     VTKError
-        When an error was reported. It is raised again by later calls until the cause is gone.
+        When an error was reported. Later calls raise it again until its cause is removed.
     TypeError
         When `algorithm` is not a vtkAlgorithm.
 
@@ -101,22 +98,11 @@ def check(algorithm: vtkAlgorithm) -> Any:
     --------
     >>> mesh = vtkdgg.check(reader)
     """
-    return _checked(algorithm)
-
-
-def run(algorithm, issued=None, refused=None, bar=Bar):
-    """Updates an algorithm like check(), for functions of the package: with a progress bar, and
-    messages in terms of arguments.
-
-    Warnings in the set `issued` are not repeated, even if they come from another class; others are
-    added to the set. A warning becomes an error, and stops the update, if the function `refused`
-    returns true at that time. `bar` makes the progress bar.
-    """
-    return _checked(algorithm, issued, refused, bar, in_arguments)
+    return run(algorithm, bar=None, words=str)
 
 
 def in_arguments(text):
-    """What a filter says, for those who have called a function."""
+    """Returns a message of a filter in terms of the arguments of functions."""
 
     def end_of(match):
         pair, is_end = divmod(int(match[1]), 2)
@@ -125,28 +111,35 @@ def in_arguments(text):
     text = _END.sub(end_of, text)
     for words, ours in _IN_ARGUMENTS.items():
         text = text.replace(words, ours)
-    return text
+    return _PROPERTIES.sub(lambda match: re.sub(r"(?<!^)(?=[A-Z])", "_", match[0]).lower(), text)
 
 
-def _checked(algorithm, issued=None, refused=None, bar=None, words=str):
+def run(algorithm, issued=None, refused=None, bar=Bar, words=in_arguments):
+    """Updates an algorithm like check(), for functions of the package: with a progress bar, and
+    messages in terms of arguments.
+
+    Warnings in the set `issued` are not repeated, even if they come from another class; others are
+    added to the set. A warning becomes an error, and stops the update, if the function `refused`
+    returns true at that time. `bar` makes the progress bar, and `words` translates messages.
+    """
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check(): expected a vtkAlgorithm, got {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
     reports = _update(algorithm, pipeline, refused, bar)
     if not reports.errors and _failed(pipeline):
-        # It failed in an earlier update, whose messages are gone. Run it again to have them.
+        # An earlier update failed, and its messages are lost. Another update repeats them.
         for node in _failed(pipeline):
             node.Modified()
         reports = _update(algorithm, pipeline, refused, bar)
     failed = [node for node in _failed(pipeline) if not _recovered(node, reports)]
     if reports.errors or failed:
-        # What failed must run again in the next update, even when nothing else changes.
+        # Failed algorithms must run again in the next update, even without a change.
         for node in reports.nodes + failed:
             node.Modified()
         messages = [words(text) for text in _messages(reports, failed)]
         raise VTKError(messages, failed[0].GetErrorCode() if failed else 0)
     for text in reports.warnings:
-        said = _SPEAKER.sub("", text)
+        said = _REPORTER.sub("", text)
         if issued is None or said not in issued:
             warnings.warn(words(text), RuntimeWarning, stacklevel=depth_of_package())
         if issued is not None:
@@ -157,17 +150,17 @@ def _checked(algorithm, issued=None, refused=None, bar=None, words=str):
 
 
 class _Reports:
-    """What the algorithms of a pipeline said during one update."""
+    """Messages of the algorithms of a pipeline during one update."""
 
     def __init__(self):
         self.errors = []
         self.warnings = []
-        self.nodes = []  # those that reported an error
+        self.nodes = []  # algorithms that reported an error
 
 
 def _upstream(algorithm):
-    """The algorithm and all that it depends on, sources first."""
-    # Without recursion: a function inside that calls itself is a cycle, which would keep the
+    """Returns the algorithm and all algorithms upstream, sources first."""
+    # Without recursion: a nested recursive function is a reference cycle, which would keep the
     # algorithms and their data until the garbage collector runs.
     found = []
     waiting = [(algorithm, False)]
@@ -215,8 +208,8 @@ def _update(algorithm, pipeline, refused, bar):
     stopped = []
 
     def on_progress(caller, event):
-        # Here other threads of Python get their turn and handlers of signals run: the wrappers of
-        # VTK hold the interpreter lock, but Python code gives it away when others wait for it.
+        # Other Python threads and signal handlers run here: wrappers of VTK hold the interpreter
+        # lock, which Python code releases when other threads wait for it.
         if interruption.raised:
             caller.SetAbortExecute(1)
             stopped.append(caller)
@@ -226,10 +219,10 @@ def _update(algorithm, pipeline, refused, bar):
     watched = []
     for node in pipeline:
         if node.IsA("vtkTrivialProducer"):
-            continue  # data that somebody has set
+            continue  # provides data without a pipeline
         watched += watch(node, node)
         watched.append((node, node.AddObserver("ProgressEvent", on_progress)))
-        # Executives report what is wrong with the connections.
+        # Executives report wrong connections.
         watched += watch(node.GetExecutive(), node)
     # Image writers write in Write() only.
     execute = getattr(algorithm, "Write", algorithm.Update)
@@ -258,7 +251,7 @@ def _failed(pipeline):
 
 
 def _recovered(node, reports):
-    """Some readers of VTK keep the error code of an earlier failure when they succeed later."""
+    """Returns true for a reader that has kept the error code of a failure before its success."""
     if node in reports.nodes or reports.errors or reports.warnings:
         return False
     output = node.GetOutputDataObject(0) if node.GetNumberOfOutputPorts() > 0 else None
@@ -271,7 +264,7 @@ def _has_elements(output):
 
 
 def depth_of_package():
-    """The stack level, for a warning of the caller, of the first function outside the package."""
+    """Returns the stack level of the first function outside the package, for a warning."""
     frame, level = sys._getframe(1), 1
     while frame.f_back and f"{frame.f_globals.get('__package__')}.".startswith(f"{__package__}."):
         frame, level = frame.f_back, level + 1
@@ -279,9 +272,9 @@ def depth_of_package():
 
 
 def _messages(reports, failed):
-    """The reasons of a failure; never empty."""
+    """Returns the reasons of a failure; never empty."""
     reasons = [text for text in reports.errors if not _NO_REASON.search(text)]
-    # Some readers of VTK fail with a mere warning.
+    # Some readers of VTK fail with a warning only.
     if reasons or reports.warnings:
         return reasons or reports.warnings
     texts = []

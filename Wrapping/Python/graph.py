@@ -14,6 +14,7 @@ from .errors import VTKError, run
 from .graph_info import CONSTRUCTIONS, MESH_CONSTRUCTIONS, GraphInfo, damaged, set_merging
 from .queries import Queries
 from .results import Isoline, Loop, array_of, lines_of
+from .surface import shallow_copy
 from .vtkDGGFiltersGeodesic import vtkApolloniusIsolines, vtkDGGLoop, vtkDiscreteGeodesicGraph
 
 if TYPE_CHECKING:
@@ -210,9 +211,7 @@ class Graph(Queries):
             array = arguments.finite_numbers(values, "values", array.size)
         field = self._field(sources, initial_distances, projection_tolerance)
         if is_number:
-            distances = array_of(field.GetPointData(), "GeodesicDistance")
-            largest = np.nanmax(distances) if np.isfinite(distances).any() else 0.0
-            array = largest * np.arange(1, count + 1) / (count + 1)
+            array = even_values(array_of(field.GetPointData(), "GeodesicDistance"), count)
         output = find_isolines(field, array, False, self._info, self._issued)
         return output if as_polydata else lines_of(output, Isoline, value="IsoValue")
 
@@ -254,9 +253,7 @@ class Graph(Queries):
         """
         tie = self._filter(vtkDGGLoop, projection_tolerance)
         if points is not None:
-            through = self._points(points, "points")
-            tie.SetPointIds(through.ids)
-            tie.SetPointData(through.data)
+            arguments.set_points(tie, "Point", self._points(points, "points"))
             tie.SetMode(tie.Rope if rope else tie.ThroughPoint)
         elif rope:
             raise ValueError("points: expected points for a rope, got none")
@@ -268,16 +265,19 @@ class Graph(Queries):
             return self._detached(tie)
         return lines_of(output, Loop, length="Length", angle="Angle")
 
-
     def _field(self, sources, initial_distances, projection_tolerance):
         """Returns the surface with distances and what find_isolines() needs."""
         search = self._search(sources, True, None, initial_distances, projection_tolerance)
         search.SetUnreachedValue(np.nan)
         search.GenerateVirtualSourceOn()
         # The next query replaces the output of the filter.
-        field = vtkPolyData()
-        field.ShallowCopy(run(search, self._issued))
-        return field
+        return shallow_copy(run(search, self._issued))
+
+
+def even_values(distances, count):
+    """Returns values with even spacing between 0 and the largest distance, both excluded."""
+    largest = np.nanmax(np.append(distances, 0.0))
+    return largest * np.arange(1, count + 1) / (count + 1)
 
 
 def find_isolines(field, values, merge_coincident_points, info=None, issued=None):

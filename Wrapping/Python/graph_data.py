@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from . import arguments
 from .errors import run
 from .graph_info import ARRAYS, CONSTRUCTIONS, GraphInfo
-from .surface import from_arrays, to_arrays
+from .surface import from_arrays, shallow_copy, to_arrays
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -106,9 +106,7 @@ class GraphData:
         It has all other data of the input mesh. Arrays are shared with this object and must not be
         changed in place.
         """
-        result = vtkPolyData()
-        result.ShallowCopy(self._surface)
-        return result
+        return shallow_copy(self._surface)
 
     def __repr__(self) -> str:
         kind = self.construction
@@ -140,8 +138,7 @@ class GraphData:
         """Runs a builder, which may find the graph on the surface; `refused` as for run()."""
         issued = set()  # warnings already issued, which filters repeat
         builder.SetInputData(surface)
-        output = vtkPolyData()  # without the builder, which keeps much more
-        output.ShallowCopy(run(builder, issued, refused))
+        output = shallow_copy(run(builder, issued, refused))  # the builder keeps much more
         self._take(output, builder.GetMemoryLimit(), builder.GetGraphBuildTime() == 0, issued)
 
     def _take(self, surface, memory_limit, used_input_graph, issued=()):
@@ -179,8 +176,7 @@ class GraphData:
     @staticmethod
     def _detached(algorithm, port=0):
         """Returns a copy of the output, which the next query replaces."""
-        result = vtkPolyData()
-        result.ShallowCopy(algorithm.GetOutputDataObject(port))
+        result = shallow_copy(algorithm.GetOutputDataObject(port))
         algorithm.Modified()
         return result
 

@@ -119,6 +119,13 @@ def choose_method(method, accuracy, surface, methods):
     return method, info if method == "graph" else None
 
 
+def set_up(algorithm, surface, is_merged, merge_tolerance, projection_tolerance, info=None):
+    """Sets the input of a filter, and the arguments that functions of surfaces have in common."""
+    algorithm.SetInputData(surface)
+    set_merging(algorithm, is_merged, merge_tolerance, info)
+    algorithm.SetProjectionTolerance(arguments.projection_tolerance(projection_tolerance))
+
+
 def set_merging(algorithm, coincident_points, tolerance, info=None):
     """Sets how a filter merges points; by default as the graph of its input, if there is one."""
     tolerance = arguments.limit(tolerance, "merge_tolerance")

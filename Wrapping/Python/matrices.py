@@ -195,10 +195,8 @@ class Matrices(GraphData):
 
     def _block(self, tabulate, rows, columns, part=None):
         """Returns the distances between two sets of points, or between all pairs of one set."""
-        tabulate.SetRowIds(rows.ids)
-        tabulate.SetRowData(rows.data)
-        tabulate.SetColumnIds([] if columns is None else columns.ids)
-        tabulate.SetColumnData(None if columns is None else columns.data)
+        arguments.set_points(tabulate, "Row", rows)
+        arguments.set_points(tabulate, "Column", columns)
         run(tabulate, self._issued, bar=(lambda: part) if part else Bar)
         matrix = tabulate.GetMatrix()
         shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
@@ -211,10 +209,8 @@ class Matrices(GraphData):
         tabulate.CompressedRowsOn()
         tabulate.SetCorrection(correction)
         tabulate.SetMaximumDistance(radius)
-        tabulate.SetRowIds(rows.ids)
-        tabulate.SetRowData(rows.data)
-        tabulate.SetColumnIds([])
-        tabulate.SetColumnData(None)
+        arguments.set_points(tabulate, "Row", rows)
+        arguments.set_points(tabulate, "Column", None)
         table = run(tabulate, self._issued)
         arrays = [
             vtk_to_numpy(array)

@@ -6,17 +6,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional, Union
 
+import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from . import arguments, meshes
 from .errors import VTKError, run
-from .graph_info import choose_method, set_merging
+from .graph_info import choose_method, set_up
 from .results import Path, lines_of
+from .surface import cells_of
 from .vtkDGGFiltersGeodesic import vtkDGGPath
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
     from .arguments import SurfacePointLike
 
@@ -96,16 +98,14 @@ def path(
     surface, (start, end) = meshes.take(points, triangles, start=start, end=end)
     start = arguments.surface_point(start, "start", surface)
     end = arguments.surface_point(end, "end", surface)
-    tolerance = arguments.projection_tolerance(projection_tolerance)
     finder = vtkDGGPath()
     method, info = choose_method(method, accuracy, surface, ("exact", "graph"))
     if method == "exact":
         finder.SetMethodToExact()
     elif accuracy is not None:
         finder.SetAccuracy(arguments.accuracy(accuracy))
-    finder.SetInputData(surface)
-    set_merging(finder, merge_coincident_points, merge_tolerance, info)
-    finder.SetProjectionTolerance(tolerance)
+    merging = merge_coincident_points, merge_tolerance
+    set_up(finder, surface, *merging, projection_tolerance, info)
     found = find(finder, start, end)
     return finder.GetOutput() if as_polydata else found[0]
 
@@ -143,12 +143,8 @@ def set_pairs(finder, starts, ends):
             finder.AddPair(*pair)
         return
     pairs = starts.interleaved(ends).polydata()
-    cells = vtkCellArray()
-    for i in range(0, 2 * len(starts), 2):
-        cells.InsertNextCell(2)
-        cells.InsertCellPoint(i)
-        cells.InsertCellPoint(i + 1)
-    pairs.SetLines(cells)
+    ids = np.arange(2 * len(starts) + 1)
+    pairs.SetLines(cells_of(ids[::2], ids[:-1]))
     finder.SetPairData(pairs)
 
 

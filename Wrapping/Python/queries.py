@@ -7,7 +7,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, List, Optional, Tuple, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import arguments
 from .distances import field_of, set_sources
@@ -15,6 +14,7 @@ from .errors import run
 from .matrices import Matrices
 from .paths import find
 from .results import Path, Samples, Voronoi, array_of, surface_points_of, voronoi_of
+from .surface import coordinates_of
 from .vtkDGGFiltersGeodesic import (
     vtkDGGDistance,
     vtkDGGPath,
@@ -225,9 +225,7 @@ class Queries(Matrices):
         ValueError, VTKError
             As for `distance`.
         """
-        count = arguments.integer(number_of_samples, "number_of_samples")
-        if count < 1:
-            raise ValueError(f"number_of_samples: expected at least 1, got {count}")
+        count = arguments.integer(number_of_samples, "number_of_samples", 1)
         sampler = self._filter(vtkGeodesicSampler, projection_tolerance)
         sampler.SetNumberOfSamples(count)
         sampler.SetFirstSample(arguments.point_id(first, "first", self.number_of_points))
@@ -240,7 +238,7 @@ class Queries(Matrices):
             return self._detached(sampler)
         data = output.GetPointData()
         return Samples(
-            points=np.array(vtk_to_numpy(output.GetPoints().GetData()), dtype=np.float64),
+            points=coordinates_of(output),
             **surface_points_of(data),
             covering_radii=array_of(data, "CoveringRadius"),
         )
@@ -284,12 +282,9 @@ class Queries(Matrices):
     def _divide(self, sites, iterations, projection_tolerance):
         """Returns the filter with the Voronoi cells as output, until the next query."""
         sites = self._points(sites, "sites")
-        iterations = arguments.integer(iterations, "iterations")
-        if iterations < 0:
-            raise ValueError(f"iterations: expected at least 0, got {iterations}")
+        iterations = arguments.integer(iterations, "iterations", 0)
         divide = self._filter(vtkGeodesicVoronoi, projection_tolerance)
-        divide.SetSiteIds(sites.ids)
-        divide.SetSiteData(sites.data)
+        arguments.set_points(divide, "Site", sites)
         divide.SetCentroidal(iterations > 0)
         divide.SetNumberOfIterations(iterations)
         run(divide, self._issued)

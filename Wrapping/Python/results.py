@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results of queries, as numpy arrays."""
+"""Results of queries as NumPy arrays."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, List
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from .surface import coordinates_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -171,14 +173,14 @@ class Voronoi:
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class EarthMovers:
-    """How one distribution is moved to another one at the least cost.
+    """Transport of one distribution to another at the least cost.
 
     Attributes
     ----------
     distance : float
         The cost: for distributions of mass 1 a length in the unit of the points.
     lower_bound : float
-        What it is at least, on this mesh.
+        A lower bound of the cost on this mesh.
     potential : numpy.ndarray of float64, shape (n,)
         A length at each point, with slope at most 1, that proves the lower bound.
     flow : numpy.ndarray of float64, shape (m, 3)
@@ -215,7 +217,7 @@ def voronoi_of(divide):
     return Voronoi(
         nearest=vtk_to_numpy(data.GetArray("GeodesicSource")).astype(np.intp),
         distances=array_of(data, "GeodesicDistance"),
-        sites=np.array(vtk_to_numpy(moved.GetPoints().GetData()), dtype=np.float64),
+        sites=coordinates_of(moved),
         **surface_points_of(arrays),
         areas=array_of(arrays, "CellArea") if arrays.HasArray("CellArea") else None,
     )
@@ -226,7 +228,7 @@ def lines_of(output, kind, **names):
     of its further attributes."""
     if output.GetNumberOfLines() == 0:
         return []
-    points = np.array(vtk_to_numpy(output.GetPoints().GetData()), dtype=np.float64)
+    points = coordinates_of(output)
     offsets = vtk_to_numpy(output.GetLines().GetOffsetsArray())
     corners = vtk_to_numpy(output.GetLines().GetConnectivityArray())
     data, cells = output.GetPointData(), output.GetCellData()

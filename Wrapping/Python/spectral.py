@@ -11,6 +11,7 @@ import numpy as np
 
 from . import arguments, meshes
 from .errors import run
+from .graph_info import set_up
 from .results import EarthMovers, array_of
 from .surface import add_array
 from .vtkDGGFiltersSpectral import (
@@ -91,7 +92,7 @@ def greens_function(
     solve.SetOrder(_order(order))
     solve.SetMethod(_choice(solve, method, "method"))
     solve.SetBoundary(_choice(solve, boundary, "boundary"))
-    _set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
+    set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
     return _solve(solve, surface, sources, at, as_polydata)
 
 
@@ -175,7 +176,7 @@ def biharmonic(
         solve.SetDiffusionTime(arguments.number(diffusion_time, "diffusion_time"))
     solve.SetBoundary(_choice(solve, boundary, "boundary"))
     solve.SetUnreachedValue(arguments.number(unreached, "unreached"))
-    _set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
+    set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
     return _solve(solve, surface, sources, at, as_polydata)
 
 
@@ -242,7 +243,7 @@ def earth_movers(
     move.SetNormalize(bool(normalize))
     if tolerance is not None:
         move.SetTolerance(arguments.limit(tolerance, "tolerance"))
-    _set_up(move, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
+    set_up(move, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
     output = run(move)
     if as_polydata:
         return output
@@ -319,7 +320,7 @@ def interpolate(
     spline.SetBoundary(_choice(spline, boundary, "boundary"))
     spline.SetSiteValuesArrayName(_SITE_VALUES)
     spline.GenerateBasisOff()
-    _set_up(spline, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
+    set_up(spline, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
     sites = arguments.surface_points(sites, "sites", surface)
     numbers = np.asarray(arguments.numbers(values, "values"), dtype=np.float64)
     numbers = numbers.reshape(1) if numbers.ndim == 0 else numbers
@@ -362,17 +363,9 @@ def _choice(algorithm, value, name):
     return known[value]
 
 
-def _set_up(algorithm, surface, is_merged, merge_tolerance, projection_tolerance):
-    algorithm.SetInputData(surface)
-    algorithm.SetMergeCoincidentPoints(bool(is_merged))
-    algorithm.SetMergeTolerance(arguments.limit(merge_tolerance, "merge_tolerance"))
-    algorithm.SetProjectionTolerance(arguments.projection_tolerance(projection_tolerance))
-
-
 def _solve(solve, surface, sources, at, as_polydata):
     sources = arguments.surface_points(sources, "sources", surface)
-    solve.SetSourceIds(sources.ids)
-    solve.SetSourceData(sources.data)
+    arguments.set_points(solve, "Source", sources)
     output = _evaluate(solve, at)
     if as_polydata:
         return output

@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_BIT, vtkIdList, vtkPoints
+from vtkmodules.vtkCommonCore import VTK_BIT, reference, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_CONVEX_POINT_SET,
     VTK_LAGRANGE_HEXAHEDRON,
@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkDataSetAttributes,
     vtkGenericCell,
     vtkPolyData,
+    vtkStaticCellLocator,
     vtkStructuredGrid,
     vtkUnstructuredGrid,
 )
@@ -48,7 +49,9 @@ def copy_surface(polydata):
     result = vtkPolyData()
     points = vtkPoints()
     if polydata.GetPoints():
-        points.SetDataType(polydata.GetPoints().GetDataType())  # DeepCopy() does not change the type
+        points.SetDataType(
+            polydata.GetPoints().GetDataType()
+        )  # DeepCopy() does not change the type
         points.DeepCopy(polydata.GetPoints())
     result.SetPoints(points)
     for kind in CELLS:
@@ -58,6 +61,54 @@ def copy_surface(polydata):
     for kind in DATA:
         getattr(result, f"Get{kind}")().ShallowCopy(getattr(polydata, f"Get{kind}")())
     return result
+
+
+def shallow_copy(polydata):
+    """Returns a new vtkPolyData that shares all points, cells and arrays."""
+    result = vtkPolyData()
+    result.ShallowCopy(polydata)
+    return result
+
+
+def with_arrays(polydata, arrays):
+    """Returns a shallow copy with further point arrays, of which the first is active."""
+    result = shallow_copy(polydata)
+    for name, values in arrays.items():
+        add_array(result.GetPointData(), name, values)
+    result.GetPointData().SetActiveScalars(next(iter(arrays)))
+    return result
+
+
+def coordinates_of(polydata):
+    """Returns the coordinates of all points as float64, shape (n, 3)."""
+    return vtk_to_numpy(polydata.GetPoints().GetData()).astype(float)
+
+
+def triangles_of(polydata):
+    """Returns the point ids of the corners, shape (m, 3), of a surface of triangles."""
+    return vtk_to_numpy(polydata.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def area_vectors(polydata):
+    """Returns the normals of all triangles, whose lengths are the areas, shape (m, 3)."""
+    a, b, c = coordinates_of(polydata)[triangles_of(polydata)].swapaxes(0, 1)
+    return 0.5 * np.cross(b - a, c - a)
+
+
+def locator_of(polydata):
+    """Returns a locator of the cells."""
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(polydata)
+    locator.BuildLocator()
+    return locator
+
+
+def closest_cell(locator, position):
+    """Returns the closest position on a surface, and the corners of the cell that contains it."""
+    closest, cell, sub, squared = [0.0] * 3, reference(0), reference(0), reference(0.0)
+    locator.FindClosestPoint(position, closest, cell, sub, squared)
+    ids = locator.GetDataSet().GetCell(cell.get()).GetPointIds()
+    return np.array(closest), [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
 
 
 def mesh_of(polydata):

@@ -9,9 +9,8 @@ from typing import Any, Callable, NoReturn
 import numpy as np
 
 from .. import arguments
-from ..distances import set_sources
+from ..distances import field_of, set_sources
 from ..errors import run
-from ..results import array_of
 
 
 def missing(name: str, remedy: str) -> Callable[..., NoReturn]:
@@ -32,9 +31,8 @@ def find_distances(solver, sources, max_distance=np.inf, initial_distances=None)
     solver.SetMaximumDistance(arguments.limit(max_distance, "max_distance"))
     solver.SetUnreachedValue(np.inf)
     solver.GenerateNearestSourceOn()
-    data = run(solver).GetPointData()
-    names = solver.GetDistanceArrayName(), solver.GetSourceArrayName()
-    return tuple(array_of(data, name) for name in names)
+    run(solver)
+    return field_of(solver, True)
 
 
 def vertices(indices, name, count):
