@@ -42,7 +42,7 @@ def measure_mesh(path, accuracies, number_of_sources, most_points):
     mesh = files.triangles_of(vtkdgg.read(path).as_polydata(), path)
     points, triangles = arrays_of(mesh)
     if len(points) > most_points:
-        raise files.MeshFileError(f"{len(points)} points, and {most_points} are wanted at most")
+        raise ValueError(f"{len(points)} points, and {most_points} are wanted at most")
     used = np.unique(triangles)
     sources = [
         int(used[len(used) * (2 * k + 1) // (2 * number_of_sources)])
@@ -91,7 +91,7 @@ def measure(folder, accuracies, number_of_sources=SOURCES, most_points=1000000, 
             warnings.simplefilter("always")
             try:
                 rows += measure_mesh(path, accuracies, number_of_sources, most_points)
-            except (files.MeshFileError, vtkdgg.VTKError, ValueError) as problem:
+            except (ValueError, vtkdgg.VTKError) as problem:
                 refused.append({"mesh": name, "reason": reason(problem)})
         # Each filter says the same.
         said = dict.fromkeys(reason(warning.message) for warning in caught)

@@ -13,7 +13,6 @@ import sys
 import time
 import unittest
 from unittest import mock
-from unittest import mock
 
 import numpy as np
 import support
@@ -22,7 +21,7 @@ from support import BUMPY, HAS_CLOUDS, TETRAHEDRON
 from support import call as command
 from vtkdgg import graph, queries
 from vtkdgg.command_line import make_parser, script
-from vtkdgg.commands.output import with_arrays
+from vtkdgg.surface import with_arrays
 
 PACKAGES = os.path.dirname(os.path.dirname(vtkdgg.__file__))
 FOLDER = support.output_folder("command")
@@ -134,7 +133,9 @@ class Command(unittest.TestCase):
         for name in (("distance", path, "--source", 0), ("loop", path), ("compare", path)):
             result = command(*name)
             self.assertEqual(result.returncode, 2)
-            self.assertRegex(result.stderr, "contains curves and no surface; --cloud uses the points")
+            self.assertRegex(
+                result.stderr, "contains curves and no surface; --cloud uses the points"
+            )
         found = self.answer("distance", path, "--source", 0, "--cloud", "--method", "marching")
         self.assertGreater(found["largest"], 0.0)
 

@@ -11,7 +11,6 @@ import difflib
 import errno
 import functools
 import json
-import math
 import os
 import re
 import shutil
@@ -58,7 +57,7 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message):
         message = message.removeprefix("argument ")
-        raise compare.UsageError(f"{message} (--help explains)")
+        raise ValueError(f"{message} (--help explains)")
 
 
 def numbers(text):
@@ -229,7 +228,7 @@ def make_parser():
         help="Compare methods: their errors, times and pictures",
         description=compare.__doc__,
     )
-    compare.add_arguments(command)
+    compare.add_arguments(command, OPTIONS)
     command.set_defaults(run=compare.run)
     return parser
 
@@ -263,19 +262,10 @@ def check_names(parser, arguments):
     elif name in parser.commands:
         known, words = parser.commands[name]._option_string_actions, arguments[1:]
     else:
-        raise compare.UsageError(f"unknown command {name}{closest(name, parser.commands)}")
+        raise ValueError(f"unknown command {name}{closest(name, parser.commands)}")
     for option in (word.partition("=")[0] for word in words):
         if option.startswith("--") and not any(other.startswith(option) for other in known):
-            raise compare.UsageError(f"unknown option {option}{closest(option, known)}")
-
-
-def finite(value):
-    """Returns an answer with None for every number that JSON does not have."""
-    if isinstance(value, dict):
-        return {key: finite(part) for key, part in value.items()}
-    if isinstance(value, list):
-        return [finite(part) for part in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+            raise ValueError(f"unknown option {option}{closest(option, known)}")
 
 
 def answer(options):
@@ -284,8 +274,9 @@ def answer(options):
         warnings.simplefilter("always")
         found = options.run(options)
     if options.json:
-        found = finite({**found, "warnings": notes_of(caught)})
-        print(json.dumps(found, indent=2, allow_nan=False))
+        text = json.dumps({**found, "warnings": notes_of(caught)})
+        found = json.loads(text, parse_constant=lambda _: None)  # JSON has no NaN and no infinity
+        print(json.dumps(found, indent=2))
     else:
         print_table(said_with(found), [], caught)
     return 0
@@ -294,7 +285,7 @@ def answer(options):
 def restart_with_display(arguments):
     """Replaces this process by the same command with a virtual display."""
     if shutil.which("xvfb-run") is None:
-        raise compare.UsageError("there is no display to draw with, and no xvfb-run to make one")
+        raise ValueError("there is no display to draw with, and no xvfb-run to make one")
     packages = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     known = [packages, *filter(None, [os.environ.get("PYTHONPATH")])]
     screen = ["xvfb-run", "-a", "-s", "-screen 0 1920x1440x24 -noreset"]
@@ -338,7 +329,7 @@ def _run(arguments, restart=None):
         if options.command in DRAWING:
             if sys.platform == "linux" and not os.environ.get("DISPLAY"):
                 if restart is None:
-                    raise compare.UsageError("there is no display to draw with; set DISPLAY")
+                    raise ValueError("there is no display to draw with; set DISPLAY")
                 restart(arguments)
         code = options.run(options) if options.command == "compare" else answer(options)
         sys.stdout.flush()
@@ -349,15 +340,7 @@ def _run(arguments, restart=None):
     except answers.Negative as reason:
         print(f"no answer: {in_options(str(reason))}", file=sys.stderr)
         return 1
-    except (
-        compare.UsageError,
-        places.SourceError,
-        files.MeshFileError,
-        ValueError,
-        VTKError,
-        ImportError,
-        OSError,
-    ) as problem:
+    except (ValueError, VTKError, ImportError, OSError) as problem:
         print(f"error: {in_options(' '.join(reason_of(problem).split()))}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:

@@ -12,7 +12,7 @@ import time
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor
 
 from . import pictures, writing
 from .commands import cloud_pictures, places
@@ -20,6 +20,7 @@ from .commands.words import HELP
 from .errors import VTKError
 from .explorer_props import CloudSkin, Skin, bar_of, lines_actor, table_of
 from .explorer_scene import Scene
+from .surface import coordinates_of
 
 __all__ = ["Explorer", "Scene", "explore"]
 
@@ -84,20 +85,12 @@ class Explorer:
         self._help.GetTextProperty().SetVerticalJustificationToTop()
         for prop in (self._status, self._help):
             look = prop.GetTextProperty()
-            look.SetLineSpacing(1.2)
             look.SetBackgroundColor(1.0, 1.0, 1.0)
-            look.SetBackgroundOpacity(0.75)
+            pictures.configured(look, LineSpacing=1.2, BackgroundOpacity=0.75)
 
-        self.renderer = vtkRenderer()
-        self.renderer.SetBackground(1.0, 1.0, 1.0)
-        self.renderer.SetBackground2(0.86, 0.89, 0.93)
-        self.renderer.GradientBackgroundOn()
-        for prop in (self._skin.actor, self._lines, self._status, self._help):
-            self.renderer.AddViewProp(prop)
-        pictures.light(self.renderer)
+        self.renderer = pictures.stage((self._skin.actor, self._lines, self._status, self._help))
         self.window.SetWindowName("vtkdgg explore")
-        self.window.SetSize(*size)
-        self.window.SetMultiSamples(4)
+        pictures.configured(self.window, Size=[*size], MultiSamples=4)
         self.window.AddRenderer(self.renderer)
 
         self.interactor = vtkRenderWindowInteractor()
@@ -144,7 +137,7 @@ class Explorer:
         up = pictures.up_of(surface)
         place = self._where(self._start)
         if self.scene.is_cloud:
-            points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+            points = coordinates_of(surface)
             direction = cloud_pictures.best_direction(
                 points, place[np.newaxis], up, self._skin.spacing
             )

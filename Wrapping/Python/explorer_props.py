@@ -12,28 +12,13 @@ from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkRenderingCore import (
-    vtkActor,
     vtkCellPicker,
     vtkPointPicker,
-    vtkPolyDataMapper,
 )
 
+from . import pictures
 from .commands.cloud_pictures import make_bands
 from .commands.sizes import spacing_of
-from .pictures import (
-    DISC_RADIUS,
-    DISTANCE_COLORS,
-    ERROR_COLORS,
-    INK,
-    UNREACHED_DISTANCE,
-    UNREACHED_ERROR,
-    discs,
-    labels,
-    lookup_table,
-    scalar_bar,
-    shaded,
-    unreached,
-)
 from .surface import add_array
 
 # Lightness of the cells of sources, in turns.
@@ -47,31 +32,16 @@ class Skin:
         numbered = vtkPolyData()
         numbered.CopyStructure(surface)
         add_array(numbered.GetPointData(), "Id", np.arange(surface.GetNumberOfPoints()))
-        self._points = shaded(numbered)
+        self._points = pictures.shaded(numbered)
         self._ids = np.array(vtk_to_numpy(self._points.GetPointData().GetArray("Id")))
-        self._mapper = vtkPolyDataMapper()
-        self._mapper.SetInputData(self._points)
-        self._mapper.ScalarVisibilityOff()
+        self.actor = pictures.actor_of(self._points, pictures.UNREACHED_DISTANCE)
+        pictures.configured(self.actor.GetProperty(), **pictures.GLOSSY).SetInterpolationToPhong()
+        self._mapper = self.actor.GetMapper()
         # Lines are drawn in front of the surface.
         self._mapper.SetResolveCoincidentTopologyToPolygonOffset()
         self._mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, 60.0)
         self._cells = None
-        self.actor = vtkActor()
-        self.actor.SetMapper(self._mapper)
-        look = self.actor.GetProperty()
-        look.SetColor(*UNREACHED_DISTANCE)
-        look.SetInterpolationToPhong()
-        look.SetAmbient(0.10)
-        look.SetDiffuse(0.90)
-        look.SetSpecular(0.12)
-        look.SetSpecularPower(25.0)
-
-        self._body = vtkActor()  # what is picked, whatever is drawn
-        self._body.SetMapper(vtkPolyDataMapper())
-        self._body.GetMapper().SetInputData(surface)
-        self._picker = vtkCellPicker()
-        self._picker.PickFromListOn()
-        self._picker.AddPickList(self._body)
+        self._picker = _only(vtkCellPicker(), surface)
         self._picker.AddLocator(locator)
 
     def show(self, values, cells, table, is_smooth):
@@ -85,7 +55,7 @@ class Skin:
             mapper.SetScalarModeToUsePointData()
         else:
             if cells is not self._cells:
-                self._cells, self._shaded_cells = cells, shaded(cells)
+                self._cells, self._shaded_cells = cells, pictures.shaded(cells)
             mapper.SetInputData(self._shaded_cells)
             mapper.SetScalarModeToUseCellData()
         if table:
@@ -106,19 +76,17 @@ class CloudSkin:
     def __init__(self, cloud):
         self._count = cloud.GetNumberOfPoints()
         self.spacing = spacing_of(cloud)
-        plain = lookup_table((UNREACHED_DISTANCE,) * 2, 0.0, 1.0, UNREACHED_DISTANCE)
-        radii = np.full(self._count, DISC_RADIUS * self.spacing)
-        self.actor = discs(cloud, radii, np.zeros(self._count), plain)
+        plain = pictures.lookup_table(
+            (pictures.UNREACHED_DISTANCE,) * 2, 0.0, 1.0, pictures.UNREACHED_DISTANCE
+        )
+        radii = np.full(self._count, pictures.DISC_RADIUS * self.spacing)
+        self.actor = pictures.discs(cloud, radii, np.zeros(self._count), plain)
         self._plain = plain
         dots = vtkVertexGlyphFilter()  # points without cells have no bounds for pickers
         dots.SetInputData(cloud)
-        self._body = vtkActor()
-        self._body.SetMapper(vtkPolyDataMapper())
-        self._body.GetMapper().SetInputConnection(dots.GetOutputPort())
-        self._picker = vtkPointPicker()
+        dots.Update()
+        self._picker = _only(vtkPointPicker(), dots.GetOutput())
         self._picker.SetTolerance(0.01)
-        self._picker.PickFromListOn()
-        self._picker.AddPickList(self._body)
 
     def show(self, values, cells, table, is_smooth):
         """Colors the cloud by values; None: in gray."""
@@ -137,15 +105,19 @@ class CloudSkin:
         return self._picker.GetPointId() if found else None
 
 
+def _only(picker, data):
+    """Returns the picker, which picks only these data, whatever is drawn."""
+    picker.PickFromListOn()
+    picker.AddPickList(pictures.actor_of(data))
+    return picker
+
+
 def lines_actor():
     """Returns an actor of lines on a surface, drawn in front of it."""
-    mapper = vtkPolyDataMapper()
-    mapper.ScalarVisibilityOff()
+    actor = pictures.actor_of(vtkPolyData(), pictures.INK)
+    mapper = actor.GetMapper()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -60.0)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*INK)
     actor.GetProperty().SetLineWidth(1.5)
     actor.GetProperty().LightingOff()
     return actor
@@ -161,14 +133,16 @@ def table_of(scene):
         for i in range(int(high) + 1):
             lightness = LIGHTNESS[i % len(LIGHTNESS)]
             table.SetTableValue(i, *hsv_to_rgb(0.618034 * i % 1.0, 0.45, lightness), 1.0)
-        table.SetNanColor(*UNREACHED_DISTANCE, 1.0)
+        table.SetNanColor(*pictures.UNREACHED_DISTANCE, 1.0)
         return table
     if scene.shown == "error":
-        table = lookup_table(ERROR_COLORS, low, high, UNREACHED_ERROR)
+        table = pictures.lookup_table(pictures.ERROR_COLORS, low, high, pictures.UNREACHED_ERROR)
         table.SetScaleToLog10()
         return table
-    colors = DISTANCE_COLORS if scene.shown == "distance" else DISTANCE_COLORS[::-1]
-    table = lookup_table(colors, low, high, UNREACHED_DISTANCE)
+    colors = (
+        pictures.DISTANCE_COLORS if scene.shown == "distance" else pictures.DISTANCE_COLORS[::-1]
+    )
+    table = pictures.lookup_table(colors, low, high, pictures.UNREACHED_DISTANCE)
     make_bands(table, scene.step / (high - low))
     return table
 
@@ -182,7 +156,7 @@ def bar_of(scene, table):
         title, values = "Relative\nerror (%)", [high * 10.0**power for power in range(-3, 1)]
     else:
         title = "Green's\nfunction" if scene.shown == "greens" else "Geodesic\ndistance"
-        values = labels(low, high)
-    bar = scalar_bar(table, title, values, "%-.4g", bottom=0.25)
+        values = pictures.labels(low, high)
+    bar = pictures.scalar_bar(table, title, values, "%-.4g", bottom=0.25)
     bar.SetMaximumNumberOfColors(table.GetNumberOfTableValues())  # bands as wide as they are
-    return [bar, *unreached(bar, scene.values)]
+    return [bar, *pictures.unreached(bar, scene.values)]

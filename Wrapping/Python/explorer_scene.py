@@ -4,31 +4,25 @@
 
 from __future__ import annotations
 
+import contextlib
 import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import reference
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 
 from . import arguments, meshes
 from .cloud_graph import CloudGraph
 from .commands import files
 from .commands.measured import Errors
-from .commands.output import with_arrays
 from .commands.sizes import floor_of
+from .distances import FILTERS
 from .errors import VTKError, run
 from .graph import Graph
 from .graph_info import GraphInfo, set_merging
 from .pictures import nice_step
 from .results import array_of
-from .surface import add_array
-from .vtkDGGFiltersGeodesic import (
-    vtkApolloniusIsolines,
-    vtkDGGDistance,
-    vtkExactGeodesicDistance,
-    vtkVirtualSourceGeodesicDistance,
-)
+from .surface import add_array, closest_cell, locator_of, shallow_copy, with_arrays
+from .vtkDGGFiltersGeodesic import vtkApolloniusIsolines
 from .vtkDGGFiltersSpectral import vtkDiscreteGreensFunction
 
 # Roles of the places, and names of the array of each view in files.
@@ -40,19 +34,15 @@ ARRAYS = {
     "greens": "GreensFunction",
 }
 ACCURACIES = (0.1, 0.03, 0.01, 0.003, 0.001)
-FILTERS = {
-    "graph": vtkDGGDistance,
-    "exact": vtkExactGeodesicDistance,
-    "fast": vtkVirtualSourceGeodesicDistance,
-}
+METHODS = ("graph", "exact", "fast")
 
 
 class Scene:
     """Source, end and corner on a surface or a cloud, and the answers that they determine.
 
-    A mesh as `distance` takes it, or a cloud with `is_cloud`. Polygons and strips of a surface are
-    cut into triangles; a ValueError says that there is none, or that a point is not finite. The
-    graph on the surface is used unless an accuracy is given; without either the accuracy is 0.01.
+    The surface is a mesh as for `distance`, or a cloud with `is_cloud`. Polygons and strips are
+    triangulated; a surface without triangles or with a point that is not finite is a ValueError.
+    The graph on the surface is used unless an accuracy is given; the default accuracy is 0.01.
 
     The first place is a source of distances, the second the end of a path, the third makes it a
     loop; in the view "voronoi" all are sources. A place is a point id or, on a surface,
@@ -61,33 +51,33 @@ class Scene:
     Attributes
     ----------
     places : list
-        As above. `held` is the index of the one that is being moved, or None.
+        The places. `held` is the index of the place that is being moved, or None.
     view : {"distance", "error", "voronoi", "greens"}
-        What was asked for. `shown` is what the results are: distances while a source is moved.
+        Requested view. `shown` is the view of the results: distances while a source is moved.
     method : {"graph", "exact", "fast"}
-        For distances at rest. `used` is the one of the results.
+        Method of distances at rest. `used` is the method of the results.
     distances, values : numpy.ndarray of float64, shape (n,), or None
-        Distances of the points, and what is colored: distances, sizes of errors in percent,
-        numbers of cells, or a Green's function.
+        Distances of the points, and the colored values: distances, absolute errors in percent,
+        indices of cells, or a Green's function.
     limits, step : tuple of float, float
-        The range of the colors, and the width of bands.
+        Range of the colors, and width of the bands.
     lines, cells : vtkPolyData or None
-        Isolines; the surface in bands or cells, whose cell array "Shown" is in place of the values.
+        Isolines; the surface in bands or cells, whose cell array "Shown" replaces the values.
     path, loop : Path or None, Loop or None
     errors : Errors or None
         Against exact distances, in the view "error".
     times : dict of str to float
-        Seconds of the parts of the last update.
+        Durations of the parts of the last update, seconds.
     message : str
-        Why something is not there.
+        Reason of a missing result.
     """
 
     def __init__(self, surface, is_cloud=False, accuracy=None, merge=False):
         surface = meshes.cloud_of(surface) if is_cloud else meshes.take(surface)[0]
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("there are no points to explore")
-        if accuracy is not None and not 1e-6 <= accuracy <= 0.5:
-            raise ValueError(f"accuracy: expected a number in [1e-6, 0.5], got {accuracy:g}")
+        if accuracy is not None:
+            arguments.accuracy(accuracy)
         self.surface = surface if is_cloud else _triangles_of(surface)
         self.is_cloud = is_cloud
         info = GraphInfo.find(self.surface) if accuracy is None and not is_cloud else None
@@ -110,9 +100,7 @@ class Scene:
         set_merging(self._contour, *self._merging)
         self._contour.SetChordTolerance(0.02)  # finer than can be seen
         if not is_cloud:
-            self.locator = vtkStaticCellLocator()
-            self.locator.SetDataSet(self.surface)
-            self.locator.BuildLocator()
+            self.locator = locator_of(self.surface)
         self.clear()
         self.update()
 
@@ -120,17 +108,16 @@ class Scene:
     def graph(self):
         """The graph, built on first use."""
         if self._graph is None:
-            start = time.perf_counter()
-            if self.is_cloud:
-                self._graph = CloudGraph(self.surface)
-            else:
-                self._graph = Graph(
-                    self.surface,
-                    accuracy=None if self._uses_input_graph else self.accuracy,
-                    merge_coincident_points=self._merging[0],
-                    merge_tolerance=self._merging[1],
-                )
-            self.times["build"] = time.perf_counter() - start
+            with self._timed("build"):
+                if self.is_cloud:
+                    self._graph = CloudGraph(self.surface)
+                else:
+                    self._graph = Graph(
+                        self.surface,
+                        accuracy=None if self._uses_input_graph else self.accuracy,
+                        merge_coincident_points=self._merging[0],
+                        merge_tolerance=self._merging[1],
+                    )
         return self._graph
 
     @property
@@ -168,8 +155,7 @@ class Scene:
         """Switches to the next method."""
         if self.is_cloud:
             raise ValueError("on clouds there are distances by the graph only")
-        names = list(FILTERS)
-        self.method = names[(names.index(self.method) + 1) % len(names)]
+        self.method = METHODS[(METHODS.index(self.method) + 1) % len(METHODS)]
 
     def change_accuracy(self, step):
         """Switches to the next finer (step > 0) or coarser accuracy."""
@@ -226,13 +212,13 @@ class Scene:
         is_changed = wanted != self._wanted and not is_beside
         try:
             if is_changed:
-                self._wanted = None  # until it is there
+                self._wanted = None  # until the values are complete
                 self._find_values(is_moving)
                 self._wanted = wanted
             self._find_curves(is_moving)
         except (ImportError, ValueError, VTKError) as problem:
             self.message = " ".join(str(problem).split())
-            if self._wanted is None:  # parts must not be shown as all
+            if self._wanted is None:  # incomplete results must not be shown
                 self._forget()
 
     def status(self):
@@ -272,10 +258,7 @@ class Scene:
         if isinstance(place, int):
             x, y, z = self.surface.GetPoint(place)
             return f"{role}: point {place} at ({x:.6g}, {y:.6g}, {z:.6g})"
-        closest, cell, sub, squared = [0.0] * 3, reference(0), reference(0), reference(0.0)
-        self.locator.FindClosestPoint(place, closest, cell, sub, squared)
-        ids = self.surface.GetCell(cell.get()).GetPointIds()
-        corners = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+        _, corners = closest_cell(self.locator, place)
         offsets = np.array([self.surface.GetPoint(i) for i in corners]) - place
         nearest = corners[int(np.argmin((offsets**2).sum(axis=1)))]
         x, y, z = place
@@ -289,7 +272,7 @@ class Scene:
             found["points"] = with_arrays(self.surface, {ARRAYS[self.shown]: self.values})
         for name, curve in (("path", self.path), ("loop", self.loop)):
             if curve:
-                found[name] = _polyline(curve.points)
+                found[name] = arguments.polyline(curve.points)
         return found
 
     def _promise(self):
@@ -365,14 +348,19 @@ class Scene:
 
     def _run(self, algorithm, name):
         """Runs a filter from the sources, and returns its duration in seconds."""
-        start = time.perf_counter()
-        set_merging(algorithm, *self._merging)
-        sources = arguments.surface_points(self.sources, "sources", self.surface)
-        algorithm.SetSourceIds(sources.ids)
-        algorithm.SetSourceData(sources.data)
-        run(algorithm, self._issued)
-        self.times[name] = time.perf_counter() - start
+        with self._timed(name):
+            set_merging(algorithm, *self._merging)
+            sources = arguments.surface_points(self.sources, "sources", self.surface)
+            arguments.set_points(algorithm, "Source", sources)
+            run(algorithm, self._issued)
         return self.times[name]
+
+    @contextlib.contextmanager
+    def _timed(self, name):
+        """Stores the duration of a part of the update, in seconds."""
+        start = time.perf_counter()
+        yield
+        self.times[name] = time.perf_counter() - start
 
     def _find_lines(self, algorithm, name, low, high, is_moving):
         """Finds isolines at multiples of the step, and at rest the bands between them."""
@@ -391,11 +379,9 @@ class Scene:
         for i in range(first, last + 1):
             contour.SetValue(i - first, i * self.step)
         run(contour, self._issued)
-        self.lines = vtkPolyData()
-        self.lines.ShallowCopy(contour.GetOutput())
+        self.lines = shallow_copy(contour.GetOutput())
         if contour.GetGenerateBands():
-            self.cells = vtkPolyData()
-            self.cells.ShallowCopy(contour.GetBands())
+            self.cells = shallow_copy(contour.GetBands())
             bands = vtk_to_numpy(self.cells.GetCellData().GetArray("Band"))
             self._add_to_cells((bands + 0.5) * self.step)
         self.times["isolines"] = time.perf_counter() - start
@@ -438,26 +424,15 @@ class Scene:
         if is_moving and self._graph is None:
             return
         graph = self.graph
-        start = time.perf_counter()
-        self.path = graph.path(*self.places[:2])
-        self.times["path"] = time.perf_counter() - start
+        with self._timed("path"):
+            self.path = graph.path(*self.places[:2])
         if len(self.places) > 2:
-            start = time.perf_counter()
-            loops = graph.loop(self.places, rope=True)
-            self.times["loop"] = time.perf_counter() - start
+            with self._timed("loop"):
+                loops = graph.loop(self.places, rope=True)
             if loops:
                 self.loop = loops[0]
             else:
                 self.message = "no loop: it contracts to a point, or the surface has gaps"
-
-
-def _polyline(points):
-    """One line through the points."""
-    curve = arguments.polydata(points)
-    line = vtkCellArray()
-    line.InsertNextCell(len(points), range(len(points)))
-    curve.SetLines(line)
-    return curve
 
 
 def _triangles_of(surface):

@@ -14,9 +14,9 @@ import vtkdgg
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (rendering factories)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import reference, vtkDoubleArray, vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import reference, vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import (
     vtkContourFilter,
     vtkPolyDataNormals,
@@ -39,7 +39,14 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from . import writing
-from .surface import add_array, cells_of
+from .surface import (
+    area_vectors,
+    cells_of,
+    coordinates_of,
+    locator_of,
+    triangles_of,
+    with_arrays,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -92,6 +99,18 @@ DISC_RADIUS = 0.85
 LARGEST_RATIO = 2.5
 
 
+# Properties of vtkProperty for surfaces without and with highlights.
+MATTE = {"Ambient": 0.10, "Diffuse": 0.74, "Specular": 0.0, "SpecularPower": 25.0}
+GLOSSY = {**MATTE, "Diffuse": 0.90, "Specular": 0.12}
+
+
+def configured(thing, **properties):
+    """Returns an object of VTK after setting its properties: a list is several arguments."""
+    for name, value in properties.items():
+        getattr(thing, f"Set{name}")(*value if isinstance(value, list) else [value])
+    return thing
+
+
 def nice_step(span, wanted=20):
     """Returns 1, 2, 2.5 or 5 times a power of ten, which divides a span into about `wanted`
     intervals."""
@@ -102,37 +121,27 @@ def nice_step(span, wanted=20):
     return min(steps, key=lambda step: abs(math.log(span / step / wanted)))
 
 
-def save_distances(path, mesh, array_name, source, unit="model units", view=None):
-    """Writes a PNG of the mesh with its distances. Returns the distance between isolines."""
-    distances = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
-    finite = distances[np.isfinite(distances)]
-    high = float(finite.max()) if finite.size and finite.max() > 0 else 1.0
-    step = nice_step(high)
-    table = lookup_table(DISTANCE_COLORS, 0.0, high, UNREACHED_DISTANCE)
-    title = "Geodesic distance" if array_name == "GeodesicDistance" else array_name
-    bar = scalar_bar(table, f"{title}\n({unit})", labels(0.0, high), "%-.6g")
-    props = [
-        surface(mesh, array_name, table),
-        _isolines(mesh, array_name, step, 0.0011),
-        bar,
-        *unreached(bar, distances),
-    ]
-    save(path, mesh, source, props, view)
-    return step
-
-
-def save_array(path, mesh, array_name, source=None, view=None):
-    """Writes a PNG of the mesh colored by a point array, with a marker at the source, if any."""
+def save_array(path, mesh, array_name, source=None, view=None, is_distance=False):
+    """Writes a PNG of the mesh colored by a point array, with a marker at the source, if any.
+    Distances begin at 0 and have isolines, whose distance from each other is returned."""
     values = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
-    finite = values[np.isfinite(values)]
+    finite = np.append(values[np.isfinite(values)], [0.0] if is_distance else [])
     low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+    low = 0.0 if is_distance else low
     high = high if high > low else low + 1.0
+    step = nice_step(high)
     table = lookup_table(DISTANCE_COLORS, low, high, UNREACHED_DISTANCE)
     # A long name continues on the next line.
-    name = re.sub(r"(?<=[a-z])(?=[A-Z])", "\n", array_name) if len(array_name) > 17 else array_name
-    bar = scalar_bar(table, name, labels(low, high), "%-.6g")
+    title = re.sub(r"(?<=[a-z])(?=[A-Z])", "\n", array_name) if len(array_name) > 17 else array_name
+    if is_distance:
+        title = "Geodesic distance" if array_name == "GeodesicDistance" else array_name
+        title += "\n(model units)"
+    bar = scalar_bar(table, title, labels(low, high), "%-.6g")
     props = [surface(mesh, array_name, table), bar, *unreached(bar, values)]
+    if is_distance:
+        props.insert(1, _isolines(mesh, array_name, step, 0.0011))
     save(path, mesh, source, props, view)
+    return step
 
 
 def save_errors(path, mesh, array_name, promised, isolines, source, lines):
@@ -142,16 +151,14 @@ def save_errors(path, mesh, array_name, promised, isolines, source, lines):
     array of distances and the distance between isolines; `lines` is the text below the scalar bar.
     """
     name = "Size of " + array_name
-    sized = vtkPolyData()
-    sized.ShallowCopy(mesh)
     sizes = 100.0 * np.abs(vtk_to_numpy(mesh.GetPointData().GetArray(array_name)))
-    add_array(sized.GetPointData(), name, sizes)
+    sized = with_arrays(mesh, {name: sizes})
     powers = [100.0 * promised * 10.0**power for power in range(-3, 1)]
     table = lookup_table(ERROR_COLORS, powers[0], powers[-1], UNREACHED_ERROR)
     table.SetScaleToLog10()
     bar = scalar_bar(table, "Relative error\n(%)", powers, "%-.4g")
     props = [
-        surface(sized, name, table, shine=0.0),
+        surface(sized, name, table, MATTE),
         _isolines(mesh, *isolines, 0.0006),
         bar,
         *unreached(bar, sizes),
@@ -163,25 +170,26 @@ def save_errors(path, mesh, array_name, promised, isolines, source, lines):
 def save(path, mesh, source, props, direction=None):
     """Writes a PNG of the props and of a marker at the source, if any, seen from `direction` or
     from the best direction."""
-    renderer = vtkRenderer()
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    renderer.SetBackground2(0.86, 0.89, 0.93)
-    renderer.GradientBackgroundOn()
-    for prop in props:
-        renderer.AddViewProp(prop)
+    renderer = stage(props)
     if source is not None:
         renderer.AddActor(marker(source, size_of(mesh)))
-    light(renderer)
     aim(renderer, mesh, source, direction)
     write(path, [renderer])
 
 
+def stage(props):
+    """Returns a lit renderer of the props in front of a gradient."""
+    renderer = configured(vtkRenderer(), Background=[1.0, 1.0, 1.0], Background2=[0.86, 0.89, 0.93])
+    renderer.GradientBackgroundOn()
+    for prop in props:
+        renderer.AddViewProp(prop)
+    light(renderer)
+    return renderer
+
+
 def write(path, renderers, size=SIZE):
     """Draws the renderers in one window and writes a PNG of it."""
-    window = vtkRenderWindow()
-    window.OffScreenRenderingOn()
-    window.SetMultiSamples(8)
-    window.SetSize(*size)
+    window = configured(vtkRenderWindow(), OffScreenRendering=True, MultiSamples=8, Size=[*size])
     for renderer in renderers:
         window.AddRenderer(renderer)
     window.Render()
@@ -190,9 +198,7 @@ def write(path, renderers, size=SIZE):
 
 def write_png(path: str, window: vtkRenderWindow) -> None:
     """Writes a PNG of a rendered window."""
-    grabber = vtkWindowToImageFilter()
-    grabber.SetInput(window)
-    grabber.ReadFrontBufferOff()
+    grabber = configured(vtkWindowToImageFilter(), Input=window, ReadFrontBuffer=False)
     writing.write_by(vtkPNGWriter(), path, vtkdgg.check(grabber))
 
 
@@ -214,20 +220,15 @@ def lookup_table(
 
 def shaded(mesh):
     """Returns the mesh with normals for shading, split at sharp edges."""
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(mesh)
-    normals.SetFeatureAngle(50.0)
-    normals.ConsistencyOff()
+    normals = configured(vtkPolyDataNormals(), InputData=mesh, FeatureAngle=50.0, Consistency=False)
     normals.Update()
     return normals.GetOutput()
 
 
 def actor_of(data: vtkPolyData, color: ArrayLike | None = None) -> vtkActor:
     """Returns an actor of the data in one color; without a color, the mapper takes scalars."""
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(data)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    mapper = configured(vtkPolyDataMapper(), InputData=data)
+    actor = configured(vtkActor(), Mapper=mapper)
     if color is not None:
         mapper.ScalarVisibilityOff()
         actor.GetProperty().SetColor(*color)
@@ -243,30 +244,25 @@ def tubes(
 ) -> vtkActor:
     """Returns an actor of tubes around polylines, whose radius is in model units."""
     tube = vtkTubeFilter()
-    tube.SetInputData(lines)
-    tube.SetRadius(radius)
-    tube.SetNumberOfSides(sides)
-    tube.SetCapping(is_capped)
+    configured(tube, InputData=lines, Radius=radius, NumberOfSides=sides, Capping=is_capped)
     tube.Update()
     return actor_of(tube.GetOutput(), color)
 
 
-def surface(mesh, array_name, table, shine=0.12):
+def surface(mesh, array_name, table, look=GLOSSY):
     """Returns an actor of the mesh colored by a point array."""
     actor = actor_of(shaded(mesh))
-    mapper = actor.GetMapper()
+    _color_by(actor.GetMapper(), array_name, table)
+    actor.GetMapper().InterpolateScalarsBeforeMappingOn()
+    configured(actor.GetProperty(), **look).SetInterpolationToPhong()
+    return actor
+
+
+def _color_by(mapper, array_name, table):
+    """Sets the point array that a mapper colors by, and the colors."""
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(array_name)
-    mapper.SetLookupTable(table)
-    mapper.SetScalarRange(*table.GetRange())
-    mapper.InterpolateScalarsBeforeMappingOn()
-    look = actor.GetProperty()
-    look.SetInterpolationToPhong()
-    look.SetAmbient(0.10)
-    look.SetDiffuse(0.90 if shine else 0.74)
-    look.SetSpecular(shine)
-    look.SetSpecularPower(25.0)
-    return actor
+    configured(mapper, LookupTable=table, ScalarRange=[*table.GetRange()])
 
 
 def _isolines(mesh, array_name, step, radius):
@@ -288,7 +284,7 @@ def _isolines(mesh, array_name, step, radius):
 def _reached_part(mesh, array_name):
     """Returns the triangles of which all corners have a finite distance."""
     distances = vtk_to_numpy(mesh.GetPointData().GetArray(array_name))
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    triangles = triangles_of(mesh)
     triangles = triangles[np.isfinite(distances[triangles]).all(axis=1)]
     part = vtkPolyData()
     part.SetPoints(mesh.GetPoints())
@@ -300,15 +296,10 @@ def _reached_part(mesh, array_name):
 def marker(source: ArrayLike, size: float, color: ArrayLike = (0.86, 0.12, 0.16)) -> vtkActor:
     """Returns an actor of a ball at a point. Its radius is a fraction of `size`, the diagonal of the
     scene."""
-    ball = vtkSphereSource()
-    ball.SetCenter(*source)
-    ball.SetRadius(0.011 * size)
-    ball.SetThetaResolution(48)
-    ball.SetPhiResolution(48)
-    ball.Update()
+    ball = configured(vtkSphereSource(), Center=[*source], Radius=0.011 * size)
+    configured(ball, ThetaResolution=48, PhiResolution=48).Update()
     actor = actor_of(ball.GetOutput(), color)
-    actor.GetProperty().SetSpecular(0.5)
-    actor.GetProperty().SetSpecularPower(40.0)
+    configured(actor.GetProperty(), Specular=0.5, SpecularPower=40.0)
     return actor
 
 
@@ -331,42 +322,29 @@ def discs(
     """Returns an actor of a cloud: a disc at each point, in the tangent plane, colored by its
     value."""
     # The sign of the normals has no effect, since discs are lit on both sides.
-    estimate = vtkPCANormalEstimation()
-    estimate.SetInputData(cloud)
+    estimate = configured(vtkPCANormalEstimation(), InputData=cloud)
     estimate.SetSampleSize(min(16, cloud.GetNumberOfPoints()))
     estimate.SetNormalOrientationToPoint()
     estimate.Update()
-    oriented = vtkPolyData()
-    oriented.ShallowCopy(estimate.GetOutput())
-    add_array(oriented.GetPointData(), "Value", values)
-    add_array(oriented.GetPointData(), "Radius", radii)
+    oriented = with_arrays(estimate.GetOutput(), {"Value": values, "Radius": radii})
 
-    disc = vtkRegularPolygonSource()
-    disc.SetNumberOfSides(10)
-    disc.SetRadius(1.0)
+    disc = configured(vtkRegularPolygonSource(), NumberOfSides=10, Radius=1.0)
     disc.SetNormal(1.0, 0.0, 0.0)  # glyphs rotate the x axis to the normal
     disc.GeneratePolylineOff()
-    mapper = vtkGlyph3DMapper()
-    mapper.SetInputData(oriented)
-    mapper.SetSourceConnection(disc.GetOutputPort())
-    mapper.OrientOn()
-    mapper.SetOrientationArray(oriented.GetPointData().GetNormals().GetName())
+    mapper = configured(
+        vtkGlyph3DMapper(),
+        InputData=oriented,
+        SourceConnection=disc.GetOutputPort(),
+        OrientationArray=oriented.GetPointData().GetNormals().GetName(),
+        ScaleArray="Radius",
+    )
     mapper.SetOrientationModeToDirection()
-    mapper.ScalingOn()
     mapper.SetScaleModeToScaleByMagnitude()
-    mapper.SetScaleArray("Radius")
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray("Value")
-    mapper.SetLookupTable(table)
-    mapper.SetScalarRange(*table.GetRange())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    look = actor.GetProperty()
-    look.SetInterpolationToFlat()
-    look.SetAmbient(0.18)
-    look.SetDiffuse(0.85)
-    look.SetSpecular(0.1)
+    _color_by(mapper, "Value", table)
+    actor = configured(vtkActor(), Mapper=mapper)
+    look = configured(actor.GetProperty(), Ambient=0.18, Diffuse=0.85, Specular=0.1)
     look.SetSpecularPower(25.0)
+    look.SetInterpolationToFlat()
     return actor
 
 
@@ -381,22 +359,21 @@ def labels(low, high):
 def scalar_bar(table, title, values, form, bottom=0.18):
     """Returns a scalar bar on the right. `bottom` is the height of its lower end as a fraction of
     the height of the viewport."""
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(table)
-    bar.SetTitle(title)
-    custom = vtkDoubleArray()
-    for value in values:
-        custom.InsertNextValue(value)
-    bar.SetCustomLabels(custom)
-    bar.UseCustomLabelsOn()
-    bar.SetLabelFormat(form)
-    bar.UnconstrainedFontSizeOn()
-    bar.SetTextPad(6)
-    bar.SetVerticalTitleSeparation(24)
-    bar.SetBarRatio(0.22)
+    bar = configured(
+        vtkScalarBarActor(),
+        LookupTable=table,
+        Title=title,
+        CustomLabels=numpy_to_vtk(np.array(values, dtype=float), deep=True),
+        UseCustomLabels=True,
+        LabelFormat=form,
+        UnconstrainedFontSize=True,
+        TextPad=6,
+        VerticalTitleSeparation=24,
+        BarRatio=0.22,
+        Width=0.14,
+        Height=0.84 - bottom,
+    )
     bar.GetPositionCoordinate().SetValue(0.84, bottom)
-    bar.SetWidth(0.14)
-    bar.SetHeight(0.84 - bottom)
     _style(bar.GetTitleTextProperty(), 28)
     _style(bar.GetLabelTextProperty(), 26)
     return bar
@@ -429,22 +406,20 @@ def text(line, x, y, size=24):
 
 
 def _style(text, size):
-    text.SetColor(*INK)
-    text.SetFontSize(size)
-    text.ItalicOff()
-    text.ShadowOff()
-    text.BoldOff()
+    configured(text, Color=[*INK], FontSize=size, Italic=False, Shadow=False, Bold=False)
     text.SetFontFamilyToArial()
 
 
 def light(renderer):
     """Adds a light kit to a renderer, with a key light from above."""
-    kit = vtkLightKit()
-    kit.SetKeyLightIntensity(0.95)
-    kit.SetKeyLightWarmth(0.55)
-    kit.SetKeyLightAngle(40.0, 20.0)
-    kit.SetKeyToFillRatio(2.0)
-    kit.SetKeyToHeadRatio(2.2)
+    kit = configured(
+        vtkLightKit(),
+        KeyLightIntensity=0.95,
+        KeyLightWarmth=0.55,
+        KeyLightAngle=[40.0, 20.0],
+        KeyToFillRatio=2.0,
+        KeyToHeadRatio=2.2,
+    )
     kit.AddLightsToRenderer(renderer)
 
 
@@ -463,7 +438,7 @@ def aim(renderer, mesh, source, direction=None, aspect=SIZE[0] / SIZE[1], room=0
     top = np.cross(direction, right)
 
     # Positions of the points and of the marker in the view, as tangents of angles.
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    points = coordinates_of(mesh)
     if source is not None:
         points = np.vstack([points, np.array(source) + 0.02 * size_of(mesh) * direction])
     points -= center
@@ -522,14 +497,8 @@ def view_of(mesh, text):
 def best_direction(mesh, source, up):
     """Returns the viewing direction with the largest projected area; directions in which the source
     is hidden count less."""
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    a, b, c = (points[triangles[:, i]] for i in range(3))
-    areas = 0.5 * np.cross(b - a, c - a)
-
-    locator = vtkStaticCellLocator()
-    locator.SetDataSet(mesh)
-    locator.BuildLocator()
+    areas = area_vectors(mesh)
+    locator = locator_of(mesh)
     size = mesh.GetLength()
 
     def score(direction):

@@ -12,18 +12,17 @@ import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .. import arguments, writing
-from ..distances import set_sources
+from ..distances import FILTERS, set_sources
 from ..errors import run
-from ..graph import MOST_VALUES, find_isolines
-from ..graph_info import CONSTRUCTIONS, GraphInfo, choose_method, has_graph
+from ..graph import MOST_VALUES, even_values, find_isolines
+from ..graph_info import CONSTRUCTIONS, GraphInfo, choose_method, has_graph, set_up
 from ..paths import NotConnectedError
 from ..results import voronoi_of
-from ..surface import named_arrays
+from ..surface import named_arrays, with_arrays
 from . import files, places, sizes
-from .output import with_arrays
 
 # Methods of distances on a mesh.
-METHODS = ("exact", "graph", "fast", "marching")
+METHODS = tuple(FILTERS)
 
 
 class Negative(Exception):
@@ -42,20 +41,16 @@ def surface_of(options):
     """Returns the mesh of the file, for commands that need one."""
     contents, is_cloud = read(options)
     if is_cloud:
-        raise files.MeshFileError(
-            f"{options.file}: contains no surface, which {options.command} needs"
-        )
+        raise ValueError(f"{options.file}: contains no surface, which {options.command} needs")
     return contents
 
 
 def refuse_on_clouds(options):
-    """Raises an error for options that only meshes have."""
-    for name in ("accuracy", "merge"):
-        if getattr(options, name, None):
-            raise files.MeshFileError(f"--{name} applies to meshes, not to point clouds")
+    """Raises an error for options and methods that only meshes have."""
+    files.refuse_on_clouds(options, "accuracy", "merge")
     method = getattr(options, "method", None)
     if method in ("exact", "fast"):
-        raise files.MeshFileError(
+        raise ValueError(
             f"--method {method} applies to meshes, not to point clouds; expected graph or marching"
         )
 
@@ -115,7 +110,7 @@ def sources_of(options, contents):
     if options.source_file is not None:
         sources += from_file(options.source_file, contents)
     if not sources:
-        raise places.SourceError("there are no sources; give --source, --sources or --source-file")
+        raise ValueError("there are no sources; give --source, --sources or --source-file")
     return sources
 
 
@@ -126,7 +121,7 @@ def from_file(path, contents):
         with open(path, encoding="utf-8") as file:
             lines = file.readlines()
     except UnicodeDecodeError:
-        raise places.SourceError(f"{path}: expected a text file") from None
+        raise ValueError(f"{path}: expected a text file") from None
     for number, line in enumerate(lines, 1):
         words = line.partition("#")[0].replace(",", " ").split()
         if words:
@@ -142,9 +137,7 @@ def written(options, data, answer=None):
         return {}
     if answer in writing.left_out(options.out, data):
         extension = writing.extension_of(options.out)
-        raise files.MeshFileError(
-            f"{options.out}: {extension} cannot store {answer}; .vtk and .vtp can"
-        )
+        raise ValueError(f"{options.out}: {extension} cannot store {answer}; .vtk and .vtp can")
     if answer and writing.extension_of(options.out) == ".npy":
         values = vtk_to_numpy(data.GetPointData().GetArray(answer))
         writing.write_numbers(options.out, values)
@@ -380,9 +373,7 @@ def exact_windows(options, contents, sources):
     """Returns the contents with exact distances, at points and inside triangles."""
     solve = vtkdgg.vtkExactGeodesicDistance()
     solve.GenerateWindowsOn()
-    solve.SetInputData(contents)
-    solve.SetMergeCoincidentPoints(options.merge)
-    solve.SetProjectionTolerance(arguments.projection_tolerance(options.tolerance))
+    set_up(solve, contents, options.merge, 0.0, options.tolerance)
     set_sources(solve, arguments.surface_points(sources, "sources", contents), None)
     return run(solve)
 
@@ -391,14 +382,14 @@ def values_of(options, distances):
     """Returns the distances of isolines that the options ask for."""
     if options.values:
         return options.values
-    largest = np.fmax.reduce(distances)
     if options.every is None:
         count = 10 if options.count is None else options.count
         if not 1 <= count <= MOST_VALUES:
             raise ValueError(f"--count: expected 1 to {MOST_VALUES}, got {count}")
-        return largest * np.arange(1, count + 1) / (count + 1)
+        return even_values(distances, count)
     if not options.every > 0.0:
         raise ValueError(f"--every: expected a positive number, got {options.every:g}")
+    largest = np.fmax.reduce(distances)
     if largest / options.every > MOST_VALUES:
         raise ValueError(
             f"--every {options.every:g} makes more than {MOST_VALUES} isolines; expected at least "
@@ -491,7 +482,7 @@ def render(options):
         remedy = "give another --array"
         if source is None:
             remedy = "give a --source, or a file that 'vtkdgg distance' has written"
-        raise files.MeshFileError(
+        raise ValueError(
             f"{options.file}: there is no point array {options.array!r} with one component (found: "
             f"{known}); {remedy}"
         )
@@ -499,13 +490,11 @@ def render(options):
     values = vtk_to_numpy(mesh.GetPointData().GetArray(options.array))
     found = {**spread(values), "written": options.out}
     view = pictures.view_of(mesh, options.view) if options.view else None
-    if not options.array.endswith("Distance"):
-        pictures.save_array(options.out, mesh, options.array, source, view)
-        return found
-    if source is None:
+    is_distance = options.array.endswith("Distance")
+    if is_distance and source is None:
         source = np.array(mesh.GetPoint(int(np.nanargmin(values))))
-    step = pictures.save_distances(options.out, mesh, options.array, source, view=view)
-    return {**found, "isolines every": step}
+    step = pictures.save_array(options.out, mesh, options.array, source, view, is_distance)
+    return {**found, "isolines every": step} if is_distance else found
 
 
 def explore(options):

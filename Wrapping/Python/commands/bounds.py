@@ -7,6 +7,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
+from ..surface import coordinates_of
+
 # Relative rounding error of sums of many lengths.
 TOLERANCE = 1e-9
 
@@ -35,8 +37,7 @@ def upper_bound(mesh, location, corners):
 
 def lower_bound(mesh, location):
     """Returns Euclidean distances."""
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    return np.linalg.norm(points - location, axis=1)
+    return np.linalg.norm(coordinates_of(mesh) - location, axis=1)
 
 
 def compare(distances, upper, lower):

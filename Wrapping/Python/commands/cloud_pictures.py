@@ -5,31 +5,8 @@
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from .. import arguments
-from ..pictures import (
-    DISC_RADIUS,
-    DISTANCE_COLORS,
-    INK,
-    SIZE,
-    directions,
-    disc_radii,
-    discs,
-    labels,
-    lookup_table,
-    marker,
-    nice_step,
-    note,
-    save,
-    scalar_bar,
-    size_of,
-    tubes,
-    unreached,
-    up_of,
-)
+from .. import arguments, pictures
 
 # Smallest diameter of a disc in pixels.
 PIXELS = 3.0
@@ -48,22 +25,26 @@ def save_distances(path, points, distances, spacings, curve, lines):
     text below the scalar bar.
     """
     cloud = arguments.polydata(np.asarray(points, dtype=float))
-    size = size_of(cloud)
+    size = pictures.size_of(cloud)
     high = float(np.nanmax(distances)) or 1.0
-    table = lookup_table(DISTANCE_COLORS, 0.0, high, UNREACHED)
-    make_bands(table, nice_step(high) / high)
-    bar = scalar_bar(table, "Geodesic distance\n(model units)", labels(0.0, high), "%-.6g", 0.3)
+    table = pictures.lookup_table(pictures.DISTANCE_COLORS, 0.0, high, UNREACHED)
+    make_bands(table, pictures.nice_step(high) / high)
+    bar = pictures.scalar_bar(
+        table, "Geodesic distance\n(model units)", pictures.labels(0.0, high), "%-.6g", 0.3
+    )
     spacing = float(np.median(spacings))
-    radii = np.maximum(disc_radii(spacings), 0.5 * PIXELS * size / SIZE[1])
+    radii = np.maximum(pictures.disc_radii(spacings), 0.5 * PIXELS * size / pictures.SIZE[1])
     props = [
-        discs(cloud, radii, distances, table),
-        tube(curve, max(WIDTH * size, 0.5 * DISC_RADIUS * spacing)),
-        marker(curve[-1], size, INK),
+        pictures.discs(cloud, radii, distances, table),
+        tube(curve, max(WIDTH * size, 0.5 * pictures.DISC_RADIUS * spacing)),
+        pictures.marker(curve[-1], size, pictures.INK),
         bar,
-        *unreached(bar, distances),
-        *note(lines, 0.24),
+        *pictures.unreached(bar, distances),
+        *pictures.note(lines, 0.24),
     ]
-    save(path, cloud, curve[0], props, best_direction(points, curve, up_of(cloud), spacing))
+    pictures.save(
+        path, cloud, curve[0], props, best_direction(points, curve, pictures.up_of(cloud), spacing)
+    )
 
 
 def make_bands(table, width):
@@ -82,14 +63,9 @@ def make_bands(table, width):
 
 def tube(curve, radius, color=(0.86, 0.12, 0.16)):
     """Returns an actor of a tube along a polyline."""
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(curve), deep=True))
-    lines = vtkCellArray()
-    lines.InsertNextCell(len(curve), range(len(curve)))
-    line = vtkPolyData()
-    line.SetPoints(points)
-    line.SetLines(lines)
-    actor = tubes(line, radius, color, sides=12, is_capped=True)
+    actor = pictures.tubes(
+        arguments.polyline(np.ascontiguousarray(curve)), radius, color, sides=12, is_capped=True
+    )
     actor.GetProperty().SetSpecular(0.3)
     return actor
 
@@ -98,7 +74,7 @@ def best_direction(points, curve, up, spacing):
     """Returns the viewing direction in which the cloud covers much of the view and hides little of
     the path."""
     if not spacing > 0.0:
-        return next(directions(up))
+        return next(pictures.directions(up))
     extent = float(np.ptp(points, axis=0).max())
     cell = max(2.0 * spacing, extent / 400.0)
 
@@ -120,4 +96,4 @@ def best_direction(points, curve, up, spacing):
         hidden = curve @ direction < front[cells(curve)] - 2.0 * cell
         return np.isfinite(front).sum() * (0.1 + np.mean(~hidden)) * (0.5 if hidden[0] else 1.0)
 
-    return max(directions(up), key=score)
+    return max(pictures.directions(up), key=score)

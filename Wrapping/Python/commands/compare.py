@@ -9,17 +9,16 @@ import sys
 import time
 import warnings
 
-import numpy as np
 import vtkdgg
-from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from .. import reading
+from .. import arguments, reading
+from ..surface import with_arrays
 from . import bounds, files, places
 from .files import triangles_of
 from .measured import Errors
-from .output import print_table, with_arrays
+from .methods import Direct, Graph, Query, builder
+from .output import defects, distance_rows, graph_rows, position, print_table
 from .sizes import floor_of, notes
-from .solve import Direct, Graph, Query
 from .words import counted
 
 DEFAULT_MESH = "/usr/share/glmark2/models/bunny.obj"
@@ -29,12 +28,8 @@ ERROR_COLUMNS = "{:<10} {:<10} {}".format
 METHODS = {"virtual sources": "fast", "fast marching": "marching"}
 
 
-class UsageError(Exception):
-    """An argument is wrong; the text states which."""
-
-
-def add_arguments(parser):
-    """Adds the arguments of the command to a parser."""
+def add_arguments(parser, shared):
+    """Adds the arguments of the command to a parser. `shared` are options of several commands."""
     parser.add_argument(
         "mesh",
         nargs="?",
@@ -47,14 +42,7 @@ def add_arguments(parser):
         help="where distances start: a point id, coordinates on the surface, or a face with "
         "barycentric coordinates (default: the point farthest from the center of the mesh)",
     )
-    parser.add_argument(
-        "--tolerance",
-        type=float,
-        default=0.01,
-        metavar="T",
-        help="largest distance of X,Y,Z from the surface, as a fraction of the diagonal "
-        "(default: %(default)s)",
-    )
+    parser.add_argument("--tolerance", **{**shared["tolerance"], "default": 0.01})
     parser.add_argument(
         "--accuracy",
         type=float,
@@ -62,16 +50,8 @@ def add_arguments(parser):
         help="largest relative error of a distance on a mesh, 1e-6 to 0.5 "
         f"(default: {DEFAULT_ACCURACY})",
     )
-    parser.add_argument(
-        "--merge",
-        action="store_true",
-        help="treat points of a mesh with equal coordinates as one (texture seams)",
-    )
-    parser.add_argument(
-        "--cloud",
-        action="store_true",
-        help="use the points only, also of a mesh",
-    )
+    parser.add_argument("--merge", **shared["merge"])
+    parser.add_argument("--cloud", **shared["cloud"])
     parser.add_argument(
         "--methods",
         action="store_true",
@@ -82,9 +62,11 @@ def add_arguments(parser):
     )
 
 
-def defects(distance):
+def defects_of(distance):
     """Returns a line that counts the defects of the mesh."""
-    counts = (
+    others = [] if distance.GetOrientable() else ["no consistent orientation"]
+    return defects(
+        others,
         (distance.GetNumberOfNonManifoldEdges(), "non-manifold edge"),
         (distance.GetNumberOfNonManifoldVertices(), "non-manifold vertex", "non-manifold vertices"),
         (
@@ -97,10 +79,6 @@ def defects(distance):
         (distance.GetNumberOfCoincidentPoints(), "coincident point"),
         (distance.GetNumberOfIsolatedPoints(), "isolated point"),
     )
-    found = [counted(*what) for what in counts if what[0]]
-    if not distance.GetOrientable():
-        found.append("no consistent orientation")
-    return ", ".join(found) or "none"
 
 
 def topology(distance):
@@ -158,27 +136,6 @@ def near_rows(errors, floor):
     return (("too near", f"{points} within {floor:.2g} of the source: no relative errors there"),)
 
 
-def graph_rows(graph, query, exact):
-    """Returns rows of the table: size and times of the graph."""
-    size = graph.filter.GetMemorySize() / 1e6
-    search = query.filter.GetMemorySize() / 1e6 - size
-    threads = vtkSMPTools.GetEstimatedNumberOfThreads()
-    return (
-        ("build", f"{graph.build_time:.3f} s on {counted(threads, 'thread')}"),
-        (
-            "graph",
-            f"degree {graph.filter.GetMeanDegree():.1f}, {graph.filter.GetNumberOfGraphEdges()} "
-            f"edges, {size:.1f} MB ({search:.1f} MB more for searches)",
-        ),
-        (
-            "query",
-            f"{1e3 * query.time:.1f} ms for all distances "
-            f"(the first: {1e3 * query.first_time:.1f} ms)",
-        ),
-        ("exact", f"{1e3 * exact.time:.1f} ms for exact distances"),
-    )
-
-
 def write(folder, mesh, source, query, exact, errors, accuracy):
     """Writes the data and both pictures. Returns their paths and the distance between isolines."""
     from .. import pictures  # rendering takes long to import
@@ -195,7 +152,7 @@ def write(folder, mesh, source, query, exact, errors, accuracy):
         },
     )
     vtkdgg.write(paths[0], result)
-    step = pictures.save_distances(paths[1], result, "GeodesicDistance", source)
+    step = pictures.save_array(paths[1], result, "GeodesicDistance", source, is_distance=True)
     note = (
         f"promised  {percent(accuracy)}",
         f"largest  {percent(errors.largest)}",
@@ -207,26 +164,25 @@ def write(folder, mesh, source, query, exact, errors, accuracy):
 
 
 def run(options):
-    """Runs the command, and returns its exit code."""
+    """Runs the command, and returns its exit code: 1 if a bound or the accuracy is violated."""
     start = time.perf_counter()
     contents = vtkdgg.read(options.mesh).as_polydata()
     read_time = time.perf_counter() - start
-    if not options.cloud and not files.is_cloud(contents):
-        return on_mesh(options, contents, read_time)
-    for option, given in (
-        ("--accuracy", options.accuracy is not None),
-        ("--merge", options.merge),
-        ("--methods", options.methods),
-    ):
-        if given:
-            raise UsageError(f"{option} applies to meshes, not to point clouds")
-    from . import compare_cloud  # rendering takes long to import
-
-    return compare_cloud.run(options, contents, read_time)
+    compare = on_mesh
+    if options.cloud or files.is_cloud(contents):
+        files.refuse_on_clouds(options, "accuracy", "merge", "methods")
+        from .compare_cloud import on_cloud as compare  # rendering takes long to import
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        rows, notes, violations = compare(options, contents, read_time)
+    print_table(rows, notes, caught)
+    for violation in violations:
+        print(f"error: {violation}", file=sys.stderr)
+    return 1 if violations else 0
 
 
 def on_mesh(options, contents, read_time):
-    """Runs the command on a mesh, and returns its exit code."""
+    """Returns the rows of the table of a mesh, notes and violations."""
     start = time.perf_counter()
     mesh = triangles_of(contents, options.mesh)
     read_time += time.perf_counter() - start
@@ -236,20 +192,19 @@ def on_mesh(options, contents, read_time):
     elif isinstance(source, tuple):
         source = places.in_triangles(source, contents)
     accuracy = DEFAULT_ACCURACY if options.accuracy is None else options.accuracy
+    arguments.accuracy(accuracy)
     location, corners = places.locate(mesh, source)
 
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        given = mesh, source, options.merge, options.tolerance
-        measured = {}
-        if options.methods:
-            from . import compare_methods
+    given = mesh, source, options.merge, options.tolerance
+    measured = {}
+    if options.methods:
+        from . import compare_methods
 
-            _, measured = compare_methods.measure(mesh, source, accuracy, *given[2:])
-        first = Direct(vtkdgg.vtkVirtualSourceGeodesicDistance, *given)
-        graph = Graph(mesh, accuracy, options.merge)
-        query = Query(graph, source, options.merge, options.tolerance)
-        exact = Direct(vtkdgg.vtkExactGeodesicDistance, *given)
+        _, measured = compare_methods.measure(mesh, source, accuracy, *given[2:])
+    first = Direct(vtkdgg.vtkVirtualSourceGeodesicDistance, *given)
+    graph = Graph(builder(mesh, "Guaranteed", accuracy, merge=options.merge))
+    query = Query(graph, *given)
+    exact = Direct(vtkdgg.vtkExactGeodesicDistance, *given)
     floor = floor_of(mesh)
     sooner = Errors(first.distances, exact.distances, floor)
     raw = Errors(query.upper_bound, exact.distances, floor)
@@ -264,9 +219,7 @@ def on_mesh(options, contents, read_time):
         paths.append(os.path.join(options.out, "methods.png"))
         compare_methods.save(paths[-1], mesh, location, measured)
 
-    position = ", ".join(f"{x:.6g}" for x in location)
-    which = f"point {source} at " if isinstance(source, int) else ""
-    reached = np.isfinite(query.distances)
+    searching = (query.filter.GetMemorySize() - graph.filter.GetMemorySize()) / 1e6
     rows = (
         (
             "first answer",
@@ -277,30 +230,27 @@ def on_mesh(options, contents, read_time):
         ("vertices", mesh.GetNumberOfPoints()),
         ("triangles", mesh.GetNumberOfPolys()),
         ("topology", topology(query.filter)),
-        ("defects", defects(query.filter)),
+        ("defects", defects_of(query.filter)),
         ("reading", f"{read_time:.3f} s"),
-        ("source", f"{which}({position})"),
-        *graph_rows(graph, query, exact),
+        ("source", position(location, source)),
+        *graph_rows(graph, query, f" ({searching:.1f} MB more for searches)"),
+        ("exact", f"{1e3 * exact.time:.1f} ms for exact distances"),
         *error_rows(raw, corrected, accuracy),
         *near_rows(corrected, floor),
         *method_rows(measured),
-        ("reached", f"{reached.sum()} of {reached.size} vertices"),
-        ("range", f"0 to {np.nanmax(np.append(query.distances, 0.0)):.6g} model units"),
+        *distance_rows(query.distances, "vertices"),
         ("upper bound", bound_line(agreement["upper"], "edge graph")),
         ("lower bound", bound_line(agreement["lower"], "Euclid")),
         ("isolines", f"every {step:g} model units"),
         ("written", ", ".join(paths)),
     )
-    print_table(rows, notes(mesh), caught)
-    return verdict(raw, corrected, accuracy, agreement)
+    return rows, notes(mesh), list(violations(raw, corrected, accuracy, agreement))
 
 
-def verdict(raw, corrected, accuracy, agreement):
-    """Returns the exit code: 1, with a message, if a bound or the accuracy is violated."""
+def violations(raw, corrected, accuracy, agreement):
+    """Yields messages if a bound or the accuracy is violated."""
     broken = agreement["upper"]["violations"] + agreement["lower"]["violations"]
     if broken:
-        print(f"error: {broken} exact distances violate a bound", file=sys.stderr)
-    kept = raw.keeps(accuracy) and corrected.keeps(accuracy) and raw.is_upper_bound
-    if not kept:
-        print("error: an error exceeds the promised accuracy", file=sys.stderr)
-    return 0 if kept and not broken else 1
+        yield f"{broken} exact distances violate a bound"
+    if not (raw.keeps(accuracy) and corrected.keeps(accuracy) and raw.is_upper_bound):
+        yield "an error exceeds the promised accuracy"

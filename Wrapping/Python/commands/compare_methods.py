@@ -7,15 +7,12 @@ import math
 
 import numpy as np
 import vtkdgg
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from .. import pictures
+from ..surface import with_arrays
 from .measured import Errors
 from .methods import field, methods
-from .output import with_arrays
 from .sizes import floor_of
 
 COLUMNS = 4  # largest number
@@ -110,7 +107,7 @@ def _map(bounds, mesh, source, errors, table):
     """Returns a renderer of the mesh, colored by errors."""
     colored = with_arrays(mesh, {"Error": 100.0 * np.abs(errors.signed)})
     renderer = _viewport(bounds)
-    renderer.AddActor(pictures.surface(colored, "Error", table, shine=0.0))
+    renderer.AddActor(pictures.surface(colored, "Error", table, pictures.MATTE))
     renderer.AddActor(pictures.marker(source, pictures.size_of(mesh)))
     pictures.light(renderer)
     pictures.aim(renderer, mesh, source, aspect=CELL[0] / (MAP * CELL[1]), room=0.0)
@@ -122,24 +119,18 @@ def _bars(bounds, heights, table, part):
     low, high = map(math.log10, table.GetRange())
     count = len(heights)
     top = NUMBERS + COLORS
-    points, cells, errors = vtkPoints(), vtkCellArray(), []
+    points, errors = [], []
     for bottom, tops in ((NUMBERS, np.full(count, top)), (top, top + (0.98 - top) * heights)):
         for i, end in enumerate(tops):
-            first = points.GetNumberOfPoints()
             for x, y in ((i, bottom), (i + 1, bottom), (i + 1, end), (i, end)):
-                points.InsertNextPoint(SIDE + (1.0 - 2.0 * SIDE) * x / count, y, 0.0)
-            cells.InsertNextCell(4, range(first, first + 4))
+                points.append((SIDE + (1.0 - 2.0 * SIDE) * x / count, y, 0.0))
             errors.append(10.0 ** (low + (high - low) * (i + 0.5) / count))
-    quads = vtkPolyData()
-    quads.SetPoints(points)
-    quads.SetPolys(cells)
-    quads.GetCellData().SetScalars(numpy_to_vtk(np.array(errors), deep=True))
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(quads)
-    mapper.SetLookupTable(table)
-    mapper.UseLookupTableScalarRangeOn()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    corners = np.arange(len(points)).reshape(-1, 4)
+    quads = vtkdgg.Mesh(points, corners, cell_data={"Error": errors}).as_polydata()
+    quads.GetCellData().SetActiveScalars("Error")
+    actor = pictures.actor_of(quads)
+    actor.GetMapper().SetLookupTable(table)
+    actor.GetMapper().UseLookupTableScalarRangeOn()
     actor.GetProperty().LightingOff()
     actor.GetProperty().EdgeVisibilityOn()
     actor.GetProperty().SetEdgeColor(*pictures.INK)

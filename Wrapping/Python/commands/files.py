@@ -7,15 +7,11 @@ import os
 
 import numpy as np
 import vtkdgg
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from .. import arguments, writing
-
-
-class MeshFileError(ValueError):
-    """The file lacks something that a command needs; the text states what."""
+from ..surface import coordinates_of
 
 
 def triangles_of(contents, path):
@@ -26,7 +22,7 @@ def triangles_of(contents, path):
     triangulate.SetInputData(contents)
     mesh = vtkdgg.check(triangulate)
     if mesh.GetNumberOfPolys() == 0:
-        raise MeshFileError(f"{path}: contains no surface")
+        raise ValueError(f"{path}: contains no surface")
     return mesh
 
 
@@ -41,8 +37,15 @@ def is_cloud(contents):
     """Returns true if there are points without cells other than vertices. Curves are an error."""
     kind = kind_of(contents)
     if kind == "curves":
-        raise MeshFileError("the file contains curves and no surface; --cloud uses the points only")
+        raise ValueError("the file contains curves and no surface; --cloud uses the points only")
     return kind == "point cloud"
+
+
+def refuse_on_clouds(options, *names):
+    """Raises an error for options that only meshes have."""
+    for name in names:
+        if getattr(options, name, None) not in (None, False):
+            raise ValueError(f"--{name} applies to meshes, not to point clouds")
 
 
 def points_of(contents):
@@ -56,7 +59,7 @@ def points_of(contents):
 def make_graph(contents):
     """Returns the filter that builds the graph of these points."""
     if not hasattr(vtkdgg, "vtkPointCloudDGG"):
-        raise MeshFileError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
+        raise ValueError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
     graph = vtkdgg.vtkPointCloudDGG()
     graph.SetInputData(contents)
     return graph
@@ -64,11 +67,16 @@ def make_graph(contents):
 
 def finite_points(contents, path):
     """Returns the contents, or only the finite points if some are not finite."""
-    points = vtk_to_numpy(contents.GetPoints().GetData())
-    finite = np.isfinite(points).all(axis=1)
+    finite = are_finite(contents, path)
+    return contents if finite.all() else arguments.polydata(coordinates_of(contents)[finite])
+
+
+def are_finite(contents, path):
+    """Returns true for each finite point. A cloud without one is an error."""
+    finite = np.isfinite(coordinates_of(contents)).all(axis=1)
     if not finite.any():
-        raise MeshFileError(f"{path}: none of its points is finite")
-    return contents if finite.all() else arguments.polydata(points[finite].astype(float))
+        raise ValueError(f"{path}: none of its points is finite")
+    return finite
 
 
 def check_format(path, kind):
@@ -77,14 +85,14 @@ def check_format(path, kind):
     if extension not in writing.FORMATS[kind]:
         known = " ".join(writing.FORMATS[kind])
         name = repr(extension) if extension else "a file without extension"
-        raise MeshFileError(f"{path}: {name} cannot store {kind}; expected {known}")
+        raise ValueError(f"{path}: {name} cannot store {kind}; expected {known}")
 
 
 def writable(path, kind):
     """Returns the path of an output file of a kind of writing.FORMATS, after a check of both."""
     try:
         check_format(path, kind)
-    except MeshFileError as error:
+    except ValueError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
     folder = os.path.dirname(path)
     if folder and not os.path.isdir(folder):

@@ -1,11 +1,91 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The methods that `vtkdgg compare --methods` compares."""
+"""The methods that `vtkdgg compare` compares, and timed updates of their filters."""
+
+import statistics
+import time
 
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .. import arguments
+from ..paths import set_pairs
 from .places import add_source
+
+NUMBER_OF_QUERIES = 9
+
+
+def update(algorithm):
+    """Updates a filter, and returns its output and the elapsed time in seconds."""
+    start = time.perf_counter()
+    output = vtkdgg.check(algorithm)
+    return output, time.perf_counter() - start
+
+
+class Graph:
+    """The graph of a mesh or a cloud by an algorithm, with the time of its update."""
+
+    def __init__(self, algorithm):
+        self.filter = algorithm
+        self.output, self.build_time = update(algorithm)
+
+
+class Direct:
+    """Distances from a source by the filter that the function `make` returns, with the time of the
+    update. The mesh is its input unless it has one."""
+
+    def __init__(self, make, mesh, source, merge=False, tolerance=0.01):
+        self.filter = make()
+        if self.filter.GetNumberOfInputConnections(0) == 0:
+            self.filter.SetInputData(mesh)
+        self.filter.SetMergeCoincidentPoints(merge)
+        self.filter.SetProjectionTolerance(tolerance)
+        add_source(self.filter, mesh, source)
+        self.output, self.time = update(self.filter)
+
+    @property
+    def distances(self):
+        """Distances of all points."""
+        return self._array(self.filter.GetDistanceArrayName())
+
+    def _array(self, name):
+        return vtk_to_numpy(self.output.GetPointData().GetArray(name))
+
+
+class Query(Direct):
+    """Distances from a source in a graph. The first query includes the preparation of the search;
+    `time` is the median of later ones."""
+
+    def __init__(self, graph, mesh, source, merge, tolerance):
+        super().__init__(on_graph(graph.filter, True, True), mesh, source, merge, tolerance)
+        self.first_time = self.time
+        times = []
+        for _ in range(NUMBER_OF_QUERIES):
+            self.filter.Modified()
+            self.output, seconds = update(self.filter)
+            times.append(seconds)
+        self.time = statistics.median(times)
+
+    @property
+    def upper_bound(self):
+        """Lengths of paths in the graph."""
+        return self._array(self.filter.GetUpperBoundArrayName())
+
+
+class Path:
+    """The smoothed shortest path in the graph of a cloud from the source to a point."""
+
+    def __init__(self, graph, source, point, tolerance):
+        self.filter = vtkdgg.vtkDGGPath()
+        self.filter.SetInputConnection(graph.filter.GetOutputPort())
+        self.filter.SetProjectionTolerance(tolerance)
+        ends = (
+            arguments.surface_point(end, "--source", graph.output, is_cloud=True)
+            for end in (source, point)
+        )
+        set_pairs(self.filter, *ends)
+        self.output, self.time = update(self.filter)
+        self.length = self.output.GetCellData().GetArray("Length").GetValue(0)
 
 
 def graph(accuracy, correction=True):
@@ -38,34 +118,34 @@ def heat():
     return distance
 
 
-def on_graph(graph_filter, correction=False):
+def on_graph(graph_filter, correction=False, has_upper_bound=False):
     """Returns a function that makes a vtkDGGDistance on the graph of a filter."""
 
     def make():
         distance = vtkdgg.vtkDGGDistance()
         distance.SetInputConnection(graph_filter.GetOutputPort())
         distance.SetCorrection(correction)
+        distance.SetGenerateUpperBound(has_upper_bound)
         return distance
 
     return make
 
 
-def build(mesh, construction, accuracy=0.01, neighbors=30, merge=False):
-    """Returns a vtkDiscreteGeodesicGraph of this construction after its update."""
+def builder(mesh, construction, accuracy=0.01, neighbors=30, merge=False):
+    """Returns a vtkDiscreteGeodesicGraph of this construction before its update."""
     graph_filter = vtkdgg.vtkDiscreteGeodesicGraph()
     graph_filter.SetInputData(mesh)
     graph_filter.SetConstruction(getattr(graph_filter, construction))
     graph_filter.SetAccuracy(accuracy)
     graph_filter.SetNumberOfNeighbors(neighbors)
     graph_filter.SetMergeCoincidentPoints(merge)
-    vtkdgg.check(graph_filter)
     return graph_filter
 
 
 def methods(mesh, accuracy, merge=False, neighbors=30):
     """Returns functions that make the filters, by the title of the method."""
-    one_relay = build(mesh, "OneRelay", accuracy, merge=merge)
-    svg = build(mesh, "SaddleVertexGraph", neighbors=neighbors, merge=merge)
+    one_relay = builder(mesh, "OneRelay", accuracy, merge=merge)
+    svg = builder(mesh, "SaddleVertexGraph", neighbors=neighbors, merge=merge)
     return {
         "graph": graph(accuracy, False),
         "graph, corrected": graph(accuracy),
@@ -80,11 +160,4 @@ def methods(mesh, accuracy, merge=False, neighbors=30):
 
 def field(make, mesh, source, merge=False, tolerance=0.01):
     """Returns the distances that a filter computes from a surface point."""
-    distance = make()
-    if distance.GetNumberOfInputConnections(0) == 0:
-        distance.SetInputData(mesh)
-    distance.SetMergeCoincidentPoints(merge)
-    distance.SetProjectionTolerance(tolerance)
-    add_source(distance, mesh, source)
-    output = vtkdgg.check(distance)
-    return vtk_to_numpy(output.GetPointData().GetArray(distance.GetDistanceArrayName())).copy()
+    return Direct(make, mesh, source, merge, tolerance).distances.copy()

@@ -1,21 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Output of commands: arrays, files and tables."""
+"""Tables that commands print, and rows that the comparisons of meshes and clouds share."""
 
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from ..surface import add_array
-from .words import notes_of
-
-
-def with_arrays(data, arrays):
-    """Returns the data with further point arrays, of which the first is active."""
-    result = vtkPolyData()
-    result.ShallowCopy(data)
-    for name, values in arrays.items():
-        add_array(result.GetPointData(), name, values)
-    result.GetPointData().SetActiveScalars(next(iter(arrays)))
-    return result
+from .words import counted, notes_of
 
 
 def print_table(rows, notes, warnings):
@@ -25,3 +15,42 @@ def print_table(rows, notes, warnings):
         print(f"{key:<{width}} {value}")
     for note in [*notes, *notes_of(warnings)]:
         print(f"{'note':<{width}} {note}")
+
+
+def defects(others, *counts):
+    """Returns a line of the positive counts, each with its unit as for counted(), and of others."""
+    return ", ".join([*(counted(*count) for count in counts if count[0]), *others]) or "none"
+
+
+def position(location, point=None):
+    """Returns coordinates as text, after the id of the point if the location is one."""
+    text = "(" + ", ".join(f"{x:.6g}" for x in location) + ")"
+    return f"point {point} at {text}" if isinstance(point, int) else text
+
+
+def graph_rows(graph, query, more=""):
+    """Returns rows on the size of a graph, followed by the text `more`, and on times."""
+    size = graph.filter.GetMemorySize() / 1e6
+    threads = counted(vtkSMPTools.GetEstimatedNumberOfThreads(), "thread")
+    return (
+        ("build", f"{graph.build_time:.3f} s on {threads}"),
+        (
+            "graph",
+            f"degree {graph.filter.GetMeanDegree():.1f}, {graph.filter.GetNumberOfGraphEdges()} "
+            f"edges, {size:.1f} MB{more}",
+        ),
+        (
+            "query",
+            f"{1e3 * query.time:.1f} ms for all distances "
+            f"(the first: {1e3 * query.first_time:.1f} ms)",
+        ),
+    )
+
+
+def distance_rows(distances, unit):
+    """Returns rows on the number of reached points, in a unit, and on the largest distance."""
+    reached = np.isfinite(distances)
+    return (
+        ("reached", f"{reached.sum()} of {reached.size} {unit}"),
+        ("range", f"0 to {np.nanmax(np.append(distances, 0.0)):.6g} model units"),
+    )

@@ -7,19 +7,13 @@ import math
 import numpy as np
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import reference
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
 from .. import arguments
-from ..surface import add_array
+from ..surface import closest_cell, coordinates_of, locator_of, with_arrays
 
 #: Syntax of a surface point.
 POINT = "ID|X,Y,Z|face:ID:B0,B1,B2"
-
-
-class SourceError(Exception):
-    """The surface point does not exist; the text states the reason."""
 
 
 def choose(text, mesh, name="--source", only_ids=False):
@@ -46,12 +40,12 @@ def choose(text, mesh, name="--source", only_ids=False):
                 raise ValueError
     except ValueError:
         known = "" if only_ids else ", X,Y,Z or face:ID:B0,B1,B2"
-        raise SourceError(f"{name} {text or repr(text)}: expected a point id{known}") from None
+        raise ValueError(f"{name} {text or repr(text)}: expected a point id{known}") from None
     if isinstance(source, tuple):
         arguments.surface_point(source, f"{name} {text}", mesh)
     count = mesh.GetNumberOfPoints()
     if isinstance(source, int) and not 0 <= source < count:
-        raise SourceError(f"{name} {source}: expected a point id from 0 to {count - 1}")
+        raise ValueError(f"{name} {source}: expected a point id from 0 to {count - 1}")
     return source
 
 
@@ -65,25 +59,18 @@ def in_triangles(source, contents):
 def add_source(algorithm, mesh, source):
     """Sets the source of a filter to one that choose() has returned."""
     points = arguments.surface_point(source, "--source", mesh)
-    algorithm.SetSourceIds(points.ids)
-    algorithm.SetSourceData(points.data)
+    arguments.set_points(algorithm, "Source", points)
 
 
 def far_point(mesh):
     """Returns the id of the point of the largest component that is farthest from the center."""
-    numbered = vtkPolyData()
-    numbered.SetPoints(mesh.GetPoints())
-    numbered.SetPolys(mesh.GetPolys())
-    add_array(numbered.GetPointData(), "Id", np.arange(mesh.GetNumberOfPoints()))
     largest = vtkPolyDataConnectivityFilter()
-    largest.SetInputData(numbered)
+    largest.SetInputData(with_arrays(mesh, {"Id": np.arange(mesh.GetNumberOfPoints())}))
     largest.SetExtractionModeToLargestRegion()
     piece = vtkdgg.check(largest)
-
     used = np.unique(vtk_to_numpy(piece.GetPolys().GetConnectivityArray()))
     used = vtk_to_numpy(piece.GetPointData().GetArray("Id"))[used]
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)[used]
-    offset = points - np.array(mesh.GetCenter())
+    offset = coordinates_of(mesh)[used] - np.array(mesh.GetCenter())
     return int(used[np.argmax((offset * offset).sum(axis=1))])
 
 
@@ -94,11 +81,4 @@ def locate(mesh, source):
     if isinstance(source, tuple):
         points = arguments.surface_point(source, "--source", mesh)
         return points.positions()[0], points.corners()[0].tolist()
-    locator = vtkStaticCellLocator()
-    locator.SetDataSet(mesh)
-    locator.BuildLocator()
-    closest = [0.0, 0.0, 0.0]
-    cell, sub, squared = reference(0), reference(0), reference(0.0)
-    locator.FindClosestPoint(source, closest, cell, sub, squared)
-    ids = mesh.GetCell(cell.get()).GetPointIds()
-    return np.array(closest), [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+    return closest_cell(locator_of(mesh), source)

@@ -8,6 +8,8 @@ from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
 from vtkmodules.vtkFiltersPoints import vtkConnectedPointsFilter
 
+from ..surface import area_vectors, coordinates_of, triangles_of
+
 # Fraction of the mean edge length. Shorter distances consist of rounding errors and of the length
 # that is added to triangles without area.
 FLOOR = 1e-6
@@ -20,18 +22,13 @@ LARGE = 0.05
 
 def edge_lengths(mesh):
     """Returns the edge lengths of all triangles; shared edges are repeated."""
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    ends = points[np.roll(triangles, -1, axis=1)]
-    return np.linalg.norm(ends - points[triangles], axis=2).ravel()
+    corners = coordinates_of(mesh)[triangles_of(mesh)]
+    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).ravel()
 
 
 def area(mesh):
     """Returns the area of all triangles."""
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    a, b, c = (points[triangles[:, i]] for i in range(3))
-    return 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+    return float(np.linalg.norm(area_vectors(mesh), axis=1).sum())
 
 
 def floor_of(mesh):

@@ -32,11 +32,9 @@ def counted(count, one, many=None):
 IN_OPTIONS = {
     r"\bvtk(?!dgg)\w+: ": "",
     r"\Apoints: expected points for a rope": "--through: expected points for a rope",
-    r": it has to be in \[(.*), (.*)\]": r" is out of range: expected \1 to \2",
     r"\bset merge_coincident_points=True(?:, and a merge_tolerance of [\d.e-]*\d)?": "add --merge",
     r"\bmerge_coincident_points may join them": "--merge may join them",
     r"\bgive an accuracy\b": "give an --accuracy",
-    r"\bthe accuracy is\b|(?<!-)\b[Aa]ccuracy(?=:)": "--accuracy",
     r", or turn InFaces on": "",
     r'method="exact" or "graph"': "--method exact or --method graph",
     r"\bGetMeanAnisotropy\(\)": "the mean anisotropy",
@@ -58,8 +56,8 @@ OPTIONS = {
     "number_of_samples": "--number",
     "projection_tolerance": "--tolerance",
 }
-# Arguments that are also common words; replaced at the beginning of a message only.
-FIRST_WORDS = {"first": "--first", "iterations": "--iterations", "values": "--values"}
+# Options and arguments of the same name that are also common words: replaced in front only.
+FIRST_WORDS = ("accuracy", "first", "iterations", "values")
 
 
 def in_options(text):
@@ -69,10 +67,9 @@ def in_options(text):
         text = re.sub(pattern, words, text)
     text = re.sub(rf"\b({'|'.join(OPTIONS)})\b", lambda match: OPTIONS[match[1]], text)
     first, colon, rest = text.partition(": ")
-    return FIRST_WORDS.get(first, first) + colon + rest
+    return ("--" if first in FIRST_WORDS else "") + first + colon + rest
 
 
 def notes_of(caught):
     """Returns the texts of warnings, each once: every filter reports defects of the input."""
-    texts = (re.sub(r"\Avtk\w+: ", "", str(warning.message)) for warning in caught)
-    return list(dict.fromkeys(map(in_options, texts)))
+    return list(dict.fromkeys(in_options(str(warning.message)) for warning in caught))
