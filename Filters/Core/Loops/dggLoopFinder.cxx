@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLoopFinder.h"
 
+#include "dggGraphSeeds.h"
 #include "dggLoopCandidates.h"
 #include "dggLoopShortener.h"
 #include "dggPathTracer.h"
@@ -103,24 +104,10 @@ Status LoopFinder::Implementation::Grow(Tree& tree) const
   {
     return Status::Invalid("loops are traced on meshes: this graph has no directions");
   }
-  if (IsVertex(tree.Point))
-  {
-    tree.Seeds.push_back({ tree.Point.Vertex, 0.0, 0.0, 0, -1.0 });
-  }
-  else if (!this->Builder)
-  {
-    return Status::Invalid("a point that is not a vertex needs a graph builder");
-  }
-  else
-  {
-    std::vector<GraphLink> links;
-    std::vector<double> direct;
-    DGG_RETURN_IF_ERROR(this->Builder->Link(tree.Point, this->LinkAccuracy, {}, links, direct));
-    for (const GraphLink& link : links)
-    {
-      tree.Seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
-    }
-  }
+  std::vector<GraphLink> links;
+  std::vector<double> none;
+  DGG_RETURN_IF_ERROR(FindLinks(this->Builder, tree.Point, this->LinkAccuracy, {}, links, none));
+  tree.Seeds = MakeSeeds(links);
   return this->Search.Run(tree.Seeds, SearchOptions(), tree.Result);
 }
 

@@ -4,6 +4,7 @@
 
 #include "dggDisjointSets.h"
 #include "dggEdges.h"
+#include "dggPoint3.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -176,7 +177,7 @@ Offset CountCoincidentPoints(const double* points, Offset numberOfPoints)
   for (Offset i = 0; i < numberOfPoints; ++i)
   {
     const double* p = points + 3 * i;
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    if (!IsFinite(PointAt(points, static_cast<Id>(i))))
     {
       continue;
     }

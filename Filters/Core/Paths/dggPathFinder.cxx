@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPathFinder.h"
 
+#include "dggGraphSeeds.h"
 #include "dggPathCorridor.h"
 #include "dggPathShortener.h"
 #include "dggPathTracer.h"
@@ -100,16 +101,9 @@ Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
     found.IsStraightened = options.Straighten;
     return Status::Success();
   }
-  std::vector<GraphSeed> seeds[2];
-  for (int side = 0; side < 2; ++side)
-  {
-    for (const GraphLink& link : ends.Links[side])
-    {
-      seeds[side].push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
-    }
-  }
   GraphPath path;
-  DGG_RETURN_IF_ERROR(this->Search.Between(seeds[0], seeds[1], this->Positions, path));
+  DGG_RETURN_IF_ERROR(this->Search.Between(
+    MakeSeeds(ends.Links[0]), MakeSeeds(ends.Links[1]), this->Positions, path));
   found.GraphLength = std::min(path.Length, ends.Direct);
   if (found.GraphLength == Infinity)
   {
@@ -134,18 +128,9 @@ Status PathFinder::Link(
   {
     const SurfacePoint& point = *points[side];
     DGG_RETURN_IF_ERROR(point.Check(this->Mesh));
-    if (IsVertex(point))
-    {
-      ends.Links[side].push_back({ point.Vertex, 0.0, -1.0 });
-      continue;
-    }
-    if (!this->Builder)
-    {
-      return Status::Invalid("a point that is not a vertex needs a graph builder");
-    }
     std::vector<double> direct;
     DGG_RETURN_IF_ERROR(
-      this->Builder->Link(point, accuracy, { *points[1 - side] }, ends.Links[side], direct));
+      FindLinks(this->Builder, point, accuracy, { *points[1 - side] }, ends.Links[side], direct));
     ends.Direct = std::min(ends.Direct, direct[0]);
   }
   return Status::Success();

@@ -7,6 +7,7 @@
 #include "dggCoincidentPoints.h"
 #include "dggInvalidInput.h"
 #include "dggLocator.h"
+#include "dggPoint3.h"
 #include "dggPolygonTriangulator.h"
 #include "dggSharedTable.h"
 
@@ -33,20 +34,15 @@ const double* At(const double* points, Offset i)
   return points + 3 * i;
 }
 
-bool IsFinite(const double* p)
-{
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 /// Returns the ids of points with finite coordinates.
 std::vector<Id> CollectFinite(const std::vector<double>& points)
 {
   std::vector<Id> ids;
-  for (Offset i = 0; i < static_cast<Offset>(points.size() / 3); ++i)
+  for (Id i = 0; i < static_cast<Id>(points.size() / 3); ++i)
   {
-    if (IsFinite(At(points.data(), i)))
+    if (IsFinite(PointAt(points.data(), i)))
     {
-      ids.push_back(static_cast<Id>(i));
+      ids.push_back(i);
     }
   }
   return ids;
@@ -193,12 +189,11 @@ Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell) co
         return InvalidInput("cell ", firstCell + i, " names point ", id, ", but the input has ", n,
           n == 1 ? " point" : " points", ": repair the cell");
       }
-      const double* p = At(this->Positions.data(), id);
+      const Point3 p = PointAt(this->Positions.data(), static_cast<Id>(id));
       if (!IsFinite(p))
       {
-        return InvalidInput("point ", id, " of cell ", firstCell + i, " has the coordinates (",
-          p[0], ", ", p[1], ", ", p[2],
-          "), which are not finite: repair the point or remove the cell");
+        return InvalidInput("point ", id, " of cell ", firstCell + i, " has the coordinates (", p.X,
+          ", ", p.Y, ", ", p.Z, "), which are not finite: repair the point or remove the cell");
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "dggBlockLoop.h"
 #include "dggCloudLinks.h"
 #include "dggGraphBuildTask.h"
+#include "dggGraphSeeds.h"
 #include "dggProgressPart.h"
 #include "dggSharedTable.h"
 
@@ -40,17 +41,6 @@ SharedTable<std::uint64_t, GraphBuilder>& GetBuildersInUse()
   static SharedTable<std::uint64_t, GraphBuilder> builders;
   return builders;
 }
-}
-
-std::vector<GraphSeed> MakeSeeds(const std::vector<GraphLink>& links)
-{
-  std::vector<GraphSeed> seeds;
-  seeds.reserve(links.size());
-  for (const GraphLink& link : links)
-  {
-    seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
-  }
-  return seeds;
 }
 
 void GraphSession::Start(const PreparedSurface& surface)
@@ -179,7 +169,7 @@ Status GraphSession::Link(const SurfacePoint& place, const Points& aims,
   const PreparedSurface& mesh = this->Graph->GetSurface();
   if (!mesh.IsCloud())
   {
-    return this->Builder->Link(place, this->GetLinkAccuracy(), aims, links, direct);
+    return FindLinks(this->Builder.get(), place, this->GetLinkAccuracy(), aims, links, direct);
   }
   LinkToCloud(this->Search->GetGraph(), mesh.GetPositions(), place, aims, links, direct);
   return Status::Success();
@@ -208,11 +198,7 @@ Status GraphSession::MakeSeeds(const TaskContext& context,
       seeds.push_back({ sources[i].Point.Vertex, offset, offset, index, -1.0 });
       continue;
     }
-    for (const GraphLink& link : this->Store.Links[place])
-    {
-      seeds.push_back({ link.Vertex, offset + link.Length, offset, index, link.ArrivalAngle });
-    }
-    ++place;
+    AppendSeeds(this->Store.Links[place++], seeds, index, offset);
   }
   return Status::Success();
 }

@@ -20,9 +20,6 @@
 
 namespace dgg
 {
-/// Returns the seeds of a search from the point that has these links.
-std::vector<GraphSeed> MakeSeeds(const std::vector<GraphLink>& links);
-
 /// A graph, and what searches in it reuse from one update to the next: landmarks, links of points
 /// that are not vertices, and the builder that makes links.
 class DGG_CORE_EXPORT GraphSession

@@ -3,6 +3,7 @@
 #include "dggMatrixSearch.h"
 
 #include "dggBlockLoop.h"
+#include "dggGraphSeeds.h"
 #include "dggGraphSession.h"
 #include "dggProgressPart.h"
 
@@ -36,13 +37,12 @@ std::vector<std::size_t> FindUnlinked(const MatrixSearch::Points& points)
 /// Links vertices to themselves; the other points have no links yet.
 void LinkVertices(const MatrixSearch::Points& points, MatrixSearch::Links& links)
 {
-  constexpr double noDirection = -1.0;
   links.assign(points.size(), {});
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     if (IsVertex(points[i]))
     {
-      links[i] = { { points[i].Vertex, 0.0, noDirection } };
+      links[i] = { LinkOfVertex(points[i].Vertex) };
     }
   }
 }

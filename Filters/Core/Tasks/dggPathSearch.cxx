@@ -5,6 +5,7 @@
 #include "dggBandPath.h"
 #include "dggBlockLoop.h"
 #include "dggExactPath.h"
+#include "dggGraphSeeds.h"
 #include "dggGraphSession.h"
 #include "dggInvalidInput.h"
 #include "dggPoint3.h"

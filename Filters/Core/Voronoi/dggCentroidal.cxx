@@ -3,6 +3,7 @@
 #include "dggCentroidal.h"
 
 #include "dggCloudFrame.h"
+#include "dggGraphSeeds.h"
 #include "dggStraightWalk.h"
 
 #include <algorithm>
@@ -443,23 +444,12 @@ Status LinkSites(const std::vector<SurfacePoint>& sites, const GraphBuilder* bui
   linked = LinkedSites();
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    const auto number = static_cast<Id>(i);
-    if (sites[i].On == SurfacePoint::Support::Vertex)
-    {
-      linked.Seeds.push_back({ sites[i].Vertex, 0.0, 0.0, number, -1.0 });
-      linked.Departures.push_back(0.0);
-      continue;
-    }
-    if (!builder)
-    {
-      return Status::Invalid("sites that are not vertices need a mesh");
-    }
     std::vector<GraphLink> links;
-    std::vector<double> direct;
-    DGG_RETURN_IF_ERROR(builder->Link(sites[i], accuracy, {}, links, direct));
+    std::vector<double> none;
+    DGG_RETURN_IF_ERROR(FindLinks(builder, sites[i], accuracy, {}, links, none));
+    AppendSeeds(links, linked.Seeds, static_cast<Id>(i));
     for (const GraphLink& link : links)
     {
-      linked.Seeds.push_back({ link.Vertex, link.Length, 0.0, number, link.ArrivalAngle });
       linked.Departures.push_back(link.DepartureAngle);
     }
   }

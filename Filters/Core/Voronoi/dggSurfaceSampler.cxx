@@ -5,6 +5,7 @@
 #include "dggEdges.h"
 #include "dggFarthestPoints.h"
 #include "dggGraphSearch.h"
+#include "dggGraphSeeds.h"
 #include "dggProgressPart.h"
 #include "dggStraightWalk.h"
 
@@ -416,22 +417,10 @@ private:
   Status Link(
     const SurfacePoint& point, const std::vector<SurfacePoint>& others, Linked& linked) const
   {
-    if (point.On == SurfacePoint::Support::Vertex)
-    {
-      linked.Seeds = { SeedAt(point.Vertex) };
-      return Status::Success();
-    }
-    if (!this->Builder)
-    {
-      return Status::Invalid("samples that are not vertices need a mesh");
-    }
     std::vector<GraphLink> links;
     std::vector<double> direct;
-    Status status = this->Builder->Link(point, this->Accuracy, others, links, direct);
-    for (const GraphLink& link : links)
-    {
-      linked.Seeds.push_back({ link.Vertex, link.Length, 0.0, 0, link.ArrivalAngle });
-    }
+    Status status = FindLinks(this->Builder, point, this->Accuracy, others, links, direct);
+    AppendSeeds(links, linked.Seeds);
     for (const double distance : direct)
     {
       linked.Distance = std::min(linked.Distance, distance);
