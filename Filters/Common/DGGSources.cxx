@@ -113,14 +113,6 @@ vtkIdType DGGSourceSet::GetPointId(std::size_t i) const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGCheckSources(const DGGSourceSet& set, vtkIdType numberOfPoints)
-{
-  dgg::SourceCollection collection;
-  DGG_RETURN_IF_ERROR(Read(set, collection));
-  return collection.Check(numberOfPoints);
-}
-
-//------------------------------------------------------------------------------
 dgg::Status DGGLocate(const DGGContext& context, const DGGSourceSet& set, double tolerance,
   std::vector<dgg::GeodesicSource>& sources, vtkObject* filter)
 {

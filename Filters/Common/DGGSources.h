@@ -46,10 +46,6 @@ struct VTKDGGFILTERSCOMMON_EXPORT DGGSourceSet
   bool IsEmpty() const { return this->Ids.empty() && this->CountPoints() == 0; }
 };
 
-/// Fails if a set is empty or has an id or a number that is not valid. DGGLocate() does so too.
-VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckSources(
-  const DGGSourceSet& set, vtkIdType numberOfPoints);
-
 ///@{
 /// Locates the points of a set on the surface, or near the points of a cloud: see
 /// dgg::SourceCollection::Locate(). `filter`, if not null, warns about points that no polygon uses.

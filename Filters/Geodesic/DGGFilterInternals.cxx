@@ -13,7 +13,6 @@
 #include "dggInvalidInput.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -55,17 +54,6 @@ int GetAsked(vtkInformation* request, vtkInformationVector* outputVector,
   return value;
 }
 
-/// Other data sets are accepted up to here to report an error with a remedy.
-dgg::Status CheckType(vtkDataObject* input)
-{
-  if (!vtkDataSet::SafeDownCast(input) || vtkPolyData::SafeDownCast(input))
-  {
-    return dgg::Status::Success();
-  }
-  return dgg::InvalidInput("the input is a ", input->GetClassName(),
-    ", but a vtkPolyData is required: extract the surface with vtkDataSetSurfaceFilter");
-}
-
 /// Returns an error if the other pieces are not available: each process must have one piece.
 dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* controller)
 {
@@ -81,14 +69,18 @@ dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* contro
     "one process and update this filter there, with one piece");
 }
 
-/// Empties the outputs and marks them as not generated, so that the next update executes again.
-void Empty(vtkInformationVector* outputVector)
+/// Empties the outputs. After an abort they are marked as not generated, so that the next update
+/// executes again; after an error it does so when something has been modified, as in VTK.
+void Empty(vtkInformationVector* outputVector, bool isAborted)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(port);
     vtkDataObject::GetData(outInfo)->Initialize();
-    outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    if (isAborted)
+    {
+      outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    }
   }
 }
 }
@@ -98,7 +90,6 @@ DGGFilterInternals::DGGFilterInternals(vtkGeodesicAlgorithm* filter)
   : Filter(filter)
   , Reached(0.0)
   , IsStopped(false)
-  , ReportTime(0)
   , GapsBuildTime(0)
   , QualityTime(0)
   , Mesh(new DGGMeshAdapter)
@@ -116,7 +107,7 @@ bool DGGFilterInternals::Update(
   const bool done = this->Attempt([&] { return this->Follow(request, inputVector, outputVector); });
   if (!done)
   {
-    Empty(outputVector);
+    Empty(outputVector, this->IsStopped);
   }
   return done;
 }
@@ -133,52 +124,12 @@ bool DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step)
   unsigned long errorCode = vtkErrorCode::UserError;
   const dgg::Status status = this->Try(step, errorCode);
   this->IsStopped = status.IsAborted();
-  if (status.IsOk() || status.IsAborted() || FollowsFailure(this->Filter))
+  if (!status.IsOk() && !status.IsAborted())
   {
-    this->Reported.clear();
-    return status.IsOk();
-  }
-  this->Filter->ErrorCode = errorCode;
-  if (this->IsNewError(status.GetMessage()))
-  {
+    this->Filter->ErrorCode = errorCode;
     vtkErrorWithObjectMacro(this->Filter, << status.GetMessage());
   }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-/// Returns true if the error differs from that of the previous update, or the pipeline has changed
-/// since. There is an update for each output, and ParaView updates all of them many times.
-bool DGGFilterInternals::IsNewError(const std::string& error)
-{
-  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->Filter->GetExecutive());
-  const vtkMTimeType time = pipeline->GetPipelineMTime();
-  const bool isNews = error != this->Reported || time != this->ReportTime;
-  this->Reported = error;
-  this->ReportTime = time;
-  return isNews;
-}
-
-//------------------------------------------------------------------------------
-/// Returns true if a filter of this module upstream has failed and reported it, or was aborted. Its
-/// output is then empty, and errors that follow from this are not reported.
-bool DGGFilterInternals::FollowsFailure(vtkAlgorithm* filter)
-{
-  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
-    {
-      vtkAlgorithm* input = filter->GetInputAlgorithm(port, i);
-      auto* ours = vtkGeodesicAlgorithm::SafeDownCast(input);
-      const bool hasFailed =
-        ours && (ours->GetErrorCode() != vtkErrorCode::NoError || ours->Internals->IsStopped);
-      if (hasFailed || FollowsFailure(input))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------
@@ -211,7 +162,6 @@ dgg::Status DGGFilterInternals::Try(
 bool DGGFilterInternals::AttemptOutsideOfUpdate(const std::function<dgg::Status()>& step)
 {
   const unsigned long errorCode = this->Filter->GetErrorCode();
-  this->Reported.clear();
   vtkDGGClearAbortMacro(this->Filter);
   const bool done = this->Attempt([this, &step] {
     if (this->Filter->GetNumberOfInputConnections(0) > 0)
@@ -220,7 +170,6 @@ bool DGGFilterInternals::AttemptOutsideOfUpdate(const std::function<dgg::Status(
     }
     return step();
   });
-  this->Reported.clear();
   if (this->Filter->ErrorCode == vtkErrorCode::NoError)
   {
     this->Filter->ErrorCode = errorCode; // of the last update
@@ -233,7 +182,6 @@ dgg::Status DGGFilterInternals::Follow(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  DGG_RETURN_IF_ERROR(CheckType(vtkDataObject::GetData(inputVector[0])));
   const int pieces = GetAsked(request, outputVector, Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   const int piece = GetAsked(request, outputVector, Pipeline::UPDATE_PIECE_NUMBER(), 0);
   DGG_RETURN_IF_ERROR(CheckPieces(piece, pieces, this->Filter->Controller));
@@ -286,7 +234,6 @@ dgg::Status DGGFilterInternals::Compute(
     this->MakeEmptyOutput(this->MakeContext(input), outputVector);
     return dgg::Status::Success();
   }
-  DGG_RETURN_IF_ERROR(input ? this->CheckInputs(input, inputVector) : dgg::Status::Success());
   DGG_RETURN_IF_ERROR(this->PrepareMesh(input));
   return this->Advance(0.0) ? this->Execute(this->MakeContext(input), inputVector, outputVector)
                             : dgg::Status::Abort();
@@ -295,22 +242,12 @@ dgg::Status DGGFilterInternals::Compute(
 //------------------------------------------------------------------------------
 void DGGFilterInternals::WarnAboutEmptyInput(const char* lack)
 {
-  if (!FollowsFailure(this->Filter))
-  {
-    vtkWarningWithObjectMacro(
-      this->Filter, "The input is empty: it has " << lack << ". The output is empty, too.");
-  }
+  vtkWarningWithObjectMacro(
+    this->Filter, "The input is empty: it has " << lack << ". The output is empty, too.");
 }
 
 //------------------------------------------------------------------------------
 dgg::Status DGGFilterInternals::CheckProperties() const
-{
-  return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-dgg::Status DGGFilterInternals::CheckInputs(
-  vtkPolyData* vtkNotUsed(surface), vtkInformationVector** vtkNotUsed(inputVector)) const
 {
   return dgg::Status::Success();
 }
@@ -325,7 +262,6 @@ bool DGGFilterInternals::PassesSurface() const
 dgg::Status DGGFilterInternals::GetWholeInput(vtkSmartPointer<vtkPolyData>& surface)
 {
   vtkDataObject* input = this->Filter->GetInputDataObject(0, 0);
-  DGG_RETURN_IF_ERROR(CheckType(input));
   surface = vtkPolyData::SafeDownCast(input);
   return input && !surface ? DGGPartedUpdate::Join(input, surface) : dgg::Status::Success();
 }

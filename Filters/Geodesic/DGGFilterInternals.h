@@ -23,7 +23,6 @@
 
 class DGGMeshAdapter;
 class DGGPartedUpdate;
-class vtkAlgorithm;
 class vtkGeodesicAlgorithm;
 class vtkInformation;
 class vtkInformationVector;
@@ -42,11 +41,10 @@ public:
   /// Steps of an update, in this order. Each may return an error, which is reported, or the status
   /// of an abort; each may throw.
   ///
-  /// CheckProperties() and CheckInputs() report errors that need no mesh. Execute() is called with
-  /// a mesh. MakeEmptyOutput() is called instead if the surface has neither points nor cells. The
-  /// context is that of the whole update (DGGContext.h).
+  /// CheckProperties() needs no mesh. Execute() is called with one. MakeEmptyOutput() is called
+  /// instead if the surface has neither points nor cells. The context is that of the whole update
+  /// (DGGContext.h).
   virtual dgg::Status CheckProperties() const;
-  virtual dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const;
   virtual dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) = 0;
   virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) = 0;
@@ -94,7 +92,7 @@ public:
   /// Reports a reason for inaccurate results once per mesh. Returns true if there is a reason.
   bool WarnAboutQuality(const std::string& reason);
 
-  /// Warns that the input lacks something, unless a filter upstream has failed.
+  /// Warns that the input lacks something.
   void WarnAboutEmptyInput(const char* lack);
 
 private:
@@ -104,15 +102,11 @@ private:
     vtkInformationVector* outputVector);
   dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
   bool Advance(double fraction);
-  static bool FollowsFailure(vtkAlgorithm* filter);
-  bool IsNewError(const std::string& error);
 
   vtkGeodesicAlgorithm* Filter;
   std::atomic<double> Reached;          // progress of the update so far
   std::atomic<bool> IsStopped;          // true if observers have requested a stop
   std::thread::id Caller;               // thread of the update
-  std::string Reported;                 // error of the last update; empty if none
-  vtkMTimeType ReportTime;              // pipeline time of the report
   vtkMTimeType GapsBuildTime;           // build time of the mesh that was checked for gaps
   vtkMTimeType QualityTime;             // build time of the mesh of QualityReasons
   std::set<std::string> QualityReasons; // reported for this mesh

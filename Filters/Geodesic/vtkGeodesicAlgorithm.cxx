@@ -142,10 +142,6 @@ int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* inf
   // Port 0 is required but checked here: the check of the pipeline would keep an earlier output.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  if (port == 0)
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet"); // see CheckType()
-  }
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return port >= 0 && port < this->GetNumberOfInputPorts() ? 1 : 0;
 }

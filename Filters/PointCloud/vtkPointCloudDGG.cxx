@@ -139,8 +139,7 @@ vtkDataArray* vtkPointCloudDGG::vtkInternals::GetInputNormals(vtkPolyData* cloud
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkPointCloudDGG::vtkInternals::CheckInputs(
-  vtkPolyData* cloud, vtkInformationVector** vtkNotUsed(inputVector)) const
+dgg::Status vtkPointCloudDGG::vtkInternals::CheckInputNormals(vtkPolyData* cloud) const
 {
   vtkDataArray* normals = this->GetInputNormals(cloud);
   const bool fits = !normals ||
@@ -171,6 +170,7 @@ std::string vtkPointCloudDGG::vtkInternals::GetMemoryRemedy() const
 dgg::Status vtkPointCloudDGG::vtkInternals::Execute(const DGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
+  DGG_RETURN_IF_ERROR(this->CheckInputNormals(context.Input));
   const NormalsSource source = this->MakeNormalsSource(context.Input);
   const vtkMTimeType built = this->Self->GetGraphBuildTime();
   dgg::CloudGraphOptions options = this->MakeOptions(context.Input);

@@ -59,7 +59,7 @@ public:
 
   dgg::Status CheckProperties() const override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  dgg::Status CheckInputs(vtkPolyData* surface, vtkInformationVector** inputVector) const override;
+  dgg::Status ReadInputs(vtkPolyData* surface, const DGGSourceSet& sources) override;
   bool CanChooseSources() const override { return true; }
   std::size_t CountResults(std::size_t numberOfSources) const override;
   std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;
@@ -69,10 +69,12 @@ public:
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
-  mutable std::size_t SiteValueComponents = 0; // as CheckInputs() has found them
 
 private:
   vtkHarmonicBSpline* Self;
+  // Of this update.
+  std::vector<std::vector<double>> SiteValues; // per component; empty without an interpolation
+  std::vector<double> RightHandSide;           // empty without a solution
 };
 
 //------------------------------------------------------------------------------
@@ -193,24 +195,20 @@ void vtkHarmonicBSpline::vtkInternals::MakeEmptyOutput(
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHarmonicBSpline::vtkInternals::CheckInputs(
-  vtkPolyData* surface, vtkInformationVector** inputVector) const
+dgg::Status vtkHarmonicBSpline::vtkInternals::ReadInputs(
+  vtkPolyData* surface, const DGGSourceSet& sources)
 {
-  this->SiteValueComponents = 0;
+  this->SiteValues.clear();
+  this->RightHandSide.clear();
   if (!this->Self->SiteValuesArrayName.empty())
   {
-    const DGGSourceSet sites = this->GetSources(inputVector);
-    DGG_RETURN_IF_ERROR(sites.IsEmpty() ? dgg::Status::Success()
-                                        : DGGCheckSources(sites, surface->GetNumberOfPoints()));
-    std::vector<std::vector<double>> siteValues;
+    // Without sources the sites are not known yet, but the array is.
     DGG_RETURN_IF_ERROR(DGGReadSiteValues(
-      this->Self->SiteValuesArrayName, surface, sites.Ids, sites.Points, siteValues));
-    this->SiteValueComponents = siteValues.size();
+      this->Self->SiteValuesArrayName, surface, sources.Ids, sources.Points, this->SiteValues));
   }
-  std::vector<double> values;
   return this->Self->RightHandSideArrayName.empty()
     ? dgg::Status::Success()
-    : DGGReadRightHandSide(surface, this->Self->RightHandSideArrayName, values);
+    : DGGReadRightHandSide(surface, this->Self->RightHandSideArrayName, this->RightHandSide);
 }
 
 //------------------------------------------------------------------------------
@@ -265,7 +263,7 @@ double vtkHarmonicBSpline::vtkInternals::EstimateWorkingMemory(
     !this->Self->SiteValuesArrayName.empty() || (!isHarmonic && this->Self->GenerateBasis);
   const double bytes = isSmooth ? dgg::GreensFunction::BytesPerVertex : SplineBytesPerVertex;
   const double held =
-    HeldNumbers + InterpolationNumbers * static_cast<double>(this->SiteValueComponents);
+    HeldNumbers + InterpolationNumbers * static_cast<double>(this->SiteValues.size());
   // Threads; equations of sites, like those of vertices; cells, solutions, interpolations.
   return bytes * n * vtkSMPTools::GetEstimatedNumberOfThreads() +
     (isHarmonic ? std::min(1.0, sites / n) * solver.GetEstimatedMemory() : 0.0) +
@@ -287,19 +285,17 @@ dgg::Status vtkHarmonicBSpline::vtkInternals::ComputeValues(DGGSpectralTask& tas
   {
     sites.push_back(dgg::IsVertex(source) ? source.Vertex : -1);
   }
-  std::vector<std::vector<double>> siteValues;
-  if (!this->Self->SiteValuesArrayName.empty())
+  const bool hasValues = !this->SiteValues.empty();
+  if (hasValues && task.SourceSet.IsEmpty())
   {
-    const DGGSourceSet& given = task.SourceSet;
-    DGG_RETURN_IF_ERROR(DGGReadSiteValues(this->Self->SiteValuesArrayName, task.Context.Input,
-      given.IsEmpty() ? sites : given.Ids, given.Points, siteValues));
+    DGG_RETURN_IF_ERROR(DGGReadSiteValues(
+      this->Self->SiteValuesArrayName, task.Context.Input, sites, nullptr, this->SiteValues));
   }
   const bool isHarmonic = this->Self->Order == Harmonic;
   const auto part = [&](double begin, double end) {
     return dgg::ProgressPart(task.Progress, begin, end);
   };
   DGGSplineRun run(task, !isHarmonic, this->Self->SmoothEvaluation);
-  const bool hasValues = !siteValues.empty();
   DGG_RETURN_IF_ERROR(
     run.Prepare(this->Self->GenerateBasis || hasValues, part(0.0, PreparationDone)));
   if (this->Self->GenerateBasis || (isHarmonic && hasValues))
@@ -313,16 +309,16 @@ dgg::Status vtkHarmonicBSpline::vtkInternals::ComputeValues(DGGSpectralTask& tas
   }
   const bool isDensity = this->Self->RightHandSideMeaning == Density;
   double imbalance = 0.0;
-  if (!this->Self->RightHandSideArrayName.empty())
+  if (!this->RightHandSide.empty())
   {
     DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, BasisDone));
-    DGG_RETURN_IF_ERROR(run.AddSolution(
-      this->Self->RightHandSideArrayName, isDensity, this->Self->SolutionArrayName, imbalance));
+    DGG_RETURN_IF_ERROR(
+      run.AddSolution(this->RightHandSide, isDensity, this->Self->SolutionArrayName, imbalance));
   }
   if (hasValues)
   {
     DGG_RETURN_IF_ERROR(run.AddInterpolation(
-      siteValues, this->Self->InterpolationArrayName, part(SolutionDone, 1.0)));
+      this->SiteValues, this->Self->InterpolationArrayName, part(SolutionDone, 1.0)));
   }
   if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {

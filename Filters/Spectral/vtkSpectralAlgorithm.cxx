@@ -171,6 +171,13 @@ dgg::Status DGGSpectralInternals::ChooseSources(const dgg::PoissonSolver& vtkNot
 }
 
 //------------------------------------------------------------------------------
+dgg::Status DGGSpectralInternals::ReadInputs(
+  vtkPolyData* vtkNotUsed(surface), const DGGSourceSet& vtkNotUsed(sources))
+{
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
 DGGSourceSet DGGSpectralInternals::GetSources(vtkInformationVector** inputVector) const
 {
   return { this->Filter->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
@@ -203,6 +210,7 @@ dgg::Status DGGSpectralInternals::Execute(
   {
     DGG_RETURN_IF_ERROR(DGGLocate(context, targetSet, this->Filter->ProjectionTolerance, targets));
   }
+  DGG_RETURN_IF_ERROR(this->ReadInputs(context.Input, sourceSet));
 
   const auto numberOfPoints = static_cast<std::size_t>(context.Input->GetNumberOfPoints());
   const dgg::PoissonOptions options = this->GetPoissonOptions();

@@ -5,7 +5,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
@@ -31,8 +30,6 @@ std::vector<Refusal> RefuseInput()
   using F = vtkGeodesicAlgorithm;
   return {
     Refuse<F>([](F* f) { f->SetInputConnection(nullptr); }, { "no input" }),
-    Refuse<F>([](F* f) { f->SetInputDataObject(vtkSmartPointer<vtkImageData>::New()); },
-      { "vtkImageData", "vtkPolyData" }),
   };
 }
 

@@ -62,8 +62,8 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Predict()
     this->WarnAboutEmptyInput("no points");
     return dgg::Status::Success();
   }
-  DGG_RETURN_IF_ERROR(cloud ? this->CheckInputs(cloud, nullptr) : dgg::Status::Success());
   DGG_RETURN_IF_ERROR(this->PrepareMesh(cloud));
+  DGG_RETURN_IF_ERROR(this->CheckInputNormals(cloud));
   dgg::CloudGraphOptions options = this->MakeOptions(cloud);
   const NormalsSource source = this->MakeNormalsSource(cloud);
   Normals normals;

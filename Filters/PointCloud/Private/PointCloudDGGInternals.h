@@ -30,7 +30,6 @@ public:
   }
 
   dgg::Status CheckProperties() const override;
-  dgg::Status CheckInputs(vtkPolyData* cloud, vtkInformationVector** inputVector) const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
@@ -72,6 +71,7 @@ private:
     int NumberOfNeighbors = 0; ///< for planes
   };
   vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
+  dgg::Status CheckInputNormals(vtkPolyData* cloud) const;
   NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
   dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
   dgg::Status FindNormals(

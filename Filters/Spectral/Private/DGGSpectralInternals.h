@@ -60,6 +60,10 @@ public:
     const dgg::ProgressCallback& progress, std::vector<dgg::SurfacePoint>& sources) const;
   ///@}
 
+  /// Reads what the filter needs besides sources, which are checked. Called before the
+  /// factorization, so that errors cost little. Default: nothing.
+  virtual dgg::Status ReadInputs(vtkPolyData* surface, const DGGSourceSet& sources);
+
   /// Returns the number of components of the result array; 0 if the array is not requested.
   /// Default: one per source.
   virtual std::size_t CountResults(std::size_t numberOfSources) const;

@@ -247,11 +247,9 @@ dgg::Status DGGSplineRun::AddInterpolation(const std::vector<std::vector<double>
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGSplineRun::AddSolution(
-  const std::string& sourceName, bool isDensity, const std::string& solutionName, double& imbalance)
+dgg::Status DGGSplineRun::AddSolution(const std::vector<double>& numbers, bool isDensity,
+  const std::string& solutionName, double& imbalance)
 {
-  std::vector<double> numbers;
-  DGG_RETURN_IF_ERROR(DGGReadRightHandSide(this->Task.Context.Input, sourceName, numbers));
   const std::vector<double> sources =
     Integrate(this->Task.Context.Surface, this->Task.Solver, numbers, isDensity, imbalance);
   std::vector<double> coefficients;

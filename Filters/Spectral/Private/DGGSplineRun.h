@@ -47,9 +47,9 @@ public:
   /// FindBasis() as well.
   dgg::Status AddInterpolation(const std::vector<std::vector<double>>& siteValues,
     const std::string& name, const dgg::ProgressCallback& progress);
-  /// The solution for the sources of an array. `imbalance` is the largest sum that has to be
-  /// balanced in a component, relative to the sum of sizes.
-  dgg::Status AddSolution(const std::string& sourceName, bool isDensity,
+  /// The solution for the given numbers at the points. `imbalance` is the largest sum that has to
+  /// be balanced in a component, relative to the sum of sizes.
+  dgg::Status AddSolution(const std::vector<double>& numbers, bool isDensity,
     const std::string& solutionName, double& imbalance);
 
 private:
