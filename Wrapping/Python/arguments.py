@@ -9,12 +9,11 @@ import operator
 from typing import TYPE_CHECKING, Sequence, Tuple, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .checks import check_ids, coordinates, numbers  # noqa: F401
-from .surface import add_array, cells_of
+from .surface import add_array, cells_of, vtk_points
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -320,7 +319,5 @@ def polyline(points):
 def polydata(points):
     """Returns checked coordinates as points without cells."""
     result = vtkPolyData()
-    vtk_points = vtkPoints()
-    vtk_points.SetData(numpy_to_vtk(points, deep=True))  # a pipeline may outlive the array
-    result.SetPoints(vtk_points)
+    result.SetPoints(vtk_points(points))
     return result

@@ -255,12 +255,8 @@ def _recovered(node, reports):
     if node in reports.nodes or reports.errors or reports.warnings:
         return False
     output = node.GetOutputDataObject(0) if node.GetNumberOfOutputPorts() > 0 else None
-    return output is not None and _has_elements(output)
-
-
-def _has_elements(output):
     kinds = range(vtkDataObject.NUMBER_OF_ATTRIBUTE_TYPES)
-    return any(output.GetNumberOfElements(kind) > 0 for kind in kinds)
+    return output is not None and any(output.GetNumberOfElements(kind) > 0 for kind in kinds)
 
 
 def depth_of_package():

@@ -104,11 +104,11 @@ MATTE = {"Ambient": 0.10, "Diffuse": 0.74, "Specular": 0.0, "SpecularPower": 25.
 GLOSSY = {**MATTE, "Diffuse": 0.90, "Specular": 0.12}
 
 
-def configured(thing, **properties):
-    """Returns an object of VTK after setting its properties: a list is several arguments."""
+def configured(target, **properties):
+    """Sets properties of a VTK object, and returns the object. A list is several arguments."""
     for name, value in properties.items():
-        getattr(thing, f"Set{name}")(*value if isinstance(value, list) else [value])
-    return thing
+        getattr(target, f"Set{name}")(*value if isinstance(value, list) else [value])
+    return target
 
 
 def nice_step(span, wanted=20):

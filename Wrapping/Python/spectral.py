@@ -282,8 +282,8 @@ def interpolate(
     values : array_like of float, shape (k,) or (k, c)
         One number for each site, or several.
     order : {1, 2}, optional
-        Of the splines: with 2 biharmonic ones, which are smooth, with 1 harmonic ones, which have
-        bumps at the sites.
+        Order of the splines: 2 for biharmonic splines, which are smooth, 1 for harmonic splines,
+        which have bumps at the sites. Default: 2.
     boundary : {"Neumann", "Dirichlet"}, optional
         Condition at the boundary: no flow through it, or the value 0. Default: "Neumann".
     at : surface points, optional
@@ -349,9 +349,8 @@ def _order(value):
 
 
 def _choice(algorithm, value, name):
-    """The number of a choice by its name in an enumeration of the class."""
-    kinds = {"method": "MethodType", "boundary": "BoundaryType", "kind": "KindType"}
-    kind = getattr(type(algorithm), kinds[name])
+    """Returns the number of a choice by its name in an enumeration of the class."""
+    kind = getattr(type(algorithm), f"{name.capitalize()}Type")
     known = {
         key: number
         for base in type(algorithm).__mro__

@@ -63,6 +63,13 @@ def copy_surface(polydata):
     return result
 
 
+def vtk_points(values):
+    """Returns a copy of coordinates as vtkPoints of the same precision."""
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(values), deep=True))
+    return points
+
+
 def shallow_copy(polydata):
     """Returns a new vtkPolyData that shares all points, cells and arrays."""
     result = vtkPolyData()
@@ -141,9 +148,7 @@ def grid_of(data):
     else:
         grid = vtkUnstructuredGrid()
         _add_cells(grid, data)
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(data.points), deep=True))
-    grid.SetPoints(points)
+    grid.SetPoints(vtk_points(data.points))
     _add_arrays(grid, data, data.active)
     return grid
 
@@ -151,7 +156,11 @@ def grid_of(data):
 def polydata_of(mesh):
     """Returns the Mesh as a new vtkPolyData. Without cells it gets verts, which renderers draw."""
     result = vtkPolyData()
-    result.SetPoints(_points_of(mesh))
+    values = mesh.points
+    # Single precision for unchanged coordinates of a file that stores it.
+    if mesh._is_single and np.array_equal(values.astype(np.float32), values, equal_nan=True):
+        values = values.astype(np.float32)
+    result.SetPoints(vtk_points(values))
     result.SetVerts(cells_of(*mesh.verts))
     result.SetLines(cells_of(*mesh.lines))
     result.SetPolys(cells_of(*mesh.polygons))
@@ -239,25 +248,13 @@ def to_arrays(polydata):
 def from_arrays(arrays):
     """Returns the surface of a dict that to_arrays() returned. Arrays are copied."""
     result = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(arrays["Points"], deep=True))
-    result.SetPoints(points)
+    result.SetPoints(vtk_points(arrays["Points"]))
     for kind in CELLS:
         getattr(result, f"Set{kind}")(cells_of(*arrays[kind]))
     for kind in DATA:
         for name, data_type, values in arrays[kind]:
             add_array(getattr(result, f"Get{kind}")(), name, values, data_type)
     return result
-
-
-def _points_of(mesh):
-    """Returns vtkPoints: single precision for unchanged coordinates of a file that stores it."""
-    values = mesh.points
-    if mesh._is_single and np.array_equal(values.astype(np.float32), values, equal_nan=True):
-        values = values.astype(np.float32)
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(values), deep=True))
-    return points
 
 
 def _add_cells(grid, data):

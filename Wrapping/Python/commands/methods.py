@@ -23,7 +23,7 @@ def update(algorithm):
 
 
 class Graph:
-    """The graph of a mesh or a cloud by an algorithm, with the time of its update."""
+    """A filter that builds a graph of a mesh or a cloud, after its timed update."""
 
     def __init__(self, algorithm):
         self.filter = algorithm
