@@ -95,6 +95,13 @@ int BenchmarkArguments::GetInteger(const std::string& name) const
   return static_cast<int>(this->GetNumber(name));
 }
 
+int BenchmarkArguments::GetAtLeast(const std::string& name, int least) const
+{
+  const int value = this->GetInteger(name);
+  Require(value >= least, name + " must be at least " + std::to_string(least));
+  return value;
+}
+
 std::vector<std::string> BenchmarkArguments::GetList(const std::string& name) const
 {
   return Split(this->Get(name), ',');

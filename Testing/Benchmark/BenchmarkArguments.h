@@ -28,6 +28,8 @@ public:
   const std::string& Get(const std::string& name) const { return this->Values.at(name); }
   double GetNumber(const std::string& name) const;
   int GetInteger(const std::string& name) const;
+  /// The same; a BenchmarkError if it is less than `least`.
+  int GetAtLeast(const std::string& name, int least) const;
   /// The parts of a value, separated by commas.
   std::vector<std::string> GetList(const std::string& name) const;
   std::vector<int> GetIntegers(const std::string& name) const;

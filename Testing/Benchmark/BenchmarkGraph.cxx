@@ -33,20 +33,6 @@
 
 namespace
 {
-struct PlannedGraph
-{
-  GraphRecipe Recipe; ///< without a mesh
-  bool Thorough = false;
-};
-
-struct Settings
-{
-  std::vector<PlannedGraph> Graphs;
-  int NumberOfSources = 0;
-  int Many = 0;
-  int Threads = 0;
-};
-
 struct Search
 {
   const char* Name;
@@ -76,10 +62,11 @@ void RegisterQueries(const CaseGroup& cases, const GraphRecipe& recipe, int sour
 }
 
 /// What needs more builds, or many queries.
-void RegisterThoroughCases(
-  const CaseGroup& cases, const GraphRecipe& recipe, const Settings& settings)
+void RegisterThoroughCases(const CaseGroup& cases, const GraphRecipe& recipe,
+  const BenchmarkArguments& arguments, int sources)
 {
-  const int threads = settings.Threads;
+  const int threads = arguments.GetAtLeast("threads", 1);
+  const int many = arguments.GetAtLeast("many", 0);
   // Once: memory that an earlier build has left behind is not seen.
   cases.For(Once).Add("Memory", MeasureMemory, recipe);
   if (threads > 1)
@@ -87,27 +74,28 @@ void RegisterThoroughCases(
     cases.For(1.0).Add("ParallelBuild", MeasureParallelBuild, recipe, threads);
   }
   cases.Add("Estimate", MeasureEstimate, recipe);
-  RegisterQueries(cases, recipe, settings.NumberOfSources, OtherSearches);
-  if (settings.Many > 0)
+  RegisterQueries(cases, recipe, sources, OtherSearches);
+  if (many > 0)
   {
-    cases.Add("Many", MeasureMany, recipe, settings.Many, 1);
+    cases.Add("Many", MeasureMany, recipe, many, 1);
   }
-  if (settings.Many > 0 && threads > 1)
+  if (many > 0 && threads > 1)
   {
-    cases.Add("ParallelMany", MeasureMany, recipe, settings.Many, threads);
+    cases.Add("ParallelMany", MeasureMany, recipe, many, threads);
   }
 }
 
-void RegisterGraph(const GraphRecipe& recipe, bool thorough, const Settings& settings)
+void RegisterGraph(
+  const GraphRecipe& recipe, bool thorough, const BenchmarkArguments& arguments, int sources)
 {
   const CaseGroup cases("Graph/" + recipe.Mesh.Name + "/" + recipe.Name + "/");
   cases.For(1.0).Add("Build", MeasureBuild, recipe);
   cases.Add("Cache", MeasureCache, recipe);
   cases.Add("FirstQuery", MeasureFirstQuery, recipe);
-  RegisterQueries(cases, recipe, settings.NumberOfSources, MainSearches);
+  RegisterQueries(cases, recipe, sources, MainSearches);
   if (thorough)
   {
-    RegisterThoroughCases(cases, recipe, settings);
+    RegisterThoroughCases(cases, recipe, arguments, sources);
   }
 }
 
@@ -136,8 +124,9 @@ bool Contains(const std::vector<std::string>& list, const std::string& word)
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-void AddGraphs(
-  const std::string& rule, const BenchmarkArguments& arguments, std::vector<PlannedGraph>& graphs)
+/// Registers the graphs of one rule of construction.
+void RegisterRule(
+  const MeshRecipe& mesh, const std::string& rule, const BenchmarkArguments& arguments, int sources)
 {
   using Construction = dgg::GraphConstruction;
   static const std::map<std::string, Construction> rules = {
@@ -146,9 +135,8 @@ void AddGraphs(
   };
   const auto found = rules.find(rule);
   Require(found != rules.end(), "there is no rule " + rule);
-  PlannedGraph graph;
-  GraphRecipe& recipe = graph.Recipe;
-  graph.Thorough = Contains(arguments.GetList("thorough"), rule);
+  GraphRecipe recipe;
+  recipe.Mesh = mesh;
   recipe.Options.Construction = found->second;
   const bool isCounted = rule == "SVG";
   for (const std::string& value : arguments.GetList(isCounted ? "neighbors" : "accuracies"))
@@ -164,35 +152,19 @@ void AddGraphs(
     }
     const dgg::Status status = dgg::GraphBuilder::Check(recipe.Options);
     Require(status.IsOk(), recipe.Name + ": " + status.GetMessage());
-    graphs.push_back(graph);
+    RegisterGraph(recipe, Contains(arguments.GetList("thorough"), rule), arguments, sources);
   }
-}
-
-Settings ReadSettings(const BenchmarkArguments& arguments)
-{
-  Settings settings;
-  for (const std::string& rule : arguments.GetList("rules"))
-  {
-    AddGraphs(rule, arguments, settings.Graphs);
-  }
-  settings.NumberOfSources = arguments.GetInteger("sources");
-  settings.Many = arguments.GetInteger("many");
-  settings.Threads = arguments.GetInteger("threads");
-  Require(settings.NumberOfSources >= 1 && settings.Many >= 0 && settings.Threads >= 1,
-    "sources and threads must be at least 1, many at least 0");
-  return settings;
 }
 
 void RegisterAll(const BenchmarkArguments& arguments)
 {
-  const Settings settings = ReadSettings(arguments);
+  const int sources = arguments.GetAtLeast("sources", 1);
   for (const MeshRecipe& mesh : arguments.GetMeshes())
   {
-    RegisterPeers(mesh, settings.NumberOfSources);
-    for (PlannedGraph graph : settings.Graphs)
+    RegisterPeers(mesh, sources);
+    for (const std::string& rule : arguments.GetList("rules"))
     {
-      graph.Recipe.Mesh = mesh;
-      RegisterGraph(graph.Recipe, graph.Thorough, settings);
+      RegisterRule(mesh, rule, arguments, sources);
     }
   }
 }

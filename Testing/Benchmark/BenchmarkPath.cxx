@@ -28,8 +28,6 @@
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
-#include "CellCases.h"
-#include "MatrixCases.h"
 #include "PathCases.h"
 
 #include <algorithm>
@@ -37,31 +35,23 @@
 
 namespace
 {
-struct Settings
-{
-  dgg::GraphOptions Options;
-  PairRecipe Pairs;
-  PairRecipe VertexPairs;
-  int Samples = 0;
-  int Matrix = 0;
-  int Threads = 0;
-};
-
 /// Paths that are straightened only, and default ones, which try detours as well.
 const std::map<std::string, double> Detours = {
   { "Straight", 0.0 },
   { "Default", dgg::PathOptions().Detour },
 };
 
-void RegisterPaths(const GraphRecipe& recipe, const Settings& settings)
+void RegisterPaths(const GraphRecipe& recipe, const BenchmarkArguments& arguments)
 {
   const CaseGroup cases("Path/" + recipe.Mesh.Name + "/", Once);
-  const PairRecipe& pairs = settings.Pairs;
+  PairRecipe pairs;
+  pairs.Count = arguments.GetAtLeast("pairs", 1);
+  pairs.PerStart = arguments.GetAtLeast("targets", 1);
   for (const bool withLandmarks : { false, true })
   {
     if (withLandmarks)
     {
-      cases.Add("Landmarks", MeasureLandmarks, recipe, settings.Threads);
+      cases.Add("Landmarks", MeasureLandmarks, recipe, arguments.GetAtLeast("threads", 1));
     }
     for (const auto& [kind, detour] : Detours)
     {
@@ -71,32 +61,34 @@ void RegisterPaths(const GraphRecipe& recipe, const Settings& settings)
       cases.Add(name, MeasurePaths, recipe, pairs, options, withLandmarks);
     }
   }
-  if (settings.VertexPairs.Count > 0)
+  pairs.Count = arguments.GetAtLeast("vertex_pairs", 0);
+  pairs.AtVertices = true;
+  if (pairs.Count > 0)
   {
-    cases.Add(
-      "VertexDefault", MeasurePaths, recipe, settings.VertexPairs, dgg::PathOptions(), false);
-    cases.Add("VertexVTK", MeasureEdgePaths, recipe.Mesh, settings.VertexPairs);
+    cases.Add("VertexDefault", MeasurePaths, recipe, pairs, dgg::PathOptions(), false);
+    cases.Add("VertexVTK", MeasureEdgePaths, recipe.Mesh, pairs);
   }
 }
 
-void RegisterMesh(const MeshRecipe& mesh, const Settings& settings)
+void RegisterMesh(const MeshRecipe& mesh, const BenchmarkArguments& arguments)
 {
   GraphRecipe recipe;
   recipe.Mesh = mesh;
   recipe.Name = "graph"; // the only one
-  recipe.Options = settings.Options;
-  RegisterPaths(recipe, settings);
-  if (settings.Samples > 0)
+  recipe.Options.Accuracy = arguments.GetNumber("accuracy");
+  Require(dgg::GraphBuilder::Check(recipe.Options));
+  RegisterPaths(recipe, arguments);
+  if (const int samples = arguments.GetAtLeast("samples", 0))
   {
     const CaseGroup cases("Cells/" + mesh.Name + "/", Once);
-    cases.Add("FarthestPoints", MeasureFarthestPoints, recipe, settings.Samples);
-    cases.Add("Voronoi", MeasureVoronoi, recipe, settings.Samples);
+    cases.Add("FarthestPoints", MeasureFarthestPoints, recipe, samples);
+    cases.Add("Voronoi", MeasureVoronoi, recipe, samples);
   }
-  if (settings.Matrix > 0)
+  if (const int size = arguments.GetAtLeast("matrix", 0))
   {
     CaseGroup("Matrix/" + mesh.Name + "/", Once)
-      .Add(
-        "Update", MeasureMatrix, mesh, recipe.Options.Accuracy, settings.Matrix, settings.Threads);
+      .Add("Update", MeasureMatrix, mesh, recipe.Options.Accuracy, size,
+        arguments.GetAtLeast("threads", 1));
   }
 }
 
@@ -120,31 +112,11 @@ std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments)
   return meshes;
 }
 
-Settings ReadSettings(const BenchmarkArguments& arguments)
-{
-  Settings settings;
-  settings.Options.Accuracy = arguments.GetNumber("accuracy");
-  settings.Pairs.Count = arguments.GetInteger("pairs");
-  settings.Pairs.PerStart = arguments.GetInteger("targets");
-  settings.VertexPairs.Count = arguments.GetInteger("vertex_pairs");
-  settings.VertexPairs.PerStart = settings.Pairs.PerStart;
-  settings.VertexPairs.AtVertices = true;
-  settings.Samples = arguments.GetInteger("samples");
-  settings.Matrix = arguments.GetInteger("matrix");
-  settings.Threads = arguments.GetInteger("threads");
-  Require(dgg::GraphBuilder::Check(settings.Options));
-  Require(std::min({ settings.Pairs.Count, settings.Pairs.PerStart, settings.Threads }) >= 1 &&
-      std::min({ settings.VertexPairs.Count, settings.Samples, settings.Matrix }) >= 0,
-    "pairs, targets and threads must be at least 1, all else at least 0");
-  return settings;
-}
-
 void RegisterAll(const BenchmarkArguments& arguments)
 {
-  const Settings settings = ReadSettings(arguments);
   for (const MeshRecipe& mesh : ListMeshes(arguments))
   {
-    RegisterMesh(mesh, settings);
+    RegisterMesh(mesh, arguments);
   }
 }
 }

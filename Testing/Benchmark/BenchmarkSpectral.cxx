@@ -17,8 +17,7 @@
 ///   Spectral/MESH/CASE[/K]          SpectralCases.h
 ///   Spectral/MESH/Greens/WAY/K      OpenedSolver.h
 ///   Peer/MESH/PEER/CASE[/K]         PoissonPeerCases.h; FieldMethods.h for the peer Heat, which
-///   has
-///                                   two matrices
+///                                   has two matrices
 /// Times are CPU seconds on one thread. summarize_spectral.py makes tables of it.
 
 #include "BenchmarkArguments.h"
@@ -27,26 +26,15 @@
 #include "PoissonPeerCases.h"
 #include "SpectralCases.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 #include <vector>
 
 namespace
 {
-struct Settings
-{
-  std::vector<int> Sizes;
-  int Sources = 0;
-  int Eigenpairs = 0;
-  int Movers = 0;
-};
-
-void RegisterMesh(const MeshRecipe& mesh, const Settings& settings)
+void RegisterMesh(const MeshRecipe& mesh, const BenchmarkArguments& arguments, int sources)
 {
   const CaseGroup cases("Spectral/" + mesh.Name + "/");
-  const int sources = settings.Sources;
   cases.Add("Factor", MeasureFactor, mesh);
   cases.AddSources("Column", sources, MeasureColumn, mesh);
   cases.Add("Block", MeasureColumnBlock, mesh);
@@ -55,11 +43,11 @@ void RegisterMesh(const MeshRecipe& mesh, const Settings& settings)
     cases.AddSources("Greens/" + way.Name, sources, MeasureGreens, mesh, way);
   }
   cases.AddSources("Biharmonic", sources, MeasureBiharmonicColumn, mesh);
-  if (settings.Eigenpairs > 0)
+  if (const int pairs = arguments.GetInteger("eigenpairs"))
   {
-    cases.For(Once).Add("Eigenpairs", MeasureEigenpairs, mesh, settings.Eigenpairs);
+    cases.For(Once).Add("Eigenpairs", MeasureEigenpairs, mesh, pairs);
   }
-  if (settings.Movers > 0)
+  if (arguments.GetInteger("movers") > 0)
   {
     cases.For(Once).Add("EarthMovers", MeasureEarthMovers, mesh);
   }
@@ -90,10 +78,14 @@ MeshRecipe TorusOf(int size)
   return torus;
 }
 
-std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments, const Settings& settings)
+std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments)
 {
   std::vector<MeshRecipe> meshes;
-  std::transform(settings.Sizes.begin(), settings.Sizes.end(), std::back_inserter(meshes), TorusOf);
+  for (const int size : arguments.GetIntegers("sizes"))
+  {
+    Require(size >= 100, "sizes must be at least 100");
+    meshes.push_back(TorusOf(size));
+  }
   for (const MeshRecipe& mesh : arguments.GetMeshes())
   {
     if (!mesh.File.empty())
@@ -104,27 +96,13 @@ std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments, const Se
   return meshes;
 }
 
-Settings ReadSettings(const BenchmarkArguments& arguments)
-{
-  Settings settings;
-  settings.Sizes = arguments.GetIntegers("sizes");
-  settings.Sources = arguments.GetInteger("sources");
-  settings.Eigenpairs = arguments.GetInteger("eigenpairs");
-  settings.Movers = arguments.GetInteger("movers");
-  Require(settings.Sources >= 1 &&
-      std::all_of(
-        settings.Sizes.begin(), settings.Sizes.end(), [](int size) { return size >= 100; }),
-    "sizes must be at least 100, sources at least 1");
-  return settings;
-}
-
 void RegisterAll(const BenchmarkArguments& arguments)
 {
-  const Settings settings = ReadSettings(arguments);
-  for (const MeshRecipe& mesh : ListMeshes(arguments, settings))
+  const int sources = arguments.GetAtLeast("sources", 1);
+  for (const MeshRecipe& mesh : ListMeshes(arguments))
   {
-    RegisterMesh(mesh, settings);
-    RegisterPeers(mesh, settings.Sources);
+    RegisterMesh(mesh, arguments, sources);
+    RegisterPeers(mesh, sources);
   }
 #ifdef DGG_WITH_CHOLMOD
   benchmark::AddCustomContext("cholmod_version", DGG_BENCHMARK_CHOLMOD);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CellCases.h"
+#include "PathCases.h"
 
 #include "BenchmarkTools.h"
 #include "SampleStatistics.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MatrixCases.h"
+#include "PathCases.h"
 
 #include "BenchmarkTools.h"
 #include "ErrorStatistics.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What is measured of paths through a graph.
+/// What is measured of paths through a graph, of farthest point samples and their Voronoi cells,
+/// and of a matrix of distances.
 #ifndef PathCases_h
 #define PathCases_h
 
@@ -20,5 +21,19 @@ void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const Pair
 
 /// Paths along mesh edges between pairs of vertices, as VTK finds them.
 void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs);
+
+/// Farthest point samples at vertices, beside ten queries from single vertices to all.
+void MeasureFarthestPoints(benchmark::State& state, const GraphRecipe& recipe, int samples);
+
+/// The Voronoi diagram of these samples, the same without refined borders, its labels of the
+/// vertices alone, and a search from all samples at once, which gives labels without correction;
+/// beside one query.
+void MeasureVoronoi(benchmark::State& state, const GraphRecipe& recipe, int samples);
+
+/// vtkGeodesicDistanceMatrix between two sets of so many random points anywhere on the surface:
+/// time on the wall of an update with the graph kept from an earlier one, and the errors of one
+/// row. What carries the graph across updates is the filter.
+void MeasureMatrix(
+  benchmark::State& state, const MeshRecipe& recipe, double accuracy, int size, int threads);
 
 #endif
