@@ -265,6 +265,16 @@ double EuclideanDistance(vtkPolyData* surface, vtkIdType a, vtkIdType b)
   return std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
 }
 
+void ExpectEuclidean(vtkGeodesicDistanceAlgorithm* filter, vtkPolyData* plate, double tolerance)
+{
+  const auto distances = GetDistances(filter);
+  ASSERT_EQ(static_cast<vtkIdType>(distances.size()), plate->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < plate->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(distances[i], EuclideanDistance(plate, filter->GetSourceId(0), i), tolerance) << i;
+  }
+}
+
 //------------------------------------------------------------------------------
 class Listener::Command : public vtkCommand
 {

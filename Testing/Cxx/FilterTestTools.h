@@ -61,6 +61,9 @@ std::string DescribeGeometry(vtkPolyData* output);
 std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter);
 std::vector<int> GetNearestSources(vtkGeodesicDistanceAlgorithm* filter);
 double EuclideanDistance(vtkPolyData* surface, vtkIdType a, vtkIdType b);
+/// Expects straight distances from the first source id to all points of a plate.
+void ExpectEuclidean(
+  vtkGeodesicDistanceAlgorithm* filter, vtkPolyData* plate, double tolerance = 1e-12);
 
 /// Listens to what an algorithm or an executive says, so that it is not printed.
 class Listener

@@ -155,9 +155,6 @@ TEST_F(DGGDistance, BuildsOnce)
   this->ExpectBuilt("first update");
   const vtkIdType edges = this->Filter->GetNumberOfGraphEdges();
   EXPECT_GT(edges, 0);
-  EXPECT_EQ(this->Filter->GetGraphAccuracy(), 0.05);
-  EXPECT_TRUE(this->Filter->GetGraphIsGuaranteed());
-  EXPECT_GE(this->Filter->GetMemorySize(), static_cast<vtkTypeUInt64>(16 * edges));
   this->Filter->SetSourceIds({ 1, 7 });
   this->ExpectKept("source ids");
   this->Filter->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, GetTerrainHeight(0.5, 0.5) } } }));

@@ -110,13 +110,10 @@ TEST_F(GeodesicDistanceMatrix, IsThatOfTheGraph)
     distance->AddSourceId(rows[i]);
     ExpectSuccess(distance);
     const auto field = GetDistances(distance);
-    const auto exact = GetExactDistances(this->Terrain, { rows[i] });
     ASSERT_EQ(matrix[i].size(), columns.size());
     for (std::size_t j = 0; j < columns.size(); ++j)
     {
       EXPECT_NEAR(matrix[i][j], field[columns[j]], 1e-9) << i << " " << j;
-      EXPECT_GE(matrix[i][j], exact[columns[j]] * (1.0 - 1e-9));
-      EXPECT_LE(matrix[i][j], exact[columns[j]] * 1.05 * (1.0 + 1e-6));
     }
   }
 }
