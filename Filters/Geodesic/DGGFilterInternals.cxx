@@ -104,6 +104,7 @@ DGGFilterInternals::~DGGFilterInternals() = default;
 bool DGGFilterInternals::Update(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->ForgetResults();
   const bool done = this->Attempt([&] { return this->Follow(request, inputVector, outputVector); });
   if (!done)
   {
@@ -251,6 +252,9 @@ dgg::Status DGGFilterInternals::CheckProperties() const
 {
   return dgg::Status::Success();
 }
+
+//------------------------------------------------------------------------------
+void DGGFilterInternals::ForgetResults() {}
 
 //------------------------------------------------------------------------------
 bool DGGFilterInternals::PassesSurface() const

@@ -50,6 +50,9 @@ public:
   virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) = 0;
   ///@}
 
+  /// Resets what getters return of the last update. Called before each update, so that one that
+  /// fails leaves nothing of an earlier one. Default: nothing.
+  virtual void ForgetResults();
   /// Returns true if output 0 is the surface with arrays added and has the pieces of the input.
   /// Default false: output 0 is new geometry, as other outputs are.
   virtual bool PassesSurface() const;

@@ -58,6 +58,7 @@ public:
   }
 
   dgg::Status CheckProperties() const override;
+  void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
@@ -201,17 +202,6 @@ std::vector<double> vtkApolloniusIsolines::vtkInternals::CopyValues() const
 }
 
 //------------------------------------------------------------------------------
-int vtkApolloniusIsolines::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  // An update that fails before Execute() must not return results of the previous update.
-  this->UsedWindows = false;
-  this->UsedVirtualSources = false;
-  this->NumberOfFallbacks = 0;
-  return this->Superclass::RequestData(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkApolloniusIsolines::vtkInternals::CheckProperties() const
 {
   if (this->Self->SteinerPoints < 0 || this->Self->SteinerPoints > dgg::MaximumSteinerPoints)
@@ -245,6 +235,14 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::CheckProperties() const
 std::string vtkApolloniusIsolines::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, fewer values or a larger ChordTolerance";
+}
+
+//------------------------------------------------------------------------------
+void vtkApolloniusIsolines::vtkInternals::ForgetResults()
+{
+  this->Self->UsedWindows = false;
+  this->Self->UsedVirtualSources = false;
+  this->Self->NumberOfFallbacks = 0;
 }
 
 //------------------------------------------------------------------------------

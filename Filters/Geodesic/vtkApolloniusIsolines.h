@@ -212,9 +212,6 @@ protected:
   vtkApolloniusIsolines();
   ~vtkApolloniusIsolines() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 private:
   vtkApolloniusIsolines(const vtkApolloniusIsolines&) = delete;
   void operator=(const vtkApolloniusIsolines&) = delete;

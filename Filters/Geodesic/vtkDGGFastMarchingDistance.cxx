@@ -50,6 +50,7 @@ public:
   dgg::Status CheckProperties() const override;
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override;
+  void ForgetResults() override;
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
 
 private:
@@ -134,6 +135,12 @@ dgg::Status vtkDGGFastMarchingDistance::vtkInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
+void vtkDGGFastMarchingDistance::vtkInternals::ForgetResults()
+{
+  this->Self->QualityWarning = false;
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkDGGFastMarchingDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   return task.Context.Surface.IsCloud() ? this->MarchOnCloud(task) : this->MarchOnMesh(task);
@@ -175,7 +182,6 @@ dgg::Status vtkDGGFastMarchingDistance::vtkInternals::MarchOnCloud(DGGDistanceTa
     this->Self->Prepared->MeshBuild == context.Surface.GetBuildNumber() &&
     this->Self->Prepared->BandRadius == this->Self->BandRadius &&
     this->Self->Prepared->Resolution == this->Self->Resolution;
-  this->Self->QualityWarning = false;
   if (!isKept)
   {
     this->Self->Prepared.reset();

@@ -209,6 +209,7 @@ public:
   }
 
   dgg::Status CheckProperties() const override;
+  void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
@@ -320,10 +321,15 @@ std::string vtkDGGPath::vtkInternals::GetMemoryRemedy() const
 }
 
 //------------------------------------------------------------------------------
+void vtkDGGPath::vtkInternals::ForgetResults()
+{
+  this->Self->NumberOfFallbacks = 0;
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkDGGPath::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Self->NumberOfFallbacks = 0;
   const dgg::PreparedSurface& mesh = context.Surface;
   if (mesh.IsCloud() && this->Self->Method == Exact)
   {
@@ -385,7 +391,6 @@ void vtkDGGPath::vtkInternals::WarnAboutUnconnectedPairs(
 void vtkDGGPath::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  this->Self->NumberOfFallbacks = 0;
   DGGNewGeometry geometry;
   geometry.Take(context, this->Self->GetOutputPointsPrecision());
   const dgg::PathSearch::Paths none;

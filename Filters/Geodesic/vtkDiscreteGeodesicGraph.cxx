@@ -51,6 +51,7 @@ public:
   }
 
   dgg::Status CheckProperties() const override;
+  void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
@@ -219,14 +220,6 @@ dgg::GraphOptions vtkDiscreteGeodesicGraph::vtkInternals::MakeOptions() const
 }
 
 //------------------------------------------------------------------------------
-int vtkDiscreteGeodesicGraph::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  this->GetInternals().Current = dgg::GraphSummary();
-  return this->Superclass::RequestData(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::CheckProperties() const
 {
   return dgg::GraphBuilder::Check(this->MakeOptions());
@@ -238,6 +231,12 @@ std::string vtkDiscreteGeodesicGraph::vtkInternals::GetMemoryRemedy() const
   return this->Self->Construction == SaddleVertexGraph
     ? "use a smaller mesh or a smaller NumberOfNeighbors"
     : "use a smaller mesh or a larger Accuracy";
+}
+
+//------------------------------------------------------------------------------
+void vtkDiscreteGeodesicGraph::vtkInternals::ForgetResults()
+{
+  this->Current = dgg::GraphSummary();
 }
 
 //------------------------------------------------------------------------------

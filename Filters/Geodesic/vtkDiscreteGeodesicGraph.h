@@ -156,9 +156,6 @@ protected:
   vtkDiscreteGeodesicGraph();
   ~vtkDiscreteGeodesicGraph() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 private:
   vtkDiscreteGeodesicGraph(const vtkDiscreteGeodesicGraph&) = delete;
   void operator=(const vtkDiscreteGeodesicGraph&) = delete;

@@ -136,6 +136,7 @@ public:
   }
 
   dgg::Status CheckProperties() const override;
+  void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
@@ -237,14 +238,6 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-int vtkGeodesicDistanceMatrix::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  this->GetInternals().Matrix = MakeMatrix(0, 1);
-  return this->Superclass::RequestData(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 DGGSourceSet vtkGeodesicDistanceMatrix::vtkInternals::GetRows(
   vtkInformationVector** inputVector) const
 {
@@ -284,6 +277,12 @@ bool vtkGeodesicDistanceMatrix::vtkInternals::IsCloud(vtkPolyData* input) const
 std::string vtkGeodesicDistanceMatrix::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, a larger Accuracy or fewer points at a time";
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicDistanceMatrix::vtkInternals::ForgetResults()
+{
+  this->Matrix = MakeMatrix(0, 1);
 }
 
 //------------------------------------------------------------------------------

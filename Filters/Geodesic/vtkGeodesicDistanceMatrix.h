@@ -171,8 +171,6 @@ protected:
   ~vtkGeodesicDistanceMatrix() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
 
 private:
   vtkGeodesicDistanceMatrix(const vtkGeodesicDistanceMatrix&) = delete;

@@ -58,6 +58,7 @@ public:
   }
 
   dgg::Status CheckProperties() const override;
+  void ForgetResults() override;
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
   std::string GetMemoryRemedy() const override;
 
@@ -129,6 +130,12 @@ dgg::Status vtkHeatGeodesicDistance::vtkInternals::CheckProperties() const
 std::string vtkHeatGeodesicDistance::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh or vtkDGGFastMarchingDistance";
+}
+
+//------------------------------------------------------------------------------
+void vtkHeatGeodesicDistance::vtkInternals::ForgetResults()
+{
+  this->Self->QualityWarning = false;
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,7 @@ public:
   {
   }
 
+  void ForgetResults() override;
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
   std::string GetMemoryRemedy() const override;
 
@@ -61,6 +62,12 @@ const char* vtkVirtualSourceGeodesicDistance::GetQualityAsString() const
 std::string vtkVirtualSourceGeodesicDistance::vtkInternals::GetMemoryRemedy() const
 {
   return "use a smaller mesh, or SetQualityToFast()";
+}
+
+//------------------------------------------------------------------------------
+void vtkVirtualSourceGeodesicDistance::vtkInternals::ForgetResults()
+{
+  this->Self->QualityWarning = false;
 }
 
 //------------------------------------------------------------------------------

@@ -95,7 +95,6 @@ const char* vtkPointCloudDGG::GetSchemeAsString() const
 int vtkPointCloudDGG::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->GetInternals().Current = vtkInternals::Findings();
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
   if (!this->GenerateVertices)
   {
@@ -164,6 +163,12 @@ bool vtkPointCloudDGG::vtkInternals::IsCloud(vtkPolyData* vtkNotUsed(input)) con
 std::string vtkPointCloudDGG::vtkInternals::GetMemoryRemedy() const
 {
   return "use fewer points, a larger Accuracy, a smaller Alpha or a smaller Resolution";
+}
+
+//------------------------------------------------------------------------------
+void vtkPointCloudDGG::vtkInternals::ForgetResults()
+{
+  this->Current = Findings();
 }
 
 //------------------------------------------------------------------------------

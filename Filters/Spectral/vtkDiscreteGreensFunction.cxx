@@ -157,6 +157,7 @@ public:
   dgg::PoissonOptions GetPoissonOptions() const override;
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
+  void ForgetResults() override;
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
   std::unique_ptr<Functions> Kept;
@@ -306,6 +307,12 @@ double vtkDiscreteGreensFunction::vtkInternals::EstimateWorkingMemory(
 }
 
 //------------------------------------------------------------------------------
+void vtkDiscreteGreensFunction::vtkInternals::ForgetResults()
+{
+  this->Used.clear();
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkDiscreteGreensFunction::vtkInternals::ComputeValues(DGGSpectralTask& task)
 {
   const dgg::GreensMethod methods[] = { dgg::GreensMethod::SingularitySubtraction,
@@ -328,7 +335,6 @@ dgg::Status vtkDiscreteGreensFunction::vtkInternals::ComputeValues(DGGSpectralTa
     this->Kept.reset(); // release before the next is allocated
     this->Kept = std::make_unique<Functions>(task.Solver, task.SolverTime);
   }
-  this->Used.clear();
   std::vector<UsedMethod> used;
   Run run(task, query, used);
   DGG_RETURN_IF_ERROR(run.Check());

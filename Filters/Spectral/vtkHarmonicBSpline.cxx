@@ -68,6 +68,7 @@ public:
     std::vector<dgg::SurfacePoint>& sources) const override;
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
+  void ForgetResults() override;
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
 private:
@@ -134,14 +135,6 @@ vtkIdType vtkHarmonicBSpline::GetNumberOfUsedSites() const
 vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const
 {
   return DGGGetId(this->UsedSites, site);
-}
-
-//------------------------------------------------------------------------------
-int vtkHarmonicBSpline::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  this->UsedSites.clear(); // remains empty after a failure
-  return this->Superclass::RequestData(request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -270,6 +263,12 @@ double vtkHarmonicBSpline::vtkInternals::EstimateWorkingMemory(
     (held * (n + targets) + (isSmooth ? sites * targets : 0.0) +
       (hasMatrices ? SiteMatrices * sites * sites : 0.0)) *
     sizeof(double);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicBSpline::vtkInternals::ForgetResults()
+{
+  this->Self->UsedSites.clear();
 }
 
 //------------------------------------------------------------------------------

@@ -193,9 +193,6 @@ protected:
   vtkHarmonicBSpline();
   ~vtkHarmonicBSpline() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 private:
   vtkHarmonicBSpline(const vtkHarmonicBSpline&) = delete;
   void operator=(const vtkHarmonicBSpline&) = delete;

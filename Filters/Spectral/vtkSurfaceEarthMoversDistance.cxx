@@ -145,6 +145,7 @@ public:
   }
 
   dgg::Status CheckProperties() const override;
+  void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
@@ -171,7 +172,7 @@ vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(3);
-  this->ForgetResults();
+  this->Internals->ForgetResults();
 }
 
 //------------------------------------------------------------------------------
@@ -223,20 +224,12 @@ vtkTypeUInt64 vtkSurfaceEarthMoversDistance::GetMemorySize() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceEarthMoversDistance::ForgetResults()
+void vtkSurfaceEarthMoversDistance::vtkInternals::ForgetResults()
 {
-  this->Distance = std::numeric_limits<double>::quiet_NaN();
-  this->LowerBound = std::numeric_limits<double>::quiet_NaN();
-  this->Gap = std::numeric_limits<double>::quiet_NaN();
-  this->NumberOfIterations = 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkSurfaceEarthMoversDistance::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  this->ForgetResults(); // also if nothing is executed
-  return this->Superclass::RequestData(request, inputVector, outputVector);
+  this->Self->Distance = std::numeric_limits<double>::quiet_NaN();
+  this->Self->LowerBound = std::numeric_limits<double>::quiet_NaN();
+  this->Self->Gap = std::numeric_limits<double>::quiet_NaN();
+  this->Self->NumberOfIterations = 0;
 }
 
 //------------------------------------------------------------------------------

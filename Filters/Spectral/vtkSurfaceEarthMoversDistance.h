@@ -180,15 +180,11 @@ protected:
   vtkSurfaceEarthMoversDistance();
   ~vtkSurfaceEarthMoversDistance() override;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 private:
   vtkSurfaceEarthMoversDistance(const vtkSurfaceEarthMoversDistance&) = delete;
   void operator=(const vtkSurfaceEarthMoversDistance&) = delete;
 
   class vtkInternals;
-  void ForgetResults();
 
   std::string FromArrayName;
   std::string ToArrayName;
