@@ -206,6 +206,28 @@ TEST(PathSearch, PolylinesOnClouds)
   EXPECT_GE(paths[0].Path.Length, std::sqrt(2.0) - 1e-9);
 }
 
+TEST(MatrixSearch, DistancesInACloud)
+{
+  // Vertices, and points beside the ends of the chain.
+  const GraphWorld world = CornerWorld();
+  GraphSession session = StartSession(world);
+  const Points points = { SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(2),
+    SurfacePoint::AtVertex(3), SurfacePoint::NearVertex(0, { { -0.5, 0.0, 0.0 } }),
+    SurfacePoint::NearVertex(2, { { 0.0, 0.5, 0.0 } }) };
+  const std::vector<double> expected = { 0.0, 2.0, 0.5, 2.5, 2.0, 0.0, 2.5, 0.5 };
+  std::vector<double> values(25, dgg::Infinity);
+  const dgg::MatrixEntries matrix{ values.data(), 5, true };
+  const dgg::TaskContext context = world.MakeContext();
+  ASSERT_TRUE(Ok(MatrixSearch(context, session, points, points, matrix).Run(true, dgg::Infinity)));
+  const std::vector<std::size_t> connected = { 0, 1, 3, 4 };
+  for (std::size_t k = 0; k < expected.size(); ++k)
+  {
+    EXPECT_NEAR(matrix(connected[k / 4], connected[k % 4]), expected[k], 1e-9);
+  }
+  EXPECT_EQ(matrix(2, 0), dgg::Infinity);
+  EXPECT_EQ(matrix(2, 2), 0.0);
+}
+
 TEST(MatrixSearch, DistancesInThePlane)
 {
   const GraphWorld world(TwoPlanes(), Accuracy);

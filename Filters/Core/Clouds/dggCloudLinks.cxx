@@ -3,6 +3,7 @@
 #include "dggCloudLinks.h"
 
 #include "dggCloudFrame.h"
+#include "dggGraphSeeds.h"
 
 #include <algorithm>
 
@@ -10,8 +11,7 @@ namespace dgg
 {
 namespace
 {
-/// Directions without a meaning: of a point of the cloud, which is its own link, and of others.
-constexpr double AtPoint = -1.0;
+/// Direction without a meaning, of links of points beside a point of the cloud.
 constexpr double NearPoint = 0.0;
 
 Point3 GetPosition(const double* positions, const SurfacePoint& point)
@@ -66,7 +66,7 @@ void LinkToCloud(const GraphView& graph, const double* positions, const SurfaceP
   const Id nearest = point.Vertex;
   if (IsVertex(point))
   {
-    links = { { nearest, 0.0, AtPoint, 0.0 } };
+    links = { LinkOfVertex(nearest) };
     return;
   }
   const Point3 p = GetPosition(positions, point);

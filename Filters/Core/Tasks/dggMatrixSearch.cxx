@@ -19,33 +19,6 @@ constexpr double TargetsLinked = 0.1;
 
 /// Number of points that a thread links between reports of the progress.
 constexpr std::size_t LinkBlock = 16;
-
-/// Returns the indices of the points that are not vertices.
-std::vector<std::size_t> FindUnlinked(const MatrixSearch::Points& points)
-{
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (!IsVertex(points[i]))
-    {
-      found.push_back(i);
-    }
-  }
-  return found;
-}
-
-/// Links vertices to themselves; the other points have no links yet.
-void LinkVertices(const MatrixSearch::Points& points, MatrixSearch::Links& links)
-{
-  links.assign(points.size(), {});
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (IsVertex(points[i]))
-    {
-      links[i] = { LinkOfVertex(points[i].Vertex) };
-    }
-  }
-}
 }
 
 MatrixSearch::MatrixSearch(const TaskContext& context, GraphSession& graph, const Points& sources,
@@ -65,26 +38,26 @@ template <typename EntryType>
 Status MatrixSearch::LinkPoints(
   const Points& points, const Points& others, double end, Links& links, EntryType entry)
 {
-  const std::vector<std::size_t> unlinked = FindUnlinked(points);
-  LinkVertices(points, links);
-  if (unlinked.empty())
-  {
-    return Status::Success();
-  }
-  const std::vector<std::size_t> aims = FindUnlinked(others);
+  std::vector<std::size_t> aims;
   Points aimPoints;
-  for (const std::size_t i : aims)
+  for (std::size_t i = 0; i < others.size(); ++i)
   {
-    aimPoints.push_back(others[i]);
+    if (!IsVertex(others[i]))
+    {
+      aims.push_back(i);
+      aimPoints.push_back(others[i]);
+    }
   }
+  const Points none;
+  links.assign(points.size(), {});
   const double start = this->Done;
   this->Done = end;
-  return ForEach(unlinked.size(), LinkBlock, this->Context.Parallel,
-    ProgressPart(this->Progress, start, end), [&](std::size_t k, const ProgressCallback&) {
-      const std::size_t i = unlinked[k];
+  return ForEach(points.size(), LinkBlock, this->Context.Parallel,
+    ProgressPart(this->Progress, start, end), [&](std::size_t i, const ProgressCallback&) {
       std::vector<double> direct;
-      const Status status = this->Graph.Link(points[i], aimPoints, links[i], direct);
-      for (std::size_t a = 0; a < aims.size() && status.IsOk(); ++a)
+      const Status status =
+        this->Graph.Link(points[i], IsVertex(points[i]) ? none : aimPoints, links[i], direct);
+      for (std::size_t a = 0; a < direct.size(); ++a)
       {
         double& distance = entry(i, aims[a]);
         distance = std::min(distance, direct[a]);
