@@ -20,7 +20,7 @@ vtkSmartPointer<vtkPolyData> Generated(const MeshRecipe& recipe)
   {
     return ToPolyData(Torus(recipe.Rings, recipe.Rings / 2));
   }
-  return ToPolyData(recipe.IsRound ? Icosphere(recipe.Level) : BumpySphere(recipe.Level));
+  return ToPolyData(BumpySphere(recipe.Level));
 }
 
 /// Drop points without a face; merge nothing.

@@ -26,7 +26,6 @@ struct MeshRecipe
   std::string Name;
   std::string File;     ///< empty: a generated surface
   int Level = 0;        ///< refinement of the generated surface, a sphere
-  bool IsRound = false; ///< that sphere is one of radius 1, else it has waves
   int Rings = 0;        ///< when positive: the generated surface is a torus of so many rings
   int Vertices = 0;     ///< when positive: decimate to about this many
   int Subdivisions = 0; ///< steps of Loop subdivision, each with four times the vertices

@@ -24,7 +24,6 @@ geodesic graphs", PhD thesis, Nanyang Technological University, 2019, chapter 5,
 voxels, for models of the same kind and size.
 """
 
-import os
 import time
 
 import modes

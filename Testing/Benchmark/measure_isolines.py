@@ -26,7 +26,7 @@ from benchmark_results import count_text, digits, gain_text, percent, titled
 from exhibits.tables import column, hundredths, joined, listing
 from vtkdgg.commands.measured import Errors
 from vtkdgg.commands.methods import graph as graph_of
-from vtkdgg.commands.sizes import edge_lengths, floor_of
+from vtkdgg.commands.sizes import floor_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter

@@ -105,7 +105,7 @@ case "$mode" in
     ;;
   exact) program=BenchmarkExact tables=summarize.py ;;
   first)
-    tables=first_answer.py
+    tables=measure_first.py
     scans=(bunny armadillo gargoyle fandisk blade_aniso igea terrain_andes)
     ;;
   graph)
@@ -117,7 +117,7 @@ case "$mode" in
     scans+=(igea)
     ;;
   local)
-    tables=local_queries.py
+    tables=measure_local.py
     packages+=(python3-scipy)
     ;;
   passrate | thesis)

@@ -60,11 +60,6 @@ const std::map<std::string, QueueRule> Queues = {
   { "LLL", QueueRule::LargeLabelLast },
   { "Both", QueueRule::SmallAndLarge },
 };
-const std::map<std::string, PruningRule> Prunings = {
-  { "None", PruningRule::None },
-  { "Progress", PruningRule::Progress },
-  { "Published", PruningRule::Published },
-};
 const std::map<std::string, void (*)(const MeshRecipe&, const BenchmarkArguments&)> Rivals = {
   { "Heat", RegisterHeat },
   { "Unfolding", RegisterUnfolding },
@@ -116,6 +111,8 @@ struct OwnGraph
   dgg::Id Added = 0;
 };
 
+using Builder = std::function<dgg::Status(const dgg::SurfaceMesh&, double, OwnGraph&)>;
+
 OwnGraph& Kept()
 {
   static OwnGraph kept;
@@ -123,13 +120,13 @@ OwnGraph& Kept()
 }
 
 void Build(benchmark::State& state, const MeshRecipe& recipe, const std::string& name,
-  const std::function<dgg::Status(const dgg::SurfaceMesh&, OwnGraph&)>& build)
+  const Builder& builder, double accuracy)
 {
   BenchmarkMesh& mesh = OpenMesh(recipe);
   OwnGraph& own = Kept();
   dgg::Status status;
   Measure(
-    state, [&] { own = OwnGraph(); }, [&] { status = build(mesh.GetSurface(), own); });
+    state, [&] { own = OwnGraph(); }, [&] { status = builder(mesh.GetSurface(), accuracy, own); });
   Require(status);
   own.Name = recipe.Name + "/" + name;
   ReportMesh(state, mesh);
@@ -177,48 +174,46 @@ dgg::Status BuildPseudo(const dgg::SurfaceMesh& surface, double accuracy, OwnGra
     own.Surface, accuracy, PruningRule::Published, own.Graph, own.Statistics);
 }
 
-void RegisterOwn(const MeshRecipe& mesh, const std::string& name, int sources,
-  const std::function<dgg::Status(const dgg::SurfaceMesh&, OwnGraph&)>& build)
+Builder FromCandidates(PruningRule rule)
 {
-  const CaseGroup cases("Published/" + mesh.Name + "/" + name + "/", Once);
-  cases.Add("Build", Build, mesh, name, build);
-  cases.AddSources("Query", sources, Query, mesh, name);
+  return [rule](const dgg::SurfaceMesh& surface, double accuracy, OwnGraph& own) {
+    return BuildFromCandidates(surface, accuracy, rule, own.Graph, own.Statistics);
+  };
 }
+
+dgg::Status BuildGuaranteed(const dgg::SurfaceMesh& surface, double accuracy, OwnGraph& own)
+{
+  dgg::GraphOptions options;
+  options.Accuracy = accuracy;
+  return dgg::GraphBuilder(surface).Build(options, own.Graph);
+}
+
+/// Graphs that are built here, by part and rule.
+const std::map<std::string, std::map<std::string, Builder>> Builders = {
+  { "Pruning",
+    { { "None", FromCandidates(PruningRule::None) },
+      { "Progress", FromCandidates(PruningRule::Progress) },
+      { "Published", FromCandidates(PruningRule::Published) } } },
+  { "Pseudo",
+    { { "Plain", FromCandidates(PruningRule::Published) }, { "Guaranteed", BuildGuaranteed },
+      { "Pseudo", BuildPseudo } } },
+};
 
 void RegisterMesh(const MeshRecipe& mesh, const std::string& part, const std::string& text,
   const BenchmarkArguments& arguments)
 {
   const double accuracy = std::atof(text.c_str());
   const int sources = arguments.GetInteger("sources");
-  if (part == "Pruning")
+  const auto builders = Builders.find(part);
+  if (builders != Builders.end())
   {
-    for (const auto& pruning : Prunings)
+    for (const auto& [rule, builder] : builders->second)
     {
-      const PruningRule rule = pruning.second;
-      RegisterOwn(mesh, "Pruning/" + pruning.first + "/" + text, sources,
-        [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
-          return BuildFromCandidates(surface, accuracy, rule, own.Graph, own.Statistics);
-        });
+      const std::string name = part + "/" + rule + "/" + text;
+      const CaseGroup cases("Published/" + mesh.Name + "/" + name + "/", Once);
+      cases.Add("Build", Build, mesh, name, builder, accuracy);
+      cases.AddSources("Query", sources, Query, mesh, name);
     }
-    return;
-  }
-  if (part == "Pseudo")
-  {
-    RegisterOwn(
-      mesh, "Pseudo/Plain/" + text, sources, [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
-        return BuildFromCandidates(
-          surface, accuracy, PruningRule::Published, own.Graph, own.Statistics);
-      });
-    RegisterOwn(mesh, "Pseudo/Guaranteed/" + text, sources,
-      [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
-        dgg::GraphOptions options;
-        options.Accuracy = accuracy;
-        return dgg::GraphBuilder(surface).Build(options, own.Graph);
-      });
-    RegisterOwn(
-      mesh, "Pseudo/Pseudo/" + text, sources, [=](const dgg::SurfaceMesh& surface, OwnGraph& own) {
-        return BuildPseudo(surface, accuracy, own);
-      });
     return;
   }
   Require(part == "Queue", "there is no part " + part);
@@ -245,7 +240,7 @@ void RegisterMesh(const MeshRecipe& mesh, const std::string& part, const std::st
 
 void RegisterAll(const BenchmarkArguments& arguments)
 {
-  Require(arguments.GetInteger("sources") >= 1, "sources must be at least 1");
+  arguments.GetAtLeast("sources", 1);
   for (const std::string& text : arguments.GetList("accuracies"))
   {
     // The library has a lower limit, candidates have none.

@@ -102,10 +102,6 @@ class Run:
             vtkdgg.check(writer)
         return path
 
-    def unused_file(self):
-        """That of a mesh, for programs that want one and measure what they generate."""
-        return self.measured(lambda: self.file("sphere-0")).figures
-
     def once(self, key, make):
         """What several exhibits share: made once in a run."""
         if key not in self._made:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How soon each distance filter answers on a new mesh, and again; and how far off it is.
 
-Usage: first_answer.py OUT.json OUT.md MESH...
+Usage: measure_first.py OUT.json OUT.md MESH...
 
 Times are those of Update(), one thread and CPU time unless a column says otherwise: `new` for a
 filter and a mesh that have not been seen, with the mesh prepared as all filters do; `again` for
@@ -10,15 +10,14 @@ another source on the same mesh. Errors are relative to the exact distances, ove
 all sources.
 """
 
-import json
-import os
 import statistics
-import sys
 import time
 
+import modes
 import numpy as np
 import vtkdgg
-from benchmark_results import tabulate, time_text
+from benchmark_results import time_text
+from exhibits.tables import column, hundredths, joined, listing
 from vtkdgg.commands.methods import graph, propagation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -27,7 +26,6 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 SOURCES = 10
 NEW_MESHES = 5
 SLOW = 2.0  # seconds: what takes longer is measured once
-
 
 METHODS = {
     "virtual sources": propagation(1),
@@ -40,26 +38,6 @@ METHODS = {
 }
 
 
-def read(path):
-    """The surface in a file, with nothing but points and polygons."""
-    from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-    from vtkmodules.vtkIOPLY import vtkPLYReader
-
-    readers = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".stl": vtkSTLReader}
-    reader = readers[os.path.splitext(path)[1]]()
-    reader.SetFileName(path)
-    mesh = vtkPolyData()
-    mesh.CopyStructure(vtkdgg.check(reader))
-    return mesh
-
-
-def seconds(clock, algorithm):
-    """What an update takes."""
-    start = clock()
-    algorithm.Update()
-    return clock() - start
-
-
 def first_updates(make, mesh, source, clock):
     """Times of updates on new meshes, and the filter of the last one."""
     times = []
@@ -69,13 +47,13 @@ def first_updates(make, mesh, source, clock):
         distance = make()
         distance.SetInputData(copy)
         distance.SetSourceIds([source])
-        times.append(seconds(clock, distance))
+        times.append(modes.timed(distance.Update, clock)[0])
         if times[-1] > SLOW:
             break
     return statistics.median(times), distance
 
 
-def measure(name, make, mesh, sources, exact):
+def measure_method(name, make, mesh, sources, exact):
     """Times and errors of one method on one mesh."""
     new, distance = first_updates(make, mesh, sources[0], time.process_time)
     again = []
@@ -83,7 +61,7 @@ def measure(name, make, mesh, sources, exact):
     for source in sources:
         distance.SetSourceIds([source])
         distance.Modified()
-        again.append(seconds(time.process_time, distance))
+        again.append(modes.timed(distance.Update)[0])
         array = vtkdgg.check(distance).GetPointData().GetArray("GeodesicDistance")
         fields.append(vtk_to_numpy(array).copy())
     vtkSMPTools.Initialize(2)
@@ -91,7 +69,7 @@ def measure(name, make, mesh, sources, exact):
     for source in sources:
         distance.SetSourceIds([source])
         distance.Modified()
-        pairs.append(seconds(time.perf_counter, distance))
+        pairs.append(modes.timed(distance.Update, time.perf_counter)[0])
     vtkSMPTools.Initialize(1)
     result = {
         "method": name,
@@ -111,48 +89,46 @@ def measure(name, make, mesh, sources, exact):
     return result, fields
 
 
-def table(name, points, results):
-    """A Markdown table of one mesh."""
-    heat = next((r["new"] for r in results if r["method"] == "heat"), float("nan"))
-    columns = [
-        ("method", lambda r: r["method"]),
-        ("new mesh", lambda r: time_text(r["new"])),
-        ("of heat's", lambda r: f"{r['new'] / heat:.2f}"),
-        ("again", lambda r: time_text(r["again"])),
-        ("points a second", lambda r: f"{points / r['again'] / 1e6:.2f} M"),
-        ("two threads, wall clock", lambda r: time_text(r["again_on_two_threads"])),
-        ("error, %: mean / 99.9 %", lambda r: f"{100 * r['mean']:.2g} / {100 * r['p999']:.2g}"),
-        ("least / most", lambda r: f"{100 * r['least']:+.2g} / {100 * r['most']:+.2g}"),
-    ]
-    return f"**{name}**, {points} points\n\n" + tabulate(columns, [(r,) for r in results])
-
-
-def main(json_path, table_path, meshes):
-    """Measure all methods on all meshes."""
-    vtkSMPTools.Initialize(1)
-    everything = {}
-    tables = []
-    for path in meshes:
-        name = os.path.splitext(os.path.basename(path))[0]
-        mesh = read(path)
+def measure(options):
+    """Returns the figures of all methods on all meshes."""
+    found = {}
+    for path in options.meshes:
+        name, mesh = modes.open_mesh(path)
         points = mesh.GetNumberOfPoints()
         sources = [points * (2 * k + 1) // (2 * SOURCES) for k in range(SOURCES)]
-        exact, fields = measure("exact", METHODS["exact"], mesh, sources, None)
+        exact, fields = measure_method("exact", METHODS["exact"], mesh, sources, None)
         results = [
-            measure(method, make, mesh, sources, fields)[0]
+            measure_method(method, make, mesh, sources, fields)[0]
             for method, make in METHODS.items()
             if method != "exact"
-        ] + [exact]
-        everything[name] = {"points": points, "results": results}
-        tables.append(table(name, points, results))
-        print(tables[-1], flush=True)
-    with open(json_path, "w", encoding="utf-8") as out:
-        json.dump(everything, out, indent=1)
-    with open(table_path, "w", encoding="utf-8") as out:
-        out.write("\n".join(tables))
+        ]
+        found[name] = {"points": points, "results": [*results, exact]}
+    return found
+
+
+def table(name, points, results):
+    """A Markdown table of one mesh."""
+    heat = next(r["new"] for r in results if r["method"] == "heat")
+
+    def two_digits(value):
+        return f"{100 * value:.2g}"
+
+    columns = (
+        column("method", str, "method"),
+        column("new mesh", time_text, "new"),
+        column("of heat's", lambda new: hundredths(new / heat), "new"),
+        column("again", time_text, "again"),
+        column("points a second", lambda again: f"{points / again / 1e6:.2f} M", "again"),
+        column("two threads, wall clock", time_text, "again_on_two_threads"),
+        ("error, %: mean / 99.9 %", joined(two_digits, "mean", "p999")),
+        ("least / most", joined(lambda value: f"{100 * value:+.2g}", "least", "most")),
+    )
+    return listing(columns, results, f"**{name}**, {points} points")
+
+
+def tables(results):
+    return "\n".join(table(name, **found) for name, found in results.items())
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 4:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2], sys.argv[3:])
+    modes.run(measure, tables, modes.parse(__doc__))

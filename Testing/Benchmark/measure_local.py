@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The cost of queries about a few points, on meshes of growing size, beside SciPy and gdist.
 
-Usage: local_queries.py OUT.json OUT.md [NUMBER-OF-POINTS ...]
+Usage: measure_local.py OUT.json OUT.md [NUMBER-OF-POINTS ...]
 
 Meshes are rippled squares of 10,000, 100,000 and 1,000,000 points by default, the radius is three
 mean edge lengths. CPU time on one thread. SciPy's dijkstra(limit=...) searches the same graph, from
@@ -10,15 +10,11 @@ a sample of the points; gdist (`pip install tvb-gdist`) is measured if it is ins
 up to 10,000 points.
 """
 
-import json
-import sys
-import time
-
+import modes
 import numpy as np
 import vtkdgg
-from benchmark_results import tabulate
+from exhibits.tables import column, listing
 from scipy.sparse.csgraph import dijkstra
-from vtkmodules.vtkCommonCore import vtkSMPTools
 
 try:
     import gdist
@@ -44,20 +40,13 @@ def rippled_square(number_of_points):
     return points, np.concatenate([lower, upper])
 
 
-def seconds(function):
-    """CPU time of one call, and its result."""
-    start = time.process_time()
-    result = function()
-    return time.process_time() - start, result
-
-
 def median(function, sources):
     """Median CPU time of one call per source, after one more."""
     function(sources[-1])
-    return float(np.median([seconds(lambda s=s: function(s))[0] for s in sources]))
+    return float(np.median([modes.timed(lambda s=s: function(s))[0] for s in sources]))
 
 
-def measure(number_of_points):
+def measure_mesh(number_of_points):
     """All figures of one mesh."""
     points, triangles = rippled_square(number_of_points)
     edges = points[triangles[:, 0]] - points[triangles[:, 1]]
@@ -65,7 +54,7 @@ def measure(number_of_points):
     graph = vtkdgg.Graph(points, triangles)
     n = graph.number_of_points
     sources = np.linspace(0.1 * n, 0.9 * n, REPETITIONS).astype(int).tolist()
-    took, matrix = seconds(lambda: graph.sparse_matrix(radius))
+    took, matrix = modes.timed(lambda: graph.sparse_matrix(radius))
     found = {
         "points": n,
         "entries per row": matrix.nnz / n,
@@ -76,46 +65,39 @@ def measure(number_of_points):
     }
     rows = np.linspace(0, n - 1, max(1, int(DENSE_ENTRIES / n))).astype(int)[:1000]
     csr = graph.csr
-    took, dense = seconds(lambda: dijkstra(csr, indices=rows, limit=radius))
+    took, dense = modes.timed(lambda: dijkstra(csr, indices=rows, limit=radius))
     found["dijkstra"] = took / (np.count_nonzero(np.isfinite(dense)) - len(rows))
     if gdist and n <= LARGEST_OF_GDIST:
         local = triangles.astype(np.int32)
-        took, matrix = seconds(lambda: gdist.local_gdist_matrix(points, local, radius))
+        took, matrix = modes.timed(lambda: gdist.local_gdist_matrix(points, local, radius))
         found["gdist"] = took / matrix.nnz
     return found
+
+
+def measure(options):
+    """Returns the figures of all meshes."""
+    return [measure_mesh(size) for size in map(int, options.meshes or SIZES)]
 
 
 def table(results):
     """A Markdown table with a line per mesh."""
 
-    def column(title, form, key, factor=1):
-        return title, lambda found: form.format(factor * found[key]) if key in found else ""
+    def scaled(form, factor):
+        return lambda value: form.format(factor * value)
 
-    columns = [
-        column("points", "{:,}", "points"),
-        column("entries per row", "{:.1f}", "entries per row"),
-        column("sparse_matrix, per entry", "{:.2f} µs", "sparse_matrix", 1e6),
-        column("dijkstra(limit), per entry", "{:.2f} µs", "dijkstra", 1e6),
-        column("gdist, per entry", "{:.2f} µs", "gdist", 1e6),
-        column("neighborhood", "{:.2f} ms", "neighborhood", 1e3),
-        column("distance(maximum_distance)", "{:.2f} ms", "bounded distance", 1e3),
-        column("matrix of two points", "{:.2f} ms", "matrix of two", 1e3),
-    ]
-    return tabulate(columns, [(found,) for found in results])
-
-
-def main(json_path, table_path, sizes):
-    """Measure all meshes."""
-    vtkSMPTools.Initialize(1)
-    results = [measure(size) for size in sizes]
-    with open(json_path, "w", encoding="utf-8") as out:
-        json.dump(results, out, indent=1)
-    with open(table_path, "w", encoding="utf-8") as out:
-        out.write(table(results))
-    print(table(results))
+    microseconds, milliseconds = scaled("{:.2f} µs", 1e6), scaled("{:.2f} ms", 1e3)
+    columns = (
+        column("points", "{:,}".format, "points"),
+        column("entries per row", "{:.1f}".format, "entries per row"),
+        column("sparse_matrix, per entry", microseconds, "sparse_matrix"),
+        column("dijkstra(limit), per entry", microseconds, "dijkstra"),
+        column("gdist, per entry", microseconds, "gdist"),
+        column("neighborhood", milliseconds, "neighborhood"),
+        column("distance(maximum_distance)", milliseconds, "bounded distance"),
+        column("matrix of two points", milliseconds, "matrix of two"),
+    )
+    return listing(columns, results)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2], list(map(int, sys.argv[3:])) or SIZES)
+    modes.run(measure, table, modes.parse(__doc__))
