@@ -38,7 +38,7 @@ public:
 
 protected:
   /**
-   * Constructs a reader of one format, a FileFormat of dggFormats.h.
+   * Constructs a reader of one format, an internal number.
    */
   explicit vtkDGGMeshReader(int format);
   ~vtkDGGMeshReader() override = default;

@@ -76,7 +76,7 @@ protected:
   ~vtkDGGMeshWriter() override;
 
   /**
-   * Returns the format, a FileFormat of dggFormats.h, by the extension of the file name; -1 if it
+   * Returns the format, an internal number, by the extension of the file name; -1 if it
    * is unknown.
    */
   virtual int FindFormat() const;

@@ -41,7 +41,7 @@ VTKDGGREADERS_EXPORT vtkSmartPointer<vtkPolyData> MakePolyData(
 class VTKDGGREADERS_EXPORT PointFieldSource
 {
 public:
-  class Values;
+  class Values; ///< internal
   explicit PointFieldSource(std::shared_ptr<const Values> values);
 
   /// Returns the description of the values.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a distance filter does in an update, behind its public class. Internal.
+/// Private implementation of distance filters. Internal.
 #ifndef DGGDistanceInternals_h
 #define DGGDistanceInternals_h
 
@@ -48,7 +48,7 @@ struct DGGDistanceTask
   std::vector<dgg::Id> Vertices{}; ///< each once; all other vertices are unreached
 };
 
-/// The steps of an update of a vtkGeodesicDistanceAlgorithm, but for the distances.
+/// The steps of an update of a vtkGeodesicDistanceAlgorithm, except the computation of distances.
 class VTKDGGFILTERSGEODESIC_EXPORT DGGDistanceInternals : public DGGFilterInternals
 {
 public:
@@ -62,8 +62,8 @@ public:
   std::string GetMemoryRemedy() const override;
 
   /// Fills the results of the task. Called with a mesh and at least one source, both checked.
-  /// Returns an error, which is reported, or the status of an abort by the task's Progress. May
-  /// throw.
+  /// Returns an error, which is reported, or the status of an abort by the progress of the
+  /// context. May throw.
   virtual dgg::Status ComputeDistances(DGGDistanceTask& task) = 0;
 
   /// Returns the point arrays that ComputeDistances() fills besides distances and nearest sources.

@@ -13,6 +13,7 @@
 #include "dggInvalidInput.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -69,15 +70,15 @@ dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* contro
     "one process and update this filter there, with one piece");
 }
 
-/// Empties the outputs. After an abort they are marked as not generated, so that the next update
-/// executes again; after an error it does so when something has been modified, as in VTK.
-void Empty(vtkInformationVector* outputVector, bool isAborted)
+/// Empties the outputs. Outputs that are marked as not generated are computed again in the next
+/// update, others when something has been modified.
+void Empty(vtkInformationVector* outputVector, bool isAgain)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(port);
     vtkDataObject::GetData(outInfo)->Initialize();
-    if (isAborted)
+    if (isAgain)
     {
       outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     }
@@ -101,20 +102,24 @@ DGGFilterInternals::DGGFilterInternals(vtkGeodesicAlgorithm* filter)
 DGGFilterInternals::~DGGFilterInternals() = default;
 
 //------------------------------------------------------------------------------
-bool DGGFilterInternals::Update(
+void DGGFilterInternals::Update(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->ForgetResults();
-  const bool done = this->Attempt([&] { return this->Follow(request, inputVector, outputVector); });
-  if (!done)
+  const dgg::Status status = this->Attempt([&] {
+    this->ForgetResults();
+    return this->Follow(request, inputVector, outputVector);
+  });
+  if (!status.IsOk())
   {
-    Empty(outputVector, this->IsStopped);
+    // A process without a change would not run, and other processes would wait for it.
+    const bool hasPieces = GetAsked(request, outputVector,
+                             vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1) > 1;
+    Empty(outputVector, status.IsAborted() || hasPieces);
   }
-  return done;
 }
 
 //------------------------------------------------------------------------------
-bool DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step)
+dgg::Status DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step)
 {
   // Not by SetErrorCode(): a failure does not modify the filter.
   this->Filter->ErrorCode = vtkErrorCode::NoError;
@@ -122,21 +127,21 @@ bool DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step)
   this->Reached = 0.0;
   this->IsStopped = false;
   this->Caller = std::this_thread::get_id();
-  unsigned long errorCode = vtkErrorCode::UserError;
-  const dgg::Status status = this->Try(step, errorCode);
-  this->IsStopped = status.IsAborted();
+  const dgg::Status status = this->Try(step);
   if (!status.IsOk() && !status.IsAborted())
   {
-    this->Filter->ErrorCode = errorCode;
+    if (this->Filter->ErrorCode == vtkErrorCode::NoError)
+    {
+      this->Filter->ErrorCode = vtkErrorCode::UserError;
+    }
     vtkErrorWithObjectMacro(this->Filter, << status.GetMessage());
   }
-  return status.IsOk();
+  return status;
 }
 
 //------------------------------------------------------------------------------
 /// Runs a step without letting exceptions pass VTK: one that reaches Python ends the interpreter.
-dgg::Status DGGFilterInternals::Try(
-  const std::function<dgg::Status()>& step, unsigned long& errorCode) const
+dgg::Status DGGFilterInternals::Try(const std::function<dgg::Status()>& step)
 {
   try
   {
@@ -144,17 +149,17 @@ dgg::Status DGGFilterInternals::Try(
   }
   catch (const std::bad_alloc&)
   {
-    errorCode = vtkErrorCode::UnknownError;
+    this->Filter->ErrorCode = vtkErrorCode::UnknownError;
     return dgg::Status::Invalid("memory is exhausted: " + this->GetMemoryRemedy());
   }
   catch (const std::exception& exception)
   {
-    errorCode = vtkErrorCode::UnknownError;
+    this->Filter->ErrorCode = vtkErrorCode::UnknownError;
     return dgg::Status::Invalid(std::string("unexpected failure: ") + exception.what());
   }
   catch (...)
   {
-    errorCode = vtkErrorCode::UnknownError;
+    this->Filter->ErrorCode = vtkErrorCode::UnknownError;
     return dgg::Status::Invalid("unexpected failure");
   }
 }
@@ -164,13 +169,16 @@ bool DGGFilterInternals::AttemptOutsideOfUpdate(const std::function<dgg::Status(
 {
   const unsigned long errorCode = this->Filter->GetErrorCode();
   vtkDGGClearAbortMacro(this->Filter);
-  const bool done = this->Attempt([this, &step] {
-    if (this->Filter->GetNumberOfInputConnections(0) > 0)
-    {
-      this->Filter->GetInputAlgorithm()->Update(this->Filter->GetInputConnection(0, 0)->GetIndex());
-    }
-    return step();
-  });
+  const bool done = this
+                      ->Attempt([this, &step] {
+                        if (this->Filter->GetNumberOfInputConnections(0) > 0)
+                        {
+                          this->Filter->GetInputAlgorithm()->Update(
+                            this->Filter->GetInputConnection(0, 0)->GetIndex());
+                        }
+                        return step();
+                      })
+                      .IsOk();
   if (this->Filter->ErrorCode == vtkErrorCode::NoError)
   {
     this->Filter->ErrorCode = errorCode; // of the last update
@@ -193,8 +201,7 @@ dgg::Status DGGFilterInternals::Follow(
     return this->Compute(inputVector, outputVector);
   }
   const auto compute = [this](vtkInformationVector** inputs, vtkInformationVector* outputs) {
-    unsigned long errorCode = vtkErrorCode::NoError;
-    return this->Try([&] { return this->Compute(inputs, outputs); }, errorCode);
+    return this->Try([&] { return this->Compute(inputs, outputs); });
   };
   const dgg::Status status =
     this->Parts->Run(DGGProcesses(pieces > 1 ? this->Filter->Controller : nullptr),
@@ -208,6 +215,14 @@ dgg::Status DGGFilterInternals::Follow(
                        "surfaces first.");
   }
   return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::CheckAllProperties() const
+{
+  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->Filter->MergeTolerance },
+    { "MemoryLimit", static_cast<double>(this->Filter->MemoryLimit) } }));
+  return this->CheckProperties();
 }
 
 //------------------------------------------------------------------------------
@@ -225,9 +240,7 @@ dgg::Status DGGFilterInternals::Compute(
       return status;
     }
   }
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->Filter->MergeTolerance },
-    { "MemoryLimit", static_cast<double>(this->Filter->MemoryLimit) } }));
-  DGG_RETURN_IF_ERROR(this->CheckProperties());
+  DGG_RETURN_IF_ERROR(this->CheckAllProperties());
   if (input && input->GetNumberOfPoints() == 0 && input->GetNumberOfCells() == 0)
   {
     this->WarnAboutEmptyInput("neither points nor cells");
@@ -267,7 +280,8 @@ dgg::Status DGGFilterInternals::GetWholeInput(vtkSmartPointer<vtkPolyData>& surf
 {
   vtkDataObject* input = this->Filter->GetInputDataObject(0, 0);
   surface = vtkPolyData::SafeDownCast(input);
-  return input && !surface ? DGGPartedUpdate::Join(input, surface) : dgg::Status::Success();
+  return vtkCompositeDataSet::SafeDownCast(input) ? DGGPartedUpdate::Join(input, surface)
+                                                  : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -340,6 +354,7 @@ dgg::Status DGGFilterInternals::PrepareMesh(vtkPolyData* surface)
 {
   if (!surface)
   {
+    this->Mesh->Clear(); // so that the report is not that of another surface
     return dgg::Status::Invalid(
       "there is no input: call SetInputConnection() or SetInputData() with a surface");
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a filter does in an update, behind its public class. Internal.
+/// Steps of an update: the private implementation of a filter. Internal.
 #ifndef DGGFilterInternals_h
 #define DGGFilterInternals_h
 
@@ -10,7 +10,7 @@
 #include "dggPreparedSurface.h" // for the domain
 
 #include "vtkDGGFiltersGeodesicModule.h" // for the export macro
-#include "vtkSmartPointer.h"             // for the whole input
+#include "vtkSmartPointer.h"             // for the joined input
 #include "vtkType.h"                     // for vtkMTimeType
 
 #include <atomic>     // for the progress
@@ -26,6 +26,7 @@ class DGGPartedUpdate;
 class vtkGeodesicAlgorithm;
 class vtkInformation;
 class vtkInformationVector;
+class vtkPolyData;
 
 /// The steps of an update, which each filter implements, and what all filters do around them. The
 /// constructor of a filter creates its own and assigns it to vtkGeodesicAlgorithm::Internals.
@@ -41,17 +42,17 @@ public:
   /// Steps of an update, in this order. Each may return an error, which is reported, or the status
   /// of an abort; each may throw.
   ///
-  /// CheckProperties() needs no mesh. Execute() is called with one. MakeEmptyOutput() is called
-  /// instead if the surface has neither points nor cells. The context is that of the whole update
-  /// (DGGContext.h).
+  /// CheckProperties() is called before the mesh is prepared, Execute() after that.
+  /// MakeEmptyOutput() replaces Execute() if the surface has neither points nor cells. The context
+  /// belongs to the whole update (DGGContext.h).
   virtual dgg::Status CheckProperties() const;
   virtual dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) = 0;
   virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) = 0;
   ///@}
 
-  /// Resets what getters return of the last update. Called before each update, so that one that
-  /// fails leaves nothing of an earlier one. Default: nothing.
+  /// Resets the results that getters return. Called before each update, so that a failed update
+  /// keeps no results of an earlier update. Default: nothing to reset.
   virtual void ForgetResults();
   /// Returns true if output 0 is the surface with arrays added and has the pieces of the input.
   /// Default false: output 0 is new geometry, as other outputs are.
@@ -62,10 +63,13 @@ public:
   /// Returns advice for the error message when memory is exhausted.
   virtual std::string GetMemoryRemedy() const;
 
-  /// Runs an update: gathers pieces and blocks, and runs the steps. Returns false after an error,
-  /// which is reported, or an abort; the outputs are then empty.
-  bool Update(vtkInformation* request, vtkInformationVector** inputVector,
+  /// Runs an update: gathers pieces and blocks, and runs the steps. The outputs are empty after an
+  /// error, which is reported, or an abort.
+  void Update(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
+
+  /// Checks the properties of all filters, and CheckProperties().
+  dgg::Status CheckAllProperties() const;
 
   /// Runs a step outside of updates after bringing the input up to date. Only an error changes the
   /// error code. Returns true if the step succeeded and was not aborted.
@@ -99,8 +103,8 @@ public:
   void WarnAboutEmptyInput(const char* lack);
 
 private:
-  bool Attempt(const std::function<dgg::Status()>& step);
-  dgg::Status Try(const std::function<dgg::Status()>& step, unsigned long& errorCode) const;
+  dgg::Status Attempt(const std::function<dgg::Status()>& step);
+  dgg::Status Try(const std::function<dgg::Status()>& step);
   dgg::Status Follow(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
   dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);

@@ -3,7 +3,6 @@
 #include "vtkDGGDistance.h"
 
 #include "DGGDistanceInternals.h"
-#include "DGGDistanceInternals.h"
 #include "DGGGraphUser.h"
 
 #include "dggPreparedSurface.h"

@@ -4,7 +4,6 @@
 
 #include "DGGCloudMarching.h"
 #include "DGGDistanceInternals.h"
-#include "DGGDistanceInternals.h"
 #include "DGGMeshQuality.h"
 
 #include "dggFastMarching.h"

@@ -39,7 +39,7 @@
 #include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
+#include <memory> // For the graph
 #include <vector> // For ids
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGLoop : public vtkGeodesicAlgorithm

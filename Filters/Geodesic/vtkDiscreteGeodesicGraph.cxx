@@ -139,7 +139,7 @@ vtkTypeUInt64 vtkDiscreteGeodesicGraph::EstimateMemory()
 //------------------------------------------------------------------------------
 dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Predict()
 {
-  DGG_RETURN_IF_ERROR(this->CheckProperties());
+  DGG_RETURN_IF_ERROR(this->CheckAllProperties());
   vtkSmartPointer<vtkPolyData> surface;
   DGG_RETURN_IF_ERROR(this->GetWholeInput(surface));
   if (surface && surface->GetNumberOfPoints() == 0 && surface->GetNumberOfCells() == 0)

@@ -3,7 +3,6 @@
 #include "vtkExactGeodesicDistance.h"
 
 #include "DGGDistanceInternals.h"
-#include "DGGDistanceInternals.h"
 
 #include "dggSourceFinding.h"
 

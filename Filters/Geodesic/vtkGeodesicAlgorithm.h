@@ -197,7 +197,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /**
-   * What the filter does in an update; set by the constructors of subclasses.
+   * Private implementation, set by the constructors of subclasses.
    */
   std::unique_ptr<DGGFilterInternals> Internals;
 

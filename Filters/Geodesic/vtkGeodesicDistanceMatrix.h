@@ -42,7 +42,7 @@
 #include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
+#include <memory> // For the graph
 #include <vector> // For ids
 
 class vtkDoubleArray;

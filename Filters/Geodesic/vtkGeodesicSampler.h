@@ -40,7 +40,7 @@
 #include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
+#include <memory> // For the graph
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicSampler : public vtkGeodesicAlgorithm
 {

@@ -3,7 +3,6 @@
 #include "vtkHeatGeodesicDistance.h"
 
 #include "DGGDistanceInternals.h"
-#include "DGGDistanceInternals.h"
 #include "DGGMeshQuality.h"
 
 #include "dggHeatMethod.h"

@@ -3,7 +3,6 @@
 #include "vtkVirtualSourceGeodesicDistance.h"
 
 #include "DGGDistanceInternals.h"
-#include "DGGDistanceInternals.h"
 #include "DGGMeshQuality.h"
 #include "DGGPropagation.h"
 

@@ -63,8 +63,7 @@ public:
   bool CanChooseSources() const override { return true; }
   std::size_t CountResults(std::size_t numberOfSources) const override;
   std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;
-  dgg::Status ChooseSources(const dgg::PoissonSolver& solver,
-    const std::function<bool(double)>& progress,
+  dgg::Status ChooseSources(const dgg::PoissonSolver& solver, const dgg::ProgressCallback& progress,
     std::vector<dgg::SurfacePoint>& sources) const override;
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
@@ -73,7 +72,7 @@ public:
 
 private:
   vtkHarmonicBSpline* Self;
-  // Of this update.
+  // Inputs of this update, from ReadInputs() to ComputeValues().
   std::vector<std::vector<double>> SiteValues; // per component; empty without an interpolation
   std::vector<double> RightHandSide;           // empty without a solution
 };
@@ -191,11 +190,9 @@ void vtkHarmonicBSpline::vtkInternals::MakeEmptyOutput(
 dgg::Status vtkHarmonicBSpline::vtkInternals::ReadInputs(
   vtkPolyData* surface, const DGGSourceSet& sources)
 {
-  this->SiteValues.clear();
-  this->RightHandSide.clear();
   if (!this->Self->SiteValuesArrayName.empty())
   {
-    // Without sources the sites are not known yet, but the array is.
+    // Selected sites are not known yet; the array is checked nevertheless.
     DGG_RETURN_IF_ERROR(DGGReadSiteValues(
       this->Self->SiteValuesArrayName, surface, sources.Ids, sources.Points, this->SiteValues));
   }
@@ -221,7 +218,7 @@ std::size_t vtkHarmonicBSpline::vtkInternals::CountSources(
 
 //------------------------------------------------------------------------------
 dgg::Status vtkHarmonicBSpline::vtkInternals::ChooseSources(const dgg::PoissonSolver& solver,
-  const std::function<bool(double)>& progress, std::vector<dgg::SurfacePoint>& sources) const
+  const dgg::ProgressCallback& progress, std::vector<dgg::SurfacePoint>& sources) const
 {
   if (!sources.empty())
   {
@@ -269,6 +266,8 @@ double vtkHarmonicBSpline::vtkInternals::EstimateWorkingMemory(
 void vtkHarmonicBSpline::vtkInternals::ForgetResults()
 {
   this->Self->UsedSites.clear();
+  this->SiteValues = {};
+  this->RightHandSide = {};
 }
 
 //------------------------------------------------------------------------------
@@ -337,5 +336,7 @@ dgg::Status vtkHarmonicBSpline::vtkInternals::ComputeValues(DGGSpectralTask& tas
   }
   DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, 1.0));
   this->Self->UsedSites.swap(sites);
+  this->SiteValues = {};
+  this->RightHandSide = {};
   return dgg::Status::Success();
 }

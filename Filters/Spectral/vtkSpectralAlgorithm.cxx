@@ -164,7 +164,7 @@ std::size_t DGGSpectralInternals::CountResults(std::size_t numberOfSources) cons
 
 //------------------------------------------------------------------------------
 dgg::Status DGGSpectralInternals::ChooseSources(const dgg::PoissonSolver& vtkNotUsed(solver),
-  const std::function<bool(double)>& vtkNotUsed(progress),
+  const dgg::ProgressCallback& vtkNotUsed(progress),
   std::vector<dgg::SurfacePoint>& vtkNotUsed(sources)) const
 {
   return dgg::Status::Success();

@@ -79,11 +79,15 @@ TEST_F(BadInput, AfterAFailureOrAnAbortFiltersDownstreamAreEmpty)
   };
   this->Filter->AddSourceId(99);
   expectEmpty(1);
-  // An error is reported by the update that finds it, not by those of other outputs.
+  // Updates without a change do not repeat the error.
   const Listener again(this->Filter);
   downstream->Update();
   EXPECT_TRUE(again.Errors.empty());
   EXPECT_NE(this->Filter->GetErrorCode(), vtkErrorCode::NoError);
+  vtkNew<vtkExactGeodesicDistance> sourced;
+  sourced->SetInputData(this->Grid);
+  sourced->SetSourceConnection(this->Filter->GetOutputPort());
+  ExpectError(sourced, { "source" });
   this->Filter->SetSourceIds({ 0 });
   watch.StopAt = 0.0;
   expectEmpty(0);

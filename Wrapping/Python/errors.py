@@ -74,7 +74,8 @@ def check(algorithm: vtkAlgorithm) -> Any:
 
     An update that an observer stops by AbortExecute is no error, as in VTK. The output is then
     empty until the stopped algorithm is modified or runs again; its ``GetAbortExecute()`` returns
-    true. Ctrl-C stops an update with a KeyboardInterrupt, after which the algorithm can be used
+    true. With VTK before 9.3, a filter whose sources come from the stopped algorithm reports that
+    it has none. Ctrl-C stops an update with a KeyboardInterrupt, after which the algorithm can be used
     again. Other Python threads run during the update.
 
     Parameters

@@ -54,7 +54,7 @@ vtkTypeUInt64 vtkPointCloudDGG::EstimateMemory()
 //------------------------------------------------------------------------------
 dgg::Status vtkPointCloudDGG::vtkInternals::Predict()
 {
-  DGG_RETURN_IF_ERROR(this->CheckProperties());
+  DGG_RETURN_IF_ERROR(this->CheckAllProperties());
   vtkSmartPointer<vtkPolyData> cloud;
   DGG_RETURN_IF_ERROR(this->GetWholeInput(cloud));
   if (cloud && cloud->GetNumberOfPoints() == 0)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a vtkPointCloudDGG does in an update, and keeps between updates. Internal.
+/// Private implementation of vtkPointCloudDGG, with the graph kept between updates. Internal.
 #ifndef PointCloudDGGInternals_h
 #define PointCloudDGGInternals_h
 
@@ -41,7 +41,7 @@ public:
   /// Predicts the memory of the graph without building it.
   dgg::Status Predict();
 
-  /// What is reported of a graph.
+  /// Values of a graph that getters return.
   struct Findings
   {
     dgg::GraphSummary Graph;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPointCloudDGG: what it reports of graphs, and warns of.
+// vtkPointCloudDGG: getters and warnings.
 #include "PointCloudDGGInternals.h"
 
 #include <cmath>

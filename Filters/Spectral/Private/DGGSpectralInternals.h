@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a spectral filter does in an update, behind its public class. Internal.
+/// Private implementation of spectral filters. Internal.
 #ifndef DGGSpectralInternals_h
 #define DGGSpectralInternals_h
 
@@ -33,7 +33,7 @@ struct DGGSpectralTask
   DGGSpectralOutputs& Outputs;                   ///< to be set for each source
 };
 
-/// The steps of an update of a vtkSpectralAlgorithm, but for the values.
+/// The steps of an update of a vtkSpectralAlgorithm, except the computation of values.
 class DGGSpectralInternals : public DGGFilterInternals
 {
 public:
@@ -60,8 +60,8 @@ public:
     const dgg::ProgressCallback& progress, std::vector<dgg::SurfacePoint>& sources) const;
   ///@}
 
-  /// Reads what the filter needs besides sources, which are checked. Called before the
-  /// factorization, so that errors cost little. Default: nothing.
+  /// Reads and checks the inputs besides sources, which have been checked. Called before the
+  /// factorization, so that errors cost little. Default: no further inputs.
   virtual dgg::Status ReadInputs(vtkPolyData* surface, const DGGSourceSet& sources);
 
   /// Returns the number of components of the result array; 0 if the array is not requested.
@@ -76,11 +76,8 @@ public:
   /// status of an abort by the task's Progress. May throw.
   virtual dgg::Status ComputeValues(DGGSpectralTask& task) = 0;
 
-protected:
-  /// Returns the given sources.
-  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-
 private:
+  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
   static DGGSourceSet GetTargets(vtkInformationVector** inputVector);
 
   vtkSpectralAlgorithm* Filter;

@@ -18,7 +18,7 @@ class vtkPolyData;
 /// The corner that a point is nearest to, a free one if there is one.
 dgg::Id DGGFindNearestCorner(const dgg::PoissonSolver& solver, const dgg::SurfacePoint& point);
 
-/// What sources of an equation are read from: one finite number per point.
+/// Reads the right-hand side of an equation: one finite number per point.
 dgg::Status DGGReadRightHandSide(
   vtkPolyData* surface, const std::string& name, std::vector<double>& values);
 
