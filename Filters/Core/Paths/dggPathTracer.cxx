@@ -24,9 +24,10 @@ constexpr double RefinedHalfWidth = 1e-12;
 /// edges.
 constexpr double RelativeLength = 1e-6;
 constexpr double RelativeRounding = 1e-14;
-/// Number of edges that a beam may cross before the next face of the tail is tried; growth factor
-/// of that limit if the head was found in no face; and its maximum. A shortest path crosses no face
-/// twice: beyond this a beam circulates, or is split repeatedly, among nearly degenerate triangles.
+/// Maximum number of windows before the next face of the tail is tried; growth factor of that limit
+/// if the head was found in no face; and its upper bounds, per face of the mesh and absolute. A
+/// shortest path crosses no face twice: beyond this limit the cone circulates, or is split
+/// repeatedly, among nearly degenerate triangles.
 constexpr std::size_t FewBeams = 4096;
 constexpr std::size_t Growth = 8;
 constexpr std::size_t BeamsPerFace = 4;
@@ -56,8 +57,8 @@ bool GraphEdgeTracer::Trace(
   return false;
 }
 
-/// A beam that meets vertices before the head may have passed a vertex close to the line on the
-/// wrong side. Now that the direction is known exactly, it is traced again.
+/// A cone that contains vertices before the head may have passed a vertex close to the line on the
+/// wrong side. Now that the direction is known exactly, the edge is traced again.
 void GraphEdgeTracer::Refine(
   const GraphEdge& edge, Id& firstFace, std::vector<EdgeCrossing>& crossings)
 {
@@ -108,7 +109,7 @@ bool GraphEdgeTracer::TraceBeam(
 }
 
 /// Returns the direction of an edge, measured from an outgoing half-edge of its tail; NaN if the
-/// beam misses the face of the half-edge.
+/// cone misses the face of the half-edge.
 double GraphEdgeTracer::AngleFrom(const GraphEdge& edge, Id g, double halfWidth) const
 {
   const double turn =
@@ -147,7 +148,7 @@ bool GraphEdgeTracer::TraceFrom(const GraphEdge& edge, Id g, double angle, doubl
   const FaceUnfolding face = EnteredFace(this->Mesh, g).Plane;
   this->Cross(SurfaceMesh::Next(g), false, face.GetApex(),
     { face.GetRightCosine(), -face.GetRightSine() }, NoId);
-  // Breadth-first, so that a circulating beam does not block others.
+  // Breadth-first, so that a circulating window does not block others.
   for (Id index = 0; static_cast<std::size_t>(index) < std::min(this->Beams.size(), this->Limit);
        ++index)
   {
@@ -173,7 +174,7 @@ void GraphEdgeTracer::Cross(
   });
 }
 
-/// Returns true if the head lies in the face that is entered, in the beam and at the right
+/// Returns true if the head lies in the face that is entered, in the cone and at the right
 /// distance.
 bool GraphEdgeTracer::Reaches(const GraphEdge& edge, const Beam& beam, Point2& arrival) const
 {

@@ -11,7 +11,7 @@
 
 #include <cstddef> // for std::size_t
 #include <memory>  // for the solver
-#include <vector>  // for the beams
+#include <vector>  // for the windows
 
 namespace dgg
 {
@@ -25,9 +25,10 @@ struct GraphEdge
   double Length;
 };
 
-/// Traces straight lines from vertices. Since directions are stored as floats, a narrow cone (beam)
-/// of the width of the rounding error is traced instead of a ray. The cone is split at every vertex
-/// inside it, so that the head cannot be missed on either side.
+/// Traces straight lines from vertices. Since directions are stored as floats, a narrow cone of the
+/// width of the rounding error is traced instead of a ray. The cone is split at every vertex inside
+/// it, so that the head cannot be missed on either side. A window is the part of the cone that
+/// crosses one edge.
 class GraphEdgeTracer
 {
 public:
@@ -43,18 +44,18 @@ public:
   /// Returns the tolerance between lengths in the graph and on the mesh.
   double GetTolerance(double length) const;
 
-  /// Number of beams that crossed an edge in the last call.
+  /// Number of windows that were processed in the last call.
   std::size_t GetNumberOfBeams() const { return this->NumberOfBeams; }
 
 private:
-  /// The part of the cone that crosses one edge, in the plane of the tail.
+  /// A window: the part of the cone that crosses one edge, in the plane of the tail.
   struct Beam
   {
     EdgeCrossing Crossing;
     bool IsMirrored; ///< true if the entered face is unfolded as its mirror image
     Point2 Left;     ///< end of the edge
     Point2 Axis;     ///< unit vector from the left to the right end
-    Id Before;       ///< parent beam, or NoId
+    Id Before;       ///< parent window, or NoId
   };
 
   double AngleFrom(const GraphEdge& edge, Id g, double halfWidth) const;
@@ -69,7 +70,7 @@ private:
   const SurfaceMesh& Mesh;
   Point2 Rays[2]; ///< bounding rays of the cone, left and right
   std::vector<Beam> Beams;
-  std::size_t Limit = 0; ///< maximum number of beams per face of the tail
+  std::size_t Limit = 0; ///< maximum number of windows per face of the tail
   std::size_t NumberOfBeams = 0;
   Id Found = NoId;
   double Arrival = 0.0; ///< polar angle at the tail, towards the head

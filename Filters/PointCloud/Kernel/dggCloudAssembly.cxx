@@ -16,13 +16,14 @@ namespace
 {
 constexpr Offset BlocksPerTask = 4;
 constexpr Offset RowsPerTask = 512;
-/// Nodes whose edges are counted or written, and edges measured, between two reports of progress.
+/// Number of nodes whose edges are counted or written, and number of edges whose length is
+/// computed, between two progress reports.
 constexpr Offset NodesPerReport = 1 << 14;
 constexpr Offset EdgesPerReport = 1 << 17;
-/// Length of an edge between points in the same place, by the size of the cloud.
+/// Length of an edge between points at the same position, relative to the extent of the cloud.
 constexpr double CoincidentLength = 1e-12;
 
-/// Rows in blocks, seen as one list of rows, each sorted.
+/// Presents the rows of all blocks as one list of rows. Sorts each row.
 class BlockRows
 {
 public:
@@ -65,7 +66,7 @@ public:
 private:
   std::vector<CloudRowBlock>& Blocks;
   Id RowsPerBlock;
-  std::vector<std::uint32_t> Begins; ///< of rows within their blocks
+  std::vector<std::uint32_t> Begins; ///< per row, index of its first target in its block
 };
 }
 
@@ -77,7 +78,7 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
   const std::vector<Id>& originals = setup.Nodes.Originals;
   const auto nodes = static_cast<Id>(originals.size());
   const auto n = static_cast<std::size_t>(numberOfPoints);
-  // Of all points; nodes that no point is at do not exist.
+  // Node of each point; NoId for points that are not nodes.
   std::vector<Id> nodeOf(n, NoId);
   for (Id node = 0; node < nodes; ++node)
   {
@@ -90,7 +91,8 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
   }
   {
     const BlockRows rows(blocks, rowsPerBlock, nodes, parallel);
-    // False when stopped; from `done` of the progress on.
+    // Calls `body` for each node and reports progress from `done` to `done` + 0.1. Returns false if
+    // stopped.
     const auto forEachNode = [&](double done, const auto& body) {
       for (Offset first = 0; first < nodes; first += NodesPerReport)
       {
@@ -171,7 +173,7 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
   const auto measureRows = [&](Offset begin, Offset end) {
     for (Offset row = begin; row < end; ++row)
     {
-      // Threads have written in any order.
+      // Restore a defined order: threads have written the targets in any order.
       std::sort(
         graph.Targets.begin() + graph.Offsets[row], graph.Targets.begin() + graph.Offsets[row + 1]);
       const Id from = nodeOf[row];
@@ -181,7 +183,7 @@ Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPer
         double length = from == NoId || to == NoId ? 0.0 : setup.Pairs.Length(from, to);
         if (!(length > 0.0))
         {
-          length = coincident; // so are points whose distance is below the range of double
+          length = coincident; // also used where the distance underflows
         }
         if (wide)
         {

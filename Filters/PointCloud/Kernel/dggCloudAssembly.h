@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// From the edges chosen at each point of a cloud to a symmetric graph. Internal.
+/// Assembles the edges chosen at each node of a cloud into a symmetric graph. Internal.
 #ifndef dggCloudAssembly_h
 #define dggCloudAssembly_h
 
@@ -10,26 +10,29 @@
 #include "dggParallel.h"      // for ParallelFor
 
 #include <cstddef> // for std::size_t
-#include <vector>  // for rows
+#include <vector>  // for row blocks
 
 namespace dgg
 {
-/// Targets chosen from consecutive nodes.
+/// Edge targets of consecutive nodes.
 struct CloudRowBlock
 {
-  std::vector<Id> Sizes; ///< per row
+  std::vector<Id> Sizes; ///< number of targets per row
+  /// Targets of all rows as node ids, row after row.
   std::vector<Id> Targets;
 };
 
-/// Writes the graph, each edge in both directions, in the numbering of the points, rows sorted by
-/// target. The blocks hold `rowsPerBlock` rows each and are released. Lengths are measured here, so
-/// that rows are half as large. Fails if `progress` returns false.
+/// Assembles the graph: each edge in both directions, vertices indexed by point id, rows sorted by
+/// target. Each block holds `rowsPerBlock` rows, the last one possibly fewer; blocks are released.
+/// Edge lengths are computed here instead of being stored with the targets, which halves the size
+/// of the rows; they are stored as double if `wide` is true. Fails if `progress` returns false.
 Status AssembleCloudGraph(const CloudSetup& setup, Id numberOfPoints, Id rowsPerBlock,
   std::vector<CloudRowBlock>& blocks, bool wide, const ParallelFor& parallel,
   const ProgressCallback& progress, GeodesicGraph& graph);
 
-/// Components of a graph, numbered from the largest on, by the first vertex where sizes are equal.
-/// Vertices whose `isUsed` is 0 belong to none.
+/// Finds the connected components of a graph, numbered by decreasing size. Components of equal size
+/// are numbered by their smallest vertex id. `components` holds the component of each vertex, NoId
+/// for vertices whose `isUsed` is 0; `sizes` holds the number of vertices per component.
 void FindCloudComponents(const GeodesicGraph& graph, const std::vector<unsigned char>& isUsed,
   std::vector<Id>& components, std::vector<Id>& sizes);
 }

@@ -16,22 +16,25 @@ namespace dgg
 namespace
 {
 constexpr Offset BricksPerTask = 16;
-/// Shares of the progress of the setup.
+/// Progress weights of steps of the setup.
 constexpr double ShareOfMarks = 0.1;
 constexpr double ShareOfNearest = 0.2;
 
-/// Scheme A takes its reach from pairs in overlapping balls, so they must be larger.
+/// Ratio of ball radius to spacing for scheme A. Its reach is derived from pairs in overlapping
+/// balls, so the balls must be larger than in other schemes.
 constexpr double BallBySpacingOfCurvatureScheme = 4.0;
 
 constexpr double VoxelsPerBrick = 512.0;
 constexpr double BytesOfNearest = VoxelsPerBrick * sizeof(Id);
-/// Voxels that bricks have beyond a layer of voxels or a ball, on both sides together, on average.
+/// Average thickness, in voxels, by which bricks exceed a layer of voxels or the diameter of a
+/// ball, summed over both sides.
 constexpr double BeyondLayer = 10.0;
 constexpr double BeyondBall = 8.0;
-/// A band that does not fit needs more than it may take by that, whatever was predicted.
+/// Minimum ratio of the reported memory to the limit if a band does not fit. Used if the predicted
+/// memory is lower.
 constexpr double LeastExcess = 1.01;
 
-/// Steps of the band, one after the other.
+/// Runs the steps of the band construction in sequence.
 class BandBuilder
 {
 public:
@@ -45,7 +48,7 @@ public:
   {
   }
 
-  /// Radii of balls, and the size of voxels.
+  /// Chooses the ball radii and the voxel size.
   Status ChooseSizes()
   {
     BandOptions options;
@@ -72,11 +75,12 @@ public:
     if (this->Options.MemoryLimit > 0)
     {
       const std::size_t used = this->Setup.GetMemorySize();
-      DGG_RETURN_IF_ERROR(CheckSetupMemory(used + 1, this->Options)); // and something for the band
-      // With room for the nearest points of the voxels.
+      // At least one byte for the band.
+      DGG_RETURN_IF_ERROR(CheckSetupMemory(used + 1, this->Options));
+      // Reserve memory for the nearest points of the voxels.
       const double brick = VoxelBand::PredictMemory(1.0);
       const double share = brick / (brick + BytesOfNearest);
-      limit = std::max<std::size_t>(1, // 0: none
+      limit = std::max<std::size_t>(1, // 0 means no limit
         static_cast<std::size_t>(static_cast<double>(this->Options.MemoryLimit - used) * share));
     }
     Status status = this->Pairs.Band.Build(
@@ -91,7 +95,7 @@ public:
     return status;
   }
 
-  /// The nearest point of every marked voxel.
+  /// Finds the nearest point of each marked voxel.
   void FindNearest()
   {
     const VoxelBand& band = this->Pairs.Band;
@@ -117,7 +121,7 @@ public:
   }
 
 private:
-  /// What helps when there are too many voxels.
+  /// Returns the advice for messages about too many voxels.
   std::string RemedyOfBand() const
   {
     const std::string below =
@@ -126,8 +130,8 @@ private:
                                         : "set a Resolution" + below + ", that of now";
   }
 
-  /// Bytes of a band and of the nearest points of its voxels, roughly: that of a surface, on which
-  /// each point has the square of its spacing.
+  /// Predicts the memory in bytes of the band and of the nearest points of its voxels. The
+  /// prediction assumes a surface on which the area per point is the square of the spacing.
   double PredictMemory() const
   {
     double voxels = 0.0;
@@ -161,7 +165,7 @@ private:
   CloudSetup& Setup;
   CloudPairs& Pairs;
   CloudGraphStatistics& Statistics;
-  double VoxelSize = 0.0; ///< in units of the nodes
+  double VoxelSize = 0.0; ///< in units of nodes
 };
 }
 

@@ -15,16 +15,18 @@ namespace dgg
 {
 namespace
 {
+/// Progress weight of the setup, and total progress at the end of each later step.
 constexpr double ShareOfSetup = 0.15;
 constexpr double EndOfPrediction = 0.16;
 constexpr double EndOfRows = 0.9;
 constexpr double EndOfGraph = 0.99;
-/// Share of the setup when there is nothing but a prediction.
+/// Progress weight of the setup in Estimate().
 constexpr double ShareOfSetupToPredict = 0.8;
-/// Edges of a graph by edges found, as measured: uniting both directions adds some.
+/// Measured ratio of the number of edges in the graph to the number of selected targets. The union
+/// of both directions adds edges.
 constexpr double UnitedShare = 1.3;
 constexpr double LargestAccuracy = 0.5;
-/// Bytes of lists of all points while rows become the graph.
+/// Memory per point, in bytes, of per-point lists during the assembly of the graph.
 constexpr double BytesPerPointOfGraph = 40.0;
 
 GraphConstruction ConstructionOf(CloudScheme scheme)
@@ -41,7 +43,8 @@ GraphConstruction ConstructionOf(CloudScheme scheme)
   return GraphConstruction::CloudSpacing;
 }
 
-/// Sums of lengths must stay within the range of float, and tiny edges above its denormals.
+/// Returns true if lengths must be stored as double. As float, sums of lengths could overflow, or
+/// tiny edges become denormal.
 bool NeedsWide(const CloudNodes& nodes, double accuracy)
 {
   const double extent = nodes.Extent / nodes.Scale;
@@ -53,8 +56,8 @@ std::size_t BytesPerEdge(bool wide)
   return sizeof(Id) + (wide ? sizeof(double) : sizeof(float));
 }
 
-/// Predict from the rows of some nodes: what there is before rows, while they are built, or while
-/// they become the graph.
+/// Predicts size and memory from the rows of a sample of nodes. The peak is the maximum over three
+/// phases: before the rows, building the rows, and assembling the graph.
 CloudGraphEstimate PredictFrom(const CloudSetup& setup, const CloudGraphOptions& options,
   int numberOfThreads, Id numberOfPoints, const RowSample& sample)
 {
@@ -86,7 +89,7 @@ Status BuildGraph(const double* points, Id numberOfPoints, const CloudGraphOptio
   RowSample sample;
   DGG_RETURN_IF_ERROR(SampleRows(
     setup, options, ProgressPart(options.Progress, ShareOfSetup, EndOfPrediction), sample));
-  // Rows are built by as many threads as fit: whether there is a graph does not depend on them.
+  // BuildRows() uses the number of threads that fits, so success does not depend on this number.
   const double least = PredictFrom(setup, options, 1, numberOfPoints, sample).Peak;
   DGG_RETURN_IF_ERROR(CheckRowMemory(least, options.MemoryLimit));
   std::vector<CloudRowBlock> blocks;
@@ -134,7 +137,7 @@ Status CloudGraphBuilder::Check(const CloudGraphOptions& options)
   if (!(options.OffsetInVoxels == 0.0 ||
         (options.OffsetInVoxels >= 0.5 && options.OffsetInVoxels <= 1000.0)))
   {
-    // Smaller balls may have no centre of a voxel in them.
+    // Smaller balls may contain no voxel center.
     return InvalidInput("the offset is ", options.OffsetInVoxels,
       " voxels, but has to be 0 (automatic), or at least 0.5 and at most 1000");
   }

@@ -11,117 +11,125 @@
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for std::uint8_t
-#include <vector>  // for what is known of points
+#include <vector>  // for per-point arrays
 
 namespace dgg
 {
-/// How far the edges of a point may reach. Fang, "Discrete Geodesic Graphs", 2019, chapter 5.
+/// Scheme for the reach, the maximum length of the edges of a point. Fang, "Discrete Geodesic
+/// Graphs", 2019, chapter 5.
 enum class CloudScheme : std::uint8_t
 {
-  Curvature = 0, ///< A: the mean length of the direct pairs of the point by alpha
+  Curvature = 0, ///< A: mean length of the direct pairs of the point, divided by alpha
   Constant = 1,  ///< B: h + alpha voxels for all points
-  Spacing = 2    ///< C: alpha times the local spacing of points
+  Spacing = 2    ///< C: alpha times the local point spacing
 };
 
 struct CloudGraphOptions
 {
   CloudScheme Scheme = CloudScheme::Spacing;
-  /// Radius h of the balls that make the band, in voxels. 0: from the local spacing of the points,
-  /// so that it may differ from point to point.
+  /// Radius h of the balls that form the band, in voxels: at least 0.5 and at most 1000. 0: derived
+  /// from the local point spacing, so that the radius may vary between points.
   double OffsetInVoxels = 0.0;
-  /// Voxels along the longest side of the box of the points, outliers left out, without those
-  /// around it that balls reach into. 0: from the spacing of the points.
+  /// Number of voxels along the longest side of the bounding box of the points without outliers, at
+  /// most LargestResolution. Voxels outside the box that intersect balls are not counted. 0:
+  /// derived from the point spacing.
   Id Resolution = 0;
-  /// What it means depends on the scheme. 0: the default of the scheme.
+  /// Parameter of the scheme, see CloudScheme: at least 1e-3 and at most 1e6. 0: default of the
+  /// scheme.
   double Alpha = 0.0;
-  /// Of sparsification: edges that others stand in for within that relative error are left out.
-  /// 0: all are kept. At most 0.5.
+  /// Relative error of the sparsification: an edge is removed if other edges replace it within this
+  /// error. At least 1e-6 and at most 0.5. 0: all edges are kept.
   double Accuracy = 0.001;
-  /// Whether the length of an edge is that of an arc, estimated from the normals at its ends,
-  /// rather than of the chord.
+  /// True if the length of an edge is an arc length estimated from the normals at its ends, false
+  /// if it is the chord length.
   bool ArcLengthWeights = true;
-  /// Normals, x y z per point, of any length; null: fitted to the neighbours of each point. Where
-  /// they are not finite, or 0, they are fitted too.
+  /// Normals, x y z per point, not necessarily of unit length. Null: normals are fitted to the
+  /// neighbors of each point. Zero or non-finite normals are replaced by fitted ones.
   const double* Normals = nullptr;
-  /// Whether Normals all point to the same side of the surface, which separates sheets that are
-  /// back to back. Points without a normal are treated as if it were false.
+  /// True if all Normals point to the same side of the surface. Orientation separates layers that
+  /// lie back to back. Points without a given normal are treated as if the value were false.
   bool HasOrientedNormals = false;
-  /// Bytes that building may take, with Normals, which are there already. 0: no limit. Fewer
-  /// threads are used where what they need for themselves would be more: it fails only where one
-  /// would need more, the same for any number of them.
+  /// Maximum memory of the build in bytes, including Normals, which the caller already holds. 0: no
+  /// limit. The number of threads is reduced if their working memory would exceed the limit. The
+  /// build fails only if a single thread would exceed the limit, so that failure does not depend on
+  /// the number of threads.
   std::size_t MemoryLimit = 0;
   ParallelFor Parallel;      ///< may be empty
-  int NumberOfThreads = 1;   ///< that Parallel may use, for the estimate of memory
+  int NumberOfThreads = 1;   ///< maximum number of threads of Parallel, for the memory estimate
   ProgressCallback Progress; ///< may be empty; called from the thread that called Build()
 };
 
-/// Graph of a cloud, and what is needed to rebuild the band (VoxelBand) around it.
+/// Graph of a cloud, with the data needed to rebuild its band (VoxelBand).
 struct CloudGraph
 {
-  /// Rows are sorted by target; no angles. Points that are not finite have empty rows.
+  /// Rows are sorted by target and have no angles. Non-finite points have empty rows.
   GeodesicGraph Graph;
-  /// Per point, the component that it belongs to, NoId where it is not finite. Components are
-  /// numbered from the largest on.
+  /// Component of each point, NoId for non-finite points. Components are numbered by decreasing
+  /// size.
   std::vector<Id> Components;
+  /// Number of points per component.
   std::vector<Id> ComponentSizes;
-  /// Per point, the radius of its ball; 0 where it is not finite, or an outlier.
+  /// Ball radius of each point, in units of the points; 0 for non-finite points and outliers.
   std::vector<double> Radii;
-  double VoxelSize = 0.0;
+  double VoxelSize = 0.0; ///< in units of the points
 };
 
-/// What building a graph found, and took. Lengths are in the units of the points.
+/// Properties of the cloud found while building a graph, and parameters used. Lengths are in units
+/// of the points.
 struct CloudGraphStatistics
 {
-  Id UnusedPoints = 0;     ///< not finite
-  Id Outliers = 0;         ///< far off all others: connected to none but those in the same place
-  Id CoincidentPoints = 0; ///< exactly where another point is: joined to it by a tiny edge
-  double Spacing = 0.0;    ///< median of the roots of the area per point
-  double Noise = 0.0;      ///< median distance of points from the surfaces fitted to neighbours
-  /// That by the median radius of curvature of the surface. Fits to noise flatten what is curved:
-  /// on spheres of 4000 points and more, distances come out shorter by about twice its square
-  /// (measured, from 0.06 to 0.1).
+  Id UnusedPoints = 0; ///< number of non-finite points
+  /// Number of points far from all others, connected only to points at the same position.
+  Id Outliers = 0;
+  /// Number of points at the position of another point, connected to that point by a tiny edge.
+  Id CoincidentPoints = 0;
+  double Spacing = 0.0; ///< median of the square root of the area per point
+  double Noise = 0.0;   ///< median distance of points from surfaces fitted to neighbors
+  /// Ratio of Noise to the median radius of curvature of the surface. Fits to noisy points flatten
+  /// a curved surface: on spheres of at least 4000 points, distances are too short by a relative
+  /// error of about twice the square of this ratio (measured for ratios from 0.06 to 0.1).
   double NoiseByRadius = 0.0;
-  double OffSurface = 0.0; ///< share of points whose neighbours lie on no surface
-  /// When these are more than a tenth, how far points typically lie off a surface, in spacings.
-  /// Such noise is left as it is, and the graph is of little use. Otherwise 0.
+  double OffSurface = 0.0; ///< fraction of points whose neighbors lie on no surface
+  /// If OffSurface exceeds 0.1: typical distance of points from a surface, in spacings. Such noise
+  /// is not removed, and the graph is of little use. Otherwise 0.
   double Scatter = 0.0;
   double VoxelSize = 0.0;
-  double OffsetInVoxels = 0.0; ///< median radius of a ball by the size of a voxel
+  double OffsetInVoxels = 0.0; ///< median ratio of ball radius to voxel size
   Id Resolution = 0;           ///< voxels along the longest side of the points
-  double Alpha = 0.0;          ///< as used
-  double Reach = 0.0;          ///< median
-  std::size_t BandMemory = 0;  ///< bytes
+  double Alpha = 0.0;          ///< value used
+  double Reach = 0.0;          ///< median reach
+  std::size_t BandMemory = 0;  ///< memory of the band in bytes
 };
 
-/// What a graph will take, from the rows of some points.
+/// Predicted size of a graph, extrapolated from the rows of a sample of nodes.
 struct CloudGraphEstimate
 {
-  double Edges = 0.0;  ///< directed
-  double Memory = 0.0; ///< bytes of the graph
-  double Peak = 0.0;   ///< most bytes while it is built, at most twice too many
+  double Edges = 0.0;  ///< number of directed edges
+  double Memory = 0.0; ///< memory of the graph in bytes
+  /// Peak memory of the build in bytes, overestimated by at most a factor of two.
+  double Peak = 0.0;
 };
 
-/// Builds graphs of one cloud: `points`, x y z per point, must outlive the builder.
+/// Builds graphs of one cloud. `points`, x y z per point, must outlive the builder.
 ///
-/// Two points are connected directly when the segment between them stays in the band, the union of
-/// balls around all points. Direct pairs within reach are the full graph, of which the progress
-/// rule keeps what is needed for the accuracy. Outliers (dggOutliers.h says which these
-/// are) are connected to none but those in the same place: the graph of the others is as if they
-/// were not there.
+/// Two points are connected directly if the segment between them stays in the band, the union of
+/// balls around all points. The direct pairs within reach form the full graph. The progress rule
+/// keeps those of its edges that are needed for the accuracy. Outliers (see dggOutliers.h) are
+/// connected only to points at the same position, and do not affect the graph of the other points.
 class CloudGraphBuilder
 {
 public:
   CloudGraphBuilder(const double* points, Id numberOfPoints);
 
-  /// Fails with a message when an option is out of range.
+  /// Fails with a message if an option is out of range.
   static Status Check(const CloudGraphOptions& options);
 
-  /// Predict what Build() will take: prepares it and builds the rows of some points. Reports
-  /// the progress of that.
+  /// Predicts the size of the graph and the memory of Build(): prepares the build and builds the
+  /// rows of a sample of nodes. Progress refers to this work.
   Status Estimate(const CloudGraphOptions& options, CloudGraphEstimate& estimate) const;
 
-  /// Build the graph: the same, bit by bit, for any Parallel. `result` is empty on failure. The
-  /// signature is left to the caller. May throw std::bad_alloc.
+  /// Builds the graph. The result is bitwise identical for any Parallel, and empty on failure. The
+  /// signature is not set; callers must set it. May throw std::bad_alloc.
   Status Build(const CloudGraphOptions& options, CloudGraph& result,
     CloudGraphStatistics* statistics = nullptr) const;
 

@@ -16,19 +16,20 @@ using Distance = flann::L2_3D<double>;
 
 static_assert(sizeof(Point3) == 3 * sizeof(double), "FLANN reads points as rows of numbers");
 
-/// An object rather than a function: calls of it are inlined.
+/// A function object rather than a function, so that calls are inlined.
 constexpr auto IsCloser = [](const CloudNeighbor& a, const CloudNeighbor& b) {
   return a.SquaredDistance != b.SquaredDistance ? a.SquaredDistance < b.SquaredDistance
                                                 : a.Point < b.Point;
 };
 
-/// FLANN looks at points closer than that only: a hair more finds those at that distance.
+/// Returns a slightly larger bound. FLANN visits only points closer than the bound, which would
+/// exclude points exactly at that distance.
 double WithHair(double squaredDistance)
 {
   return squaredDistance * (1.0 + 1e-12) + std::numeric_limits<double>::min();
 }
 
-/// The nearest points seen: a heap with the farthest of them on top.
+/// The nearest points found so far: a heap with the farthest of them on top.
 class NearestSet : public flann::ResultSet<double>
 {
 public:
@@ -78,7 +79,7 @@ private:
   std::vector<CloudNeighbor>& Neighbors;
 };
 
-/// How many points there are within a radius.
+/// Counts the points within a radius.
 class Counter : public flann::ResultSet<double>
 {
 public:
@@ -108,7 +109,7 @@ public:
     : Points(points)
     , Index(flann::KDTreeSingleIndexParams(12, true))
   {
-    // FLANN wants what it does not change to be changeable, and no empty sets.
+    // FLANN takes non-const data without changing it, and rejects empty data sets.
     if (!points.empty())
     {
       this->Index.buildIndex(

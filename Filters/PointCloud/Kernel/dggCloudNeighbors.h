@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Neighbours of points of a cloud, by FLANN. Internal.
+/// Neighbor searches in a cloud with FLANN. Internal.
 #ifndef dggCloudNeighbors_h
 #define dggCloudNeighbors_h
 
@@ -9,7 +9,7 @@
 #include "dggTypes.h"  // for Id
 
 #include <cstddef> // for std::size_t
-#include <memory>  // for FLANN's index
+#include <memory>  // for the FLANN index
 #include <vector>  // for results
 
 namespace dgg
@@ -20,9 +20,9 @@ struct CloudNeighbor
   double SquaredDistance = 0.0;
 };
 
-/// A kd-tree of points, which must outlive it. Searches are exact and may run in several threads at
-/// once. Results are sorted by distance, and by number where distances are equal. Points have to be
-/// finite, and squares of distances within the range of double.
+/// A kd-tree of points. The points must outlive the tree. Searches are exact and may run in several
+/// threads simultaneously. Results are sorted by distance; points at equal distance are sorted by
+/// id. Points must be finite, and squared distances must be within the range of double.
 class CloudNeighbors
 {
 public:
@@ -31,15 +31,15 @@ public:
   CloudNeighbors(const CloudNeighbors&) = delete;
   CloudNeighbors& operator=(const CloudNeighbors&) = delete;
 
-  /// The `count` nearest points, the place itself included when there is a point; fewer when there
-  /// are no more.
+  /// Finds the `count` points nearest to a position, including a point at the position itself;
+  /// fewer if the cloud has fewer points.
   void FindNearest(
     const Point3& place, std::size_t count, std::vector<CloudNeighbor>& neighbors) const;
 
-  /// All points not farther than a radius.
+  /// Finds all points at a distance of at most `radius`.
   void FindWithin(const Point3& place, double radius, std::vector<CloudNeighbor>& neighbors) const;
 
-  /// How many FindWithin() would find.
+  /// Returns the number of points that FindWithin() would find.
   std::size_t CountWithin(const Point3& place, double radius) const;
 
 private:

@@ -13,49 +13,55 @@ namespace dgg
 {
 namespace
 {
-/// Neighbours that a surface is fitted to; more where points are noisy.
+/// Number of neighbors that a surface is fitted to: default, and minimum and maximum for noisy
+/// points.
 constexpr std::size_t FitNeighbors = 16;
 constexpr std::size_t WideFitNeighbors = 32;
 constexpr std::size_t MostFitNeighbors = 256;
-/// The plane of fewer neighbours is taken where the surface does not fit, by its residual in
-/// spacings, and the plane does twice as well: at sheets close together and sharp edges.
+/// Number of neighbors of a narrow fit, and ratio of residual to spacing above which one is tried.
+/// The normal of the narrow fit is used if its residual is less than half as large. This occurs at
+/// layers close together and at sharp edges.
 constexpr std::size_t NarrowFitNeighbors = 8;
 constexpr double LargestResidual = 0.1;
-/// Points are noisy when they lie off the fitted surface by that much of their spacing, and not by
-/// more when it is fitted to more neighbours: from shapes too fine for it they are off the more the
-/// wider it is (measured: 1.0 to 1.15 for noise, 1.35 to 1.6 for scans and terrain). Noisy points
-/// are moved to the surface.
+/// Points are noisy if the residual of the fitted surface exceeds NoisyResidual, in spacings, and a
+/// fit to more neighbors does not increase it by more than the factor LargestGrowthOfNoise. For
+/// shapes too fine for the fit, the residual grows with its width (measured factors: 1.0 to 1.15
+/// for noise, 1.35 to 1.6 for scans and terrain). Noisy points are moved to the surface.
 constexpr double NoisyResidual = 0.03;
 constexpr double LargestGrowthOfNoise = 1.2;
-/// Nodes at which the growth is measured.
+/// Number of nodes at which the growth is measured.
 constexpr std::size_t SampleSize = 2000;
-/// Neighbours lie on no surface when the fitted one misses them by more than that part of the
-/// radius that they are in. In a volume it is 0.27 at 16 neighbours, and 0.3 at more; for noise of
-/// 1, 2 and 3 spacings it falls below at 32, 128 and 256.
+/// Ratio of the residual of the fitted surface to the neighborhood radius above which neighbors lie
+/// on no surface. In a volume the ratio is 0.27 for 16 neighbors, and 0.3 for more. For noise of 1,
+/// 2 and 3 spacings the ratio falls below the limit at 32, 128 and 256 neighbors.
 constexpr double MissOfNoSurface = 0.25;
-/// From that part on, more neighbours may distinguish more noise from a volume.
+/// Ratio of residual to neighborhood radius from which on more neighbors may distinguish large
+/// noise from a volume.
 constexpr double MissOfMuchNoise = 0.2;
-/// Once they do, the residual of a noisy plane grows with each doubling by twice the square of its
-/// part of the radius (measured: within 0.01, for 1 to 3 spacings), and by more than this besides
-/// where the shape is finer.
+/// Tolerance for the growth of the residual with each doubling of the number of neighbors, once
+/// they distinguish noise from a volume. For a noisy plane with the ratio r of residual to radius,
+/// the relative growth is 2 r^2 (measured: within 0.01, for noise of 1 to 3 spacings). A growth
+/// that exceeds this by more than the tolerance indicates a shape finer than the fit.
 constexpr double GrowthOfFineShape = 0.02;
-/// Fits are for no more than that part of the cloud.
+/// A fit uses at most the fraction 1 / LeastPartsOfCloud of the nodes.
 constexpr std::size_t LeastPartsOfCloud = 8;
+/// Number of nodes at which fits to many neighbors are measured.
 constexpr std::size_t WideSampleSize = 500;
-/// Share of such nodes that is too large to be single points and edges (measured: below 0.05 on
-/// scans, 0.43 for noise of one spacing at 16 neighbours).
+/// Maximum fraction of nodes off any surface that is attributed to single points and edges
+/// (measured: below 0.05 on scans, 0.43 for noise of one spacing at 16 neighbors).
 constexpr double LargestShareOffSurface = 0.1;
-/// Noise is looked for with as many neighbours as that at most.
+/// Maximum number of neighbors in the search for noise.
 constexpr std::size_t WidestFitNeighbors = 512;
-/// Residual, by spacing, of surfaces that are smooth.
+/// Ratio of residual to spacing below which a surface is smooth.
 constexpr double SmoothResidual = 0.004;
 
-/// Shares of the progress of taking noise off: of each measurement (there are seven at most), of
-/// the tree of the points that have been moved, and of the fits before and after.
+/// Progress weights within the removal of noise: each measurement (at most seven), the kd-tree of
+/// the moved points, and each of the fits before and after the move.
 constexpr double ShareOfMeasurement = 0.025;
 constexpr double ShareOfTree = 0.02;
 constexpr double ShareOfFit = 0.4;
 
+/// Finds the nearest nodes of a position, and their positions.
 void FindPlaces(const CloudSetup& setup, const Point3& point, std::size_t count,
   std::vector<CloudNeighbor>& neighbors, std::vector<Point3>& places)
 {
@@ -67,20 +73,24 @@ void FindPlaces(const CloudSetup& setup, const Point3& point, std::size_t count,
   }
 }
 
+/// Returns the ratio of a length to the spacing of a node; 0 if the spacing is 0.
 float BySpacing(const CloudPairs& pairs, std::size_t node, double length)
 {
   const double spacing = pairs.Spacings[node];
   return spacing > 0.0 ? static_cast<float>(length / spacing) : 0.0f;
 }
 
-/// How often surfaces are fitted: to the nearest points, and to those nearest to the first surface
-/// then. A node far off has fewer of those on the other side of the surface among its nearest.
+/// Number of passes of a fit. The first pass fits to the points nearest to the node, the second to
+/// the points nearest to the first surface. The nearest points of a node far from the surface
+/// include too few points on the opposite side of the surface.
 enum class FitPasses
 {
   One,
   Two
 };
 
+/// Fits a surface to `count` neighbors of each node. Sets the spacings and normals of the pairs,
+/// and `fits`. `share` is the progress weight. Returns false if stopped.
 bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share, SetupLoop& loop,
   CloudFits& fits)
 {
@@ -111,7 +121,7 @@ bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
         fit = FitSurface(point + first, places.data(), places.size());
         fit.ToSurface = first + fit.ToSurface;
       }
-      // Of fewer points nothing can be said.
+      // Fewer points than requested allow no conclusion.
       misses += places.size() > count &&
           fit.Residual > MissOfNoSurface * std::sqrt(neighbors[count].SquaredDistance)
         ? 1
@@ -137,14 +147,15 @@ bool FitTo(std::size_t count, FitPasses passes, CloudSetup& setup, double share,
   return goesOn;
 }
 
-/// Median residual of surfaces that are fitted to so many neighbours, at some of the nodes.
+/// Median residual of surfaces fitted to a given number of neighbors, over a sample of nodes.
 struct TypicalResidual
 {
-  double BySpacing = 0.0;
-  double ByRadius = 0.0; ///< that the neighbours are in
+  double BySpacing = 0.0; ///< relative to the spacing
+  double ByRadius = 0.0;  ///< relative to the neighborhood radius
 };
 
-/// Takes a measurement's part of the share. What it returns means nothing when stopped.
+/// Measures the typical residual. Uses the progress weight of one measurement, as a fraction of
+/// `share`. After a stop, the result must not be used.
 TypicalResidual MeasureResidual(
   const CloudSetup& setup, std::size_t count, std::size_t sampleSize, double share, SetupLoop& loop)
 {
@@ -171,9 +182,10 @@ TypicalResidual MeasureResidual(
   return { Quantile(bySpacing, 0.5), Quantile(byRadius, 0.5) };
 }
 
-/// As many neighbours as show the surface where noise is so large that few of them seem to lie in a
-/// volume: the residual is a small part of the radius that they are in, and hardly grows with it. 0
-/// when there is no such number. `residual` is the one of FitNeighbors, by spacing.
+/// Returns the number of neighbors that reveal the surface if noise is so large that few neighbors
+/// seem to lie in a volume; 0 if there is no such number. With this number, the residual is a small
+/// fraction of the neighborhood radius and hardly grows with the radius. `residual` is the median
+/// residual for FitNeighbors neighbors, in spacings.
 std::size_t FindNeighborsForMuchNoise(
   const CloudSetup& setup, double residual, double share, SetupLoop& loop)
 {
@@ -196,14 +208,16 @@ std::size_t FindNeighborsForMuchNoise(
     }
     else if (found > 0)
     {
-      break; // the shape is finer
+      break; // the shape is finer than the fit
     }
     residual = wide.BySpacing;
   }
   return found;
 }
 
-/// As many neighbours as noise is taken off with; 0 when there is none, or more than few show it.
+/// Returns the number of neighbors of the fits that remove noise; 0 if there is no noise, or if
+/// more than a few neighbors are needed to reveal noise. `residual` is the median residual for
+/// FitNeighbors neighbors, in spacings.
 std::size_t FindNeighborsForNoise(
   const CloudSetup& setup, double residual, double share, SetupLoop& loop)
 {
@@ -220,9 +234,9 @@ std::size_t FindNeighborsForNoise(
     std::clamp<double>(640.0 * residual, WideFitNeighbors, MostFitNeighbors));
 }
 
-/// How far points scatter about what surface there may be, in spacings: by the widest fits, whose
-/// neighbours show the spacing as well, as a part of a plane would have it.
-/// 0 when most nodes lie on one.
+/// Returns the typical distance of points from a surface, in spacings; 0 if most nodes lie on one.
+/// The distance is measured by the widest fits. The spacing is derived from their neighborhood
+/// radius, as for points of a plane.
 double MeasureScatter(const CloudSetup& setup, double offSurface, double share, SetupLoop& loop)
 {
   if (!(offSurface > LargestShareOffSurface))
@@ -273,7 +287,7 @@ bool RemoveNoise(
   }
   if (isMuch)
   {
-    lengths = fits.Residuals; // fits to few neighbours have followed it
+    lengths = fits.Residuals; // fits to few neighbors have followed the noise
   }
   noise.Removed = Quantile(lengths, 0.5);
   noise.OffSurface = fits.OffSurface;
@@ -286,10 +300,10 @@ bool RemoveNoise(
   {
     pairs.Points[i] = pairs.Points[i] + fits.ToSurface[i];
   }
-  setup.Neighbors.reset(); // before another one is taken
+  setup.Neighbors.reset(); // release the old tree before the new one is built
   setup.Neighbors = std::make_unique<CloudNeighbors>(pairs.Points);
   loop.Skip(ShareOfTree * share);
-  // What is left of the noise is not to be followed.
+  // Paths must not follow the remaining noise.
   std::fill(pairs.IsSmooth.begin(), pairs.IsSmooth.end(), 1);
   if (!FitTo(count, FitPasses::One, setup, ShareOfFit * share, loop, fits))
   {

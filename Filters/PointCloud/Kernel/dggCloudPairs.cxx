@@ -8,30 +8,31 @@ namespace dgg
 {
 namespace
 {
-/// The steepest angle between a chord and the tangent planes at both of its ends.
+/// Maximum angle between a chord and the tangent planes at its ends, in radians. A pair is rejected
+/// if both angles exceed it.
 constexpr double SteepestChord = Pi / 3.0;
-/// Sides that normals point to are opposite when the cosine between them is below that.
+/// Oriented normals are opposite if the cosine of the angle between them is below this value.
 const double OppositeNormals = std::cos(100.0 / 180.0 * Pi);
-/// The turn that an arc may make, in radians. Beyond it, points are followed.
+/// Maximum turning angle of an arc, in radians. Beyond it, the path follows points.
 constexpr double LargestTurn = 0.35;
-/// How far the surface may be from where it is expected, by the local spacing.
+/// Maximum distance of the surface from its expected position, relative to the local spacing.
 constexpr double Tolerance = 0.6;
-/// Pieces of a way that follows points, per local spacing, and at most: more would follow what is
-/// between the points, which is guessed, fewer would miss points.
+/// Number of pieces per local spacing, and maximum number of pieces, of a path that follows points.
+/// More pieces would follow the unknown surface between the points; fewer would miss points.
 constexpr double PiecesPerSpacing = 1.15;
 constexpr int MostPieces = 64;
-/// A way that is longer by that than its chord does not go along it. Over a right angle it is
-/// longer by 1.41.
+/// Maximum ratio of path length to chord length. A longer path does not run along the chord. Across
+/// a right-angled edge the ratio is at most 1.41.
 constexpr double LongestWay = 1.5;
-/// A way leaves a ball, rather than going through it, when what is left of it is that short, by the
-/// radius.
+/// Minimum length of a step through a ball, relative to the ball radius. A shorter step means that
+/// the segment leaves the ball.
 constexpr double LeastStep = 1e-3;
-/// Cosine between a normal and the direction that heights are measured in, at least.
+/// Minimum cosine of the angle between a normal and the direction in which heights are measured.
 constexpr double LeastCosine = 0.35;
 }
 
-/// What a segment between two points looks like, seen from the point with the smaller number, so
-/// that it is the same, bit by bit, both ways round.
+/// Geometry of the segment between two points, always starting from the point with the smaller id,
+/// so that results are bitwise symmetric.
 struct CloudPairs::Seen
 {
   Seen(const CloudPairs& pairs, Id first, Id second, double chord)
@@ -48,8 +49,8 @@ struct CloudPairs::Seen
     this->IsFine = pairs.FindNearestPoint && (pairs.IsFine(P) || pairs.IsFine(Q));
   }
 
-  /// The direction that heights are measured in: across the segment, away from the surface. False
-  /// when there is none.
+  /// Sets Up, the direction in which heights are measured: perpendicular to the segment, away from
+  /// the surface. Returns false if there is no such direction.
   bool FindUp(const CloudPairs& pairs)
   {
     const Point3& a = pairs.Normals[this->P];
@@ -72,8 +73,8 @@ struct CloudPairs::Seen
   Point3 Segment;
   Point3 Up;
   ChordAngles Angles;
-  bool Follows; ///< whether points are followed, rather than an arc
-  bool IsFine;  ///< whether voxels are too coarse for it
+  bool Follows; ///< true if the path follows points rather than an arc
+  bool IsFine;  ///< true if voxels are too coarse for the segment
 };
 
 double CloudPairs::Length(Id p, Id q, double chord) const
@@ -97,7 +98,7 @@ bool CloudPairs::IsDirect(Id p, Id q, double chord) const
   {
     return false;
   }
-  // Where points are followed, the length is infinite when they are not where they should be.
+  // For a path that follows points, Length() includes this check and returns Infinity.
   if (!seen.Follows && !this->Nearest.empty() &&
     chord > std::min(this->Spacings[p], this->Spacings[q]) && seen.FindUp(*this))
   {
@@ -117,8 +118,8 @@ bool CloudPairs::IsDirect(Id p, Id q, double chord) const
 
 bool CloudPairs::IsInBand(const Seen& seen) const
 {
-  // What lies in the balls at both ends, a voxel less for what rounding does to them, is in the
-  // band.
+  // The ends of the segment lie in the band as long as they are inside the balls of the two points.
+  // The radii are reduced by one voxel to allow for rounding to voxels.
   const double size = this->Band.GetVoxelSize();
   const double first = std::max(0.0, this->Radii[seen.P] - size);
   const double second = std::max(0.0, this->Radii[seen.Q] - size);
@@ -131,8 +132,9 @@ bool CloudPairs::IsInBand(const Seen& seen) const
     this->Band.ToGrid(this->Points[seen.Q] - (second / seen.Chord) * seen.Segment));
 }
 
-/// The same without voxels: from the ball of the point that is nearest to where the last one ends
-/// to that of the next, until the other end is reached.
+/// Like IsInBand(), but without voxels. Passes from ball to ball: the next ball is that of the
+/// point nearest to the position where the segment leaves the last one, until the ball at the other
+/// end is reached.
 bool CloudPairs::IsInBalls(const Seen& seen) const
 {
   const Point3 direction = (1.0 / seen.Chord) * seen.Segment;
@@ -156,7 +158,7 @@ bool CloudPairs::IsInBalls(const Seen& seen) const
   return true;
 }
 
-/// Whether normals do not speak against a way.
+/// Returns true if the normals do not rule out a path along the segment.
 bool CloudPairs::IsLikely(const Seen& seen) const
 {
   if (std::abs(seen.Angles.First) > SteepestChord && std::abs(seen.Angles.Second) > SteepestChord)
@@ -167,6 +169,8 @@ bool CloudPairs::IsLikely(const Seen& seen) const
     !(Dot(this->Normals[seen.P], this->Normals[seen.Q]) < OppositeNormals);
 }
 
+/// Returns the point nearest to a position on the segment, by voxels where they are fine enough;
+/// NoId if there is none.
 Id CloudPairs::FindNearest(const Seen& seen, const Point3& place) const
 {
   if (seen.IsFine)
@@ -181,7 +185,8 @@ Id CloudPairs::FindNearest(const Seen& seen, const Point3& place) const
     : nearest;
 }
 
-/// Whether the surface at a point near a place is not where it should be: at a height over it.
+/// Returns true if the surface at the point `nearest` is too far from its expected position, at the
+/// given height over `place` in the direction `up`.
 bool CloudPairs::IsFarFrom(Id nearest, const Point3& place, const Point3& up, double height) const
 {
   const Point3 expected = place + height * up;
@@ -189,8 +194,9 @@ bool CloudPairs::IsFarFrom(Id nearest, const Point3& place, const Point3& up, do
   return std::abs(off) > Tolerance * this->Spacings[nearest];
 }
 
-/// A polyline over the points that are nearest to the segment, each moved in its tangent plane to
-/// the plane of segment and up.
+/// Returns the length of a polyline over the points nearest to the segment, each moved within its
+/// tangent plane to the plane spanned by the segment and Up. Returns Infinity if a point is too far
+/// from its expected position, or if the polyline is too long compared to the chord.
 double CloudPairs::FollowPoints(Seen& seen) const
 {
   const double spacing =

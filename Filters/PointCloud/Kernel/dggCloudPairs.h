@@ -1,65 +1,71 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which pairs of points of a cloud are connected directly, and how far apart they are. Internal.
+/// Direct connections between points of a cloud, and their lengths. Internal.
 #ifndef dggCloudPairs_h
 #define dggCloudPairs_h
 
-#include "dggArcLength.h" // for arcs over chords
+#include "dggArcLength.h" // for arc lengths
 #include "dggPoint3.h"    // for Point3
 #include "dggTypes.h"     // for Id
 #include "dggVoxelBand.h" // for VoxelBand
 
 #include <functional> // for FindNearestPoint
-#include <vector>     // for what is known of points
+#include <vector>     // for per-point arrays
 
 namespace dgg
 {
-/// What is known of the points of a cloud. All answers are the same for (p, q) and (q, p).
+/// Per-point data of a cloud, and queries for pairs of points. All queries are symmetric in p and
+/// q.
 ///
-/// Two points are connected directly when the segment between them stays in the band, and close to
-/// the points that it passes: nearer than balls are large, measured along their normals. So sheets
-/// stay apart that are closer to each other than two balls. Points whose normals are oriented, and
-/// opposite, are on sheets back to back, however far from each other.
+/// Two points are connected directly if the segment between them stays in the band and the points
+/// near the segment lie close to the expected surface: their offset along their normals is smaller
+/// than a ball radius. Layers therefore remain separate even if their distance is less than two
+/// ball radii. Points with oriented normals in opposite directions are on layers that lie back to
+/// back, at any distance, and are not connected.
 struct CloudPairs
 {
-  /// Radius of a ball by the size of voxels: those of smaller ones are looked at themselves.
+  /// Minimum ratio of ball radius to voxel size for tests with voxels. Smaller balls are tested
+  /// directly.
   static constexpr double LeastRadiusInVoxels = 0.5;
 
   std::vector<Point3> Points;
-  std::vector<Point3> Normals; ///< of length 1, or 0 where unknown
-  std::vector<double> Radii;   ///< of the balls of the band
-  std::vector<float> Reaches;  ///< how long edges of a point may be
-  std::vector<float> Spacings; ///< local distance between points: the root of the area of each
-  /// Whether neighbours lie on the surface that was fitted to them: then an arc says all about the
-  /// way between two points.
+  std::vector<Point3> Normals; ///< of unit length, or 0 if unknown
+  std::vector<double> Radii;   ///< ball radii of the band
+  std::vector<float> Reaches;  ///< maximum edge length per point
+  /// Local spacing: square root of the area per point.
+  std::vector<float> Spacings;
+  /// 1 for points whose neighbors lie on the surface fitted to them. Between two such points, an
+  /// arc describes the path sufficiently.
   std::vector<unsigned char> IsSmooth;
   VoxelBand Band;
-  /// Per voxel (VoxelBand::PlaceOf()), the point that is nearest to its centre, NoId if it is not
-  /// marked.
+  /// Per voxel (VoxelBand::PlaceOf()), the point nearest to the voxel center; NoId if the voxel is
+  /// not marked.
   std::vector<Id> Nearest;
-  /// Asks for the nearest point to any place. Voxels say nothing of balls that are much smaller
-  /// than they are: between the points of these, it takes the place of Band and Nearest.
+  /// Returns the point nearest to any position. Replaces Band and Nearest for points whose balls
+  /// are much smaller than a voxel, since voxels do not resolve such balls.
   std::function<Id(const Point3&)> FindNearestPoint;
-  /// Whether a way is as long as the surface rather than the chord.
+  /// True if path lengths are arc lengths along the surface, false if they are chord lengths.
   bool UsesArcs = true;
-  /// Whether a normal is known to point to the same side of the surface as those of others; empty
-  /// when none is.
+  /// 1 for points whose normal is known to point to the same side of the surface as those of other
+  /// points; empty if there are none.
   std::vector<unsigned char> IsOriented;
 
+  /// Returns the Euclidean distance between two points.
   double Chord(Id p, Id q) const { return Norm(this->Points[q] - this->Points[p]); }
 
+  /// Returns true if the chord length is within the reach of at least one of the points.
   bool IsInReach(Id p, Id q, double chord) const
   {
     return chord <= this->Reaches[p] || chord <= this->Reaches[q];
   }
 
-  /// Length of the way between two points along the segment between them; Infinity when it does not
-  /// look like a way on the surface.
+  /// Returns the length of the path between two points along the segment between them; Infinity if
+  /// the segment is unlikely to follow the surface.
   double Length(Id p, Id q, double chord) const;
   double Length(Id p, Id q) const { return this->Length(p, q, this->Chord(p, q)); }
 
-  /// Whether points of finite Length() are connected directly.
+  /// Returns true if two points are connected directly. Their Length() must be finite.
   bool IsDirect(Id p, Id q, double chord) const;
 
 private:

@@ -9,8 +9,9 @@ namespace dgg
 {
 namespace
 {
-/// Relays are looked for in sectors that are as wide as a relay may be off the way, seen from the
-/// point. Very narrow ones would only be empty.
+/// Limits for the number of sectors. Relays are searched in sectors around the point. The width of
+/// a sector is the largest angle at the point between a path and a relay that covers its end. Very
+/// narrow sectors would only be empty.
 constexpr int MostSectors = 720;
 constexpr int LeastSectors = 8;
 
@@ -76,7 +77,7 @@ bool CloudPruning::IsCovered(Id q, double length, int sector)
     {
       const Relay& relay = this->Relays[i];
       const double rest = length - this->Kappa * relay.Length;
-      // A way is not shorter than its chord, so most are ruled out by that.
+      // A path is not shorter than its chord, which excludes most relays.
       const Point3 d = this->Pairs.Points[q] - this->Pairs.Points[relay.Point];
       const double square = Dot(d, d);
       if (!(rest > 0.0) || square > rest * rest)

@@ -1,30 +1,30 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which of the neighbours of a point of a cloud become edges. Internal.
+/// Selects the neighbors of a point of a cloud that become edges. Internal.
 #ifndef dggCloudPruning_h
 #define dggCloudPruning_h
 
 #include "dggCloudPairs.h" // for CloudPairs
 #include "dggTypes.h"      // for Id
 
-#include <cstdint> // for places of relays
+#include <cstdint> // for indices of relays
 #include <vector>  // for edges
 
 namespace dgg
 {
-/// Chooses the edges of one point after the other by the progress rule: a neighbour q of p is left
-/// out when an edge (p, r) was kept with w(p, r) / (1 + accuracy) + w(r, q) <= w(p, q), and r and q
-/// are connected directly. Then no path gets longer by more than the accuracy: the proof for meshes
-/// uses nothing but lengths. One per thread.
+/// Selects the edges of one point after another by the progress rule. A neighbor q of p is excluded
+/// if an edge (p, r) was kept with w(p, r) / (1 + accuracy) + w(r, q) <= w(p, q), and r and q are
+/// connected directly. No path then gets longer by more than the relative error `accuracy`; the
+/// proof for meshes depends only on lengths. Each thread needs its own object.
 class CloudPruning
 {
 public:
-  /// With an accuracy of 0 all neighbours that are connected directly are kept.
+  /// An accuracy of 0 keeps all neighbors that are connected directly.
   CloudPruning(const CloudPairs& pairs, double accuracy);
 
-  /// `neighbors` are in the order of their distance from p, `chords` are these distances. Appends
-  /// the neighbours that are kept to `kept`.
+  /// Appends the selected neighbors of p to `kept`. `neighbors` are in ascending order of distance
+  /// from p, and `chords` holds these distances.
   void ChooseEdges(Id p, const std::vector<Id>& neighbors, const std::vector<double>& chords,
     std::vector<Id>& kept);
 
@@ -32,7 +32,7 @@ private:
   struct Relay
   {
     Id Point;
-    std::int32_t Next; ///< the one kept before it in the same direction
+    std::int32_t Next; ///< previous relay in the same sector, or -1
     double Length;
   };
 
@@ -46,7 +46,7 @@ private:
   Point3 AxisX;
   Point3 AxisY;
   std::vector<Relay> Relays;
-  std::vector<std::int32_t> Last; ///< per sector, the relay kept last
+  std::vector<std::int32_t> Last; ///< per sector, the relay kept last, or -1
 };
 }
 

@@ -11,25 +11,30 @@ namespace dgg
 {
 namespace
 {
-/// Share of the progress of the setup.
+/// Progress weight within the setup.
 constexpr double ShareOfReaches = 0.2;
 
-/// Reach by spacing, scheme C.
+/// Ratio of reach to spacing, scheme C.
 constexpr double ReachBySpacing = 10.5;
-/// The same where points are followed: what is between them adds up.
+/// Ratio of reach to spacing, scheme C, where paths follow points: errors between the points
+/// accumulate.
 constexpr double RoughReachBySpacing = 5.5;
-/// With chords, the reach at which zigzag and shortcut balance, by (s^2 / curvature)^(1/3).
+/// For chord lengths, the ratio of the reach to (s^2 / curvature)^(1/3), with the spacing s, at
+/// which zigzag and shortcut errors balance; and limits for the ratio of reach to spacing.
 constexpr double BalancedReach = 1.67;
 constexpr double LeastReach = 3.5;
 constexpr double MostReach = 16.0;
-/// Turn of the surface along an edge, at most: beyond it arcs are guesses.
+/// Maximum turning angle of the surface along an edge, in radians. Beyond it, arc lengths are
+/// unreliable.
 constexpr double TurnOfReach = 0.8;
-/// Reach by spacing that B is given by default.
+/// Default ratio of reach to median spacing, scheme B.
 constexpr double ConstantReach = 6.0;
-/// Direct neighbours that the reach is to include.
+/// Minimum number of direct neighbors within reach, and number of nearest nodes among which they
+/// are searched.
 constexpr std::size_t LeastNeighbors = 6;
 constexpr std::size_t NearNeighbors = 33;
 
+/// Chooses the reach of each node by the scheme.
 class ReachChooser
 {
 public:
@@ -107,7 +112,7 @@ private:
     {
       if (!this->Pairs.IsSmooth[node])
       {
-        return RoughReachBySpacing * s; // the curvature is not that of a surface
+        return RoughReachBySpacing * s; // without a smooth surface, the curvature is unreliable
       }
       return std::max(LeastReach * s,
         curvature > 0.0 ? std::min(ReachBySpacing * s, TurnOfReach / curvature)
@@ -123,7 +128,8 @@ private:
     return this->Pairs.Length(p, q, chord) < Infinity && this->Pairs.IsDirect(p, q, chord);
   }
 
-  /// Of pairs in overlapping balls.
+  /// Returns the mean length of the direct pairs of a node in overlapping balls; 0 if there are
+  /// none.
   double MeanDirectLength(Id node, std::vector<CloudNeighbor>& neighbors) const
   {
     this->Setup.Neighbors->FindWithin(
@@ -142,7 +148,8 @@ private:
     return count > 0 ? sum / static_cast<double>(count) : 0.0;
   }
 
-  /// Reach that includes the nearest direct neighbours.
+  /// Returns the reach that includes the nearest LeastNeighbors direct neighbors, or as many of
+  /// them as there are among the NearNeighbors nearest nodes.
   double ReachOfFew(Id node, std::vector<CloudNeighbor>& neighbors) const
   {
     this->Setup.Neighbors->FindNearest(this->Pairs.Points[node], NearNeighbors, neighbors);
@@ -153,7 +160,7 @@ private:
       const double chord = std::sqrt(neighbor.SquaredDistance);
       if (neighbor.Point != node && this->IsDirect(node, neighbor.Point, chord))
       {
-        // A hair more, as reaches are floats.
+        // Slightly larger, because reaches are stored as float.
         reach = chord * (1.0 + 1e-6);
         if (++count == LeastNeighbors)
         {

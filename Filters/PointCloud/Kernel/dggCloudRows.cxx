@@ -13,25 +13,25 @@ namespace dgg
 {
 namespace
 {
-/// Rows in a block, at most; fewer where they have so many candidates that a block had more than
-/// that.
+/// Maximum number of rows in a block. Blocks have fewer rows if they would otherwise exceed
+/// CandidatesPerBlock candidates.
 constexpr Id MostRowsPerBlock = 64;
 constexpr double CandidatesPerBlock = 1 << 16;
-/// Blocks between two reports of progress: as many as look at that many neighbours, judged by those
-/// before them.
+/// Number of candidates between two progress reports, and limits for the number of blocks. The
+/// number of blocks is estimated from the candidates of earlier blocks.
 constexpr double CandidatesPerWave = 1 << 19;
 constexpr Offset LeastBlocksPerWave = 8;
 constexpr Offset MostBlocksPerWave = 512;
-/// Rows that are looked at to know all.
+/// Number of rows that are sampled to estimate all rows.
 constexpr Id SampleSize = 512;
 constexpr Id SamplesPerReport = 16;
 
-/// Bytes that a thread takes for each candidate of a row, and for each target of a block: lists
-/// that grow by doubling are there twice while they do.
+/// Memory of a thread, in bytes, for each candidate of a row and each target of a block. Lists that
+/// grow by doubling exist twice while they grow.
 constexpr double BytesPerCandidate = 128.0;
 constexpr double BytesPerTarget = 16.0;
 
-/// What one thread needs to build rows.
+/// Buffers of one thread for building rows.
 struct RowWorkspace
 {
   RowWorkspace(const CloudSetup& setup, double accuracy)
@@ -40,7 +40,7 @@ struct RowWorkspace
   {
   }
 
-  /// Append the targets of a row.
+  /// Appends the targets of a row.
   void Build(Id node, std::vector<Id>& targets)
   {
     const CloudPairs& pairs = this->Setup.Pairs;
@@ -66,7 +66,7 @@ struct RowWorkspace
   std::vector<CloudNeighbor> Found;
   std::vector<Id> Neighbors;
   std::vector<double> Chords;
-  std::size_t Candidates = 0; ///< of all rows so far
+  std::size_t Candidates = 0; ///< number of candidates of all rows so far
 };
 }
 
@@ -142,7 +142,8 @@ Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
     size = std::min(size, count - first);
     if (options.MemoryLimit > 0)
     {
-      // There are no more threads at work than blocks.
+      // The number of threads does not exceed the number of blocks, so limiting the blocks limits
+      // the memory.
       const double used =
         static_cast<double>(setup.GetMemorySize()) + sizeof(Id) * static_cast<double>(edges);
       const double left = static_cast<double>(options.MemoryLimit) - used;
@@ -166,7 +167,7 @@ Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
           workspace.Build(row, targets);
           block.Sizes.push_back(static_cast<Id>(targets.size() - before));
         }
-        block.Targets.assign(targets.begin(), targets.end()); // no larger than it has to be
+        block.Targets.assign(targets.begin(), targets.end()); // no excess capacity
         edges += targets.size();
       }
       candidates += workspace.Candidates;

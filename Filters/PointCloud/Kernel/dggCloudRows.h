@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The edges chosen at each point of a cloud, and what it takes to choose them. Internal.
+/// Builds the rows of a cloud graph: the edges selected at each node. Internal.
 #ifndef dggCloudRows_h
 #define dggCloudRows_h
 
@@ -9,32 +9,34 @@
 #include "dggCloudSetup.h"    // for CloudSetup
 
 #include <cstddef> // for std::size_t
-#include <vector>  // for blocks
+#include <vector>  // for row blocks
 
 namespace dgg
 {
-/// What the rows of some nodes, evenly spread, show of all.
+/// Statistics of the rows of an evenly distributed sample of nodes.
 struct RowSample
 {
-  double MeanCandidates = 0.0; ///< nodes within reach
-  double MeanTargets = 0.0;    ///< chosen of these
+  double MeanCandidates = 0.0; ///< mean number of nodes within reach
+  double MeanTargets = 0.0;    ///< mean number of selected targets
+  /// Maximum number of nodes within reach.
   double MostCandidates = 0.0;
 
-  /// So many that a block does not take long, nor much memory.
+  /// Returns the number of rows per block, which limits the time and the memory of a block.
   Id GetRowsPerBlock() const;
-  /// Bytes that a thread needs to build blocks, one at a time, about.
+  /// Returns the approximate memory in bytes that a thread needs to build one block at a time.
   double GetThreadMemory() const;
 };
 
-/// Fails when building rows would take more than the limit; 0: there is none.
+/// Fails if `bytes`, the memory for building rows, exceeds `limit`; 0: no limit.
 Status CheckRowMemory(double bytes, std::size_t limit);
 
-/// Fails if a single row exceeds the memory limit, or if `progress` returns false.
+/// Builds the rows of a sample of nodes. Fails if a single row exceeds the memory limit, or if
+/// `progress` returns false.
 Status SampleRows(const CloudSetup& setup, const CloudGraphOptions& options,
   const ProgressCallback& progress, RowSample& sample);
 
-/// Build all rows. Where there is a memory limit, no more threads work at the same time than fit,
-/// and it fails when not even one may.
+/// Builds all rows. With a memory limit, the number of simultaneous threads is reduced to those
+/// that fit. Fails if a single thread does not fit, or if `progress` returns false.
 Status BuildRows(const CloudSetup& setup, const CloudGraphOptions& options,
   const ProgressCallback& progress, const RowSample& sample, std::vector<CloudRowBlock>& blocks);
 }

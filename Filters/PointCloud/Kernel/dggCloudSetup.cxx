@@ -14,17 +14,18 @@ namespace dgg
 {
 namespace
 {
-/// Shares of the progress, besides those of the band and of reaches.
+/// Progress weights, other than those of the band and the reaches.
 constexpr double ShareOfFits = 0.22;
-/// Of fitting surfaces to more neighbours, and once more when points have been moved.
+/// Weight of the fits to more neighbors, and of the repeated fits after points have been moved.
 constexpr double ShareOfNoise = 0.08;
 constexpr double ShareOfSmoothing = 0.2;
 
-/// Bytes of all that is known of a node, with the tree of all, and of a point before that.
+/// Memory, in bytes, per node for all data of the nodes and their kd-tree, and per point before the
+/// nodes are known.
 constexpr std::size_t BytesPerNode = 191;
 constexpr std::size_t BytesPerPoint = 72;
 
-/// Steps of the setup, one after the other.
+/// Runs the steps of the setup in sequence.
 class SetupBuilder
 {
 public:
@@ -51,7 +52,7 @@ public:
     {
       return Status::Abort();
     }
-    this->Loop.FinishAt(ShareOfFits + ShareOfNoise); // whether there was noise or not
+    this->Loop.FinishAt(ShareOfFits + ShareOfNoise); // with or without noise
     this->Statistics.Noise = noise.Removed / this->Setup.Nodes.Scale;
     this->Statistics.NoiseByRadius = noise.RemovedByRadius;
     this->Statistics.OffSurface = noise.OffSurface;
@@ -77,7 +78,8 @@ public:
   }
 
 private:
-  /// Values that single points far off cannot spoil.
+  /// Replaces spacings and curvatures by values that are robust against single points far from the
+  /// surface.
   void SmoothSpacings()
   {
     std::vector<float> spacings(this->Pairs.Spacings.size());
@@ -113,6 +115,7 @@ private:
     this->Statistics.Spacing = this->MedianSpacing / this->Setup.Nodes.Scale;
   }
 
+  /// Replaces fitted normals by the given ones, where these are finite and not 0.
   void TakeNormals()
   {
     const double* normals = this->Options.Normals;
@@ -128,7 +131,7 @@ private:
         this->Pairs.Normals[i] = (1.0 / Norm(normal)) * normal;
         if (this->Options.HasOrientedNormals)
         {
-          this->Pairs.IsOriented[i] = 1; // fitted ones point to either side
+          this->Pairs.IsOriented[i] = 1; // fitted normals have arbitrary sign
         }
       }
     }

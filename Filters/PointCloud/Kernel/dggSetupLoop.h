@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Loops over the points of a cloud, with one progress. Internal.
+/// Loops over the points of a cloud with a common progress. Internal.
 #ifndef dggSetupLoop_h
 #define dggSetupLoop_h
 
@@ -12,8 +12,8 @@
 
 namespace dgg
 {
-/// The loops of a setup, each of which has a share of its progress. Once stopped, nothing runs any
-/// more.
+/// Runs the loops of a setup, each with a weight in the total progress. After a stop, no further
+/// loop runs.
 class SetupLoop
 {
 public:
@@ -25,11 +25,12 @@ public:
 
   bool IsStopped() const { return this->Stopped; }
 
-  /// All steps so far have made that part of the progress.
+  /// Sets the total progress after all steps so far.
   void FinishAt(double done) { this->Done = done; }
-  /// A step of that share has been made, outside of these loops.
+  /// Adds the progress weight of a step that was run elsewhere.
   void Skip(double share) { this->Done += share; }
-  /// Report a part of a step that has that share. False when stopped.
+  /// Reports the fraction `part` of a step with the progress weight `share`. Returns false if
+  /// stopped.
   bool Report(double share, double part)
   {
     this->Stopped = this->Stopped ||
@@ -37,7 +38,8 @@ public:
     return !this->Stopped;
   }
 
-  /// Run `body(begin, end)` over [0, size), in several threads. False when stopped.
+  /// Runs `body(begin, end)` over [0, size) in several threads, in blocks of `grain`. Returns false
+  /// if stopped.
   template <typename Body>
   bool ForPieces(Offset size, Offset grain, double share, Body&& body)
   {
@@ -55,8 +57,8 @@ public:
     return !this->Stopped;
   }
 
-  /// The same over nodes: `body(begin, end)` takes their numbers. Pieces are smaller where a node
-  /// takes `cost` times as long as in most loops.
+  /// Like ForPieces(), over node ids. Blocks are smaller if a node takes `cost` times as long as in
+  /// most loops.
   template <typename Body>
   bool ForNodes(std::size_t nodes, double share, Body&& body, std::size_t cost = 1)
   {
@@ -71,8 +73,8 @@ private:
 
   const ParallelFor& Parallel;
   const ProgressCallback& Progress;
-  double Done = 0.0;    ///< of all steps
-  bool Stopped = false; ///< by the caller
+  double Done = 0.0;    ///< total progress so far, from 0 to 1
+  bool Stopped = false; ///< true if the caller has stopped the setup
 };
 }
 
