@@ -25,7 +25,7 @@ def main(mesh_path, source_ids, picture_path):
     """Run the pipeline."""
     mesh = vtkdgg.read(mesh_path).as_polydata()
 
-    # The graph: built once.
+    # Build the graph once.
     graph = vtkdgg.vtkDiscreteGeodesicGraph()
     graph.SetInputData(mesh)
     graph.SetAccuracy(0.01)

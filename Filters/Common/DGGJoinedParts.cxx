@@ -75,7 +75,7 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
   return same;
 }
 
-/// Global ids that all parts have, or nothing.
+/// Returns the global ids of each part; empty if a part has none.
 std::vector<vtkDataArray*> FindGlobalIds(const Parts& parts, bool ofPoints)
 {
   std::vector<vtkDataArray*> ids;
@@ -100,8 +100,8 @@ vtkIdType GetId(vtkDataArray* ids, vtkIdType i)
   return static_cast<vtkIdType>(ids->GetVariantValue(i).ToTypeInt64());
 }
 
-/// Points with the same global ids in one block are one. Fails where these are in different places,
-/// as when each process has numbered its own points.
+/// Joins points of one block that have equal global ids. Fails if such points have different
+/// positions, as when each process has numbered its own points.
 dgg::Status JoinGlobalIds(
   const Parts& parts, const std::vector<vtkDataArray*>& ids, dgg::DisjointSets& points)
 {

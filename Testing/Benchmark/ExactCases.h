@@ -9,7 +9,7 @@
 
 #include <benchmark/benchmark.h> // for State
 
-/// Build our mesh.
+/// Measures the construction of a SurfaceMesh.
 void MeasureSetUp(benchmark::State& state, const MeshRecipe& recipe);
 
 /// One exact run from the k-th of `numberOfSources` sources; its distances are kept for the cases

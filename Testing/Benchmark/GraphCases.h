@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What is measured of a graph: building it, asking it once and asking it many times.
+/// Benchmarks of graphs: construction, single queries and many queries.
 #ifndef GraphCases_h
 #define GraphCases_h
 

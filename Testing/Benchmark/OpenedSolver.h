@@ -21,7 +21,7 @@ struct OpenedSolver
   const dgg::PoissonSolver* Solver = nullptr;
 };
 
-/// The solver of a recipe, factorized; that of the last mesh is kept.
+/// Returns the factorized solver of a recipe. The solver of the last mesh is kept.
 OpenedSolver OpenSolver(const MeshRecipe& recipe);
 
 /// One at a vertex, 0 at others.

@@ -21,7 +21,7 @@ struct PoissonPeer
   std::function<std::unique_ptr<PeerPoisson>(const MeshArrays& mesh)> Make;
 };
 
-/// Those that there are.
+/// Returns the peers that this build includes.
 std::vector<PoissonPeer> ListPoissonPeers();
 
 /// Matrix and factorization, and the memory that they take at most.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What tests of paths, loops and curves share.
+/// Tools shared by the tests of paths, loops and curves.
 #ifndef PathChecks_h
 #define PathChecks_h
 

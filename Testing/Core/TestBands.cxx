@@ -71,7 +71,7 @@ struct BandCase
     }
     return sum;
   }
-  /// How far a distance is from the band of a face.
+  /// Returns by how much a distance lies outside of the band of a face; 0 inside.
   double MissOf(Id f, double distance) const
   {
     const std::vector<double>& levels = this->Found.Levels;

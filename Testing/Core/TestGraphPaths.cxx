@@ -115,7 +115,7 @@ void ExpectShortest(SearchCase& c, const std::vector<std::pair<Seeds, Seeds>>& p
       SCOPED_TRACE(c.GetName() + ", pair " + std::to_string(i));
       ExpectShortest(c, pairs[i].first, pairs[i].second, expected[i], nullptr);
       ExpectShortest(c, pairs[i].first, pairs[i].second, expected[i], PositionsOf(c));
-      // Symmetric graphs: the way back is as long.
+      // Graphs are symmetric: the reverse path has the same length.
       ExpectShortest(c, pairs[i].second, pairs[i].first, expected[i], PositionsOf(c));
     }
   }

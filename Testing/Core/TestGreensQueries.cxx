@@ -235,8 +235,8 @@ TEST(GreensFunction, AnyPointSeesAnyOther)
 
 TEST(GreensFunction, SolvesPoissonEquations)
 {
-  // u = mean(u) + sum of integrals of g against f, at vertices with the sparse solve and anywhere
-  // with the truth.
+  // u = mean(u) + sum of the integrals of g times f: compared with the sparse solve at vertices and
+  // with the closed form inside faces.
   const TestMesh sphere = Icosphere(4);
   const dgg::SurfaceMesh mesh = Build(sphere);
   const Greens greens(mesh);

@@ -14,7 +14,7 @@ namespace dggtest
 {
 namespace
 {
-/// A method that is ready.
+/// A heat method after a successful Prepare().
 class Heat
 {
 public:

@@ -219,7 +219,7 @@ TEST(LoopFinder, HandlesOfSheetsThatTouch)
     EXPECT_FALSE(loop.Loop.IsEmpty());
     ExpectLocallyShortest(world.Mesh, loop.Loop, true);
   }
-  // A sphere that touches itself: the only loop passes through that vertex.
+  // A sphere pinched at one vertex: its only loop would pass through that vertex.
   TestMesh sphere = Icosphere(2);
   std::replace(sphere.Triangles.begin(), sphere.Triangles.end(), 100, 0);
   const std::vector<FoundLoop> pinned = LoopWorld(sphere).AroundHandles();

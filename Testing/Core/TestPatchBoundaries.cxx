@@ -57,7 +57,7 @@ TestMesh BumpySphere(int level)
   return mesh;
 }
 
-/// Its faces turned over.
+/// Returns the mesh with all faces reversed.
 TestMesh TurnedOver(TestMesh mesh)
 {
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)

@@ -45,7 +45,7 @@ vtkSmartPointer<vtkPolyData> MakePebble(int level);
 vtkSmartPointer<vtkLookupTable> FieldColors(double low, double high, int bands = 20);
 /// Colours of errors: blue where they are negative, red where they are positive, white at 0.
 vtkSmartPointer<vtkLookupTable> ErrorColors(double largest);
-/// Colours of things numbered from 0, those next to each other far apart; grey below 0.
+/// Colours of ids from 0. Consecutive ids differ clearly; negative ids are grey.
 vtkSmartPointer<vtkLookupTable> NumberColors(int count);
 
 class ImageScene

@@ -14,7 +14,7 @@
 
 namespace dggtest
 {
-/// The side of a prism with a regular base of sides of length 1, in triangles: `sides` times `rows`
+/// Returns the triangulated side of a prism over a regular polygon: `sides` times `rows` unit
 /// squares. Point i of row j has the id j * sides + i.
 vtkSmartPointer<vtkPolyData> MakePrism(int sides, int rows);
 /// Radii 1 and 0.4; point i around the hole of row j has the id j * nu + i; it starts outside.
@@ -23,8 +23,8 @@ vtkSmartPointer<vtkPolyData> MakeTorus(int nu, int nv);
 double GetTubeLength(int nu, int nv);
 double GetHoleLength(int nu);
 
-/// A closed polyline, or a rim, with what the filter says of it. A closed one has its first point
-/// once more at its end, with the whole length as ArcLength.
+/// A loop, or a rim of the tape, with its arrays. A closed polyline repeats its first point at the
+/// end; the ArcLength of the repeated point is the total length.
 struct LoopLine
 {
   PathLine Line;

@@ -46,7 +46,7 @@ void ExpectOnSurface(const PathLine& path, vtkPolyData* surface, double slack = 
 /// Expects that both ends of every piece of the lines lie in the triangle of the surface that
 /// FaceId names, up to 1e-9 of its diagonal. Returns the number of pieces.
 vtkIdType ExpectPiecesInTheirFaces(vtkPolyData* surface, vtkPolyData* lines);
-/// Lines from the first to the second of every two points.
+/// Returns lines between points 0 and 1, 2 and 3, and so on.
 vtkSmartPointer<vtkPolyData> MakePairs(const Points& ends);
 }
 

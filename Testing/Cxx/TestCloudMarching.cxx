@@ -113,7 +113,7 @@ TEST_F(CloudMarching, SourcesBesideTheCloud)
     const double straight = Distance(this->Cloud[i], close);
     EXPECT_NEAR(values[i], straight, 0.01 + 0.06 * straight) << i;
   }
-  // Off the band: from the closest point on.
+  // A source off the band: its distance from the closest point is added.
   const std::array<double, 3> high{ { 0.0, 0.0, 0.5 } };
   this->Filter->SetSourceData(MakeSourcePoints({ high }));
   ExpectError(this->Filter, { "source point 0", "away from the cloud", "ProjectionTolerance" });

@@ -85,7 +85,7 @@ protected:
     return GetPaths(filter);
   }
 
-  /// What faces of no area may change; else nothing.
+  /// Returns a bound on the length that mollification adds to a path; 0 without degenerate faces.
   static double GetSlack(vtkDGGPath* filter)
   {
     return 10.0 * static_cast<double>(filter->GetNumberOfDegenerateFaces()) *

@@ -44,7 +44,7 @@ const Cells& GetFourQuads()
   return patches;
 }
 
-/// The grid with a bump in its middle.
+/// Returns a grid with a bump in its middle.
 vtkSmartPointer<vtkPolyData> MakeBump()
 {
   auto bump = MakeGrid(8, 8);

@@ -156,7 +156,7 @@ TEST_F(GeodesicProbe, WindowsMayBeOfAnyTypeOf64BitIntegers)
       ASSERT_EQ(other->GetDataTypeSize(), 8);
       other->SetName(name);
       other->SetNumberOfTuples(old->GetNumberOfTuples());
-      // Not by doubles, which cannot hold all of them.
+      // Copied as bytes, since doubles cannot represent all 64-bit integers.
       std::memcpy(other->GetVoidPointer(0), old->GetVoidPointer(0), 8 * old->GetNumberOfValues());
       surface->GetFieldData()->AddArray(other);
     }

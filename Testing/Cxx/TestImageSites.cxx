@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pictures of samples and of Voronoi cells; compared with pictures that were looked at.
+/// Pictures of samples and of Voronoi cells, compared with verified baselines.
 #include "ImageScene.h"
 #include "SpectralTestTools.h"
 

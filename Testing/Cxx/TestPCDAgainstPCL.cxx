@@ -278,7 +278,7 @@ TEST_F(PCDAgainstPCL, NoPoints)
   {
     const std::string path = this->GetPath("pcl.pcd");
     pcl::PCDWriter writer;
-    // Whatever PCL thinks of it, there is a file.
+    // PCL may report an error for an empty cloud, but it writes a file.
     mode == 0     ? writer.writeASCII(path, cloud)
       : mode == 1 ? writer.writeBinary(path, cloud)
                   : writer.writeBinaryCompressed(path, cloud);

@@ -276,7 +276,7 @@ TEST_F(SeveralProcesses, BlocksInParts)
       surface->GetPoints()->SetPoint(i, p[0] + block, p[1], p[2]);
     }
     whole->SetBlock(block, surface);
-    // Of the second block, only the first process has a part.
+    // Only the first process has a piece of the second block.
     part->SetBlock(block,
       block != 1          ? this->TakeStrip(surface).Get()
         : this->IsFirst() ? TakePart(surface, Labels(surface->GetNumberOfCells(), 0), 0).Get()

@@ -180,7 +180,7 @@ TEST(SurfaceEarthMoversDistance, DistributionsInSeveralWays)
   const double expected = densities.Distance();
   EXPECT_GT(expected, 0.35);
   EXPECT_LT(expected, 0.7);
-  // As masses, which need not be normalized before.
+  // The same distributions as masses, which need not be normalized.
   const std::vector<double> areas = GetPointAreas(terrain);
   std::vector<double> fromMasses(from);
   std::vector<double> toMasses(to);

@@ -195,8 +195,8 @@ class Cells(unittest.TestCase):
         self.assertGreaterEqual((counts > 0.04 * len(hues)).sum(), 4)
 
     def test_neighbours_differ(self):
-        # A tube of 24 cells, each beside the one before and the one after it, whose numbers often
-        # end in the same digit.
+        # A tube divided into 24 cells along its axis. The ids of adjacent cells often end in the
+        # same digit.
         count = 24
         x, t = np.meshgrid(np.arange(20 * count) / 10.0, np.arange(12) * np.pi / 6.0)
         tube = np.column_stack([x.ravel(), 0.2 * np.cos(t).ravel(), 0.2 * np.sin(t).ravel()])

@@ -153,7 +153,7 @@ class Demo(unittest.TestCase):
         self.assertEqual(table(result)["reached"], "4 of 8 vertices")
         for values in arrays.values():
             self.assertEqual(np.isnan(values).sum(), 4)
-        # What is not reached has a colour of its own: in the error picture, a blue one.
+        # Unreached points have a separate colour: blue in the error picture.
         folder = support.output_folder(os.path.join("demo", "two"))
         picture = support.pixels(support.read_image(os.path.join(folder, "error.png"))).astype(int)
         bluish = picture[:, :, 2] - picture[:, :, 0] > 40

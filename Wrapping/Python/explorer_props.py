@@ -21,7 +21,7 @@ from .commands.cloud_pictures import make_bands
 from .commands.sizes import spacing_of
 from .surface import add_array
 
-# Lightness of the cells of sources, in turns.
+# Lightness of the cells of sources, alternating.
 LIGHTNESS = (0.95, 0.80)
 
 

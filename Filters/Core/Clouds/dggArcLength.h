@@ -48,7 +48,8 @@ inline double ArcFactor(const ChordAngles& angles)
   return half < 1e-3 ? 1.0 + square / 6.0 : half / std::sin(half);
 }
 
-/// Returns the height of that curve over its chord at `t` in [0, 1], relative to the chord length.
+/// Returns the height of the curve of ArcFactor() over its chord at `t` in [0, 1], relative to the
+/// chord length.
 inline double ArcHeight(const ChordAngles& angles, double t)
 {
   const double rest = 1.0 - t;

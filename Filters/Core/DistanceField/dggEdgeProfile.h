@@ -41,9 +41,9 @@ public:
   /// Returns the distance at an abscissa. At the ends it is that of the vertex.
   double At(double x) const;
 
-  /// Returns abscissae from 0 to the length that separate the extrema of the distance: with
-  /// windows, there is no extremum between two of them, up to rounding; otherwise rarely more than
-  /// one, which FindCrossings() searches where needed.
+  /// Returns abscissae from 0 to the length that separate the extrema of the distance. With windows
+  /// there is no extremum between consecutive abscissae, up to rounding. Without windows there is
+  /// rarely more than one, which FindCrossings() searches where needed.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
 
   /// Appends the abscissae, in increasing order, at which the distance crosses `level` (points at

@@ -131,7 +131,7 @@ void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
     const CornerModel before(mesh, v, { 0.0, longer, pieces[v].Angle }, distances[v]);
     return here.IsKnown && IsConfirmed(mesh, v, here, before, distances) ? longer : length;
   };
-  // First with the relays as found, then once more behind merged relays.
+  // The first pass uses the relays as found; the second one tests vertices behind merged relays.
   std::vector<double> lengths(relays.size());
   ForRange(
     parallel, static_cast<Offset>(relays.size()), VerticesPerTask, [&](Offset begin, Offset end) {

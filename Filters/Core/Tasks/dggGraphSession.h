@@ -20,8 +20,8 @@
 
 namespace dgg
 {
-/// A graph, and what searches in it reuse from one update to the next: landmarks, links of points
-/// that are not vertices, and the builder that makes links.
+/// A graph and the data that searches reuse between updates: landmarks, links of points that are
+/// not vertices, and the builder of links.
 class DGG_CORE_EXPORT GraphSession
 {
 public:

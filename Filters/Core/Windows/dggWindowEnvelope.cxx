@@ -342,7 +342,7 @@ double TiePoint(const Window& first, const Window& second, double begin, double 
     const double a = (alpha - beta) * (alpha + beta);
     const double b = 0.5 * alpha * gamma + beta * beta * x2;
     const double c = 0.25 * gamma * gamma - beta * beta * square2;
-    // At the begin of the shadow of a pseudo-source, both roots coincide up to rounding.
+    // At the start of the shadow of a pseudo-source, both roots coincide up to rounding.
     const double root = std::sqrt(std::max(0.0, b * b - a * c));
     const double q = -(b + std::copysign(root, b));
     for (double x : { q / a, c / q })

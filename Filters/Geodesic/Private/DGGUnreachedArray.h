@@ -25,9 +25,9 @@ public:
 
   static void RemoveFrom(vtkPointData* data, const std::string& distances);
 
-  /// Which points are not reached: those with the distance `unreachedValue`, or, when that is NaN,
-  /// those of the array beside the distances. Empty when neither says so. NaN and infinity among
-  /// the distances are not looked at.
+  /// Returns, per point, true if it is not reached: if its distance is `unreachedValue` or, when
+  /// `unreachedValue` is NaN, if the array `D.Unreached` marks it. Empty if `unreachedValue` is NaN
+  /// and there is no such array. NaN and infinity among the distances are not interpreted.
   static std::vector<bool> Find(vtkPointData* data, vtkDataArray* distances, double unreachedValue);
 };
 

@@ -37,7 +37,7 @@ public:
   /// Whether Prepare() would have nothing to factorize.
   bool IsPrepared(const dgg::PreparedSurface& mesh, const dgg::PoissonOptions& options) const;
 
-  /// After Prepare().
+  /// Returns the solver. Call Prepare() first.
   const dgg::PoissonSolver& GetSolver() const { return *this->Solver; }
   /// When that solver was made. What refers to it is released with it.
   vtkMTimeType GetSolverTime() const { return this->SolverTime.GetMTime(); }

@@ -58,7 +58,7 @@ public:
 private:
   using Triangle = std::array<dgg::Id, 3>; // indices of samples
 
-  /// Where a vertex is.
+  /// Location of a vertex in a triangle of samples.
   struct Place
   {
     Triangle Corners;
