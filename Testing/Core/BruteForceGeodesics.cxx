@@ -36,7 +36,8 @@ Vector Between(const Vector& a, const Vector& b, double t)
   return { a.X + t * (b.X - a.X), a.Y + t * (b.Y - a.Y) };
 }
 
-/// Third corner of a triangle on the left of a -> b, at distances da and db from them.
+/// Returns the third corner of a triangle on the left of a -> b, at distances da and db from a and
+/// b.
 Vector ThirdCorner(const Vector& a, const Vector& b, double da, double db)
 {
   const Vector u = b - a;
@@ -46,7 +47,8 @@ Vector ThirdCorner(const Vector& a, const Vector& b, double da, double db)
   return { a.X + (u.X * x - u.Y * y) / l, a.Y + (u.Y * x + u.X * y) / l };
 }
 
-/// Where the ray from the source (the plane's origin) in the direction d crosses a + t (b - a).
+/// Returns the parameter t at which the ray from the source (the origin of the plane) in the
+/// direction d crosses a + t (b - a).
 double ParameterOf(const Vector& d, const Vector& a, const Vector& b)
 {
   return std::min(1.0, std::max(0.0, Cross(a, d) / Cross(d, b - a)));
@@ -59,7 +61,7 @@ double DistanceToSegment(const Vector& a, const Vector& b)
   return Norm(Between(a, b, std::min(1.0, std::max(0.0, t))));
 }
 
-/// The light of one vertex.
+/// Cones of straight lines from one vertex, continued through all face sequences.
 class Sweep
 {
 public:
@@ -83,8 +85,8 @@ public:
   }
 
 private:
-  /// Sweep leaves through the half-edge `exit`, laid out from a to b with the source on its left,
-  /// between the parameters t0 and t1.
+  /// Continues the cone through the half-edge `exit` between the parameters t0 and t1. The
+  /// half-edge is laid out from a to b with the source on its left.
   void CrossEdge(Id exit, const Vector& a, const Vector& b, double t0, double t1)
   {
     if (t1 - t0 < 1e-12 || DistanceToSegment(Between(a, b, t0), Between(a, b, t1)) > this->Bound)
@@ -93,13 +95,13 @@ private:
     }
     for (Id e = this->Mesh.Twin(exit); e != NoId && e != exit; e = this->Mesh.Twin(e))
     {
-      // The face behind lies on the right of a -> b, that is on the left of b -> a.
+      // The next face lies on the right of a -> b, that is, on the left of b -> a.
       const bool opposed = this->Mesh.Origin(e) == this->Mesh.Destination(exit);
       const Id toApexOfB = opposed ? SurfaceMesh::Previous(e) : SurfaceMesh::Next(e);
       const Id toApexOfA = opposed ? SurfaceMesh::Next(e) : SurfaceMesh::Previous(e);
       const Vector c =
         ThirdCorner(b, a, this->Mesh.Length(toApexOfB), this->Mesh.Length(toApexOfA));
-      const double tc = Cross(a, c) / Cross(c, b - a); // the ray to the apex
+      const double tc = Cross(a, c) / Cross(c, b - a); // parameter of the ray to the apex
       if (tc >= t0 && tc <= t1)
       {
         double& d = this->Row[this->Mesh.Apex(e)];
@@ -107,8 +109,8 @@ private:
       }
       const Vector first = Between(a, b, t0);
       const Vector last = Between(a, b, t1);
-      // The edges a -> c and c -> b have the source on their left, but the half-edges of the face
-      // may run either way.
+      // The source is on the left of the edges a -> c and c -> b, but the half-edges of the face
+      // may have either direction.
       if (tc > t0)
       {
         this->Leave(toApexOfA, this->Mesh.Apex(e) == this->Mesh.Destination(toApexOfA), a, c,
@@ -122,8 +124,8 @@ private:
     }
   }
 
-  /// CrossEdge() takes the ends in the order of the half-edge; `inOrder` says whether p is its
-  /// origin. When it is not, the whole picture is mirrored to keep the source on the left.
+  /// Calls CrossEdge() with the end points in the order of the half-edge; `inOrder` is true if p is
+  /// the origin. Otherwise the layout is mirrored to keep the source on the left.
   void Leave(Id exit, bool inOrder, const Vector& p, const Vector& q, double t0, double t1)
   {
     if (inOrder)

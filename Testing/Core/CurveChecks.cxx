@@ -21,8 +21,9 @@ using dgg::SurfacePoint;
 using Position = std::array<double, 3>;
 using Edge = std::pair<Id, Id>;
 
-/// What is within 1e-9 of something in barycentric coordinates is moved there, each coordinate by
-/// that much, and the places where pieces cross are found for pieces that have been moved.
+/// Tolerance for snapping: points within 1e-9 of a vertex or edge in barycentric coordinates are
+/// moved onto the vertex or edge, each coordinate by up to 1e-9. Crossings are computed after this
+/// move.
 constexpr double MoveTolerance = 1e-8;
 
 double DistanceOf(const Position& a, const Position& b)
@@ -35,7 +36,7 @@ Edge Unordered(Id a, Id b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// Faces per edge of a triangle list.
+/// Returns the number of faces per edge of a triangle list.
 std::map<Edge, Id> CountFacesOfEdges(const std::vector<Id>& triangles)
 {
   std::map<Edge, Id> edges;
@@ -46,7 +47,7 @@ std::map<Edge, Id> CountFacesOfEdges(const std::vector<Id>& triangles)
   return edges;
 }
 
-/// Twice the area of a face in units of its parent.
+/// Returns twice the area of a face relative to the area of its parent.
 double PartOf(const SurfaceMesh& mesh, const SubMesh& surface, Id face)
 {
   std::array<double, 3> p[3];
@@ -73,7 +74,8 @@ void ExpectFacesCovered(const SurfaceMesh& mesh, const SubMesh& surface)
   }
 }
 
-/// The half-edge of the mesh on which both points lie; NoId when the edge between them is inside.
+/// Returns the half-edge of the mesh on which both points lie; NoId if the edge between the points
+/// is inside a face.
 Id FindOldEdge(const SurfaceMesh& mesh, const SubMesh& surface, Id h)
 {
   const Id face = surface.Faces[SurfaceMesh::Face(h)];
@@ -117,7 +119,7 @@ bool HasDuplicateFaces(const SurfaceMesh& mesh)
   return false;
 }
 
-/// Each edge has the faces that it had, or two inside a face.
+/// Expects each edge to have the faces of its old edge, or two faces if the edge is inside a face.
 void ExpectEdgesFit(const SurfaceMesh& mesh, const SubMesh& surface)
 {
   const std::map<Edge, Id> edges = CountFacesOfEdges(surface.Triangles);
@@ -127,7 +129,7 @@ void ExpectEdgesFit(const SurfaceMesh& mesh, const SubMesh& surface)
     const Id old = FindOldEdge(mesh, surface, h);
     const Id expected = old == NoId ? 2 : CountFacesAround([&](Id e) { return mesh.Twin(e); }, old);
     const Edge ends = Unordered(surface.Triangles[h], surface.Triangles[SurfaceMesh::Next(h)]);
-    // Duplicate faces have edges inside that the ends do not distinguish.
+    // Duplicate faces have inner edges that their end points do not distinguish.
     ASSERT_TRUE(hasDuplicates || edges.at(ends) == expected) << ends.first << " " << ends.second;
     ASSERT_EQ(CountFacesAround([&](Id e) { return surface.Twins[e]; }, h), expected);
   }
@@ -164,7 +166,7 @@ void ExpectSoundChain(const TestMesh& input, const SurfaceMesh& mesh,
       ASSERT_LT(places[i - 1], places[i]);
     }
   }
-  // All points of the curve are there, not only those that were given.
+  // The embedded chain contains all points of the curve, including its crossings.
   for (std::size_t k = 0; k < curve.Path.Points.size(); ++k)
   {
     const auto beyond = std::upper_bound(places.begin(), places.end(), static_cast<double>(k));
@@ -188,7 +190,7 @@ void ExpectSoundChain(const TestMesh& input, const SurfaceMesh& mesh,
   }
 }
 
-/// Edges of the paths with two faces, per vertex at which they are.
+/// Collects the path edges with two faces in `cuts` and returns their number per end vertex.
 std::map<Id, Id> CountCutsAt(const SubMesh& surface, std::set<Edge>& cuts)
 {
   const std::map<Edge, Id> edges = CountFacesOfEdges(surface.Triangles);
@@ -208,7 +210,7 @@ std::map<Id, Id> CountCutsAt(const SubMesh& surface, std::set<Edge>& cuts)
   return cutsAt;
 }
 
-/// Copies as the sectors between cuts demand, and edges that are all of one or two faces.
+/// Expects one copy of a vertex per sector between cuts, and edges with one or two faces.
 void ExpectSoundCopies(const SubMesh& surface, const dgg::SubMesh& cut)
 {
   std::set<Edge> cuts;
@@ -247,7 +249,8 @@ void ExpectSoundCopies(const SubMesh& surface, const dgg::SubMesh& cut)
     ASSERT_EQ(cut.VertexOf[cut.Triangles[h]], surface.Triangles[h]);
     ASSERT_TRUE(directed.emplace(cut.Triangles[h], cut.Triangles[SurfaceMesh::Next(h)]).second);
   }
-  // Not by the ends: both sides of a path of one edge have the same.
+  // Edges are not identified by their end points: both sides of a path of one edge have the same
+  // ones.
   std::size_t halfEdges = 0; // two per edge
   for (Id h = 0; h < static_cast<Id>(cut.Triangles.size()); ++h)
   {
@@ -423,13 +426,13 @@ std::vector<SurfacePoint> RandomCurvePoints(const SurfaceMesh& mesh, Id count, R
       case 0:
         points.push_back(last);
         break;
-      case 1: // a point that it has been at
+      case 1: // an earlier point
         points.push_back(points[random.Index(static_cast<Id>(points.size()))]);
         break;
       case 2: // a corner of the face
         points.push_back(SurfacePoint::AtVertex(mesh.Origin(3 * face + k)));
         break;
-      case 3: // a side of it
+      case 3: // a point on a side of the face
         points.push_back(SurfacePoint::OnEdge(mesh, 3 * face + k, random.Uniform()));
         break;
       case 4: // a tiny step
@@ -442,7 +445,7 @@ std::vector<SurfacePoint> RandomCurvePoints(const SurfaceMesh& mesh, Id count, R
         points.push_back(PointIn(mesh, face, b));
         break;
       }
-      case 5: // on the straight line between two that are in one face
+      case 5: // a point on the straight line between two points of one face
       {
         const SurfacePoint& other = points[random.Index(static_cast<Id>(points.size()))];
         const Id common = dgg::FindCommonFace(mesh, last, other);

@@ -146,7 +146,7 @@ TestMesh DrilledBar(std::uint64_t seed)
   const double thickness = random.Uniform(0.1, 1.1);
   TestMesh mesh;
   using Section = std::array<Id, 4>;
-  std::vector<Section> sections; // across the bar, between the holes
+  std::vector<Section> sections; // sections across the bar, between the holes
   for (Id i = 0; i <= holes; ++i)
   {
     const double x = i * pitch;
@@ -161,7 +161,7 @@ TestMesh DrilledBar(std::uint64_t seed)
     const Section& b = sections[i + 1];
     mesh.AddQuad(a[0], b[0], b[3], a[3]);
     mesh.AddQuad(b[1], a[1], a[2], b[2]);
-    // Bottom and top around the hole.
+    // Bottom and top faces around the hole.
     const Section low{ { a[0], b[0], b[1], a[1] } };
     const Section high{ { a[3], b[3], b[2], a[2] } };
     const double x = (i + random.Uniform(0.3, 0.7)) * pitch;
@@ -173,7 +173,7 @@ TestMesh DrilledBar(std::uint64_t seed)
       angles[c] = std::atan2(mesh.Point(low[c])[1] - y, mesh.Point(low[c])[0] - x);
     }
     const Id first = mesh.GetNumberOfVertices();
-    std::vector<int> nearest; // corner, by its direction
+    std::vector<int> nearest; // nearest corner per direction
     for (Id k = 0; k < sides; ++k)
     {
       const double angle = 2.0 * dgg::Pi * (k + turn) / sides;

@@ -10,7 +10,7 @@ namespace dggtest
 {
 namespace
 {
-/// Unite vertex `from` into vertex `to`: `from` stays without faces and is then removed.
+/// Merges vertex `from` into vertex `to`; `from` has no faces afterwards and is removed.
 void Unite(TestMesh& mesh, Id from, Id to)
 {
   for (Id& v : mesh.Triangles)
@@ -21,8 +21,8 @@ void Unite(TestMesh& mesh, Id from, Id to)
   mesh.Points.erase(mesh.Points.begin() + 3 * from, mesh.Points.begin() + 3 * from + 3);
 }
 
-/// MarchingTriangles strip: faces of `rows` x `columns` squares cut in two; `id` names vertices,
-/// which may wrap. All lengths are those of the unit square.
+/// Returns `rows` x `columns` squares, each cut into two faces. `id` returns the ids of vertices,
+/// which may wrap around. Edge lengths are those of the unit square.
 TestMesh LatticeByLengths(Id columns, Id rows, Id vertices, const std::function<Id(Id, Id)>& id)
 {
   TestMesh mesh;
@@ -59,7 +59,8 @@ TestMesh TouchingSpheres(int level)
   const double x = p[0];
   const double y = p[1];
   const double z = p[2];
-  // The other sphere is turned through the common point, so that its vertex there is its own 0.
+  // The second sphere is the point reflection of the first one in vertex 0, so that its vertex 0
+  // has the same position.
   TestMesh other = Scaled(mesh, -1.0);
   other = Translated(other, 2.0 * x, 2.0 * y, 2.0 * z);
   const Id first = mesh.GetNumberOfVertices();
@@ -104,7 +105,7 @@ TestMesh Book(Id sheets, Id n, std::vector<Id>& sheetOf, double jitter, std::uin
 TestMesh PlaneWithFin(Id n, Id& verticesOfPlane, double jitter, std::uint64_t seed)
 {
   TestMesh mesh = Plane(2 * n, n, jitter, seed);
-  // Straighten the cut.
+  // Make the cut straight.
   for (Id j = 0; j <= n; ++j)
   {
     mesh.Points[3 * (j * (2 * n + 1) + n)] = n;
@@ -117,7 +118,7 @@ TestMesh PlaneWithFin(Id n, Id& verticesOfPlane, double jitter, std::uint64_t se
     const double* p = fin.Point(v);
     ids.push_back(p[0] == 0.0 ? (v / (n + 1)) * (2 * n + 1) + n : mesh.AddPoint(n, p[1], p[0]));
   }
-  // The cut's own heights, jittered in the plane, are used by the fin as well: it stays flat.
+  // The fin has the heights of the cut, which are jittered in the plane, so the fin is planar.
   for (const Id v : fin.Triangles)
   {
     mesh.Triangles.push_back(ids[v]);
@@ -173,7 +174,7 @@ TestMesh CapPlane(Id n, double height)
   const Id faces = mesh.GetNumberOfFaces();
   for (Id f = 0; f < faces; f += 3)
   {
-    // Height of the face over its first edge is 1.
+    // The height of the face over its first edge is 1.
     SplitFace(mesh, f, { { 0.5 - 0.5 * height, 0.5 - 0.5 * height, height } });
   }
   return mesh;
@@ -207,7 +208,7 @@ TestMesh CollinearPlane(Id n)
   const Id faces = mesh.GetNumberOfFaces();
   for (Id f = 0; f < faces; f += 5)
   {
-    // Split the first edge for this face only, and close the gap with a face of zero area.
+    // Split the first edge in this face only, and close the gap with a face of zero area.
     const Id a = mesh.Triangles[3 * f];
     const Id b = mesh.Triangles[3 * f + 1];
     const Id c = mesh.Triangles[3 * f + 2];
@@ -256,8 +257,8 @@ Ring Ellipse(Id n, double a, double b)
   return ring;
 }
 
-/// Triangles between two rings, a random choice of those that are possible; inner points follow the
-/// outer ones.
+/// Fills the annulus between two rings with a random choice of the possible triangles. Inner points
+/// follow the outer ones.
 void FillAnnulus(const Ring& outer, const Ring& inner, Id first, Random& random, TestMesh& mesh)
 {
   const Id m = static_cast<Id>(outer.size());
@@ -286,7 +287,7 @@ void FillAnnulus(const Ring& outer, const Ring& inner, Id first, Random& random,
     }
     else
     {
-      mesh.Triangles = before; // a dead end
+      mesh.Triangles = before; // no triangle fits: start again
       o = i = 0;
     }
   }
@@ -412,12 +413,12 @@ TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed)
   for (Id v = 0; v < vertices; ++v)
   {
     const double kind = random.Uniform();
-    if (v > 1 && kind < 0.1) // on an earlier point
+    if (v > 1 && kind < 0.1) // coincides with an earlier point
     {
       const Id u = random.Index(v);
       mesh.AddPoint(mesh.Points[3 * u], mesh.Points[3 * u + 1], mesh.Points[3 * u + 2]);
     }
-    else if (v > 1 && kind < 0.25) // midway between two earlier points
+    else if (v > 1 && kind < 0.25) // midpoint of two earlier points
     {
       const Id a = random.Index(v);
       const Id b = random.Index(v);
@@ -425,7 +426,7 @@ TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed)
         0.5 * (mesh.Points[3 * a + 1] + mesh.Points[3 * b + 1]),
         0.5 * (mesh.Points[3 * a + 2] + mesh.Points[3 * b + 2]));
     }
-    else if (kind < 0.6) // on a small lattice
+    else if (kind < 0.6) // point of a small lattice
     {
       mesh.AddPoint(random.Index(3), random.Index(3), random.Index(2));
     }
@@ -439,7 +440,7 @@ TestMesh RandomSoup(Id vertices, Id faces, std::uint64_t seed)
   for (Id f = 0; f < faces; ++f)
   {
     const Id a = random.Index(vertices);
-    // Near ids make shared edges likely.
+    // Close ids make shared edges likely.
     const Id b =
       random.Uniform() < 0.6 ? (a + 1 + random.Index(3)) % vertices : random.Index(vertices);
     const Id c =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of distances inside of faces share.
+/// Shared tools for tests of distances inside faces.
 #ifndef FieldChecks_h
 #define FieldChecks_h
 
@@ -16,7 +16,7 @@
 
 namespace dggtest
 {
-/// Everything that belongs to a field of exact distances.
+/// A field of exact distances with the results that it refers to.
 struct ExactField
 {
   ExactField(const dgg::SurfaceMesh& mesh, const std::vector<dgg::GeodesicSource>& sources,
@@ -49,7 +49,7 @@ struct OwnMesh
   dgg::SurfaceMesh Mesh;
 };
 
-/// The same with its mesh.
+/// An exact field together with its mesh.
 struct FieldCase
   : OwnMesh
   , ExactField

@@ -247,7 +247,7 @@ Id VertexAt(const TestMesh& mesh, double x, double y, double z)
 
 TestMesh Tetrahedron()
 {
-  // Alternate corners of a cube of edge 1/sqrt(2).
+  // Vertices at alternate corners of a cube of edge 1/sqrt(2).
   const double a = 0.5 / std::sqrt(2.0);
   TestMesh mesh;
   mesh.Points = { a, a, a, a, -a, -a, -a, a, -a, -a, -a, a };
@@ -281,7 +281,7 @@ TestMesh Icosahedron()
       }
     }
   }
-  // The faces are the triples at mutual distance 1, turned outwards.
+  // The faces are the triples of vertices at mutual distance 1, oriented outward.
   auto adjacent = [&](Id a, Id b) { return std::abs(EuclideanDistance(mesh, a, b) - 1.0) < 1e-9; };
   for (Id a = 0; a < 12; ++a)
   {
@@ -306,7 +306,8 @@ TestMesh Icosahedron()
 
 TestMesh Dodecahedron()
 {
-  // One vertex above each face of an icosahedron, one pentagon around each of its vertices.
+  // The dodecahedron has a vertex above each face of an icosahedron and a pentagon around each of
+  // the vertices.
   const TestMesh dual = Icosahedron();
   TestMesh mesh;
   for (Id f = 0; f < dual.GetNumberOfFaces(); ++f)
@@ -323,8 +324,8 @@ TestMesh Dodecahedron()
   }
   for (Id v = 0; v < dual.GetNumberOfVertices(); ++v)
   {
-    // Walk around v: the face that holds (v, b) follows the face (v, a, b).
-    std::map<Id, std::pair<Id, Id>> step; // from a: to b, through a face
+    // Turn around v: the face that contains (v, b) follows the face (v, a, b).
+    std::map<Id, std::pair<Id, Id>> step; // from a to b, through a face
     for (Id f = 0; f < dual.GetNumberOfFaces(); ++f)
     {
       for (int k = 0; k < 3; ++k)
@@ -404,7 +405,7 @@ TestMesh DoublyCoveredPolygon(Id sides, Id rings, std::vector<bool>& isBack)
       isBack.push_back(back);
     }
   };
-  addRing(rings, false); // the rim, shared
+  addRing(rings, false); // shared rim
   for (int side = 0; side < 2; ++side)
   {
     const Id centre = mesh.AddPoint(0.0, 0.0, 0.0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of the exact engines share.
+/// Shared tools for tests of the exact engines.
 #ifndef GeodesicChecks_h
 #define GeodesicChecks_h
 
@@ -15,7 +15,7 @@
 
 namespace dggtest
 {
-/// A test of this kind runs once with each engine.
+/// Base of tests that run once with each engine.
 class EngineTest : public testing::TestWithParam<dgg::ExactEngine>
 {
 protected:
@@ -24,48 +24,48 @@ protected:
 
 std::string EngineName(const testing::TestParamInfo<dgg::ExactEngine>& info);
 
-/// Instantiate an EngineTest.
+/// Instantiates an EngineTest.
 #define DGG_WITH_BOTH_ENGINES(Suite)       \
   INSTANTIATE_TEST_SUITE_P(Engines, Suite, \
     testing::Values(dgg::ExactEngine::Reference, dgg::ExactEngine::Triangle), dggtest::EngineName)
 
-/// One run; a failure fails the test. `change` may adjust the options.
+/// Runs the solver once; a failure fails the test. `change` may adjust the options.
 dgg::ExactResult Solve(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
   const std::vector<dgg::GeodesicSource>& sources,
   const std::function<void(dgg::ExactOptions&)>& change = nullptr);
-/// Distances of all vertices from one vertex.
+/// Returns the distances of all vertices from one vertex.
 std::vector<double> DistancesFrom(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine, Id source);
-/// Distances from one vertex to points anywhere.
+/// Returns the distances from one vertex to arbitrary surface points.
 std::vector<double> DistancesTo(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
   const dgg::SurfacePoint& source, const std::vector<dgg::SurfacePoint>& targets);
 
-/// Largest difference of two fields, unreached vertices being equal only to each other; `where` is
-/// set to its index.
+/// Returns the largest difference of two fields and its index in `where`. An unreached vertex
+/// equals only an unreached vertex.
 double LargestDifference(
   const std::vector<double>& a, const std::vector<double>& b, std::size_t& where);
-/// Expect two fields to agree to an absolute tolerance.
+/// Expects two fields to agree up to an absolute tolerance.
 void ExpectSameField(const std::vector<double>& expected, const std::vector<double>& actual,
   double tolerance, const std::string& what);
-/// Expect every pair of vertices to be at the distance that `truth` says, up to a part of it or an
-/// absolute length.
+/// Expects the distances of all pairs of vertices to equal `truth` up to a relative or an absolute
+/// tolerance.
 void ExpectAllPairs(const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine,
   const std::function<double(Id, Id)>& truth, double tolerance = 1e-12, double absolute = 0.0);
-/// The same of the vertices of a mesh in the plane.
+/// Expects the distances of all pairs of vertices of a planar mesh to be Euclidean.
 void ExpectEuclid(
   const TestMesh& plane, dgg::ExactEngine engine, double tolerance = 1e-12, double absolute = 0.0);
-/// Relative comparison with a message.
+/// Expects two values to agree up to a relative tolerance.
 void ExpectClose(double expected, double actual, double tolerance, const std::string& what);
 
-/// Largest finite value, 0 when there is none.
+/// Returns the largest finite value; 0 if there is none.
 double LargestFinite(const std::vector<double>& values);
-/// A few vertices of a mesh, the first and the last among them.
+/// Returns `count` vertices of a mesh, including the first and the last one.
 std::vector<Id> SomeVertices(const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed);
-/// Random points inside faces and on edges.
+/// Returns random points inside faces and on edges.
 std::vector<dgg::SurfacePoint> RandomSurfacePoints(
   const dgg::SurfaceMesh& mesh, Id count, std::uint64_t seed);
 dgg::GeodesicSource VertexSource(Id vertex, double initialDistance = 0.0);
 
-/// Relative to the expected distance, where that is not 0.
+/// Errors relative to the expected distance; expected distances of 0 are skipped.
 struct Errors
 {
   double Mean = 0.0;
@@ -92,7 +92,7 @@ inline Errors Compare(const std::vector<double>& actual, const std::vector<doubl
   return errors;
 }
 
-/// Distances in the plane.
+/// Returns the planar distances of all vertices from one vertex.
 inline std::vector<double> EuclideanDistances(const TestMesh& plane, Id source)
 {
   std::vector<double> distances;

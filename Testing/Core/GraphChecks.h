@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of the graph builder share. Distances in a graph come from a plain Dijkstra of
-/// their own, so that the tests of the builder do not depend on the kernel's searches.
+/// Shared tools for tests of the graph builder. Distances in a graph come from an independent
+/// Dijkstra, so that tests of the builder do not depend on the searches of the kernel.
 #ifndef GraphChecks_h
 #define GraphChecks_h
 
@@ -27,27 +27,27 @@ inline bool operator==(const VirtualSource& a, const VirtualSource& b)
 
 namespace dggtest
 {
-/// One build. Throws std::runtime_error with the kernel's message when it refuses; a graph that is
+/// Builds a graph. Throws std::runtime_error with the kernel's message on an error; a graph that is
 /// not well formed fails the test. `change` may adjust the options.
 dgg::GeodesicGraph BuildGraph(const dgg::SurfaceMesh& mesh, double accuracy,
   const std::function<void(dgg::GraphOptions&)>& change = nullptr,
   dgg::GraphStatistics* statistics = nullptr);
-/// The same for any construction and without a callback.
+/// Builds a graph with any construction and without a callback.
 dgg::GeodesicGraph BuildGraph(
   const dgg::SurfaceMesh& mesh, double accuracy, dgg::GraphConstruction construction);
 
 std::vector<dgg::GraphConstruction> AllConstructions();
 
-/// Threads that take ranges of a size of their own from a common counter; of the size that the
-/// kernel asks for when it is 0.
+/// Returns a loop over threads that take ranges of `size` from a common counter; 0 selects the size
+/// that the kernel requests.
 dgg::ParallelFor WithThreads(int count, dgg::Offset size = 0);
 
-/// Distances of all vertices from some that start with distances of their own.
+/// Returns the distances of all vertices from sources with initial distances.
 std::vector<double> GraphDistances(
   const dgg::GraphView& graph, const std::vector<std::pair<Id, double>>& sources);
 std::vector<double> GraphDistances(const dgg::GraphView& graph, Id source);
 
-/// A matrix of distances, row by row.
+/// Matrix of distances, row by row.
 class DistanceTable
 {
 public:
@@ -70,14 +70,14 @@ private:
 DistanceTable ExactTable(const dgg::SurfaceMesh& mesh);
 DistanceTable GraphTable(const dgg::GraphView& graph);
 
-/// What faces without area, which are lengthened by a little, add to exact distances.
+/// Returns the length that the lengthening of degenerate faces adds to exact distances.
 double SlackOf(const dgg::SurfaceMesh& mesh);
-/// Expect exact (1 - 1e-9) <= approximate <= (1 + accuracy) exact (1 + 1e-6) for all pairs, and
-/// infinite distances to be infinite in both. `slack` is what the exact distances may be off, an
-/// absolute length: 0 but for meshes with faces of no area.
+/// Expects exact (1 - 1e-9) <= approximate <= (1 + accuracy) exact (1 + 1e-6) for all pairs, and
+/// both distances to be infinite for the same pairs. `slack` is the absolute error of the exact
+/// distances; it is 0 except for meshes with degenerate faces.
 void ExpectWithin(
   const DistanceTable& exact, const DistanceTable& approximate, double accuracy, double slack);
-/// Largest and mean of approximate / exact - 1.
+/// Largest and mean value of approximate / exact - 1.
 struct RelativeError
 {
   double Largest = 0.0;
@@ -85,12 +85,13 @@ struct RelativeError
 };
 RelativeError MeasureError(const DistanceTable& exact, const DistanceTable& approximate);
 
-/// Expect a graph to be one: arrays valid, every edge in both directions with equal lengths and
-/// exchanged angles, at most one edge to a vertex, rows sorted by angle, angles in their range.
+/// Expects a graph to be well formed: valid arrays, every edge in both directions with equal
+/// lengths and exchanged angles, at most one edge to a vertex, rows sorted by angle, angles within
+/// their range.
 void ExpectWellFormed(const dgg::SurfaceMesh& mesh, const dgg::GraphView& graph);
-/// Expect the same bytes, and that the checksum says so.
+/// Expects two graphs to be equal byte by byte, and to have equal checksums.
 void ExpectSameGraph(const dgg::GeodesicGraph& expected, const dgg::GeodesicGraph& actual);
-/// Index of the edge between two vertices, -1 when there is none.
+/// Returns the index of the edge between two vertices; -1 if there is none.
 dgg::Offset FindEdge(const dgg::GraphView& graph, Id from, Id to);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of vector graphics share: drawings on surfaces.
+/// Shared tools for tests of vector graphics: drawings on surfaces.
 #ifndef GraphicsTestTools_h
 #define GraphicsTestTools_h
 
@@ -45,13 +45,14 @@ public:
     this->Options.NumberOfChannels = 1;
   }
 
-  /// Points of the plane z = 0.
+  /// Returns the surface point at a position in the plane z = 0.
   SurfacePoint Find(double x, double y) const
   {
     return PointInPlane(this->Input, this->Mesh, x, y);
   }
 
-  /// Points of a circle, or an ellipse, around the origin of the plane z = 0, counter-clockwise.
+  /// Returns points of a circle or an ellipse around the origin of the plane z = 0,
+  /// counter-clockwise.
   std::vector<SurfacePoint> FindEllipse(double width, double height, int count, double phase = 0.0)
   {
     std::vector<SurfacePoint> points;
@@ -63,7 +64,7 @@ public:
     return points;
   }
 
-  /// `left` and `right` per given point.
+  /// Adds a curve; `left` and `right` have one value per given point.
   GraphicsCurve& Add(GraphicsCurveType type, const std::vector<SurfacePoint>& points,
     const std::vector<double>& left, const std::vector<double>& right, bool isClosed = false)
   {
@@ -77,7 +78,7 @@ public:
     return this->Curves.back();
   }
 
-  /// Straight in the plane z = 0, of one colour on each side.
+  /// Adds a straight curve in the plane z = 0 with one color on each side.
   GraphicsCurve& AddLine(GraphicsCurveType type, const std::array<double, 2>& from,
     const std::array<double, 2>& to, double left, double right)
   {
@@ -116,8 +117,8 @@ public:
     return dgg::PositionOf(
       this->Mesh, this->Graphics.GetSurface().Points[v], this->Input.Points.data());
   }
-  /// Call `visit(vertex, position, middle of one of its faces)`: which side of a curve a copy is
-  /// on.
+  /// Calls `visit(vertex, position, midpoint of one of its faces)`. The midpoint shows on which
+  /// side of a curve a copy is.
   void ForEachCorner(const std::function<void(Id, const Position&, const Position&)>& visit) const
   {
     const std::vector<Id>& triangles = this->Graphics.GetSurface().Triangles;

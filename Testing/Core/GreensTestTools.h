@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of Green's functions share: solvers that are ready, points, closed forms.
+/// Shared tools for tests of Green's functions: prepared solvers, points, closed forms.
 #ifndef GreensTestTools_h
 #define GreensTestTools_h
 
@@ -23,7 +23,7 @@ namespace dggtest
 inline constexpr dgg::GreensMethod Methods[] = { dgg::GreensMethod::SingularitySubtraction,
   dgg::GreensMethod::Localized, dgg::GreensMethod::Interpolated, dgg::GreensMethod::Vertex };
 
-/// A solver that is ready, and its Green's functions.
+/// A prepared solver and its Green's functions.
 class Greens
 {
 public:
@@ -61,7 +61,7 @@ inline dgg::PoissonOptions With(dgg::PoissonBoundary boundary, bool delaunay = f
 
 inline constexpr dgg::PoissonBoundary Boundaries[] = { dgg::PoissonBoundary::Neumann,
   dgg::PoissonBoundary::Dirichlet };
-/// Both kinds of boundaries, without and with flips.
+/// Returns the options for both boundary conditions, without and with flips.
 inline std::vector<dgg::PoissonOptions> AllPoissonOptions()
 {
   return { With(Boundaries[0], false), With(Boundaries[0], true), With(Boundaries[1], false),
@@ -94,7 +94,8 @@ inline double SphereGreens(double cosine)
   return -(std::log(1.0 - cosine) + 1.0 - std::log(2.0)) / (4.0 * dgg::Pi);
 }
 
-/// Of the flat torus with sides 1 at x + i y, mean zero, by the first theta function.
+/// Returns the Green's function of the flat torus with sides 1 at x + i y, with mean zero, by the
+/// first theta function.
 inline double TorusGreens(double x, double y)
 {
   const std::complex<double> z(x, y - std::round(y));
@@ -104,11 +105,12 @@ inline double TorusGreens(double x, double y)
     theta += (n % 2 ? -2.0 : 2.0) * std::exp(-dgg::Pi * (n + 0.5) * (n + 0.5)) *
       std::sin((2.0 * n + 1.0) * dgg::Pi * z);
   }
-  const double eta = std::tgamma(0.25) / (2.0 * std::pow(dgg::Pi, 0.75)); // Dedekind's, at i
+  // Dedekind eta function at i.
+  const double eta = std::tgamma(0.25) / (2.0 * std::pow(dgg::Pi, 0.75));
   return -std::log(std::abs(theta) / eta) / (2.0 * dgg::Pi) + 0.5 * z.imag() * z.imag();
 }
 
-/// Of the unit square with nothing flowing out, by the images on a torus with sides 2.
+/// Returns the Neumann Green's function of the unit square, by images on a torus with sides 2.
 inline double SquareGreens(const std::array<double, 3>& x, const double* y)
 {
   double sum = 0.0;
@@ -122,13 +124,13 @@ inline double SquareGreens(const std::array<double, 3>& x, const double* y)
   return sum;
 }
 
-/// Of the unit disk, 0 on its rim.
+/// Returns the Dirichlet Green's function of the unit disk.
 inline double DiskGreens(std::complex<double> x, std::complex<double> y)
 {
   return std::log(std::abs(1.0 - std::conj(x) * y) / std::abs(y - x)) / (2.0 * dgg::Pi);
 }
 
-/// Relative L2 error over vertices; those where the truth is infinite are left out.
+/// Relative L2 error over vertices; vertices with an infinite true value are skipped.
 class Comparison
 {
 public:
@@ -146,8 +148,8 @@ public:
   double Size = 0.0;
 };
 
-/// Relative errors of a Green's function on the unit sphere: within a distance of the pole, and of
-/// all.
+/// Relative errors of a Green's function on the unit sphere: within a distance of the pole, and
+/// over all vertices.
 struct SphereErrors
 {
   double Near;
@@ -180,7 +182,8 @@ inline SphereErrors CompareOnSphere(const TestMesh& sphere, const Greens& greens
   return { near.Relative(), all.Relative() };
 }
 
-/// Whether its triangles are too thin. Fails where something else is wrong.
+/// Returns true if the solver refuses the mesh because of thin triangles. Other errors fail the
+/// test.
 inline bool IsTooThin(const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& options = {})
 {
   dgg::PoissonSolver solver(mesh);
@@ -193,7 +196,7 @@ inline bool IsTooThin(const dgg::SurfaceMesh& mesh, const dgg::PoissonOptions& o
   return !status.IsOk();
 }
 
-/// The same, for meshes of all kinds: of those with names only soups may be.
+/// Returns IsTooThin() of a mesh; among the named meshes only soups may be too thin.
 inline bool IsThinSoup(
   const dgg::SurfaceMesh& mesh, const std::string& name, const dgg::PoissonOptions& options)
 {

@@ -59,8 +59,8 @@ void ExpectSound(const DistanceField& field, const std::vector<double>& levels,
   const Isolines& lines, const std::string& what)
 {
   const SurfaceMesh& mesh = *field.Mesh;
-  std::set<std::pair<Id, Id>> crossed; // edges and levels
-  std::set<std::pair<Id, Id>> touched; // vertices and levels
+  std::set<std::pair<Id, Id>> crossed; // pairs of edge and level
+  std::set<std::pair<Id, Id>> touched; // pairs of vertex and level
   for (std::size_t i = 0; i < lines.Lines.size(); ++i)
   {
     const SurfacePath& line = lines.Lines[i];
@@ -115,7 +115,7 @@ void ExpectSound(const DistanceField& field, const std::vector<double>& levels,
     for (std::size_t k = 0; k < levels.size(); ++k)
     {
       const Id level = static_cast<Id>(k);
-      const double close = 1e-8 * mesh.Length(h); // lines may shrink to a vertex of that level
+      const double close = 1e-8 * mesh.Length(h); // lines may shrink to a vertex at their level
       if ((a < levels[k]) != (b < levels[k]) && std::abs(a - levels[k]) > close &&
         std::abs(b - levels[k]) > close)
       {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of isolines share.
+/// Shared tools for tests of isolines.
 #ifndef IsolineChecks_h
 #define IsolineChecks_h
 
@@ -19,13 +19,14 @@ namespace dggtest
 dgg::Isolines Trace(const dgg::DistanceField& field, const std::vector<double>& levels,
   double tolerance = 0.0, dgg::IsolineMethod method = dgg::IsolineMethod::LocalSources);
 
-/// `count` levels between the least and the largest distance.
+/// Returns `count` levels between the smallest and the largest distance.
 std::vector<double> EvenLevels(const dgg::DistanceField& field, dgg::Id count);
 
-/// Edges with two faces that are reached conduct isolines; they end on others.
+/// Returns true if isolines cross the edge: it has two faces and is reached. Isolines end at other
+/// edges.
 bool Conducts(const dgg::DistanceField& field, dgg::Id h);
 
-/// All edges around the vertex.
+/// Returns true if the predicate holds for all edges around the vertex.
 template <typename Predicate>
 bool AllAround(const dgg::SurfaceMesh& mesh, dgg::Id v, Predicate&& holds)
 {
@@ -39,12 +40,12 @@ bool AllAround(const dgg::SurfaceMesh& mesh, dgg::Id v, Predicate&& holds)
   return true;
 }
 
-/// What holds for isolines of any field on any mesh: they lie on the surface, end nowhere but where
-/// the surface does, and miss no edge.
+/// Checks the invariants of isolines of any field on any mesh: they lie on the surface, end only at
+/// the ends of the conducting edges, and miss no edge.
 void ExpectSound(const dgg::DistanceField& field, const std::vector<double>& levels,
   const dgg::Isolines& lines, const std::string& what);
 
-/// The points of all lines, with their levels.
+/// Points of all lines with their levels.
 struct LevelPoints
 {
   LevelPoints(const dgg::Isolines& lines, const std::vector<double>& levels)
@@ -63,7 +64,7 @@ struct LevelPoints
   std::vector<double> Levels;
 };
 
-/// An exact run to all points of the lines finds them at their level.
+/// Expects the exact distances of all points of the lines to equal their levels.
 void ExpectAtLevel(const dgg::SurfaceMesh& mesh, const std::vector<dgg::GeodesicSource>& sources,
   const std::vector<double>& levels, const dgg::Isolines& lines, double tolerance,
   const std::string& what);
@@ -79,7 +80,7 @@ double DistanceTo(const std::array<double, 3>& p, double x, double y);
 dgg::GeodesicSource FaceSourceAt(
   const dgg::SurfaceMesh& mesh, dgg::Id face, const std::array<double, 3>& barycentric);
 
-/// How far the middles of pieces are from their levels, on average along all lines.
+/// Returns the mean distance error of the midpoints of pieces, averaged along all lines.
 double MeanErrorOfPieces(const dgg::SurfaceMesh& mesh,
   const std::vector<dgg::GeodesicSource>& sources, const std::vector<double>& levels,
   const dgg::Isolines& lines);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of loops start from.
+/// Shared setup for tests of loops.
 #ifndef LoopWorld_h
 #define LoopWorld_h
 
@@ -16,18 +16,18 @@
 
 namespace dggtest
 {
-/// How a prism is closed.
+/// Triangulation of the ends of a prism.
 enum class Cap
 {
-  Fan, ///< around one of the corners
+  Fan, ///< fan around one of the corners
   Strip,
-  Spokes ///< around a point in the middle
+  Spokes ///< triangles around a central point
 };
 
 constexpr double PrismHeight = 6.0;
 
-/// A prism over a regular polygon of radius 1, closed, and 6 high. Diagonals of its wall are drawn
-/// by lot.
+/// Returns a closed prism of height 6 over a regular polygon of radius 1. The diagonals of the wall
+/// are chosen at random.
 inline TestMesh CappedPrism(Id sides, Id rows, Cap cap, std::uint64_t seed)
 {
   TestMesh mesh;
@@ -82,7 +82,7 @@ inline TestMesh CappedPrism(Id sides, Id rows, Cap cap, std::uint64_t seed)
   return mesh;
 }
 
-/// A mesh, its graph, and loops on it.
+/// A mesh, its graph, and loops on the mesh.
 class LoopWorld
 {
 public:
@@ -132,7 +132,7 @@ public:
   std::unique_ptr<dgg::LoopFinder> Finder;
 
 private:
-  /// A closed path on the surface.
+  /// Expects a loop to be empty or a valid closed path on the surface.
   void Expect(const dgg::Status& status, const dgg::FoundLoop& loop) const
   {
     ASSERT_TRUE(status.IsOk()) << status.GetMessage();

@@ -18,10 +18,10 @@ using dgg::Id;
 using dgg::SurfacePath;
 using dgg::SurfacePoint;
 
-/// How far along the pieces beside a point is looked.
+/// Relative position on the adjacent pieces at which the neighborhood of a point is sampled.
 constexpr double Fraction = 1e-3;
 
-/// A point of the surface on piece `i` of a path, next to its point `at`, one of its ends.
+/// Returns a surface point on piece `i` of a path, close to the end point `at` of the piece.
 SurfacePoint Beside(
   const dgg::SurfaceMesh& mesh, const SurfacePath& path, std::size_t i, std::size_t at)
 {
@@ -42,7 +42,7 @@ SurfacePoint Beside(
   return SurfacePoint::InFace(mesh, face, between);
 }
 
-/// Between two pieces that meet.
+/// Expects the path to be locally shortest at the point where two pieces meet.
 void ExpectShortestBetween(const dgg::SurfaceMesh& mesh, dgg::ExactGeodesics& solver,
   const SurfacePath& path, std::size_t in, std::size_t out)
 {
@@ -50,7 +50,7 @@ void ExpectShortestBetween(const dgg::SurfaceMesh& mesh, dgg::ExactGeodesics& so
   const double after = dgg::MeasurePiece(mesh, path, out);
   if (std::min(before, after) < 1e-3 * mesh.GetMeanEdgeLength())
   {
-    return; // not to be reported from rounding
+    return; // too short: rounding errors dominate
   }
   dgg::ExactOptions options;
   options.Targets = { Beside(mesh, path, out, out) };
@@ -131,7 +131,7 @@ void ExpectLocallyShortest(
   const dgg::SurfaceMesh& mesh, const SurfacePath& path, bool isSmoothAtStart)
 {
   dgg::ExactGeodesics solver(mesh);
-  // A dozen points of long paths.
+  // Test about a dozen points of long paths.
   const std::size_t step = 1 + path.Faces.size() / 12;
   for (std::size_t i = 1; i < path.Faces.size(); i += step)
   {

@@ -14,21 +14,21 @@
 namespace dggtest
 {
 std::vector<dgg::SurfacePoint> AtVertices(const std::vector<Id>& vertices);
-/// Random points in faces, and after them random vertices.
+/// Returns random points in faces, followed by random vertices.
 std::vector<dgg::SurfacePoint> SomePoints(
   const dgg::SurfaceMesh& mesh, Id inFaces, Id atVertices, std::uint64_t seed);
-/// A place in the plane as a point of a plane mesh.
+/// Returns the point of a planar mesh at a position in the plane.
 dgg::SurfacePoint PointInPlane(
   const TestMesh& points, const dgg::SurfaceMesh& mesh, double x, double y);
 
-/// Exact shortest paths; a failure fails the test.
+/// Returns exact shortest paths; a failure fails the test.
 std::vector<dgg::SurfacePath> FindPaths(const dgg::SurfaceMesh& mesh, const dgg::SurfacePoint& from,
   const std::vector<dgg::SurfacePoint>& to);
 dgg::SurfacePath PathBetween(const dgg::SurfaceMesh& mesh, Id from, Id to);
-/// Make a path go on along another one, which starts where it ends.
+/// Appends a path that starts at the end of `path`.
 void AppendPath(const dgg::SurfacePath& more, dgg::SurfacePath& path);
 
-/// Around each of its points a geodesic is the shortest way. The two ends are not looked at, unless
+/// Expects a geodesic to be locally shortest at each of its points. The two ends are skipped unless
 /// the path is closed and `isSmoothAtStart`.
 void ExpectLocallyShortest(
   const dgg::SurfaceMesh& mesh, const dgg::SurfacePath& path, bool isSmoothAtStart = false);

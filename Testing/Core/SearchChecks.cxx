@@ -162,7 +162,7 @@ void ExpectConsistentTree(const dgg::GraphView& graph, const std::vector<dgg::Gr
     ASSERT_LT(edge, graph.Offsets[tail + 1]) << what;
     ASSERT_EQ(graph.Targets[edge], static_cast<Id>(v)) << what;
     ASSERT_EQ(result.Seeds[tail], seed) << what;
-    // Strictly below the vertex, so there are no circles.
+    // The tail is strictly closer than the vertex, so the tree has no cycles.
     ASSERT_LT(result.Distances[tail], result.Distances[v]) << what;
     ASSERT_NEAR(result.Distances[tail] + graph.Length(edge), result.Distances[v],
       1e-11 * (1.0 + std::abs(result.Distances[v])))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of the searches share.
+/// Shared tools for tests of graph searches.
 #ifndef SearchChecks_h
 #define SearchChecks_h
 
@@ -17,7 +17,7 @@
 
 namespace dggtest
 {
-/// A mesh, a graph of it and a search in that.
+/// A mesh, its graph, and a search in the graph.
 class SearchCase
 {
 public:
@@ -29,11 +29,11 @@ public:
   const dgg::SurfaceMesh& GetMesh() const { return this->Mesh; }
   dgg::GraphView GetGraph() const { return this->Graph.View(); }
   const dgg::GraphSearch& GetSearch() const { return *this->Search; }
-  /// The one before searches.
+  /// Returns the search for use before a run.
   dgg::GraphSearch& GetSearch() { return *this->Search; }
   Id GetNumberOfVertices() const { return this->Mesh.GetNumberOfVertices(); }
 
-  /// One run that has to succeed. `change` may adjust the options.
+  /// Runs a search that must succeed. `change` may adjust the options.
   dgg::SearchResult Run(const std::vector<dgg::GraphSeed>& seeds,
     const std::function<void(dgg::SearchOptions&)>& change = nullptr) const;
 
@@ -45,25 +45,25 @@ private:
   std::unique_ptr<dgg::GraphSearch> Search;
 };
 
-/// Sound meshes and meshes with defects, at some accuracies and with all constructions.
+/// Returns sound meshes and meshes with defects, at several accuracies and with all constructions.
 std::vector<std::unique_ptr<SearchCase>> SearchCases();
 
 dgg::GraphSeed SeedAt(Id vertex, double distance = 0.0, Id source = 0);
-/// Seeds at some vertices, with offsets that may be negative; one vertex twice.
+/// Returns seeds at random vertices with offsets that may be negative; one vertex occurs twice.
 std::vector<dgg::GraphSeed> RandomSeeds(Id numberOfVertices, Id count, std::uint64_t seed);
-/// Those of a point anywhere, by its links.
+/// Returns the seeds of an arbitrary surface point, by its links.
 std::vector<dgg::GraphSeed> SeedsOf(const dgg::GraphBuilder& builder,
   const dgg::SurfacePoint& point, double accuracy, double offset = 0.0);
-/// The same graph as that of a cloud, which has no directions.
+/// Returns the graph without directions, like the graph of a point cloud.
 dgg::GraphView AsCloud(dgg::GraphView graph);
-/// What an independent Dijkstra says.
+/// Returns the distances of an independent Dijkstra.
 std::vector<double> ReferenceDistances(
   const dgg::GraphView& graph, const std::vector<dgg::GraphSeed>& seeds);
 
-/// Expect equal fields, up to rounding.
+/// Expects equal fields, up to rounding.
 void ExpectSameDistances(
   const std::vector<double>& expected, const std::vector<double>& actual, const std::string& what);
-/// Expect the edges, tails and seeds to lead down to each vertex at its distance.
+/// Expects the edges, tails and seeds to form a tree that leads to each vertex at its distance.
 void ExpectConsistentTree(const dgg::GraphView& graph, const std::vector<dgg::GraphSeed>& seeds,
   const dgg::SearchResult& result, const std::string& what);
 

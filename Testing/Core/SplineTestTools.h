@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of harmonic B-splines share.
+/// Shared tools for tests of harmonic B-splines.
 #ifndef SplineTestTools_h
 #define SplineTestTools_h
 
@@ -37,7 +37,7 @@ inline std::vector<Id> AllFreeVertices(const dgg::PoissonSolver& solver)
   return vertices;
 }
 
-/// A density, integrated over the cells of vertices; at vertices with given values 0.
+/// Returns a density integrated over the cells of vertices; 0 at vertices with prescribed values.
 inline std::vector<double> Integrated(
   const dgg::PoissonSolver& solver, const std::function<double(Id)>& density)
 {
@@ -50,7 +50,7 @@ inline std::vector<double> Integrated(
   return sources;
 }
 
-/// A solver and splines of sites that are ready.
+/// A solver with prepared splines at sites.
 class Splines : public Greens
 {
 public:
@@ -75,7 +75,7 @@ public:
     this->Prepare(sites);
   }
 
-  /// Basis functions, per site.
+  /// Returns the basis functions, one per site.
   std::vector<std::vector<double>> Basis(const dgg::ParallelFor& parallel = nullptr) const
   {
     std::vector<std::vector<double>> all(this->Sites.size());
@@ -108,7 +108,7 @@ public:
 
   dgg::HarmonicSplines Functions;
   std::vector<Id> Sites;
-  dgg::SplineCells Cells; // those of the functions
+  dgg::SplineCells Cells; // cells of the basis functions
 };
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The published isolines: the diagram of a face, and errors.
+// Published isoline method: Apollonius diagram of a face, and errors.
 #include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
@@ -47,7 +47,7 @@ std::vector<ApolloniusNode> NodesInside(const ApolloniusDiagram& diagram)
   return inside;
 }
 
-/// How much a site is later at a point than the first one.
+/// Returns the delay of each site at a point relative to the first arrival.
 std::vector<double> Delays(
   const Corners& corners, const std::vector<WeightedSite>& sites, const Point2& p, double& first)
 {
@@ -64,8 +64,8 @@ std::vector<double> Delays(
   return delays;
 }
 
-/// The points at which three sites tie and no other one is nearer, from the equations of all
-/// triples (thesis, section on the additively weighted diagram).
+/// Returns the points at which three sites tie and no other site is nearer, from the equations of
+/// all triples (thesis, section on the additively weighted diagram).
 std::vector<Point2> BruteForceNodes(
   const Corners& corners, const std::vector<WeightedSite>& sites, double margin)
 {
@@ -81,7 +81,8 @@ std::vector<Point2> BruteForceNodes(
         const double w = sites[a].Weight;
         const Point2 u = Difference(PlaceOf(corners, sites[b]), q);
         const Point2 v = Difference(PlaceOf(corners, sites[c]), q);
-        // With p - q = x and |x| = r: u.x = (|u|^2 - s^2) / 2 - s r for s = w_b - w, and so for v.
+        // With p - q = x and |x| = r: u.x = (|u|^2 - s^2) / 2 - s r for s = w_b - w; the equation
+        // of v is analogous.
         const double s = sites[b].Weight - w;
         const double t = sites[c].Weight - w;
         const double determinant = Cross(u, v);
@@ -128,7 +129,7 @@ std::vector<Point2> BruteForceNodes(
 
 const Corners Scalene = { { { 0.0, 0.0 }, { 4.0, 0.0 }, { 1.0, 3.0 } } };
 
-/// Sites as a field makes them: corners and Steiner points, weights of a distance.
+/// Returns the sites of a field: corners and Steiner points with the distances as weights.
 template <typename Field>
 std::vector<WeightedSite> SitesOf(const Corners& corners, int steinerPoints, Field&& field)
 {
@@ -157,7 +158,7 @@ TEST(ApolloniusDiagram, IsThatOfAllTriples)
     const Corners corners = isLarge ? Scalene
                                     : Corners{ { { 0.0, 0.0 }, { random.Uniform(0.5, 2.0), 0.0 },
                                         { random.Uniform(-0.5, 2.5), random.Uniform(0.2, 2.0) } } };
-    // Smooth, with a ridge, and rough.
+    // Weights from a smooth field, a field with a ridge, and random weights.
     const Point2 one{ random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0) };
     const Point2 two{ random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0) };
     const std::vector<WeightedSite> sites =
@@ -190,7 +191,7 @@ TEST(ApolloniusDiagram, IsThatOfAllTriples)
 TEST(ApolloniusDiagram, TiesAndNeedles)
 {
   ApolloniusDiagram diagram;
-  // All weights equal or zero, on a regular triangle: everything ties.
+  // All weights are equal or zero on a regular triangle, so that all sites tie.
   const Corners regular = { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.5, std::sqrt(0.75) } } };
   for (const double weight : { 0.0, 1.0 })
   {
@@ -209,13 +210,13 @@ TEST(ApolloniusDiagram, TiesAndNeedles)
         EXPECT_NEAR(node.Distance, first, 1e-7);
         farthest = std::max(farthest, node.Distance - weight);
       }
-      // The middle is as far from the nearest sites of the three sides.
+      // The center has the same distance from the nearest sites of all three sides.
       const double toSide = std::sqrt(0.75) / 3.0;
       const double toSite = k % 2 == 1 ? 0.0 : 0.5 / (k + 1);
       EXPECT_NEAR(farthest, Norm(toSide, toSite), 1e-9) << k;
     }
   }
-  // Needles.
+  // Needle triangles.
   for (const double height : { 1e-3, 1e-6, 1e-9, 1e-12 })
   {
     const Corners needle = { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.3, height } } };
@@ -243,7 +244,7 @@ Isolines TracePublished(
   return lines;
 }
 
-/// Mean error of linear isolines, and that of published ones.
+/// Mean errors of linear and of published isolines.
 struct TraceErrors
 {
   TraceErrors(const TestMesh& test, const std::vector<GeodesicSource>& sources)
@@ -296,7 +297,7 @@ TEST(ApolloniusIsolines, BeatLinearInterpolation)
     const TraceErrors errors(test, { VertexSource(3) });
     EXPECT_LT(factor * errors.Published(errors.Case.Local, 2), errors.Linear);
     EXPECT_LT(factor * errors.Published(errors.Case.ExactWithSources, 2), errors.Linear);
-    EXPECT_LT(1.5 * errors.Published(errors.Case.Linear, 2), errors.Linear); // sources fitted
+    EXPECT_LT(1.5 * errors.Published(errors.Case.Linear, 2), errors.Linear); // with fitted sources
   }
 }
 

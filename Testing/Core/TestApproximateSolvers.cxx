@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for the heat method and for fast marching: close to exact, any triangles, invariances.
+// Common properties of the heat method and of fast marching: accuracy, robustness, invariances.
 #include "EdgeGraph.h"
 #include "GeodesicChecks.h"
 #include "TestMeshes.h"
@@ -59,7 +59,7 @@ Field Heat(const dgg::SurfaceMesh& mesh, const dgg::GeodesicSource& source,
   return { result.Distances, result.NearestSource, result.Virtual };
 }
 
-/// The usual ones first.
+/// Returns the tested methods, fast marching first.
 std::vector<Approximation> Approximations()
 {
   using Mesh = dgg::SurfaceMesh;
@@ -84,7 +84,7 @@ TEST(ApproximateSolvers, CloseToExactOnSoundMeshes)
 {
   for (const NamedMesh& named : SoundMeshes())
   {
-    // Fronts lose their way in triangles of 1:20.
+    // Fronts are inaccurate in triangles of aspect ratio 1:20.
     const bool isLong = named.Name.find("Ellipsoid20") != std::string::npos;
     const dgg::SurfaceMesh mesh = Build(named.Mesh);
     const auto point = dgg::SurfacePoint::InFace(mesh, 1, { { 0.2, 0.3, 0.5 } });
@@ -191,7 +191,7 @@ void WithVirtual(dgg::MarchingOptions& options)
   options.WantVirtualSource = true;
 }
 
-/// Plane of triangles that are about equilateral: without obtuse corners up to a jitter of 0.1.
+/// Returns a plane of nearly equilateral triangles, without obtuse corners up to a jitter of 0.1.
 TestMesh AcutePlane(Id columns, Id rows, double jitter, std::uint64_t seed)
 {
   TestMesh mesh;
@@ -217,7 +217,7 @@ TestMesh AcutePlane(Id columns, Id rows, double jitter, std::uint64_t seed)
   return mesh;
 }
 
-/// Sources at all vertices of a plane with y = 0.
+/// Returns sources at all vertices of a plane with y = 0.
 std::vector<dgg::GeodesicSource> BottomRow(const TestMesh& plane)
 {
   std::vector<dgg::GeodesicSource> sources;
@@ -242,7 +242,7 @@ TEST(FastMarching, SphericalFrontsAreExactInThePlane)
       const TestMesh plane =
         isAcute ? AcutePlane(14, 11, std::min(jitter, 0.1), 3) : Plane(14, 11, jitter, 3);
       const dgg::SurfaceMesh mesh = Build(plane);
-      const bool isExact = isAcute || jitter == 0.0; // nearly, with obtuse corners
+      const bool isExact = isAcute || jitter == 0.0; // approximately exact with obtuse corners
       for (const Id source : { 0, 50, 97, mesh.GetNumberOfVertices() - 1 })
       {
         const Errors errors = Compare(
@@ -260,7 +260,7 @@ TEST(FastMarching, PlanarFrontsAreExactFromALine)
   const auto distances = March(Build(plane), BottomRow(plane), Planar).Distances;
   for (Id v = 0; v < plane.GetNumberOfVertices(); ++v)
   {
-    // Beyond the end of the bottom row fronts are round.
+    // Fronts are circular beyond the end of the bottom row.
     if (plane.Point(v)[0] < 14.0 - 0.7 * plane.Point(v)[1])
     {
       EXPECT_NEAR(distances[v], plane.Point(v)[1], 1e-12) << v;
@@ -270,7 +270,7 @@ TEST(FastMarching, PlanarFrontsAreExactFromALine)
 
 TEST(FastMarching, ObtuseTrianglesAreSplit)
 {
-  // Rows of points that are sheared against each other: corners of 150 degrees.
+  // Rows of points sheared against each other: corners of 150 degrees.
   TestMesh strip;
   const Id n = 30;
   for (Id v = 0; v < 20 * n; ++v)
@@ -302,7 +302,7 @@ TEST(FastMarching, ObtuseTrianglesAreSplit)
 
 TEST(FastMarching, BendsAtSaddlesAndRims)
 {
-  // Behind the tip of a slit the way leads round the tip.
+  // Shortest paths behind a slit pass through the tip of the slit.
   std::vector<bool> isLower;
   const TestMesh slit = SlitPlane(8, isLower, 0.1);
   const dgg::SurfaceMesh mesh = Build(slit);
@@ -310,7 +310,7 @@ TEST(FastMarching, BendsAtSaddlesAndRims)
   const auto exact = DistancesFrom(mesh, dgg::ExactEngine::Triangle, source);
   const Errors errors = Compare(March(mesh, { VertexSource(source) }).Distances, exact);
   EXPECT_LT(errors.Mean, 0.005);
-  // Around a saddle of four right angles more, through the apex.
+  // Shortest paths behind a saddle of total angle 4 pi pass through its apex.
   std::vector<ConePoint> places;
   const dgg::SurfaceMesh cone = Build(Cone(4.0 * dgg::Pi, 24, 6, places, 0.1));
   const Id start = 40;
@@ -336,7 +336,7 @@ TEST(FastMarching, SourcesAnywhere)
     {
       const double expected =
         std::hypot(plane.Point(v)[0] - place[0], plane.Point(v)[1] - place[1]);
-      // Exact but for corners that are obtuse as seen with the source.
+      // Exact except in triangles that are obtuse as seen from the source.
       EXPECT_NEAR(distances[v], 0.25 + expected, 2e-3) << v;
     }
   }
@@ -357,7 +357,7 @@ TEST(FastMarching, SeveralSourcesAndInitialDistances)
       single.push_back(source.InitialDistance + EuclideanDistance(plane, source.Point.Vertex, v));
     }
     const double expected = *std::min_element(single.begin(), single.end());
-    // Within the triangles where fronts meet one of them is taken for both.
+    // Within the triangles where fronts meet, one of the sources represents both.
     EXPECT_NEAR(result.Distances[v], expected, 0.05) << v;
     ASSERT_GE(result.NearestSource[v], 0);
     EXPECT_NEAR(single[result.NearestSource[v]], expected, 0.5) << v;

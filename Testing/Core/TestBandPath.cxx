@@ -17,7 +17,7 @@ using dgg::Id;
 using dgg::Offset;
 using dgg::Point3;
 
-/// A cloud with the graph of all pairs that are closer than a reach.
+/// A cloud and its graph of all pairs within a given reach.
 struct NearGraph
 {
   NearGraph(std::vector<double> points, double reach, double radius)
@@ -57,7 +57,7 @@ struct NearGraph
     return view;
   }
 
-  /// Some path, by greed: always the neighbour that is nearest to the end.
+  /// Returns a greedy path that continues to the neighbor nearest to the end.
   std::vector<Id> GreedyPath(Id from, Id to) const
   {
     std::vector<Id> path{ from };
@@ -115,7 +115,7 @@ std::vector<double> SpherePoints(int count)
   return points;
 }
 
-constexpr double Spacing = 0.0793; // of 2000 points on a sphere
+constexpr double Spacing = 0.0793; // mean spacing of 2000 points on a sphere
 }
 
 TEST(BandPath, GreatCircles)
@@ -156,7 +156,7 @@ TEST(BandPath, GreatCircles)
 
 TEST(BandPath, StaysOnItsSideOfAHole)
 {
-  // A plate with a hole in the middle: the path around it must not be drawn through it.
+  // A plate with a hole in the middle: straightening must not draw the path through the hole.
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   std::vector<double> points{ -0.9, -0.02, 0.0, 0.9, -0.02, 0.0 };
@@ -175,7 +175,7 @@ TEST(BandPath, StaysOnItsSideOfAHole)
   const double s = std::sqrt((4.0 - 0.25 * dgg::Pi) / 3000.0);
   const NearGraph cloud(points, 3.0 * s, 1.5 * s);
   const dgg::GraphView view = cloud.View();
-  // Along the upper half.
+  // The initial path follows the upper half.
   std::vector<Id> vertices{ 0 };
   for (int k = 1; k < 20; ++k)
   {
@@ -193,8 +193,8 @@ TEST(BandPath, StaysOnItsSideOfAHole)
   BandPath path;
   ASSERT_TRUE(shortener.Shorten(vertices, nullptr, nullptr, path).IsOk());
   EXPECT_LT(path.Length, cloud.LengthOf(vertices));
-  // Tangents and an arc around the hole. Slightly longer, because the rim of the sampled hole is
-  // uneven.
+  // Tangents and an arc around the hole. The path is slightly longer because the rim of the sampled
+  // hole is uneven.
   const double tangent = std::sqrt(0.81 - 0.25);
   const double arc = 0.5 * (dgg::Pi - 2.0 * std::acos(0.5 / 0.9));
   EXPECT_NEAR(path.Length, 2.0 * tangent + arc, 0.05);

@@ -71,7 +71,7 @@ struct BandCase
     }
     return sum;
   }
-  /// Returns by how much a distance lies outside of the band of a face; 0 inside.
+  /// Returns the distance by which a value lies outside the band of a face; 0 inside.
   double MissOf(Id f, double distance) const
   {
     const std::vector<double>& levels = this->Found.Levels;
@@ -86,7 +86,7 @@ struct BandCase
   Bands Found;
 };
 
-/// Levels over the whole range of a field, given out of order, one of them that of a vertex.
+/// Returns levels over the range of a field, unsorted, one of them equal to the value of a vertex.
 std::vector<double> LevelsOf(const DistanceField& field, int count)
 {
   double least = Infinity;
@@ -107,7 +107,8 @@ std::vector<double> LevelsOf(const DistanceField& field, int count)
   return levels;
 }
 
-/// What holds of bands always: they cover what is reached, once, and no corner is beyond a level.
+/// Checks the invariants of bands: they cover the reached faces once, and no corner lies beyond a
+/// level.
 void ExpectSound(const BandCase& test, const std::string& what)
 {
   const SubMesh& surface = test.Found.Surface;
@@ -127,8 +128,8 @@ void ExpectSound(const BandCase& test, const std::string& what)
   EXPECT_TRUE(status.IsOk()) << what << ": " << status.GetMessage();
 }
 
-/// The distances in the middle of faces and edges are those of the band, up to the tolerance;
-/// returns the largest difference.
+/// Expects the distances at the midpoints of faces and edges to lie in their band, up to the
+/// tolerance. Returns the largest difference.
 double LargestMiss(const BandCase& test)
 {
   const SubMesh& surface = test.Found.Surface;
@@ -169,7 +170,7 @@ double LargestMiss(const BandCase& test)
 
 TEST(Bands, RingsInThePlaneHaveTheirAreas)
 {
-  // From the centre of a square.
+  // The source is the center of a square.
   const SurfaceMesh mesh = Build(Plane(10, 10, 0.0));
   const ExactField field(mesh, { VertexSource(60) });
   const double tolerance = 1e-4;
@@ -182,7 +183,8 @@ TEST(Bands, RingsInThePlaneHaveTheirAreas)
     double inner = 0.0;
     for (Id band = 0; band < 4; ++band)
     {
-      // Polygons within the circles: smaller by 2/3 of the sagitta along the rim.
+      // The bands are polygons inscribed in the circles: their width shrinks by 2/3 of the sagitta
+      // along the rim.
       const double outer = test.Found.Levels[band];
       const double area = Pi * (outer * outer - inner * inner);
       EXPECT_NEAR(test.AreaOfBand(band), area, tolerance * 2.0 * Pi * (inner + outer));
@@ -239,8 +241,8 @@ TEST(Bands, FacesLieBetweenTheLevels)
       ExpectSound(test, named.Name);
       if (f != &field.Local)
       {
-        // Pieces that are not as close as they should be are known, but for another source that is
-        // nearer for less than a step along an arc.
+        // Pieces that miss the tolerance are counted as fallbacks, unless another source is nearer
+        // for less than a step along an arc.
         const double factor = test.Lines.Fallbacks == 0 ? 4e-3 : 5e-2;
         EXPECT_LT(LargestMiss(test), factor * mesh.GetMeanEdgeLength()) << named.Name;
         close += test.Lines.Fallbacks == 0 ? 1 : 0;
@@ -263,7 +265,7 @@ struct Cloud
   std::vector<double> Radii;
 };
 
-/// A square of n x n points with sides of length 1, in a slanted plane, at a height.
+/// Adds a square of n x n points with sides of length 1, in a slanted plane at a height.
 void AddSquare(Cloud& cloud, int n, double height, double radius)
 {
   for (int i = 0; i < n; ++i)
@@ -278,7 +280,7 @@ void AddSquare(Cloud& cloud, int n, double height, double radius)
   }
 }
 
-/// Distances of all points.
+/// Returns the distances of all points.
 std::vector<double> MarchIn(
   const Cloud& cloud, double voxelSize, const std::vector<BandSource>& sources)
 {
@@ -289,8 +291,8 @@ std::vector<double> MarchIn(
   return result.Distances;
 }
 
-/// Mean relative error of distances from the first point, and that of straight ones when there is
-/// no other truth.
+/// Returns the mean relative error of distances from the first point. Straight distances serve as
+/// truth if no other truth is known.
 double MeanError(const Cloud& cloud, double voxelSize)
 {
   const std::vector<double> distances = MarchIn(cloud, voxelSize, { { cloud.Points[0], 0.0 } });
@@ -347,7 +349,7 @@ TEST(BandMarching, OffsetsAndTheNearestSource)
   EXPECT_EQ(first[0], 0.25);
 }
 
-// A strip that turns back below itself, about as close as two sheets can be.
+// A strip that turns back below itself, almost as close as two layers may be.
 TEST(BandMarching, SheetsSideBySideAreNotMixed)
 {
   constexpr double Size = 0.02;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Green's functions of the bi-Laplacian: identities, the series of the sphere, queries.
+// Green's functions of the bi-Laplacian: identities, the series on the sphere, queries.
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
 #include "TestMeshes.h"
@@ -27,13 +27,14 @@ dgg::GreensQuery Twofold(dgg::GreensMethod method = dgg::GreensMethod::Singulari
   return query;
 }
 
-/// On the unit sphere: the sum over l of (2 l + 1) / (4 pi) P_l(cosine) / (l (l + 1))^2.
+/// Returns the value on the unit sphere: the sum over l of (2 l + 1) / (4 pi) P_l(cosine) / (l (l +
+/// 1))^2.
 double SphereSeries(double cosine)
 {
   double previous = 1.0;
   double legendre = cosine;
   double sum = 0.0;
-  for (int l = 1; l < 1500; ++l) // the rest is below 1 / (4 pi l^2)
+  for (int l = 1; l < 1500; ++l) // the remainder is below 1 / (4 pi l^2)
   {
     const double eigenvalue = l * (l + 1.0);
     sum += (2.0 * l + 1.0) / (4.0 * dgg::Pi) * legendre / (eigenvalue * eigenvalue);
@@ -46,12 +47,12 @@ double SphereSeries(double cosine)
 
 struct Deviation
 {
-  double Largest = 0.0; // at vertices
+  double Largest = 0.0; // largest at vertices
   double AtTargets = 0.0;
-  double Mean = 0.0; // root of the mean square over area
+  double Mean = 0.0; // root mean square over area
 };
 
-/// As parts of the range.
+/// Returns the deviations relative to the range.
 Deviation DeviationOnSphere(const TestMesh& sphere, const Greens& greens,
   const dgg::SurfacePoint& pole, const dgg::GreensResult& result,
   const std::vector<dgg::SurfacePoint>& targets)
@@ -87,7 +88,7 @@ Deviation DeviationOnSphere(const TestMesh& sphere, const Greens& greens,
 
 TEST(BiharmonicGreens, SphereConverges)
 {
-  // 2562, 10 242 and 40 962 vertices; at the pole as well.
+  // Meshes of 2562, 10 242 and 40 962 vertices; the pole is included.
   EXPECT_NEAR(SphereSeries(1.0), 1.0 / (4.0 * dgg::Pi), 1e-6);
   EXPECT_NEAR(SphereSeries(-1.0), (1.0 - dgg::Pi * dgg::Pi / 6.0) / (4.0 * dgg::Pi), 1e-6);
   Convergence largest(1.7);
@@ -126,7 +127,7 @@ TEST(BiharmonicGreens, SphereConverges)
     if (level == 5)
     {
       EXPECT_LT(all.Largest, 1e-4);
-      EXPECT_LT(all.AtTargets, 2e-4); // in faces it is linear
+      EXPECT_LT(all.AtTargets, 2e-4); // interpolated linearly in faces
       EXPECT_LT(plain, 1.2e-4);
     }
   }
@@ -163,7 +164,8 @@ TEST(BiharmonicGreens, MakesTheBiharmonicDistance)
 
 TEST(BiharmonicGreens, SolvesTheBiLaplaceEquation)
 {
-  // Integrals are the response to a density: at the pole, of the solution.
+  // Integrals are the response to a density; at the pole, the integral is the value of the
+  // solution.
   const TestMesh points = Icosphere(3);
   const dgg::SurfaceMesh mesh = Build(points);
   const Greens greens(mesh);
@@ -208,7 +210,8 @@ TEST(BiharmonicGreens, InterpolationIsCloseToASolvePerPoint)
 
 TEST(BiharmonicGreens, BoundariesHaveTheirConditions)
 {
-  // On the unit square: sums of products of cosines, or sines where values are 0.
+  // On the unit square the truth is a sum of products of cosines, or of sines for Dirichlet
+  // conditions.
   const Id n = 40;
   const TestMesh square = Scaled(Plane(n, n, 0.2), 1.0 / n);
   const dgg::SurfaceMesh mesh = Build(square);

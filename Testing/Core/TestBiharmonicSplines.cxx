@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions with given values at sites: biharmonic splines, and harmonic ones.
+// Interpolation of given values at sites by biharmonic and harmonic splines.
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "PathChecks.h"
@@ -24,7 +24,7 @@ namespace
 using Columns = std::vector<std::vector<double>>;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A solver and splines.
+/// A solver and its splines.
 class Biharmonic
 {
 public:
@@ -59,7 +59,7 @@ public:
     }
     return values;
   }
-  /// M^-1 L u; 0 where values are given.
+  /// Returns M^-1 L u; 0 at vertices with prescribed values.
   std::vector<double> Laplacian(const std::vector<double>& function) const
   {
     const dgg::PoissonSystem& system = this->Solver->GetSystem();
@@ -107,7 +107,7 @@ TEST(BiharmonicSplines, HaveTheValuesOfSites)
     {
       Biharmonic spline(mesh, options);
       spline.PrepareSome(12);
-      // Anywhere: the next ones are in faces and on edges.
+      // Sites may be anywhere: add sites in faces and on edges.
       std::vector<dgg::SurfacePoint> sites = spline.Sites;
       for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 9, 5))
       {
@@ -141,7 +141,8 @@ TEST(BiharmonicSplines, HaveTheValuesOfSites)
 
 TEST(BiharmonicSplines, HaveTheLeastEnergy)
 {
-  // Of those with the same values: another one has more, and nothing acts but at the sites.
+  // The spline has the least energy of all functions with these values: another interpolant has
+  // more energy, and the load is zero away from the sites.
   for (const auto boundary : Boundaries)
   {
     const TestMesh plane = Scaled(Plane(20, 17, 0.25), 0.1);
@@ -185,7 +186,7 @@ TEST(BiharmonicSplines, OneSite)
   {
     EXPECT_EQ(value, -4.5);
   }
-  // With Dirichlet conditions a single one is no constant.
+  // With Dirichlet conditions the spline of a single site is not constant.
   const dgg::SurfaceMesh plane = Build(Plane(8, 8, 0.2));
   Biharmonic held(plane, With(dgg::PoissonBoundary::Dirichlet));
   ASSERT_TRUE(Ok(held.Prepare({ dgg::SurfacePoint::AtVertex(40) })));
@@ -233,8 +234,8 @@ TEST(BiharmonicSplines, BasisSumsToOne)
 
 TEST(BiharmonicSplines, SmoothFunctionsAreApproximated)
 {
-  // On the sphere, from ever more sites: errors fall like the fourth power of their distance, until
-  // those of the mesh show.
+  // Refine the sites on the sphere: errors fall like the fourth power of the site distance until
+  // the discretization error dominates.
   const TestMesh sphere = Icosphere(5);
   const dgg::SurfaceMesh mesh = Build(sphere);
   Biharmonic spline(mesh);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sites that move to the middle of their cells: where the middle is known, and on any surface.
+// Sites that move to the center of their cells, with known centers and on any surface.
 #include "GeodesicChecks.h"
 #include "SearchChecks.h"
 #include "TestMeshes.h"
@@ -44,7 +44,7 @@ void ExpectDecrease(const std::vector<double>& energies, const std::string& what
 
 TEST(Centroidal, ASingleSiteGoesToTheCentroid)
 {
-  // Of the vertices, each with its area.
+  // Each vertex is weighted by its area.
   for (double jitter : { 0.0, 0.25 })
   {
     const TestMesh points = Plane(14, 10, jitter, 3);
@@ -79,7 +79,7 @@ TEST(Centroidal, ASingleSiteGoesToTheCentroid)
   }
 }
 
-/// From a corner of the boundary that the plate reaches around.
+/// The site starts at a reflex corner of the boundary.
 TEST(Centroidal, LeavesReflexCorners)
 {
   const TestMesh plate = Plate(18, 9, [](Id i, Id j) { return i < 6 || j < 5; });
@@ -128,7 +128,7 @@ TEST(Centroidal, EnergyIsThatOfTheDistances)
 
 TEST(Centroidal, EnergyDecreasesOnAnySurface)
 {
-  const std::vector<NamedMesh> meshes = AllMeshes(); // sound ones first
+  const std::vector<NamedMesh> meshes = AllMeshes(); // sound meshes first
   const std::size_t numberOfSound = SoundMeshes().size();
   std::size_t moved = 0;
   for (std::size_t m = 0; m < meshes.size(); ++m)
@@ -154,7 +154,7 @@ TEST(Centroidal, EnergyDecreasesOnAnySurface)
 
 TEST(Centroidal, AtAnyScale)
 {
-  // Energies are of the fourth power of lengths.
+  // Energies scale with the fourth power of lengths.
   const TestMesh points = PrismSide(8, 3, 12, 0.2);
   const SearchCase c("prism", points, 0.01);
   const Sites starts = RandomSurfacePoints(c.GetMesh(), 5, 3);
@@ -169,7 +169,7 @@ TEST(Centroidal, AtAnyScale)
     const std::vector<double> scaledEnergies = Move(other, moved, {}, 0.01);
     ASSERT_GT(scaledEnergies.size(), 3u) << power;
     ExpectDecrease(scaledEnergies, std::to_string(power));
-    // Graphs of other scales may have other edges where ways are tied.
+    // Graphs at other scales may have other edges where paths are tied.
     EXPECT_NEAR(std::ldexp(scaledEnergies[0], -4 * power), energies[0], 0.02 * energies[0]);
     EXPECT_NEAR(
       std::ldexp(scaledEnergies.back(), -4 * power), energies.back(), 0.05 * energies.back());
@@ -193,7 +193,8 @@ TEST(Centroidal, StopsAtTheTolerance)
 
 TEST(Centroidal, DuplicatesPart)
 {
-  // Only the first of them has a cell, and moves on; then the other one has one as well.
+  // Only the first of the duplicate sites has a cell and moves; after that the other one has a cell
+  // too.
   const SearchCase c("sphere", Icosphere(2), 0.05);
   Sites sites{ SurfacePoint::AtVertex(3), SurfacePoint::AtVertex(3), SurfacePoint::AtVertex(90) };
   const std::vector<double> energies = Move(c, sites, CentroidalOptions(), 0.05);

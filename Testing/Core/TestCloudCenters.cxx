@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sites on a cloud that move to the middle of their cells.
+// Sites on a cloud that move to the center of their cells.
 #include "PathChecks.h"
 #include "SearchChecks.h"
 #include "TestMeshes.h"
@@ -23,7 +23,7 @@ using dgg::Id;
 using dgg::SurfacePoint;
 using Sites = std::vector<SurfacePoint>;
 
-/// The vertices of a mesh as a cloud: the edges of its graph without their directions.
+/// The vertices of a mesh as a cloud: the edges of its graph without directions.
 class CloudCase
 {
 public:
@@ -56,7 +56,7 @@ public:
 
 TEST(CloudCenters, ASingleSiteGoesToTheMiddle)
 {
-  // Of 21 x 15 points: that in row 7, column 10, from any corner.
+  // In a cloud of 21 x 15 points, every corner must move to row 7, column 10.
   CloudCase c(Plane(20, 14), 0.01);
   for (const Id start : { 0, 20, 314, 294 })
   {
@@ -97,7 +97,7 @@ TEST(CloudCenters, TheEnergyIsThatOfTheSites)
 
 TEST(CloudCenters, ScaleDoesNotMatter)
 {
-  // Powers of two change no digit.
+  // Scaling by powers of two changes no digit.
   Sites expected = AtVertices({ 0, 7, 30 });
   CloudCase original(Icosphere(3), 0.02);
   ASSERT_TRUE(original.Move({}, expected).IsOk());
@@ -141,7 +141,7 @@ using dgg::Point3;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-/// An 11 x 11 grid over [-1, 1] x [-1, 1]: its middle is the origin, its farthest points are at 1.
+/// Returns an 11 x 11 grid over [-1, 1] x [-1, 1] with the origin as its center.
 std::vector<double> Grid()
 {
   std::vector<double> points;
@@ -168,7 +168,7 @@ Id CountStray(const std::vector<double>& points)
 
 TEST(Outliers, AreAThousandTimesAsFarAsAllOthers)
 {
-  // The corners are the farthest of the others, at the root of 2.
+  // The corners are the farthest regular points, at distance sqrt(2).
   std::vector<double> points = Grid();
   EXPECT_EQ(CountStray(points), 0);
   Add(points, { 0.0, 0.0, 1410.0 });
@@ -179,11 +179,11 @@ TEST(Outliers, AreAThousandTimesAsFarAsAllOthers)
   EXPECT_TRUE(outliers.IsOutlier({ 0.0, 0.0, 1420.0 }));
   EXPECT_TRUE(outliers.IsOutlier({ -1420.0, 0.0, 0.0 }));
   EXPECT_FALSE(outliers.IsOutlier({ 1.0, -1.0, 0.0 }));
-  // From the gap on all are outliers, however close to each other.
+  // All points beyond the gap are outliers, even if they are close to each other.
   Add(points, { 0.0, 0.0, 1500.0 });
   Add(points, { 0.0, -1e300, 5.0 });
   EXPECT_EQ(CountStray(points), 3);
-  // One between them and the others closes the gap.
+  // A point between the outliers and the other points closes the gap.
   Add(points, { 30.0, 0.0, 0.0 });
   EXPECT_EQ(CountStray(points), 1);
 }
@@ -201,7 +201,8 @@ TEST(Outliers, RatioCanBeGiven)
 
 TEST(Outliers, AreThoseOfATurnedCloud)
 {
-  // In any direction: the largest distance along an axis would be shorter along a diagonal.
+  // The criterion does not depend on direction: the largest distance along an axis would be shorter
+  // along a diagonal.
   for (const double length : { 1410.0, 1420.0 })
   {
     for (int i = 0; i < 24; ++i)
@@ -220,7 +221,7 @@ TEST(Outliers, AreThoseOfATurnedCloud)
 
 TEST(Outliers, AreNoSmallObjectsNorEvenlySpread)
 {
-  // 16 places as far as 8 sides of the square.
+  // 16 distinct positions at a distance of 8 sides of the square.
   std::vector<double> points = Grid();
   for (int i = 0; i < 16; ++i)
   {
@@ -266,15 +267,15 @@ TEST(Outliers, NeedACloudToBeFarFrom)
   }
   Add(points, { 1e6, 0.0, 0.0 });
   Add(points, { 2e6, 0.0, 0.0 });
-  EXPECT_EQ(CountStray(points), 0); // 16 places
+  EXPECT_EQ(CountStray(points), 0); // 16 distinct positions
   for (int i = 0; i < 30; ++i)
   {
     Add(points, { 0.5, 0.0, 0.0 });
   }
-  EXPECT_EQ(CountStray(points), 0); // they still are
+  EXPECT_EQ(CountStray(points), 0); // still 16 distinct positions
   Add(points, { 0.55, 0.0, 0.0 });
   EXPECT_EQ(CountStray(points), 2);
-  // The nearest gap counts that leaves enough.
+  // The nearest gap with enough points inside it counts.
   std::vector<double> few;
   for (int i = 0; i < 16; ++i)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The distance inside of faces: exact with windows, close with virtual sources.
+// Distances inside faces: exact with windows, approximate with virtual sources.
 #include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "TestMeshes.h"
@@ -39,7 +39,7 @@ std::vector<SurfacePoint> PointsInside(const SurfaceMesh& mesh, Id count, std::u
   return points;
 }
 
-/// Mean error relative to the exact distance, over points inside of faces.
+/// Returns the mean relative error over points inside faces.
 double MeanError(
   const DistanceField& field, const ExactField& exact, const std::vector<SurfacePoint>& points)
 {
@@ -116,7 +116,7 @@ TEST(DistanceField, EdgesAndFacesAgree)
       {
         edge.Enter(h);
         face.Enter(SurfaceMesh::Face(h));
-        const Id twin = mesh.Twin(h); // runs the other way on these meshes
+        const Id twin = mesh.Twin(h); // twins have opposite directions on these meshes
         if (twin != NoId)
         {
           beyond.Enter(SurfaceMesh::Face(twin));
@@ -132,7 +132,7 @@ TEST(DistanceField, EdgesAndFacesAgree)
           const double inFace = face.At(face.PlaceOf(b));
           if (f == &field.Local)
           {
-            // The wave may come through the other face.
+            // The distance wave may arrive through the other face.
             std::array<double, 3> other{ { 0.0, 0.0, 0.0 } };
             if (twin != NoId)
             {
@@ -183,7 +183,8 @@ TEST(DistanceField, CrossingsOfEdgesAreAtTheLevelAndAlternate)
   }
 }
 
-/// What does not come near a level is left out, however steep a field is that is no distance.
+/// Parts that cannot reach a level are skipped. The bound must also hold for steep fields that are
+/// not distances.
 TEST(DistanceField, NoCrossingOfSteepModelsIsLost)
 {
   const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
@@ -219,7 +220,7 @@ TEST(DistanceField, NoCrossingOfSteepModelsIsLost)
   }
 }
 
-/// Behind ridges, light from one end of an edge meets that from the other one somewhere inside.
+/// Behind ridges, wavefronts from both ends of an edge meet inside the edge.
 TEST(DistanceField, NoExtremumIsBetweenBreaks)
 {
   for (const NamedMesh& named : SoundMeshes())
@@ -236,7 +237,7 @@ TEST(DistanceField, NoExtremumIsBetweenBreaks)
       {
         if (breaks[i] - breaks[i - 1] <= 1e-6 * edge.GetLength())
         {
-          continue; // windows are not kept where hardly anything is seen through them
+          continue; // very narrow windows are not stored
         }
         const double begin = edge.At(breaks[i - 1]);
         const double end = edge.At(breaks[i]);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The earth mover's distance on surfaces.
+// Earth mover's distance on surfaces.
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
 #include "TestMeshes.h"
@@ -35,7 +35,8 @@ TEST(EarthMovers, PointMassesAreTheirGeodesicDistanceApart)
   dgg::EarthMoversOptions options;
   options.MostIterations = 2000;
   options.Tolerance = 5e-3;
-  // On a torus the way has a part that is no gradient and no rotation of a function.
+  // On a torus the flow has a harmonic component, which is neither a gradient nor the rotated
+  // gradient of a function.
   for (const bool isTorus : { false, true })
   {
     double previous = 0.0;
@@ -66,8 +67,8 @@ TEST(EarthMovers, PointMassesAreTheirGeodesicDistanceApart)
 
 TEST(EarthMovers, TheGapIsClosedOnAnyTriangles)
 {
-  // Sheets of needles, a tape of long triangles, strips, blocks without points inside their sides,
-  // a rough sphere.
+  // Planes of needles, a tape of long triangles, strips, blocks without points inside their sides,
+  // and a rough sphere.
   TestMesh tape = Plane(30, 4);
   for (std::size_t i = 1; i < tape.Points.size(); i += 3)
   {
@@ -111,7 +112,7 @@ TEST(EarthMovers, FlowBringsEveryMassThereAndCostsTheDistance)
     options.Tolerance = 0.0;
     const dgg::EarthMoversResult result = Move(*solver, from, to, options);
     ASSERT_EQ(result.Flow.size(), static_cast<std::size_t>(mesh.GetNumberOfFaces()));
-    // What flows into the corners of a face, by the gradients of their hat functions.
+    // Flow into the corners of a face, by the gradients of their hat functions.
     std::vector<double> arrived(from);
     double cost = 0.0;
     for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
@@ -147,7 +148,8 @@ TEST(EarthMovers, AnyTriangles)
     const auto solver = Ready(mesh);
     Id count = 0;
     const std::vector<Id> components = mesh.ComputeComponents(count);
-    // From the first vertex with others in its component to the last of these.
+    // The mass moves from the first vertex of a component with several vertices to the last vertex
+    // of that component.
     Id first = 0;
     Id last = 0;
     for (Id v = mesh.GetNumberOfVertices() - 1; v >= 0; --v)

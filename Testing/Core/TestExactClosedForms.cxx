@@ -32,25 +32,25 @@ TEST_P(ExactPlane, IsEuclidean)
          Case{ "grid", Plane(12, 9), 1e-13, 0.0 },
          Case{ "jittered", Plane(12, 9, 0.29, 3), 1e-12, 0.0 },
          Case{ "one triangle", SingleTriangle(), 1e-12, 0.0 },
-         // Splits upon splits leave slivers, and vertices at a distance of a thousandth of an edge:
-         // there rounding counts against the size of the faces.
+         // Repeated splits create slivers and vertices at a distance of a thousandth of an edge,
+         // where rounding errors are relative to the size of the faces.
          Case{ "refined", RandomlyRefined(Plane(4, 4, 0.2, 3), 120, 4), 1e-12, 1e-13 },
          Case{ "slivers 1e-3", SliverPlane(6, 1e-3), 1e-12, 0.0 },
          Case{ "slivers 1e-6", SliverPlane(6, 1e-6), 1e-12, 0.0 },
          Case{ "slivers 1e-9", SliverPlane(6, 1e-9), 1e-12, 0.0 },
-         // Two lengths that differ by 1e-12 count as equal, and needles are passed one after the
-         // other.
+         // Two lengths that differ by 1e-12 are treated as equal, and errors accumulate from needle
+         // to needle.
          Case{ "needles 1e-3", NeedlePlane(5, 1e-3), 1e-11, 0.0 },
          Case{ "needles 1e-6", NeedlePlane(5, 1e-6), 1e-11, 0.0 },
          Case{ "needles 1e-9", NeedlePlane(5, 1e-9), 1e-11, 0.0 },
-         // Lengths that differ in the last digit make angles of needles differ by 1e-7.
+         // Differences in the last digit of lengths change the angles of needles by 1e-7.
          Case{ "turned 1e-6", MovedRigidly(NeedlePlane(4, 1e-6), 0.7, shift), 0.0, 1e-8 },
          Case{ "turned 1e-9", MovedRigidly(NeedlePlane(4, 1e-9), 0.7, shift), 0.0, 1e-8 },
          Case{ "turned 1e-11", MovedRigidly(NeedlePlane(4, 1e-11), 0.7, shift), 0.0, 1e-8 },
-         // The height of a cap is known to about eps / height from its lengths.
+         // The lengths determine the height of a cap up to about eps / height.
          Case{ "caps 1e-2", CapPlane(6, 1e-2), 1e-12, 0.0 },
          Case{ "caps 1e-4", CapPlane(6, 1e-4), 1e-10, 0.0 },
-         // Faces of zero area across a seam make the plane whole again, up to the mollification.
+         // Faces of zero area across a seam close the plane again, up to the mollification.
          Case{ "zipped", ZippedPlane(6), 0.0, 1e-11 },
        })
   {
@@ -100,7 +100,8 @@ TEST_P(ExactPlane, Slit)
       {
         return direct;
       }
-      // Points of the slit count as above or below it; so does the line to its left, harmlessly.
+      // Vertices on the slit belong to its upper or lower side. The line to the left of the slit is
+      // split as well, which does not change distances.
       const double x =
         p[1] == q[1] ? std::max(p[0], q[0]) : p[0] + (q[0] - p[0]) * p[1] / (p[1] - q[1]);
       return x <= 0.0 ? direct : std::hypot(p[0], p[1]) + std::hypot(q[0], q[1]);
@@ -109,13 +110,13 @@ TEST_P(ExactPlane, Slit)
 }
 
 // Features many orders of magnitude smaller than the edges next to them: a window that is narrow
-// for its edge may still light half of the surface.
+// relative to its edge may still illuminate half of the surface.
 
 namespace
 {
 const double Sizes[] = { 1e-3, 1e-5, 1e-6, 1e-7, 3e-8, 1e-8, 1e-9, 1e-10 };
 
-/// Insert a vertex into about half of the faces, at a distance of about `size` edges from a
+/// Inserts a vertex into about half of the faces, at a distance of about `size` edges from a
 /// corner.
 TestMesh WithTinyFeatures(TestMesh mesh, double size, Random& random)
 {
@@ -132,8 +133,8 @@ TestMesh WithTinyFeatures(TestMesh mesh, double size, Random& random)
   return mesh;
 }
 
-/// Insert a vertex into edges of the plane, at a distance of `size` from an end: rows, columns and
-/// diagonals get needles, whose vertices lie in line with each other up to rounding.
+/// Inserts a vertex into edges of the plane, at a distance of `size` from an end: rows, columns and
+/// diagonals get needles, whose vertices are collinear up to rounding.
 TestMesh PlaneWithNeedles(Id n, double size, Random& random)
 {
   const TestMesh plane = Plane(n, n);
@@ -191,7 +192,7 @@ TEST_P(ExactSmallFeatures, InThePlane)
       const TestMesh input = WithTinyFeatures(Plane(6, 6, 0.25, seed), size, random);
       const dgg::SurfaceMesh mesh = Build(input);
       // Mollification changes the smallest faces themselves. A window that grazes a row of features
-      // of 1e-8 may have to go around them, a few times their size.
+      // of 1e-8 may have to pass around the features, a few times their size.
       EXPECT_LE(this->LargestError(input, mesh, random.Index(mesh.GetNumberOfVertices())),
         mesh.GetMollification() > 0.0 ? 1e-6 : 1e-7)
         << "seed " << seed;
@@ -199,13 +200,13 @@ TEST_P(ExactSmallFeatures, InThePlane)
   }
 }
 
-/// The light that passes between the two ends of a needle is not trimmed by a label that is too
-/// short, nor lost to a window that is wide for the needle, nor in the rounding of a position on a
-/// long edge. Around 1e-8, the root of rounding, the seams between windows are known to their
-/// width.
+/// Windows that pass between the two ends of a needle are not trimmed by labels that are too short,
+/// not hidden by windows that are wide relative to the needle, and not lost in the rounding of a
+/// position on a long edge. Around 1e-8, the square root of the rounding error, the position of
+/// seams between windows is uncertain by their width.
 TEST_P(ExactSmallFeatures, NeedlesInThePlane)
 {
-  // The seeds 63, 11, 14 and 26 have windows on whose seams everything depends.
+  // With the seeds 63, 11, 14 and 26 the result depends on windows at seams.
   const std::pair<double, std::vector<std::uint64_t>> cases[] = { { 1e-4, { 1, 2, 3 } },
     { 1e-7, { 1, 2, 3, 4 } }, { 2e-8, { 63 } }, { 7e-9, { 11 } }, { 5e-9, { 63 } },
     { 3e-9, { 14 } }, { 2e-9, { 26 } }, { 1e-9, { 1, 2, 3, 4 } }, { 1e-11, { 1, 2 } } };
@@ -228,8 +229,9 @@ TEST_P(ExactSmallFeatures, NeedlesInThePlane)
 
 namespace
 {
-/// Distance of two points of a polygon and its copy, glued along the rim: reflect the second point
-/// in each side; where the line misses the side, go through the nearer end of it.
+/// Returns the distance between points of a polygon and of its copy, glued along the rim: the
+/// second point is reflected in each side. If the line misses the side, the path passes through the
+/// nearer end of the side.
 double ThroughTheRim(Id sides, const double* p, const double* q)
 {
   double best = dgg::Infinity;
@@ -278,7 +280,7 @@ TEST_P(ExactPolyhedra, UnitCube)
   {
     for (const Id k : { 2, 6 })
     {
-      // The centres must be vertices: only the others are moved.
+      // The centers must be vertices, so only the other vertices are moved.
       TestMesh cube = Cube(k, jitter, 5);
       if (jitter > 0.0)
       {
@@ -310,8 +312,8 @@ TEST_P(ExactPolyhedra, UnitCube)
 
 TEST_P(ExactPolyhedra, LongBoxHasItsFarthestPointInAFace)
 {
-  // From the corner (0,0,0) of the box 1 x 1 x 2: not the opposite corner is farthest, but the
-  // point a quarter of the way along the diagonal of the far square.
+  // From the corner (0,0,0) of the box 1 x 1 x 2, the farthest point is not the opposite corner but
+  // the point a quarter of the way along the diagonal of the far square.
   const TestMesh box = Box(4, 4, 8, 0.25, 0.25, 0.25);
   const auto distances = DistancesFrom(Build(box), this->Engine(), VertexAt(box, 0.0, 0.0, 0.0));
   const Id farthest = VertexAt(box, 0.75, 0.75, 2.0);
@@ -417,7 +419,7 @@ TEST_P(ExactDevelopable, ConesBelowAndAboveTheFullAngle)
 
 TEST_P(ExactDevelopable, FlatTorusOfFewTriangles)
 {
-  // One, two or four parallelograms, glued to themselves and each other.
+  // One, two or four parallelograms, glued to themselves and to each other.
   for (const auto& n : std::vector<std::array<Id, 2>>{ { 1, 1 }, { 2, 1 }, { 1, 2 }, { 2, 2 } })
   {
     SCOPED_TRACE(n[0] * 10 + n[1]);
@@ -425,7 +427,7 @@ TEST_P(ExactDevelopable, FlatTorusOfFewTriangles)
     const double vx = 0.6;
     const double vy = 1.1;
     const dgg::SurfaceMesh mesh = Build(FlatTorus(ux, vx, vy, n[0], n[1], true));
-    // Positions of the vertices of face f in the plane.
+    // Returns the position in the plane of a point of a face.
     auto place = [&](Id face, const std::array<double, 3>& b) {
       const Id cell = face / 2;
       const double i = cell % n[0];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The two engines against each other and against brute force, and what holds on every mesh: bounds,
-// symmetry, and changes of the mesh that change no distance.
+// Comparison of the two engines with each other and with brute force, and invariants on every mesh:
+// bounds, symmetry, and changes of the mesh that preserve distances.
 #include "BruteForceGeodesics.h"
 #include "EdgeGraph.h"
 #include "GeodesicChecks.h"
@@ -28,7 +28,7 @@ std::string MeshName(const testing::TestParamInfo<NamedMesh>& info)
   return name;
 }
 
-/// Small meshes on which brute force ends soon.
+/// Returns small meshes for which brute force is fast.
 std::vector<NamedMesh> SmallMeshes()
 {
   std::vector<Id> sheetOf;
@@ -48,7 +48,7 @@ std::vector<NamedMesh> SmallMeshes()
   meshes.push_back({ "CubeRegular", Cube(3) });
   meshes.push_back({ "CubeJittered", Cube(3, 0.25, 2) });
   meshes.push_back({ "Grid", Plane(6, 5) });
-  // Domains with corners, obstacles, and contacts in points; regular ones are full of ties.
+  // Domains with corners, obstacles, and point contacts; regular domains have many ties.
   struct Domain
   {
     const char* Name;
@@ -64,8 +64,8 @@ std::vector<NamedMesh> SmallMeshes()
     meshes.push_back({ domain.Name, Plate(9, 9, domain.Keep) });
     meshes.push_back({ std::string(domain.Name) + "Jittered", Plate(9, 9, domain.Keep, 0.25, 5) });
   }
-  // A ray that hits a flat vertex exactly lights neither child: flat vertices emit again. Two
-  // windows may light an apex by the same ray: both children of both are needed.
+  // A ray that hits a flat vertex exactly illuminates neither child, so flat vertices emit windows
+  // again. Two windows may illuminate an apex by the same ray: both children of both are needed.
   meshes.push_back({ "Cube4", Cube(4) });
   meshes.push_back({ "Cube5", Cube(5) });
   meshes.push_back({ "Octahedron", Subdivided(Octahedron(), 4) });
@@ -143,7 +143,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 namespace
 {
-/// Distances; a failure after five seconds instead of a hang, where milliseconds do.
+/// Returns distances; a run that takes five seconds instead of milliseconds fails the test instead
+/// of hanging.
 std::vector<double> SolveInTime(
   const dgg::SurfaceMesh& mesh, dgg::ExactEngine engine, const dgg::GeodesicSource& source)
 {
@@ -153,8 +154,8 @@ std::vector<double> SolveInTime(
   }).Distances;
 }
 
-/// Both engines from two vertices and two points anywhere; the fields lie between Euclid and the
-/// edge graph and agree with each other.
+/// Runs both engines from two vertices and two arbitrary points. Expects the fields to lie between
+/// the Euclidean distance and the edge graph, and to agree with each other.
 void ExpectSane(const TestMesh& input, double agreement)
 {
   dgg::SurfaceMesh mesh;
@@ -162,7 +163,7 @@ void ExpectSane(const TestMesh& input, double agreement)
     input.GetNumberOfVertices(), input.Triangles.data(), input.GetNumberOfFaces(), mesh);
   if (!status.IsOk())
   {
-    // The only complaint that these meshes can cause.
+    // The only error that these meshes can cause.
     EXPECT_TRUE(Says(status, "single points"));
     return;
   }
@@ -217,8 +218,8 @@ TEST(ExactFuzz, BrokenMeshes)
 
 TEST(ExactFuzz, PairOfFlatFaces)
 {
-  // Two faces of no area on the same three vertices, in line, and a third face on their long edge:
-  // light that gets between the two must not go round for ever.
+  // Two degenerate faces on the same three collinear vertices, and a third face on their long edge:
+  // windows that enter between the two must not circulate forever.
   TestMesh mesh;
   mesh.Points = { 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.5, 0.5, 0.0, -1.0, 1.5, 0.5, 2.0,
     2.0, 0.3 };
@@ -251,8 +252,8 @@ protected:
     }
   }
 
-  /// Expect distances from a vertex to be those in a changed mesh, in which they are longer by a
-  /// factor and vertex v has the id `ids[v]`, v if there are none.
+  /// Expects the distances from a vertex to equal those of a changed mesh up to a scale factor.
+  /// Vertex v has the id `ids[v]` in the changed mesh, or v if `ids` is empty.
   void ExpectUnchanged(const dgg::SurfaceMesh& mesh, const dgg::SurfaceMesh& changed, Id source,
     const std::vector<Id>& ids = {}, double factor = 1.0, double tolerance = 1e-9)
   {
@@ -340,7 +341,7 @@ TEST_P(ExactInvariance, ScalesWithTheMesh)
   this->ForEachMesh(AllMeshes(), [&](const TestMesh& input, const dgg::SurfaceMesh& mesh) {
     for (const double factor : { 1e6, 1e-6, 1024.0 })
     {
-      // Faces that are degenerate up to rounding are lengthened by what rounding left of them.
+      // Faces that are degenerate up to rounding are lengthened by their rounding error.
       const double tolerance = mesh.GetNumberOfDegenerateFaces() > 0 ? 1e-6 : 1e-9;
       this->ExpectUnchanged(mesh, Build(Scaled(input, factor)), 0, {}, factor, tolerance);
     }
@@ -391,7 +392,7 @@ TEST_P(ExactInvariance, DoesNotDependOnThePlaceInSpace)
 
 TEST_P(ExactInvariance, SeamsAndUnusedPointsChangeNothing)
 {
-  // Isolated points, and faces that take no part, beside the mesh.
+  // Isolated points and unused faces beside the mesh.
   const TestMesh sphere = NoisySphere(2, 0.2, 3);
   TestMesh crowded = sphere;
   crowded.AddPoint(9.0, 9.0, 9.0);

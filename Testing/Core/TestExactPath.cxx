@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact shortest paths: they lie on the surface and are as long as the distance.
+// Exact shortest paths: they lie on the surface, and their length equals the distance.
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 #include "TestMeshes.h"
@@ -20,9 +20,9 @@ using dgg::SurfacePath;
 using dgg::SurfacePoint;
 using Support = SurfacePoint::Support;
 
-/// Paths from some points to others, of every kind, against the distances of the other engine.
-/// `failures`, if given, counts sources from which a path could not be traced back, which may
-/// happen through piles of faces without area.
+/// Compares paths between points of every kind with the distances of the other engine. `failures`,
+/// if given, counts the sources from which a path could not be traced back, which may happen across
+/// stacks of degenerate faces.
 void ExpectShortest(
   const dgg::SurfaceMesh& mesh, Id sources, Id targets, double tolerance, int* failures = nullptr)
 {
@@ -71,7 +71,7 @@ void ExpectShortest(
   }
 }
 
-/// Distance of a point from the line through two others, in the plane z = 0.
+/// Returns the distance of a point from the line through two others, in the plane z = 0.
 double OffLine(
   const std::array<double, 3>& p, const std::array<double, 3>& a, const std::array<double, 3>& b)
 {
@@ -87,8 +87,8 @@ TEST(ExactPath, IsAsLongAsTheDistance)
   std::vector<bool> isBack;
   std::vector<Id> sheetOf;
   Id unused = 0;
-  // Where a window does not show which faces it has crossed, as at spines, the tracer finds out by
-  // trying.
+  // If a window does not determine the faces that it has crossed, as at spines, the tracer tries
+  // the candidates.
   const std::vector<NamedMesh> more{ { "sharp cone", Cone(2.2, 9, 4, coordinates, 0.2) },
     { "saddle", Cone(9.7, 17, 4, coordinates, 0.2) },
     { "glued torus", FlatTorus(1.0, 0.3, 0.8, 2, 2, true) },
@@ -100,8 +100,8 @@ TEST(ExactPath, IsAsLongAsTheDistance)
   for (const NamedMesh& named : Joined(AllMeshes(), more))
   {
     SCOPED_TRACE(named.Name);
-    // Windows light up to 1e-9 edges beyond their ends: next to faces as narrow, a path can save
-    // part of that.
+    // Windows illuminate up to 1e-9 edges beyond their ends. Next to faces of that width, a path
+    // can be shorter by a fraction of this length.
     const bool isNarrow = named.Name.find("1e-9") != std::string::npos;
     ExpectShortest(Build(named.Mesh), 5, 40, isNarrow ? 1e-9 : 1e-10);
   }
@@ -110,7 +110,7 @@ TEST(ExactPath, IsAsLongAsTheDistance)
 TEST(ExactPath, OfOnePoint)
 {
   const dgg::SurfaceMesh mesh = Build(NoisySphere(1, 0.2, 3));
-  // The same point of an edge, given from its other side.
+  // The same point of an edge, given on the opposite half-edge.
   const SurfacePoint point = SurfacePoint::OnEdge(mesh, 12, 0.3);
   const auto path = FindPaths(mesh, point, { SurfacePoint::OnEdge(mesh, mesh.Twin(12), 0.7) })[0];
   EXPECT_EQ(path.Points.size(), 1u);
@@ -132,11 +132,11 @@ TEST(ExactPath, Soups)
     }
     if (hasFaces)
     {
-      // The engines agree to no more on faces without area.
+      // With degenerate faces the engines agree only to this tolerance.
       ExpectShortest(mesh, 2, 10, 1e-6, &failures);
     }
   }
-  EXPECT_LE(failures, 8); // of 800
+  EXPECT_LE(failures, 8); // of 800 sources
 }
 
 TEST(ExactPath, IsStraightInThePlane)
@@ -160,7 +160,7 @@ TEST(ExactPath, IsStraightInThePlane)
           const auto p = dgg::PositionOf(mesh, point, input.Points.data());
           EXPECT_TRUE(paths[t].Points.size() == 1 || OffLine(p, a, b) < 1e-12);
           const double along = std::hypot(p[0] - a[0], p[1] - a[1]);
-          EXPECT_GT(along, before); // from start to end, no point twice
+          EXPECT_GT(along, before); // points advance from start to end without repetition
           before = along;
         }
       }
@@ -168,7 +168,7 @@ TEST(ExactPath, IsStraightInThePlane)
   }
 }
 
-/// What a finder has done before makes no difference.
+/// Results do not depend on earlier queries of a finder.
 TEST(ExactPath, MayBeAskedAgain)
 {
   std::vector<NamedMesh> meshes = DefectMeshes();
@@ -184,7 +184,7 @@ TEST(ExactPath, MayBeAskedAgain)
     const double limits[] = { dgg::Infinity, 3.0 * mesh.GetMaximumEdgeLength(), 0.0 };
     for (std::size_t k = 0; k < points.size(); ++k)
     {
-      // Targets in plenty now and then, a stop, a point that does not exist.
+      // Vary the queries: many targets, a stop, a point that does not exist.
       const auto end = points.begin() + static_cast<std::ptrdiff_t>(k % 7 == 0 ? points.size() : 1);
       std::vector<SurfacePoint> to(points.begin(), end);
       to.push_back(points[(7 * k + 1) % points.size()]);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Predecessors, radius limit, early exit at targets, reuse of a solver; parts of the exact engines.
+// Predecessors, radius limit, early exit at targets, reuse of a solver; components of the exact
+// engines.
 #include "GeodesicChecks.h"
 #include "TestMeshes.h"
 
@@ -14,7 +15,7 @@ namespace dggtest
 {
 namespace
 {
-/// Follows the roots from v to a source, and checks the length of each straight piece. Returns the
+/// Follows the roots from v to a source and checks the length of each straight piece. Returns the
 /// index of the source.
 Id FollowRoots(const dgg::SurfaceMesh& mesh, const std::vector<dgg::GeodesicSource>& sources,
   const dgg::ExactResult& result, Id v)
@@ -30,7 +31,7 @@ Id FollowRoots(const dgg::SurfaceMesh& mesh, const std::vector<dgg::GeodesicSour
       EXPECT_EQ(mesh.Apex(p.HalfEdge), v);
       EXPECT_LT(p.ImageY, 0.0);
       piece = std::hypot(mesh.ApexX(p.HalfEdge) - p.ImageX, mesh.ApexY(p.HalfEdge) - p.ImageY);
-      // The piece crosses the half-edge.
+      // Parameter at which the piece crosses the half-edge.
       const double t = -p.ImageY / (mesh.ApexY(p.HalfEdge) - p.ImageY);
       const double x = p.ImageX + t * (mesh.ApexX(p.HalfEdge) - p.ImageX);
       EXPECT_GE(x, -1e-9 * mesh.Length(p.HalfEdge));
@@ -137,7 +138,7 @@ TEST_P(ExactResults, RootsLeadToTheNearestSource)
 
 TEST_P(ExactResults, RootsAreWherePathsBend)
 {
-  // In an L, all paths to the far arm bend at the inner corner.
+  // In an L, all paths to the far arm bend at the reflex corner.
   const TestMesh input = Plate(
     6, 6, [](Id i, Id j) { return i < 2 || j < 2; }, 0.2, 3);
   const dgg::SurfaceMesh mesh = Build(input);
@@ -188,7 +189,7 @@ TEST_P(ExactLimits, RadiusCutsTheFullField)
           {
             if (std::abs(whole[i] - radius) <= 1e-11 * diameter)
             {
-              continue; // on the limit itself rounding decides
+              continue; // at the limit itself, rounding errors decide
             }
             if (whole[i] > radius)
             {
@@ -250,7 +251,7 @@ TEST_P(ExactLimits, EarlyExitGivesTheFullAnswer)
       const double tolerance = 1e-12 * LargestFinite(full.Distances);
       ExpectSameField(full.TargetDistances, early.TargetDistances, tolerance, "targets");
       EXPECT_EQ(full.TargetNearestSource, early.TargetNearestSource);
-      // What is reported for the vertices is final as well.
+      // Distances reported at vertices are final as well.
       for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
       {
         if (early.Distances[v] < dgg::Infinity)
@@ -305,7 +306,7 @@ TEST_P(ExactLimits, ReuseChangesNothing)
 
 TEST(WindowEnvelope, IsTheLeastOfWindowsInAnyOrder)
 {
-  // Images over one half-edge, those of later windows anywhere before the others.
+  // Images over one half-edge; later windows start anywhere relative to earlier ones.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::vector<dgg::Window> windows(300);
@@ -345,7 +346,7 @@ TEST(WindowEnvelope, IsTheLeastOfWindowsInAnyOrder)
 
 TEST(WindowPropagation, EndsWhereStretchedTrianglesMultiplyWindows)
 {
-  // A strip with one side, a million times as long as high: windows run around it again and again.
+  // A one-sided strip, a million times as long as high, around which windows run again and again.
   TestMesh mesh;
   constexpr Id columns = 600;
   constexpr Id rows = 3;

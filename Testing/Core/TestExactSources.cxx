@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sources at vertices, on edges and in faces, several at once, with initial distances, and cases in
+// Sources at vertices, on edges and in faces, multiple sources with initial distances, and cases in
 // which rules of window propagation matter: each case fails without the rule that it tests.
 #include "GeodesicChecks.h"
 #include "TestMeshes.h"
@@ -14,7 +14,7 @@ namespace dggtest
 {
 namespace
 {
-/// Meshes of different kinds, for tests that need no truth.
+/// Returns meshes of different kinds, for tests without reference distances.
 std::vector<NamedMesh> Zoo()
 {
   std::vector<Id> sheetOf;
@@ -98,8 +98,8 @@ TEST_P(ExactSources, SeveralAreThePointwiseMinimum)
 
 TEST_P(ExactSources, PointsAreAsGoodAsVertices)
 {
-  // A source inside a face or an edge against the same point inserted as a vertex, and the distance
-  // to a target against that to the vertex.
+  // Compares a source inside a face or an edge with the same point inserted as a vertex, and the
+  // distance to a target with the distance to that vertex.
   for (const NamedMesh& named : Zoo())
   {
     if (named.Mesh.Points.empty())
@@ -115,7 +115,7 @@ TEST_P(ExactSources, PointsAreAsGoodAsVertices)
       const auto triangle = mesh.GetTriangle(point.Face);
       if (point.On == dgg::SurfacePoint::Support::Face)
       {
-        // The refined mesh keeps the corners in the order of the input.
+        // The refined mesh has the corners in the order of the input.
         std::array<double, 3> b = point.Barycentric;
         if (mesh.IsFlipped(point.Face))
         {
@@ -158,7 +158,7 @@ TEST_P(ExactSources, OffsetsShiftTheField)
     std::vector<double> expected = Solve(mesh, this->Engine(), { { point, 0.0 } }).Distances;
     for (const double offset : { 0.5, -0.5, 100.0, -100.0 })
     {
-      // The smallest offset of a point counts.
+      // The smallest initial distance of a point is used.
       const auto distances = Solve(mesh, this->Engine(),
         { { point, offset + 0.4 }, { point, offset },
           { point,
@@ -175,8 +175,8 @@ TEST_P(ExactSources, OffsetsShiftTheField)
 
 TEST_P(ExactSources, OnSeamsWithoutArea)
 {
-  // A triangle and a strip of two triangles without area along one of its edges: as close to that
-  // edge as a source on any edge of the strip is, it is on it.
+  // A triangle, and a strip of two degenerate triangles along one of its edges. A source on any
+  // edge of the strip is within tolerance of that edge and hence lies on the edge.
   const std::vector<std::vector<Id>> strips{ { 0, 1, 2, 1, 3, 2 }, { 1, 3, 2, 0, 1, 2 },
     { 0, 1, 3, 0, 3, 2 } };
   for (const double scale : { 1e-3, 1.0, 1e6 })
@@ -211,8 +211,9 @@ class ExactTraps : public EngineTest
 };
 DGG_WITH_BOTH_ENGINES(ExactTraps);
 
-// Of the windows that light an apex only the nearest needs both children, but not when the nearest
-// comes from a source inside a face, which may lie within the cone of the other.
+// Only the nearest of the windows that illuminate an apex needs both children. The rule does not
+// hold if the nearest window comes from a source inside a face, which may lie within the cone of
+// the other window.
 TEST_P(ExactTraps, OneChildRuleNeedsAVertexAsRoot)
 {
   double worst = 0.0;
@@ -223,8 +224,8 @@ TEST_P(ExactTraps, OneChildRuleNeedsAVertexAsRoot)
     const auto points = RandomSurfacePoints(mesh, 2, seed);
     const std::array<double, 3> places[] = { dgg::PositionOf(mesh, points[0], input.Points.data()),
       dgg::PositionOf(mesh, points[1], input.Points.data()) };
-    // The second source starts a little earlier than the first one arrives: it wins in a narrow
-    // strip behind itself, the first one on both sides of it.
+    // The second source starts slightly before the first wavefront arrives. It is nearest in a
+    // narrow strip behind itself, and the first source is nearest on both sides of the strip.
     const double between = std::hypot(places[0][0] - places[1][0], places[0][1] - places[1][1]);
     for (const double lead : { 0.3, 0.1, 0.03, 0.01 })
     {
@@ -244,7 +245,7 @@ TEST_P(ExactTraps, OneChildRuleNeedsAVertexAsRoot)
 }
 
 // On an edge with three faces the windows come from different sides: one table of winners for all
-// of them is wrong. Any two sheets of a book are a plane.
+// sides is wrong. Any two pages of a book unfold to a plane.
 TEST_P(ExactTraps, SheetsOfABookArePlanes)
 {
   for (const Id sheets : { 3, 5 })
@@ -253,7 +254,7 @@ TEST_P(ExactTraps, SheetsOfABookArePlanes)
     {
       std::vector<Id> sheetOf;
       const TestMesh input = Book(sheets, 5, sheetOf, jitter, 3);
-      auto place = [&](Id v) { // distance from the spine, and position along it
+      auto place = [&](Id v) { // distance from the spine, and position along the spine
         return std::array<double, 2>{ { std::hypot(input.Point(v)[0], input.Point(v)[2]),
           input.Point(v)[1] } };
       };
@@ -267,8 +268,8 @@ TEST_P(ExactTraps, SheetsOfABookArePlanes)
   }
 }
 
-// The same with sources on two sheets that compete on the third: the one may lie within the cone of
-// the other when the sheets are folded together, although its light never was in that cone.
+// Sources on two pages compete on the third page. One source may lie within the cone of the other
+// one when the pages are folded together, although the window of that cone never passed there.
 TEST_P(ExactTraps, SheetsOfABookCompete)
 {
   double worst = 0.0;
@@ -285,7 +286,7 @@ TEST_P(ExactTraps, SheetsOfABookCompete)
     std::array<std::vector<Id>, 3> sheets;
     for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
-      // On the third sheet only what lies next to the spine.
+      // On the third page only vertices close to the spine.
       if (sheetOf[v] >= 0 && (sheetOf[v] < 2 || away(v) < 1.5))
       {
         sheets[sheetOf[v]].push_back(v);
@@ -300,8 +301,9 @@ TEST_P(ExactTraps, SheetsOfABookCompete)
       const Id far = pick(sheets[0]);
       const Id near = pick(sheets[1]);
       const Id prize = pick(sheets[2]);
-      // The near source wins the prize by little, and a narrow strip about it: with the sheets
-      // folded together it lies almost on the way of the far source.
+      // The near source is nearest at the vertex `prize` by a small margin, and in a narrow strip
+      // around this vertex. With the pages folded together the near source lies almost on the path
+      // of the far source.
       const double offset =
         between(far, prize) - between(near, prize) - random.Uniform(0.0001, 0.02);
       const double folded =
@@ -315,7 +317,7 @@ TEST_P(ExactTraps, SheetsOfABookCompete)
       for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
       {
         const double truth = std::min(between(far, v), offset + between(near, v));
-        worst = std::max(worst, std::abs(distances[v] - truth)); // distances of a few edges
+        worst = std::max(worst, std::abs(distances[v] - truth)); // distances are a few edges long
       }
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finer faces in a part of a surface.
+// Refinement of faces in a region of a surface.
 #include "CurveChecks.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
@@ -41,7 +41,8 @@ double AreaOf(const SubMesh& surface, Id f)
     surface.Lengths[3 * f], surface.Lengths[3 * f + 1], surface.Lengths[3 * f + 2]);
 }
 
-/// Faces are parts of their parents, and the chosen ones have parts of one size.
+/// Expects faces to be parts of their parents, and the parts of the chosen faces to have equal
+/// size.
 void ExpectParts(const SubMesh& before, const SubMesh& after, const std::vector<Id>& parents,
   const std::vector<Id>& chosen, int levels)
 {
@@ -72,7 +73,7 @@ void ExpectParts(const SubMesh& before, const SubMesh& after, const std::vector<
   }
 }
 
-/// Equilateral triangles: rows of a plane pushed sideways.
+/// Returns a plane of equilateral triangles with sheared rows.
 TestMesh EquilateralPlane(Id n)
 {
   TestMesh mesh = Plane(n, n);
@@ -136,7 +137,7 @@ TEST(FaceRefinement, GreenFacesAreSplitOnce)
 
 TEST(FaceRefinement, ParametersBetweenPointsInOnePlace)
 {
-  // Points 1 to 3 are one vertex; the middle of the edge behind is halfway from point 3 to 4.
+  // Points 1 to 3 are one vertex; the midpoint of the next edge is halfway between points 3 and 4.
   const dgg::SurfaceMesh mesh = Build(Plane(1, 1));
   const dgg::SurfacePoint start = dgg::SurfacePoint::AtVertex(0);
   const dgg::SurfacePoint stop = dgg::SurfacePoint::AtVertex(1);
@@ -149,11 +150,11 @@ TEST(FaceRefinement, ParametersBetweenPointsInOnePlace)
   EXPECT_EQ(chain.GivenPoints, (std::vector<dgg::Offset>{ 0, 2, 2, 2, 4 }));
 }
 
-// Triangles of zero area are taken out, and the surface stays what it is.
+// Triangles of zero area are removed, and the surface does not change.
 
 namespace
 {
-/// A mesh without its caps, how many there were, and where its triangles come from.
+/// A mesh without its caps, the number of caps, and the parent of each triangle.
 struct Split
 {
   TestMesh Mesh;
@@ -189,7 +190,7 @@ double AreaOf(const TestMesh& mesh, Id f)
   return 0.5 * std::hypot(cross[0], cross[1], cross[2]);
 }
 
-/// Each triangle of the input has the area that it had, in the pieces that come from it.
+/// Expects the pieces of each input triangle to have the same total area as the triangle.
 void ExpectSameAreas(const TestMesh& before, const Split& after)
 {
   ASSERT_EQ(after.Parents.size(), static_cast<std::size_t>(after.Mesh.GetNumberOfFaces()));
@@ -204,8 +205,9 @@ void ExpectSameAreas(const TestMesh& before, const Split& after)
   }
 }
 
-/// The unit square in two rectangles that meet in x = 1/2, the left one with an edge there, the
-/// right one with `points` more points on it; caps fill the gap, in a fan or in a zigzag.
+/// Returns the unit square as two rectangles that meet at x = 1/2. The left one has an edge there,
+/// the right one has `points` additional points on the edge; caps fill the gap as a fan or a
+/// zigzag.
 TestMesh Seam(Id points, bool isFan, std::uint64_t seed)
 {
   Random random(seed);
@@ -259,7 +261,7 @@ TEST(CapSplitting, SeamsOfAPlaneVanish)
       EXPECT_GE(split.Caps, points);
       EXPECT_EQ(split.Height, 0.0);
       ExpectSameAreas(mesh, split);
-      // A plane again, in which all distances are those of the plane, to the last digits.
+      // The result is a plane again, and all distances are planar up to rounding.
       const dgg::SurfaceMesh plane = Build(split.Mesh);
       EXPECT_EQ(plane.GetNumberOfDegenerateFaces(), 0);
       EXPECT_EQ(plane.GetMollification(), 0.0);
@@ -290,7 +292,8 @@ TEST(CapSplitting, HeightsAreReported)
 
 TEST(CapSplitting, AnyNumberOfSheetsOnTheLongEdge)
 {
-  // Three sheets on an edge, a cap on it, and a sheet on each of its short edges.
+  // Three faces share an edge with a cap, and another face is on each of the short edges of the
+  // cap.
   TestMesh mesh;
   const Id a = mesh.AddPoint(0.0, 0.0, 0.0);
   const Id b = mesh.AddPoint(2.0, 0.0, 0.0);
@@ -313,7 +316,7 @@ TEST(CapSplitting, AnyNumberOfSheetsOnTheLongEdge)
 
 TEST(CapSplitting, NothingComesApart)
 {
-  // A cap on the boundary goes where both of its short edges have another triangle ...
+  // A cap on the boundary is removed if both of its short edges have another triangle ...
   TestMesh mesh;
   const Id a = mesh.AddPoint(0.0, 0.0, 0.0);
   const Id b = mesh.AddPoint(2.0, 0.0, 0.0);
@@ -324,18 +327,18 @@ TEST(CapSplitting, NothingComesApart)
   EXPECT_EQ(SplitMesh(mesh).Caps, 0);
   mesh.AddTriangle(c, b, d);
   EXPECT_EQ(SplitMesh(mesh).Caps, 1);
-  // ... and not where it alone holds them together.
+  // ... and kept if the cap alone connects the edges ...
   TestMesh line;
   line.Points = mesh.Points;
   line.AddTriangle(a, b, c);
   EXPECT_EQ(SplitMesh(line).Caps, 0);
   EXPECT_NEAR(DistancesFrom(Build(line), dgg::ExactEngine::Triangle, a)[b], 2.0, 1e-12);
-  // ... however often it is there.
+  // ... regardless of the number of copies.
   line.AddTriangle(c, b, a);
   line.AddTriangle(c, b, d);
   line.AddTriangle(b, c, d);
   EXPECT_EQ(SplitMesh(line).Caps, 0);
-  // Copies of a cap go with it.
+  // Copies of a cap are removed with the cap.
   mesh.AddTriangle(b, a, c);
   mesh.AddTriangle(a, b, c);
   const Split split = SplitMesh(mesh);
@@ -343,8 +346,8 @@ TEST(CapSplitting, NothingComesApart)
   EXPECT_EQ(split.Parents, (std::vector<Id>{ 1, 2 }));
 }
 
-// Many points on one line, joined at random: the number of triangles stays bounded, and distances
-// along the line stay what they are.
+// Many collinear points in random triangles: the number of triangles is bounded, and distances
+// along the line do not change.
 TEST(CapSplitting, HeapsOfCapsEnd)
 {
   Random random(7);
@@ -369,7 +372,7 @@ TEST(CapSplitting, HeapsOfCapsEnd)
     EXPECT_NEAR(distances[i], i * 0.25, 1e-9);
   }
 }
-/// A cap on the edge that another one has left: the surface has moved by both.
+/// A cap on an edge that was created by removing another cap: the heights add up.
 TEST(CapSplitting, HeightsAddUp)
 {
   TestMesh mesh;
@@ -387,15 +390,16 @@ TEST(CapSplitting, HeightsAddUp)
   mesh.AddTriangle(d, b, p);
   const Split split = SplitMesh(mesh);
   EXPECT_EQ(split.Caps, 2);
-  EXPECT_GE(split.Height, 1.4e-7); // of q above the first triangle, which has it as a corner now
+  EXPECT_GE(split.Height, 1.4e-7); // of q above the first triangle, which now has q as a corner
   EXPECT_LE(split.Height, 2e-7);
 }
 
-// Borders of Voronoi cells within large faces: what finding them may cost.
+// Borders of Voronoi cells within large faces: bounded cost of finding the borders.
 
 namespace
 {
-/// Upright walls along the lines of a grid of columns x rows cells, in `height` rows of quads.
+/// Returns upright walls along the lines of a grid of columns x rows cells, with `height` rows of
+/// quads.
 TestMesh Honeycomb(Id columns, Id rows, Id height)
 {
   TestMesh mesh;
@@ -432,7 +436,8 @@ TestMesh Honeycomb(Id columns, Id rows, Id height)
 
 }
 
-/// Links are dear where light multiplies: they end before they take many times what the rest does.
+/// Links are expensive where windows multiply. The refinement stops before links cost many times as
+/// much as the rest.
 TEST(BorderRefinement, IsBounded)
 {
   const SearchCase c("honeycomb", Honeycomb(5, 5, 40), 0.05);

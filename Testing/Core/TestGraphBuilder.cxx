@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What each construction promises, limits, options, and independence of threads.
+// Guarantees of each construction, limits, options, and independence of threads.
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "TestMeshes.h"
@@ -34,7 +34,7 @@ dgg::GeodesicGraph BuildNearest(const dgg::SurfaceMesh& mesh, Id neighbours)
   });
 }
 
-/// Expect graph distances to be finite exactly within the components of the mesh.
+/// Expects graph distances to be finite exactly within the components of the mesh.
 void ExpectConnected(const dgg::SurfaceMesh& mesh, const dgg::GraphView& graph)
 {
   Id count = 0;
@@ -70,7 +70,8 @@ TEST(GraphBuilderConstructions, OneRelayIsSmallerButBoundsOnlyTheMean)
       EXPECT_FALSE(graph.Info.IsGuaranteed());
       ExpectConnected(mesh, graph.View());
       const DistanceTable table = GraphTable(graph.View());
-      // Never below the exact distance, and not absurdly above.
+      // Distances are never below the exact ones, and their error is at most ten times the
+      // accuracy.
       ExpectWithin(exact, table, 10.0 * accuracy, SlackOf(mesh));
       const RelativeError error = MeasureError(exact, table);
       EXPECT_LT(error.Mean, accuracy);
@@ -79,13 +80,13 @@ TEST(GraphBuilderConstructions, OneRelayIsSmallerButBoundsOnlyTheMean)
         graph.View().GetNumberOfEdges(), BuildGraph(mesh, accuracy).View().GetNumberOfEdges());
     }
   }
-  // Errors add up from relay to relay, which the progress rule of Guaranteed prevents.
+  // Errors accumulate from relay to relay; the progress rule of Guaranteed prevents this.
   EXPECT_GT(worst, 1.0);
 }
 
 TEST(GraphBuilderConstructions, IndirectKeepsTheBound)
 {
-  // Not a theorem, but so it is on all of these.
+  // Not a theorem, but the bound holds on all of these meshes.
   for (const NamedMesh& named : MeshesUpTo(600))
   {
     SCOPED_TRACE(named.Name);
@@ -101,8 +102,8 @@ TEST(GraphBuilderConstructions, IndirectKeepsTheBound)
 
 TEST(GraphBuilderConstructions, IndirectPrunes)
 {
-  // Of the vertices lit, most are superfluous; what is left is no more than the direct rule keeps,
-  // by much.
+  // Most of the illuminated vertices are superfluous; the remaining edges are far fewer than those
+  // of the direct rule.
   const dgg::SurfaceMesh mesh = Build(Plane(30, 30, 0.25, 1));
   dgg::GraphStatistics statistics;
   const dgg::GeodesicGraph indirect = BuildGraph(
@@ -151,8 +152,8 @@ TEST(GraphBuilderConstructions, AllNeighboursAreExact)
 
 TEST(GraphBuilderConstructions, DegreeIsTheNumberOfNeighbours)
 {
-  // On a convex surface everything is seen straight, so that a vertex has an edge to each of its
-  // nearest vertices, and the union with the edges that others have to it adds some.
+  // On a convex surface all shortest paths are straight. Each vertex has an edge to each of its
+  // nearest vertices, and the union with the reverse edges adds more.
   const dgg::SurfaceMesh mesh = Build(Icosphere(3));
   for (const Id neighbours : { 6, 12, 30, 80 })
   {
@@ -176,8 +177,8 @@ TEST(GraphBuilderConstructions, DegreeIsTheNumberOfNeighbours)
 
 TEST(GraphBuilderConstructions, EdgesGoToTheNearest)
 {
-  // Whatever is nearer than the K-th nearest vertex and seen straight is an edge: on a plane
-  // without a reflex corner, that is everything that no vertex hides.
+  // Every vertex closer than the K-th nearest one with a straight path is an edge. On a plane
+  // without a reflex corner these are all vertices that no other vertex hides.
   const TestMesh input = Plane(12, 12, 0.25, 4);
   const dgg::SurfaceMesh mesh = Build(input);
   constexpr Id neighbours = 20;
@@ -191,7 +192,7 @@ TEST(GraphBuilderConstructions, EdgesGoToTheNearest)
     }
     std::vector<double> sorted = distances;
     std::sort(sorted.begin(), sorted.end());
-    const double reach = sorted[neighbours]; // the first one is v itself
+    const double reach = sorted[neighbours]; // the first distance is that of v itself
     const bool isInside = mesh.Kind(v) != dgg::VertexKind::Boundary;
     for (Id w = 0; w < mesh.GetNumberOfVertices(); ++w)
     {
@@ -216,7 +217,7 @@ SurfaceMesh ManyPages()
   return Build(Book(6, 5, unused, 0.2, 1));
 }
 
-/// Expects a refusal that names the remedies, and none that does not help.
+/// Expects an error whose message names the effective remedies and no others.
 void ExpectMessage(const dgg::Status& status, const std::vector<std::string>& has,
   const std::vector<std::string>& hasNot)
 {
@@ -231,7 +232,7 @@ void ExpectMessage(const dgg::Status& status, const std::vector<std::string>& ha
   }
 }
 
-/// The sides of a prism without points inside, so many times as tall as PrismSide().
+/// Returns the sides of a prism without inner points, `factor` times as tall as PrismSide().
 TestMesh TallPrism(Id sides, double factor)
 {
   TestMesh prism = PrismSide(sides, 1, 1);
@@ -244,7 +245,7 @@ TestMesh TallPrism(Id sides, double factor)
 
 constexpr std::size_t Unlimited = dgg::DefaultWindowLimit;
 
-/// A mesh that takes more work than allowed.
+/// A mesh that exceeds the limits of work or memory, and its error message.
 struct Refusal
 {
   SurfaceMesh Mesh;
@@ -275,7 +276,8 @@ TEST(GraphBuilderLimits, RefusalsNameTheRemedy)
            { "manifold", "neighbours" } },
          Refusal{ sphere, 100, GraphConstruction::SaddleVertexGraph, { "vertex", neighbors },
            { "manifold", "accuracy" } },
-         // So many turns around the spine, or such long triangles, that no rule helps.
+         // Windows turn around the spine, or run along such long triangles, so often that no rule
+         // helps.
          Refusal{ Build(Book(800, 3, unused)), Unlimited, GraphConstruction::Guaranteed,
            { "non-manifold edges", "twenty times", "inner walls", accuracy }, {} },
          Refusal{ Build(TallPrism(8000, 8000)), Unlimited, GraphConstruction::Guaranteed,
@@ -300,8 +302,8 @@ TEST(GraphBuilderLimits, RefusalsNameTheRemedy)
   }
 }
 
-// Windows that run over two sheets in one place, or around a tall tube, end: the work for a vertex
-// stays that of a few windows per face, and the theorem holds.
+// Propagation ends for windows that run over two layers in the same position or around a tall tube:
+// the work for a vertex is a few windows per face, and the theorem holds.
 TEST(GraphBuilderLimits, WorkIsBounded)
 {
   struct Case
@@ -360,7 +362,7 @@ TEST(GraphBuilderLimits, LinksAreCompleteOrRefused)
 
 TEST(GraphBuilderLimits, EveryThreadCounts)
 {
-  // What is known of all vertices, once a thread.
+  // Each thread stores a search state of all vertices.
   const SurfaceMesh mesh = Build(Plane(100, 100, 0.2, 1));
   const dgg::GraphBuilder builder(mesh);
   dgg::GraphOptions options;
@@ -383,11 +385,11 @@ TEST(GraphBuilderOptions, WideLengths)
   const dgg::GeodesicGraph wide = BuildGraph(mesh, 0.9e-5);
   EXPECT_TRUE(wide.Lengths.IsEmpty());
   EXPECT_FALSE(wide.WideLengths.IsEmpty());
-  // Without the rounding to floats, distances are the exact ones up to the accuracy.
+  // Without rounding to floats, distances are exact up to the accuracy.
   const DistanceTable exact = ExactTable(mesh);
   const RelativeError error = MeasureError(exact, GraphTable(BuildGraph(mesh, 1e-6).View()));
   EXPECT_LE(error.Largest, 1.0001e-6);
-  // Floats are rounded up by up to 2^-23.
+  // Floats are rounded up by at most 2^-23.
   const dgg::GeodesicGraph narrow = BuildGraph(mesh, 1e-5);
   EXPECT_GT(MeasureError(exact, GraphTable(narrow.View())).Largest, 1e-8);
 }
@@ -421,7 +423,7 @@ TEST(GraphBuilderOptions, EstimateIsClose)
         const auto edges = static_cast<double>(graph.View().GetNumberOfEdges());
         const std::string what = named.Name + ", construction " +
           std::to_string(static_cast<int>(construction)) + ", accuracy " + std::to_string(accuracy);
-        // How many candidates are pruned differs much from mesh to mesh.
+        // The fraction of pruned candidates varies strongly between meshes.
         const double tolerance = construction == GraphConstruction::Indirect ? 0.5 : 0.25;
         EXPECT_NEAR(estimate.Edges / edges, 1.0, tolerance) << what;
         EXPECT_NEAR(estimate.Memory / static_cast<double>(graph.GetMemorySize()), 1.0, tolerance)
@@ -433,8 +435,8 @@ TEST(GraphBuilderOptions, EstimateIsClose)
 
 TEST(GraphBuilderOptions, DegreeFollowsTheLaw)
 {
-  // The expected number of edges found from a vertex among vertices at random is 4.17 by the square
-  // root of the accuracy, as long as the mesh has many more.
+  // The expected number of edges found from a vertex among random vertices is 4.17 divided by the
+  // square root of the accuracy, if the mesh has many more vertices.
   for (const double accuracy : { 0.05, 0.02, 0.01, 0.004 })
   {
     for (const NamedMesh& named :
@@ -451,15 +453,15 @@ TEST(GraphBuilderOptions, DegreeFollowsTheLaw)
   }
 }
 
-// The graph does not depend on how its caller runs loops: the same bytes for any number of threads,
-// any ranges, in any order.
+// The graph does not depend on the execution of loops by the caller: it is identical byte by byte
+// for any number of threads and any ranges, in any order.
 
 namespace
 {
 using dgg::Offset;
 using Body = std::function<void(Offset, Offset)>;
 
-/// Ranges from the last to the first.
+/// Runs ranges from the last to the first.
 void Backwards(Offset total, Offset /*grain*/, const Body& body)
 {
   constexpr Offset step = 7;
@@ -506,11 +508,11 @@ void ExpectSameForAllLoops(const TestMesh& input, double accuracy, dgg::GraphCon
 TEST(GraphBuilderThreads, SameGraph)
 {
   constexpr auto guaranteed = dgg::GraphConstruction::Guaranteed;
-  // More rows than are built in one go, so that rows meet those of earlier ones.
+  // More rows than are built in one batch, so that rows meet rows of earlier batches.
   ExpectSameForAllLoops(Plane(45, 40, 0.25, 1), 0.05, guaranteed);
   ExpectSameForAllLoops(NoisySphere(3, 0.4, 2), 0.01, guaranteed);
   ExpectSameForAllLoops(NoisySphere(3, 0.4, 2), 1e-6, guaranteed);
-  // Ties.
+  // Regular meshes with ties.
   ExpectSameForAllLoops(Plane(40, 40), 0.02, guaranteed);
   ExpectSameForAllLoops(Cube(12), 0.02, guaranteed);
   ExpectSameForAllLoops(Icosphere(3), 0.02, guaranteed);
@@ -523,7 +525,7 @@ TEST(GraphBuilderThreads, SameGraph)
 
 TEST(GraphBuilderThreads, BuilderMayBeUsedAgain)
 {
-  // Other accuracies and links in between leave no trace.
+  // Builds with other accuracies and link queries in between have no effect.
   const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.4, 2));
   const dgg::GraphBuilder builder(mesh);
   dgg::GraphOptions options;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Corrected labels: within the accuracy without exception, and much better than that.
+// Corrected labels: always within the accuracy, and much closer on average.
 #include "GeodesicChecks.h"
 #include "SearchChecks.h"
 #include "TestMeshes.h"
@@ -23,7 +23,7 @@ SearchResult RunCorrected(const SearchCase& c, const std::vector<GraphSeed>& see
   return c.Run(seeds, [](SearchOptions& options) { options.Correct = true; });
 }
 
-/// Mean errors over all vertices from some sources.
+/// Mean errors over all vertices from several sources.
 struct MeanErrors
 {
   double Raw = 0.0;
@@ -63,8 +63,8 @@ void ExpectImproved(
     << c.GetName() << ": raw " << errors.Raw << ", corrected " << errors.Corrected;
 }
 
-/// Expects corrected distances within the accuracy, less the smallest offset, and much better on
-/// average than labels.
+/// Expects corrected distances within the accuracy, relative to the smallest offset, and much
+/// smaller mean errors than those of the labels.
 void ExpectCorrected(const SearchCase& c, const std::vector<GraphSeed>& seeds,
   const std::vector<dgg::GeodesicSource>& sources)
 {
@@ -136,7 +136,7 @@ TEST(GraphCorrection, SourcesAnywhereWithOffsets)
 
 TEST(GraphCorrection, ExactWhereTheSurfaceIsFlat)
 {
-  // Nothing is unknown there but the rounding of angles, which are floats.
+  // The only error is the rounding of angles to floats.
   const SearchCase c("plane", Plane(25, 25, 0.25, 3), 0.05);
   for (Id source : { 0, 13, 340 })
   {
@@ -179,7 +179,8 @@ TEST(GraphCorrection, MuchBetterThanTheLabels)
 
 TEST(GraphCorrection, NoLowerBoundWithoutAGuarantee)
 {
-  // There an estimate may be below what the accuracy would allow; it is never above the label.
+  // Without a guarantee an estimate may be below the bound of the accuracy, but never above the
+  // label.
   for (GraphConstruction construction :
     { GraphConstruction::OneRelay, GraphConstruction::SaddleVertexGraph })
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Links: what makes a point anywhere on the surface a vertex of the graph, with the same promise.
+// Links: they connect any surface point to the graph like a vertex, with the same guarantee.
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "TestMeshes.h"
@@ -46,8 +46,8 @@ Linked LinksOf(const SurfaceMesh& mesh, const dgg::GraphBuilder& builder, const 
   return linked;
 }
 
-/// Points of every kind: random ones in faces and on edges, points close to each other and to
-/// vertices, the middle of every kind of edge, vertices.
+/// Returns points of every kind: random points in faces and on edges, points close to each other
+/// and to vertices, midpoints of every kind of edge, and vertices.
 std::vector<SurfacePoint> PointsOfAllKinds(const SurfaceMesh& mesh, Id count, std::uint64_t seed)
 {
   std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, count, seed);
@@ -80,8 +80,8 @@ std::vector<SurfacePoint> PointsOfAllKinds(const SurfaceMesh& mesh, Id count, st
     { { 0.0, 1.0, 0.0 } } };
   if (mesh.ApexY(3 * f + 1) > 0.01 * mesh.Length(3 * f + 1))
   {
-    // As close to an edge as a point can be without being on it. In a sliver, exact distances from
-    // there are not to be had: windows seen edge-on are dropped.
+    // The smallest distance from an edge without being on the edge. In a sliver, exact distances
+    // from such a point are not available: windows seen edge-on are discarded.
     places.push_back({ { 2e-9, 0.5, 0.5 } });
   }
   for (const std::array<double, 3>& b : places)
@@ -93,8 +93,8 @@ std::vector<SurfacePoint> PointsOfAllKinds(const SurfaceMesh& mesh, Id count, st
   return points;
 }
 
-/// Expect the way between any two of the points, by links and graph or direct, to be within the
-/// accuracy, and the same from either end.
+/// Expects the path between any two of the points, by links and graph or direct, to be within the
+/// accuracy and equally long from both ends.
 void ExpectLinksKeepTheBound(
   const SurfaceMesh& mesh, const std::vector<SurfacePoint>& points, double accuracy)
 {
@@ -131,7 +131,7 @@ void ExpectLinksKeepTheBound(
         ASSERT_EQ(way, dgg::Infinity) << p << " to " << q;
         continue;
       }
-      // Between points next to each other, rounding is that of the length of an edge.
+      // Between adjacent points, the rounding error is relative to the length of an edge.
       const double rounding = slack + 1e-12 * largest;
       ASSERT_GE(way, d * (1.0 - 1e-9) - rounding) << p << " to " << q;
       ASSERT_LE(way, (1.0 + accuracy) * d * (1.0 + 1e-6) + rounding)

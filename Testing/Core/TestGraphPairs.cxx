@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances from many sources, and farthest point samples.
+// Distances from many sources, and farthest point sampling.
 #include "SearchChecks.h"
 #include "TestMeshes.h"
 
@@ -24,7 +24,7 @@ namespace
 using dgg::GraphSeed;
 using dgg::Offset;
 
-/// Distances of all vertices from each of many, row by row.
+/// Returns the distances of all vertices from each of many sources, row by row.
 dgg::Status FindRows(const SearchCase& c, const std::vector<Id>& sources, double radius,
   const dgg::ParallelFor& parallel, std::vector<double>& rows)
 {
@@ -69,7 +69,7 @@ TEST(GraphPairs, ManyAgreeWithDijkstra)
   for (const auto& c : SearchCases())
   {
     const Id n = c->GetNumberOfVertices();
-    // Not a multiple of what is searched together, some twice.
+    // The number of sources is not a multiple of the batch size, and some occur twice.
     std::vector<Id> sources{ 0, n - 1, n / 2, n / 2 };
     Random random(17);
     for (int i = 0; i < 9; ++i)
@@ -83,7 +83,7 @@ TEST(GraphPairs, ManyAgreeWithDijkstra)
 
 TEST(GraphPairs, ManyFarApartAndWithinARadius)
 {
-  // So far apart that they are searched one by one.
+  // The sources are so far apart that they are searched one by one.
   const SearchCase plane("plane", Plane(70, 70, 0.2, 2), 0.1);
   ExpectRows(plane, { 0, 2500, 4999, 70 }, dgg::Infinity, nullptr);
   ExpectRows(plane, { 0, 2500, 4999, 70 }, 20.0, WithThreads(2));
@@ -101,8 +101,7 @@ TEST(GraphPairs, ManyFarApartAndWithinARadius)
 
 TEST(GraphPairs, ManySetsOfSeeds)
 {
-  // Each source a few vertices close together with distances to start with, as for points of the
-  // surface.
+  // Each source is a set of neighboring vertices with initial distances, like a surface point.
   const SearchCase c("sphere", NoisySphere(4, 0.1, 4), 0.05);
   const Id n = c.GetNumberOfVertices();
   Random random(5);
@@ -140,7 +139,7 @@ TEST(GraphPairs, GroupsOfSourcesAreCloseTogether)
   {
     sources.push_back(v);
   }
-  sources.insert(sources.end(), 20, 7); // one vertex over and over
+  sources.insert(sources.end(), 20, 7); // repeat one vertex
   const auto groups = dgg::GroupSources(c.GetMesh(), sources, 8);
   std::vector<int> places(sources.size(), 0);
   double spread = 0.0;
@@ -157,7 +156,7 @@ TEST(GraphPairs, GroupsOfSourcesAreCloseTogether)
     }
   }
   EXPECT_EQ(places, std::vector<int>(sources.size(), 1));
-  // Eight sources take about 6 x 6 edges.
+  // Eight sources cover about 6 x 6 edges.
   EXPECT_LT(spread, 16.0);
   EXPECT_LE(groups.size(), sources.size() / 8 + 3);
 }
@@ -202,7 +201,7 @@ using dgg::FarthestVertex;
 using dgg::GraphSeed;
 using dgg::GraphView;
 
-/// The farthest vertex with edges, by looking at all of them.
+/// Returns the farthest vertex with edges by linear search.
 FarthestVertex LookForFarthest(const GraphView& graph, const std::vector<double>& distances)
 {
   FarthestVertex farthest;
@@ -221,7 +220,7 @@ void AddVertex(FarthestPoints& points, Id vertex)
   EXPECT_TRUE(Ok(points.Add({ SeedAt(vertex) }, nullptr)));
 }
 
-/// Samples until there are `count` or no more.
+/// Samples until there are `count` samples or no more vertices.
 std::vector<Id> Sample(FarthestPoints& points, Id first, std::size_t count)
 {
   std::vector<Id> samples;
@@ -280,7 +279,7 @@ TEST(FarthestPoints, AllVerticesButIsolatedOnes)
 
 TEST(FarthestPoints, TiesGoToTheSmallestId)
 {
-  // On a path of equal edges, both ends are as far from the middle.
+  // On a path of equal edges, both ends have the same distance from the middle.
   const std::vector<dgg::Offset> offsets{ 0, 1, 3, 5, 7, 8 };
   const std::vector<Id> targets{ 1, 0, 2, 1, 3, 2, 4, 3 };
   const std::vector<float> lengths(8, 1.0f);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of the graph builder and of searches by themselves; signature and checksum of a graph.
+// Unit tests of the components of the graph builder and of searches; signature and checksum of a
+// graph.
 #include "GraphChecks.h"
 #include "SearchChecks.h"
 #include "TestMeshes.h"
@@ -65,8 +66,9 @@ TEST(GraphParts, RoundedUp)
 
 TEST(GraphParts, UniteDirectionsOfLongRows)
 {
-  // Random graphs of more rows than are united at once, and with long rows, in two steps: what is
-  // left is one edge a pair, the shorter way, in the row of the earlier vertex where that has it.
+  // Random graphs with more rows than are united in one batch, and with long rows, in two steps.
+  // The result has one edge per pair, the shorter path, stored in the row of the first vertex if
+  // that row has the edge.
   for (const Id degree : { 3, 40, 400 })
   {
     constexpr Id count = 900;
@@ -135,8 +137,8 @@ TEST(GraphParts, UniteDirectionsOfLongRows)
 
 TEST(GraphParts, PruneCandidates)
 {
-  // From 0, the candidate 2 is beyond 1 with a detour that the accuracy just does or does not allow
-  // for: 1 / 1.25 + w <= 2 up to w = 1.2.
+  // From 0, the candidate 2 is behind 1 with a detour just within or just beyond the accuracy: 1 /
+  // 1.25 + w <= 2 up to w = 1.2.
   for (const double w : { 1.1999, 1.2001 })
   {
     RowStore rows(true);
@@ -151,8 +153,8 @@ TEST(GraphParts, PruneCandidates)
 
 TEST(GraphParts, PrunedCandidatesAreNoRelays)
 {
-  // 3 is reached in time by 2, but 2 itself is not kept; by 1 it is not reached in time. If pruned
-  // candidates counted, errors would add up.
+  // The detour to 3 by 2 is within the accuracy, but 2 itself is pruned; the detour by 1 is not. If
+  // pruned candidates were used as relays, errors would accumulate.
   RowStore rows(true);
   Append(rows, { { 1, 1.0, 0.0F, 0.0F }, { 2, 2.0, 0.0F, 0.0F }, { 3, 3.0, 0.0F, 0.0F } });
   Append(rows, { { 2, 1.15, 0.0F, 0.0F } });
@@ -164,7 +166,7 @@ TEST(GraphParts, PrunedCandidatesAreNoRelays)
 
 TEST(GraphParts, UnfoldingTableSaysWhenTooLarge)
 {
-  // No mesh that large is made here: only what would become of it.
+  // No mesh of that size is built: only its extent is checked.
   constexpr Offset most = std::numeric_limits<Id>::max();
   const auto check = [](Offset halfEdges, bool needsMirrors, Offset branchHalfEdges) {
     dgg::UnfoldingTable::Extent extent;
@@ -259,7 +261,7 @@ TEST(GraphArrays, SignatureDistinguishesSurfaces)
     change(changed);
     EXPECT_TRUE(insert(changed));
   };
-  // Every coordinate counts, down to the last bit and the sign of zero.
+  // Every coordinate is hashed, including the last bit and the sign of zero.
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
     expectNew([=](TestMesh& m) { m.Points[i] = std::nextafter(m.Points[i], 100.0); });
@@ -270,7 +272,7 @@ TEST(GraphArrays, SignatureDistinguishesSurfaces)
     expectNew([=](TestMesh& m) { m.Triangles[i] = (m.Triangles[i] + 1) % 16; });
   }
   expectNew([](TestMesh& m) { std::swap(m.Triangles[1], m.Triangles[2]); });
-  // Where points end and triangles begin, and zeros at an end.
+  // The boundary between points and triangles is hashed, and so are zeros at an end.
   expectNew([](TestMesh& m) { m.AddPoint(0.0, 0.0, 0.0); });
   expectNew([](TestMesh& m) { m.Triangles.resize(m.Triangles.size() - 3); });
 }

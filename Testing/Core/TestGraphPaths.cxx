@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shortest paths between two points in a graph, and what leads the search to them.
+// Shortest paths between two points in a graph, and the heuristics that guide the search.
 #include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
@@ -30,7 +30,8 @@ using dgg::GraphSeed;
 using dgg::Offset;
 using Seeds = std::vector<GraphSeed>;
 
-/// Null where there are none that fit: meshes given by lengths alone, and mollified ones.
+/// Returns the positions of the points; null for meshes given by lengths alone and for mollified
+/// meshes.
 const double* PositionsOf(const SearchCase& c)
 {
   const bool isEmbedded = c.GetMesh().GetMollification() == 0.0 && !c.GetPoints().Points.empty();
@@ -48,7 +49,7 @@ double ExpectedLength(const SearchCase& c, const Seeds& from, const Seeds& to)
   return length;
 }
 
-/// Expect a path to lead from the one set of seeds to the other one, and to be as long as it says.
+/// Expects a path to connect the two sets of seeds and to have the reported length.
 void ExpectPath(
   const dgg::GraphView& graph, const Seeds& from, const Seeds& to, const GraphPath& path)
 {
@@ -93,11 +94,11 @@ void ExpectShortest(
     EXPECT_EQ(path.Length, dgg::Infinity);
     return;
   }
-  // Sums of offsets that cancel are as good as the offsets.
+  // Offsets that cancel leave the rounding error of the offsets.
   EXPECT_NEAR(path.Length, expected, 1e-12 * (1.0 + std::abs(expected)));
 }
 
-/// With all that may lead the search, and without.
+/// Runs the search with and without all heuristics.
 void ExpectShortest(SearchCase& c, const std::vector<std::pair<Seeds, Seeds>>& pairs)
 {
   std::vector<double> expected;
@@ -180,7 +181,7 @@ TEST(GraphPaths, BetweenComponentsThereAreNone)
   const auto other =
     static_cast<Id>(std::find(reached.begin(), reached.end(), dgg::Infinity) - reached.begin());
   ASSERT_LT(other, n);
-  // The near end may be in any component.
+  // The nearest end may be in any component.
   ExpectShortest(c,
     { { { SeedAt(0) }, { SeedAt(other) } }, { { SeedAt(other), SeedAt(0, 9.0) }, { SeedAt(1) } },
       { { SeedAt(2) }, { SeedAt(other, -100.0), SeedAt(3) } },
@@ -211,7 +212,8 @@ TEST(GraphPaths, InCloudsAgreeWithDijkstra)
 
 TEST(GraphPaths, OverTheShorterOfTwoEdges)
 {
-  // Twice between the same vertices: no builder makes such rows, but arrays may come from anywhere.
+  // Duplicate edges between the same vertices: no builder creates such rows, but arrays of other
+  // origin may contain them.
   for (const bool isShorterFirst : { false, true })
   {
     const float first = isShorterFirst ? 1.0f : 2.0f;
@@ -303,7 +305,8 @@ TEST(TurnLimits, NoShortestPathTurnsMore)
       const dgg::GraphView graph = c.GetGraph();
       const dgg::GraphFans fans(graph, c.GetMesh());
       const dgg::TurnLimits limits(graph, c.GetMesh());
-      // Each path of two edges that the limits rule out is longer than the distance of its ends.
+      // Each path of two edges that the limits exclude is longer than the distance between its
+      // ends.
       Random random(5);
       for (int trial = 0; trial < 25; ++trial)
       {
@@ -336,7 +339,7 @@ TEST(TurnLimits, NoShortestPathTurnsMore)
 }
 
 //
-// Virtual sources beyond the vertices of rims: distances inside of long faces.
+// Virtual sources behind the vertices of rims: distances inside long faces.
 
 using namespace dgg;
 using namespace dggtest;
@@ -345,8 +348,8 @@ namespace
 {
 constexpr Id HalfRim = 12;
 
-/// A plate with two round holes of radius 3, 30 apart, no points but those of the rims, so that the
-/// faces between the holes are long and thin.
+/// Returns a plate with two round holes of radius 3, 30 apart. The only points are those of the
+/// rims, so the faces between the holes are long and thin.
 TestMesh PlateWithTwoHoles()
 {
   const double radius = 3.0;
@@ -356,7 +359,7 @@ TestMesh PlateWithTwoHoles()
   TestMesh mesh;
   const Id corners[] = { mesh.AddPoint(0.0, 0.0, 0.0), mesh.AddPoint(width, 0.0, 0.0),
     mesh.AddPoint(width, height, 0.0), mesh.AddPoint(0.0, height, 0.0) };
-  // From the lowest point of a rim, counter-clockwise on the left, clockwise on the right: the
+  // Start at the lowest point of a rim, counter-clockwise on the left, clockwise on the right: the
   // first halves face each other.
   Id left[2 * HalfRim + 1];
   Id right[2 * HalfRim + 1];
@@ -388,7 +391,7 @@ TestMesh PlateWithTwoHoles()
   return mesh;
 }
 
-/// Errors inside of faces, as parts of the largest distance.
+/// Errors inside faces, relative to the largest distance.
 struct FieldErrors
 {
   double Sum = 0.0;
@@ -421,8 +424,8 @@ struct FieldErrors
 };
 }
 
-/// With each vertex of a rim as the virtual source of the next one the largest errors are 13 and
-/// 24 % of the largest distance.
+/// If each vertex of a rim were the virtual source of the next one, the largest errors would be 13
+/// and 24 % of the largest distance.
 TEST(Relays, OfRimsDoNotHideTheSource)
 {
   const SurfaceMesh mesh = Build(PlateWithTwoHoles());
@@ -454,7 +457,8 @@ TEST(Relays, OfRimsDoNotHideTheSource)
   }
 }
 
-/// What is reached straight on over vertices of the graph has no relay, and keeps what it had.
+/// Vertices reached by straight paths over vertices of the graph have no relay and keep their
+/// source.
 TEST(Relays, AreNoneOnAConvexPlate)
 {
   const SurfaceMesh mesh = Build(Plane(8, 8, 0.2));

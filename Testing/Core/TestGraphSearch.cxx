@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shortest paths in graphs: all methods against an independent Dijkstra.
+// Shortest paths in graphs: comparison of all methods with an independent Dijkstra.
 #include "SearchChecks.h"
 #include "TestMeshes.h"
 
@@ -30,7 +30,7 @@ SearchResult RunMethod(const SearchCase& c, const std::vector<GraphSeed>& seeds,
   });
 }
 
-/// Over fans whatever the length of the rows, which is up to the method otherwise.
+/// Returns distances of a search over fans for rows of any length; otherwise the method decides.
 std::vector<double> DistancesOverFans(const SearchCase& c, const std::vector<GraphSeed>& seeds,
   double radius, dgg::SearchEffort& effort, const std::vector<Id>* targets = nullptr)
 {
@@ -97,7 +97,7 @@ TEST(GraphSearch, RadiusCutsOff)
         const std::string what =
           c->GetName() + ", " + MethodName(method) + ", radius " + std::to_string(radius);
         const SearchResult result = RunMethod(*c, seeds, method, radius);
-        // A vertex on the very edge may go either way by rounding.
+        // Vertices exactly at the radius may be included or excluded by rounding.
         for (std::size_t v = 0; v < expected.size(); ++v)
         {
           if (std::abs(all[v] - radius) < 1e-12 * largest)
@@ -136,7 +136,7 @@ TEST(GraphSearch, LocalSearchesGiveTheSameBits)
     const auto isNearer = [&](Id a, Id b) { return overFans[a] < overFans[b]; };
     std::sort(near.begin(), near.end(), isNearer);
     near.resize(near.size() / 4 + 1);
-    // Between two distances: at the radius itself, rounding decides.
+    // A radius between two distances, because rounding decides at a distance itself.
     const double radius = (1.0 + 1e-11) * overFans[near.back()];
     const std::vector<double> bounded =
       RunMethod(*c, seeds, SearchMethod::Certified, radius).Distances;
@@ -157,8 +157,8 @@ TEST(GraphSearch, LocalSearchesGiveTheSameBits)
 
 namespace
 {
-/// Expects that local searches on a plane of side * side points write labels in proportion to what
-/// they reach.
+/// Expects the number of labels written by local searches on a plane of side * side points to be
+/// proportional to the number of reached vertices.
 void ExpectLocalWork(int side)
 {
   const SearchCase c("plane", Plane(side, side, 0.2, 7), 0.5);
@@ -185,7 +185,7 @@ void ExpectLocalWork(int side)
     EXPECT_EQ(fresh.Corrected, used.Corrected);
     EXPECT_EQ(fresh.Virtual, used.Virtual);
   }
-  // A row of a matrix of all pairs within a radius for every tenth point.
+  // Every tenth point requests its row of the matrix of all pairs within a radius.
   std::vector<std::vector<GraphSeed>> sources;
   for (Id v = 0; v < n; v += 10)
   {
@@ -200,7 +200,7 @@ void ExpectLocalWork(int side)
   };
   ASSERT_TRUE(c.GetSearch().Many(sources, many, nullptr, nullptr, count, &labels).IsOk());
   EXPECT_LE(labels, static_cast<std::size_t>(n) + 2 * entries);
-  // The first source reaches itself only, which must not make tasks larger.
+  // The first source reaches only itself, which must not make tasks larger.
   sources[0][0].Distance = many.MaximumDistance;
   dgg::Offset tasks = 0;
   const dgg::ParallelFor inTasks = [&](dgg::Offset size, dgg::Offset grain, const auto& body) {
@@ -208,9 +208,9 @@ void ExpectLocalWork(int side)
     body(0, size);
   };
   ASSERT_TRUE(c.GetSearch().Many(sources, many, inTasks, nullptr, count).IsOk());
-  EXPECT_GE(tasks, 8 * 64); // steps times tasks
+  EXPECT_GE(tasks, 8 * 64); // number of steps times tasks
   sources[0][0].Distance = 0.0;
-  // From ten points to an adjacent point.
+  // Search from ten points to an adjacent point.
   sources.resize(10);
   many.MaximumDistance = dgg::Infinity;
   many.Targets = { n / 2 };
@@ -237,7 +237,7 @@ TEST(GraphSearch, LocalWorkOnAMillionPoints)
 
 TEST(GraphSearch, HugeAndTinyScales)
 {
-  // Labels far from zero, and a queue whose keys are single precision.
+  // Labels far from zero, and a queue with single precision keys.
   for (double scale : { 1e-69, 1e-20, 1.0, 1e20, 1e69 })
   {
     const SearchCase c("scaled", Scaled(Terrain(8, 0.4, 5), scale), 0.02);
@@ -259,7 +259,7 @@ TEST(GraphSearch, HugeAndTinyScales)
 
 TEST(GraphSearch, SourcesThatStartWithHugeDistances)
 {
-  // As somebody may write who wants a source not to count.
+  // Huge initial distances exclude a source in practice.
   const SearchCase c("components", SeveralComponents(), 0.05);
   const Id n = c.GetNumberOfVertices();
   for (double huge : { 1e39, 1.7e308, std::numeric_limits<double>::max() })
@@ -276,7 +276,7 @@ TEST(GraphSearch, SourcesThatStartWithHugeDistances)
 
 TEST(GraphSearch, VeryUnequalEdges)
 {
-  // A chain whose edges grow by a factor of 3 each: the buckets suit none of them.
+  // A chain whose edge lengths grow by a factor of 3: no bucket width suits all of them.
   constexpr Id n = 60;
   std::vector<dgg::Offset> offsets{ 0 };
   std::vector<Id> targets;
@@ -307,7 +307,7 @@ TEST(GraphSearch, VeryUnequalEdges)
     {
       SearchOptions options;
       options.Method = method;
-      options.Correct = true; // for which there are no directions
+      options.Correct = true; // the graph has no directions
       SearchResult result;
       ASSERT_TRUE(search.Run({ SeedAt(source) }, options, result).IsOk());
       EXPECT_TRUE(result.Corrected.empty());

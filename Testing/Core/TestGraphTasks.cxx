@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches by tasks: sessions, paths for pairs, and matrices. Distances in the plane are known.
+// Searches by tasks: sessions, paths of pairs, and matrices. Distances in the plane are known.
 #include "TaskTestTools.h"
 
 #include "dggGraphSession.h"
@@ -24,7 +24,7 @@ using Points = std::vector<SurfacePoint>;
 
 constexpr double Accuracy = 0.01;
 
-/// A rectangle in the plane and a second one beside it, not connected.
+/// Returns two disjoint rectangles in the plane.
 TestMesh TwoPlanes()
 {
   TestMesh mesh = Plane(5, 4, 0.2, 3);
@@ -32,7 +32,7 @@ TestMesh TwoPlanes()
   return mesh;
 }
 
-/// Vertices of both rectangles, and points inside of faces and edges of the first.
+/// Returns vertices of both rectangles, and points inside faces and on edges of the first one.
 Points MakePoints(const dgg::SurfaceMesh& mesh)
 {
   return { SurfacePoint::AtVertex(0), SurfacePoint::InFace(mesh, 3, { { 0.2, 0.3, 0.5 } }),
@@ -40,7 +40,7 @@ Points MakePoints(const dgg::SurfaceMesh& mesh)
     SurfacePoint::InFace(mesh, 3, { { 0.6, 0.3, 0.1 } }), SurfacePoint::AtVertex(31) };
 }
 
-/// Distance of two points of the rectangles.
+/// Returns the distance between two points of the rectangles.
 double TrueDistance(
   const dgg::PreparedSurface& surface, const SurfacePoint& a, const SurfacePoint& b)
 {
@@ -199,7 +199,7 @@ TEST(PathSearch, PolylinesOnClouds)
   EXPECT_EQ(paths[1].GraphLength, 0.0);
   EXPECT_EQ(paths[2].GraphLength, dgg::Infinity);
   EXPECT_TRUE(paths[2].Path.IsEmpty());
-  // The straight path leaves the band only by its corner, which the balls of radius 1 contain.
+  // The straight path leaves the band only at its corner, which the balls of radius 1 contain.
   ASSERT_TRUE(Ok(PathSearch(context, pairs).RunOnCloud(session, true, paths)));
   EXPECT_TRUE(paths[0].IsStraightened);
   EXPECT_LT(paths[0].Path.Length, 2.0);
@@ -208,7 +208,7 @@ TEST(PathSearch, PolylinesOnClouds)
 
 TEST(MatrixSearch, DistancesInACloud)
 {
-  // Vertices, and points beside the ends of the chain.
+  // Vertices, and points close to the ends of the chain.
   const GraphWorld world = CornerWorld();
   GraphSession session = StartSession(world);
   const Points points = { SurfacePoint::AtVertex(0), SurfacePoint::AtVertex(2),

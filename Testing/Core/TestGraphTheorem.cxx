@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The promise of the graph, for all pairs of vertices of every kind of mesh: a theorem, so that a
-// single pair beyond the bound is a bug. Meshes made to catch the builder, and random ones.
+// The accuracy guarantee of the graph for all pairs of vertices of every kind of mesh. The
+// guarantee is a theorem, so a single pair beyond the bound is a bug. Includes adversarial and
+// random meshes.
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "SearchChecks.h"
@@ -18,7 +19,7 @@ namespace dggtest
 {
 namespace
 {
-/// Longest edges along x: faces of anisotropy about `ratio`.
+/// Stretches a mesh along x: faces of anisotropy about `ratio`.
 TestMesh Stretched(TestMesh mesh, double ratio)
 {
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
@@ -34,8 +35,8 @@ TestMesh FlatCone(double total)
   return Cone(total, 13, 8, unused, 0.25, 3);
 }
 
-/// A plane with a tip of a small total angle: windows that pass it cross the faces around it again
-/// and again, in numbers that grow with its height.
+/// Returns a plane with a tip of small total angle: windows that pass the tip cross the faces
+/// around it repeatedly, the more often the higher the tip.
 TestMesh Spike(double height)
 {
   TestMesh mesh = Plane(5, 5, 0.2);
@@ -44,7 +45,7 @@ TestMesh Spike(double height)
   return mesh;
 }
 
-/// A long strip of edges without a vertex between them.
+/// Returns a long strip of edges between two sides, with no vertex inside the strip.
 TestMesh Ladder(double lean)
 {
   TestMesh mesh;
@@ -117,7 +118,7 @@ std::vector<NamedMesh> TheoremMeshes()
     { "LadderZigzag", Ladder(0.4) },
     { "LadderLeaning", Ladder(30.0) },
   };
-  // Mesh edges lead from a vertex to itself, and windows meet their own source.
+  // Mesh edges connect a vertex to itself, and windows meet their own source.
   for (const Id nx : { 1, 2, 3, 5 })
   {
     for (const Id ny : { 1, 2, 4 })
@@ -162,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, GraphTheorem, testing::ValuesIn(TheoremMeshes()
 
 TEST(GraphTheoremInvariance, Scale)
 {
-  // A float holds neither the square of the small lengths nor a fraction of them, nor the largest.
+  // A float cannot represent the square or a fraction of the small lengths, or the largest length.
   const std::pair<double, bool> factors[] = { { 1e-69, true }, { 1e-36, true }, { 1e-30, true },
     { 1e30, false }, { 1e36, true }, { 1e68, true } };
   for (const TestMesh& input : { Terrain(14, 2.0, 1), NoisySphere(2, 0.4, 2) })
@@ -200,7 +201,7 @@ TEST(GraphTheoremInvariance, Numbering)
     {
       const dgg::GeodesicGraph after = BuildGraph(renumbered, accuracy);
       ExpectWithin(ExactTable(renumbered), GraphTable(after.View()), accuracy, 0.0);
-      // Which of two equally good relays is met first depends on the order, and little else.
+      // The order decides only which of two equally good relays is found first.
       const auto before = static_cast<double>(BuildGraph(mesh, accuracy).View().GetNumberOfEdges());
       EXPECT_NEAR(static_cast<double>(after.View().GetNumberOfEdges()) / before, 1.0, 0.01);
     }
@@ -209,10 +210,10 @@ TEST(GraphTheoremInvariance, Numbering)
 
 TEST(GraphBuilderTraps, CostEqualToDistance)
 {
-  // From s, the mesh edge to r covers the vertex x with nothing to spare: as a relay, x can cover
-  // nothing but what is straight behind it, and this must not be mistaken for covering everything.
-  // The mesh is the same seen from t, half a turn away, so that the edge from s to t cannot be
-  // found from either end if it is missed from one.
+  // From s, the mesh edge to r covers the vertex x with no margin: as a relay, x can cover only
+  // points straight behind it, and this must not be mistaken for covering everything. The mesh is
+  // symmetric under a half turn that exchanges s and t, so that an edge from s to t that is missed
+  // from one end cannot be found from the other.
   const double accuracy = 0.25;
   const double cost = 5.0 / (1.0 + accuracy);
   const double halfAxis = 0.5 * cost;
@@ -243,7 +244,7 @@ TEST(GraphBuilderTraps, CostEqualToDistance)
       input.AddTriangle(half + 2, half + 4, half + 3);
       input.AddTriangle(half + 4, 8 - half, half + 3);
     }
-    // Rounding decides what happens: turned, it differs.
+    // The result depends on rounding, which differs between rotations.
     const dgg::SurfaceMesh mesh =
       Build(MovedRigidly(input, random.Uniform(0.0, 6.0), { { 0.0, 0.0, 0.0 } }));
     const dgg::GeodesicGraph graph = BuildGraph(mesh, accuracy);
@@ -253,8 +254,8 @@ TEST(GraphBuilderTraps, CostEqualToDistance)
 
 TEST(GraphBuilderTraps, HiddenRelay)
 {
-  // From s, the relay o covers v, and it would cover x if it saw it: but v is a reflex corner, and
-  // the way from o to x has a bend there. With that, x is not covered.
+  // From s, the relay o covers v, and would cover x if x were visible. But v is a reflex corner
+  // where the path from o to x bends; this path does not cover x.
   const double accuracy = 0.5;
   TestMesh input;
   const Id s = input.AddPoint(0.0, 0.0, 0.0);
@@ -274,13 +275,14 @@ TEST(GraphBuilderTraps, HiddenRelay)
   EXPECT_GE(FindEdge(graph.View(), s, x), 0);
 }
 
-// Random meshes, broken and sound: no crash, no hang, the promise kept.
+// Random broken and sound meshes: no crash, no hang, the guarantee holds.
 
 namespace
 {
 using dgg::GraphConstruction;
 
-/// A graph; a failure after five seconds instead of a hang, where milliseconds do.
+/// Returns a graph; a build that takes five seconds instead of milliseconds fails the test instead
+/// of hanging.
 dgg::GeodesicGraph BuildInTime(
   const dgg::SurfaceMesh& mesh, double accuracy, GraphConstruction construction)
 {
@@ -295,8 +297,9 @@ dgg::GeodesicGraph BuildInTime(
   return graph;
 }
 
-/// Every construction on a mesh that may be anything. Distances are reached where the exact ones
-/// are, and within the bound; `tolerance` is that of the exact distances, in diameters.
+/// Checks every construction on an arbitrary mesh: the same vertices are reached as by exact
+/// distances, and distances are within the bound. `tolerance` is the error of the exact distances
+/// relative to the diameter.
 void ExpectSane(const TestMesh& input, double tolerance)
 {
   dgg::SurfaceMesh mesh;
@@ -304,7 +307,7 @@ void ExpectSane(const TestMesh& input, double tolerance)
     input.GetNumberOfVertices(), input.Triangles.data(), input.GetNumberOfFaces(), mesh);
   if (!status.IsOk())
   {
-    return; // nothing but single points
+    return; // the mesh consists of single points only
   }
   const DistanceTable exact = ExactTable(mesh);
   double diameter = 0.0;
@@ -335,7 +338,7 @@ void ExpectSane(const TestMesh& input, double tolerance)
       }
     }
   }
-  // Links of any point lead to all that the point reaches.
+  // The links of a point lead to everything that the point reaches.
   const bool hasFace = std::any_of(input.Triangles.begin(), input.Triangles.end(),
     [&](const Id& v) { return mesh.Kind(v) != dgg::VertexKind::Isolated; });
   if (hasFace)
@@ -361,7 +364,7 @@ void ExpectSane(const TestMesh& input, double tolerance)
   }
 }
 
-/// Sound but unpleasant: stretched, rough, refined at random.
+/// Returns a sound but difficult mesh: stretched, rough, or refined at random.
 TestMesh RandomMesh(std::uint64_t seed)
 {
   Random random(seed);

@@ -18,7 +18,8 @@ namespace dggtest
 {
 TEST(GreensFunction, DiscreteIdentities)
 {
-  // L g and L M^-1 L q are the unit load, less what balances it; both are symmetric, with mean 0.
+  // L g and L M^-1 L q equal the unit load minus the balancing load; both functions are symmetric,
+  // with mean 0.
   std::vector<dgg::PoissonOptions> all(3);
   all[1].Weights = dgg::PoissonWeights::Uniform;
   all[2].Boundary = dgg::PoissonBoundary::Dirichlet;
@@ -87,7 +88,8 @@ TEST(GreensFunction, DiscreteIdentities)
 
 TEST(GreensFunction, SphereConverges)
 {
-  // Relative L2 error within 0.2 of the pole and everywhere, mean over random points in faces.
+  // Relative L2 errors within 0.2 of the pole and over all vertices, averaged over random points in
+  // faces.
   std::vector<SphereErrors> means;
   for (const int level : { 3, 4, 5, 6 })
   {
@@ -134,7 +136,8 @@ TEST(GreensFunction, RadiiBeyondTheSurface)
 
 TEST(GreensFunction, SquareWithNothingFlowingOut)
 {
-  // Second order with poles inside, at a corner and on the rim; first order within an edge of it.
+  // Second order with poles inside, at a corner and on the rim; first order with poles within an
+  // edge of the rim.
   for (const bool delaunay : { false, true })
   {
     Convergence errors[2] = { Convergence(1.7), Convergence(0.7) };
@@ -167,7 +170,7 @@ TEST(GreensFunction, SquareWithNothingFlowingOut)
         {
           const std::array<double, 3> x = dgg::PositionOf(mesh, pole, square.Points.data());
           dgg::GreensQuery query;
-          query.Radius = 0.28; // the same on all meshes
+          query.Radius = 0.28; // equal on all meshes
           const dgg::GreensResult result = greens.Run(pole, query);
           EXPECT_EQ(result.Remark, dgg::GreensRemark::None);
           const auto interpolated = greens.Run(pole, dgg::GreensMethod::Interpolated).Values;
@@ -211,7 +214,7 @@ TEST(GreensFunction, DiskWithZeroOnItsRim)
         continue;
       }
       dgg::GreensQuery query;
-      query.Radius = 0.5; // the same on all meshes
+      query.Radius = 0.5; // equal on all meshes
       const dgg::GreensResult result = greens.Run(pole, query);
       EXPECT_EQ(result.Remark, dgg::GreensRemark::None);
       for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -232,7 +235,8 @@ TEST(GreensFunction, DiskWithZeroOnItsRim)
 
 TEST(GreensFunction, ConesByTheirTotalAngle)
 {
-  // Apex at the pole, 0 on the rim: -log(r) / Theta, whether the apex is sharp or a saddle.
+  // The pole is the apex, and values on the rim are 0: -log(r) / Theta, for a sharp apex and for a
+  // saddle.
   for (const double total : { 2.0, 4.5, 2.0 * dgg::Pi, 9.0 })
   {
     std::vector<ConePoint> points;
@@ -244,13 +248,13 @@ TEST(GreensFunction, ConesByTheirTotalAngle)
     {
       EXPECT_NEAR(result.Values[v], -std::log(points[v].Radius) / total, 3e-3) << total << " " << v;
     }
-    // Interpolated is far off next to the pole.
+    // The method Vertex has large errors next to the pole.
     const auto plain = greens.Run(dgg::SurfacePoint::AtVertex(0), dgg::GreensMethod::Vertex).Values;
     EXPECT_GT(std::abs(plain[1] + std::log(points[1].Radius) / total), 5e-3) << total;
   }
 }
 
-// Green's functions of many points from those of vertices.
+// Green's functions of many points from Green's functions of vertices.
 
 TEST(GreensInterpolation, IsCloseToASolvePerPoint)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How methods for Green's functions compare, and queries: points, integrals, signs, any triangles.
+// Comparison of the methods for Green's functions, and queries: points, integrals, signs, any
+// triangles.
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
 #include "TestMeshes.h"
@@ -53,7 +54,7 @@ TEST(GreensFunction, LocalizedReproducesDistances)
     }
   }
   EXPECT_LT(std::sqrt(misfits[1]), 0.1 * std::sqrt(misfits[0]));
-  // Nothing far away has changed but for the mean.
+  // Far from the pole the values differ only by a constant.
   double shift = dgg::Infinity;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
@@ -65,14 +66,14 @@ TEST(GreensFunction, LocalizedReproducesDistances)
     }
   }
   EXPECT_LT(std::abs(shift), 1e-3);
-  // At a vertex there is nothing to correct.
+  // At a vertex no correction is needed.
   EXPECT_EQ(greens.Run(dgg::SurfacePoint::AtVertex(9), dgg::GreensMethod::Localized).Values,
     greens.Run(dgg::SurfacePoint::AtVertex(9), dgg::GreensMethod::Interpolated).Values);
 }
 
 TEST(GreensFunction, LocalizedNeedsFewNeighbours)
 {
-  // A fan of thousands of triangles: neither is it looked at, nor does it take long.
+  // A fan of thousands of triangles is not searched, so the query is fast.
   for (const Id wedges : { 300, 5000 })
   {
     std::vector<ConePoint> points;
@@ -99,7 +100,7 @@ TEST(GreensFunction, CornersWithGivenValuesAreNoPoles)
       b[largest] = 0.6;
       Id free = dgg::NoId;
       double weight = 0.0;
-      b[(largest + 1) % 3] += 1e-3; // of the others, this one is next
+      b[(largest + 1) % 3] += 1e-3; // the second largest coordinate
       b[largest] -= 1e-3;
       for (int k = 0; k < 3; ++k)
       {
@@ -131,7 +132,8 @@ TEST(GreensFunction, CornersWithGivenValuesAreNoPoles)
 
 TEST(GreensFunction, RidgesNearThePole)
 {
-  // Behind the corners of a cube shortest ways meet from two sides. The truth is from a finer mesh.
+  // Behind the corners of a cube, shortest paths arrive from two sides. The truth is computed on a
+  // finer mesh.
   const TestMesh cube = Cube(10);
   const TestMesh fineCube = Subdivided(cube, 4);
   const dgg::SurfaceMesh mesh = Build(cube);
@@ -165,7 +167,7 @@ TEST(GreensFunction, RidgesNearThePole)
     EXPECT_LT(good.Relative(), 0.3 * plain.Relative()) << k;
   }
   EXPECT_GT(remarks, 0);
-  // Within a radius that is given.
+  // With a given radius.
   const dgg::SurfaceMesh other = Build(Cube(12));
   const Greens onOther(other);
   const auto inside = dgg::SurfacePoint::InFace(other, 60, { { 0.3, 0.3, 0.4 } });
@@ -182,7 +184,7 @@ TEST(GreensFunction, RidgesNearThePole)
 
 TEST(GreensFunction, AnyPointSeesAnyOther)
 {
-  // Both arguments anywhere: the truth, and symmetry.
+  // Both arguments are arbitrary points: compare with the truth, and check symmetry.
   const TestMesh sphere = Icosphere(5);
   const dgg::SurfaceMesh mesh = Build(sphere);
   const Greens greens(mesh);
@@ -192,7 +194,7 @@ TEST(GreensFunction, AnyPointSeesAnyOther)
   {
     points.push_back(InsideFace(mesh, random));
   }
-  // Two in the same face, and one on an edge of it.
+  // Two points in the same face, and one on an edge of the face.
   points.push_back(dgg::SurfacePoint::InFace(mesh, 5, { { 0.6, 0.2, 0.2 } }));
   points.push_back(dgg::SurfacePoint::InFace(mesh, 5, { { 0.2, 0.2, 0.6 } }));
   points.push_back(dgg::SurfacePoint::OnEdge(mesh, 15, 0.3));
@@ -218,13 +220,13 @@ TEST(GreensFunction, AnyPointSeesAnyOther)
       {
         chord += (x[k] - y[k]) * (x[k] - y[k]);
       }
-      // In terms of the chord, as the points are a little inside of the sphere.
+      // The truth uses the chord, because the points lie slightly inside the sphere.
       EXPECT_NEAR(results[i].TargetValues[j], SphereGreens(1.0 - 0.5 * chord), 2e-3)
         << i << " " << j;
       EXPECT_NEAR(results[i].TargetValues[j], results[j].TargetValues[i], 3e-4) << i << " " << j;
     }
   }
-  // One at a time it is the same.
+  // Single queries give the same values.
   for (const std::size_t i : { std::size_t(0), std::size_t(9) })
   {
     const dgg::GreensResult one = greens.Run(points[i], query);
@@ -235,8 +237,8 @@ TEST(GreensFunction, AnyPointSeesAnyOther)
 
 TEST(GreensFunction, SolvesPoissonEquations)
 {
-  // u = mean(u) + sum of the integrals of g times f: compared with the sparse solve at vertices and
-  // with the closed form inside faces.
+  // u = mean(u) + sum of the integrals of g times f: compared with the sparse solution at vertices
+  // and with the closed form inside faces.
   const TestMesh sphere = Icosphere(4);
   const dgg::SurfaceMesh mesh = Build(sphere);
   const Greens greens(mesh);
@@ -289,7 +291,7 @@ TEST(GreensFunction, ValueAtThePoleAndSigns)
   const dgg::GreensResult average = greens.Run(dgg::SurfacePoint::AtVertex(3), query);
   EXPECT_TRUE(std::isfinite(average.Values[3]));
   EXPECT_EQ(average.TargetValues[0], average.Values[3]);
-  // The mean over a disk of a logarithm is that half a unit inside.
+  // The mean of -log(r) over a disk is its value at the rim plus 1/2.
   const double radius = std::sqrt(2.0 * greens.Solver.GetAreas()[3] / mesh.TotalAngle(3));
   EXPECT_NEAR(average.Values[3], SphereGreens(std::cos(radius)) + 0.5 / mesh.TotalAngle(3), 0.01);
   query.Sign = dgg::GreensSign::Negative;
@@ -323,7 +325,7 @@ TEST(GreensFunction, AnyTriangles)
       const std::vector<double>& areas = greens.Solver.GetAreas();
       if (!(*std::max_element(areas.begin(), areas.end()) > 0.0))
       {
-        continue; // there are no points inside of faces
+        continue; // no point lies inside a face
       }
       for (const dgg::SurfacePoint& pole : RandomSurfacePoints(mesh, 3, 2))
       {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Harmonic B-splines: cells, the basis, Poisson equations, choice of sites.
+// Harmonic B-splines: cells, basis, Poisson equations, choice of sites.
 #include "EdgeGraph.h"
 #include "GraphChecks.h"
 #include "GreensTestTools.h"
@@ -22,8 +22,8 @@ namespace dggtest
 {
 namespace
 {
-/// What sums of basis functions may be off: 1e-10, or more where large coefficients cancel, as
-/// among triangles that are next to flat.
+/// Returns the tolerance of sums of basis functions: 1e-10, or more where large coefficients
+/// cancel, as among nearly flat triangles.
 double ToleranceOfSums(const Splines& splines)
 {
   double largest = 0.0;
@@ -180,8 +180,8 @@ TEST(HarmonicSplines, PointsInsideFaces)
 
 TEST(HarmonicSplines, AnyTrianglesWillDo)
 {
-  // Among triangles that are next to flat, equations may be singular up to rounding: then results
-  // are finite, and that is all.
+  // Among nearly flat triangles the equations may be singular up to rounding; then only finite
+  // results are required.
   int sound = 0;
   int thin = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
@@ -233,7 +233,7 @@ TEST(HarmonicSplines, AnyTrianglesWillDo)
 
 TEST(HarmonicSplines, SmoothOnesHaveNoKinksAtEdges)
 {
-  // Second differences across edges: of piecewise linear functions they are kinks alone.
+  // Second differences across edges; for piecewise linear functions they measure only the kinks.
   const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.01, 2));
   Splines splines(mesh);
   splines.PrepareSome(40);
@@ -269,7 +269,7 @@ TEST(HarmonicSplines, SmoothOnesHaveNoKinksAtEdges)
 
 namespace
 {
-/// Relative error over all vertices.
+/// Returns the relative L2 error over all vertices.
 double RelativeL2(const dgg::PoissonSolver& solver, const std::vector<double>& values,
   const std::function<double(Id)>& truth)
 {
@@ -287,8 +287,9 @@ TestMesh UnitSquare()
   return Scaled(Plane(n, n, 0.2), 1.0 / n);
 }
 
-/// Solutions for an eigenfunction of the Laplacian, with ever more sites: the error falls with the
-/// number of vertices per cell at such an order, to a fiftieth. Returns the last solution.
+/// Solves for an eigenfunction of the Laplacian with increasing numbers of sites. Expects the error
+/// to fall with the number of vertices per cell at the given order, down to a fiftieth. Returns the
+/// last solution.
 std::vector<double> ExpectErrorsToFall(Splines& splines, const std::vector<Id>& counts,
   double eigenvalue, const std::function<double(Id)>& truth, double order)
 {
@@ -361,7 +362,7 @@ TEST(HarmonicSplines, CombinationsAreSumsOfTheBasis)
 
 TEST(HarmonicSplines, ErrorsFallLikeTheSquareOfTheCells)
 {
-  // On a closed surface, and on one with a boundary that nothing flows through.
+  // A closed surface, and a surface with Neumann boundary conditions.
   const TestMesh meshes[] = { Icosphere(4), UnitSquare() };
   for (const bool isSquare : { false, true })
   {
@@ -380,7 +381,7 @@ TEST(HarmonicSplines, ErrorsFallLikeTheSquareOfTheCells)
 
 TEST(HarmonicSplines, GivenValuesOnTheBoundary)
 {
-  // sin sin vanishes on the boundary, functions of sites do.
+  // sin sin vanishes on the boundary, unlike functions of sites.
   const TestMesh plane = UnitSquare();
   const dgg::SurfaceMesh mesh = Build(plane);
   Splines splines(mesh, With(dgg::PoissonBoundary::Dirichlet));
@@ -401,7 +402,7 @@ TEST(HarmonicSplines, GivenValuesOnTheBoundary)
 
 TEST(HarmonicSplines, GivenSitesOfLinearFunctionsAreContinuedLinearly)
 {
-  // Natural conditions; values are given at sites on the boundary.
+  // Natural boundary conditions; values are given at sites on the boundary.
   const TestMesh plane = Plane(11, 8, 0.25);
   const dgg::SurfaceMesh mesh = Build(plane);
   Splines splines(mesh);
@@ -427,7 +428,7 @@ TEST(HarmonicSplines, GivenSitesOfLinearFunctionsAreContinuedLinearly)
   }
 }
 
-// Which vertices become sites of harmonic B-splines.
+// Choice of vertices as sites of harmonic B-splines.
 
 TEST(SplineSites, AreFarthestPointsAlongEdges)
 {

@@ -14,7 +14,7 @@ namespace dggtest
 {
 namespace
 {
-/// A heat method after a successful Prepare().
+/// A prepared heat method.
 class Heat
 {
 public:
@@ -54,7 +54,7 @@ double MeanError(const std::vector<double>& actual, const std::vector<double>& e
   return Compare(actual, expected).Mean;
 }
 
-/// A strip that is longer than heat can be reported in doubles.
+/// Number of columns of a strip so long that heat underflows in doubles.
 constexpr Id StripColumns = 1500;
 TestMesh LongStrip()
 {
@@ -109,7 +109,7 @@ TEST(HeatMethod, AnotherComponentChangesNothing)
       EXPECT_EQ(distances[v], dgg::Infinity);
     }
   }
-  // An isolated source reaches itself.
+  // An isolated source reaches only itself.
   const Id last = mesh.GetNumberOfVertices() - 1;
   const auto fromLast = heat.Run({ VertexSource(last, 0.5) }).Distances;
   EXPECT_EQ(fromLast[last], 0.5);
@@ -130,7 +130,8 @@ TEST(HeatMethod, FartherThanHeatReaches)
     {
       ASSERT_TRUE(std::isfinite(distances[v])) << v;
       const double expected = EuclideanDistance(strip, source, v);
-      // In a strip like this a cooled rim turns all gradients to it; there are numbers at least.
+      // With Dirichlet conditions all gradients in such a strip point to the rim; values only have
+      // to be finite.
       if (expected > 20.0 && options.Boundary != dgg::HeatBoundary::Dirichlet)
       {
         EXPECT_NEAR(distances[v] / expected, 1.0, 0.05) << v;
@@ -143,15 +144,15 @@ TEST(HeatMethod, FartherThanHeatReaches)
 
 TEST(HeatMethod, LittleHeatIsAsGoodAsMuch)
 {
-  // The same field in doubles and in numbers with a larger range: a source with an initial distance
-  // that makes it unimportant brings the latter into play.
+  // Compares the field in doubles with the field in numbers of a larger range. A source with a
+  // large initial distance, which has no influence, selects the larger range.
   const dgg::SurfaceMesh mesh = Build(NoisySphere(3, 0.2, 9));
   const Heat heat(mesh);
   const auto doubles = heat.Run({ VertexSource(5) }).Distances;
   const double far = 1000.0 * mesh.GetMeanEdgeLength();
   const auto wide = heat.Run({ VertexSource(5), VertexSource(60, far) }).Distances;
   ExpectSameField(doubles, wide, 1e-9, "field");
-  // A little less unimportant: still in doubles.
+  // A smaller initial distance without influence: still in doubles.
   const double near = 50.0 * mesh.GetMeanEdgeLength();
   ExpectSameField(
     doubles, heat.Run({ VertexSource(5), VertexSource(60, near) }).Distances, 1e-9, "field");
@@ -222,12 +223,12 @@ TEST(HeatMethod, Boundaries)
     EXPECT_LT(MeanError(distances, exact), 0.12);
     means.push_back(distances[0]);
   }
-  // At a corner the flow slows down with one condition and not with the other.
+  // At a corner the two boundary conditions give different distances.
   EXPECT_NE(means[0], means[1]);
   EXPECT_GT(means[2], std::min(means[0], means[1]));
   EXPECT_LT(means[2], std::max(means[0], means[1]));
 
-  // No heat is left of a source on the boundary.
+  // With Dirichlet conditions, a source on the boundary has no heat.
   dgg::HeatResult result;
   const dgg::Status status =
     dirichlet.Method.Run({ VertexSource(middle), VertexSource(3) }, {}, result);
@@ -304,7 +305,7 @@ void ExpectConsistent(const dgg::IntrinsicTriangulation& triangulation)
   }
 }
 
-/// Returns the number of flips.
+/// Flips edges and returns the number of flips.
 dgg::Offset Flip(dgg::IntrinsicTriangulation& triangulation)
 {
   dgg::Offset flips = 0;
@@ -312,7 +313,8 @@ dgg::Offset Flip(dgg::IntrinsicTriangulation& triangulation)
   return flips;
 }
 
-/// Of the two corners that face an edge; it is Delaunay when that is not negative.
+/// Returns the sum of the cotangents of the two corners opposite to an edge. The edge is Delaunay
+/// if the sum is not negative.
 double CotangentSum(const dgg::IntrinsicTriangulation& triangulation, Id h)
 {
   return triangulation.Cotangent(dgg::SurfaceMesh::Previous(h)) +
@@ -337,7 +339,7 @@ dgg::CotanLaplacian LaplacianOf(const dgg::SurfaceMesh& mesh)
   return dgg::MakeCotanLaplacian(dgg::IntrinsicTriangulation(mesh));
 }
 
-/// Meshes far from Delaunay, of moderate cotangents.
+/// Returns meshes far from Delaunay with moderate cotangents.
 std::vector<NamedMesh> FlipMeshes()
 {
   std::vector<Id> sheetOf;
@@ -392,7 +394,7 @@ TEST(IntrinsicDelaunay, AreasAnglesAndBoundariesStay)
     EXPECT_EQ(collectFixed(), fixed);
     const Measures after = Measure(triangulation);
     EXPECT_NEAR(after.Area, before.Area, 1e-9 * before.Area);
-    // Faces that were lengthened a little have angles as uncertain as that.
+    // Mollified faces have angles with an uncertainty of this size.
     const double tolerance = surface.GetMollification() > 0.0 ? 2e-3 : 1e-8;
     for (std::size_t v = 0; v < before.Angles.size(); ++v)
     {
@@ -414,7 +416,7 @@ TEST(CotanLaplacian, Conventions)
       const double entry = square.Stiffness.coeff(i, j);
       EXPECT_EQ(entry, square.Stiffness.coeff(j, i));
       row += entry;
-      // Sides of the square have one corner of 45 degrees opposite, the diagonals none.
+      // Sides of the square have one opposite corner of 45 degrees, diagonals none.
       const bool isSide = ((i ^ j) == 1) || ((i ^ j) == 2);
       EXPECT_NEAR(entry, i == j ? 1.0 : (isSide ? -0.5 : 0.0), 1e-15) << i << " " << j;
     }
@@ -446,7 +448,7 @@ TEST(CotanLaplacian, LinearFunctionsInThePlane)
         EXPECT_NEAR(image[v], 0.0, 1e-12);
       }
     }
-    // The energy of a linear function is its squared slope times the area.
+    // The energy of a linear function is its squared gradient times the area.
     EXPECT_NEAR(values.dot(image), 13.0 * 108.0, 1e-9);
     EXPECT_NEAR(laplacian.Mass.sum(), 108.0, 1e-11);
   }
@@ -473,7 +475,7 @@ TEST(CotanLaplacian, PositiveSemidefinite)
 
 TEST(CotanLaplacian, SliversAreAccurate)
 {
-  // Right-angled needles.
+  // Right-angled needle triangles.
   for (const double size : { 1e-5, 1e-9 })
   {
     TestMesh mesh;
@@ -483,13 +485,13 @@ TEST(CotanLaplacian, SliversAreAccurate)
     mesh.AddTriangle(0, 1, 2);
     const dgg::IntrinsicTriangulation needle(Build(mesh));
     EXPECT_NEAR(needle.Cotangent(2) * size, 1.0, 1e-6);
-    EXPECT_NEAR(needle.Cotangent(1), size, size); // what the rounding of lengths leaves of it
+    EXPECT_NEAR(needle.Cotangent(1), size, size); // rounding error of lengths
     EXPECT_NEAR(needle.Cotangent(0), 0.0, size);
-    mesh.Points[3] = 1.0; // a cap: a base of 1, the apex above its middle
+    mesh.Points[3] = 1.0; // a cap: base of length 1, apex above its midpoint
     mesh.Points[6] = 0.5;
     mesh.Points[7] = size;
     const dgg::IntrinsicTriangulation cap(Build(mesh));
-    if (size > 1e-6) // else the edges are as long as the base, in doubles
+    if (size > 1e-6) // otherwise the edges are as long as the base, in doubles
     {
       EXPECT_NEAR(cap.Cotangent(0) * 2.0 * size, 1.0, 1e-5);
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Isolines: at their level, as close to it as required, sound on any mesh; loops within faces.
+// Isolines: accuracy of levels, validity on any mesh; loops within faces.
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "IsolineChecks.h"
@@ -98,14 +98,14 @@ TEST(Isolines, TurnOnTheBisectorOfTwoSources)
         EXPECT_NEAR(std::min(toA, toB), level, 1e-12);
         corners += std::abs(toA - toB) < 1e-11 ? 1 : 0;
       }
-      // Where the models of corners differ by what is missing, a corner may be just beside.
+      // Where the models of two face corners differ, a kink of the line may lie next to the ridge.
       EXPECT_LE(corners, lines.Levels[i] == 0 ? 0 : 2);
       EXPECT_GE(corners, lines.Levels[i] == 0 ? 0 : f == &field.Exact ? 2 : 1);
     }
   }
 }
 
-/// Between two waves that are about to meet there is a strip as narrow as can be.
+/// Between two fronts that are about to meet there is an arbitrarily narrow strip.
 TEST(Isolines, StripsAlongRidgesMayBeNarrow)
 {
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
@@ -144,7 +144,7 @@ TEST(Isolines, AreAtTheirLevelOnRoughSurfaces)
   }
 }
 
-/// Chords as well, not points alone.
+/// Not only the points but also the chords are within the tolerance.
 TEST(Isolines, AreAsCloseAsWished)
 {
   const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));
@@ -176,7 +176,7 @@ TEST(Isolines, AreAsCloseAsWished)
   }
 }
 
-/// At ridges isolines have long tips, and what is farther away than a level may be a narrow strip.
+/// At ridges isolines have long tips, and the region beyond a level may be a narrow strip.
 TEST(Isolines, TipsAndStripsAreFound)
 {
   for (const TestMesh& test :
@@ -246,8 +246,8 @@ TEST(Isolines, AreSoundOnAllMeshes)
   }
 }
 
-/// On long thin faces the ridges that are looked for between two nodes may leave the face; with the
-/// first three seeds they did.
+/// On long thin faces, the search for ridges between two nodes may leave the face, as with the
+/// first three seeds.
 TEST(Isolines, StayInFacesThatAreLongAndThin)
 {
   for (const std::uint64_t seed : { 922, 1039, 1997, 1, 2, 3 })
@@ -349,7 +349,7 @@ TEST(Isolines, LevelsOfVerticesAreNoTrouble)
     const Isolines lines = Trace(*f, levels);
     ExpectSound(*f, levels, lines, "grid");
     std::map<Id, int> counts = LinesPerLevel(lines);
-    EXPECT_EQ(counts[0], 0); // nothing is nearer
+    EXPECT_EQ(counts[0], 0); // no point is nearer
     for (Id level = 1; level < 4; ++level)
     {
       EXPECT_EQ(counts[level], 1) << level;
@@ -379,11 +379,11 @@ TEST(Isolines, FlatFieldsHaveNone)
   EXPECT_TRUE(Trace(field, {}).Lines.empty());
 
   std::vector<double> step = ones;
-  step[3] = 2.0; // the only one above
+  step[3] = 2.0; // the only vertex above the level
   const DistanceField peak{ &mesh, step.data(), nullptr, nullptr };
   EXPECT_TRUE(Trace(peak, { 1.0 }).Lines.empty());
   EXPECT_EQ(Trace(peak, { 1.5 }).Lines.size(), 1u);
-  EXPECT_TRUE(Trace(peak, { 2.0 }).Lines.empty()); // shrunk to the vertex
+  EXPECT_TRUE(Trace(peak, { 2.0 }).Lines.empty()); // the isoline shrinks to the vertex
 }
 
 TEST(Isolines, EndWhereNothingIsReached)
@@ -402,9 +402,8 @@ TEST(Isolines, EndWhereNothingIsReached)
   ExpectSound(field, levels, lines, "limited");
 }
 
-/// Waves that are about to meet, or just have met, in strips narrower than the lattice that
-/// isolines are searched with: pairs of sources in a face, a little more or less than two radii
-/// apart.
+/// Fronts that are about to meet or have just met, in strips narrower than the sampling lattice of
+/// isolines: pairs of sources in a face, slightly more or less than two radii apart.
 TEST(Isolines, LoopsAroundManySourcesThatMeetInAFace)
 {
   const SurfaceMesh mesh = Build(SingleTriangle());
@@ -467,7 +466,7 @@ TEST(Isolines, SmallLoopsAroundASourceInAFace)
   }
 }
 
-/// Around the point of a face that is farthest from its corners.
+/// Loops around the point of a face that is farthest from its corners.
 TEST(Isolines, SmallLoopsAroundAFarthestPoint)
 {
   TestMesh test;
@@ -479,7 +478,7 @@ TEST(Isolines, SmallLoopsAroundAFarthestPoint)
   const std::vector<GeodesicSource> sources{ VertexSource(0), VertexSource(1), VertexSource(2) };
   const ExactField field(mesh, sources);
   const double y = (1.1 * 1.1 + 1.6 * 1.6 - 2.0 * 1.1) / (2.0 * 1.6);
-  const double farthest = std::hypot(1.0, y); // from the circumcentre
+  const double farthest = std::hypot(1.0, y); // distance from the circumcenter
   const std::vector<double> levels{ 0.2, 0.9, 1.0 + 0.5 * (farthest - 1.0), farthest - 1e-4,
     farthest + 1e-6 };
   for (const DistanceField* f : { &field.Exact, &field.Local })
@@ -528,8 +527,8 @@ TEST(Isolines, DoNotRunBack)
 
 TEST(Isolines, WithoutWindowsThereAreHardlyMoreLoops)
 {
-  // Edges that saw crests where a wave comes across from a face had loops around them.
-  // Apart, so that meshes do not make up for each other.
+  // Edges that detected crests of a wave from an adjacent face had spurious loops around them.
+  // Surplus and missing loops are counted separately, so that meshes cannot compensate each other.
   double surplus = 0.0;
   double missing = 0.0;
   for (const NamedMesh& named : SoundMeshes())

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed geodesics: where their lengths are known, and that they are geodesics everywhere else.
+// Closed geodesics: known lengths where available, and local geodesic checks elsewhere.
 #include "GeodesicChecks.h"
 #include "LoopWorld.h"
 #include "PathChecks.h"
@@ -19,12 +19,12 @@ namespace
 using dgg::FoundLoop;
 using dgg::SurfacePoint;
 
-/// Modulo 2: how often a closed chain goes around the hole with this middle, and how often it
-/// crosses the square inside the plate whose sides run around the hole within the bars.
+/// Returns, modulo 2, how often a closed chain turns around the hole with this center, and how
+/// often it crosses the square inside the plate whose sides run around the hole within the bars.
 std::array<char, 2> CountCrossings(
   const std::vector<std::array<double, 3>>& points, double x, double y)
 {
-  constexpr double Off = 0.0123; // no vertex is there
+  constexpr double Off = 0.0123; // offset that avoids all vertices
   std::array<char, 2> counts{ { 0, 0 } };
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
@@ -60,7 +60,7 @@ TEST(LoopFinder, AroundAPrism)
     const Id sides = 7;
     const LoopWorld world(PrismSide(sides, 3, 8, jitter, 4));
     const Id around = 3 * sides;
-    // Through any point the loop is closed, and as long as the prism is around.
+    // The loop through any point is closed and as long as the circumference of the prism.
     for (const SurfacePoint& point :
       { At(4 * around + 5), SurfacePoint::InFace(world.Mesh, 150, { { 0.3, 0.5, 0.2 } }),
         SurfacePoint::OnEdge(world.Mesh, 301, 0.3) })
@@ -84,7 +84,7 @@ TEST(LoopFinder, AroundAPrism)
   }
 }
 
-/// Paths of coarse graphs have kinks as wide as ways that contract.
+/// Paths of coarse graphs have kinks that are as large as those of contractible loops.
 TEST(LoopFinder, InCoarseGraphs)
 {
   const TestMesh prism = PrismSide(20, 1, 12);
@@ -104,7 +104,7 @@ TEST(LoopFinder, OnTheTorus)
   const Id nu = 30;
   const Id nv = 14;
   const LoopWorld world(Torus(nu, nv));
-  // Around the tube: between the vertices, where the section of the tube is narrowest.
+  // Around the tube: between the vertices, at the narrowest section of the tube.
   double tube = 0.0;
   for (Id j = 0; j < nv; ++j)
   {
@@ -117,7 +117,7 @@ TEST(LoopFinder, OnTheTorus)
   const double hole = nu * 2.0 * 0.6 * std::sin(dgg::Pi / nu);
   for (const std::uint64_t seed : { 1, 2, 3 })
   {
-    // Where the search begins does not matter.
+    // The start of the search does not matter.
     const TestMesh torus = Torus(nu, nv);
     const LoopWorld renumbered(
       Renumbered(torus, RandomPermutation(torus.GetNumberOfVertices(), seed), seed));
@@ -154,7 +154,7 @@ TEST(LoopFinder, OnFlatTori)
 
 TEST(LoopFinder, OneSidedSurfaces)
 {
-  // Along the middle of a Moebius strip, and twice around along any other line.
+  // Along the center line of a Moebius strip, and twice around along any other line.
   const LoopWorld strip(MoebiusStrip(12, 4));
   const std::vector<FoundLoop> loops = strip.AroundHandles();
   ASSERT_EQ(loops.size(), 1u);
@@ -198,7 +198,7 @@ TEST(LoopFinder, HandlesOfSeveralComponents)
   }
 }
 
-/// Where sheets touch in a vertex, loops do not pass it if they need not.
+/// Where layers touch in a vertex, loops avoid the vertex if possible.
 TEST(LoopFinder, HandlesOfSheetsThatTouch)
 {
   TestMesh tori = Torus(12, 8);
@@ -206,7 +206,8 @@ TEST(LoopFinder, HandlesOfSheetsThatTouch)
   ASSERT_EQ(expected.size(), 2u);
   const Id first = tori.GetNumberOfVertices();
   Append(tori, MovedRigidly(tori, 1.0, { { 3.0, 0.0, 0.0 } }));
-  // Vertex 0 of the one in the place of that of the other, which is no longer used.
+  // Vertex 0 of one torus replaces the corresponding vertex of the other torus, which becomes
+  // unused.
   TestMesh touching = tori;
   std::replace(touching.Triangles.begin(), touching.Triangles.end(), first, 0);
   std::copy(tori.Points.begin(), tori.Points.begin() + 3, touching.Points.begin());
@@ -227,8 +228,8 @@ TEST(LoopFinder, HandlesOfSheetsThatTouch)
   EXPECT_TRUE(pinned[0].Loop.IsEmpty());
 }
 
-/// More handles than a machine word has bits. Those loops are independent that a loop through a
-/// hole and one around it distinguish.
+/// More handles than a machine word has bits. Loops through a hole and around a hole distinguish
+/// independent loops.
 TEST(LoopFinder, LoopsOfManyHandlesAreIndependent)
 {
   constexpr int Holes = 6; // in each direction
@@ -304,7 +305,7 @@ TEST(LoopFinder, GeodesicsOnSoundMeshes)
   EXPECT_GT(found, 20);
 }
 
-/// Whatever comes in, no loop leaves the surface.
+/// On any input, all loops lie on the surface.
 TEST(LoopFinder, DefectMeshes)
 {
   for (const NamedMesh& named : DefectMeshes())
@@ -334,17 +335,17 @@ TEST(LoopFinder, DefectMeshes)
 TEST(LoopFinder, Ropes)
 {
   const LoopWorld world(Icosphere(3));
-  // A rope on a sphere slips off, or stays around it.
+  // A rope on a sphere contracts if it may slide off the points.
   EXPECT_TRUE(world.Rope({ At(12), At(20), At(31) }, true).Loop.IsEmpty());
-  // Through points it stays.
+  // A rope fixed at its points remains.
   const FoundLoop slack = world.Rope({ At(12), At(20), At(31) }, false);
   EXPECT_LT(slack.Angle, 3.0);
   EXPECT_GT(slack.Loop.Length, 0.5);
-  // There and back.
+  // From one point to another and back.
   const FoundLoop twice = world.Rope({ At(12), At(20) }, false);
   EXPECT_LT(twice.Angle, 0.2);
   EXPECT_TRUE(world.Rope({ At(12), At(20) }, true).Loop.IsEmpty());
-  // One point is no rope.
+  // A single point yields no rope.
   EXPECT_TRUE(world.Rope({ At(12) }, false).Loop.IsEmpty());
   FoundLoop loop;
   bool isConnected = false;
@@ -359,23 +360,24 @@ TEST(LoopFinder, Ropes)
   EXPECT_FALSE(isConnected);
 }
 
-/// The angle of a rope that keeps to its points is the smallest one at any of them.
+/// The angle of a rope that passes its points is the smallest angle at any of the points.
 TEST(LoopFinder, KinksOfRopes)
 {
   const LoopWorld plane(Plane(8, 8));
   const auto at = [](Id i, Id j) { return At(9 * j + i); };
-  // A triangle with angles of 90, 45 and 45 degrees, and a kite-like one through a point between.
+  // A triangle with angles of 90, 45 and 45 degrees, and a square with an additional point on a
+  // side.
   for (int first = 0; first < 3; ++first)
   {
     std::vector<SurfacePoint> points = { at(1, 1), at(6, 1), at(1, 6) };
     std::rotate(points.begin(), points.begin() + first, points.end());
     EXPECT_NEAR(plane.Rope(points, false).Angle, 0.25 * dgg::Pi, 1e-9);
-    points.insert(points.begin() + 1, points[0]); // the same point twice
+    points.insert(points.begin() + 1, points[0]); // duplicate point
     EXPECT_NEAR(plane.Rope(points, false).Angle, 0.25 * dgg::Pi, 1e-9);
   }
   EXPECT_NEAR(plane.Rope({ at(1, 1), at(4, 1), at(6, 1), at(6, 6), at(1, 6) }, false).Angle,
     0.5 * dgg::Pi, 1e-9);
-  // In faces and on edges as well.
+  // Points in faces and on edges.
   const LoopWorld prism(PrismSide(7, 3, 8, 0.2, 4));
   const std::vector<SurfacePoint> anywhere = { SurfacePoint::InFace(
                                                  prism.Mesh, 150, { { 0.3, 0.5, 0.2 } }),
@@ -388,8 +390,8 @@ TEST(LoopFinder, KinksOfRopes)
   EXPECT_LT(loop.Angle, dgg::Pi - 0.01);
 }
 
-/// A prism of long thin strips with flat caps: every way around is led over a cap strip by strip,
-/// and contracts. So many of them are tried as ordinary meshes take in all.
+/// A prism of long thin strips with flat caps: every loop is moved over a cap strip by strip and
+/// contracts. The number of trials is limited to a number that suffices on ordinary meshes.
 TEST(LoopFinder, EndsWhereAllWaysTakeLong)
 {
   const Id sides = 400;
@@ -409,7 +411,8 @@ namespace
 using dgg::FoundLoop;
 using dgg::SurfacePoint;
 
-/// Where the edges of a convex surface cross a plane across an axis, in order around the axis.
+/// Returns the points where the edges of a convex surface cross a plane perpendicular to an axis,
+/// ordered around the axis.
 std::vector<SurfacePoint> Section(
   const dgg::SurfaceMesh& mesh, const TestMesh& points, int axis, double height)
 {
@@ -476,7 +479,7 @@ TEST_P(TautLoops, AroundPrisms)
       EXPECT_FALSE(loop.IsKinked());
       EXPECT_NEAR(loop.Loop.Length, around, 1e-9);
       ExpectTaut(world, rope, around);
-      // With kinks, which go.
+      // Start with kinks, which must disappear.
       const std::vector<SurfacePoint> higher = Section(world.Mesh, prism, 2, 0.48 * PrismHeight);
       ASSERT_EQ(higher.size(), 2u * sides);
       for (std::size_t i = 0; i < rope.size(); i += 3)
@@ -489,7 +492,7 @@ TEST_P(TautLoops, AroundPrisms)
   }
 }
 
-/// The way around is far from all vertices.
+/// The loop is far from all vertices.
 TEST_P(TautLoops, ThroughAPointOfAPrism)
 {
   for (Id sides = 12; sides <= 36; sides += 6)
@@ -530,7 +533,7 @@ TEST(TautRopes, AroundCubes)
   }
 }
 
-/// What only leans on corners slips off.
+/// A rope that only touches corners slides off.
 TEST(TautRopes, RimsOfPrisms)
 {
   for (const Id sides : { 3, 4, 12, 40 })

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Known answers of MeshReport, on every generator.
+// Known results of MeshReport on every generator.
 #include "TestMeshes.h"
 
 #include "dggDisjointSets.h"
@@ -19,7 +19,7 @@ namespace
 {
 using dgg::MeshReport;
 
-/// What the report should say; what a case does not mention is zero, or one component.
+/// Expected report; fields that a case does not mention are zero, or one component.
 struct Expected
 {
   std::string Name;
@@ -166,14 +166,14 @@ TEST(MeshReport, CountsTurnedFaces)
 TEST(MeshReport, CountsCoincidentPoints)
 {
   TestMesh mesh = SingleTriangle();
-  mesh.AddPoint(0.0, -0.0, 0.0);  // signed zeros are the same place
-  mesh.AddPoint(0.0, 1e-30, 0.0); // near is not the same
+  mesh.AddPoint(0.0, -0.0, 0.0);  // signed zeros are the same position
+  mesh.AddPoint(0.0, 1e-30, 0.0); // close positions are distinct
   mesh.AddPoint(4.0, 0.0, 0.0);
   mesh.AddPoint(4.0, 0.0, 0.0);
   mesh.AddPoint(NAN, 0.0, 0.0);
   mesh.AddPoint(NAN, 0.0, 0.0);
   EXPECT_EQ(Inspect(mesh).CoincidentPoints, 3);
-  EXPECT_EQ(dgg::InspectMesh(Build(mesh)).CoincidentPoints, 0); // without points
+  EXPECT_EQ(dgg::InspectMesh(Build(mesh)).CoincidentPoints, 0); // mesh without points
 }
 
 TEST(MeshReport, MeasuresAnisotropy)
@@ -184,7 +184,7 @@ TEST(MeshReport, MeasuresAnisotropy)
   // Right isosceles: sqrt(2) (2 + sqrt(2)) / (2 sqrt(3)).
   const double right = std::sqrt(2.0) * (2.0 + std::sqrt(2.0)) / (2.0 * std::sqrt(3.0));
   EXPECT_NEAR(Inspect(Plane(3, 3)).MeanAnisotropy, right, 1e-14);
-  // Neither is moved by a few slivers; long triangles count by their area.
+  // A few slivers change neither value; long triangles are weighted by their area.
   const MeshReport slivers = Inspect(SliverPlane(6, 1e-6));
   EXPECT_NEAR(slivers.MedianAnisotropy, right, 1e-12);
   EXPECT_NEAR(slivers.MeanAnisotropy, right, 0.1);
@@ -198,13 +198,13 @@ TEST(MeshReport, MeasuresAnisotropy)
   EXPECT_EQ(Inspect(TestMesh()).MeanAnisotropy, 0.0);
 }
 
-// Numbers that are joined, and half-edges that stand for their edge.
+// Disjoint sets of ids, and representative half-edges of edges.
 
 TEST(DisjointSets, AreThoseOfLabels)
 {
   const Id count = 300;
   dgg::DisjointSets sets(count);
-  std::vector<Id> labels(count); // the plain way: relabel one of the two
+  std::vector<Id> labels(count); // reference: relabel one of the two sets
   for (Id i = 0; i < count; ++i)
   {
     labels[i] = i;

@@ -330,7 +330,7 @@ TestMesh Subdivided(const TestMesh& mesh, Id k)
     const Id a = mesh.Triangles[3 * f];
     const Id b = mesh.Triangles[3 * f + 1];
     const Id c = mesh.Triangles[3 * f + 2];
-    std::vector<std::vector<Id>> rows; // row i holds the points i steps away from a
+    std::vector<std::vector<Id>> rows; // row i has the points i steps away from a
     for (Id i = 0; i <= k; ++i)
     {
       std::vector<Id> row;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves beside a curve.
+// Offset curves of a curve.
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 #include "TestMeshes.h"
@@ -30,7 +30,7 @@ std::vector<SurfacePath> Tape(const dgg::SurfaceMesh& mesh, const SurfacePath& p
   return rims;
 }
 
-/// Points on a path, no farther from each other than `spacing`.
+/// Returns points on a path with a spacing of at most `spacing`.
 std::vector<dgg::GeodesicSource> PointsAlong(
   const dgg::SurfaceMesh& mesh, const SurfacePath& path, double spacing)
 {
@@ -54,7 +54,7 @@ std::vector<dgg::GeodesicSource> PointsAlong(
       }
       if (mesh.IsFlipped(face))
       {
-        std::swap(between[1], between[2]); // to the order of the input
+        std::swap(between[1], between[2]); // to the order of the corners in the input
       }
       sources.push_back({ SurfacePoint::InFace(mesh, face, between), 0.0 });
     }
@@ -63,11 +63,11 @@ std::vector<dgg::GeodesicSource> PointsAlong(
   return sources;
 }
 
-/// No point of a rim is nearer to the path than the distance, and none is farther.
+/// Expects all points of the rims to lie at the given distance from the path.
 void ExpectAtDistance(const dgg::SurfaceMesh& mesh, const SurfacePath& path,
   const std::vector<SurfacePath>& rims, double distance, double tolerance)
 {
-  // Between two points the path is nearer by no more than 1e-6 of the distance.
+  // Between two sample points the path is nearer by at most 1e-6 of the distance.
   const std::vector<dgg::GeodesicSource> sources = PointsAlong(mesh, path, 2e-3 * distance);
   dgg::ExactOptions options;
   for (const SurfacePath& rim : rims)
@@ -89,7 +89,7 @@ TEST(Tape, AroundAPrism)
   const Id sides = 6;
   const Id around = 4 * sides;
   const dgg::SurfaceMesh mesh = Build(PrismSide(sides, 4, 8, 0.0));
-  SurfacePath loop; // along the edges of the row in the middle
+  SurfacePath loop; // along the edges of the middle row
   for (Id i = 0; i <= around; ++i)
   {
     loop.Points.push_back(SurfacePoint::AtVertex(4 * around + i % around));
@@ -123,7 +123,7 @@ TEST(Tape, AroundAPrism)
 
 TEST(Tape, AroundASegment)
 {
-  // A stadium: two straight sides, two half circles.
+  // The offset curve is a stadium: two straight sides, two half circles.
   const Id n = 40;
   const dgg::SurfaceMesh mesh = Build(Plane(n, n, 0.2, 3));
   const Id row = (n / 2) * (n + 1);
@@ -137,7 +137,7 @@ TEST(Tape, AroundASegment)
 
 TEST(Tape, OfAPathThatCrossesItself)
 {
-  // A bow tie: around it one rim, and one in each of its two triangles.
+  // A bow tie has one rim around it, and one in each of its two triangles.
   const Id n = 20;
   const dgg::SurfaceMesh mesh = Build(Plane(n, n, 0.2, 3));
   const Id corners[] = { 5, 15, 5, 15 };
@@ -156,7 +156,7 @@ TEST(Tape, OfAPathThatCrossesItself)
   EXPECT_GT(std::max({ rims[0].Length, rims[1].Length, rims[2].Length }), path.Length);
 }
 
-/// In the plane.
+/// Returns the distance between a point and a segment in the plane.
 double DistanceToSegment(
   const std::array<double, 3>& p, const std::array<double, 2>& a, const std::array<double, 2>& b)
 {
@@ -169,8 +169,8 @@ double DistanceToSegment(
 
 TEST(Tape, InTrianglesOfAnySize)
 {
-  // Around a triangle: outside, its sides and three arcs that make up a circle; inside, a smaller
-  // triangle. All may lie within two faces, or even in one.
+  // Around a triangle: the outer rim consists of its sides and three arcs that sum to a circle; the
+  // inner rim is a smaller triangle. All may lie within two faces, or even in one.
   using Corner = std::array<double, 2>;
   const std::array<std::array<Corner, 3>, 2> triangles{ {
     { { { { 0.2, 0.2 } }, { { 0.8, 0.25 } }, { { 0.7, 0.8 } } } },
@@ -183,7 +183,7 @@ TEST(Tape, InTrianglesOfAnySize)
       const TestMesh points = Scaled(Plane(n, n), 1.0 / n);
       const dgg::SurfaceMesh mesh = Build(points);
       SurfacePath loop;
-      double room = 0.0; // what the sides lose inside, in units of the distance
+      double room = 0.0; // length that the inner sides lose, in units of the distance
       for (int k = 0; k < 3; ++k)
       {
         const Corner& a = triangle[k];
@@ -228,7 +228,7 @@ TEST(Tape, EndsAtTheBoundary)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(10, 10));
   const std::vector<SurfacePath> rims = Tape(mesh, PathBetween(mesh, 55, 65), 3.0);
-  ASSERT_EQ(rims.size(), 2u); // straight across
+  ASSERT_EQ(rims.size(), 2u); // the path is straight
   EXPECT_NEAR(rims[0].Length, rims[1].Length, 1e-3);
 }
 

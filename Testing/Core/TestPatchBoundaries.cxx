@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same layout on two surfaces: curves that correspond, patches that are disks.
+// Consistent layouts on two surfaces: corresponding curves, and patches that are disks.
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 #include "TestMeshes.h"
@@ -22,7 +22,7 @@ using dgg::PatchLayout;
 using dgg::SurfacePoint;
 using Points = std::vector<SurfacePoint>;
 
-/// The vertex that is nearest to a place.
+/// Returns the vertex nearest to a position.
 Id Nearest(const TestMesh& mesh, double x, double y, double z)
 {
   Id best = 0;
@@ -69,7 +69,7 @@ TestMesh TurnedOver(TestMesh mesh)
 
 PatchLayout Octahedral()
 {
-  // Landmarks: +x -x +y -y +z -z.
+  // Landmarks in the order +x -x +y -y +z -z.
   return { {},
     { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 },
       { 0, 3, 5 } } };
@@ -86,8 +86,9 @@ std::vector<Id> AxisVertices(const TestMesh& mesh)
     Nearest(mesh, 0, -2, 0), Nearest(mesh, 0, 0, 2), Nearest(mesh, 0, 0, -2) };
 }
 
-/// Curves of one surface: ends, disjoint inside, and the parts that they leave have one landmark
-/// for each corner. Returns the numbers of edges around the parts that are disks, sorted.
+/// Checks the curves of one surface: correct ends, disjoint interiors, and one landmark for each
+/// corner of the remaining submeshes. Returns the sorted numbers of boundary edges of the submeshes
+/// that are disks.
 std::vector<std::size_t> ExpectCurves(const dgg::SurfaceMesh& mesh, const Points& landmarks,
   const PatchBoundaries& boundaries, int side)
 {
@@ -126,7 +127,7 @@ std::vector<std::size_t> ExpectCurves(const dgg::SurfaceMesh& mesh, const Points
   {
     EXPECT_EQ(taken.count(refined.Paths[l][0]), 0u) << "a curve runs through landmark " << l;
   }
-  // Count the corners of each part.
+  // Count the corners of each submesh.
   dgg::SubMesh cut;
   EXPECT_TRUE(dgg::CutAlongChains(refined, refined.Paths, cut).IsOk());
   dgg::SurfaceMesh opened;
@@ -191,7 +192,7 @@ TEST(PatchBoundaries, OctahedronOnSpheres)
   const dgg::SurfaceMesh bumpy = Build(second);
   const dgg::SurfaceMesh turned = Build(TurnedOver(second));
   ExpectDisks(surface, a, bumpy, b, Octahedral(), disks);
-  // Any of the two may be inside out, or the patches.
+  // Reverse the orientation of either surface, or of the patches.
   ExpectDisks(Build(TurnedOver(first)), a, bumpy, b, Octahedral(), disks);
   ExpectDisks(surface, a, turned, b, Octahedral(), disks);
   PatchLayout mirrored = Octahedral();
@@ -213,7 +214,7 @@ TEST(PatchBoundaries, OfTheSameSurfaceAreTheSame)
   {
     const double length = boundaries.Curves[0][e].Length;
     EXPECT_EQ(length, boundaries.Curves[1][e].Length);
-    // Where nothing is in the way, it is the shortest path.
+    // Curves without obstacles are shortest paths.
     const double shortest = DistancesFrom(surface, dgg::ExactEngine::Reference,
       landmarks[boundaries.Edges[e][0]].Vertex)[landmarks[boundaries.Edges[e][1]].Vertex];
     EXPECT_GE(length, shortest * (1.0 - 1e-12));
@@ -249,12 +250,13 @@ TEST(PatchBoundaries, LinesAlone)
 
 TEST(PatchBoundaries, LandmarksAnywhere)
 {
-  // A tetrahedral layout whose landmarks lie in faces and on edges.
+  // A tetrahedral layout with landmarks in faces and on edges.
   const dgg::SurfaceMesh a = Build(Icosphere(2));
   const dgg::SurfaceMesh b = Build(BumpySphere(2));
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
   {
-    // The same points of the same faces, so that a drawing exists that is not far from straight.
+    // The landmarks lie at equal positions in the same faces of both surfaces, so that a nearly
+    // straight layout exists.
     const Points landmarks = RandomSurfacePoints(a, 4, seed);
     SCOPED_TRACE(seed);
     ExpectDisks(a, landmarks, b, landmarks, Tetrahedral(), std::vector<std::size_t>(4, 3));
@@ -275,7 +277,7 @@ TEST(PatchBoundaries, AllInOneFace)
 
 TEST(PatchBoundaries, UnrelatedLandmarks)
 {
-  // On a sphere every planar layout can be drawn, wherever the landmarks are.
+  // Every planar layout can be drawn on a sphere, for any positions of the landmarks.
   const dgg::SurfaceMesh a = Build(NoisySphere(2, 0.3, 3));
   const dgg::SurfaceMesh b = Build(BumpySphere(2));
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
@@ -311,7 +313,7 @@ TEST(PatchBoundaries, QuadsOnATorus)
 
 TEST(PatchBoundaries, PlanesWithRims)
 {
-  // A square of four patches: corners, midpoints of sides, centre.
+  // A square of four patches: corners, midpoints of sides, and center.
   const std::vector<Id> vertices{ 0, 4, 8, 36, 40, 44, 72, 76, 80 };
   const PatchLayout layout{ {},
     { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 3, 4, 7, 6 }, { 4, 5, 8, 7 } } };
@@ -320,11 +322,11 @@ TEST(PatchBoundaries, PlanesWithRims)
   const Points landmarks = AtVertices(vertices);
   const PatchBoundaries boundaries = Trace(a, landmarks, b, landmarks, layout);
   EXPECT_EQ(ExpectCurves(a, landmarks, boundaries, 0), std::vector<std::size_t>(4, 4));
-  // On the terrain the rim is not straight: something may be left outside.
+  // On the terrain the rim is not straight: curves may leave a remainder outside.
   const auto parts = ExpectCurves(b, landmarks, boundaries, 1);
   EXPECT_GE(std::count(parts.begin(), parts.end(), 4u), 4);
-  // Landmarks in the interior, in a row: a straight line between the outer ones would run over
-  // the one in the middle.
+  // Collinear landmarks in the interior: a straight line between the outer two would pass over the
+  // middle one.
   const PatchLayout row{ { { 0, 1 }, { 1, 2 }, { 0, 2 } }, {} };
   const Points inRow = AtVertices({ 38, 40, 42 });
   ExpectDisks(a, inRow, b, inRow, row, { 3 });
@@ -332,7 +334,7 @@ TEST(PatchBoundaries, PlanesWithRims)
 
 TEST(PatchBoundaries, ManyIntoOne)
 {
-  // A wheel on a plane with a wall: many curves come round the same corner.
+  // A wheel on a plane with a wall: many curves pass around the same corner.
   const TestMesh mesh = Plate(
     16, 10, [](Id i, Id j) { return !(i == 8 && j < 8); }, 0.2, 3);
   const dgg::SurfaceMesh surface = Build(mesh);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts of meshes behave as the whole does, corridors around paths among them.
+// Submeshes behave like their parent mesh; corridors around paths.
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "PathChecks.h"
@@ -22,13 +22,13 @@ using dgg::SurfaceMesh;
 using dgg::SurfacePath;
 using dgg::SurfacePoint;
 
-/// Meshes with faces without area, of which light makes much.
+/// Returns meshes with degenerate faces, which multiply windows.
 std::vector<NamedMesh> DegenerateMeshes()
 {
   std::vector<NamedMesh> meshes{ { "Zipped", ZippedPlane(12) }, { "Collinear", CollinearPlane(12) },
     { "Collapsed", CollapsedSphere(3, 60, 9) }, { "CollapsedMore", CollapsedSphere(3, 300, 5) } };
-  // Without the one that has all points in one place. On some of them light that is taken for
-  // ordinary runs on for ever.
+  // Exclude the mesh whose points all coincide. On some of these meshes windows that are regarded
+  // as regular propagate forever.
   std::vector<TestMesh> flattened = FlattenedMeshes();
   flattened.pop_back();
   for (TestMesh& mesh : flattened)
@@ -38,7 +38,7 @@ std::vector<NamedMesh> DegenerateMeshes()
   return meshes;
 }
 
-/// Some faces of a mesh as a mesh of its own.
+/// Returns some faces of a mesh as a separate mesh.
 SurfaceMesh PartOf(const SurfaceMesh& mesh, const std::vector<Id>& faces)
 {
   std::vector<Id> triangles;
@@ -57,7 +57,7 @@ SurfaceMesh PartOf(const SurfaceMesh& mesh, const std::vector<Id>& faces)
   return part;
 }
 
-/// The shortest path along mesh edges: a long way round.
+/// Returns a descending path along mesh edges, longer than the shortest path.
 SurfacePath EdgePath(const SurfaceMesh& mesh, Id from, Id to)
 {
   const std::vector<double> toGo = DistancesFrom(mesh, dgg::ExactEngine::Triangle, to);
@@ -82,7 +82,7 @@ SurfacePath EdgePath(const SurfaceMesh& mesh, Id from, Id to)
     }
     if (next == dgg::NoId)
     {
-      return SurfacePath(); // among coincident points
+      return SurfacePath(); // no closer neighbor among coincident points
     }
     path.Points.push_back(SurfacePoint::AtVertex(next));
     path.Faces.push_back(face);
@@ -134,7 +134,7 @@ TEST(MeshParts, KnowWhatIsDegenerate)
         mollified += mesh.IsMollified(faces[i]) ? 1 : 0;
         for (Id k = 0; k < 3 && !part.IsFlipped(f); ++k)
         {
-          EXPECT_EQ(part.Length(3 * f + k), mesh.Length(3 * faces[i] + k)); // not a bit longer
+          EXPECT_EQ(part.Length(3 * f + k), mesh.Length(3 * faces[i] + k)); // lengths are identical
           EXPECT_TRUE(!part.IsMollified(f) ||
             part.Kind(part.Origin(3 * f + k)) == dgg::VertexKind::Irregular);
         }
@@ -142,7 +142,7 @@ TEST(MeshParts, KnowWhatIsDegenerate)
       EXPECT_EQ(part.GetNumberOfDegenerateFaces(), degenerate);
       EXPECT_EQ(part.GetNumberOfMollifiedFaces(), mollified);
       EXPECT_EQ(part.GetMollification(), mollified > 0 ? mesh.GetMollification() : 0.0);
-      if (isHalf || isTurned) // turned parts of what cannot be oriented
+      if (isHalf || isTurned) // reversed submeshes of a nonorientable mesh
       {
         continue;
       }
@@ -161,7 +161,7 @@ TEST(MeshParts, KnowWhatIsDegenerate)
   EXPECT_GT(solved, 20);
 }
 
-/// Split along paths, degenerate faces stay degenerate.
+/// Degenerate faces remain degenerate when they are split along paths.
 TEST(MeshParts, RefinedFacesKnowWhatIsDegenerate)
 {
   for (const NamedMesh& named : DegenerateMeshes())
@@ -184,8 +184,8 @@ TEST(MeshParts, RefinedFacesKnowWhatIsDegenerate)
   }
 }
 
-/// Among faces without area the solver ends in a corridor, too, and finds paths as short as on the
-/// whole mesh.
+/// Among degenerate faces the solver also terminates in a corridor, and finds paths as short as on
+/// the whole mesh.
 TEST(PathCorridor, AmongFacesWithoutArea)
 {
   for (const NamedMesh& named : DegenerateMeshes())
@@ -211,7 +211,7 @@ TEST(PathCorridor, AmongFacesWithoutArea)
       EXPECT_FALSE(corridor.IsStopped());
       EXPECT_NEAR(path.Length, shortest.Length, 1e-9 * shortest.Length);
     }
-    EXPECT_GE(paths, 3); // there are few steps to smaller distances among coincident points
+    EXPECT_GE(paths, 3); // few neighbors at coincident points are closer
   }
 }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths traced from a graph: they lie on the surface, are as long as the graph says, and become
+// Paths traced from a graph: they lie on the surface, have the length of the graph path, and become
 // locally shortest when straightened.
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
@@ -37,7 +37,7 @@ PathOptions Straight(double detour = 0.0)
   return options;
 }
 
-/// A mesh, its graph, and paths in it.
+/// A mesh, its graph, and paths in the graph.
 class PathWorld
 {
 public:
@@ -85,7 +85,7 @@ struct Tally
   int Shortest = 0;
 };
 
-/// All that is promised of a path.
+/// Checks all guarantees of a path.
 void ExpectGoodPaths(const TestMesh& input, double accuracy, std::uint64_t seed, Tally& tally)
 {
   const PathWorld world(input, accuracy);
@@ -143,7 +143,8 @@ void ExpectGoodPaths(const TestMesh& input, double accuracy, std::uint64_t seed,
   }
 }
 
-/// Paths on some meshes, of which a share at least is shortest of all.
+/// Checks paths on several meshes, and expects at least the fraction `share` to be globally
+/// shortest.
 void ExpectShortestPaths(
   const std::vector<NamedMesh>& meshes, double accuracy, std::uint64_t seed, double share)
 {
@@ -175,16 +176,16 @@ TEST(PathFinder, FineGraph)
   meshes.erase(std::remove_if(meshes.begin(), meshes.end(),
                  [](const NamedMesh& m) { return m.Mesh.GetNumberOfVertices() >= 500; }),
     meshes.end());
-  ExpectShortestPaths(meshes, 5e-6, 7, 0.99); // lengths are double
+  ExpectShortestPaths(meshes, 5e-6, 7, 0.99); // lengths are stored as double
 }
 
-/// Narrow faces split light into more windows than the solver may spend in a corridor. The path is
-/// then the locally shortest one, as if nothing had been tried.
+/// Narrow faces split windows into more than the solver may process in a corridor. The result is
+/// then the locally shortest path, as without a corridor.
 TEST(PathFinder, CorridorsThatTakeTooLong)
 {
   const PathWorld world(Torus(6, 1000), 0.2);
   const SurfacePoint from = SurfacePoint::AtVertex(1);
-  const SurfacePoint to = SurfacePoint::AtVertex(3010); // on the other side
+  const SurfacePoint to = SurfacePoint::AtVertex(3010); // on the opposite side
   const FoundPath straight = world.Find(from, to, Straight());
   const FoundPath best = world.Find(from, to, Straight(1.0));
   dgg::PathCorridor corridor(world.Mesh);

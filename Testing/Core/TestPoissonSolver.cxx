@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Poisson equations on surfaces: closed forms, boundary conditions, any triangles; sparse factors.
+// Poisson equations on surfaces: closed forms, boundary conditions, any triangles; sparse
+// factorizations.
 #include "GreensTestTools.h"
 #include "TestMeshes.h"
 
@@ -21,7 +22,7 @@ namespace dggtest
 {
 namespace
 {
-/// A solver that is ready.
+/// A prepared solver.
 class Poisson
 {
 public:
@@ -44,7 +45,7 @@ public:
   dgg::PoissonSolver Solver;
 };
 
-/// Weighted means of a function over the components, and how many of them.
+/// Returns the weighted means of a function, one per component.
 std::vector<double> Means(const dgg::PoissonSolver& solver, const std::vector<double>& f)
 {
   Id count = 0;
@@ -57,7 +58,8 @@ std::vector<double> Means(const dgg::PoissonSolver& solver, const std::vector<do
   return means;
 }
 
-/// f solves the equation whose sources it has, up to means where no value of a component is given.
+/// Expects the solver to reproduce f from its sources, up to the mean in components without
+/// prescribed values.
 void ExpectInverse(const Poisson& poisson, double tolerance, const std::string& what)
 {
   const dgg::SurfaceMesh& mesh = poisson.Solver.GetMesh();
@@ -81,7 +83,7 @@ void ExpectInverse(const Poisson& poisson, double tolerance, const std::string& 
   }
 }
 
-/// Root of the mean square over the area of a difference.
+/// Returns the root mean square of a difference over the area.
 double Error(const dgg::PoissonSolver& solver, const std::vector<double>& u,
   const std::function<double(Id)>& expected)
 {
@@ -99,7 +101,7 @@ double Error(const dgg::PoissonSolver& solver, const std::vector<double>& u,
 
 TEST(PoissonSolver, UnbalancedSourcesAreBalanced)
 {
-  // A unit at one vertex of the sphere, nothing on the torus and the plane beside it.
+  // A unit source at one vertex of the sphere; no sources on the torus and the plane beside it.
   const dgg::SurfaceMesh mesh = Build(SeveralComponents());
   for (const auto weights : { dgg::PoissonWeights::Area, dgg::PoissonWeights::Uniform })
   {
@@ -141,8 +143,8 @@ TEST(PoissonSolver, InvertsTheLaplacian)
   }
 }
 
-/// The largest source that a solution leaves over, for a unit source at a vertex of a connected
-/// mesh without given values.
+/// Returns the largest residual of a solution for a unit source at a vertex of a connected mesh
+/// without prescribed values.
 double ResidualOf(const Poisson& poisson, Id vertex, const std::vector<double>& solution)
 {
   const std::vector<double> product = poisson.Multiply(solution);
@@ -158,7 +160,8 @@ double ResidualOf(const Poisson& poisson, Id vertex, const std::vector<double>& 
 
 TEST(PoissonSolver, SolutionsAmongNeedlesAreRefined)
 {
-  // One substitution leaves up to 5e-9; so do those of several systems at once.
+  // A single substitution leaves residuals up to 5e-9, and so do substitutions of several systems
+  // at once.
   const dgg::SurfaceMesh mesh = Build(NeedlePlane(12, 1e-6));
   const Poisson poisson(mesh);
   const Id n = mesh.GetNumberOfVertices();
@@ -209,8 +212,8 @@ TEST(PoissonSolver, NeumannSquareConverges)
 
 TEST(PoissonSolver, GivenValuesOfLinearFunctionsAreContinuedLinearly)
 {
-  // On the whole boundary; then on the sides x = 0 and x = 7 alone, in any order and twice: nothing
-  // flows through the others.
+  // Prescribe values on the whole boundary; then only on the sides x = 0 and x = 7, in any order
+  // and with duplicates. The other sides have zero flux.
   const TestMesh plane = Plane(7, 5, 0.25);
   const dgg::SurfaceMesh mesh = Build(plane);
   const Id n = mesh.GetNumberOfVertices();
@@ -251,8 +254,8 @@ TEST(PoissonSolver, GivenValuesOfLinearFunctionsAreContinuedLinearly)
 
 TEST(PoissonSolver, OneGivenValueTakesInWhatFlows)
 {
-  // Of a closed surface: sources that do not sum to 0 flow out where the value is given. The other
-  // component has none, and is balanced.
+  // On a closed surface, sources that do not sum to 0 flow out at the vertex with a prescribed
+  // value. The other component has no prescribed value and is balanced.
   TestMesh two = Icosphere(2);
   const Id n = two.GetNumberOfVertices();
   Append(two, Translated(Icosphere(1), 5.0, 0.0, 0.0));
@@ -318,10 +321,10 @@ TEST(PoissonSolver, AnyTrianglesGiveNumbers)
         continue;
       }
       const Poisson poisson(mesh, options);
-      // Faces of next to no area are stiff in one direction and soft in the other one: condition
-      // numbers are up to 1e12.
+      // Nearly degenerate faces are stiff in one direction and soft in the other one: condition
+      // numbers reach 1e12.
       ExpectInverse(poisson, 1e-3, what);
-      // Sources and their effect agree, too: what is stiff is not soft.
+      // Sources are reproduced as well.
       const auto withoutFixed = [&](std::vector<double> values) {
         for (std::size_t v = 0; v < values.size(); ++v)
         {
@@ -344,12 +347,12 @@ TEST(PoissonSolver, AnyTrianglesGiveNumbers)
       }
     }
   }
-  EXPECT_LT(thin, 40); // of 400
+  EXPECT_LT(thin, 40); // of 400 cases
 }
 
 TEST(PoissonSolver, DelaunayKeepsTheMaximumPrinciple)
 {
-  // Obtuse triangles: without flips, a source makes values below those on the boundary.
+  // Obtuse triangles: without flips, a source creates values below the boundary values.
   TestMesh squeezed = Plane(20, 20, 0.29, 4);
   for (std::size_t k = 0; k < squeezed.Points.size(); k += 3)
   {
@@ -384,7 +387,7 @@ using dgg::Id;
 using dgg::SurfaceMesh;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// The Laplacian of pairs of vertices. Half of the pivots are 0.
+/// Returns the Laplacian of disjoint pairs of vertices. Half of the pivots are 0.
 Matrix Pairs(int n)
 {
   Matrix laplacian(n, n);
@@ -409,7 +412,7 @@ TEST(SparseFactor, SingularMatricesAreRaised)
   dgg::SparseFactor factor;
   ASSERT_TRUE(factor.Compute(order, pairs).IsOk());
   EXPECT_TRUE(factor.IsRaised());
-  // In at one of a pair, out at the other.
+  // Flow into one vertex of a pair and out of the other one.
   std::vector<double> values(Size);
   for (int i = 0; i < Size; ++i)
   {
@@ -449,7 +452,7 @@ TEST(SparseFactor, KnownValuesStayAndAreOfNoConcernToOthers)
   }
 }
 
-/// Laplacian of a square grid, and a multiple of the identity.
+/// Returns the Laplacian of a square grid plus a multiple of the identity.
 Matrix Grid(int size, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -494,7 +497,7 @@ TEST(SparseFactor, CountsEigenvaluesBelowZero)
   constexpr int Size = 12;
   const Matrix grid = Grid(Size, 0.0);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{ Eigen::MatrixXd(grid) };
-  for (const int k : { 1, 3, 4, 6 }) // others are in pairs
+  for (const int k : { 1, 3, 4, 6 }) // the remaining eigenvalues are pairs
   {
     const double sigma = 0.3 * solver.eigenvalues()[k - 1] + 0.7 * solver.eigenvalues()[k];
     const auto below = (solver.eigenvalues().array() < sigma).count();
@@ -506,7 +509,7 @@ TEST(SparseFactor, CountsEigenvaluesBelowZero)
 }
 }
 
-// Equations on cells whose coefficients are given, so that they may be bad ones.
+// Equations on cells with given coefficients, which may be ill-conditioned.
 
 namespace
 {
@@ -517,7 +520,8 @@ struct Link
   double Coefficient; // c_ij
 };
 
-/// The first vertices of a mesh are cells that conduct as the links say; others are in no cell.
+/// Returns cells with one vertex each for the first vertices of a mesh, with the conductivities of
+/// the links. The other vertices are in no cell.
 dgg::SplineCells CellsOf(const dgg::SurfaceMesh& mesh, int count, const std::vector<Link>& links)
 {
   dgg::SplineCells cells;
@@ -544,7 +548,7 @@ dgg::SplineCells CellsOf(const dgg::SurfaceMesh& mesh, int count, const std::vec
 
 TEST(SiteEquations, SmallPivotsAreNoMatter)
 {
-  // With cell 0 held, the equations are next to (0 -1; -1 0), which has no pivots at all.
+  // With cell 0 fixed, the matrix is close to (0 -1; -1 0), which has no pivots on the diagonal.
   const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
   const Greens greens(mesh);
   const dgg::PoissonSystem& system = greens.Solver.GetSystem();
@@ -565,8 +569,8 @@ TEST(SiteEquations, SmallPivotsAreNoMatter)
 
 TEST(SiteEquations, SingularOnesAreRefused)
 {
-  // Ways from 1 and 2 to the held cell, and one between them that undoes both: singular up to
-  // rounding, which leaves a pivot that is not quite 0.
+  // Links from 1 and 2 to the fixed cell, and a link between 1 and 2 that cancels both: the matrix
+  // is singular up to rounding, which leaves a small nonzero pivot.
   const dgg::SurfaceMesh mesh = Build(Plane(3, 3));
   const Greens greens(mesh);
   const dgg::PoissonSystem& system = greens.Solver.GetSystem();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ridges of distances: known ones, and that nothing else is found and nothing left out.
+// Ridges of distances: known ridges, no false ridges, and completeness.
 #include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
@@ -22,7 +22,7 @@ namespace
 {
 constexpr double Degree = Pi / 180.0;
 
-/// Exact distances, and their ridges.
+/// Exact distances and their ridges.
 struct RidgeCase : FieldCase
 {
   RidgeCase(const TestMesh& test, const std::vector<GeodesicSource>& sources, double angle = 20.0,
@@ -77,7 +77,7 @@ double TotalLength(const Ridges& ridges)
   return sum;
 }
 
-/// Where a piece of a line is, in the frame of its face.
+/// Returns the end points of a piece of a line in the frame of its face.
 std::array<Point2, 2> PlaceOfPiece(
   const SurfaceMesh& mesh, const FaceProfile& profile, const SurfacePath& line, std::size_t piece)
 {
@@ -106,9 +106,9 @@ bool IsInside(const FaceProfile& profile, const Point2& p)
   return std::min({ b[0], b[1], b[2] }) > 0.0;
 }
 
-/// On both sides of each piece of a line that lies within a face, the directions differ by the
-/// angle, and points inside of faces are as far from both sources, up to rounding nearly all of
-/// them. Returns how many pieces were looked at.
+/// Expects the directions on both sides of each piece inside a face to differ by the minimum angle,
+/// and points inside faces to have equal distances from both sources up to rounding, with few
+/// exceptions. Returns the number of tested pieces.
 int ExpectTies(const RidgeCase& test, double share, const std::string& what)
 {
   FaceProfile profile(test.Field);
@@ -128,7 +128,7 @@ int ExpectTies(const RidgeCase& test, double share, const std::string& what)
       auto across = [&](const Point2& p, double distance) {
         return Point2{ p.X - distance * way.Y / length, p.Y + distance * way.X / length };
       };
-      const double side = 2e-3 * mean; // the tolerance is half of that
+      const double side = 2e-3 * mean; // twice the tolerance
       const Point2 middle{ 0.5 * (piece[0].X + piece[1].X), 0.5 * (piece[0].Y + piece[1].Y) };
       const Point2 left = across(middle, side);
       const Point2 right = across(middle, -side);
@@ -153,13 +153,14 @@ int ExpectTies(const RidgeCase& test, double share, const std::string& what)
     }
   }
   EXPECT_LE(wrong, share * count) << what << ": " << wrong << " of " << count;
-  // Where ridges meet, the sources that are seen on the sides may be others.
+  // Where ridges meet, the sides may see other sources.
   EXPECT_LE(apart, 1 + 0.03 * count) << what << ": " << apart << " of " << count;
   EXPECT_LT(farthest, 1e-4) << what;
   return count;
 }
 
-/// Jumps on random segments of faces lie on lines. Returns how many there were.
+/// Expects jumps of the direction on random segments in faces to lie on lines. Returns the number
+/// of jumps.
 int ExpectComplete(const RidgeCase& test, double share, std::uint64_t seed, const std::string& what)
 {
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> piecesOf(
@@ -230,7 +231,7 @@ TEST(Ridges, BisectorOfTwoSourcesInThePlane)
     }
     const std::array<double, 3> p = test.At(line.Points.front());
     const std::array<double, 3> q = test.At(line.Points.back());
-    EXPECT_NEAR(line.Length, std::hypot(p[0] - q[0], p[1] - q[1]), 1e-12); // straight
+    EXPECT_NEAR(line.Length, std::hypot(p[0] - q[0], p[1] - q[1]), 1e-12); // the line is straight
   }
 }
 
@@ -244,7 +245,7 @@ TEST(Ridges, HyperbolaOfTwoInitialDistances)
   {
     EXPECT_NEAR(test.DistanceTo(point, a), test.DistanceTo(point, b) + 1.5, 1e-12);
   }
-  EXPECT_GT(test.Found.Lines[0].Points.size(), 30u); // it bends
+  EXPECT_GT(test.Found.Lines[0].Points.size(), 30u); // the line bends
 }
 
 TEST(Ridges, ThreeBisectorsMeetInTheCircumcentre)
@@ -273,7 +274,7 @@ TEST(Ridges, ThreeBisectorsMeetInTheCircumcentre)
       const std::array<double, 3> p = test.At(inner);
       for (std::size_t c = 0; c < 3 && i > 0; ++c)
       {
-        EXPECT_EQ(p[c], centre[c]); // one point
+        EXPECT_EQ(p[c], centre[c]); // all lines share this point
       }
       centre = p;
     }
@@ -282,7 +283,7 @@ TEST(Ridges, ThreeBisectorsMeetInTheCircumcentre)
 
 TEST(Ridges, LinesAlongEdgesAreFound)
 {
-  // The bisector x = 4 is a line of edges, and so is the diagonal.
+  // The bisector x = 4 consists of edges, and so does the diagonal.
   const Id n = 8;
   auto vertex = [&](Id i, Id j) { return j * (n + 1) + i; };
   const RidgeCase upright(Plane(n, n), { VertexSource(vertex(2, 3)), VertexSource(vertex(6, 3)) });
@@ -314,7 +315,7 @@ TEST(Ridges, CubeFromAFaceCentre)
       ASSERT_EQ(test.Found.Lines.size(), 4u);
       for (const SurfacePath& line : test.Found.Lines)
       {
-        // Up an edge of the cube, and half a diagonal.
+        // One edge of the cube and half a diagonal.
         EXPECT_NEAR(line.Length, 1.0 + std::sqrt(0.5), 1e-9);
         EXPECT_TRUE(IsVertex(line.Points.front()) && IsVertex(line.Points.back()));
         EXPECT_TRUE(line.Points.front().Vertex == centre || line.Points.back().Vertex == centre);
@@ -332,7 +333,8 @@ TEST(Ridges, CubeFromACorner)
 {
   const TestMesh cube = Cube(3, 0.2);
   const RidgeCase test(cube, { VertexSource(VertexAt(cube, 0.0, 0.0, 0.0)) }, 2.0);
-  // From the six corners that are neither it nor opposite: three edges, three diagonals.
+  // The lines start at the six corners that are neither the source nor opposite to it: three edges,
+  // three diagonals.
   ASSERT_EQ(test.Found.Lines.size(), 6u);
   EXPECT_NEAR(TotalLength(test.Found), 3.0 + 3.0 * std::sqrt(2.0), 1e-9);
 }
@@ -357,7 +359,7 @@ TEST(Ridges, ConesHaveOneUnlessTheyAreSaddles)
       {
         for (const SurfacePoint& point : line.Points)
         {
-          // The generator opposite to the source; apart from the apex, which has no angle.
+          // Points lie on the generator opposite to the source; the apex has no angle.
           ASSERT_TRUE(IsVertex(point));
           const double angle = coordinates[point.Vertex].Angle - coordinates[source].Angle;
           EXPECT_TRUE(point.Vertex == 0 ||
@@ -437,7 +439,7 @@ TEST(Ridges, DefectsAreSurvived)
 
 TEST(Ridges, OfRoundingAloneComeToAnEnd)
 {
-  // So far from the sources that gradients are rounding, or numbers overflow.
+  // At such distances from the sources, gradients consist of rounding errors or values overflow.
   const SurfaceMesh mesh = Build(Plane(3, 3));
   for (const double far : { 1e17, 1.7e308 })
   {

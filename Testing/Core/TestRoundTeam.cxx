@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads that share short loops: each chunk once, and what is thrown arrives.
+// Threads that share short loops: each chunk runs once, and exceptions are propagated.
 #include "GraphChecks.h"
 
 #include "dggRoundTeam.h"
@@ -34,7 +34,7 @@ TEST(RoundTeam, EachChunkOnce)
             expected[t][i] += round;
           }
         }
-        // By one thread at a time, else there is a race.
+        // One thread at a time handles a chunk; otherwise there is a race.
         team.ForEach(counts, team.IsShared(), [&, round](int owner, dgg::Offset i, int thread) {
           calls[owner][i] += round;
           hasWorked[thread] = true;

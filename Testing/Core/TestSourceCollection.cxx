@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Ids, positions and cells with coordinates as points of surfaces and clouds.
+// Ids, positions, and cells with coordinates as points of surfaces and clouds.
 #include "TestMeshes.h"
 
 #include "dggCellCoordinates.h"
@@ -22,10 +22,10 @@ using Coordinates = std::array<double, 3>;
 using Numbers = std::vector<double>;
 
 const double NaN = std::numeric_limits<double>::quiet_NaN();
-/// Unit square and a point beside it.
+/// A unit square and a point beside it.
 const Numbers SquarePoints = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 3, 3, 0 };
 
-/// A surface or a cloud with the cells that it is made from.
+/// A surface or a cloud with its input cells.
 struct Input
 {
   Input(const Numbers& points, const std::vector<std::vector<Offset>>& polygons,
@@ -79,7 +79,7 @@ dgg::SourceCollection At(const Numbers& positions)
   return sources;
 }
 
-/// A point of a cell, with a position elsewhere.
+/// Returns a point of a cell, with a different position.
 dgg::SourceCollection InCell(double cell, const Coordinates& coordinates)
 {
   dgg::SourceCollection sources = At({ 9, 9, 9 });
@@ -146,7 +146,7 @@ TEST(SourceCollection, WrongNumbersAreRefused)
 
 TEST(SourceCollection, CloudsReachBetweenTheirPoints)
 {
-  // Outliers, two of them coincident, do not make the diagonal larger, and are found.
+  // Outliers, two of them coincident, do not enlarge the diagonal, and are located.
   for (const double off : { 20.0, 1e6, 1e16, 3.4e38, 1e200 })
   {
     SCOPED_TRACE(off);
@@ -172,8 +172,8 @@ TEST(SourceCollection, CloudsReachBetweenTheirPoints)
 
 TEST(SourceCollection, CellsAreThoseOfTheInput)
 {
-  // A fan whose long edge meets a triangle without area at point 4, which is split; the corners of
-  // the second layer have other ids, and two other cells come first.
+  // A fan whose long edge touches a degenerate triangle at point 4, where the edge is split. The
+  // corners of the second layer have other ids, and two other cells come first.
   const Numbers points = { 0, 0, 0, 4, 0, 0, 1, 3, 0, 2, -2, 0, 2, 0, 0, 4, 0, 0, 1, 3, 0, 5, 4,
     0 };
   const std::vector<std::vector<Offset>> triangles = { { 1, 2, 0 }, { 0, 4, 1 }, { 3, 4, 0 },
@@ -233,7 +233,7 @@ TEST(SourceCollection, WrongCellsAreRefused)
   {
     dgg::SourceCollection sources = InCell(wrong.Cell, wrong.Barycentric);
     EXPECT_TRUE(Says(input.Locate(sources), wrong.Message));
-    // Outputs of filters may be of another surface.
+    // Outputs of filters may belong to another surface.
     sources.Positions = { 2, 0, 0 };
     sources.OriginalIds = { 4 };
     ASSERT_TRUE(Ok(input.Locate(sources)));
@@ -243,7 +243,7 @@ TEST(SourceCollection, WrongCellsAreRefused)
 
 TEST(SourceCollection, CellsOfOtherSurfacesDoNotCount)
 {
-  // A valid cell and coordinates, but the position is elsewhere.
+  // A valid cell and coordinates, but a position elsewhere.
   Input input = MakeSquare();
   dgg::SourceCollection sources = InCell(0, { { 0.25, 0.5, 0.25 } });
   sources.OriginalIds = { 3 };
@@ -257,7 +257,7 @@ TEST(SourceCollection, CellsOfOtherSurfacesDoNotCount)
 
 TEST(SourceCollection, OriginalIdsCountWhereThePointIs)
 {
-  // Two layers with coordinates as large as in maps, and an isolated point.
+  // Two layers with large map coordinates, and an isolated point.
   const double x = 512345.678;
   const double y = 5403210.987;
   const Numbers points = { x, y, 0, x + 1, y, 0, x, y + 1, 0, x, y, 0, x + 1, y, 0, x, y + 1, 0, x,
@@ -274,7 +274,7 @@ TEST(SourceCollection, OriginalIdsCountWhereThePointIs)
       id != 6 ? ""
               : "source point 0 of input port 1 is a point that no polygon uses. Such points reach "
                 "no other point. Choose points of polygons.");
-    sources.Positions[0] += 0.1; // not there, but within the precision of floats
+    sources.Positions[0] += 0.1; // an offset within the precision of floats
     ASSERT_TRUE(Ok(input.Locate(sources)));
     EXPECT_EQ(input.Found[0].Point.On, dgg::SurfacePoint::Support::Edge);
     sources.AreRounded = true;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Virtual sources from distances alone.
+// Virtual sources fitted to distances alone.
 #include "FieldChecks.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
@@ -29,7 +29,7 @@ VirtualSources Fit(const SurfaceMesh& mesh, const std::vector<double>& distances
   return found;
 }
 
-/// Mean difference from the truth at points inside of faces.
+/// Returns the mean error at points inside faces.
 template <typename Truth>
 double MeanError(const DistanceField& field, const std::vector<SurfacePoint>& points, Truth&& truth)
 {
@@ -50,7 +50,7 @@ struct FitErrors
   double Fitted = 0.0;
 };
 
-/// FitErrors with exact distances and noise on them.
+/// Returns the errors of fits to exact distances with added noise.
 FitErrors CompareFits(
   const TestMesh& test, const std::vector<GeodesicSource>& sources, double noise)
 {
@@ -80,7 +80,7 @@ TEST(SourceFit, OneSourceInThePlaneIsFound)
   const SurfaceMesh mesh = Build(test);
   for (const double offset : { 0.0, -0.4, 3.0 })
   {
-    // Somewhere in a face; the distances of its corners have to be those of the source as well.
+    // The source is inside a face; the distances of its corners must come from the source as well.
     const double x = 4.37;
     const double y = 3.61;
     std::vector<double> distances;
@@ -132,7 +132,7 @@ TEST(SourceFit, PlaneWavesStayPlane)
   }
   const DistanceField field{ &mesh, distances.data(), nullptr, &found };
   std::vector<SurfacePoint> points = RandomSurfacePoints(mesh, 500, 5);
-  // At a corner of the plane, two neighbours can be explained by other sources as well.
+  // At a corner of the plane, two neighbors can be explained by other sources too.
   points.erase(std::remove_if(points.begin(), points.end(),
                  [&](const SurfacePoint& p) {
                    const std::array<Id, 3> corners = mesh.GetTriangle(p.Face);
@@ -222,7 +222,8 @@ using dgg::FitSurface;
 using dgg::LocalFit;
 using dgg::Point3;
 
-/// Random points of the height field z = a x^2 + b y^2 around the origin, rotated, with noise.
+/// Returns random points of the height field z = a x^2 + b y^2 around the origin, rotated, with
+/// noise.
 std::vector<Point3> Samples(
   int count, double radius, double a, double b, double noise, unsigned seed)
 {
@@ -237,7 +238,7 @@ std::vector<Point3> Samples(
     if (x * x + y * y <= radius * radius)
     {
       const double z = a * x * x + b * y * y + noise * error(generator);
-      // The z axis becomes (0, 0.6, 0.8).
+      // The z axis is rotated to (0, 0.6, 0.8).
       points.push_back({ x, 0.8 * y + 0.6 * z, -0.6 * y + 0.8 * z });
     }
   }
@@ -264,7 +265,7 @@ TEST(LocalFit, NoiseIsMeasuredAndPointsAreMovedToTheSurface)
   for (int trial = 0; trial < trials; ++trial)
   {
     std::vector<Point3> points = Samples(60, 0.1, 0.8, 0.8, noise, 100 + trial);
-    // Three times the noise off the surface.
+    // At three times the noise from the surface.
     const Point3 point{ 0.0, 0.6 * 3.0 * noise, 0.8 * 3.0 * noise };
     points.push_back(point);
     const LocalFit fit = FitSurface(point, points.data(), points.size());
@@ -283,7 +284,7 @@ TEST(LocalFit, TooLittleForAPlane)
   EXPECT_EQ(dgg::Norm(FitSurface(origin, line.data(), 2).Normal), 0.0);
   const std::vector<Point3> same(20, Point3{ 1.0, 2.0, 3.0 });
   EXPECT_EQ(dgg::Norm(FitSurface(same[0], same.data(), same.size()).Normal), 0.0);
-  // A plane only.
+  // Four coplanar points determine only a plane.
   const std::vector<Point3> square{ { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   const LocalFit fit = FitSurface({ 0.5, 0.5, 0.0 }, square.data(), square.size());
   EXPECT_NEAR(std::abs(fit.Normal.Z), 1.0, 1e-12);

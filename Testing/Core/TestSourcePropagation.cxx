@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Propagation of virtual sources: what is exact, how close the rest is, any triangles, any threads.
+// Propagation of virtual sources: exact cases, accuracy, any triangles, any number of threads.
 #include "EdgeGraph.h"
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
@@ -22,7 +22,7 @@ using Quality = dgg::PropagationQuality;
 using Sources = std::vector<dgg::GeodesicSource>;
 using Change = std::function<void(dgg::PropagationOptions&)>;
 
-/// Runs once with each quality.
+/// Runs each test once per quality.
 class SourcePropagation : public testing::TestWithParam<Quality>
 {
 protected:
@@ -56,7 +56,8 @@ std::vector<double> Exact(const dgg::SurfaceMesh& mesh, const Sources& sources)
   return Solve(mesh, dgg::ExactEngine::Triangle, sources).Distances;
 }
 
-/// Mean of the absolute errors and the largest ones to both sides, relative to the distance.
+/// Expects bounds on the mean absolute error and on the largest errors below and above, relative to
+/// the distance.
 void ExpectNear(const std::vector<double>& actual, const std::vector<double>& exact, double mean,
   double below, double above)
 {
@@ -100,7 +101,7 @@ TEST_P(SourcePropagation, ExactInThePlane)
     {
       const Errors errors =
         Compare(this->From(mesh, source), EuclideanDistances(named.Mesh, source));
-      // A way along the rim of thin triangles may miss the sight of the source.
+      // Along the rim of thin triangles, the propagation may not see the source.
       const bool isThin = named.Name == "caps" || named.Name == "slivers";
       EXPECT_LT(errors.Largest, isThin ? 0.005 : 1e-5) << source;
       EXPECT_LT(errors.Mean, isThin ? 1e-4 : 1e-6) << source;
@@ -117,7 +118,8 @@ TEST_P(SourcePropagation, CloseToExact)
     double Mean;
     double Above;
   };
-  // An ear has two edges on the rim, and its tip no neighbor but the ends of the third one.
+  // An ear has two edges on the rim, and the only neighbors of its tip are the ends of the third
+  // edge.
   TestMesh ears = Plane(3, 3);
   ears.AddTriangle(1, ears.AddPoint(1.5, -2.0, 0.0), 2);
   std::vector<bool> isLower;
@@ -189,7 +191,7 @@ TEST_P(SourcePropagation, SeveralSources)
       order.emplace_back(single[k][v], static_cast<Id>(k));
     }
     std::sort(order.begin(), order.end());
-    // Where fronts meet within a face one source may represent both.
+    // Where fronts meet within a face, one source may represent both.
     EXPECT_NEAR(result.Distances[v], order[0].first, 0.1) << v;
     if (order[1].first - order[0].first > 1.5)
     {
@@ -202,10 +204,11 @@ TEST_P(SourcePropagation, SeveralSources)
   EXPECT_EQ(result.NearestSource[580], 2);
 }
 
-/// Faces keep one virtual source, and have corners nearest to others.
+/// Distances are bounded by the edge graph, although faces store one virtual source and have
+/// corners nearest to other sources.
 TEST_P(SourcePropagation, NoLongerThanAlongEdges)
 {
-  // The short side of a needle is nearest to another source than the needle.
+  // The short side of a needle is nearest to another source than the rest of the needle.
   TestMesh needles = Plane(1, 1);
   needles.Points = { 0.0, 0.0, 0.0, 10.0, 0.0, 0.0, 10.0, 0.2, 0.0, 0.0, 0.2, 0.0 };
   TestMesh flattened = Terrain(24, 0.3, 4);
@@ -238,8 +241,8 @@ TEST_P(SourcePropagation, NoLongerThanAlongEdges)
   }
 }
 
-/// Of many sources, two of them in one face: as close as one, but for long triangles, each of which
-/// is nearest to several, and nearly always the right one.
+/// Many sources, two of them in one face: as accurate as a single source, except in long triangles,
+/// each of which is nearest to several sources. The nearest source is nearly always correct.
 TEST_P(SourcePropagation, ManySources)
 {
   TestMesh stretched = Terrain(30, 0.3, 4);
@@ -286,7 +289,8 @@ TEST_P(SourcePropagation, ManySources)
   }
 }
 
-/// The distance of a source is its initial one, or that of another one that is nearer.
+/// The distance of a source is its initial distance, or the distance from another source that is
+/// nearer.
 TEST_P(SourcePropagation, SourcesAreExact)
 {
   const dgg::SurfaceMesh mesh = Build(Plane(10, 10));
@@ -322,7 +326,7 @@ TEST_P(SourcePropagation, MaximumDistance)
         ASSERT_EQ(within.NearestSource[v], isWithin ? whole.NearestSource[v] : dgg::NoId) << v;
       }
     }
-    // Before the first source starts nothing is reached.
+    // No point is reached before the first source starts.
     const auto none = this->Run(mesh, sources, [&](auto& o) { o.MaximumDistance = -1.0; });
     EXPECT_EQ(LargestFinite(none.Distances), 0.0);
     EXPECT_EQ(none.NearestSource[40], dgg::NoId);

@@ -19,7 +19,7 @@ namespace dggtest
 {
 namespace
 {
-/// Eigenpairs of each component.
+/// Returns the eigenpairs of each component.
 std::vector<dgg::Eigenpairs> FindAllPairs(const dgg::PoissonSolver& solver, Id count)
 {
   std::vector<dgg::Eigenpairs> pairs;
@@ -32,7 +32,7 @@ dgg::Eigenpairs FindPairs(const dgg::PoissonSolver& solver, Id count)
   return FindAllPairs(solver, count).front();
 }
 
-/// L v = lambda M v, and orthonormal.
+/// Expects L v = lambda M v and orthonormal vectors.
 void ExpectEigenpairs(
   const dgg::PoissonSolver& solver, const dgg::Eigenpairs& pairs, const std::string& what)
 {
@@ -200,7 +200,7 @@ TEST(Eigenpairs, GivenBoundaryAndAnyTriangles)
 
 TEST(SpectralDistance, EachKindHasItsFilter)
 {
-  // Of antipodes on the sphere with the first 48 eigenvalues: only odd degrees differ there.
+  // Distance of antipodes on the sphere with the first 48 eigenvalues: only odd degrees contribute.
   const TestMesh sphere = Icosphere(4);
   const dgg::SurfaceMesh mesh = Build(sphere);
   const auto solver = Ready(mesh);
@@ -251,7 +251,7 @@ TEST(SpectralDistance, AllEigenvaluesAreExact)
       ASSERT_TRUE(distance.FromPoint(source, fields[k]).IsOk());
       if (k == 0)
       {
-        // The same, pair by pair.
+        // Pairwise queries give the same distances.
         std::vector<double> pair;
         ASSERT_TRUE(
           distance.Between({ source }, { dgg::SurfacePoint::AtVertex(40) }, nullptr, nullptr, pair)
@@ -262,7 +262,7 @@ TEST(SpectralDistance, AllEigenvaluesAreExact)
     for (std::size_t v = 0; v < fields[0].size(); ++v)
     {
       EXPECT_NEAR(fields[1][v], fields[0][v], 1e-7) << v;
-      EXPECT_LE(fields[2][v], fields[0][v] + 1e-9) << v; // positive terms are missing
+      EXPECT_LE(fields[2][v], fields[0][v] + 1e-9) << v; // the truncated sum lacks positive terms
       if (kind == dgg::SpectralKind::Biharmonic)
       {
         EXPECT_NEAR(fields[2][v], fields[0][v], 0.06) << v;

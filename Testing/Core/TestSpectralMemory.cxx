@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of what solvers are expected to take: enough, and at most twice what they do.
+// Memory predictions of solvers: sufficient, and at most twice the measured peak.
 #include "../Benchmark/MemoryProbe.h"
 #include "GraphChecks.h"
 #include "GraphicsTestTools.h"
@@ -22,7 +22,8 @@ namespace dggtest
 {
 namespace
 {
-/// Unit cells made that high: cotangents so large that solutions may be refined, which takes more.
+/// Returns a plane of cells with the given height. Cotangents are so large that solutions may be
+/// refined iteratively, which takes more memory.
 TestMesh NarrowPlane(Id nx, Id ny, double height)
 {
   TestMesh plane = Plane(nx, ny);
@@ -33,7 +34,7 @@ TestMesh NarrowPlane(Id nx, Id ny, double height)
   return plane;
 }
 
-/// What was predicted is enough, and not far too much. A peak of 0 could not be measured.
+/// Expects the prediction to be sufficient and not much too large. A peak of 0 was not measurable.
 void ExpectPrediction(
   std::size_t peak, std::size_t predicted, double slack, const std::string& context)
 {
@@ -44,7 +45,7 @@ void ExpectPrediction(
   }
 }
 
-/// Results, and parts of the code that allocate once.
+/// Size of results and one-time allocations, bytes.
 constexpr std::size_t Small = 400000;
 
 std::vector<NamedMesh> Meshes()
@@ -53,8 +54,8 @@ std::vector<NamedMesh> Meshes()
     { "needles", NarrowPlane(150, 80, 1e-3) } };
 }
 
-/// Checks what a solver predicts against the most that it takes. That of the analysis, before the
-/// prediction, does not count.
+/// Compares the prediction of a solver with its peak memory. The memory of the analysis, before the
+/// prediction, is not counted.
 template <typename Solver, typename Options>
 void CheckFactorization(
   const dgg::SurfaceMesh& mesh, const Options& options, const std::string& what)
@@ -111,7 +112,8 @@ TEST(SpectralMemory, OfGreensFunctions)
       const dgg::GreensFunction function(solver);
       dgg::GreensQuery query;
       query.Order = order;
-      query.Radius = named.Name == "needles" ? 1.2 : 0.0; // or no distances would be found
+      // With a radius of 0, no distances would be found on needles.
+      query.Radius = named.Name == "needles" ? 1.2 : 0.0;
       std::vector<dgg::GreensResult> results;
       const MemoryProbe probe;
       ASSERT_TRUE(function.Run(poles, query, results).IsOk());
@@ -123,11 +125,11 @@ TEST(SpectralMemory, OfGreensFunctions)
   }
 }
 
-// Memory of building and searching graphs, against its estimates.
+// Memory of building and searching graphs, compared with the estimates.
 
 namespace
 {
-/// Bytes that do not depend on the mesh.
+/// Allocations independent of the mesh, bytes.
 constexpr double SmallAllocations = 20000.0;
 }
 
@@ -199,13 +201,13 @@ TEST(GraphMemory, SearchesReportWhatTheyHold)
   expectGrowth(probe, search);
 }
 
-// Vector graphics take no more memory than is asked for, at any time.
+// Vector graphics never exceed the requested memory.
 
 TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
 {
-  // What has been asked for is never exceeded: while the surface is refined and cut, while the
-  // equation is prepared, and while colours are found. Many regions that have nearly everything on
-  // their left, too.
+  // The requested memory is not exceeded while the surface is refined and cut, while the equation
+  // is prepared, and while colors are computed. Includes many regions with nearly everything on
+  // their left.
   const TestMesh sphere = Icosphere(4);
   for (const bool hasPoisson : { false, true })
   {
@@ -243,17 +245,17 @@ TEST(GraphicsMemory, IsAskedForBeforeItIsTaken)
       ASSERT_TRUE(drawing.Prepare(1).IsOk());
       expectEnough("prepared");
       EXPECT_EQ(count, 1 + regions);
-      drawing.Surface = SubMesh(); // it is not needed any more
+      drawing.Surface = SubMesh(); // no longer needed
       ASSERT_TRUE(drawing.Solve().IsOk());
       expectEnough("solved");
       EXPECT_EQ(count, 2 + regions);
-      const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it is not measured
+      const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 if not measured
       EXPECT_TRUE(peak == 0.0 || asked <= 2.0 * peak) << "far too much: " << asked;
     }
   }
 }
 
-// What finders of paths take for the next path.
+// Memory of path finders for successive paths.
 
 TEST(PathMemory, TheNextPathTakesNothingForEachVertex)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Layout of stored graphs, and what is refused when they are read.
+// Layout of stored graphs, and rejection of invalid arrays.
 #include "TaskTestTools.h"
 
 #include <cstring>
@@ -17,7 +17,7 @@ using dgg::Offset;
 using dgg::StoredArray;
 using dgg::StoredGraph;
 
-/// Copies of the arrays of a stored graph, which tests may change.
+/// Copies of the arrays of a stored graph, which tests may modify.
 struct Arrays
 {
   explicit Arrays(const GraphWorld& world)
@@ -64,7 +64,7 @@ struct Arrays
   StoredGraph::Arrays Stored;
 };
 
-/// Expects changed arrays to be refused with a text, as damaged or not.
+/// Expects modified arrays to be refused with a message, as damaged or not.
 void ExpectRefused(const GraphWorld& world, const dgg::PreparedSurface& surface,
   const std::function<void(Arrays&)>& change, const std::string& text, bool isDamaged = true)
 {
@@ -111,7 +111,7 @@ TEST(StoredGraph, ReadsWhatWasStored)
 
 TEST(StoredGraph, LayoutOfInfo)
 {
-  // Files contain these values, so that their positions must never change.
+  // Files contain these values, so their positions must never change.
   const GraphWorld world = PlaneWorld();
   const Arrays arrays(world);
   double accuracy = 0.0;
@@ -144,14 +144,15 @@ TEST(StoredGraph, RefusesMissingShortAndMistypedArrays)
           world, *world.Surface, [&](Arrays& arrays) { change(arrays.Stored[role]); }, text,
           isDamaged);
       };
-      if (!isCloud || role != StoredGraph::Info) // otherwise read as the graph of a mesh
+      if (!isCloud || role != StoredGraph::Info) // otherwise read as a mesh graph
       {
         refuse([](StoredArray& array) { array = StoredArray(); },
           "the field array " + name + " is missing");
         refuse([](StoredArray& array) { array.Type = StoredArray::Other; },
           name + " is of type a type, not of ");
       }
-      // A missing target makes the other arrays too long. Offsets give the number of points.
+      // A missing target makes the other arrays too long. The number of points follows from the
+      // offsets.
       const bool isOffsets = role == StoredGraph::Offsets;
       refuse([](StoredArray& array) { --array.Size; },
         role == StoredGraph::Targets ? "but DGG.Targets has "
@@ -213,7 +214,7 @@ TEST(StoredGraph, RefusesOtherSurfaces)
   refuse(Plane(4, 3), {}, "does not fit: DGG.Offsets has 26 values, not one more than the 20");
   refuse(mesh, { dgg::Domain::Cloud, 0.0 }, "is that of a mesh, not of a point cloud");
 
-  // Two triangles with a seam, whose points merge.
+  // Two triangles with a seam whose points merge.
   TestMesh seam;
   seam.Points = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 0, 1, 0 };
   seam.Triangles = { 0, 1, 2, 3, 5, 4 };
@@ -228,7 +229,7 @@ TEST(StoredGraph, RefusesOtherSurfaces)
   tolerant.Graph.Info.Surface = tolerant.Surface->GetSignature();
   ExpectRefused(tolerant, *Prepare(seam), unchanged,
     "was built with MergeCoincidentPoints on, but it is off here", false);
-  seam.Points[1] = 1e-3; // another surface
+  seam.Points[1] = 1e-3; // a different surface
   ExpectRefused(tolerant, *Prepare(seam, merged(0.0)), unchanged,
     "was built with a MergeTolerance of 0.001, but it is 0 here", false);
 }
@@ -238,7 +239,7 @@ TEST(StoredGraph, RefusesBandsOfClouds)
   for (const double radius : { -1.0, dgg::Infinity, std::numeric_limits<double>::quiet_NaN() })
   {
     GraphWorld world = CornerWorld();
-    world.Radii[1] = radius; // before the checksum
+    world.Radii[1] = radius; // before the checksum is computed
     ExpectRefused(
       world, *world.Surface, [](Arrays&) {}, "DGG.Radii gives point 1 the radius ");
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Walking straight on: where it leads on surfaces that can be laid flat, and back along links.
+// Straight geodesics: end points on surfaces that unfold to the plane, and tracing back along
+// links.
 #include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "SearchChecks.h"
@@ -44,7 +45,7 @@ double DistanceBetween(const std::array<double, 3>& p, const std::array<double, 
   return std::hypot(std::hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
 }
 
-/// Angle of the x axis of the plane in which a direction at the point is given.
+/// Returns the angle in the plane of the x axis to which a direction at the point refers.
 double AxisOf(const SurfaceMesh& mesh, const TestMesh& points, const SurfacePoint& point)
 {
   const Id h =
@@ -54,7 +55,7 @@ double AxisOf(const SurfaceMesh& mesh, const TestMesh& points, const SurfacePoin
   return std::atan2(b[1] - a[1], b[0] - a[0]);
 }
 
-/// A mesh with edges longer or shorter by up to 10 %.
+/// Returns the mesh with edge lengths changed by up to 10 %.
 TestMesh WithOtherLengths(TestMesh mesh)
 {
   Random random(9);
@@ -81,16 +82,16 @@ bool EndsAt(const SurfaceMesh& mesh, const SurfacePath& path, Id vertex, double 
       dgg::DistanceInFace(mesh, path.Faces.back(), p, q) < tolerance);
 }
 
-/// Expects every edge to lead to its target, from either end. Edges that pass another vertex so
-/// closely that the rounding of an angle to a float leads them around its other side may miss it,
-/// but must be few.
+/// Expects every edge to lead to its target, from either end. Edges that pass another vertex
+/// closely may miss the target, because the rounding of an angle to a float makes them pass on the
+/// other side of the vertex. Such edges must be few.
 void ExpectEdgesLeadToTargets(const SurfaceMesh& mesh, const dgg::GraphView& graph)
 {
   dgg::Offset followed = 0;
   dgg::Offset astray = 0;
   for (Id v = 0; v < graph.NumberOfVertices; ++v)
   {
-    // The angles of irregular vertices have no order.
+    // The angles of irregular vertices are not ordered.
     const bool isRegular = mesh.Kind(v) != dgg::VertexKind::Irregular;
     for (dgg::Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1] && isRegular; ++e)
     {
@@ -162,7 +163,7 @@ TEST(StraightWalk, LeavesEqualAnglesAtTheApexOfACone)
     }
     for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
     {
-      // Along a mesh edge into the apex, and as far beyond it.
+      // Walk along a mesh edge into the apex and beyond it.
       Id edge = dgg::NoId;
       for (const Id* h = mesh.FanBegin(v); h != mesh.FanEnd(v); ++h)
       {
@@ -178,7 +179,7 @@ TEST(StraightWalk, LeavesEqualAnglesAtTheApexOfACone)
       ASSERT_GE(path.Points.size(), 3u);
       EXPECT_EQ(path.Points[1].On, SurfacePoint::Support::Vertex);
       EXPECT_EQ(path.Points[1].Vertex, apex);
-      // The end is half a turn farther, at half the radius.
+      // The end lies on the opposite side of the apex, at half the radius.
       std::array<double, 3> b{};
       ASSERT_TRUE(dgg::FindInFace(mesh, path.Points.back(), path.Faces.back(), b));
       Id out = 3 * path.Faces.back();
@@ -202,8 +203,8 @@ TEST(StraightWalk, LeavesEqualAnglesAtTheApexOfACone)
 
 TEST(GraphEdges, LeadToTargets)
 {
-  // Vertices are moved off regular positions, where paths pass through vertices. On the Moebius
-  // strip and the Klein bottle faces are mirrored behind some edges.
+  // Vertices are moved off regular positions, where paths would pass through vertices. On the
+  // Moebius strip and the Klein bottle faces are mirrored behind some edges.
   std::vector<ConePoint> unused;
   for (const NamedMesh& named : { NamedMesh{ "Plane", WithNoise(Plane(16, 14, 0.25, 1), 0.05, 1) },
          NamedMesh{ "Convex", Cone(4.0, 12, 10, unused, 0.2, 2) },
@@ -286,11 +287,11 @@ TEST(StraightWalk, OnAnySurface)
   }
 }
 
-// Edges of a graph are followed over the mesh with little work, on thin triangles as well.
+// Tracing edges of a graph over the mesh takes little work, on thin triangles as well.
 
 namespace
 {
-/// Long along one axis.
+/// Returns the mesh stretched along one axis.
 TestMesh Stretched(TestMesh mesh, double factor)
 {
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
@@ -307,7 +308,7 @@ struct TraceWork
   std::size_t Beams = 0;
 };
 
-/// Trace edges of the graph of a mesh, every `step`-th.
+/// Traces every `step`-th edge of the graph of a mesh.
 TraceWork TraceEdges(const TestMesh& mesh, dgg::Offset step)
 {
   const SearchCase c("mesh", mesh, 0.05);

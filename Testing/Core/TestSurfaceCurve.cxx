@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves through points of a surface: straight in faces, chains of edges after embedding, and what
-// is left and right of them when the surface is cut open.
+// Curves through points of a surface: straight in faces, chains of edges after embedding, and their
+// left and right sides after the surface is cut open.
 #include "CurveChecks.h"
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
@@ -80,7 +80,7 @@ TEST(SurfaceCurve, IsAsLongAsTheDistancesBetweenItsPoints)
 
 TEST(SurfaceCurve, FindsCommonFaces)
 {
-  const dgg::SurfaceMesh mesh = Build(Plane(2, 1)); // faces 0 and 1 of the left cell, 2 and 3
+  const dgg::SurfaceMesh mesh = Build(Plane(2, 1)); // faces 0, 1: left cell; 2, 3: right cell
   const auto at = [](Id v) { return SurfacePoint::AtVertex(v); };
   for (Id f = 0; f < 4; ++f)
   {
@@ -111,7 +111,7 @@ TEST(CurveEmbedding, ParametersAreLengthsAlongTheCurve)
 {
   const TestMesh input = Plane(6, 6);
   const dgg::SurfaceMesh mesh = Build(input);
-  // A corner at (5, 3.3), and another curve that crosses each leg.
+  // A curve with a corner at (5, 3.3), and another curve that crosses both legs.
   const std::vector<SurfaceCurve> curves{ Curve(mesh,
                                             { PointInPlane(input, mesh, 0.3, 3.3),
                                               PointInPlane(input, mesh, 5.0, 3.3),
@@ -137,7 +137,7 @@ TEST(CurveEmbedding, ParametersAreLengthsAlongTheCurve)
 
 TEST(CurveEmbedding, CrossingsAndTouchesAreShared)
 {
-  // In one face: a cross, a curve that ends on it, one along a part of it.
+  // In one face: a cross, a curve that ends on the cross, and a curve along a part of the cross.
   const TestMesh input = SingleTriangle();
   const dgg::SurfaceMesh mesh = Build(input);
   const auto at = [&](double b, double c) { return PointIn(mesh, 0, { { 1.0 - b - c, b, c } }); };
@@ -146,7 +146,8 @@ TEST(CurveEmbedding, CrossingsAndTouchesAreShared)
     Curve(mesh, { at(0.25, 0.25), at(0.375, 0.25) }) };
   const SubMesh surface = Embed(mesh, curves);
   ExpectSoundEmbedding(input, mesh, curves, surface);
-  // The fourth curve adds one; it and the third one have a single edge, which gets a middle.
+  // The fourth curve adds one vertex. The third and fourth curves would have a single edge, which
+  // gets a midpoint.
   EXPECT_EQ(surface.GetNumberOfVertices(), 3 + 2 + 2 + 2 + 2 + 2);
   EXPECT_EQ(surface.Paths[0].size(), 6u);
   EXPECT_EQ(surface.Paths[1].size(), 3u);
@@ -159,8 +160,9 @@ TEST(CurveEmbedding, CrossingsAndTouchesAreShared)
 
 TEST(CurveEmbedding, CurvesThatPassVerticesClosely)
 {
-  // The second curve passes the foot of the first one, and the fourth its end, at less than
-  // 1e-9: they run through them, rather than to cross just beside them. The third one stays.
+  // The second curve passes the foot of the first one within 1e-9, and the fourth curve passes its
+  // end. Both curves are moved to these points instead of crossing next to them. The third curve is
+  // unchanged.
   const TestMesh input = SingleTriangle();
   const dgg::SurfaceMesh mesh = Build(input);
   const auto at = [&](double b, double c) { return PointIn(mesh, 0, { { 1.0 - b - c, b, c } }); };
@@ -174,7 +176,7 @@ TEST(CurveEmbedding, CurvesThatPassVerticesClosely)
   EXPECT_EQ(surface.Paths[1][1], surface.Paths[0][0]);
   ASSERT_EQ(surface.Paths[3].size(), 3u);
   EXPECT_EQ(surface.Paths[3][1], surface.Paths[0][1]);
-  // Across a corner, closer to it than to both of its ends.
+  // A curve across a corner, closer to the corner than to both ends of the curve.
   const std::vector<SurfaceCurve> corner{ Curve(mesh, { at(1.2e-9, 0.0), at(0.0, 1.2e-9) }) };
   const SubMesh around = Embed(mesh, corner);
   ExpectSoundEmbedding(input, mesh, corner, around);
@@ -185,7 +187,7 @@ TEST(CurveEmbedding, CurvesThatPassVerticesClosely)
 
 TEST(CurveEmbedding, MeshesWithDefects)
 {
-  // Curves within faces and along their sides: most of these meshes have several components.
+  // Curves within faces and along their sides; most of these meshes have several components.
   for (const NamedMesh& named : DefectMeshes())
   {
     if (named.Mesh.Points.empty())
@@ -219,9 +221,10 @@ using dgg::SubMesh;
 using dgg::SurfaceCurve;
 using dgg::SurfacePoint;
 
-/// The copies of a vertex of a chain on one side: where the edge before it arrives, and where the
-/// one after it leaves. They differ when another curve comes in on this side. NoId where there is
-/// no edge or no side. The chain of a closed curve goes on from its last vertex to its first.
+/// Returns the copies of a chain vertex on one side: at the end of the edge before and at the start
+/// of the edge after the vertex. The copies differ if another curve meets the chain on this side.
+/// NoId where there is no edge or no side. The chain of a closed curve continues from its last
+/// vertex to its first.
 std::array<Id, 2> FindCopies(
   const std::vector<dgg::EdgeSide>& side, std::size_t vertex, bool isClosed)
 {
@@ -256,7 +259,7 @@ Id CountCopies(const CurveCut& cut, Id vertex)
   return static_cast<Id>(std::count(of.begin(), of.end(), vertex));
 }
 
-/// Positive where a face lies to the left of the edge on whose side it is.
+/// Returns a positive value if the face lies to the left of the edge on whose side it is.
 double SideInPlane(const TestMesh& input, const dgg::SurfaceMesh& mesh, const CurveCut& cut,
   const dgg::EdgeSide& side)
 {
@@ -295,7 +298,7 @@ void ExpectTopology(
 
 TEST(CurveCut, SlitHasOneRim)
 {
-  // Points 6, 7 and 8 of a plane of 4 x 4 cells are inside.
+  // Points 6, 7 and 8 of a plane of 4 x 4 cells are in the interior.
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
   const SubMesh surface = EmbedVertices(mesh, { { 6, 7, 8 } });
   const CurveCut cut = SoundCut(surface);
@@ -316,13 +319,14 @@ TEST(CurveCut, SlitHasOneRim)
 
 TEST(CurveCut, CrossingHasFourCopies)
 {
-  // A cross in the middle of a plane: 12 is its center.
+  // A cross in the middle of a plane with center 12.
   const dgg::SurfaceMesh mesh = Build(Plane(4, 4));
   const SubMesh surface = EmbedVertices(mesh, { { 11, 12, 13 }, { 7, 12, 17 } });
   const CurveCut cut = SoundCut(surface);
   EXPECT_EQ(CountCopies(cut, 12), 4);
   ExpectTopology(mesh, cut, 1, 2);
-  // To the left of the first curve there is a copy before the second curve and one after it.
+  // To the left of the first curve there is a copy before the second curve and one after the second
+  // curve.
   std::set<Id> copies;
   for (const dgg::CurveSides& sides : cut.Sides)
   {
@@ -334,14 +338,15 @@ TEST(CurveCut, CrossingHasFourCopies)
     }
   }
   EXPECT_EQ(copies.size(), 4u);
-  // Ahead of it and on the left of the first curve is what is ahead and right of the second one.
+  // The sector ahead and to the left of the first curve is ahead and to the right of the second
+  // curve.
   EXPECT_EQ(
     FindCopies(cut.Sides[0].Left, 1, false)[1], FindCopies(cut.Sides[1].Right, 1, false)[1]);
 }
 
 TEST(CurveCut, ClosedCurves)
 {
-  // Around a vertex of a sphere: a small part and a large one.
+  // A curve around a vertex of a sphere leaves a small and a large component.
   const dgg::SurfaceMesh sphere = Build(Icosphere(2));
   std::vector<Id> ring;
   for (const Id* h = sphere.FanBegin(0); h != sphere.FanEnd(0); ++h)
@@ -351,7 +356,7 @@ TEST(CurveCut, ClosedCurves)
   SubMesh surface = EmbedVertices(sphere, { ring }, true);
   CurveCut cut = SoundCut(surface);
   ExpectTopology(sphere, cut, 2, 2);
-  // Fans turn counter-clockwise: the vertex is on the left, all around.
+  // Fans turn counter-clockwise, so the vertex is on the left everywhere.
   for (std::size_t i = 0; i <= ring.size(); ++i)
   {
     const std::array<Id, 2> left = FindCopies(cut.Sides[0].Left, i, true);
@@ -366,7 +371,8 @@ TEST(CurveCut, ClosedCurves)
     const Id* corners = cut.Surface.Triangles.data() + 3 * left.Face;
     EXPECT_NE(std::find(corners, corners + 3, 0), corners + 3);
   }
-  // Around a torus: it stays in one part. Both ways around: it becomes a disk.
+  // One closed curve around a torus leaves it connected. Two curves in both directions make it a
+  // disk.
   const dgg::SurfaceMesh torus = Build(Torus(8, 5));
   std::vector<Id> parallel;
   std::vector<Id> meridian;
@@ -414,18 +420,19 @@ TEST(CurveCut, LeftIsLeft)
 
 TEST(CurveCut, SheetsThatTouchInAPoint)
 {
-  // A curve through the point that two spheres share, on one of them.
+  // A curve through the vertex shared by two spheres, on one of them.
   const dgg::SurfaceMesh mesh = Build(TouchingSpheres(1));
   const Id* h = mesh.FanBegin(0);
   const Id before = mesh.Destination(h[0]);
-  const Id after = mesh.Destination(h[2]); // of the same fan
+  const Id after = mesh.Destination(h[2]); // in the same fan
   const SubMesh surface = EmbedVertices(mesh, { { before, 0, after } });
   const CurveCut cut = CutOpen(surface);
-  EXPECT_EQ(CountCopies(cut, 0), 3); // left, right, and the other sphere
+  EXPECT_EQ(CountCopies(cut, 0), 3); // left side, right side, and the other sphere
   ExpectTopology(mesh, cut, 2, 1);
 }
 
-/// Curves of all kinds at random: the surface with them, cut along them, and with finer faces.
+/// Random curves of all kinds: the surface with embedded curves, cut along curves, and with refined
+/// faces.
 TEST(CurveFuzz, EmbeddedCutAndRefined)
 {
   Id total = 0;

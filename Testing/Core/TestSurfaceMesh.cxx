@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Connectivity, lengths, angles and vertex kinds of SurfaceMesh; degenerate faces, refusals,
-// reports.
+// Connectivity, lengths, angles and vertex kinds of SurfaceMesh; degenerate faces, errors, reports.
 #include "TestMeshes.h"
 
 #include "dggSurfaceMesh.h"
@@ -27,7 +26,7 @@ std::pair<Id, Id> EndsOf(const SurfaceMesh& mesh, Id h)
   return std::minmax(mesh.Origin(h), mesh.Destination(h));
 }
 
-/// Everything that holds on any mesh.
+/// Checks the invariants of any mesh.
 void ExpectConsistent(const TestMesh& input, const SurfaceMesh& mesh)
 {
   ASSERT_EQ(mesh.GetNumberOfVertices(), input.GetNumberOfVertices());
@@ -51,7 +50,7 @@ void ExpectConsistent(const TestMesh& input, const SurfaceMesh& mesh)
       continue;
     }
     edges[EndsOf(mesh, h)].insert(h);
-    // The layout of the face has the lengths of its edges.
+    // The planar layout of the face reproduces its edge lengths.
     const double tolerance = 1e-12 * mesh.GetMaximumEdgeLength();
     ASSERT_GT(mesh.Length(h), 0.0);
     ASSERT_GT(mesh.ApexY(h), 0.0);
@@ -65,7 +64,7 @@ void ExpectConsistent(const TestMesh& input, const SurfaceMesh& mesh)
         mesh.GetMollification() + 1e-15 * mesh.GetMaximumEdgeLength());
     }
   }
-  // Twins link exactly the half-edges of an edge, in one circle, with one length.
+  // Twins link exactly the half-edges of an edge in one cycle, with equal lengths.
   for (const auto& edge : edges)
   {
     const Id first = *edge.second.begin();
@@ -85,7 +84,7 @@ void ExpectConsistent(const TestMesh& input, const SurfaceMesh& mesh)
     } while (h != first);
     ASSERT_EQ(circle, edge.second);
   }
-  // The fans hold every usable corner once; angles add up.
+  // The fans contain every regular corner once; angles sum up.
   std::set<Id> corners;
   double sum = 0.0;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -109,7 +108,8 @@ void ExpectConsistent(const TestMesh& input, const SurfaceMesh& mesh)
     usable += mesh.IsDropped(f) ? 0 : 1;
   }
   EXPECT_EQ(static_cast<Id>(corners.size()), 3 * usable);
-  if (mesh.GetMollification() == 0.0) // else the angles of degenerate faces are noise
+  // With mollification, the angles of degenerate faces are dominated by rounding errors.
+  if (mesh.GetMollification() == 0.0)
   {
     EXPECT_NEAR(sum, usable * dgg::Pi, 1e-9 * (usable + 1));
   }
@@ -148,7 +148,7 @@ TEST(SurfaceMesh, ClassifiesVertices)
 {
   const SurfaceMesh cube = Build(Cube(3));
   EXPECT_EQ(CountKind(cube, VertexKind::Convex), 8);
-  EXPECT_EQ(CountKind(cube, VertexKind::Flat), 48); // edges of the cube are flat too
+  EXPECT_EQ(CountKind(cube, VertexKind::Flat), 48); // includes vertices on edges of the cube
   const SurfaceMesh block = Build(TwoHoledBlock());
   EXPECT_EQ(CountKind(block, VertexKind::Convex), 8);
   EXPECT_EQ(CountKind(block, VertexKind::Saddle), 16); // corners of the holes: 5 pi / 2
@@ -192,7 +192,7 @@ TEST(SurfaceMesh, KeepsIrregularVerticesApart)
   {
     EXPECT_EQ(mesh.Kind(v) == VertexKind::Irregular, sheetOf[v] == NoId) << v;
   }
-  // Each edge of the spine has three half-edges in its circle.
+  // Each edge of the spine has three half-edges in its cycle.
   Id spineHalfEdges = 0;
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
@@ -213,8 +213,8 @@ TEST(SurfaceMesh, TurnsFacesOver)
     flipped += h % 3 == 0 && mesh.IsFlipped(h / 3) ? 1 : 0;
   }
   EXPECT_GT(flipped, mesh.GetNumberOfFaces() / 4);
-  EXPECT_LE(flipped, mesh.GetNumberOfFaces() / 2); // the smaller half is turned
-  // Consistent meshes stay as they are, the inside-out ones too.
+  EXPECT_LE(flipped, mesh.GetNumberOfFaces() / 2); // the smaller half is reversed
+  // Consistently oriented meshes are unchanged, including inside-out ones.
   TestMesh inside = Icosphere(1);
   for (Id f = 0; f < inside.GetNumberOfFaces(); ++f)
   {
@@ -257,7 +257,7 @@ TEST(SurfaceMesh, ComputesComponents)
   EXPECT_TRUE(std::all_of(component.begin() + 2, component.end() - 1, [](Id c) { return c == 2; }));
   EXPECT_EQ(component.back(), 3);
 
-  // A point contact connects.
+  // A point contact connects components.
   component = Build(TouchingSpheres(1)).ComputeComponents(count);
   EXPECT_EQ(count, 1);
   Build(SeveralComponents()).ComputeComponents(count);
@@ -280,7 +280,7 @@ void ExpectRefused(const dgg::Status& status, const SurfaceMesh& mesh, const std
   EXPECT_EQ(mesh.GetNumberOfFaces(), 0);
 }
 
-/// By points, lengths or glued lengths, whichever there are.
+/// Builds a mesh from points, lengths or glued lengths, whichever the input has.
 dgg::Status Try(const TestMesh& input, SurfaceMesh& mesh)
 {
   const Id vertices = input.GetNumberOfVertices();
@@ -294,7 +294,7 @@ dgg::Status Try(const TestMesh& input, SurfaceMesh& mesh)
     : SurfaceMesh::FromGluedLengths(vertices, triangles, faces, lengths, input.Twins.data(), mesh);
 }
 
-/// Nothing is left of the mesh that there was before.
+/// Expects an error that leaves an empty mesh.
 void ExpectRefused(const TestMesh& input, const std::string& message)
 {
   SurfaceMesh mesh = Build(SingleTriangle());
@@ -305,7 +305,7 @@ void ExpectRefused(const TestMesh& input, const std::string& message)
 
 TEST(SurfaceMeshLengths, EqualPoints)
 {
-  // The lengths of an embedded mesh give the same mesh, misoriented faces included.
+  // The lengths of an embedded mesh give the same mesh, including misoriented faces.
   TestMesh input = MisorientedSphere(1, 4);
   const SurfaceMesh byPoints = Build(input);
   for (Id h = 0; h < 3 * input.GetNumberOfFaces(); ++h)
@@ -339,7 +339,7 @@ TEST(SurfaceMeshLengths, GiveFlatSurfaces)
 
 TEST(SurfaceMeshLengths, GlueFewTriangles)
 {
-  // One vertex, two triangles, three edges: a torus, and the faces stay although all their corners
+  // One vertex, two triangles, three edges: a torus. The faces are kept although all their corners
   // are the same vertex.
   const SurfaceMesh torus = Build(FlatTorus(2.0, 0.0, 1.0, 1, 1, true));
   ASSERT_EQ(torus.GetNumberOfVertices(), 1);
@@ -430,7 +430,7 @@ TEST(SurfaceMeshDegenerate, DropsRepeatedVertices)
 
 TEST(SurfaceMeshErrors, RefuseTooManyTriangles)
 {
-  // Nothing is read before the counts have been checked.
+  // No array is read before the counts have been checked.
   SurfaceMesh mesh = Build(SingleTriangle());
   const dgg::Offset many = dgg::Offset(1) << 30;
   ExpectRefused(SurfaceMesh::FromPoints(nullptr, 3, nullptr, many, mesh), mesh, "too large");
@@ -452,7 +452,7 @@ TEST(SurfaceMeshErrors, NameTheBadLength)
     ExpectRefused(input, "lengths must be finite, not negative");
   }
   TestMesh input = good;
-  input.Lengths[7] *= 1.0 + 1e-8; // its twin has another length
+  input.Lengths[7] *= 1.0 + 1e-8; // its twin has a different length
   ExpectRefused(input, "equal on all halves of an edge");
 }
 
@@ -465,7 +465,7 @@ TEST(SurfaceMeshErrors, NameTheFaceThatIsNoTriangle)
   input.Lengths = { 1.0, 1.0, 1.5, 1.5, 1.0, 100.0 };
   SurfaceMesh mesh;
   ExpectRefused(input, "face 1");
-  input.Lengths = { 1.0, 1.0, 2.0, 2.0, 1.0, 1.0 }; // flat: mollified, not refused
+  input.Lengths = { 1.0, 1.0, 2.0, 2.0, 1.0, 1.0 }; // degenerate: mollified, not refused
   ASSERT_TRUE(Try(input, mesh).IsOk());
   EXPECT_EQ(mesh.GetNumberOfDegenerateFaces(), 2);
 }
@@ -473,7 +473,7 @@ TEST(SurfaceMeshErrors, NameTheFaceThatIsNoTriangle)
 TEST(SurfaceMeshErrors, RefuseBadGluing)
 {
   const TestMesh good = FlatTorus(4.0, 0.0, 3.0, 2, 2, true);
-  for (const Id bad : { 24, -2, 0, 8 }) // no half-edge, none, itself, other vertices
+  for (const Id bad : { 24, -2, 0, 8 }) // out of range, negative, itself, other vertices
   {
     TestMesh input = good;
     input.Twins[0] = bad;
@@ -483,7 +483,7 @@ TEST(SurfaceMeshErrors, RefuseBadGluing)
   input.Twins[0] = NoId;
   ExpectRefused(input, "is glued in one direction only");
   input = good;
-  // Two half-edges that name the same twin.
+  // Two half-edges with the same twin.
   for (Id h = 1; h < 24; ++h)
   {
     if (h != input.Twins[0] && input.Triangles[h] == input.Triangles[0] &&
@@ -495,7 +495,7 @@ TEST(SurfaceMeshErrors, RefuseBadGluing)
   ExpectRefused(input, "cannot be glued");
 }
 
-/// A small face that was cut out of a large one has the rounding errors of that.
+/// A small face cut out of a large one has the rounding errors of the large face.
 TEST(SurfaceMeshLengths, RoundingOfSmallFaces)
 {
   TestMesh input;

@@ -79,18 +79,18 @@ TEST(SurfacePoint, StaysInsideFaces)
   EXPECT_EQ(point.On, Support::Face);
   EXPECT_EQ(point.Face, 0);
   EXPECT_EQ(point.Barycentric, (std::array<double, 3>{ { 0.2, 0.3, 0.5 } }));
-  // A little outside, and a sum a little off: put right.
+  // Coordinates slightly outside, and with a slightly wrong sum, are corrected.
   const SurfacePoint rough = SurfacePoint::InFace(mesh, 0, { { 0.2, 0.3, 0.5 + 1e-7 } });
   EXPECT_TRUE(rough.Check(mesh).IsOk());
   EXPECT_NEAR(rough.Barycentric[0] + rough.Barycentric[1] + rough.Barycentric[2], 1.0, 1e-15);
-  // Two decades above the tolerance nothing snaps.
+  // Two orders of magnitude above the tolerance nothing snaps.
   EXPECT_EQ(SurfacePoint::InFace(mesh, 0, { { 0.5, 0.5 - 1e-7, 1e-7 } }).On, Support::Face);
 }
 
 TEST(SurfacePoint, RefersToTheCornersOfTheInput)
 {
   TestMesh input = Plane(2, 1);
-  std::swap(input.Triangles[3], input.Triangles[4]); // one face of four the wrong way round
+  std::swap(input.Triangles[3], input.Triangles[4]); // one face of four is reversed
   const dgg::SurfaceMesh mesh = Build(input);
   ASSERT_TRUE(mesh.IsFlipped(1));
   const std::array<double, 3> b{ { 0.2, 0.3, 0.5 } };
@@ -109,7 +109,7 @@ TEST(SurfacePoint, RefersToTheCornersOfTheInput)
 
 TEST(SurfacePoint, MeasuresWithinFaces)
 {
-  // (0,0) (4,0) (1,3)
+  // triangle (0,0) (4,0) (1,3)
   const dgg::SurfaceMesh mesh = Build(SingleTriangle());
   const std::array<double, 3> p{ { 0.25, 0.5, 0.25 } }; // (2.25, 0.75)
   const std::array<double, 3> q{ { 0.5, 0.25, 0.25 } }; // (1.25, 0.75)
@@ -118,7 +118,7 @@ TEST(SurfacePoint, MeasuresWithinFaces)
   EXPECT_NEAR(dgg::DistanceToCorner(mesh, 0, p, 0), std::hypot(2.25, 0.75), 1e-15);
   EXPECT_NEAR(dgg::DistanceToCorner(mesh, 0, p, 1), std::hypot(1.75, 0.75), 1e-15);
   EXPECT_NEAR(dgg::DistanceToCorner(mesh, 0, p, 2), std::hypot(1.25, 2.25), 1e-15);
-  // In the frame of each half-edge.
+  // The position in the frame of each half-edge.
   const dgg::Point2 along = dgg::PlaceInFrame(mesh, 0, p);
   EXPECT_NEAR(along.X, 2.25, 1e-15);
   EXPECT_NEAR(along.Y, 0.75, 1e-15);
@@ -140,7 +140,7 @@ TEST(SurfacePoint, SamePoints)
   const SurfacePoint onEdge = SurfacePoint::OnEdge(mesh, 0, 0.25);
   EXPECT_TRUE(dgg::IsSamePoint(onEdge, SurfacePoint::InFace(mesh, 0, { { 0.75, 0.25, 0.0 } })));
   EXPECT_FALSE(dgg::IsSamePoint(onEdge, SurfacePoint::OnEdge(mesh, 0, 0.5)));
-  // Vertices are the same from every face.
+  // A vertex is the same from every face.
   const dgg::Id v = mesh.Origin(0);
   EXPECT_TRUE(dgg::IsSamePoint(SurfacePoint::AtVertex(v), SurfacePoint::OnEdge(mesh, 0, 0.0)));
   EXPECT_TRUE(dgg::IsSamePoint(SurfacePoint::OnEdge(mesh, 0, 0.0), SurfacePoint::AtVertex(v)));

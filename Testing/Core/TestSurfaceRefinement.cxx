@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces split along paths, and surfaces cut open: the metric stays what it was.
+// Faces split along paths, and surfaces cut open: the metric is preserved.
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 #include "TestMeshes.h"
@@ -37,8 +37,8 @@ double AreaOf(const std::vector<double>& lengths, Id f)
   return dgg::TriangleArea(lengths[3 * f], lengths[3 * f + 1], lengths[3 * f + 2]);
 }
 
-/// Everything that must hold of a refined surface: old faces are covered exactly, chains are edges
-/// and as long as their paths, and distances do not change.
+/// Checks the invariants of a refined surface: old faces are covered exactly, chains are edges with
+/// the lengths of their paths, and distances do not change.
 void ExpectSound(const dgg::SurfaceMesh& mesh, const std::vector<SurfacePath>& paths,
   const SubMesh& refined, double tolerance)
 {
@@ -107,7 +107,7 @@ TEST(FaceTriangulation, OrientationIsExact)
   EXPECT_EQ(dgg::Orientation({ one, 0 }, { one / 2, one / 2 }, { 0, one }), 0);
   EXPECT_EQ(dgg::Orientation({ one - 1, 0 }, { one / 2, one / 2 }, { 0, one }), 1);
   EXPECT_EQ(dgg::Orientation({ one - 1, 1 }, { one / 2, one / 2 - 1 }, { 0, one - 1 }), -1);
-  // In line, with coordinates of all magnitudes; and one unit beside the line.
+  // Collinear points with coordinates of all magnitudes, and points one unit beside the line.
   Random random(3);
   for (int i = 0; i < 1000; ++i)
   {
@@ -217,18 +217,18 @@ TEST(SurfaceRefinement, TangledPaths)
 
 TEST(SurfaceRefinement, CrossingsBecomeVertices)
 {
-  // Two diagonals of a square of one cell: one along the mesh edge, one across it.
+  // Two diagonals of a square of one cell: one along the mesh edge, one across the edge.
   const dgg::SurfaceMesh mesh = Build(Plane(1, 1));
   std::vector<SurfacePath> paths =
     FindPaths(mesh, SurfacePoint::AtVertex(0), { SurfacePoint::AtVertex(3) });
   paths.push_back(FindPaths(mesh, SurfacePoint::AtVertex(1), { SurfacePoint::AtVertex(2) })[0]);
-  const SubMesh refined = Refine(mesh, paths); // they touch: the edge is crossed at a node
+  const SubMesh refined = Refine(mesh, paths); // the paths touch: the edge is crossed at a node
   EXPECT_EQ(refined.GetNumberOfVertices(), 5);
   EXPECT_EQ(refined.GetNumberOfFaces(), 4);
   EXPECT_EQ(refined.Paths[0].size(), 3u);
   EXPECT_EQ(refined.Paths[1].size(), 3u);
   EXPECT_EQ(refined.Paths[0][1], refined.Paths[1][1]);
-  // Inside one face.
+  // A path inside one face.
   const dgg::SurfaceMesh single = Build(SingleTriangle());
   auto inFace = [&](double a, double b) {
     return SurfacePoint::InFace(single, 0, { { a, b, 1.0 - a - b } });

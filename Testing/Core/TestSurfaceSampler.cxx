@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples of surfaces: what is promised of their distances, against exact ones.
+// Surface samples: guarantees on their distances, compared with exact distances.
 #include "SearchChecks.h"
 #include "TestMeshes.h"
 
@@ -37,8 +37,8 @@ int CountInner(const std::vector<SurfaceSample>& samples)
     [](const SurfaceSample& sample) { return sample.Point.On != SurfacePoint::Support::Vertex; }));
 }
 
-/// Expect radii that never grow and are those of the exact distances, within the accuracy, and
-/// samples that keep away from each other.
+/// Expects covering radii that never increase and equal the exact ones within the accuracy, and
+/// samples that are separated from each other.
 void ExpectSpread(const SearchCase& c, const std::vector<SurfaceSample>& samples)
 {
   dgg::ExactGeodesics exact(c.GetMesh());
@@ -136,7 +136,8 @@ TEST(SurfaceSampler, OnAnySurface)
 
 TEST(SurfaceSampler, TheFarthestPointOfAPlaneIsInAFace)
 {
-  // Four corners of a square given: the centre is the farthest point, and no vertex.
+  // With four corners of a square given, the center is the farthest point, although it is not a
+  // vertex.
   const Id n = 7;
   const TestMesh points = Plane(n, n);
   const SearchCase c("plane", points, Accuracy);
@@ -169,12 +170,12 @@ TEST(SurfaceSampler, StartsWhereAsked)
   options.NumberOfSamples = 3;
   options.FirstVertex = 17;
   EXPECT_EQ(SamplesOf(c, options)[0].Point.Vertex, 17);
-  // By default with the vertex farthest from the first one.
+  // By default the first sample is the vertex farthest from vertex 0.
   options.FirstVertex = dgg::NoId;
   const std::vector<double> field = GraphDistances(c.GetGraph(), 0);
   const double farthest = *std::max_element(field.begin(), field.end());
   EXPECT_EQ(field[SamplesOf(c, options)[0].Point.Vertex], farthest);
-  // Given ones come first, all of them.
+  // All given samples come first.
   const auto inner = SurfacePoint::InFace(c.GetMesh(), 33, { { 0.2, 0.3, 0.5 } });
   options.Given = { inner, SurfacePoint::AtVertex(5), inner, SurfacePoint::AtVertex(5) };
   const std::vector<SurfaceSample> samples = SamplesOf(c, options);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Poisson equations on thin triangles: right, or refused.
+/// Poisson equations on thin triangles: correct results, or an error.
 #include "GeodesicChecks.h"
 #include "GreensTestTools.h"
 #include "TestMeshes.h"
@@ -22,7 +22,7 @@ namespace dggtest
 {
 namespace
 {
-/// The unit square, squashed to a strip of that height.
+/// Returns the unit square compressed to a strip of the given height.
 TestMesh Strip(Id n, double height)
 {
   TestMesh mesh = Plane(n, n);
@@ -34,7 +34,7 @@ TestMesh Strip(Id n, double height)
   return mesh;
 }
 
-/// Every 20th face gets a point next to the middle of an edge of it.
+/// Returns the mesh with a point next to the midpoint of an edge of every 20th face.
 TestMesh WithSlivers(const TestMesh& mesh, double height)
 {
   TestMesh result;
@@ -68,15 +68,15 @@ double Measure(const dgg::SurfaceMesh& mesh)
   return dgg::MeasureThinTriangles(system).front();
 }
 
-/// The second mesh beside the first one.
+/// Returns both meshes as one, not connected.
 TestMesh Beside(TestMesh first, const TestMesh& second)
 {
   Append(first, second);
   return first;
 }
 
-/// One squashed square beside a good one: all is right on the good one, and nothing is said that is
-/// wrong on the other.
+/// A compressed square beside a well-shaped one: all results on the well-shaped square are correct,
+/// and no wrong results are returned on the other.
 struct TwoSquares
 {
   dgg::SurfaceMesh Mesh = Build(Beside(Strip(12, 1.0), Strip(12, 1e-8)));
@@ -92,7 +92,8 @@ void ExpectThin(const dgg::Status& status, const std::string& where)
 }
 }
 
-/// -u'' = cos(pi x) without flow through the ends has u = cos(pi x) / pi^2, however low the strip.
+/// -u'' = cos(pi x) with zero flux at the ends has the solution u = cos(pi x) / pi^2 for any height
+/// of the strip.
 TEST(ThinTriangles, StripsAreSolvedOnOrRefused)
 {
   int solved = 0;
@@ -143,7 +144,7 @@ TEST(ThinTriangles, PointsOnALineAreRefused)
 {
   const TestMesh line = Strip(6, 0.0);
   EXPECT_TRUE(IsTooThin(Build(line)));
-  // But not where there is a surface besides, of which such a part is next to nothing.
+  // The line is accepted beside a surface, relative to which its area is negligible.
   EXPECT_FALSE(IsTooThin(Build(Beside(Icosphere(2), line))));
 }
 
@@ -160,7 +161,7 @@ TEST(ThinTriangles, PartsOfASurfaceAreRefused)
   const Id face = squares.Mesh.GetNumberOfFaces() - 1;
   ExpectThin(solver.CheckPole(dgg::SurfacePoint::InFace(squares.Mesh, face, { 0.3, 0.3, 0.4 })),
     "face " + std::to_string(face));
-  // Sources of equal density, of which next to nothing is there; then some that are.
+  // Sources of uniform density, which is negligible on the thin square; then point sources.
   std::vector<double> sources = solver.GetAreas();
   EXPECT_TRUE(solver.Solve(sources).IsOk());
   sources.assign(sources.size(), 0.0);
@@ -169,13 +170,13 @@ TEST(ThinTriangles, PartsOfASurfaceAreRefused)
   EXPECT_TRUE(solver.CheckValues(sources).IsOk());
   sources[bad] = 1.0;
   ExpectThin(solver.Solve(sources), "source at vertex " + std::to_string(bad));
-  // Dirichlet conditions are no help.
+  // Dirichlet conditions do not help.
   dgg::PoissonOptions held;
   held.Boundary = dgg::PoissonBoundary::Dirichlet;
   ASSERT_TRUE(solver.Prepare(held, nullptr).IsOk());
   ExpectThin(solver.CheckPole(dgg::SurfacePoint::AtVertex(bad)), std::to_string(bad));
   ExpectThin(solver.Solve(sources), "source at vertex " + std::to_string(bad));
-  // Values that are given in the middle are.
+  // Prescribed values in the interior help.
   held.Boundary = dgg::PoissonBoundary::Neumann;
   held.DirichletVertices = { bad };
   ASSERT_TRUE(solver.Prepare(held, nullptr).IsOk());
@@ -193,7 +194,7 @@ TEST(ThinTriangles, WhatSolvesRefusesSourcesInThinParts)
   dgg::EarthMoversResult moved;
   from[3] = to[n - 3] = 1.0;
   EXPECT_TRUE(dgg::EarthMovers(solver).Run(from, to, {}, moved).IsOk());
-  from[n + 3] = to[n + 3] = 1.0; // stays there
+  from[n + 3] = to[n + 3] = 1.0; // this mass does not move
   EXPECT_TRUE(dgg::EarthMovers(solver).Run(from, to, {}, moved).IsOk());
   to[n + 3] = 0.0;
   to[2 * n - 3] = 1.0;
@@ -221,7 +222,8 @@ TEST(ThinTriangles, SplinesHaveOneSiteInThinParts)
   const Id n = squares.FirstBad;
   dgg::PoissonSolver& solver = squares.Solver;
   ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
-  EXPECT_TRUE(dgg::CheckSplineSites(solver, { 3, 20, n + 3 }).IsOk()); // one is right anywhere
+  // One site is allowed in any component.
+  EXPECT_TRUE(dgg::CheckSplineSites(solver, { 3, 20, n + 3 }).IsOk());
   ExpectThin(dgg::CheckSplineSites(solver, { 3, n + 20, n + 3 }), "site 2");
   std::vector<Id> sites;
   ASSERT_TRUE(dgg::ChooseSplineSites(solver, 10, nullptr, sites).IsOk());
@@ -241,7 +243,7 @@ TEST(ThinTriangles, SplinesHaveOneSiteInThinParts)
   EXPECT_EQ(values[5], 0.0);
 }
 
-/// Signs may be the same at the few vertices of a component.
+/// All vertices of a small component may have values of the same sign.
 TEST(ThinTriangles, SmallPartsAreKnown)
 {
   TestMesh mesh = Icosphere(2);
@@ -274,7 +276,7 @@ TEST(ThinTriangles, ScaleDoesNotMatter)
   }
 }
 
-// Distributions of the same mass, for the earth mover's distance.
+// Distributions of equal mass for the earth mover's distance.
 
 namespace
 {
@@ -315,7 +317,8 @@ TEST(MassBalance, SmallDifferencesOfPartsAreTakenOff)
   Id count = 0;
   const std::vector<Id> components = mesh.ComputeComponents(count);
   ASSERT_GT(count, 1);
-  for (const double first : { 1.0, 0.0 }) // one part may be all but empty in one of them
+  // A component may be nearly empty in one of the distributions.
+  for (const double first : { 1.0, 0.0 })
   {
     std::vector<double> from(components.size(), 1.0);
     std::vector<double> to(components.size(), 1.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Vector graphics: closed forms, what is far stays as it is, orders, any curves, fragments.
+// Vector graphics: closed forms, locality, convergence orders, arbitrary curves, fragments.
 #include "GraphicsTestTools.h"
 #include "TestMeshes.h"
 
@@ -16,8 +16,8 @@ namespace dggtest
 {
 TEST(VectorGraphics, CurvesAcrossASquareHaveALinearFunctionOnEachSide)
 {
-  // Curves through all of a square at x = 1, 2.35 and 5, which go upwards: their left is where x
-  // is smaller. Between two curves colours are linear in x, beyond the outer ones constant.
+  // Curves across the whole square at x = 1, 2.35 and 5, directed upward: smaller x is on their
+  // left. Between two curves colors are linear in x; beyond the outer curves they are constant.
   for (const bool delaunay : { false, true })
   {
     Drawing drawing(Plane(6, 5, 0.25));
@@ -48,8 +48,8 @@ TEST(VectorGraphics, CurvesAcrossASquareHaveALinearFunctionOnEachSide)
 
 TEST(VectorGraphics, ColorsAreLinearAlongCurves)
 {
-  // Around a square, with colours linear in x and y at its corners: linear inside. The curve is
-  // closed and has its inside on the left.
+  // A curve around a square with colors linear in x and y at its corners: the solution is linear
+  // inside. The curve is closed and has its interior on the left.
   Drawing drawing(Plane(7, 7, 0.25));
   const double corners[4][2] = { { 1.0, 1.5 }, { 6.0, 1.5 }, { 6.0, 5.0 }, { 1.0, 5.0 } };
   const auto linear = [](double x, double y) { return 2.0 + 0.5 * x - 0.25 * y; };
@@ -73,7 +73,7 @@ TEST(VectorGraphics, ColorsAreLinearAlongCurves)
 
 TEST(VectorGraphics, PoissonCurveFadesAsItSays)
 {
-  // Upwards along x = 3.3, from side to side: B is known.
+  // A curve along x = 3.3 from side to side, directed upward: B is known.
   Drawing drawing(Plane(7, 5, 0.2));
   drawing.Options.NumberOfChannels = 2;
   const std::vector<double> left = { 0.3, 1.0, 0.3, 1.0 };
@@ -99,8 +99,8 @@ TEST(VectorGraphics, PoissonCurveFadesAsItSays)
 
 TEST(VectorGraphics, FarColorsStayWhereAPoissonCurveIsAdded)
 {
-  // On a sphere with a diffusion curve and a region, in between a Poisson curve that bends and ends
-  // inside: farther from it than its width, nothing changes, to rounding.
+  // A sphere with a diffusion curve and a region, and between them a Poisson curve that bends and
+  // ends in the interior. Beyond the width of the Poisson curve nothing changes, up to rounding.
   Drawing before(Icosphere(3));
   const auto near = [&](double x, double y, double z) {
     Id best = 0;
@@ -116,7 +116,7 @@ TEST(VectorGraphics, FarColorsStayWhereAPoissonCurveIsAdded)
   const std::vector<SurfacePoint> bent = { near(1, 0.1, 0.5), near(0, 0, 1), near(0, 1, 0.6) };
   const double width = 0.35;
   before.Add(Diffusion, far, { 0.0, 0.5, 1.0 }, { 1.0, 0.75, 0.5 });
-  // The same mesh, with a curve that does nothing.
+  // The same mesh, with a curve of zero strength.
   before.Add(Poisson, bent, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }).Width = width;
   before.Regions.push_back({ { 5, 6, 7, 100 }, { 0.5 } });
   before.Run(1);
@@ -126,7 +126,7 @@ TEST(VectorGraphics, FarColorsStayWhereAPoissonCurveIsAdded)
   after.Regions = before.Regions;
   after.Run(1);
   ASSERT_EQ(before.GetNumberOfValues(), after.GetNumberOfValues());
-  // How far vertices are from the curve.
+  // Distances of vertices from the curve.
   SurfaceMesh fine;
   ASSERT_TRUE(after.Surface.Build(after.Mesh, fine).IsOk());
   std::vector<dgg::GeodesicSource> sources;
@@ -151,8 +151,9 @@ TEST(VectorGraphics, FarColorsStayWhereAPoissonCurveIsAdded)
 
 TEST(VectorGraphics, StrengthsThatChangeAreBlended)
 {
-  // A closed glow, 1 on one half and 0 on the other, as wide as its own radius twice: beside the
-  // line where both halves are as near, colours are continuous, and none is outside of [0, 1].
+  // A closed Poisson curve with strength 1 on one half and 0 on the other, and a width of twice its
+  // radius. Near the line that is equidistant from both halves, colors are continuous and within
+  // [0, 1].
   const double radius = 4.0;
   double previous = 0.0;
   for (const int level : { 0, 1, 2 })
@@ -168,7 +169,7 @@ TEST(VectorGraphics, StrengthsThatChangeAreBlended)
     drawing.Run(level);
     ASSERT_FALSE(HasFatalFailure());
     const dgg::SubMesh& surface = drawing.Graphics.GetSurface();
-    const double background = [&] { // that of v, since B is added to it
+    const double background = [&] { // B is added to the background value
       double far = 0.0;
       for (std::size_t v = 0; v < drawing.GetNumberOfValues(); ++v)
       {
@@ -179,7 +180,7 @@ TEST(VectorGraphics, StrengthsThatChangeAreBlended)
     }();
     const auto radiusOf = [&](
                             Id v) { return std::hypot(drawing.Place(v)[0], drawing.Place(v)[1]); };
-    double largest = 0.0; // change along an edge, not near the curve
+    double largest = 0.0; // largest change along an edge, away from the curve
     for (std::size_t h = 0; h < surface.Triangles.size(); ++h)
     {
       const Id a = surface.Triangles[h];
@@ -192,7 +193,7 @@ TEST(VectorGraphics, StrengthsThatChangeAreBlended)
     }
     EXPECT_LT(largest, level == 0 ? 0.3 : 0.7 * previous) << level;
     previous = largest;
-    // Right at the curve it is what is given, on both sides.
+    // At the curve, values equal the given strengths on both sides.
     int given = 0;
     drawing.ForEachCorner([&](Id v, const Position& p, const Position&) {
       for (int k = 0; k < 64; ++k)
@@ -211,7 +212,7 @@ TEST(VectorGraphics, StrengthsThatChangeAreBlended)
 
 TEST(VectorGraphics, GivenColorsHoldInsideOfBands)
 {
-  // The band of a Poisson curve runs over a diffusion curve.
+  // The band of a Poisson curve overlaps a diffusion curve.
   Drawing drawing(Plane(20, 20, 0.2));
   drawing.AddLine(Diffusion, { 4.0, 12.0 }, { 16.0, 12.0 }, 0.2, 0.6);
   drawing.AddLine(Poisson, { 5.0, 10.0 }, { 15.0, 10.0 }, 1.0, -1.0).Width = 5.0;
@@ -225,7 +226,7 @@ TEST(VectorGraphics, GivenColorsHoldInsideOfBands)
     }
     if (std::abs(p[1] - 12.0) < 1e-9 && std::abs(std::abs(p[0] - 10.0) - 6.0) < 1e-9)
     {
-      EXPECT_NEAR(drawing.Value(v), 0.4, 1e-12); // the ends have the mean of both sides
+      EXPECT_NEAR(drawing.Value(v), 0.4, 1e-12); // the end points have the mean of both sides
     }
   });
   EXPECT_GT(given, 60);
@@ -233,8 +234,8 @@ TEST(VectorGraphics, GivenColorsHoldInsideOfBands)
 
 TEST(VectorGraphics, RoundRegionBrightensItsMiddleAndNothingElse)
 {
-  // -Laplace u = c in a disk and a sink as strong on its rim: u = c (R^2 - r^2) / 4 inside, 0
-  // outside, so that Strength is what its middle gains.
+  // -Laplace u = c in a disk, balanced by a sink on its rim: u = c (R^2 - r^2) / 4 inside, 0
+  // outside, so that Strength is the increase at the center.
   double previous = 0.0;
   for (const int level : { 1, 2, 3 })
   {
@@ -245,7 +246,7 @@ TEST(VectorGraphics, RoundRegionBrightensItsMiddleAndNothingElse)
     drawing.Run(level);
     ASSERT_EQ(drawing.Result.NetSources.size(), 1u);
     EXPECT_NEAR(drawing.Result.NetSources[0], 0.0, 1e-12);
-    double corner = 0.0; // means differ
+    double corner = 0.0; // value outside the disk; the solutions differ by a constant
     double worst = 0.0;
     for (const bool isLast : { false, true })
     {
@@ -269,8 +270,8 @@ TEST(VectorGraphics, RoundRegionBrightensItsMiddleAndNothingElse)
 
 TEST(VectorGraphics, WhatSourcesSumToIsTakenOffAndReported)
 {
-  // A source of 0.5 to 1.5 per length along a curve of length 4, on a square without anything that
-  // takes it in; in the second drawing, a diffusion curve does.
+  // A source of 0.5 to 1.5 per length along a curve of length 4, on a square without a sink; in the
+  // second drawing a diffusion curve is the sink.
   Drawing drawing(Plane(8, 6, 0.2));
   drawing.Add(Source, { drawing.Find(2.2, 3.3), drawing.Find(6.2, 3.3) }, { 0.5, 1.5 }, {});
   drawing.Options.Background = { 0.25 };
@@ -293,7 +294,7 @@ TEST(VectorGraphics, WhatSourcesSumToIsTakenOffAndReported)
     moment += taken * (p[0] - 4.2);
   }
   EXPECT_NEAR(mean, 0.25, 1e-12);
-  EXPECT_NEAR(moment, 16.0 / 12.0, 1e-9); // of a density 1 + x / 4, x from -2 to 2
+  EXPECT_NEAR(moment, 16.0 / 12.0, 1e-9); // for a density 1 + x / 4 with x from -2 to 2
 
   Drawing taken(Plane(8, 6, 0.2));
   taken.Add(Source, { taken.Find(2.0, 0.0), taken.Find(2.0, 6.0) }, { 1.0, 1.0 }, {});
@@ -301,7 +302,7 @@ TEST(VectorGraphics, WhatSourcesSumToIsTakenOffAndReported)
   taken.Run();
   EXPECT_EQ(*std::max_element(taken.Result.NetSources.begin(), taken.Result.NetSources.end()), 0.0);
   taken.ForEachCorner([&](Id v, const Position& p, const Position&) {
-    // All of it flows to the right.
+    // The source flows entirely to the right.
     const double expected = p[0] < 2.0 ? 3.5 : p[0] < 5.0 ? 0.5 + 5.0 - p[0] : 0.5;
     EXPECT_NEAR(taken.Value(v), expected, 1e-10);
   });
@@ -309,8 +310,8 @@ TEST(VectorGraphics, WhatSourcesSumToIsTakenOffAndReported)
 
 TEST(VectorGraphics, OrderTwoBesideCurves)
 {
-  // x^2 - y^2 is harmonic: given on a closed curve whose points are dense, on both of its sides,
-  // with another constant outside, errors are those of elements and of the polygon's colours.
+  // x^2 - y^2 is harmonic. It is given on both sides of a closed curve with dense points, with
+  // another constant outside. Errors are discretization errors and errors of the polygon's colors.
   Convergence errors(1.7);
   for (const int level : { 0, 1, 2 })
   {
@@ -347,8 +348,8 @@ TEST(VectorGraphics, OrderTwoBesideCurves)
 
 TEST(VectorGraphics, AnyCurvesOnAnySurface)
 {
-  // Curves that run along edges and boundaries, cross each other and themselves, come back. With
-  // diffusion curves alone, no colour lies outside of those that are given.
+  // Curves that run along edges and boundaries, cross each other and themselves, and return. With
+  // diffusion curves alone, all colors lie within the range of the given colors.
   for (const NamedMesh& named : SoundMeshes())
   {
     Id count = 0;
@@ -400,7 +401,7 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   SubMesh surface = before;
   ASSERT_TRUE(dgg::RefineForGraphics(mesh, refinement, surface).IsOk());
   EXPECT_EQ(surface.Paths[0].size(), 4 * before.Paths[0].size() - 3);
-  // Some faces are as they were.
+  // Some faces are unchanged.
   EXPECT_GT(std::count_if(surface.Lengths.begin(), surface.Lengths.end(),
               [](double length) { return length > 0.6; }),
     1000);
@@ -418,12 +419,12 @@ TEST(VectorGraphics, FacesAroundCurvesAreRefined)
   EXPECT_EQ(surface.Paths[0].size(), before.Paths[0].size());
 }
 
-// Fragments of coloured surfaces: where they are, their colours, in which faces.
+// Fragments of colored surfaces: positions, colors, faces.
 
 TEST(VectorGraphics, FragmentsAreTheMiddlesOfEqualParts)
 {
-  // A function that is linear on each side of a curve: fragments have its values at their places,
-  // which spread evenly, and on their own side.
+  // A function that is linear on each side of a curve: fragments have its values at their
+  // positions, are evenly spread, and lie on the correct side.
   for (const int division : { 1, 2, 3, 5 })
   {
     Drawing drawing(Plane(5, 4, 0.3));
@@ -455,8 +456,8 @@ TEST(VectorGraphics, FragmentsAreTheMiddlesOfEqualParts)
       EXPECT_NEAR(fragments.Values[2 * i], t < 1.0 ? 1.0 + t : 7.0, 1e-9);
       EXPECT_NEAR(fragments.Values[2 * i + 1], t < 1.0 ? 3.0 - 3.0 * t : 8.0, 1e-9);
     }
-    // Their first and second moments in a triangle: those of the parts about their own middles are
-    // all that is missing, 1/division^2 of those of the triangle.
+    // First and second moments of the fragments of a triangle: only the second moments of the parts
+    // about their own centers are missing, 1/division^2 of those of the triangle.
     for (std::size_t f = 0; f < faces.size(); ++f)
     {
       Position corners[3];

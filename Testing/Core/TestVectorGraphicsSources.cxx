@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Vector graphics: what flows in where, from regions of any shape and curves that touch others.
+// Vector graphics: sources and sinks of regions of any shape and of curves that touch other curves.
 #include "GraphicsTestTools.h"
 #include "PathChecks.h"
 #include "TestMeshes.h"
@@ -18,7 +18,7 @@ namespace dggtest
 {
 namespace
 {
-/// The faces with their middle in one of some boxes: x from, x to, y from, y to.
+/// Returns the faces with their midpoint in one of the boxes: x from, x to, y from, y to.
 std::vector<Id> FacesIn(const Drawing& drawing, const std::vector<std::array<double, 4>>& boxes)
 {
   std::vector<Id> faces;
@@ -44,7 +44,7 @@ std::vector<Id> FacesIn(const Drawing& drawing, const std::vector<std::array<dou
 
 TEST(VectorGraphicsSources, EachPatchOfARegionIsBalanced)
 {
-  // A small and a large square of one region: what flows into one flows out at its own rim.
+  // A small and a large square of one region: the source of each square is balanced at its own rim.
   Drawing drawing(Plane(30, 12));
   drawing.Regions = { { FacesIn(drawing, { { 1, 3, 1, 3 }, { 20, 26, 3, 9 } }), { 0.75 } } };
   drawing.Run();
@@ -74,7 +74,7 @@ TEST(VectorGraphicsSources, EachPatchOfARegionIsBalanced)
 
 TEST(VectorGraphicsSources, RegionsOnSeveralComponents)
 {
-  // Patches on two components; then all of the second one, which has no rim.
+  // Patches on two components; then the whole second component, which has no rim.
   TestMesh planes = Plane(8, 8);
   Append(planes, Translated(Plane(8, 8), 20.0, 0.0, 0.0));
   Drawing drawing(planes);
@@ -102,8 +102,8 @@ TEST(VectorGraphicsSources, RegionsOnSeveralComponents)
 
 TEST(VectorGraphicsSources, EachCurveFindsItsOwnLeft)
 {
-  // Squares in each other, one that crosses them, one that runs clockwise; open ones:
-  // what was found before does not matter.
+  // Nested squares, a square that crosses them, and a clockwise square. Results do not depend on
+  // earlier queries; open curves are refused.
   const SurfaceMesh mesh = Build(Plane(8, 8));
   const auto square = [&](Id from, Id to, bool isClockwise) {
     std::vector<SurfacePoint> corners;
@@ -143,8 +143,8 @@ TEST(VectorGraphicsSources, EachCurveFindsItsOwnLeft)
 
 TEST(VectorGraphicsSources, DiffusionCurvesTakePatchesApart)
 {
-  // A region from x = 2 to 6 with a curve at x = 3 through it and one at x = 5: the patch in the
-  // middle has rims above and below, the outer ones on three sides.
+  // A region from x = 2 to 6 with a curve at x = 3 and one at x = 5 through it. The middle patch
+  // has rims above and below; the outer patches have rims on three sides.
   Drawing drawing(Plane(8, 8));
   for (const double x : { 3.0, 5.0 })
   {
@@ -152,26 +152,26 @@ TEST(VectorGraphicsSources, DiffusionCurvesTakePatchesApart)
   }
   drawing.Regions = { { FacesIn(drawing, { { 2, 6, 0, 8 } }), { 1.0 } } };
   drawing.Run(2);
-  // Between the curves -u'' = 4 pi / 16 with no rim at all.
+  // Between the curves -u'' = 4 pi / 16, without any rim.
   drawing.ForEachCorner([&](Id v, const Position& p, const Position& m) {
     if (m[0] > 3.0 && m[0] < 5.0)
     {
       const double density = 4.0 * dgg::Pi / 16.0;
       EXPECT_NEAR(drawing.Value(v), 0.5 * density * (p[0] - 3.0) * (5.0 - p[0]), 1e-9);
     }
-    // All that flows into the patch on the left flows out at x = 2, and nothing beyond.
+    // The source of the left patch flows out at x = 2, and the flux beyond is zero.
     if (m[0] < 1.0)
     {
       const double density = 4.0 * dgg::Pi / 8.0;
-      EXPECT_NEAR(drawing.Value(v), -0.5 * density, 5e-3); // of elements at the boundary
+      EXPECT_NEAR(drawing.Value(v), -0.5 * density, 5e-3); // discretization error at the boundary
     }
   });
 }
 
 TEST(VectorGraphicsSources, RimsHaveTheSameSinkPerLength)
 {
-  // The four faces at the middle of a square are a region; a fin stands on one of its inner edges,
-  // and is not in the region.
+  // The eight faces of a square are a region; a fin is attached to one of its inner edges and is
+  // not in the region.
   TestMesh input = Plane(2, 2);
   const Id top = input.AddPoint(1.0, 0.5, 1.0);
   input.AddTriangle(1, 4, top);
@@ -182,7 +182,7 @@ TEST(VectorGraphicsSources, RimsHaveTheSameSinkPerLength)
   std::vector<std::vector<double>> loads(2, std::vector<double>(input.Points.size() / 3, 0.0));
   dgg::RegionSources sources(mesh, cut.Surface);
   sources.Add(faces, { 1.0, -2.0 }, loads);
-  // The whole sink is at that one edge.
+  // The entire sink is at this edge.
   const auto expectSinks = [&](double sign) {
     double sum = 0.0;
     for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -202,7 +202,8 @@ TEST(VectorGraphicsSources, RimsHaveTheSameSinkPerLength)
     EXPECT_NEAR(sum, 0.0, 1e-12);
   };
   expectSinks(1.0);
-  // Also where it has no length; and a region may be added again, and name faces twice.
+  // The sink exists even if the edge has zero length. A region may be added again and may contain
+  // faces twice.
   std::fill(cut.Surface.Lengths.begin(), cut.Surface.Lengths.end(), 0.0);
   for (std::vector<double>& channel : loads)
   {
@@ -216,8 +217,9 @@ TEST(VectorGraphicsSources, RimsHaveTheSameSinkPerLength)
 
 TEST(VectorGraphicsSources, SourcesFlowIntoTheirOwnSheet)
 {
-  // Two sheets touch in one point. A diffusion curve runs through it on one, a source ends there on
-  // the other, which nothing flows out of, whichever comes first.
+  // Two layers touch in one point. A diffusion curve runs through the point on one layer, and a
+  // source ends at the point on the other layer, which has no sink. The order of the layers must
+  // not matter.
   for (const bool isSourceFirst : { false, true })
   {
     TestMesh input;
@@ -254,12 +256,12 @@ TEST(VectorGraphicsSources, SourcesFlowIntoTheirOwnSheet)
     drawing.Run();
     std::vector<double> net = drawing.Result.NetSources;
     std::sort(net.begin(), net.end());
-    EXPECT_NEAR(net.back(), 2.5, 1e-12) << isSourceFirst; // 5 long
+    EXPECT_NEAR(net.back(), 2.5, 1e-12) << isSourceFirst; // length 5 times density 0.5
     EXPECT_EQ(net.front(), 0.0);
   }
 }
 
-// Vector graphics: how little regions that are not round change far away.
+// Vector graphics: small far effects of regions that are not round.
 
 namespace
 {
@@ -272,7 +274,7 @@ double RadiusOf(const Drawing& drawing, std::size_t v)
 
 TEST(VectorGraphicsFar, ColorsThatAreGivenFarAwayStay)
 {
-  // With a diffusion curve around it, which is far, nothing is darker there.
+  // With a distant diffusion curve around the region, the background does not become darker.
   Drawing drawing(Translated(Scaled(Plane(30, 30, 0.2), 1.0 / 3.0), -5.0, -5.0, 0.0));
   const std::vector<double> given(48, 0.25);
   drawing.Add(Region, drawing.FindEllipse(1.0, 0.5, 48), std::vector<double>(48, 1.0), {}, true);
@@ -285,14 +287,15 @@ TEST(VectorGraphicsFar, ColorsThatAreGivenFarAwayStay)
   }
 }
 
-// Vector graphics: colours of any size.
+// Vector graphics: colors of any magnitude.
 
 namespace
 {
 constexpr double Largest = std::numeric_limits<double>::max();
 
-/// A drawing with everything, each number of the first channel times `factor`, and a second channel
-/// that has none. Colours are within [-1, 1] times the factor, as are net sources.
+/// Adds all kinds of curves and regions to a drawing. Values of the first channel are scaled by
+/// `factor`, values of a second channel are not. Colors are within [-1, 1] times the factor, and so
+/// are net sources.
 void DrawAll(Drawing& drawing, double factor, int channels)
 {
   const auto colors = [&](double first, double last) {
@@ -309,7 +312,7 @@ void DrawAll(Drawing& drawing, double factor, int channels)
   drawing.Options.NumberOfChannels = channels;
   drawing.Add(Diffusion, { drawing.Find(6.3, 2.0), drawing.Find(7.1, 6.2) }, colors(0.5, -0.25),
     colors(0.75, 0.1));
-  // At most as much as 0.3 is added by both: diffusion and strengths that are blended.
+  // Diffusion and blended strengths add at most 0.3.
   drawing
     .Add(Poisson, { drawing.Find(1.2, 6.5), drawing.Find(3.3, 6.2) }, colors(0.1, 0.2),
       colors(-0.2, -0.1))
@@ -332,7 +335,7 @@ void DrawAll(Drawing& drawing, double factor, int channels)
   }
 }
 
-/// Two squares, of which one has a diffusion curve.
+/// Returns two squares, one of which will have a diffusion curve.
 TestMesh TwoSquares()
 {
   TestMesh both = Plane(8, 8, 0.2);
@@ -343,7 +346,7 @@ TestMesh TwoSquares()
 
 TEST(VectorGraphicsScale, ColorsOfAnySizeAreSolved)
 {
-  for (const int channels : { 1, 2, 6 }) // six are solved for together
+  for (const int channels : { 1, 2, 6 }) // six channels are solved simultaneously
   {
     Drawing usual(TwoSquares());
     DrawAll(usual, 1.0, channels);

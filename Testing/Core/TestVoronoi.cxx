@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Voronoi diagrams: complete and without gaps on any surface, and right where it can be known.
+// Voronoi diagrams: complete and without gaps on any surface, and correct where borders are known.
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 #include "SearchChecks.h"
@@ -101,8 +101,8 @@ std::pair<Id, Id> Pair(Id a, Id b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// Expect polygons that make up the faces, within them and without gaps, and curves between the
-/// cells that they name.
+/// Expects polygons that cover the faces without gaps, and curves that separate the cells that they
+/// name.
 void ExpectWellFormed(
   const SurfaceMesh& mesh, const VoronoiDiagram& diagram, Id numberOfSites, const std::string& what)
 {
@@ -116,7 +116,7 @@ void ExpectWellFormed(
     EXPECT_TRUE(point.Check(mesh).IsOk()) << what << ": " << point.Check(mesh).GetMessage();
     EXPECT_NE(point.On, SurfacePoint::Support::Vertex) << what;
   }
-  // Areas.
+  // The areas of the polygons sum to the areas of the faces.
   std::vector<double> area(mesh.GetNumberOfFaces(), 0.0);
   for (std::size_t p = 0; p < diagram.GetNumberOfPolygons(); ++p)
   {
@@ -129,7 +129,8 @@ void ExpectWellFormed(
     const double expected = mesh.IsDropped(f) ? 0.0 : AreaOf(mesh, f);
     EXPECT_NEAR(area[f], expected, 1e-9 * expected) << what << " face " << f;
   }
-  // Inside a face both sides of a side are polygons; on an edge, all faces have the same sides.
+  // Inside a face both sides of a segment are polygons; on an edge, all faces have the same
+  // segments.
   std::map<std::pair<Id, Id>, std::vector<std::size_t>> sides;
   ForEachSide(diagram, [&](std::size_t p, Id a, Id b) {
     EXPECT_NE(a, b) << what;
@@ -156,7 +157,7 @@ void ExpectWellFormed(
       ++faces[diagram.PolygonFaces[p]];
       sitesOfSide[side.first].insert(diagram.PolygonSites[p]);
     }
-    if (faces.begin()->second == 2) // inside
+    if (faces.begin()->second == 2) // inside a face
     {
       for (const auto& face : faces)
       {
@@ -172,7 +173,7 @@ void ExpectWellFormed(
       : facesOfEdge[side.first];
     EXPECT_EQ(side.second.size(), expected) << what;
   }
-  // Curves run along sides, between different cells; and every such side is in a curve.
+  // Curves run along segments between different cells, and every such segment is in a curve.
   std::set<std::pair<Id, Id>> inCurves;
   for (std::size_t k = 0; k < diagram.GetNumberOfCurves(); ++k)
   {
@@ -210,7 +211,8 @@ void ForEachCurvePoint(
   }
 }
 
-/// Expect borders to be where distances say: `distance(point, site)`, of points of the diagram.
+/// Expects borders at equal distances from their sites. `distance(point, site)` returns the
+/// distance of a point of the diagram.
 void ExpectBorders(const std::string& what, const VoronoiDiagram& diagram,
   std::size_t numberOfSites, double tolerance,
   const std::function<double(Id, std::size_t)>& distance)
@@ -226,8 +228,8 @@ void ExpectBorders(const std::string& what, const VoronoiDiagram& diagram,
   });
 }
 
-/// Expect polygons and borders to be those of known distances: `distance(place, site)`. Polygons
-/// are looked at in their middle.
+/// Expects polygons and borders to agree with known distances `distance(place, site)`. Polygons are
+/// tested at their center.
 void ExpectKnown(const SearchCase& c, const VoronoiDiagram& diagram, std::size_t numberOfSites,
   double tolerance, const std::function<double(const Place&, std::size_t)>& distance)
 {
@@ -257,7 +259,7 @@ void ExpectKnown(const SearchCase& c, const VoronoiDiagram& diagram, std::size_t
   }
 }
 
-/// Distances of all points of a diagram from each site alone.
+/// Returns the distances of all points of a diagram from each site separately.
 std::vector<std::vector<double>> ExactDistances(
   const SurfaceMesh& mesh, const VoronoiDiagram& diagram, const Sites& sites)
 {
@@ -274,7 +276,7 @@ std::vector<std::vector<double>> ExactDistances(
   return distances;
 }
 
-/// The same in the plane.
+/// Expects the diagram of Euclidean distances in the plane.
 void ExpectPlane(
   const SearchCase& c, const VoronoiDiagram& diagram, const Sites& sites, double tolerance)
 {
@@ -314,7 +316,7 @@ TEST(Voronoi, ThePlane)
     const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
     ExpectWellFormed(c.GetMesh(), diagram, 9, c.GetName());
     ExpectPlane(c, diagram, sites, 0.005);
-    // Convex cells: one curve for a pair.
+    // Cells are convex, so there is one curve per pair.
     const std::set<std::array<Id, 2>> pairs(diagram.CurveSites.begin(), diagram.CurveSites.end());
     EXPECT_EQ(pairs.size(), diagram.GetNumberOfCurves());
     EXPECT_GE(pairs.size(), 9u);
@@ -323,7 +325,7 @@ TEST(Voronoi, ThePlane)
 
 TEST(Voronoi, BordersAlongEdgesAndThroughVertices)
 {
-  // Sites that are mirrored in a line of the grid, and in its diagonals: all is tied.
+  // Sites mirrored in a grid line, and in its diagonals: all borders have ties.
   const TestMesh points = Plane(8, 8);
   const SearchCase c("grid", points, 0.01);
   const double unit = points.Point(points.GetNumberOfVertices() - 1)[0] / 8.0;
@@ -342,7 +344,7 @@ TEST(Voronoi, BordersAlongEdgesAndThroughVertices)
 
 TEST(Voronoi, ManySitesInAFace)
 {
-  // A face holds whole cells, and its corners are far away.
+  // A face contains whole cells, and its corners are far away.
   TestMesh triangle;
   triangle.AddPoint(0.0, 0.0, 0.0);
   triangle.AddPoint(3.0, 0.0, 0.0);
@@ -368,7 +370,7 @@ TEST(Voronoi, AConeAndASphere)
     const Sites sites = RandomSurfacePoints(c.GetMesh(), 10, 21);
     const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy);
     ExpectWellFormed(c.GetMesh(), diagram, 10, named.Name);
-    // By exact distances from each site alone, of all points of the borders.
+    // Exact distances of all border points from each site separately.
     const std::vector<std::vector<double>> exact = ExactDistances(c.GetMesh(), diagram, sites);
     ASSERT_GT(diagram.GetNumberOfCurves(), 9u);
     ExpectBorders(named.Name, diagram, sites.size(), 2.0 * accuracy,
@@ -388,8 +390,8 @@ TEST(Voronoi, AConeAndASphere)
 
 TEST(Voronoi, RefinedWhereFacesAreLarge)
 {
-  // Ways to the corners of a face lead around different sides of what is between: the corners alone
-  // do not show the borders, which refinement mends.
+  // Paths to the corners of a face pass on different sides of obstacles: the corners alone do not
+  // determine the borders, so refinement is needed.
   const double accuracy = 0.01;
   const SearchCase c("box", Box(5, 5, 5, 1.0, 1.3, 0.8), accuracy);
   const Sites sites = RandomSurfacePoints(c.GetMesh(), 12, 5);
@@ -412,13 +414,13 @@ TEST(Voronoi, RefinedWhereFacesAreLarge)
 
 TEST(Voronoi, AroundACylinder)
 {
-  // The border opposite to a single pair of sites on a tube: a closed one with one pair.
+  // A tube has one closed border between one pair of sites.
   const TestMesh tube = PrismSide(24, 1, 20, 0.0, 1);
   const SearchCase c("tube", tube, 0.01);
   const double low = tube.Point(0)[2];
   const double high = tube.Point(tube.GetNumberOfVertices() - 1)[2];
   ASSERT_LT(low, high);
-  // Rings of sites at both ends: the border between the rings goes around.
+  // Rings of sites at both ends: the border between the rings is a closed curve around the tube.
   std::vector<GraphSeed> seeds;
   for (Id v = 0; v < tube.GetNumberOfVertices(); ++v)
   {
@@ -513,7 +515,7 @@ TEST(Voronoi, GraphsWithoutDirections)
   ExpectPlane(c, diagram, sites, 0.04);
 }
 
-/// A graph that reaches a vertex and not its neighbour.
+/// A graph that reaches a vertex but not its neighbor.
 TEST(Voronoi, GraphsOfTooFewEdges)
 {
   TestMesh plane = Plane(12, 12);

@@ -129,7 +129,7 @@ TEST(VoxelBand, RefusesTooMuchBeforeItIsTaken)
 
 TEST(VoxelBand, ReachesAsFarAsItSays)
 {
-  // At both ends of the longest axis there is, bricks are reported apart.
+  // At both ends of the longest possible axis, bricks are separate.
   const double far = VoxelBand::MaximumResolution - 12.0;
   const std::vector<Point3> centres{ { 0.0, 0.0, 0.0 }, { far, 0.0, 0.0 }, { 0.0, far, far } };
   VoxelBand band;
@@ -176,7 +176,8 @@ std::vector<Cell> CellsOf(const Point3& from, const Point3& to)
   return cells;
 }
 
-/// How much of a segment lies in a cell that is larger by `margin` on each side.
+/// Returns the fraction of a segment inside a cell enlarged by `margin` on each side; negative if
+/// the segment misses the cell.
 double PartIn(const Cell& cell, const Point3& from, const Point3& to, double margin)
 {
   const std::array<double, 3> start{ { from.X, from.Y, from.Z } };
@@ -239,7 +240,8 @@ TEST(SegmentWalk, AlongAxesAndThroughCorners)
   EXPECT_EQ(CellsOf({ 0.5, 0.5, 0.5 }, { 3.5, 0.5, 0.5 }).size(), 4U);
   EXPECT_EQ(CellsOf({ 0.5, 0.5, 0.5 }, { 0.5, -2.5, 0.5 }).size(), 4U);
   EXPECT_EQ(CellsOf({ 0.5, 0.5, 0.5 }, { 0.5, 0.5, 0.5 }).size(), 1U);
-  // Exactly through corners: one step along one axis at a time, and no step too many.
+  // A segment exactly through corners takes one step along one axis at a time, without superfluous
+  // steps.
   const std::vector<Cell> diagonal = CellsOf({ 0.0, 0.0, 0.0 }, { 4.0, 4.0, 4.0 });
   EXPECT_EQ(diagonal.size(), 13U);
   EXPECT_EQ(diagonal.back(), (Cell{ { 4, 4, 4 } }));
@@ -263,7 +265,7 @@ TEST(ArcLength, CirclesAreExact)
     const Point3 second{ std::cos(turn), std::sin(turn), 0.0 };
     const Point3 chord = second - first;
     const double length = dgg::Norm(chord);
-    // Normals to either side.
+    // Normals on either side.
     for (const double side : { 1.0, -1.0 })
     {
       const ChordAngles angles = MeasureChord(chord, length, first, side * second);
@@ -301,7 +303,7 @@ TEST(ArcLength, ChangingCurvatureAndInflections)
     const double chord = dgg::Norm(to - from);
     const double found = chord * ArcFactor(MeasureChord(to - from, chord, normal(-h), normal(h)));
     EXPECT_GT(length, chord);
-    // All but a hundredth of what the chord lacks.
+    // At most one hundredth of the difference between length and chord remains.
     EXPECT_NEAR(found, length, 0.01 * (length - chord)) << c;
   }
 }
