@@ -21,7 +21,7 @@ namespace dggtest
 {
 namespace
 {
-/// Turns a relief into a cloud that is nearly flat.
+/// Turns a relief into a nearly flat point cloud.
 void TakePoints(vtkPolyData* relief)
 {
   relief->SetPolys(nullptr);
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeCloudGraph(vtkPolyData* relief)
   return graph;
 }
 
-/// A filter behind vtkPointCloudDGG.
+/// Returns a filter whose input is the output of vtkPointCloudDGG on the points of a relief.
 template <typename Filter>
 vtkSmartPointer<Filter> MakeConsumer(vtkPolyData* relief)
 {
@@ -53,7 +53,7 @@ vtkSmartPointer<Filter> MakeConsumer(vtkPolyData* relief)
   return filter;
 }
 
-/// Positions between points of a relief.
+/// Returns positions between points of a relief.
 vtkSmartPointer<vtkPolyData> MakePositions(vtkPolyData* relief, const std::vector<vtkIdType>& ids)
 {
   Points positions;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of the filters behind vtkPointCloudDGG start from.
+/// Fixture of the tests of filters that use the output of vtkPointCloudDGG.
 #ifndef CloudFixture_h
 #define CloudFixture_h
 
@@ -17,7 +17,7 @@
 
 namespace dggtest
 {
-/// A cloud, and its graph.
+/// A point cloud with its graph.
 class CloudFixture : public ::testing::Test
 {
 protected:

@@ -88,7 +88,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeGraphics(vtkPolyData* surface)
       surface->GetPoint(id, p);
       surface->GetPoint(id + 1, q);
     }
-    // On the edge between them.
+    // Midpoint of the edge between the two points.
     places->InsertNextPoint(
       (2.0 * p[0] + q[0]) / 3.0, (2.0 * p[1] + q[1]) / 3.0, (2.0 * p[2] + q[2]) / 3.0);
   }
@@ -261,7 +261,7 @@ std::vector<Refusal> RefuseBoundaries()
     return Refuse<F>(
       [surface = vtkSmartPointer<vtkPolyData>(surface)](F* f) {
         f->SetSecondSurfaceData(surface);
-        f->SetSecondLandmarkIds({ 99 }); // the surface comes first
+        f->SetSecondLandmarkIds({ 99 }); // the surface is checked first
       },
       { "second surface: ", part });
   };

@@ -66,7 +66,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeMatrix(vtkPolyData* surface)
   return matrix;
 }
 
-/// Of distances in space from the first point.
+/// Returns a probe of the straight-line distances from the first point.
 vtkSmartPointer<vtkGeodesicAlgorithm> MakeProbe(vtkPolyData* surface)
 {
   AddSpaceDistances(surface);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The meshes (*.ply and awkward/*.ply) and point clouds of the folder DGG_EXTRA_DATA, for tests
-/// with a parameter.
+/// Meshes (*.ply and awkward/*.ply) and point clouds of the folder DGG_EXTRA_DATA, as parameters of
+/// tests.
 #ifndef ExtraMeshes_h
 #define ExtraMeshes_h
 
@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-/// Their paths, sorted.
+/// Returns the paths of the meshes, sorted.
 std::vector<std::string> FindExtraMeshes();
-/// The same of the point clouds (clouds/*.ply).
+/// Returns the paths of the point clouds (clouds/*.ply), sorted.
 std::vector<std::string> FindExtraClouds();
 
-/// The name of the file as the name of a test.
+/// Returns the file name as the name of a test.
 std::string NameExtraMesh(const testing::TestParamInfo<std::string>& info);
 
 #endif

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Tables of filters on surfaces and clouds: how to make one that runs, and what it must refuse.
+/// Tables of filters on surfaces and clouds: construction of a working filter, and the input that
+/// it must refuse.
 #ifndef FilterCases_h
 #define FilterCases_h
 
@@ -17,7 +18,7 @@
 
 namespace dggtest
 {
-/// A wrong property or input, and words of the message: the name of the property, the value.
+/// An invalid property or input, and the words expected in the message: property name and value.
 struct Refusal
 {
   std::function<void(vtkGeodesicAlgorithm*)> Spoil;
@@ -27,39 +28,39 @@ struct Refusal
 struct FilterCase
 {
   const char* Name;
-  /// Returns the filter on a relief, or on its points, ready to run.
+  /// Returns the filter on a relief, or on its points, ready to execute.
   std::function<vtkSmartPointer<vtkGeodesicAlgorithm>(vtkPolyData* relief)> Make;
   /// Makes the filter use surface points on its further input ports, in place of ids. Null for
   /// filters without such a port.
   std::function<void(vtkGeodesicAlgorithm*, vtkPolyData* points)> SetPoints;
   std::vector<const char*> Defaults = {}; ///< lines that a new filter prints
   std::vector<Refusal> Refusals = {};
-  std::vector<int> Ports = {};          ///< outputs with new points on the surface
+  std::vector<int> Ports = {};          ///< output ports with new points on the surface
   std::vector<const char*> Arrays = {}; ///< point arrays of each of these outputs
-  bool TakesPoints = false;             ///< without polygons, as a cloud
+  bool TakesPoints = false;             ///< true if the input has no polygons (a cloud)
 };
 void PrintTo(const FilterCase& filter, std::ostream* os);
 
 std::vector<FilterCase> GetCurveFilters();
 std::vector<FilterCase> GetDistanceFilters();
 std::vector<FilterCase> GetSpectralFilters();
-/// Filters of the test program: all filters on surfaces, or all on clouds.
+/// Returns the filters of the test program: all filters on surfaces, or all on clouds.
 std::vector<FilterCase> GetAllFilters();
 
-/// Returns all that a filter puts out, as text.
+/// Returns all outputs of a filter as text.
 std::string DescribeOutputs(vtkGeodesicAlgorithm* filter, bool withFieldData = true);
 
-/// A surface of (n + 1) x (n + 1) points that is neither flat nor straight, with integer
-/// coordinates of the given type.
+/// Returns a bumpy surface of (n + 1) x (n + 1) points with integer coordinates of the given type.
 vtkSmartPointer<vtkPolyData> MakeRelief(int dataType, int n = 8);
-/// Returns the point of a relief of any size that has the id `id` in the one of 9 x 9 points.
+/// Returns the point of a relief of any size that corresponds to point `id` of the relief of 9 x 9
+/// points.
 vtkIdType OnRelief(vtkPolyData* relief, vtkIdType id);
 std::vector<vtkIdType> OnRelief(vtkPolyData* relief, std::vector<vtkIdType> ids);
 void AddNote(vtkPolyData* surface, const char* name);
-/// Adds distances in space from the first point as an array of geodesic distances. Returns the
-/// largest.
+/// Adds straight-line distances from the first point as an array of geodesic distances. Returns the
+/// largest distance.
 double AddSpaceDistances(vtkPolyData* surface);
-/// A point above the relief, farther than the tolerance.
+/// A point above the relief, farther away than the tolerance.
 constexpr std::array<double, 3> FarFromRelief{ { 0.0, 0.0, 99.0 } };
 /// Returns five points on edges of a relief: four around its middle, and one in the middle.
 Points GetPointsOnEdges(vtkPolyData* relief);
@@ -72,14 +73,14 @@ vtkSmartPointer<Filter> MakeFilter(vtkPolyData* relief)
   return filter;
 }
 
-/// A refusal that is spoilt by a function of the class of the filter.
+/// Returns a refusal whose invalid input is set by a member function of the filter class.
 template <typename Filter, typename Function>
 Refusal Refuse(Function spoil, const std::vector<std::string>& parts)
 {
   return { [spoil](vtkGeodesicAlgorithm* filter) { spoil(Filter::SafeDownCast(filter)); }, parts };
 }
 
-/// Returns FilterCase::SetPoints by a function of the class of the filter.
+/// Returns a FilterCase::SetPoints that calls a member function of the filter class.
 template <typename Filter, typename Function>
 std::function<void(vtkGeodesicAlgorithm*, vtkPolyData*)> PointSetter(Function set)
 {
@@ -88,9 +89,9 @@ std::function<void(vtkGeodesicAlgorithm*, vtkPolyData*)> PointSetter(Function se
   };
 }
 
-/// Returns the refusals of surface points that are not finite or far away.
+/// Returns the refusals of surface points that are not finite or too far from the surface.
 std::vector<Refusal> RefusePoints(const FilterCase& filter, const std::string& words);
-/// Returns the refusals of values of a property.
+/// Returns the refusals of invalid values of a property.
 template <typename Filter, typename Value>
 std::vector<Refusal> RefuseValues(void (Filter::*set)(Value),
   const std::vector<std::decay_t<Value>>& values, const std::vector<std::string>& parts)
@@ -103,10 +104,10 @@ std::vector<Refusal> RefuseValues(void (Filter::*set)(Value),
   return refusals;
 }
 Refusal RefuseMemoryLimit(vtkTypeInt64 limit);
-/// Returns the refusals of all filters.
+/// Returns the refusals common to all filters.
 std::vector<Refusal> RefuseInput();
 
-/// Returns the refusals of all filters that search a graph.
+/// Returns the refusals common to all filters that search a graph.
 template <typename Filter>
 std::vector<Refusal> RefuseGraph()
 {

@@ -143,7 +143,7 @@ vtkSmartPointer<vtkPolyData> MakePlateWithHole()
   const double turn = 2.0 * std::acos(-1.0) / sides;
   Points points;
   Cells cells;
-  const vtkIdType n = sides + 4; // points of each level, first the corners of the plate
+  const vtkIdType n = sides + 4; // points per level, starting with the corners of the plate
   for (int row = 0; row <= rows; ++row)
   {
     const double z = row * radius * turn;
@@ -168,7 +168,7 @@ vtkSmartPointer<vtkPolyData> MakePlateWithHole()
   };
   for (int i = 0; i < sides; ++i)
   {
-    const vtkIdType corner = (2 + 4 * i / sides) % 4; // of that quarter
+    const vtkIdType corner = (2 + 4 * i / sides) % 4; // corner of the same quarter of the plate
     const vtkIdType a = 4 + i;
     const vtkIdType b = 4 + (i + 1) % sides;
     addWall(b, a);
@@ -188,7 +188,7 @@ vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* first, vtkPolyData* second, dou
   Cells cells;
   for (const bool isSecond : { false, true })
   {
-    vtkPolyData* part = isSecond ? second : first; // may be the same
+    vtkPolyData* part = isSecond ? second : first; // `first` and `second` may be the same object
     const auto offset = static_cast<vtkIdType>(points.size());
     for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
     {
@@ -377,7 +377,7 @@ void ProgressWatch::Observe(vtkObject* caller, unsigned long, void*)
   auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
   if (algorithm->GetAbortExecute() && algorithm->GetProgress() == 1.0)
   {
-    return; // not of the filter: later versions of VTK report the end of what was aborted, too
+    return; // later versions of VTK report the end after an abort, too
   }
   this->Progress.push_back(algorithm->GetProgress());
   if (this->Progress.back() >= this->StopAt)

@@ -16,7 +16,7 @@ namespace dggtest
 {
 namespace
 {
-/// Of lengths in the graph, relative.
+/// Rounding error of lengths in the graph, relative.
 constexpr double Rounding = 1e-6;
 }
 
@@ -125,7 +125,7 @@ void ForEachThreading(const std::function<void(const std::string&)>& body)
   {
     if (!vtkSMPTools::SetBackend(backend))
     {
-      continue; // not in this build of VTK
+      continue; // not available in this build of VTK
     }
     ++backends;
     for (const int threads : { 1, 2, 4 })

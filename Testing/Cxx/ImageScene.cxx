@@ -31,7 +31,7 @@ namespace dggtest
 {
 namespace
 {
-/// Colours in equal steps between some of them.
+/// Returns a table of `count` colors, interpolated linearly between `stops`.
 vtkSmartPointer<vtkLookupTable> MakeColors(
   const std::vector<Color>& stops, double low, double high, int count)
 {
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkLookupTable> MakeColors(
   return table;
 }
 
-/// A copy of which the active scalars are a component of a point or cell array, or colours.
+/// Returns a copy whose active scalars are a component of a point or cell array, or colors.
 vtkSmartPointer<vtkPolyData> WithScalars(
   vtkPolyData* data, const std::string& name, bool isPainted, int component = 0)
 {
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkPolyData> WithScalars(
   return copy;
 }
 
-/// A filter may run again before the picture is drawn.
+/// Returns a copy, because a filter may run again before the image is drawn.
 vtkSmartPointer<vtkPolyData> Copy(vtkPolyData* data)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -227,7 +227,8 @@ vtkActor* ImageScene::AddActor(vtkAlgorithmOutput* output, vtkLookupTable* color
   {
     mapper->SetLookupTable(colors);
     mapper->UseLookupTableScalarRangeOn();
-    // Bands have sharp borders then; the numbers of things have nothing in between.
+    // Colors are looked up per pixel, so that bands have sharp borders. Ids must not be
+    // interpolated.
     mapper->SetInterpolateScalarsBeforeMapping(!colors->GetUseBelowRangeColor());
   }
   return actor;

@@ -18,15 +18,15 @@ namespace dggtest
 {
 namespace
 {
-/// Of cosines of angles, where pieces are long enough to have one.
+/// Tolerance of cosines of angles between segments that are long enough to define an angle.
 constexpr double AngleTolerance = 1e-6;
-/// Where a loop starts; what is less counts as straight (vtkDGGLoop).
+/// Tolerance at the start of a loop; smaller kinks count as straight (vtkDGGLoop).
 constexpr double KinkTolerance = 1e-5;
-constexpr double ShortestPiece = 1e-5; // of the diagonal
+constexpr double ShortestPiece = 1e-5; // relative to the diagonal
 
 const double Pi = vtkMath::Pi();
 
-/// Rows of `columns` squares that close around, each cut in two.
+/// Adds rows of `columns` squares that form a closed ring. Each square is split into two triangles.
 void AddBand(Cells& cells, vtkIdType first, vtkIdType columns, vtkIdType rows, bool closes)
 {
   for (vtkIdType j = 0; j < rows; ++j)
@@ -60,7 +60,7 @@ LoopLine ReadLoop(vtkPolyData* output, vtkIdType line)
   return loop;
 }
 
-/// The ends of the edge that two triangles have in common.
+/// Finds the ends of the common edge of two triangles. Returns false if there is none.
 bool FindEdge(vtkPolyData* surface, vtkIdType a, vtkIdType b, std::array<double, 3> ends[2])
 {
   vtkNew<vtkIdList> first;
@@ -121,7 +121,7 @@ vtkSmartPointer<vtkPolyData> MakeTorus(int nu, int nv)
 
 double GetTubeLength(int nu, int nv)
 {
-  // Half-way between two rows of points, where the tube is narrowest.
+  // Halfway between two rows of points, where the tube is narrowest.
   double length = 0.0;
   for (int j = 0; j < nv; ++j)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of loops share: surfaces around which there are loops, loops of an output, and
-/// what must hold for any of them.
+/// Tools shared by the tests of loops: surfaces with non-trivial loops, loops of an output, and the
+/// invariants of any loop.
 #ifndef LoopTestTools_h
 #define LoopTestTools_h
 
@@ -17,14 +17,16 @@ namespace dggtest
 /// Returns the triangulated side of a prism over a regular polygon: `sides` times `rows` unit
 /// squares. Point i of row j has the id j * sides + i.
 vtkSmartPointer<vtkPolyData> MakePrism(int sides, int rows);
-/// Radii 1 and 0.4; point i around the hole of row j has the id j * nu + i; it starts outside.
+/// Returns a torus of radii 1 and 0.4. Point i (around the hole) of row j has the id j * nu + i;
+/// row 0 is the outermost one.
 vtkSmartPointer<vtkPolyData> MakeTorus(int nu, int nv);
-/// The lengths of its shortest loops around the tube and around the hole (nv even).
+/// Return the lengths of the shortest loops of the torus around the tube and around the hole (nv
+/// even).
 double GetTubeLength(int nu, int nv);
 double GetHoleLength(int nu);
 
-/// A loop, or a rim of the tape, with its arrays. A closed polyline repeats its first point at the
-/// end; the ArcLength of the repeated point is the total length.
+/// A loop, or an edge of the tape, with its arrays. A closed polyline repeats its first point at
+/// the end; the ArcLength of the repeated point is the total length.
 struct LoopLine
 {
   PathLine Line;
@@ -36,13 +38,13 @@ struct LoopLine
   bool operator==(const LoopLine& other) const;
 };
 
-/// The polylines of the outputs; an array that is missing fails the test.
+/// Returns the polylines of the outputs; a missing array fails the test.
 std::vector<LoopLine> GetLoops(vtkDGGLoop* filter);
 std::vector<LoopLine> GetRims(vtkDGGLoop* filter);
 std::vector<int> GetLoopStatus(vtkDGGLoop* filter);
 
-/// Expect that a closed polyline passes straight over the edges of triangles, in its start as well
-/// when `isSmoothAtStart`. What it does at points of the surface is not looked at.
+/// Expects that a closed polyline crosses edges of triangles without a kink, and has none at its
+/// start when `isSmoothAtStart`. Points of the surface on the polyline are not checked.
 void ExpectStraight(const LoopLine& loop, vtkPolyData* surface, bool isSmoothAtStart = true);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Text of all points, cells and arrays, to compare what readers and writers keep.
+/// Text of all points, cells and arrays, to compare data before and after writing and reading.
 #ifndef MeshDescription_h
 #define MeshDescription_h
 
@@ -17,7 +17,7 @@
 
 namespace dggtest
 {
-/// Returns the shortest text that reads back as the same number.
+/// Returns the shortest text that is read back as the same number.
 inline std::string Digits(double value)
 {
   char buffer[32];
@@ -44,7 +44,7 @@ inline void DescribeArrays(vtkDataSetAttributes* data, const char* kind, std::st
   }
 }
 
-/// All points, cells and arrays as text.
+/// Returns all points, cells and arrays as text.
 inline std::string Describe(vtkPolyData* data)
 {
   std::string text = data->GetPoints()->GetDataType() == VTK_FLOAT ? "float " : "";

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of point clouds share: PCD files as text, a cloud with everything, comparison.
+/// Tools shared by the tests of point cloud files: PCD files as text, a cloud with all kinds of
+/// arrays, comparison.
 #ifndef PCDTestTools_h
 #define PCDTestTools_h
 
@@ -15,7 +16,7 @@
 
 namespace dggtest
 {
-/// The lines of a header; those that are empty are left out.
+/// The lines of a header; empty lines are omitted.
 struct PCDLines
 {
   std::string Fields = "x y z";
@@ -31,13 +32,13 @@ struct PCDLines
   std::string Format() const;
 };
 
-/// A file of two points that is well.
+/// A valid file of two points.
 extern const char* const GoodPCD;
 
-/// The two numbers before compressed data.
+/// Returns the two sizes that precede compressed data, as bytes.
 std::string Sizes(std::uint32_t compressed, std::uint32_t uncompressed);
 
-/// Tests that read and write in a folder of their own.
+/// Fixture of tests that read and write in a separate folder.
 class PCDTest : public ReaderFixture<vtkPCDReader>
 {
 protected:
@@ -47,14 +48,14 @@ protected:
   }
 };
 
-/// A cloud of 3 x 2 points with normals, colours, an array of each type of number, arrays of
-/// several components, NaN, infinity and numbers that need all of their digits.
+/// Returns a cloud of 3 x 2 points with normals, colors, an array of each numeric type, arrays of
+/// several components, NaN, infinity and values that need all of their digits.
 vtkSmartPointer<vtkPolyData> MakeRichCloud(int pointType, bool hasColors = true);
 
-/// Expects that all arrays are the same, bit for bit, and so are their names and types.
+/// Expects that all arrays are bitwise equal and have equal names and types.
 void ExpectSameArrays(vtkFieldData* a, vtkFieldData* b);
-/// The coordinates and all arrays of points and of field data are the same, bit for bit, and so are
-/// their names and types.
+/// Expects that coordinates and all point and field arrays are bitwise equal and have equal names
+/// and types.
 void ExpectSameCloud(vtkPolyData* a, vtkPolyData* b);
 }
 

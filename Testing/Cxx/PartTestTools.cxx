@@ -53,8 +53,8 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeMarks()
   return marks;
 }
 
-/// Expects the same points in the same number of cells, whatever their order, or nothing in other
-/// processes than the first.
+/// Expects the same points in the same number of cells in any order, or empty output in processes
+/// other than the first.
 void ExpectSameSet(vtkPolyData* found, vtkPolyData* expected, bool isFirst)
 {
   EXPECT_EQ(found->GetNumberOfPoints(), isFirst ? expected->GetNumberOfPoints() : 0);

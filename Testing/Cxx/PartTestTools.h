@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Surfaces in parts.
+/// Surfaces that are split into pieces.
 #ifndef PartTestTools_h
 #define PartTestTools_h
 
@@ -12,38 +12,38 @@
 
 namespace dggtest
 {
-/// Of each cell, the part that it goes to.
+/// Piece index of each cell.
 using Labels = std::vector<int>;
 
-/// Cells in `parts` strips of equal numbers along x.
+/// Assigns cells to `parts` strips along x with equal numbers of cells.
 Labels LabelStrips(vtkPolyData* surface, int parts);
-/// Connected parts, grown from random cells.
+/// Assigns cells to connected pieces, grown from random cells.
 Labels LabelRandomly(vtkPolyData* surface, int parts, unsigned int seed);
 
 enum class PartIds
 {
   None,
-  Global, ///< of points and cells
+  Global, ///< global ids of points and cells
 };
 
-/// The cells with a label. The point array "Whole" has the ids of its points in the surface. With
-/// `ghosts`, also all cells at their points, marked.
+/// Returns the cells with a label. The point array "Whole" contains the point ids in the input
+/// surface. With `ghosts`, all cells at these points are added and marked as ghosts.
 vtkSmartPointer<vtkPolyData> TakePart(vtkPolyData* surface, const Labels& labels, int label,
   PartIds ids = PartIds::None, bool ghosts = false);
 
-/// Where cells come in another order, angles in graphs are rounded to other floats, and with them
-/// corrected distances.
+/// Relative tolerance of distances when the order of cells differs: angles in graphs, and therefore
+/// corrected distances, are rounded differently.
 constexpr double FloatTolerance = 1e-7;
 
-/// Expects that an array of the points of a part is that of the whole, up to `tolerance` times its
-/// largest value.
+/// Expects that a point array of a piece equals that of the parent mesh, up to `tolerance` times
+/// its largest value.
 void ExpectArray(vtkPolyData* part, vtkPolyData* whole, const std::string& name, double tolerance);
-/// Expects that outputs of a filter on parts of a surface are those on the whole surface: arrays at
-/// the points of parts; new geometry and tables in the first process, in any order.
+/// Expects that the outputs of a filter on pieces of a surface equal those on the parent mesh:
+/// arrays at the points of pieces; new geometry and tables in the first process, in any order.
 void ExpectOutputsOfParts(vtkAlgorithm* onParts, vtkAlgorithm* onWhole, bool isFirst = true);
 
-/// A terrain with a seam along half of the line in the middle: points of its sides lie in the same
-/// places.
+/// Returns a terrain with a seam along half of its middle line: points on both sides of the seam
+/// coincide.
 vtkSmartPointer<vtkPolyData> MakeSeam(int n);
 }
 

@@ -43,7 +43,8 @@ double DistanceFromSegment(
   return Distance(p, { { a[0] + t * edge[0], a[1] + t * edge[1], a[2] + t * edge[2] } });
 }
 
-/// Sound for triangles of any shape: near an edge, the edge shows it.
+/// Returns the distance of a point from a triangle. The result is also accurate for degenerate
+/// triangles, because distances from the edges are included.
 double DistanceFromTriangle(
   const std::array<double, 3>& p, const std::array<std::array<double, 3>, 3>& corners)
 {
@@ -66,7 +67,7 @@ double DistanceFromTriangle(
                   : distance;
 }
 
-/// Distance of a point from a triangle strip or a convex polygon.
+/// Returns the distance of a point from a triangle strip or a convex polygon.
 double DistanceFromCell(vtkPolyData* surface, vtkIdType cell, const std::array<double, 3>& p)
 {
   vtkNew<vtkIdList> ids;
@@ -215,7 +216,7 @@ vtkIdType ExpectPiecesInTheirFaces(vtkPolyData* surface, vtkPolyData* lines)
     lines->GetCellPoints(line, ids);
     for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i, ++count)
     {
-      // The middle of a piece lies between its ends, as triangles are convex.
+      // The midpoint of a segment lies between its ends, because triangles are convex.
       const auto face = static_cast<vtkIdType>(faces->GetComponent(ids->GetId(i), 0));
       const double unit = std::sqrt(surface->GetCell(face)->GetLength2());
       for (const vtkIdType id : { ids->GetId(i), ids->GetId(i + 1) })

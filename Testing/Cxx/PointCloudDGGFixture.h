@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of vtkPointCloudDGG start from.
+/// Fixture of the tests of vtkPointCloudDGG.
 #ifndef PointCloudDGGFixture_h
 #define PointCloudDGGFixture_h
 
@@ -11,7 +11,7 @@
 
 namespace dggtest
 {
-/// The filter, with any cloud.
+/// The filter, on a replaceable cloud.
 class PointCloudDGG : public ::testing::Test
 {
 protected:

@@ -37,7 +37,7 @@ template <typename ReaderType>
 class ReaderFixture : public testing::Test
 {
 protected:
-  /// `good` is a file that can be read.
+  /// `good` is the content of a valid file.
   ReaderFixture(const char* name, const char* good)
     : Name(name)
     , Good(good)
@@ -67,7 +67,7 @@ protected:
   void Use(const std::string& path)
   {
     this->Reader->SetFileName(path.c_str());
-    this->Reader->Modified(); // the name may be the same
+    this->Reader->Modified(); // the name may be unchanged
   }
   vtkPolyData* ReadWellFile(const std::string& name)
   {
@@ -82,8 +82,8 @@ protected:
     return this->ReadWellFile();
   }
 
-  /// The error has this code and names the file and all of `parts`, and the output is empty; then a
-  /// good file is read well.
+  /// Expects an error with this code that names the file and contains all of `parts`, and an empty
+  /// output. A valid file must then be read without error.
   void ExpectRefused(
     const std::string& content, unsigned long code, const std::vector<std::string>& parts)
   {
@@ -96,7 +96,8 @@ protected:
     EXPECT_GT(this->ReadWell(this->Good)->GetNumberOfPoints(), 0);
   }
 
-  /// Reads all files. A defect is an error that names the file and the defect; the output is empty.
+  /// Reads all files. A defect must cause an error that names the file and the defect; the output
+  /// is empty.
   template <typename Cases>
   void Check(const Cases& cases)
   {
@@ -131,7 +132,7 @@ protected:
     EXPECT_GT(this->ReadWell(this->Good)->GetNumberOfPoints(), 0);
   }
 
-  /// Each truncated file causes an error, or a warning where the format has no counts.
+  /// Expects that each truncated file causes an error, or a warning if the format has no counts.
   void CheckTruncation(const std::string& content, bool hasCounts)
   {
     for (std::size_t i = 0; i < 20; ++i)
@@ -139,7 +140,7 @@ protected:
       std::size_t length = (content.size() - 2) * i / 19;
       while (!hasCounts && length > 0 && content[length - 1] == '\n')
       {
-        ++length; // a missing whole line cannot be detected
+        ++length; // a missing line cannot be detected
       }
       SCOPED_TRACE(length);
       this->Use(this->Write(content.substr(0, length)));
@@ -150,8 +151,8 @@ protected:
     }
   }
 
-  /// The last number of `content` has two digits. Without the last one and the line end the file is
-  /// read with a warning.
+  /// Expects that the file is read with a warning when the last digit and the line end are missing.
+  /// The last number of `content` must have two digits.
   void ExpectWarningIfCut(const std::string& content)
   {
     this->Use(this->Write(content.substr(0, content.size() - 2)));
@@ -186,7 +187,7 @@ protected:
     EXPECT_EQ(ReaderType::CanReadFile(this->Write(this->Good).c_str()), 1);
   }
 
-  /// A large file: progress, and stops at several places.
+  /// Checks progress and aborts at several stages of reading a large file.
   void CheckProgress(const std::string& content, vtkIdType numberOfPoints)
   {
     this->Use(this->Write(content));
@@ -204,15 +205,16 @@ protected:
     }
     watch.StopAt = 2.0;
     this->Reader->SetAbortExecute(0);
-    this->Reader->Update(); // nothing has changed, but nothing was read either
+    this->Reader->Update(); // nothing has changed, but the previous update did not read the file
     EXPECT_EQ(this->Reader->GetOutput()->GetNumberOfPoints(), numberOfPoints);
   }
 
-  /// `content` has the point (1.5, 2.25, 1000.5).
+  /// Expects that locales do not change the result. `content` contains the point (1.5, 2.25,
+  /// 1000.5).
   void CheckLocales(const std::string& content)
   {
     const std::string before = std::setlocale(LC_ALL, nullptr);
-    // Where no such locale is installed, the standard ones must at least change nothing.
+    // If no such locale is installed, at least the standard locales must not change the result.
     for (const char* locale : { "C", "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE" })
     {
       if (std::setlocale(LC_ALL, locale))
@@ -224,7 +226,7 @@ protected:
     std::setlocale(LC_ALL, before.c_str());
   }
 
-  const char* Name; ///< of files
+  const char* Name; ///< prefix of file names
   const char* Good;
   std::filesystem::path Folder;
   vtkNew<ReaderType> Reader;

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Tests on meshes from files, as programs of their own: of the kernel against CGAL when it is there,
-# of the kernel and of paths over a folder of real meshes when one is named.
+# Tests on meshes from files, as separate programs: of the kernel against CGAL if available, and of
+# the kernel and of paths on a folder of real-world meshes if one is named.
 set(shared "${CMAKE_CURRENT_LIST_DIR}/../Benchmark")
 set(reader_modules
   VTK::CommonCore

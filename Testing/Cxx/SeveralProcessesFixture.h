@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A surface, parts of which several processes have.
+/// A surface in pieces that are distributed over several processes.
 #ifndef SeveralProcessesFixture_h
 #define SeveralProcessesFixture_h
 
@@ -31,7 +31,7 @@ protected:
 
   void Update(vtkAlgorithm* filter) { filter->UpdatePiece(this->Here, this->Count, 0); }
 
-  /// The part of this process of a surface in strips.
+  /// Returns the strip of a surface that belongs to this process.
   vtkSmartPointer<vtkPolyData> TakeStrip(
     vtkPolyData* surface, PartIds ids = PartIds::None, bool ghosts = false) const
   {
@@ -43,14 +43,14 @@ protected:
     return TakePart(surface, LabelRandomly(surface, this->Count, seed), this->Here);
   }
 
-  /// A place amid the terrain, and one near its rim.
+  /// Returns one source in the middle of the terrain and one near its rim.
   static vtkSmartPointer<vtkPolyData> MakeSources()
   {
     return MakeSourcePoints({ { { 0.31, 0.42, GetTerrainHeight(0.31, 0.42) } },
       { { 0.9, 0.85, GetTerrainHeight(0.9, 0.85) } } });
   }
 
-  /// What a filter finds without other processes.
+  /// Returns the output of a filter without other processes.
   template <typename Filter, typename Prepare>
   static vtkSmartPointer<Filter> Alone(vtkPolyData* surface, const Prepare& prepare)
   {

@@ -46,7 +46,7 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeGreens(vtkPolyData* surface)
 {
   auto greens = MakeFilter<vtkDiscreteGreensFunction>(surface);
   greens->SetSourceIds(OnRelief(surface, { 40, 29 }));
-  greens->SetMethodToInterpolated(); // the surface is too coarse for others
+  greens->SetMethodToInterpolated(); // the surface is too coarse for other methods
   return greens;
 }
 
@@ -89,14 +89,14 @@ vtkSmartPointer<vtkGeodesicAlgorithm> MakeMovers(vtkPolyData* surface)
   return movers;
 }
 
-/// Sources and evaluation points.
+/// Sets sources and evaluation points.
 const auto SetSources = PointSetter<vtkSpectralAlgorithm>([](auto* filter, vtkPolyData* points) {
   filter->RemoveAllSources();
   filter->SetSourceData(points);
   filter->SetEvaluationData(points);
 });
 
-/// Sites; those of ids are in the first and in the last component.
+/// Sets sites. Sites given by ids lie in the first and in the last component.
 const auto SetSites = PointSetter<vtkHarmonicBSpline>([](auto* splines, vtkPolyData* points) {
   vtkNew<vtkPolyData> sites;
   sites->ShallowCopy(points);
@@ -105,7 +105,7 @@ const auto SetSites = PointSetter<vtkHarmonicBSpline>([](auto* splines, vtkPolyD
   splines->SetSourceData(sites);
 });
 
-/// Points with masses.
+/// Sets points with masses.
 const auto SetMasses =
   PointSetter<vtkSurfaceEarthMoversDistance>([](auto* movers, vtkPolyData* points) {
     vtkNew<vtkPolyData> ends[2];
@@ -121,7 +121,7 @@ const auto SetMasses =
     movers->SetToData(ends[1]);
   });
 
-/// Returns the refusals of filters with sources.
+/// Returns the refusals common to filters with sources.
 std::vector<Refusal> RefuseSources()
 {
   using F = vtkSpectralAlgorithm;
@@ -211,7 +211,7 @@ std::vector<Refusal> RefuseSplines()
       side(
         [](vtkIdType i) { return i < 40 ? 1.7e308 : -1.7e308; }, 1, { "right-hand side", "1e290" }),
       side([](vtkIdType) { return 0.0; }, 3, { "'f'", "3 components" }),
-      // All points of a triangle are on its boundary.
+      // All points of a single triangle are on its boundary.
       Refuse<F>(
         [](F* f) {
           f->RemoveAllSources();
@@ -251,7 +251,7 @@ std::vector<Refusal> RefuseBiharmonicSplines()
   const auto places = [](int points, bool hasValues, const std::vector<std::string>& parts) {
     return Refuse<F>(
       [=](F* f) {
-        // Inside of the first triangle, the last two in the same place.
+        // Three points inside the first triangle; the last two coincide.
         double p[3][3];
         for (vtkIdType k = 0; k < 3; ++k)
         {

@@ -17,7 +17,7 @@ namespace dggtest
 {
 namespace
 {
-/// Returns the picture closest to the image among <stem>.png, <stem>_1.png, <stem>_2.png and so on;
+/// Returns the image closest to `image` among <stem>.png, <stem>_1.png, <stem>_2.png and so on;
 /// null if there is none.
 vtkSmartPointer<vtkImageData> ReadClosestBaseline(vtkImageData* image, const std::string& stem)
 {
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkImageData> ReadClosestBaseline(vtkImageData* image, const std
   return closest;
 }
 
-/// A picture of the same size whose pixel (x, y) is that at source(x, y).
+/// Returns an image of the same size whose pixel (x, y) is the pixel source(x, y).
 template <typename Source>
 vtkSmartPointer<vtkImageData> Rearranged(vtkImageData* image, Source source)
 {

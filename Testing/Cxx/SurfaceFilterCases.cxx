@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// All filters on surfaces, and what all of them refuse.
+/// All filters on surfaces, and the input that all of them refuse.
 #include "FilterCases.h"
 
 #include "vtkCellArray.h"
@@ -13,7 +13,7 @@ namespace dggtest
 {
 namespace
 {
-/// The input of a filter, a copy of its own.
+/// Returns a copy of the input of a filter.
 vtkSmartPointer<vtkPolyData> CopyInput(vtkGeodesicAlgorithm* filter)
 {
   vtkNew<vtkPolyData> copy;

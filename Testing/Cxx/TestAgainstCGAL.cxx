@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Both engines against CGAL's exact geodesics, an implementation that shares nothing with ours:
-/// on generated meshes always, on real ones when there are any. The sources are vertices and points
-/// inside faces.
+/// Both engines against CGAL's exact geodesics, an independent implementation: always on generated
+/// meshes, and on real-world meshes if available. Sources are vertices and points inside faces.
 
 #include "GeneratedMesh.h"
 #include "MeshFile.h"
@@ -31,7 +30,7 @@ constexpr double Tolerance = 1e-10;
 
 struct Source
 {
-  dgg::Id Vertex = dgg::NoId; ///< or, when it is NoId, a point of a face
+  dgg::Id Vertex = dgg::NoId; ///< vertex id; NoId for a point inside a face
   dgg::Id Face = dgg::NoId;
   std::array<double, 3> Barycentric{ { 0.2, 0.3, 0.5 } };
 };
@@ -79,7 +78,7 @@ std::vector<double> TheirDistances(PeerCGAL& peer, const Source& source)
   return peer.ComputeDistances();
 }
 
-/// At most Tolerance apart, relative to the distance, at every vertex.
+/// Expects that distances differ by at most Tolerance, relative to the distance, at every vertex.
 void ExpectEqual(const std::vector<double>& ours, const std::vector<double>& theirs)
 {
   ASSERT_EQ(ours.size(), theirs.size());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Isolines as a filter gives them.
+/// Output of the isoline filter.
 #include "FilterTestTools.h"
 
 #include "vtkApolloniusIsolines.h"
@@ -38,7 +38,7 @@ protected:
     this->Isolines->GenerateValues(6, 0.55, 3.55);
   }
 
-  /// The surface with its distances, to be changed.
+  /// Returns the surface with its distances as a copy that may be modified.
   vtkSmartPointer<vtkPolyData> TakeSurface()
   {
     this->Distance->Update();
@@ -48,7 +48,8 @@ protected:
     return surface;
   }
 
-  /// Largest error of points and of middles of pieces, and the mean of the latter along lines.
+  /// Returns the largest error of points and of midpoints of segments, and the mean of the latter
+  /// along lines.
   std::array<double, 3> GetErrors()
   {
     vtkPolyData* output = this->Isolines->GetOutput();
@@ -157,7 +158,7 @@ TEST_F(ApolloniusIsolines, ValuesThatAreTooSteepForDistancesAreLinear)
   EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfLines(), 6);
   this->Isolines->SetMethodToLinear();
   ExpectSuccess(this->Isolines);
-  // That others are distances is the user's word.
+  // LocalSources does not check that other arrays are distances.
   this->Isolines->SetMethodToLocalSources();
   scale(0.04);
   this->Isolines->GenerateValues(6, 0.11, 0.71);
@@ -175,12 +176,12 @@ TEST_F(ApolloniusIsolines, AreExactWithWindows)
   EXPECT_EQ(output->GetNumberOfLines(), 6);
   EXPECT_LT(this->GetErrors()[0], 1e-12);
   EXPECT_GT(this->GetErrors()[1], 1e-6);
-  EXPECT_LT(this->GetErrors()[1], 1.3e-3); // of the mean edge length, 1.14
+  EXPECT_LT(this->GetErrors()[1], 1.3e-3); // mean edge length: 1.14
   EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 0) << "windows are those of the surface";
   EXPECT_GT(this->Distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
 
   const vtkIdType points = output->GetNumberOfPoints();
-  this->Isolines->SetChordTolerance(1e-6); // the smallest one
+  this->Isolines->SetChordTolerance(1e-6); // the smallest valid tolerance
   ExpectSuccess(this->Isolines);
   EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
   EXPECT_LT(this->GetErrors()[1], 1.3e-6);
@@ -207,8 +208,8 @@ TEST_F(ApolloniusIsolines, AreGoodWithVirtualSources)
   EXPECT_LT(this->GetErrors()[2], 0.5 * linear[2]);
 }
 
-/// Rings around a point, each a fifth smaller than the one around it: most edges are shorter than
-/// the error that the graph promises for the distance to the source, which is on the outermost one.
+/// Rings around a point, each 17 % smaller than the next: most edges are shorter than the error
+/// bound of the graph for the distance to the source, which is on the outermost ring.
 TEST_F(ApolloniusIsolines, TakeSourcesOfGraphsWithShortEdges)
 {
   constexpr int sides = 24;
@@ -262,7 +263,7 @@ TEST_F(ApolloniusIsolines, WarnOfSourcesInLongTriangles)
   this->Distance->GenerateVirtualSourceOn();
   this->Isolines->GenerateValues(6, 0.1, 2.0);
   ExpectWarning(this->Isolines, { "covered by long triangles", "GenerateWindowsOn()" });
-  this->Isolines->GenerateValues(3, 0.1, 2.0); // once for each mesh
+  this->Isolines->GenerateValues(3, 0.1, 2.0); // warned once for each mesh
   ExpectSuccess(this->Isolines);
   this->Distance->GenerateWindowsOn();
   ExpectSuccess(this->Isolines);
@@ -296,7 +297,7 @@ TEST_F(ApolloniusIsolines, PointsAndCellsSayWhereTheyAre)
   this->Distance->GenerateWindowsOn();
   this->Isolines->SetNumberOfContours(2);
   this->Isolines->SetValue(0, 2.0);
-  this->Isolines->SetValue(1, 1.0); // through four points
+  this->Isolines->SetValue(1, 1.0); // passes through four points
   ExpectSuccess(this->Isolines);
   vtkPolyData* output = this->Isolines->GetOutput();
   ASSERT_EQ(output->GetNumberOfCells(), 2);
@@ -364,14 +365,14 @@ TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
   expectEmpty(false);
   this->Isolines->SetValue(0, 1.0);
   ExpectSuccess(this->Isolines);
-  this->Isolines->SetValue(0, 0.0); // the default: that of the source alone
+  this->Isolines->SetValue(0, 0.0); // the default; only the source has this distance
   expectEmpty(true);
-  // Where something else is wanted, nothing is missing.
+  // No warning is given if other outputs are requested.
   this->Isolines->GenerateBandsOn();
   expectEmpty(false);
   this->Isolines->GenerateBandsOff();
   expectEmpty(true);
-  // Nor where nothing is reached: there is no range then.
+  // No warning is given if no point is reached, as the range is empty then.
   vtkNew<vtkApolloniusIsolines> unreached;
   unreached->SetMethodToLinear();
   auto surface = this->TakeSurface();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The heat method, fast marching and virtual sources keep the contract of all distance filters,
-/// and what they say of themselves.
+/// Heat method, fast marching and virtual sources: the contract of all distance filters, and the
+/// warnings and statistics of each method.
 #include "FilterTestTools.h"
 #include "GraphTestTools.h"
 #include "SpectralTestTools.h"
@@ -34,7 +34,7 @@ using Filters = ::testing::Types<vtkDGGFastMarchingDistance, vtkHeatGeodesicDist
   vtkVirtualSourceGeodesicDistance>;
 TYPED_TEST_SUITE(ApproximateDistances, Filters);
 
-/// None of them is for long triangles.
+/// Filters that are not suitable for long triangles.
 template <typename Filter>
 class QualityWarnings : public ApproximateDistances<Filter>
 {
@@ -81,7 +81,7 @@ TYPED_TEST(QualityWarnings, WarnOfLongTrianglesOnceForEachMesh)
       grid->GetPoint(i, p);
       grid->GetPoints()->SetPoint(i, stretch * p[0], p[1], 0.0);
     }
-    // One sliver is no reason.
+    // A single sliver does not cause a warning.
     const vtkIdType corners[] = { 0, 1, grid->GetNumberOfPoints() };
     grid->GetPoints()->InsertNextPoint(0.5 * stretch, -1e-4, 0.0);
     grid->GetPolys()->InsertNextCell(3, corners);
@@ -97,7 +97,8 @@ TYPED_TEST(QualityWarnings, WarnOfLongTrianglesOnceForEachMesh)
   }
 }
 
-/// The median of the anisotropy is small there, and propagated distances are too short by 45 %.
+/// On this plate the median of the anisotropy is small, but propagated distances are too short by
+/// 45 %.
 TYPED_TEST(QualityWarnings, WarnOfLongTrianglesThatAreFewer)
 {
   auto* filter = this->Distance.Get();
@@ -145,7 +146,7 @@ TEST(VirtualSourceGeodesicDistance, Quality)
   EXPECT_LT(GetMeanError(fast, exact), 0.004);
   EXPECT_LT(GetMeanError(high, exact), 0.003);
   EXPECT_NE(fast, high);
-  // Where most triangles are long, the default is the better one.
+  // On a mesh of mostly long triangles, the default is more accurate.
   for (vtkIdType i = 0; i < terrain->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -161,7 +162,7 @@ TEST(VirtualSourceGeodesicDistance, Quality)
   EXPECT_EQ(GetDistances(filter), best);
 }
 
-/// Farther apart than single precision holds.
+/// The initial distances differ by more than single precision can represent.
 TEST(VirtualSourceGeodesicDistance, InitialDistancesTooFarApart)
 {
   vtkNew<vtkVirtualSourceGeodesicDistance> filter;
@@ -172,7 +173,8 @@ TEST(VirtualSourceGeodesicDistance, InitialDistancesTooFarApart)
   ExpectSuccess(filter);
 }
 
-/// What single precision must not lose: any scale, the very limit, sources by themselves.
+/// Cases that single precision must handle: any scale, the largest allowed difference, isolated
+/// sources.
 TEST(VirtualSourceGeodesicDistance, SinglePrecision)
 {
   vtkNew<vtkVirtualSourceGeodesicDistance> filter;
@@ -210,7 +212,8 @@ TEST(VirtualSourceGeodesicDistance, SinglePrecision)
       EXPECT_NEAR(distances[i], exact, 1e-5 * exact) << scale << " " << i;
     }
   }
-  // A point without faces is reached by its own source, and starts with that very distance.
+  // A point without faces is reached only by a source at this point, with the initial distance of
+  // that source.
   auto withLonePoint = MakeGrid(4, 4);
   const vtkIdType lone = withLonePoint->GetPoints()->InsertNextPoint(9.0, 9.0, 0.0);
   filter->SetSourceData(nullptr);
@@ -222,7 +225,7 @@ TEST(VirtualSourceGeodesicDistance, SinglePrecision)
   EXPECT_EQ(GetNearestSources(filter)[lone], 1);
 }
 
-/// An extruded disc of a thousand corners, whose needles exceed single precision.
+/// An extruded disk of a thousand corners, whose needles exceed single precision.
 TEST(VirtualSourceGeodesicDistance, EndsWhereDistancesDoNotSettle)
 {
   constexpr vtkIdType n = 1000;
@@ -307,7 +310,7 @@ TEST(HeatGeodesicDistance, PropertiesAndFactorizations)
   expectWork(3, "points");
 }
 
-/// Once for each mesh, component and factor.
+/// The warning is given once for each mesh, component and factor.
 TEST(HeatGeodesicDistance, WarnsWhereItIsFarOff)
 {
   vtkNew<vtkHeatGeodesicDistance> filter;
@@ -320,13 +323,13 @@ TEST(HeatGeodesicDistance, WarnsWhereItIsFarOff)
   filter->SetSourceIds({ 2 });
   ExpectSuccess(filter);
   EXPECT_TRUE(filter->GetQualityWarning());
-  // A source on a point without triangles.
+  // A source at a point without triangles.
   auto isolated = MakeGrid(3, 3);
   filter->SetSourceIds({ isolated->GetPoints()->InsertNextPoint(5.0, 0.0, 0.0) });
   filter->SetInputData(isolated);
   ExpectWarning(filter, { "no polygon" });
   EXPECT_FALSE(filter->GetQualityWarning());
-  // Components of two to five triangles beside a large one.
+  // Components of two to five triangles next to a large component.
   auto surface = MakeTerrain(20);
   vtkIdType n = surface->GetNumberOfPoints();
   const vtkIdType large = n;
@@ -357,7 +360,7 @@ TEST(HeatGeodesicDistance, WarnsWhereItIsFarOff)
     ExpectWarning(filter, { dgg::JoinText("TimeStepFactor is ", factor), "0.1 to 100" });
     EXPECT_TRUE(filter->GetQualityWarning());
   }
-  filter->SetTimeStepFactor(1e-2); // reported above
+  filter->SetTimeStepFactor(1e-2); // the same warning was given above
   ExpectSuccess(filter);
   EXPECT_TRUE(filter->GetQualityWarning());
   for (const double factor : { 0.1, 1.0, 100.0 })
@@ -382,10 +385,10 @@ TEST(HeatGeodesicDistance, NoMemoryIsHeldWithoutFactorizations)
   EXPECT_EQ(filter->GetNumberOfFactorizations(), 2);
   const vtkTypeUInt64 size = filter->GetMemorySize();
   EXPECT_GT(size, 0u);
-  // What is there stays, and does not count.
+  // Existing factorizations are kept and do not count toward the limit.
   filter->SetMemoryLimit(1000);
   filter->SetSourceIds({ 70 });
-  ExpectSuccess(filter); // nothing to be done
+  ExpectSuccess(filter); // no new factorization is needed
   filter->SetBoundaryToAverage();
   ExpectError(filter, { "MemoryLimit", "heat" });
   EXPECT_GE(filter->GetMemorySize(), size);

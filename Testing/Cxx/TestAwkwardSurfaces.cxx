@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Surfaces with defects, which are answered and reported.
+/// Surfaces with defects: the filters return distances and report the defects.
 #include "FilterTestTools.h"
 
 #include "vtkDGGDistance.h"
@@ -30,8 +30,8 @@ vtkSmartPointer<vtkExactGeodesicDistance> MakeExact(vtkPolyData* surface, vtkIdT
   return filter;
 }
 
-/// A grid of 6 x 6 squares in which every triangle has its own three points, as in an STL file.
-/// They are moved at random by up to `jitter` along each axis.
+/// Returns a grid of 6 x 6 squares in which every triangle has three separate points, as in an STL
+/// file. Points are moved at random by up to `jitter` along each axis.
 vtkSmartPointer<vtkPolyData> MakeSoup(double jitter)
 {
   std::mt19937 random(1);
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkPolyData> MakeSoup(double jitter)
   return MakeSurface(points, cells);
 }
 
-/// Two grids side by side with a seam at x = 2: the points there exist twice.
+/// Returns two grids side by side with a seam at x = 2: points on the seam are duplicated.
 vtkSmartPointer<vtkPolyData> MakeSeam()
 {
   auto left = MakeGrid(2, 3);
@@ -95,8 +95,8 @@ TEST(AwkwardSurfaces, NonManifoldEdgeConducts)
   EXPECT_EQ(filter->GetGenus(), -1);
   EXPECT_NE(filter->GetMeshReport().find("genus: undefined\n"), std::string::npos);
   const auto distances = GetDistances(filter);
-  EXPECT_NEAR(distances[5], std::sqrt(5.0), 1e-12); // straight on
-  EXPECT_NEAR(distances[7], std::sqrt(5.0), 1e-12); // up the fin
+  EXPECT_NEAR(distances[5], std::sqrt(5.0), 1e-12); // straight across
+  EXPECT_NEAR(distances[7], std::sqrt(5.0), 1e-12); // across the fin
   EXPECT_NEAR(distances[6], 2.0, 1e-12);
 
   // The warning belongs to the mesh, not to the update.
@@ -120,8 +120,8 @@ TEST(AwkwardSurfaces, DuplicateTriangles)
   ExpectEuclidean(filter, surface);
 }
 
-// Closed surfaces that touch at one place have no boundary there, also when each triangle is there
-// twice.
+// Closed surfaces that touch at one point have no boundary there, even if each triangle is
+// duplicated.
 TEST(AwkwardSurfaces, DuplicatesHaveNoBoundary)
 {
   Points points;
@@ -160,7 +160,7 @@ TEST(AwkwardSurfaces, PolygonsWithFewerThanThreePointsAreDropped)
   EXPECT_EQ(filter->GetNumberOfDroppedFaces(), 7);
   EXPECT_EQ(filter->GetNumberOfTriangles(), 18);
   ExpectEuclidean(filter, surface);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 25); // all are passed on
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 25); // all cells are passed through
 }
 
 TEST(AwkwardSurfaces, SeamsAreCountedAndMerged)
@@ -184,7 +184,7 @@ TEST(AwkwardSurfaces, SeamsAreCountedAndMerged)
   ExpectEuclidean(filter, surface);
   EXPECT_EQ(GetNearestSources(filter), std::vector<int>(24, 0));
 
-  // Point 12 is a copy of point 2 and works as a source like it, by id and by place.
+  // Point 12 is a copy of point 2 and acts as the same source, by id and by position.
   filter->SetSourceIds(std::vector<vtkIdType>{ 12 });
   ExpectSuccess(filter);
   ExpectEuclidean(filter, surface);
@@ -212,7 +212,7 @@ TEST(AwkwardSurfaces, ZerosOfBothSignsCoincide)
   EXPECT_NEAR(GetDistances(filter)[5], 2.0, 1e-12);
 }
 
-/// Points that all but coincide leave the surface in pieces: not in silence.
+/// Nearly coincident points split the surface into pieces. The filter reports them.
 TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
 {
   auto soup = MakeSoup(1e-7);
@@ -230,7 +230,7 @@ TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
   filter->SetMaximumDistance(1.0);
   expectReport(filter);
   filter->SetMaximumDistance(VTK_DOUBLE_MAX);
-  ExpectSuccess(filter); // once for each mesh
+  ExpectSuccess(filter); // warned once for each mesh
   filter->MergeCoincidentPointsOn();
   ExpectWarning(filter, { "only 3 of", "raise MergeTolerance to 1e-06" });
   filter->SetMergeTolerance(1e-6);
@@ -252,7 +252,8 @@ TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
   ExpectError(filter, { "MemoryLimit is -1" });
 }
 
-/// The closest point before it that stays, so that no point moves by more than the tolerance.
+/// A point is merged into the closest earlier point that is kept, so that no point moves by more
+/// than the tolerance.
 TEST(AwkwardSurfaces, ChainsOfClosePoints)
 {
   Points points;
@@ -272,8 +273,8 @@ TEST(AwkwardSurfaces, ChainsOfClosePoints)
   EXPECT_NE(filter->GetMeshReport().find("merged points: 2\n"), std::string::npos);
   const auto distances = GetDistances(filter);
   EXPECT_EQ(distances[3], 0.0);
-  EXPECT_TRUE(std::isnan(distances[6])); // far from 0, which 3 became
-  EXPECT_TRUE(std::isnan(distances[9])); // became 6
+  EXPECT_TRUE(std::isnan(distances[6])); // far from point 0, into which point 3 was merged
+  EXPECT_TRUE(std::isnan(distances[9])); // merged into point 6
 }
 
 TEST(AwkwardSurfaces, IsolatedPoints)
@@ -292,7 +293,7 @@ TEST(AwkwardSurfaces, IsolatedPoints)
   EXPECT_TRUE(std::isnan(GetDistances(filter)[9]));
   EXPECT_EQ(GetNearestSources(filter)[9], -1);
 
-  // As a source it reaches itself only.
+  // This source point reaches only itself.
   filter->SetSourceIds(std::vector<vtkIdType>{ 9 });
   ExpectWarning(filter, { "source id 9 is a point that no polygon uses" });
   const auto distances = GetDistances(filter);
@@ -303,14 +304,14 @@ TEST(AwkwardSurfaces, IsolatedPoints)
   EXPECT_EQ(distances[9], 0.0);
   EXPECT_EQ(GetNearestSources(filter)[9], 0);
 
-  // Beside another source it does no harm.
+  // Another source is not affected.
   filter->SetSourceIds(std::vector<vtkIdType>{ 10, 4 });
   ExpectWarning(filter, { "source id 10 is a point" });
   EXPECT_NEAR(GetDistances(filter)[0], std::sqrt(2.0), 1e-12);
   EXPECT_EQ(GetNearestSources(filter)[0], 1);
 }
 
-/// Grid with 0.5 m spacing in UTM coordinates, where floats are 0.5 m apart.
+/// Grid with 0.5 m spacing in UTM coordinates, where single-precision values are 0.5 m apart.
 TEST(AwkwardSurfaces, SinglePrecisionFarFromTheOrigin)
 {
   struct Case
@@ -343,7 +344,7 @@ TEST(AwkwardSurfaces, SinglePrecisionFarFromTheOrigin)
       ExpectWarning(filter,
         { "single precision", tested.Y > 1e6 ? "are 0.5 apart" : "are 0.00012207 apart",
           "mean edge length, which is 0.", "vtkDGGPLYReader", "vtkdgg.read" });
-      filter->AddSourceId(7); // once for each mesh
+      filter->AddSourceId(7); // warned once for each mesh
     }
     ExpectSuccess(filter);
   }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Wrong input through the filter: what it says, what it leaves, and that a later correct call
-/// works.
+/// Invalid input of the filter: error message, output, and success of a later correct call.
 #include "FilterTestTools.h"
 
 #include "vtkExactGeodesicDistance.h"
@@ -24,7 +23,7 @@ namespace
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 const double Inf = std::numeric_limits<double>::infinity();
 
-/// A filter on a small grid that works as it is.
+/// A filter on a small grid with valid input.
 class BadInput : public ::testing::Test
 {
 protected:
@@ -101,7 +100,7 @@ TEST_F(BadInput, SurfacesThatAreRefused)
 {
   const Points points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } };
   const std::array<double, 3> p = { { 1.0, 2.0, 3.0 } };
-  // The ids of cells are those of the input: verts and lines come first.
+  // Ids of cells are ids of the input: verts and lines come first.
   const auto mixed = MakeSurface(points, { { 0, 1, 2 } });
   mixed->SetVerts(MakeCells({ { 0 }, { 1 } }));
   mixed->SetLines(MakeCells({ { 0, 1 } }));
@@ -152,7 +151,7 @@ TEST_F(BadInput, PointsThatAreNotFiniteAndNotUsed)
     EXPECT_EQ(this->Filter->GetNumberOfIsolatedPoints(), 1);
     distances.pop_back();
     EXPECT_EQ(distances, this->Expected);
-    // Sources on port 1 are not led astray.
+    // Sources on port 1 are not affected.
     this->Filter->SetSourceData(MakeSourcePoints({ { { 0, 0, 0 } } }));
     ExpectSuccess(this->Filter);
     this->Filter->SetSourceData(nullptr);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkHarmonicBSpline with values that are given at sites, and of order Biharmonic.
+/// vtkHarmonicBSpline with values given at sites, and with order Biharmonic.
 #include "SpectralTestTools.h"
 
 #include "vtkHarmonicBSpline.h"
@@ -24,7 +24,7 @@ namespace
 {
 constexpr const char* Result = "Interpolation";
 
-/// Smooth, with values from 0 to about 3.
+/// Returns a smooth function with values from 0 to about 3.
 double Truth(const double p[3])
 {
   return 1.5 + std::sin(2.0 * p[0]) + 0.5 * p[1] * p[2];
@@ -105,7 +105,7 @@ TEST_F(BiharmonicBSpline, ChosenSitesTakeTheValuesOfTheSurface)
   vtkPointData* data = this->Filter->GetOutput()->GetPointData();
   EXPECT_EQ(data->GetScalars(), data->GetArray("HarmonicBSpline"));
   EXPECT_FALSE(data->HasArray("Cell"));
-  // Of order 1: exact at sites as well, but with bumps.
+  // The harmonic interpolant is exact at sites, too, but has bumps there.
   this->Filter->SetOrderToHarmonic();
   ExpectSuccess(this->Filter);
   for (vtkIdType k = 0; k < 160; ++k)
@@ -140,7 +140,7 @@ TEST_F(BiharmonicBSpline, SitesAnywhere)
   }
   EXPECT_NEAR(this->Values()[300], Truth(this->Surface->GetPoint(300)), 1e-9);
   EXPECT_NEAR(this->Values(1)[300], 7.0, 1e-9);
-  // With points alone the surface needs no such array.
+  // With source points only, the surface needs no such array.
   this->Surface->GetPointData()->RemoveArray("v");
   this->Filter->SetSourceIds({});
   ExpectSuccess(this->Filter);
@@ -172,7 +172,7 @@ TEST_F(BiharmonicBSpline, WithoutTheBasis)
 
 TEST_F(BiharmonicBSpline, MatricesOfSitesOnlyWhereTheyAreNeeded)
 {
-  // 600 sites: such a matrix takes 2.9 MB, what a thread holds 0.3 MB.
+  // A matrix of 600 sites takes 2.9 MB; a thread uses 0.3 MB.
   AddValues(this->Surface, "f",
     [this](vtkIdType i) { return std::vector<double>{ this->Surface->GetPoint(i)[0] }; });
   this->Filter->SetNumberOfSites(10);
@@ -194,7 +194,7 @@ TEST_F(BiharmonicBSpline, MatricesOfSitesOnlyWhereTheyAreNeeded)
 
 TEST_F(BiharmonicBSpline, ManyComponentsCountInMemory)
 {
-  // 2000 take 20 MB as functions and in the array.
+  // 2000 components take 20 MB as functions and in the array.
   this->Filter->SetNumberOfSites(10);
   this->Filter->GenerateBasisOff();
   ExpectSuccess(this->Filter);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkBiharmonicDistance: closed forms, methods that agree, what is kept, wrong input.
+/// vtkBiharmonicDistance: closed forms, agreement of the methods, reuse between updates, invalid
+/// input.
 #include "SpectralTestTools.h"
 
 #include "vtkBiharmonicDistance.h"
@@ -22,7 +23,7 @@ namespace
 {
 constexpr const char* Name = "BiharmonicDistance";
 
-/// A filter on a surface, with one source.
+/// The filter on a surface, with one source.
 struct Fixture
 {
   explicit Fixture(vtkPolyData* surface, vtkIdType source = 0)
@@ -40,7 +41,7 @@ struct Fixture
   vtkNew<vtkBiharmonicDistance> Filter;
 };
 
-/// On the unit sphere, by Legendre polynomials.
+/// Returns the biharmonic distance on the unit sphere, by Legendre polynomials.
 double SphereBiharmonic(double cosine)
 {
   double square = 0.0;
@@ -156,11 +157,11 @@ TEST(BiharmonicDistance, SourcesWithoutFacesAreNamed)
   surface->Modified();
   terrain.Filter->SetSourceIds({ 50, lone });
   ExpectError(terrain.Filter, { "source 1: vertex 100 has no face" });
-  EXPECT_EQ(terrain.Filter->GetNumberOfSpectra(), 0); // said at once
+  EXPECT_EQ(terrain.Filter->GetNumberOfSpectra(), 0); // reported before any spectrum is computed
 }
 
-// Filters share surfaces, so one that comes back is the very same. The solver is not, after a
-// failure in between: nothing may refer to the one before.
+// Filters share surfaces, so a surface that is used again is the same object. After a failure in
+// between, its solver is a new object; no reference to the previous solver may remain.
 TEST(BiharmonicDistance, SurfaceThatComesBackHasANewSolver)
 {
   const auto sphere = MakeSphere(2);

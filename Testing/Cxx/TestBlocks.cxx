@@ -30,7 +30,7 @@ using namespace dggtest;
 
 namespace
 {
-/// Three terrains side by side, gaps between them, of different sizes.
+/// Three terrains of different sizes side by side, with gaps between them.
 class Blocks : public testing::Test
 {
 protected:
@@ -92,7 +92,7 @@ protected:
     }
   }
 
-  /// The distance on one block alone.
+  /// Returns a distance filter that has run on one block alone.
   template <typename Filter>
   vtkSmartPointer<Filter> OnBlock(std::size_t block, vtkPolyData* sources)
   {
@@ -127,7 +127,7 @@ TEST_F(Blocks, ASourceBelongsToTheNearestBlock)
     EXPECT_EQ(GetBlock(filter, block)->GetPoints(), this->Surfaces[block]->GetPoints());
     EXPECT_EQ(GetBlock(filter, block)->GetPolys(), this->Surfaces[block]->GetPolys());
   }
-  // A plain input again.
+  // A single vtkPolyData again.
   filter->SetInputData(this->Surfaces[1]);
   ExpectSuccess(filter);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), this->Surfaces[1]->GetNumberOfPoints());
@@ -154,7 +154,7 @@ TEST_F(Blocks, IdsCountThePointsOfAllBlocks)
 }
 
 //------------------------------------------------------------------------------
-/// The graph of all blocks is built once, and again only when a block changes.
+/// The graph of all blocks is built once, and rebuilt only when a block changes.
 TEST_F(Blocks, GraphsAreKept)
 {
   vtkNew<vtkDiscreteGeodesicGraph> graph;
@@ -192,7 +192,7 @@ TEST_F(Blocks, GraphsAreKept)
 }
 
 //------------------------------------------------------------------------------
-/// Nothing, nothing with points, and no vtkPolyData.
+/// Null blocks, empty blocks, blocks without cells, and blocks that are not vtkPolyData.
 TEST_F(Blocks, LeavesThatAreNoSurfaces)
 {
   vtkNew<vtkMultiBlockDataSet> mixed;
@@ -258,7 +258,7 @@ TEST_F(Blocks, NestedBlocksAndSourcesInSeveral)
 }
 
 //------------------------------------------------------------------------------
-/// The partitions of each member of a collection are one surface; the members are not.
+/// The partitions of each member of a collection form one surface; the members stay separate.
 TEST_F(Blocks, PartitionsAreJoined)
 {
   vtkPolyData* surface = this->Surfaces[2];
@@ -288,7 +288,8 @@ TEST_F(Blocks, PartitionsAreJoined)
 }
 
 //------------------------------------------------------------------------------
-/// As of faces of a volume cell. What two parts have is known by its points as well.
+/// Faces of one volume cell share its global id. Common cells of two pieces are therefore also
+/// identified by their points.
 TEST_F(Blocks, CellsWithOneGlobalId)
 {
   vtkPolyData* surface = this->Surfaces[2];
@@ -318,7 +319,7 @@ TEST_F(Blocks, CellsWithOneGlobalId)
 }
 
 //------------------------------------------------------------------------------
-/// The same leaves, at first in one surface and then in two.
+/// The same leaves, first in one surface and then in two.
 TEST_F(Blocks, LeavesGroupedAnew)
 {
   const auto surface = MakeTerrain(17);
@@ -333,14 +334,14 @@ TEST_F(Blocks, LeavesGroupedAnew)
     collection->SetPartition(0, 0, left);
     collection->SetPartition(members - 1, members == 1 ? 1 : 0, right);
     filter->SetInputDataObject(collection);
-    const Listener silence(filter); // of blocks that touch
+    const Listener silence(filter); // ignores the warning about blocks that touch
     filter->Update();
     EXPECT_EQ(filter->GetNumberOfComponents(), members);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Blocks that touch are joined only on demand.
+/// Blocks that touch are joined only on request.
 TEST_F(Blocks, BlocksThatTouch)
 {
   const auto surface = MakeTerrain(17);
@@ -363,7 +364,7 @@ TEST_F(Blocks, BlocksThatTouch)
 }
 
 //------------------------------------------------------------------------------
-/// Sources in blocks.
+/// Sources may be given in blocks.
 TEST_F(Blocks, OtherPortsTakeBlocks)
 {
   vtkNew<vtkMultiBlockDataSet> sources;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The mesh is prepared anew when it has changed, and only then.
+/// The mesh is prepared again if it has changed, and only then.
 #include "FilterTestTools.h"
 
 #include "vtkExactGeodesicDistance.h"
@@ -99,7 +99,7 @@ TEST_F(Caching, PointsRebuildTheMesh)
 
 TEST_F(Caching, ModifiedOnTheDataObjectWillDo)
 {
-  // As after a change through the numpy view of the points.
+  // The same change as through the numpy view of the points.
   auto* coordinates = vtkDoubleArray::SafeDownCast(this->Grid->GetPoints()->GetData());
   ASSERT_NE(coordinates, nullptr);
   for (vtkIdType i = 0; i < coordinates->GetNumberOfValues(); ++i)
@@ -147,7 +147,7 @@ TEST_F(Caching, PolygonsRebuildTheMesh)
   this->ExpectRebuilt("triangles again");
   this->Grid->GetPolys()->ReplaceCellAtId(0, 3, other);
   this->Grid->GetPolys()->Modified();
-  const Listener listener(this->Filter); // warns of overlapping triangles
+  const Listener listener(this->Filter); // warns about overlapping triangles
   this->Filter->Update();
   EXPECT_GT(this->Filter->GetMeshBuildTime(), this->Built);
 }

@@ -50,7 +50,7 @@ TEST_F(CellKinds, Strips)
 
 TEST_F(CellKinds, StripsThatRepeatPoints)
 {
-  // Two rows joined into one strip by points named twice.
+  // Two rows joined into one strip by repeated points.
   auto grid = MakeGrid(2, 2, GridCells::Strips);
   grid->SetStrips(MakeCells({ { 3, 0, 4, 1, 5, 2, 2, 6, 6, 3, 7, 4, 8, 5 } }));
   const auto distances = this->Solve(grid, 0);
@@ -65,7 +65,7 @@ TEST_F(CellKinds, MixedKindsAndIdsOfCells)
                                { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 3, 0.5, 0 } } },
     { { 0, 1, 2, 3 }, { 4, 6, 5 } });
   surface->SetVerts(MakeCells({ { 0 }, { 3 } }));
-  surface->SetLines(MakeCells({ { 0, 6 } })); // a short cut that must not be taken
+  surface->SetLines(MakeCells({ { 0, 6 } })); // a shortcut that must not be used
   surface->SetStrips(MakeCells({ { 1, 2, 4, 5 } }));
   this->ExpectEuclidean(surface, 0);
   EXPECT_EQ(this->Filter->GetNumberOfTriangles(), 5);
@@ -106,7 +106,8 @@ TEST_F(CellKinds, PolygonWithPointsOnItsEdges)
 
 TEST_F(CellKinds, NonConvexPolygon)
 {
-  // An L: the way around the inner corner. A fan around the first point would give 2 sqrt 2.
+  // An L-shaped polygon: the path turns around the inner corner. A fan around the first point would
+  // give 2 sqrt 2.
   auto surface = MakeSurface({ { { 2, 0, 0 } }, { { 2, 1, 0 } }, { { 1, 1, 0 } }, { { 1, 2, 0 } },
                                { { 0, 2, 0 } }, { { 0, 0, 0 } } },
     { { 0, 1, 2, 3, 4, 5 } });
@@ -129,7 +130,8 @@ TEST_F(CellKinds, PolygonWithAHole)
 
 TEST_F(CellKinds, PolygonWithRepeatedPositions)
 {
-  // An L whose corner 1 is there twice, exactly or almost, and with a spike from corner 3.
+  // An L-shaped polygon whose corner 1 is duplicated, exactly or nearly, and with a spike at corner
+  // 3.
   for (const double gap : { 0.0, 1e-12 })
   {
     auto surface = MakeSurface(
@@ -138,7 +140,7 @@ TEST_F(CellKinds, PolygonWithRepeatedPositions)
       { { 0, 1, 6, 2, 3, 7, 8, 4, 5 } });
     this->Filter->SetInputData(surface);
     this->Filter->SetSourceIds({ 0 });
-    const Listener listener(this->Filter); // may warn of the spike
+    const Listener listener(this->Filter); // may warn about the spike
     this->Filter->Update();
     const auto distances = GetDistances(this->Filter);
     EXPECT_NEAR(distances[3], 1.0 + std::sqrt(2.0), 1e-9);
@@ -151,8 +153,8 @@ TEST_F(CellKinds, PolygonWithRepeatedPositions)
 
 TEST_F(CellKinds, NonConvexQuad)
 {
-  // An arrow head; only the diagonal from the notch (point 2) lies inside. Whichever point the cell
-  // begins with, the way from tip to tip leads around the notch.
+  // An arrowhead; only the diagonal from the notch (point 2) lies inside. For any first point of
+  // the cell, the path from tip to tip turns around the notch.
   const std::vector<vtkIdType> quad = { 0, 1, 2, 3 };
   for (int shift = 0; shift < 4; ++shift)
   {
@@ -176,14 +178,14 @@ TEST_F(CellKinds, WarpedQuadIsCutAlongTheShorterDiagonal)
     MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0.5 } }, { { 1.2, 1.2, 0 } }, { { 0, 1, 0.5 } } },
       { { 0, 1, 2, 3 } });
   EXPECT_NEAR(this->Solve(surface, 1)[3], std::sqrt(2.0), 1e-12);
-  // Over the middle of the ridge, by symmetry.
+  // The path crosses the middle of the ridge, by symmetry.
   const double expected = std::sqrt(0.25 + 0.25 + 0.25) + std::sqrt(0.49 + 0.49 + 0.25);
   EXPECT_NEAR(this->Solve(surface, 0)[2], expected, 1e-12);
 }
 
 TEST_F(CellKinds, PolygonThatCrossesItself)
 {
-  // No triangulation is right; there is an answer, and all points are reached.
+  // No triangulation is correct; nevertheless all points are reached.
   auto surface = MakeSurface(
     { { { 0, 0, 0 } }, { { 4, 3, 0 } }, { { 4, 0, 0 } }, { { 0, 3, 0 } }, { { 2, 5, 0 } } },
     { { 0, 1, 2, 3, 4 } });

@@ -56,7 +56,7 @@ TEST_F(CloudCells, Samples)
     }
     EXPECT_LE(nearest, radius * 1.01);
   }
-  sampler->InFacesOn(); // there are none
+  sampler->InFacesOn(); // the cloud has no faces
   ExpectSuccess(sampler);
   EXPECT_EQ(DescribeGeometry(sampler->GetOutput()), before);
 }
@@ -98,7 +98,7 @@ TEST_F(CloudCells, VoronoiLabels)
     EXPECT_LE(d[label], *least + 0.02) << i;
     EXPECT_NEAR(Value(data, "GeodesicDistance", static_cast<vtkIdType>(i)), *least, 0.02);
   }
-  // No borders between points that nothing connects.
+  // There are no borders between points that are not connected.
   EXPECT_EQ(voronoi->GetBoundaries()->GetNumberOfCells(), 0);
   EXPECT_EQ(voronoi->GetCells()->GetNumberOfCells(), 0);
   ASSERT_EQ(voronoi->GetSites()->GetNumberOfPoints(), 3);
@@ -139,12 +139,12 @@ TEST_F(CloudCells, CentroidalSites)
 
 TEST_F(CloudCells, CentroidalSitesOfSeveralParts)
 {
-  // Far from the origin, and a part without a site.
+  // The cloud is far from the origin, and one component has no site.
   const Points part = Move(MakeFlatPoints(20, 0.2), { { 1000.0, 0.0, 0.0 } });
   this->Use(Join(part, Move(part, { { 3.0, 0.0, 0.0 } })));
   vtkNew<vtkGeodesicVoronoi> voronoi;
   this->Connect(voronoi);
-  voronoi->SetSiteIds({ 0, 0, 5 }); // the second has no points
+  voronoi->SetSiteIds({ 0, 0, 5 }); // the second site has no points
   voronoi->CentroidalOn();
   ExpectSuccess(voronoi);
   vtkPointData* data = voronoi->GetOutput()->GetPointData();

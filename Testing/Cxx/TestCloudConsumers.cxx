@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Matrices of clouds, and graphs that change behind a filter.
+// vtkGeodesicDistanceMatrix on point clouds, and graphs that change upstream of a filter.
 #include "CloudFixture.h"
 #include "GraphTestTools.h"
 
@@ -69,7 +69,7 @@ TEST_F(CloudConsumers, FromCloudToMeshAndBack)
   distance->SetInputData(cloud);
   ExpectSuccess(distance);
   EXPECT_EQ(GetDistances(distance), onCloud);
-  // A mesh with the graph of its points is a cloud.
+  // A mesh with the graph of its points is treated as a cloud.
   vtkNew<vtkPointCloudDGG> graph;
   graph->SetInputData(mesh);
   distance->SetInputConnection(graph->GetOutputPort());

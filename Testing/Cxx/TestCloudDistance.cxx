@@ -130,7 +130,7 @@ TEST_F(CloudDistance, SourcesNearTheCloud)
   }
   EXPECT_LT(GetMeanCloudError(values, exact), 2e-3);
 
-  // At a point of the cloud it is that point.
+  // A source at a point of the cloud is identified with that point.
   distance->SetSourceData(MakeSourcePoints({ this->Cloud[77] }));
   ExpectSuccess(distance);
   const std::vector<double> atPoint = GetDistances(distance);
@@ -142,7 +142,7 @@ TEST_F(CloudDistance, SourcesNearTheCloud)
 
 TEST_F(CloudDistance, NearestPointsAreTheNearest)
 {
-  // Against a search of all points, also far outside and with points in the same place.
+  // Comparison with a search of all points, also far outside the cloud and with coincident points.
   Points points = MakeSpherePoints(300);
   points = Join(points, { points[10], points[20], points[10] });
   this->Use(points);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The graph of a cloud as data: files, other filters, damage, points that move.
+// The graph of a cloud in field data: files, other filters, damage, points that move.
 #include "CloudTestTools.h"
 
 #include "vtkDGGDistance.h"
@@ -47,7 +47,7 @@ protected:
     return std::string(DGG_TEST_OUTPUT) + "/CloudInFieldData" + test->name() + extension;
   }
 
-  /// Change a copy of the cloud, and expect an error that contains `parts`.
+  /// Changes a copy of the cloud and expects an error that contains `parts`.
   void ExpectRefused(
     const std::function<void(vtkPolyData*)>& change, std::vector<std::string> parts)
   {
@@ -124,7 +124,7 @@ TEST_F(CloudInFieldData, MissingArrays)
     this->ExpectRefused([&](vtkPolyData* cloud) { cloud->GetFieldData()->RemoveArray(name); },
       { "is damaged", name, "missing" });
   }
-  // Without it nothing says that there is a graph.
+  // Without this array the graph is not detected.
   this->ExpectRefused([](vtkPolyData* cloud) { cloud->GetFieldData()->RemoveArray("DGG.Info"); },
     { "256 points but no polygons" });
   this->ExpectRefused([](vtkPolyData* cloud) { cloud->GetFieldData()->Initialize(); },
@@ -168,7 +168,7 @@ TEST_F(CloudInFieldData, DamagedArrays)
     { "DGG.Radii is of type float" });
   this->ExpectRefused([](vtkPolyData* c) { Get(c, "DGG.Radii")->SetNumberOfTuples(255); },
     { "DGG.Radii has 255 values" });
-  // A surface is not taken in place of the cloud: distances would be others.
+  // A surface is not used in place of the cloud, because its distances differ.
   this->ExpectRefused(
     [](vtkPolyData* c) {
       c->SetPolys(MakeCells({ { 0, 1, 16 } }));
@@ -190,7 +190,7 @@ TEST_F(CloudInFieldData, ArraysOfMeshesDoNotMatter)
 
 TEST_F(CloudInFieldData, TheGraphOfAMeshIsNoneOfACloud)
 {
-  // Points without polygons, and the graph of a mesh.
+  // Points without polygons, with the graph of a mesh.
   const auto points = this->Cloud->GetPoints();
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(points);

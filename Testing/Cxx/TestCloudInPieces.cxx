@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Clouds of which several processes have pieces. Run under mpiexec.
+/// Clouds that are distributed over several processes. Run under mpiexec.
 #include "FilterTestTools.h"
 
 #include "vtkDGGDistance.h"

@@ -33,7 +33,7 @@ protected:
     return GetDistances(this->Filter);
   }
 
-  /// Mean and largest relative error of points farther than that.
+  /// Returns the mean and largest relative error of points farther than `least`.
   template <typename Truth>
   std::array<double, 2> ErrorsBeyond(double least, Truth&& truth)
   {
@@ -141,7 +141,7 @@ TEST_F(CloudMarching, PartsCopiesAndPointsThatAreOff)
     EXPECT_EQ(nearest[i], i < 400 || i == 800 ? 0 : -1) << i;
   }
   EXPECT_EQ(values[5], values[800]);
-  // Those that are off have no neighbours. They do not change what is found of others.
+  // Outliers have no neighbors and do not change the distances of other points.
   this->Filter->SetSourceIds({ 0, 802 });
   const std::vector<double> both = this->March();
   EXPECT_EQ(both[802], 0.0);
@@ -204,7 +204,7 @@ TEST_F(CloudMarching, FromCloudToMeshAndBack)
   EXPECT_EQ(this->Filter->GetUsedResolution(), 0);
   this->Use(this->Cloud);
   EXPECT_EQ(this->March(), onCloud);
-  // A graph does not matter.
+  // A graph on the input has no effect.
   this->Filter->SetInputData(MakeCloudWithGraph(this->Cloud));
   EXPECT_EQ(this->March(), onCloud);
 }

@@ -27,7 +27,7 @@ class CloudPath : public CloudFixture
 {
 };
 
-/// The polyline of a path as points.
+/// Returns the polyline of a path as points.
 Points GetPolyline(vtkPolyData* paths, vtkIdType line)
 {
   vtkNew<vtkIdList> ids;
@@ -102,7 +102,7 @@ TEST_F(CloudPath, PathLengthsAreDistances)
   const std::vector<double> distances = GetDistances(distance);
   vtkNew<vtkDGGPath> path;
   this->Connect(path);
-  for (vtkIdType id = 10; id < 2000; id += 5) // enough of them for landmarks
+  for (vtkIdType id = 10; id < 2000; id += 5) // enough sources for landmarks
   {
     path->AddPair(3, id);
   }
@@ -173,7 +173,7 @@ TEST_F(CloudPath, SmoothPathsStayWithinASpacing)
   vtkDataArray* radii = this->Graph->GetOutput()->GetFieldData()->GetArray("DGG.Radii");
   for (const auto& position : GetPolyline(path->GetOutput(), 0))
   {
-    double nearest = INFINITY; // spacings
+    double nearest = INFINITY; // in spacings
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       const double spacing =

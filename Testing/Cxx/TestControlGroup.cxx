@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How much memory control groups leave, in folders that look like theirs.
+/// Memory that control groups leave available, in folders that imitate theirs.
 #include "DGGFreeMemory.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ protected:
     return DGGGetFreeInControlGroup(this->Root + "/cgroup", this->Root + "/mount");
   }
 
-  /// A folder for each test, as they may run at the same time.
+  /// Folder of the test; separate, as tests may run at the same time.
   std::string Root = std::string(DGG_TEST_OUTPUT) + "/ControlGroup." +
     testing::UnitTest::GetInstance()->current_test_info()->name();
 };
@@ -75,7 +75,8 @@ TEST_F(ControlGroup, AGroupAroundIt)
 
 TEST_F(ControlGroup, InsideAContainer)
 {
-  // The root is the group of the container; the path is that of the machine, or leads out of it.
+  // The root is the group of the container; the path is the path on the machine, or points outside
+  // of the root.
   for (const char* path : { "/", "/docker/0123", "/../../system.slice" })
   {
     this->Write("cgroup", std::string("0::") + path);

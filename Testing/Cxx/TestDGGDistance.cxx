@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkDGGDistance: distances and other arrays, sources and their links, when a graph is built.
+/// vtkDGGDistance: distances and other arrays, sources and their links, conditions for building a
+/// graph.
 #include "GraphTestTools.h"
 #include "SpectralTestTools.h"
 
@@ -26,7 +27,7 @@ using namespace dggtest;
 
 namespace
 {
-/// A terrain, and a filter that finds distances on it from one of its points.
+/// A terrain, and a filter that computes distances from one of its points.
 class DGGDistance : public ::testing::Test
 {
 protected:
@@ -49,7 +50,7 @@ protected:
     EXPECT_EQ(this->Filter->GetGraphBuildTime(), this->Built) << what;
   }
 
-  /// One component of a point array of the output; empty when there is none of that name.
+  /// Returns one component of a point array of the output; empty if there is no array of that name.
   static std::vector<double> GetComponent(
     vtkDGGDistance* filter, const char* name, int component = 0)
   {
@@ -70,7 +71,7 @@ protected:
 
 TEST_F(DGGDistance, KeepsThePromise)
 {
-  // From a point, and from inside of a face.
+  // Sources at a vertex and inside a face.
   const auto point = MakeSourcePoints({ { { 0.0, 0.0, 0.0 } } });
   point->GetPoints()->SetPoint(0, PointInCell(this->Terrain, 582, { { 0.2, 0.3, 0.5 } }).data());
   const auto exact = GetExactDistances(this->Terrain, { 40 });
@@ -125,7 +126,7 @@ TEST_F(DGGDistance, UpperBoundAndVirtualSource)
     EXPECT_NEAR(distances[i], confined, 1e-5 * distances[i]) << i;
     EXPECT_TRUE(std::isfinite(direction[i])) << i;
   }
-  // The same without correction, where the distances are the upper bounds.
+  // Without correction, the distances equal the upper bounds.
   this->Filter->CorrectionOff();
   this->Filter->SetUpperBoundArrayName("Bound");
   this->Filter->SetVirtualSourceArrayName("Image");
@@ -142,7 +143,7 @@ TEST_F(DGGDistance, UpperBoundAndVirtualSource)
   {
     EXPECT_EQ(std::isnan(bounds[i]), upper[i] > limit) << i;
   }
-  // On an empty input the arrays are there as well.
+  // An empty input also yields the arrays.
   this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
   ExpectWarning(this->Filter, { "input is empty" });
   ASSERT_NE(this->Filter->GetOutput()->GetPointData()->GetArray("Image"), nullptr);
@@ -174,7 +175,7 @@ TEST_F(DGGDistance, BuildsOnce)
   ExpectError(this->Filter, { "100000" });
   this->Filter->SetSourceIds({ 1 });
   this->ExpectKept("after an error");
-  // The graph is our own: it does not go into the output.
+  // The graph of the filter is not added to the output.
   EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
 
   this->Filter->SetAccuracy(0.04);
@@ -196,16 +197,16 @@ TEST_F(DGGDistance, AbortedUpdatesKeepTheGraphThatIsThere)
   ProgressWatch watch(this->Filter);
   ExpectSuccess(this->Filter);
   const auto expected = GetDistances(this->Filter);
-  // While searching: the graph is kept.
+  // Aborting a search keeps the graph.
   this->Built = this->Filter->GetGraphBuildTime();
   watch.StopAt = 0.1;
   this->Filter->Modified();
-  ExpectSuccess(this->Filter); // not an error
+  ExpectSuccess(this->Filter); // an abort is not an error
   ExpectEmptyOutput(this->Filter);
   watch.StopAt = 2.0;
   this->ExpectKept("after an abort");
   EXPECT_EQ(GetDistances(this->Filter), expected);
-  // While building.
+  // Abort while the graph is built.
   watch.StopAt = 0.11;
   this->Filter->SetAccuracy(0.0011);
   ExpectSuccess(this->Filter);
@@ -251,7 +252,7 @@ TEST_F(DGGDistance, SeveralSourcesWithInitialDistances)
     std::size_t different = 0;
     for (std::size_t i = 0; i < exact.size(); ++i)
     {
-      const double error = 0.020002 * (exact[i] + 0.1) + 1e-9; // the least offset is -0.1
+      const double error = 0.020002 * (exact[i] + 0.1) + 1e-9; // the smallest offset is -0.1
       EXPECT_GE(distances[i], exact[i] - (correct ? error : 1e-9)) << i;
       EXPECT_LE(distances[i], exact[i] + error) << i;
       different += nearest[i] != exactSources[i] ? 1 : 0;
@@ -308,7 +309,7 @@ TEST_F(DGGDistance, InitialDistancesOfSourceIds)
   EXPECT_EQ(nearest[500], 1);
   const vtkMTimeType before = this->Filter->GetMTime();
   this->Filter->SetSourceIds({ 40, 500 }, { 0.0, -0.25 });
-  EXPECT_EQ(this->Filter->GetMTime(), before); // the same
+  EXPECT_EQ(this->Filter->GetMTime(), before); // the value is unchanged
   std::ostringstream os;
   this->Filter->Print(os);
   EXPECT_NE(os.str().find("SourceIds: 40 500 (from -0.25)\n"), std::string::npos) << os.str();
@@ -336,13 +337,13 @@ TEST_F(DGGDistance, ManySourcesAnywhere)
   this->Filter->RemoveAllSources();
   this->Filter->SetProjectionTolerance(1.0);
   this->Filter->SetSourceData(MakeSourcePoints({ places[7] }));
-  ExpectSuccess(this->Filter); // the graph is there
+  ExpectSuccess(this->Filter); // the graph exists
   this->Filter->SetSourceData(MakeSourcePoints(places));
   ProgressWatch watch(this->Filter);
   ExpectSuccess(this->Filter);
-  watch.ExpectGrowth(20); // while they are linked
+  watch.ExpectGrowth(20); // progress of linking
   const auto expected = GetDistances(this->Filter);
-  // Kept: then nothing is left to do but the search.
+  // Links are kept, so that only the search remains.
   watch.Progress.clear();
   this->Filter->CorrectionOff();
   ExpectSuccess(this->Filter);
@@ -353,7 +354,7 @@ TEST_F(DGGDistance, ManySourcesAnywhere)
   this->Filter->SetSourceData(MakeSourcePoints(places));
   watch.Progress.clear();
   watch.StopAt = 0.3;
-  ExpectSuccess(this->Filter); // stopped, which is no error
+  ExpectSuccess(this->Filter); // an abort is not an error
   ExpectEmptyOutput(this->Filter);
   EXPECT_LT(watch.Progress.back(), 0.4);
   watch.StopAt = 2.0;
@@ -369,16 +370,16 @@ TEST_F(DGGDistance, MemoryOfLinks)
   this->Filter->SetProjectionTolerance(1.0);
   this->Filter->SetSourceData(MakeSourcePoints({ { { 0.51, 0.53, 0.1 } } }));
   ExpectSuccess(this->Filter);
-  // The builder has 64 bytes and more for each half-edge.
+  // The builder needs at least 64 bytes per half-edge.
   const vtkTypeUInt64 linked = this->Filter->GetMemorySize();
   EXPECT_GT(linked, before + 64 * 3 * 1058);
   this->Filter->SetSourceData(nullptr);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetMemorySize(), linked); // kept for the next point
-  this->Filter->SetMemoryLimit(10000);              // also applies to a builder that exists
+  this->Filter->SetMemoryLimit(10000);              // also applies to an existing builder
   this->Filter->SetSourceData(MakeSourcePoints({ { { 0.61, 0.53, 0.1 } } }));
   ExpectError(this->Filter, { "linking points that are not vertices", "9.766 KiB", "MemoryLimit" });
   this->Filter->SetSourceData(nullptr);
   ExpectSuccess(this->Filter);
-  EXPECT_LT(this->Filter->GetMemorySize(), before + 64 * 3 * 1058); // the limit does not allow it
+  EXPECT_LT(this->Filter->GetMemorySize(), before + 64 * 3 * 1058); // limit allows no builder
 }

@@ -21,7 +21,7 @@ namespace
 {
 const double Pi = vtkMath::Pi();
 
-/// A prism, a torus, and a filter that looks for loops on the first.
+/// A prism, a torus, and a filter that finds loops on the prism.
 class DGGLoop : public ::testing::Test
 {
 protected:
@@ -77,7 +77,7 @@ TEST_F(DGGLoop, PointIds)
 
 TEST_F(DGGLoop, AroundAPrism)
 {
-  // At points, on edges and inside of faces.
+  // Points at vertices, on edges and inside faces.
   this->Filter->SetPointIds({ 4 * Sides + 3, 2 * Sides });
   double a[3];
   double b[3];
@@ -119,11 +119,11 @@ TEST_F(DGGLoop, AroundAPrism)
 TEST_F(DGGLoop, Handles)
 {
   this->Filter->SetModeToAroundHandles();
-  this->Filter->SetPointIds({ 100000 }); // not looked at
-  this->Filter->SetMemoryLimit(1);       // there is no graph
+  this->Filter->SetPointIds({ 100000 }); // ignored in this mode
+  this->Filter->SetMemoryLimit(1);       // no graph is needed
   ExpectSuccess(this->Filter);
   auto loops = GetLoops(this->Filter);
-  ASSERT_EQ(loops.size(), 1u); // two boundaries
+  ASSERT_EQ(loops.size(), 1u); // the prism has two boundaries
   EXPECT_NEAR(loops[0].Line.Length, Sides, 1e-10);
   this->Filter->SetInputData(this->Torus);
   ExpectSuccess(this->Filter);
@@ -140,7 +140,7 @@ TEST_F(DGGLoop, Handles)
     ExpectOnSurface(loop.Line, this->Torus);
     ExpectStraight(loop, this->Torus);
   }
-  // Of each component.
+  // Loops of each component.
   this->Filter->SetInputData(Beside(this->Torus, this->Prism, 5.0));
   ExpectSuccess(this->Filter);
   loops = GetLoops(this->Filter);
@@ -162,7 +162,7 @@ TEST_F(DGGLoop, NoHandles)
     EXPECT_TRUE(GetRims(this->Filter).empty());
     EXPECT_TRUE(GetLoopStatus(this->Filter).empty());
   }
-  // Three sheets on one edge.
+  // Three layers that share one edge.
   this->Filter->SetInputData(MakeSurface(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, -1, 0 } }, { { 0, 0, 1 } } },
     { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } }));
@@ -180,7 +180,7 @@ TEST_F(DGGLoop, Ropes)
   ExpectSuccess(this->Filter);
   auto loops = GetLoops(this->Filter);
   ASSERT_EQ(loops.size(), 1u);
-  // Unrolled, the legs are straight.
+  // On the unrolled prism, the legs are straight.
   const double legs = std::hypot(2.0, 4.0) + std::hypot(2.0, 3.0) + std::hypot(3.0, 1.0);
   EXPECT_NEAR(loops[0].Line.Length, legs, 1e-9);
   EXPECT_EQ(loops[0].Loop, 0);
@@ -201,7 +201,7 @@ TEST_F(DGGLoop, Ropes)
   EXPECT_EQ(loops[0].Kinked, 0);
   ExpectOnSurface(loops[0].Line, this->Prism);
   ExpectStraight(loops[0], this->Prism);
-  // On one side: nothing holds it.
+  // All points lie on one side, so that the rope can contract.
   this->Filter->SetPointIds({ Sides, 5 * Sides + 1, 2 * Sides + 2 });
   ExpectWarning(this->Filter, { "rope contracts to a point", "1 in the field array LoopStatus" });
   EXPECT_TRUE(GetLoops(this->Filter).empty());
@@ -216,7 +216,7 @@ TEST_F(DGGLoop, RopesThatDoNotHold)
   ExpectWarning(this->Filter, { "not connected", "2 in the field array LoopStatus" });
   EXPECT_TRUE(GetLoops(this->Filter).empty());
   EXPECT_EQ(GetLoopStatus(this->Filter), std::vector<int>{ 2 });
-  // All in one place.
+  // All points coincide.
   this->Filter->SetPointIds({ 4, 4, 4 });
   ExpectWarning(this->Filter, { "contracts to a point" });
   for (const int count : { 1, 2 })
@@ -269,14 +269,14 @@ TEST_F(DGGLoop, Tapes)
     }
   }
   EXPECT_LT((rims[0].Line.Positions[0][2] - 4.0) * (rims[1].Line.Positions[0][2] - 4.0), 0.0);
-  // No room on one side.
+  // The tape does not fit on one side.
   this->Filter->SetPointIds({ Sides });
   this->Filter->SetTapeWidth(3.0);
   ExpectSuccess(this->Filter);
   rims = GetRims(this->Filter);
   ASSERT_EQ(rims.size(), 1u);
   EXPECT_NEAR(rims[0].Line.Positions[0][2], 2.5, 3e-5); // 1e-5 of the width
-  // Of kinked loops as well, and of those around handles.
+  // Tapes of kinked loops and of loops around handles.
   this->Filter->SetTapeWidth(0.3);
   this->Filter->SetInputData(this->Torus);
   this->Filter->SetModeToAroundHandles();
@@ -309,7 +309,7 @@ TEST_F(DGGLoop, ProgressAndAbort)
     this->Filter->Modified();
     ExpectSuccess(this->Filter);
     watch.ExpectGrowth(3);
-    EXPECT_TRUE(mode != vtkDGGLoop::Rope || watch.Progress.size() > 40u); // leg by leg
+    EXPECT_TRUE(mode != vtkDGGLoop::Rope || watch.Progress.size() > 40u); // reported per leg
     for (const double stop : { 0.2, 0.7 })
     {
       watch.StopAt = stop;

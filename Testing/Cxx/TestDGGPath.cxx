@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkDGGPath: paths by both methods, arrays, pairs that are not connected, what is kept between
-/// updates.
+/// vtkDGGPath: paths by both methods, arrays, pairs that are not connected, reuse between updates.
 #include "GraphTestTools.h"
 #include "PathTestTools.h"
 
@@ -30,7 +29,7 @@ using namespace dggtest;
 
 namespace
 {
-/// A terrain, and a filter that looks for paths on it.
+/// A terrain, and a filter that finds paths on it.
 class DGGPath : public ::testing::Test
 {
 protected:
@@ -50,7 +49,7 @@ protected:
     }
   }
 
-  /// Positions on the surface: in faces, on edges, at vertices.
+  /// Returns positions on the surface: in faces, on edges, at vertices.
   static Points GetPlaces(vtkPolyData* surface)
   {
     const double weights[][3] = { { 0.2, 0.3, 0.5 }, { 0.6, 0.4, 0.0 }, { 1.0, 0.0, 0.0 },
@@ -157,7 +156,7 @@ TEST_F(DGGPath, GraphAndExactPaths)
 TEST_F(DGGPath, DetourPays)
 {
   this->Filter->SetInputData(MakeTerrain(50));
-  // Ways on both sides of the bump.
+  // Paths on both sides of the bump.
   AddPairs(this->Filter, { { 835, 1015 }, { 885, 965 }, { 1035, 815 }, { 935, 915 }, { 0, 2499 } });
   this->Filter->SetAccuracy(0.2);
   this->Filter->SetMethodToExact();
@@ -206,7 +205,7 @@ TEST_F(DGGPath, IdsComeBeforeLinesAndCellDataIsPassed)
 {
   this->Filter->SetInputData(MakeGrid(8, 8));
   AddPairs(this->Filter, { { 0, 80 }, { 8, 8 } });
-  // Lines of several points, of which only the ends count; verts, whose cells come first.
+  // Lines of several points, of which only the ends are used; verts, whose cells come first.
   const double none = std::nan("");
   auto lines = MakeSourcePoints(
     { { { 1, 1, 0 } }, { { none, 9, 9 } }, { { 4, 5, 0 } }, { { 50, 50, 50 } }, { { 7, 1, 0 } } });
@@ -218,7 +217,7 @@ TEST_F(DGGPath, IdsComeBeforeLinesAndCellDataIsPassed)
   weights->SetName("weight");
   weights->SetNumberOfComponents(2);
   weights->SetComponentName(1, "second");
-  vtkNew<vtkDoubleArray> lengths; // of the user; ours takes its place
+  vtkNew<vtkDoubleArray> lengths; // of the user; replaced by the lengths of the filter
   lengths->SetName("Length");
   for (int i = 0; i < 4; ++i)
   {
@@ -288,10 +287,10 @@ TEST_F(DGGPath, PointsThatAreNotConnected)
                   static_cast<vtkIdType>(i), 0),
         passed[i]);
     }
-    EXPECT_EQ(paths[1].Faces, (std::vector<vtkIdType>{ -1, -1 })); // no cell has this point
+    EXPECT_EQ(paths[1].Faces, (std::vector<vtkIdType>{ -1, -1 })); // no cell uses this point
     EXPECT_EQ(paths[1].PointIds, (std::vector<vtkIdType>{ 6, 6 }));
   }
-  // None at all.
+  // Output without any polyline.
   this->Filter->SetPairData(nullptr);
   this->Filter->RemoveAllPairs();
   this->Filter->AddPair(0, 3);
@@ -306,7 +305,7 @@ TEST_F(DGGPath, CoincidentEnds)
 {
   this->Filter->SetInputData(MakeGrid(4, 4));
   AddPairs(this->Filter, { { 7, 7 } });
-  // At a vertex; on an edge; in a face; a line of one point.
+  // Pairs at a vertex, on an edge and in a face, and a line of one point.
   auto lines = MakePairs({ { { 2, 1, 0 } }, { { 2, 1, 0 } }, { { 2.5, 1, 0 } }, { { 2.5, 1, 0 } },
     { { 2.2, 1.3, 0 } }, { { 2.2, 1.3, 0 } } });
   lines->GetLines()->InsertNextCell({ 4 });
@@ -332,7 +331,7 @@ TEST_F(DGGPath, CoincidentEnds)
       }
       EXPECT_EQ(paths[1].PointIds[0], 7);
       EXPECT_EQ(paths[2].PointIds[0], -1);
-      // All of them are cells that VTK can work with, of one point each.
+      // All of them are valid VTK cells of one point each.
       vtkPolyData* output = this->Filter->GetOutput();
       EXPECT_EQ(output->GetNumberOfPoints(), 5);
       output->BuildCells();
@@ -350,7 +349,7 @@ TEST_F(DGGPath, CoincidentEnds)
 
 TEST_F(DGGPath, WhatIsKeptBetweenUpdatesFollowsEveryChange)
 {
-  // After each change, the filter gives what a new one gives.
+  // After each change, the output equals the output of a new filter.
   const auto expectTheSameAsNew = [&](const char* what) {
     SCOPED_TRACE(what);
     ExpectSuccess(this->Filter);
@@ -401,7 +400,7 @@ TEST_F(DGGPath, WhatIsKeptBetweenUpdatesFollowsEveryChange)
   EXPECT_EQ(expectTheSameAsNew("the first surface")[0], first[0]);
 }
 
-/// Also where the thread that waits for the others has no propagation of its own.
+/// Progress is also reported if the waiting thread has no propagation of its own.
 TEST_F(DGGPath, PropagationsReportTheirProgressInAllThreads)
 {
   this->Filter->SetInputData(MakeTerrain(100));
@@ -414,7 +413,7 @@ TEST_F(DGGPath, PropagationsReportTheirProgressInAllThreads)
     ExpectSuccess(this->Filter);
     watch.ExpectGrowth(2);
     watch.Progress.clear();
-    watch.StopAt = 0.101; // the start is at 0.1
+    watch.StopAt = 0.101; // the search starts at 0.1
     this->Filter->Modified();
     ExpectSuccess(this->Filter);
     ExpectEmptyOutput(this->Filter);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The filter that builds a graph: what it puts out, when it builds, what it refuses.
+/// vtkDiscreteGeodesicGraph: outputs, conditions for building a graph, invalid input.
 #include "GraphTestTools.h"
 
 #include "vtkDiscreteGeodesicGraph.h"
@@ -214,7 +214,7 @@ TEST_F(DiscreteGeodesicGraph, IsBuiltOnceForTheSameMeshAndParameters)
   expectRebuilt("a point");
   this->Filter->MergeCoincidentPointsOn();
   expectRebuilt("MergeCoincidentPoints");
-  // Somebody writes into the arrays that are shared with us.
+  // External code modifies the arrays that are shared with the filter.
   GetFieldArray(this->Filter->GetOutput(), "DGG.Lengths")->SetComponent(0, 0, 77.0);
   GetFieldArray(this->Filter->GetOutput(), "DGG.Lengths")->Modified();
   this->Filter->Modified();
@@ -236,7 +236,7 @@ TEST_F(DiscreteGeodesicGraph, AGraphOnTheInputIsPassedOn)
   EXPECT_EQ(this->Filter->GetNumberOfGraphEdges(),
     surface->GetFieldData()->GetArray("DGG.Targets")->GetNumberOfTuples());
 
-  // With other parameters it is replaced, without a word.
+  // A graph with other parameters is replaced without a warning.
   this->Filter->SetAccuracy(0.1);
   ExpectSuccess(this->Filter);
   EXPECT_GT(this->Filter->GetGraphBuildTime(), 0u);
@@ -244,12 +244,12 @@ TEST_F(DiscreteGeodesicGraph, AGraphOnTheInputIsPassedOn)
   EXPECT_NE(output->GetFieldData()->GetArray("DGG.Targets"),
     surface->GetFieldData()->GetArray("DGG.Targets"));
 
-  // One that is out of date, with a warning.
+  // An outdated graph is replaced with a warning.
   surface->GetPoints()->SetPoint(0, 0.0, 0.0, 0.01);
   surface->GetPoints()->Modified();
   ExpectWarning(this->Filter, { "the graph on the input is out of date", "new one" });
   this->Filter->Modified();
-  ExpectSuccess(this->Filter); // reported once
+  ExpectSuccess(this->Filter); // reported only once
   EXPECT_EQ(
     GetGraphBytes(this->Filter->GetOutput()), GetGraphBytes(MakeSurfaceWithGraph(surface, 0.1)));
 }
@@ -309,7 +309,7 @@ TEST_F(DiscreteGeodesicGraph, APieceOfTheLinesIsRefusedAsWell)
     EXPECT_NE(graph->GetErrorCode(), 0u);
     ExpectEmptyOutput(graph);
   }
-  // What was asked of one port does not matter for the other.
+  // The previous request on one port does not affect the other port.
   ExpectSuccess(graph);
   EXPECT_EQ(graph->GetOutput()->GetNumberOfPoints(), 24 * 22 + 2);
   EXPECT_GT(graph->GetGraphLines()->GetNumberOfLines(), 0);
@@ -324,7 +324,7 @@ TEST_F(DiscreteGeodesicGraph, CanBeReleased)
   const int references = targets->GetReferenceCount();
   this->Filter->ReleaseGraph();
   EXPECT_LT(targets->GetReferenceCount(), references);
-  ExpectSuccess(this->Filter); // nothing runs
+  ExpectSuccess(this->Filter); // no execution is needed
   EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
   EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), bytes);
   this->Filter->Modified();
@@ -343,7 +343,7 @@ TEST_F(DiscreteGeodesicGraph, LinesKeepToTheMemoryLimitAndCanBeStopped)
   ExpectError(this->Filter, { "as lines", "1000 bytes", "GenerateGraphLines off", "MemoryLimit" });
   this->Filter->SetMemoryLimit(0);
   ProgressWatch watch(this->Filter);
-  watch.StopAt = 0.93; // the graph is kept: only the lines are made
+  watch.StopAt = 0.93; // the graph is kept; only the lines are generated
   ExpectSuccess(this->Filter);
   ExpectEmptyOutput(this->Filter);
   EXPECT_LT(watch.Progress.back(), 1.0);
@@ -359,12 +359,12 @@ TEST_F(DiscreteGeodesicGraph, AnEmptyInputHasNoGraph)
   this->Filter->SetInputData(empty);
   ExpectWarning(this->Filter, { "input is empty" });
   EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
-  EXPECT_EQ(empty->GetFieldData()->GetNumberOfArrays(), 6); // the input is as it was
+  EXPECT_EQ(empty->GetFieldData()->GetNumberOfArrays(), 6); // the input is unchanged
 }
 
 TEST_F(DiscreteGeodesicGraph, EstimatesLeaveTheUpdateAlone)
 {
-  // An empty input is a warning, as in an update.
+  // An empty input causes a warning, as in an update.
   this->Filter->SetInputData(vtkSmartPointer<vtkPolyData>::New());
   {
     const Listener listener(this->Filter);
@@ -372,7 +372,7 @@ TEST_F(DiscreteGeodesicGraph, EstimatesLeaveTheUpdateAlone)
     EXPECT_EQ(listener.Errors, std::vector<std::string>());
     EXPECT_EQ(listener.Warnings.size(), 1u);
   }
-  // The error code of a failed update stays.
+  // The error code of a failed update is kept.
   this->Filter->SetInputData(this->Terrain);
   this->Filter->SetMemoryLimit(1000);
   ExpectError(this->Filter, { "MemoryLimit" });
@@ -382,14 +382,14 @@ TEST_F(DiscreteGeodesicGraph, EstimatesLeaveTheUpdateAlone)
   ExpectSuccess(this->Filter);
   EXPECT_GT(this->Filter->GetEstimatedMemory(), 0u);
   this->Filter->Modified();
-  ExpectSuccess(this->Filter); // kept, and so is what was predicted of it
+  ExpectSuccess(this->Filter); // the graph and its estimate are kept
   EXPECT_GT(this->Filter->GetEstimatedMemory(), 0u);
-  // A graph that is passed on was not predicted.
+  // No estimate exists for a graph that is passed through.
   this->Filter->SetInputData(MakeSurfaceWithGraph(MakeTerrain(12), 0.05));
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetEstimatedMemory(), 0u);
   EXPECT_EQ(this->Filter->GetEstimatedPeakMemory(), 0u);
-  // It can be stopped.
+  // The estimate can be aborted.
   ProgressWatch watch(this->Filter);
   watch.StopAt = 0.05;
   EXPECT_EQ(this->Filter->EstimateMemory(), 0u);

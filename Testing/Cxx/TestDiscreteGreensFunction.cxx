@@ -26,7 +26,7 @@ namespace
 {
 constexpr const char* Name = "GreensFunction";
 
-/// A filter on a surface that is ready to be given sources.
+/// The filter on a surface, without sources.
 struct Fixture
 {
   explicit Fixture(vtkPolyData* surface)
@@ -47,7 +47,7 @@ struct Fixture
   vtkNew<vtkDiscreteGreensFunction> Filter;
 };
 
-/// Relative L2 error on the unit sphere within an angle of the source.
+/// Returns the relative L2 error on the unit sphere within an angle of the source.
 double ErrorOnSphere(vtkPolyData* sphere, const std::vector<double>& values,
   const std::array<double, 3>& source, double within)
 {
@@ -139,7 +139,7 @@ TEST(DiscreteGreensFunction, EvaluationPointsSeeTheLogarithm)
   const std::vector<double> values = sphere.Evaluated();
   for (std::size_t k = 0; k < places.size(); ++k)
   {
-    // In terms of the chord, as the points are a little inside of the sphere.
+    // The expected value uses the chord, because the points lie slightly inside the sphere.
     double square = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -148,7 +148,7 @@ TEST(DiscreteGreensFunction, EvaluationPointsSeeTheLogarithm)
     EXPECT_NEAR(values[k], SphereGreens(1.0 - 0.5 * square), 4e-3) << k;
   }
   EXPECT_NEAR(values.back(), sphere.Values()[33], 1e-12);
-  // Linear interpolation knows nothing of the pole.
+  // Linear interpolation does not represent the pole.
   sphere.Filter->SetMethodToInterpolated();
   ExpectSuccess(sphere.Filter);
   EXPECT_GT(std::abs(sphere.Evaluated()[0] - values[0]), 0.05);
@@ -159,7 +159,8 @@ TEST(DiscreteGreensFunction, ZeroOnADirichletBoundary)
   Fixture grid(MakeGrid(24, 24));
   grid.Filter->SetBoundaryToDirichlet();
   grid.Filter->AddSourceId(12 * 25 + 12);
-  // In the face next to a corner of the boundary: the largest coordinate is that of the corner.
+  // In a face next to a corner of the boundary; the largest barycentric coordinate belongs to that
+  // corner.
   grid.Filter->SetSourceData(MakeSourcePoints({ { 6.3, 0.2, 0.0 }, { 10.25, 11.5, 0.0 } }));
   for (int method = 0; method < 4; ++method)
   {
@@ -186,7 +187,7 @@ TEST(DiscreteGreensFunction, NothingReachesOtherParts)
 {
   auto sphere = MakeSphere(3);
   auto pair = Beside(sphere, MakeGrid(20, 20), 5.0);
-  pair->GetPoints()->InsertNextPoint(50.0, 0.0, 0.0); // no polygon uses it
+  pair->GetPoints()->InsertNextPoint(50.0, 0.0, 0.0); // no polygon uses this point
   Fixture parts(pair);
   const vtkIdType n = sphere->GetNumberOfPoints();
   parts.Filter->SetSourceIds({ 3, n + 220 });
@@ -230,7 +231,7 @@ TEST(DiscreteGreensFunction, SignAndValueAtTheSource)
   EXPECT_EQ(sphere.Values()[20], -std::numeric_limits<double>::infinity());
   EXPECT_EQ(sphere.Values()[21], -positive[21]);
   EXPECT_EQ(sphere.Evaluated()[0], -std::numeric_limits<double>::infinity());
-  // As large as it is asked for.
+  // The requested radius is used without reduction.
   sphere.Filter->SetRadius(0.7);
   ExpectSuccess(sphere.Filter);
   EXPECT_EQ(sphere.Filter->GetUsedRadius(0), 0.7);
@@ -292,7 +293,7 @@ TEST(DiscreteGreensFunction, WarnsWhereAMethodCannotBeUsed)
   ExpectWarning(sphere.Filter, { "2 of the 2 sources", "too coarse" });
   EXPECT_EQ(sphere.Filter->GetUsedMethod(0), vtkDiscreteGreensFunction::Interpolated);
   EXPECT_EQ(sphere.Filter->GetUsedRadius(0), 0.0);
-  // Ridges need neither another method nor a warning at each of many sources.
+  // Ridges cause neither a change of the method nor a warning at many sources.
   Fixture terrain(MakeTerrain(16));
   int near = 0;
   for (vtkIdType id = 45; id < 95; ++id)
@@ -308,7 +309,8 @@ TEST(DiscreteGreensFunction, WarnsWhereAMethodCannotBeUsed)
   EXPECT_LT(near, 50);
 }
 
-/// A square of 10 x 10 squashed to a strip of relative height 1e-8, where rounding leaves nothing.
+/// A square of 10 x 10 squashed to a strip of relative height 1e-8, where only rounding error
+/// remains.
 TEST(ThinSurfaces, AreRefused)
 {
   vtkSmartPointer<vtkPolyData> surface = MakeGrid(10, 10, GridCells::Triangles);

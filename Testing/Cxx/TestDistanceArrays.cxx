@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which array of distances isolines and probes read, and what they take for points that are not
-/// reached.
+/// Choice of the distance array in isolines and probes, and detection of unreached points.
 #include "FilterTestTools.h"
 
 #include "vtkApolloniusIsolines.h"
@@ -54,7 +53,7 @@ void Prepare(vtkGeodesicProbe* filter)
   filter->SetProbeData(MakeSourcePoints(places));
 }
 
-/// All points and the scalars of all outputs, as text.
+/// Returns all points and the scalars of all outputs as text.
 std::string Describe(vtkPolyDataAlgorithm* filter)
 {
   std::ostringstream os;
@@ -96,7 +95,7 @@ protected:
     Prepare(this->Filter.Get());
   }
 
-  /// What comes out with unreached points that are NaN.
+  /// Returns the result for unreached points with the value NaN.
   std::string GetExpected()
   {
     this->Distance->SetUnreachedValue(NaN);
@@ -125,7 +124,7 @@ TYPED_TEST(DistanceArrays, AreThoseThatAreNamed)
   data->SetActiveScalars("mine");
   filter->SetInputData(surface);
 
-  // Not the active scalars instead, nor anything else.
+  // The active scalars or other arrays are not used instead.
   ExpectError(filter, { "'GeodesicDistance'", "'mine'", "'other'", "SetDistanceArrayName()" });
   filter->SetDistanceArrayName("Mine");
   ExpectError(filter, { "'Mine'", "'mine'", "'other'" });
@@ -154,7 +153,7 @@ TYPED_TEST(DistanceArrays, MayBeSetToBeProcessed)
   data->GetArray("GeodesicDistance")->Fill(0.5);
   filter->SetInputData(surface);
 
-  // Before the name of the property.
+  // SetInputArrayToProcess() takes precedence over the name of the property.
   const int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   filter->SetInputArrayToProcess(0, 0, 0, points, "mine");
   ExpectSuccess(filter);
@@ -164,7 +163,7 @@ TYPED_TEST(DistanceArrays, MayBeSetToBeProcessed)
     EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("mine"), nullptr);
     EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
   }
-  // Another one is not taken in its place.
+  // No other array is used instead.
   filter->SetInputArrayToProcess(0, 0, 0, points, "Mine");
   ExpectError(filter, { "'Mine'", "'mine'", "'GeodesicDistance'", "SetInputArrayToProcess()" });
 
@@ -193,7 +192,7 @@ TYPED_TEST(DistanceArrays, UnreachedPointsMayHaveAnyValue)
     const std::string expected = this->GetExpected();
     EXPECT_EQ(
       this->Distance->GetOutput()->GetPointData()->GetArray("GeodesicDistance.Unreached"), nullptr);
-    // Also those that are distances of points: 0 of the source, 1 of four points.
+    // Includes values that are also distances of points: 0 at the source, 1 at four points.
     for (const double value : { -1.0, 0.0, -0.0, 1.0, 1e9, -std::numeric_limits<double>::infinity(),
            std::numeric_limits<double>::infinity() })
     {
@@ -248,7 +247,8 @@ TYPED_TEST(DistanceArrays, UnreachedValueIsAProperty)
   filter->SetUnreachedValue(-0.1);
   EXPECT_EQ(filter->GetMTime(), before);
 
-  // It comes before the mask, and is rounded as the distances are.
+  // The UnreachedValue of the filter takes precedence over the mask and is rounded like the
+  // distances.
   surface = Copy(this->Distance);
   vtkNew<vtkFloatArray> rounded;
   rounded->DeepCopy(surface->GetPointData()->GetArray("GeodesicDistance"));
@@ -274,7 +274,7 @@ TYPED_TEST(DistanceArrays, UnreachedValueGoesWithItsDistances)
   ASSERT_NE(mask, nullptr);
   EXPECT_EQ(mask->GetComponent(40, 0), 0.0);
   EXPECT_EQ(mask->GetComponent(0, 0), 1.0);
-  // Nor is it there where every point is reached, or where other distances replace those.
+  // The mask is also absent if every point is reached, or if other distances replace these.
   vtkNew<vtkExactGeodesicDistance> again;
   again->SetInputConnection(this->Distance->GetOutputPort());
   again->AddSourceId(3);
@@ -304,7 +304,8 @@ TYPED_TEST(DistanceArrays, AMaskOfAnotherLayoutIsNotRead)
   EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-/// What port 1 of the probe has of another array of this name is not that of the result.
+/// Field arrays of port 1 of the probe, which describe another array of this name, are not passed
+/// to the result.
 TEST(GeodesicProbeArrays, ProbePointsMayHaveDistances)
 {
   vtkNew<vtkExactGeodesicDistance> distance;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkSurfaceEarthMoversDistance takes the memory that is predicted.
+/// Memory use of vtkSurfaceEarthMoversDistance against its prediction.
 #include "../Benchmark/MemoryProbe.h"
 #include "FilterTestTools.h"
 
@@ -19,7 +19,7 @@ using namespace dggtest;
 
 namespace
 {
-/// Mass everywhere, most of it at one point.
+/// Adds mass at all points, most of it at one point.
 void AddMasses(vtkPolyData* surface, const char* name, vtkIdType most)
 {
   vtkNew<vtkDoubleArray> array;
@@ -31,7 +31,7 @@ void AddMasses(vtkPolyData* surface, const char* name, vtkIdType most)
   surface->GetPointData()->AddArray(array);
 }
 
-/// The least limit that is no error, to a hundredth.
+/// Returns the smallest limit without an error, to 1 %.
 double FindLeastLimit(vtkSurfaceEarthMoversDistance* filter)
 {
   double refused = 1000.0;
@@ -63,16 +63,16 @@ TEST(EarthMoversMemory, IsPredicted)
     filter->SetTolerance(0.0);
     filter->SetMaximumNumberOfIterations(25);
     filter->SetMemoryLimit(1000);
-    ExpectError(filter, { "MemoryLimit" }); // the mesh is there then, and the matrix
+    ExpectError(filter, { "MemoryLimit" }); // the mesh and the matrix exist then
     filter->SetMemoryLimit(0);
     double peak = 0.0;
     {
       const MemoryProbe probe;
       ExpectWarning(filter, { "gap" });
-      peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
+      peak = static_cast<double>(probe.GetHeapPeak()); // 0 if it cannot be measured
     }
     filter->SetMaximumNumberOfIterations(0);
-    const double predicted = FindLeastLimit(filter); // the system as well
+    const double predicted = FindLeastLimit(filter); // includes the system
     EXPECT_GE(predicted, peak) << isDelaunay;
     if (peak > 0.0)
     {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Exact distances through the filter: closed forms and invariants. The kernel has tests of its
-/// own; these show that nothing is lost on the way through VTK.
+/// Exact distances through the filter: closed forms and invariants. The kernel has separate tests;
+/// these tests verify the conversion from and to VTK.
 #include "FilterTestTools.h"
 
 #include "vtkExactGeodesicDistance.h"
@@ -58,7 +58,7 @@ TEST(ExactGeodesicDistance, Cube)
 
 TEST(ExactGeodesicDistance, PointsInTheMiddleOfFacesAndEdges)
 {
-  // From (0,0,0) to (1,1,1/2) on the unit cube: the point is added to the edge.
+  // From (0,0,0) to (1,1,1/2) on the unit cube; the target is inserted as a point on the edge.
   auto cube = MakeCube();
   const vtkIdType middle = cube->GetPoints()->InsertNextPoint(1.0, 1.0, 0.5);
   cube->SetPolys(MakeCells({ { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 0, 4, 6, 2 },
@@ -78,7 +78,7 @@ TEST(ExactGeodesicDistance, FloatAndDoublePointsAgree)
     double p[3];
     terrain->GetPoint(i, p);
     floats->InsertNextPoint(p);
-    floats->GetPoint(i, p); // rounded
+    floats->GetPoint(i, p); // rounded to single precision
     doubles->InsertNextPoint(p);
   }
   terrain->SetPoints(floats);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Graphs by the automatic defaults, and the filters that search them, on every point cloud
+/// Graphs with automatic defaults, and the filters that search them, on every point cloud
 /// (clouds/*.ply) of the folder DGG_EXTRA_DATA.
 
 #include "ExtraMeshes.h"
@@ -50,8 +50,8 @@ protected:
   vtkNew<vtkPLYReader> Reader;
   vtkNew<vtkPointCloudDGG> Graph;
   vtkPolyData* Cloud = nullptr;
-  std::vector<bool> IsMain; // per point, whether it is in the largest component
-  vtkIdType Start = -1;     // a point that is
+  std::vector<bool> IsMain; // true if the point is in the largest component
+  vtkIdType Start = -1;     // a point of the largest component
 };
 }
 
@@ -64,7 +64,7 @@ TEST_P(ExtraClouds, MostPointsAreConnected)
     sum += this->Graph->GetComponentSize(i);
   }
   EXPECT_EQ(sum, n);
-  // One of the scans is of several separate objects.
+  // One of the scans contains several separate objects.
   EXPECT_GT(static_cast<double>(this->Graph->GetComponentSize(0)), 0.7 * static_cast<double>(n));
   EXPECT_LT(this->Graph->GetMeanDegree(), 300.0);
 }
@@ -82,7 +82,7 @@ TEST_P(ExtraClouds, DistancesAndPaths)
     ASSERT_EQ(std::isfinite(values[i]), this->IsMain[i]) << i;
     if (this->IsMain[i])
     {
-      // Noise is taken off lengths, which matters for points close together.
+      // Lengths are corrected for noise, which matters for close points.
       const double straight = EuclideanDistance(this->Cloud, i, this->Start);
       const double slack = 2.0 * (this->Graph->GetSpacing() + this->Graph->GetNoise());
       ASSERT_GE(values[i], straight * 0.99 - slack) << i;

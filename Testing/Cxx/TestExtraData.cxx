@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Exact distances and geodesic graphs on every mesh (*.ply and awkward/*.ply) of the folder
-/// DGG_EXTRA_DATA: what must hold on any mesh, and the known defects of the meshes that we know.
+/// DGG_EXTRA_DATA: invariants of any mesh, and known defects of known meshes.
 
 #include "EdgeGraph.h"
 #include "ExtraMeshes.h"
@@ -34,7 +34,7 @@
 
 namespace
 {
-/// Counts that were established by other means than our kernel.
+/// Counts that were determined independently of this kernel.
 struct KnownCounts
 {
   dgg::Offset Vertices;
@@ -67,7 +67,8 @@ const std::map<std::string, KnownCounts>& GetKnownCounts()
     { "igea", { 134345, 268686, 1, 0, 0, 0, 0, 0 } },
     { "terrain_andes", { 462400, 922082, 1, 1, 0, 0, 0, 0 } },
     { "camel_cut_seams", { 2032, 3576, 1, 1, 0, 0, 0, 243 } },
-    // Its boundary is 20 chains when fans end at non-manifold edges, 14 when they go on there.
+    // The boundary consists of 20 chains if fans end at non-manifold edges, and of 14 if fans
+    // continue there.
     { "bathtub_shapenet", { 2124, 4375, 6, 20, 266, 1, 19, 6 } },
     { "teapot_seams", { 3644, 6320, 4, 25, 0, 38, 0, 403 } },
     { "capsule_degenerate", { 5252, 10200, 1, 1, 0, 0, 200, 250 } },
@@ -95,7 +96,7 @@ protected:
 
   std::size_t GetNumberOfVertices() const { return this->Arrays.GetNumberOfVertices(); }
 
-  /// Two vertices that have a face.
+  /// Returns two vertices that have a face.
   std::vector<dgg::Id> GetSources() const
   {
     std::vector<dgg::Id> sources;
@@ -111,7 +112,7 @@ protected:
     return sources;
   }
 
-  /// Ten vertices, or three of a large mesh, spread over its ids.
+  /// Returns ten vertices, or three of a large mesh, spread over the vertex ids.
   std::vector<dgg::Id> GetSpreadSources() const
   {
     const dgg::Offset n = this->Surface.GetNumberOfVertices();
@@ -124,7 +125,8 @@ protected:
     return sources;
   }
 
-  /// What faces of no area may change; else nothing but rounding.
+  /// Returns the error that mollified faces without area may cause; 0 on other meshes, which only
+  /// have rounding error.
   double GetSlack() const
   {
     return 10.0 * this->Surface.GetNumberOfMollifiedFaces() * this->Surface.GetMollification();
@@ -222,7 +224,7 @@ TEST_P(ExtraData, DistancesKeepTheirBounds)
 
 TEST_P(ExtraData, EnginesAgree)
 {
-  // The reference engine takes minutes on larger ones: a part of the surface must do there.
+  // The reference engine takes minutes on larger meshes, where part of the surface must suffice.
   const bool isLarge = this->GetNumberOfVertices() > 50000;
   for (const dgg::Id source : this->GetSources())
   {
@@ -320,8 +322,8 @@ TEST_P(ExtraData, GraphKeepsItsPromise)
   }
 }
 
-/// A corrected distance is within the accuracy without exception, and on the mean much closer than
-/// that of the graph, on meshes that are fine enough and not too anisotropic.
+/// A corrected distance is always within the accuracy. On meshes that are fine enough and not too
+/// anisotropic, its mean error is much smaller than that of the graph.
 TEST_P(ExtraData, CorrectionPays)
 {
   const auto n = static_cast<dgg::Id>(this->GetNumberOfVertices());
@@ -375,7 +377,8 @@ TEST_P(ExtraData, CorrectionPays)
   }
 }
 
-/// Propagation reaches what exact distances reach; the better quality is no worse on the mean.
+/// Propagation reaches the same vertices as exact distances. On average the higher quality is at
+/// least as accurate.
 TEST_P(ExtraData, PropagationQualities)
 {
   const dgg::SourcePropagation propagation(this->Surface);
@@ -413,11 +416,11 @@ TEST_P(ExtraData, PropagationQualities)
     std::cout << (i == 0 ? "Fast: " : "High: ") << 100.0 * means[i] << " % on the mean, "
               << 100.0 * *range.first << " to " << 100.0 * *range.second << " %\n";
   }
-  EXPECT_LE(means[1], 1.02 * means[0]); // on round ones they are equally good
+  EXPECT_LE(means[1], 1.02 * means[0]); // equally accurate on smooth meshes
 }
 
-/// Virtual sources are no worse than linear interpolation, on coarse CAD models as well: by far
-/// better on the mean, and hardly worse at the worst point.
+/// Virtual sources are at least as accurate as linear interpolation, also on coarse CAD models: far
+/// more accurate on average, and hardly worse at the worst point.
 TEST_P(ExtraData, VirtualSourcesBeatLinearInterpolation)
 {
   const auto n = static_cast<dgg::Id>(this->GetNumberOfVertices());
@@ -425,7 +428,7 @@ TEST_P(ExtraData, VirtualSourcesBeatLinearInterpolation)
   {
     return;
   }
-  // As filters prepare it.
+  // Prepared in the same way as by the filters.
   std::vector<dgg::Id> triangles = this->Arrays.Triangles;
   std::vector<dgg::Id> parents;
   dgg::SplitCaps(this->Arrays.Points.data(), triangles, parents);

@@ -29,11 +29,12 @@ class ExtraIsolines : public testing::TestWithParam<std::string>
 {
 };
 
-/// Ten levels of the distance from a point, with bands.
+/// Expects that isolines of ten levels of the distance from a point, with bands, lie on the
+/// surface.
 void ExpectOnSurface(vtkPolyData* surface, vtkGeodesicDistanceAlgorithm* distance)
 {
   distance->SetInputData(surface);
-  const Listener listener(distance); // these meshes have defects that are warned of
+  const Listener listener(distance); // these meshes have defects that cause warnings
   distance->Update();
   ASSERT_EQ(listener.Errors, std::vector<std::string>());
   double range[2];
@@ -60,7 +61,7 @@ TEST_P(ExtraIsolines, LieInTheirFaces)
   std::vector<vtkIdType> sources{ n / 3, n / 5 * 4 };
   if (StemOf(GetParam()) == "z_bar_clamp")
   {
-    sources = { 114, 223 }; // from these, lines have been off the surface
+    sources = { 114, 223 }; // with these sources, lines have been off the surface
   }
   for (const vtkIdType source : sources)
   {

@@ -25,7 +25,7 @@ namespace
 {
 constexpr int NumberOfPoints = 6;
 constexpr double Accuracy = 0.02;
-/// Exact checks of geodesics are left to meshes of this size.
+/// Largest number of triangles of meshes on which geodesics are checked exactly.
 constexpr vtkIdType MostTriangles = 30000;
 
 class ExtraLoops : public testing::TestWithParam<std::string>
@@ -39,7 +39,7 @@ protected:
     this->Filter->SetAccuracy(Accuracy);
   }
 
-  /// These meshes have defects that are warned of.
+  /// Updates the filter and returns its errors; warnings about defects of these meshes are ignored.
   std::vector<std::string> Update()
   {
     const Listener listener(this->Filter);
@@ -47,7 +47,7 @@ protected:
     return listener.Errors;
   }
 
-  /// What faces of no area may change; else nothing.
+  /// Returns the length that faces without area may add; 0 on other meshes.
   double GetSlack()
   {
     return 10.0 * static_cast<double>(this->Filter->GetNumberOfDegenerateFaces()) *
@@ -98,7 +98,7 @@ TEST_P(ExtraLoops, AroundHandles)
   this->ExpectLoops(loops, true);
 }
 
-/// In corners as well, around which they are the shortest way.
+/// Loops are geodesics at vertices as well, where they may turn around a corner.
 TEST_P(ExtraLoops, HandlesAreGeodesics)
 {
   const MeshArrays arrays = ToArrays(this->Surface);
@@ -171,7 +171,7 @@ TEST_P(ExtraLoops, RopesAndTapes)
     {
       this->Filter->SetTaut(taut);
       EXPECT_EQ(this->Update(), std::vector<std::string>());
-      this->ExpectLoops(GetLoops(this->Filter), true); // their kinks are at points
+      this->ExpectLoops(GetLoops(this->Filter), true); // the loops have kinks at points
       for (const LoopLine& rim : GetRims(this->Filter))
       {
         ExpectOnSurface(rim.Line, this->Surface, this->GetSlack());

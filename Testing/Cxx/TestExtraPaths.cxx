@@ -32,7 +32,7 @@ protected:
     ASSERT_GT(this->Surface->GetNumberOfPolys(), 0) << "cannot read " << GetParam();
   }
 
-  /// A point in a random triangle; at its first corner when `atVertex`.
+  /// Returns a point in a random triangle, or its first corner when `atVertex`.
   std::array<double, 3> MakePlace(bool atVertex)
   {
     std::uniform_int_distribution<vtkIdType> cells(0, this->Surface->GetNumberOfCells() - 1);
@@ -61,7 +61,7 @@ protected:
     return p;
   }
 
-  /// Every start is that of several paths; every other end is a vertex.
+  /// Returns the ends of pairs. Several paths share a start; every second end is a vertex.
   Points MakeEnds()
   {
     Points ends;
@@ -79,7 +79,7 @@ protected:
 
   static std::vector<PathLine> Run(vtkDGGPath* filter)
   {
-    const Listener listener(filter); // these meshes have defects that are warned of
+    const Listener listener(filter); // these meshes have defects that cause warnings
     filter->Update();
     EXPECT_EQ(listener.Errors, std::vector<std::string>());
     return GetPaths(filter);

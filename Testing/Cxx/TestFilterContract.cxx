@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contract of all filters, on surfaces and on clouds: state, wrong input, threads, progress,
+/// The contract of all filters, on surfaces and on clouds: state, invalid input, threads, progress,
 /// caching; names and ranges of distances from sources.
 #include "FilterCases.h"
 #include "GraphTestTools.h"
@@ -97,22 +97,22 @@ TEST_P(FilterContract, ReportsProgressAndStops)
   const std::string expected = DescribeOutputs(filter);
   watch.Progress.clear();
   filter->Modified();
-  ExpectSuccess(filter); // what is kept between updates is there
+  ExpectSuccess(filter); // runs with filled caches
   const std::vector<double> progress = watch.Progress;
   for (std::size_t step = 0; step < progress.size(); step += 1 + progress.size() / 10)
   {
     watch.StopAt = progress[step];
     filter->Modified();
-    ExpectSuccess(filter); // not an error
+    ExpectSuccess(filter); // an abort is not an error
     if (progress[step] < 1.0)
     {
       ExpectEmptyOutput(filter);
     }
     watch.StopAt = 2.0;
-    ExpectSuccess(filter); // nothing has changed, yet it runs
+    ExpectSuccess(filter); // nothing has changed, but the filter executes
     EXPECT_TRUE(DescribeOutputs(filter) == expected);
   }
-  // A stop that was requested before an update is forgotten.
+  // An abort that was requested before an update is ignored.
   filter->AbortExecuteOn();
   filter->Modified();
   ExpectSuccess(filter);
@@ -216,7 +216,7 @@ TEST_P(FilterContract, EmptyInputGivesEmptyOutputWithAWarning)
     {
       EXPECT_EQ(output->GetNumberOfElements(kind), 0);
     }
-    // The arrays are there nevertheless, for filters downstream.
+    // The arrays exist nevertheless, for filters downstream.
     vtkDataSetAttributes* points = output->GetAttributes(vtkDataObject::POINT);
     const bool isNew =
       std::count(this->GetParam().Ports.begin(), this->GetParam().Ports.end(), port);
@@ -249,7 +249,7 @@ TEST_P(DistanceContract, EndsAtTheMaximumDistance)
   std::sort(sorted.begin(), sorted.end());
   for (const std::size_t count : { 2u, 20u, 150u })
   {
-    // The limit belongs to the range: sources are reached with 0.
+    // The limit is inclusive: sources are reached with limit 0.
     filter->SetMaximumDistance(count == 2 ? 0.0 : 0.5 * (sorted[count - 1] + sorted[count]));
     filter->SetUnreachedValue(-7.0);
     ExpectSuccess(filter);
@@ -277,11 +277,11 @@ TEST_P(DistanceContract, NamesItsArrays)
   relief->GetPointData()->SetScalars(old);
   const auto algorithm = this->GetParam().Make(relief);
   auto* filter = vtkGeodesicDistanceAlgorithm::SafeDownCast(algorithm);
-  filter->SetDistanceArrayName("d"); // takes the place of the array of the input
+  filter->SetDistanceArrayName("d"); // replaces the array of the input
   filter->SetSourceArrayName("s");
   ExpectSuccess(filter);
   vtkPointData* data = filter->GetOutput()->GetPointData();
-  EXPECT_EQ(data->GetNumberOfArrays(), data->HasArray("Component") ? 3 : 2); // of a cloud
+  EXPECT_EQ(data->GetNumberOfArrays(), data->HasArray("Component") ? 3 : 2); // 3 arrays on clouds
   EXPECT_STREQ(data->GetScalars()->GetName(), "d");
   EXPECT_EQ(data->GetScalars()->GetDataType(), VTK_DOUBLE);
   ASSERT_NE(data->GetArray("s"), nullptr);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all distance filters promise: defaults, arrays, what is passed through, limits.
+/// The contract of all distance filters: defaults, arrays, passed data, limits.
 #include "FilterTestTools.h"
 
 #include "DGGDistanceInternals.h"
@@ -105,7 +105,7 @@ TEST(GeodesicDistanceContract, MeshReport)
 }
 
 //------------------------------------------------------------------------------
-// What the base does with a subclass that misbehaves.
+// Behavior of the base class with a faulty subclass.
 namespace
 {
 class MisbehavingDistance : public vtkGeodesicDistanceAlgorithm

@@ -129,7 +129,8 @@ TEST_F(GeodesicDistanceMatrix, EndsAtTheMaximumDistance)
   const Points middle{ { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) } };
   for (const bool isSymmetric : { true, false })
   {
-    // Enough rows for searches from several sources at once, and places that are no vertices.
+    // Enough rows for simultaneous searches from several sources, and positions that are not
+    // vertices.
     this->Filter->SetRowIds(ids);
     this->Filter->SetRowData(MakeSourcePoints(middle));
     this->Filter->SetColumnIds(isSymmetric ? std::vector<vtkIdType>() : ids);
@@ -225,7 +226,7 @@ TEST_F(GeodesicDistanceMatrix, TheMatrixIsWhatWasComputed)
   EXPECT_EQ(this->Filter->GetMatrix(), matrix); // no copy is made
   EXPECT_STREQ(matrix->GetName(), "GeodesicDistance");
   const Rows expected = GetRows(this->Filter);
-  // Whatever is done to the table.
+  // The matrix is independent of changes to the table.
   vtkTable* table = this->Filter->GetOutput();
   vtkNew<vtkStringArray> words;
   words->SetName("words");
@@ -237,7 +238,7 @@ TEST_F(GeodesicDistanceMatrix, TheMatrixIsWhatWasComputed)
   EXPECT_EQ(matrix->GetNumberOfComponents(), 2);
   table->Initialize();
   EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfTuples(), 3);
-  // The next update makes another one, and leaves ours as it is.
+  // The next update creates another matrix and leaves the previous one unchanged.
   this->Filter->SetRowIds({ 0 });
   ExpectSuccess(this->Filter);
   EXPECT_NE(this->Filter->GetMatrix(), matrix);
@@ -345,7 +346,7 @@ TEST_F(GeodesicDistanceMatrix, MemoryLimitCountsTheTable)
 {
   this->Filter->SetRowIds({ 0 });
   ExpectSuccess(this->Filter);
-  this->Filter->SetMemoryLimit(10000); // the graph is there
+  this->Filter->SetMemoryLimit(10000); // the graph exists
   this->Filter->SetRowIds(std::vector<vtkIdType>(40, 7));
   ExpectError(this->Filter,
     { "40 rows and 40 columns and its table", "25 KiB", "9.766 KiB", "GenerateTable off",

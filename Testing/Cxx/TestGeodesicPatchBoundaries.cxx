@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The same layout of curves on two surfaces, as a filter.
+/// Layouts of curves that are transferred between two surfaces, with the filter.
 #include "PathTestTools.h"
 
 #include "vtkGeodesicPatchBoundaries.h"
@@ -22,7 +22,7 @@ using namespace dggtest;
 
 namespace
 {
-/// A layout on landmarks that have no places.
+/// Returns a layout of landmarks without positions.
 vtkSmartPointer<vtkPolyData> MakeLayout(const Cells& patches, const Cells& lines = {})
 {
   vtkNew<vtkPolyData> layout;
@@ -31,7 +31,7 @@ vtkSmartPointer<vtkPolyData> MakeLayout(const Cells& patches, const Cells& lines
   return layout.Get();
 }
 
-/// Four quads on a grid of 8 x 8: corners, midpoints of sides, centre.
+/// Returns the landmarks of four quads on a grid of 8 x 8: corners, midpoints of sides, center.
 const std::vector<vtkIdType>& GetNine()
 {
   static const std::vector<vtkIdType> ids = { 0, 4, 8, 36, 40, 44, 72, 76, 80 };
@@ -100,7 +100,8 @@ TEST_F(GeodesicPatchBoundaries, LandmarkIds)
 
 TEST_F(GeodesicPatchBoundaries, IdsComeBeforePoints)
 {
-  // Those of the first surface partly, those of the second one all by place.
+  // Some landmarks of the first surface and all landmarks of the second surface are given by
+  // position.
   ExpectSuccess(this->Filter);
   const double length = Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 11);
   Points rest;
@@ -163,7 +164,7 @@ TEST_F(GeodesicPatchBoundaries, CurvesCorrespond)
 
 TEST_F(GeodesicPatchBoundaries, LandmarksAsPoints)
 {
-  // Off the surface a little; their cells are the layout.
+  // The landmarks lie slightly off the surface; their cells are the layout.
   vtkNew<vtkPoints> places;
   for (const vtkIdType id : GetNine())
   {
@@ -184,7 +185,7 @@ TEST_F(GeodesicPatchBoundaries, LandmarksAsPoints)
 
 TEST_F(GeodesicPatchBoundaries, LinesAndPatches)
 {
-  // A polyline is a chain of curves; a curve that is a side already is no other one.
+  // A polyline is a chain of curves; a curve that coincides with a side adds no curve.
   this->Filter->SetLayoutData(MakeLayout({ { 0, 1, 4, 3 } }, { { 4, 5, 8 }, { 1, 4 } }));
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetOutput(0)->GetNumberOfLines(), 6);
@@ -207,7 +208,7 @@ TEST_F(GeodesicPatchBoundaries, AnyScaleAndType)
     Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1), 1e6 * length, 1e-4 * length);
 }
 
-/// A single patch: no landmark has enough sides to show which way it turns, on either surface.
+/// A single patch: no landmark has enough sides to define its orientation on either surface.
 TEST_F(GeodesicPatchBoundaries, OnePatchThatTurnsEitherWay)
 {
   const std::vector<vtkIdType> inside = { 20, 24, 60, 56 };
@@ -244,7 +245,7 @@ TEST_F(GeodesicPatchBoundaries, FollowsItsInputs)
   EXPECT_GT(Get(this->Filter->GetOutput(1)->GetCellData(), "Length", 1), before + 1.0);
 }
 
-/// A landmark in no curve lies in the same patch of both surfaces.
+/// A landmark that no curve contains lies in the same patch of both surfaces.
 TEST_F(GeodesicPatchBoundaries, LandmarksInNoCurve)
 {
   this->Filter->SetSecondSurfaceData(MakeGrid(8, 8));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Distances inside of faces through the filters: windows and virtual sources on their way from
-/// distance filters to vtkGeodesicProbe.
+/// Distances inside faces through the filters: windows and virtual sources between distance filters
+/// and vtkGeodesicProbe.
 #include "FilterTestTools.h"
 #include "SpectralTestTools.h"
 
@@ -30,7 +30,7 @@ using namespace dggtest;
 
 namespace
 {
-/// A grid with a source in its middle, and places that are nowhere near its points.
+/// A grid with a source in its middle, and positions far from its points.
 class GeodesicProbe : public testing::Test
 {
 protected:
@@ -50,7 +50,7 @@ protected:
     this->Probe->SetProbeData(this->Places);
   }
 
-  /// Largest error relative to the distance in the plane.
+  /// Returns the largest error relative to the distance in the plane.
   double GetError()
   {
     vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
@@ -81,7 +81,7 @@ TEST_F(GeodesicProbe, FitsSourcesToDistancesAlone)
 
 TEST_F(GeodesicProbe, PointsOfTheSurfaceNeedNoTolerance)
 {
-  // Of a surface that is not flat, and far from the origin.
+  // The surface is not flat and lies far from the origin.
   auto terrain = MakeTerrain(12);
   vtkPoints* points = terrain->GetPoints();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
@@ -156,7 +156,7 @@ TEST_F(GeodesicProbe, WindowsMayBeOfAnyTypeOf64BitIntegers)
       ASSERT_EQ(other->GetDataTypeSize(), 8);
       other->SetName(name);
       other->SetNumberOfTuples(old->GetNumberOfTuples());
-      // Copied as bytes, since doubles cannot represent all 64-bit integers.
+      // Copied as bytes, because doubles cannot represent all 64-bit integers.
       std::memcpy(other->GetVoidPointer(0), old->GetVoidPointer(0), 8 * old->GetNumberOfValues());
       surface->GetFieldData()->AddArray(other);
     }
@@ -191,7 +191,7 @@ TEST_F(GeodesicProbe, WhatDoesNotBelongIsIgnoredWithAWarning)
   ExpectSuccess(this->Probe);
   EXPECT_LT(this->GetError(), 1e-12);
 
-  // Other distances: windows are refused, virtual sources still fit.
+  // With modified distances, windows are refused; virtual sources still fit.
   vtkDataArray* distances = changed->GetPointData()->GetArray("GeodesicDistance");
   distances->SetComponent(3, 0, distances->GetComponent(3, 0) * (1.0 + 1e-15) + 1e-13);
   distances->Modified();
@@ -199,7 +199,7 @@ TEST_F(GeodesicProbe, WhatDoesNotBelongIsIgnoredWithAWarning)
   ExpectWarning(this->Probe, { "windows", "GeodesicDistance" });
   EXPECT_LT(this->GetError(), 1e-9);
 
-  // Sources of other distances.
+  // Virtual sources that belong to other distances.
   changed->GetFieldData()->Initialize();
   vtkDataArray* sources = changed->GetPointData()->GetArray("GeodesicVirtualSource");
   for (vtkIdType i = 0; i < sources->GetNumberOfTuples(); ++i)
@@ -209,7 +209,7 @@ TEST_F(GeodesicProbe, WhatDoesNotBelongIsIgnoredWithAWarning)
   sources->Modified();
   changed->Modified();
   ExpectWarning(this->Probe, { "virtual sources", "GeodesicVirtualSource" });
-  EXPECT_LT(this->GetError(), 1e-6); // fitted anew
+  EXPECT_LT(this->GetError(), 1e-6); // fitted again
 }
 
 TEST_F(GeodesicProbe, DamagedWindowsAreIgnoredWithAWarning)
@@ -239,7 +239,7 @@ TEST_F(GeodesicProbe, DamagedWindowsAreIgnoredWithAWarning)
       vtkDataArray* array = changed->GetFieldData()->GetArray(name);
       array->SetComponent(array->GetNumberOfTuples() / 3, 0, 1e9);
     });
-    // So little that the numbers are still possible.
+    // A change so small that the values are still valid.
     expectIgnored({ "windows", "damaged", "written" }, [name](vtkPolyData* changed) {
       vtkDataArray* array = changed->GetFieldData()->GetArray(name);
       const int last = array->GetNumberOfComponents() - 1;
@@ -284,7 +284,7 @@ TEST_F(GeodesicProbe, SourcesGoWithTheirDistances)
   this->Distance->GenerateVirtualSourceOn();
   vtkNew<vtkExactGeodesicDistance> again;
   again->SetInputConnection(this->Distance->GetOutputPort());
-  again->SetSourceIds({ 40, 50 }); // so near that the virtual sources of the first look right
+  again->SetSourceIds({ 40, 50 }); // so close that old virtual sources seem valid
   this->Probe->SetInputConnection(again->GetOutputPort());
   again->Update();
   vtkPointData* data = again->GetOutput()->GetPointData();
@@ -293,18 +293,18 @@ TEST_F(GeodesicProbe, SourcesGoWithTheirDistances)
   vtkPointData* before = this->Distance->GetOutput()->GetPointData();
   EXPECT_NE(before->GetArray("GeodesicSource"), nullptr);
   EXPECT_NE(before->GetArray("GeodesicVirtualSource"), nullptr);
-  // Those that are wanted are there, and are the new ones.
+  // Requested arrays are present and belong to the new distances.
   again->GenerateNearestSourceOn();
   again->Update();
   EXPECT_EQ(data->GetNumberOfArrays(), 2);
   ASSERT_NE(data->GetArray("GeodesicSource"), nullptr);
   EXPECT_EQ(data->GetArray("GeodesicSource")->GetComponent(50, 0), 1.0);
-  // Distances of another name replace nothing.
+  // Distances with another name replace no arrays.
   again->GenerateNearestSourceOff();
   again->SetDistanceArrayName("other");
   again->Update();
   EXPECT_EQ(data->GetNumberOfArrays(), 4);
-  // The name of an array that is not wanted is free for the distances.
+  // The name of an array that is not requested may be used for the distances.
   again->SetDistanceArrayName("GeodesicVirtualSource");
   again->Update();
   ASSERT_NE(data->GetArray("GeodesicVirtualSource"), nullptr);
@@ -313,7 +313,7 @@ TEST_F(GeodesicProbe, SourcesGoWithTheirDistances)
 
 TEST_F(GeodesicProbe, IsTheLevelOnIsolines)
 {
-  // Edges see what comes through either of their faces; at the rim of what is reached there is one.
+  // Distances on edges come from both faces; at the rim of the reached region only from one.
   this->Distance->SetInputData(MakeTerrain(20));
   this->Distance->SetSourceIds({ 30 });
   vtkNew<vtkApolloniusIsolines> isolines;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Samples of surfaces as a filter gives them.
+/// Samples of surfaces by the filter.
 #include "GraphTestTools.h"
 
 #include "vtkExactGeodesicDistance.h"
@@ -100,7 +100,7 @@ TEST_F(GeodesicSampler, InFaces)
   EXPECT_GE(std::count(ids.begin(), ids.end(), -1), 3);
   const std::vector<double> radii = GetArray(this->Filter, "CoveringRadius");
   EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
-  // They are on the surface, in the cells that they name.
+  // Samples lie on the surface, in the cells that FaceId names.
   vtkPolyData* output = this->Filter->GetOutput();
   const std::vector<double> faces = GetArray(this->Filter, "FaceId");
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -123,7 +123,7 @@ TEST_F(GeodesicSampler, StartPoints)
   const auto start = MakeSourcePoints({ { { 2.3, 1.1, 0.0 } }, { { 4.0, 3.0, 0.01 } } });
   this->Filter->SetInputData(sheet);
   this->Filter->SetStartData(start);
-  this->Filter->SetFirstSample(1000); // not looked at
+  this->Filter->SetFirstSample(1000); // ignored
   ExpectSuccess(this->Filter);
   vtkPolyData* output = this->Filter->GetOutput();
   ASSERT_EQ(output->GetNumberOfPoints(), 12);
@@ -131,7 +131,7 @@ TEST_F(GeodesicSampler, StartPoints)
   EXPECT_NEAR(output->GetPoint(0)[1], 1.1, 1e-9);
   EXPECT_EQ(GetIds(this->Filter)[0], -1);
   EXPECT_EQ(GetIds(this->Filter)[1], 3 * 9 + 4);
-  // All of them are kept.
+  // All start points are kept.
   this->Filter->SetNumberOfSamples(1);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 2);
@@ -143,11 +143,11 @@ TEST_F(GeodesicSampler, StartPoints)
 
 TEST_F(GeodesicSampler, MergedPoints)
 {
-  // The same sheet twice, on the very same points: copies are no samples of their own.
+  // The same surface twice, on coincident points: copies add no samples.
   this->Filter->SetInputData(Beside(MakeGrid(2, 1), MakeGrid(2, 1), 0.0));
   this->Filter->MergeCoincidentPointsOn();
   this->Filter->SetNumberOfSamples(6);
-  this->Filter->Update(); // warns of edges with four triangles
+  this->Filter->Update(); // warns about edges with four triangles
   const std::vector<vtkIdType> ids = GetIds(this->Filter);
   EXPECT_EQ(std::set<vtkIdType>(ids.begin(), ids.end()), (std::set<vtkIdType>{ 0, 1, 2, 3, 4, 5 }));
 }
@@ -161,18 +161,18 @@ TEST_F(GeodesicSampler, MoreSamplesThanPoints)
   EXPECT_EQ(GetArray(this->Filter, "CoveringRadius").back(), 0.0);
   this->Filter->SetNumberOfSamples(12);
   ExpectSuccess(this->Filter);
-  // In faces there is room for more.
+  // Inside faces more samples are possible.
   this->Filter->SetNumberOfSamples(40);
   this->Filter->InFacesOn();
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 40);
   const std::vector<double> radii = GetArray(this->Filter, "CoveringRadius");
   EXPECT_TRUE(std::is_sorted(radii.rbegin(), radii.rend()));
-  // Forty disks of that radius have to cover an area of 6: more than the square root of 6 / (40
-  // pi).
+  // Forty disks of this radius must cover an area of 6; the radius therefore exceeds the square
+  // root of 6 / (40 pi).
   EXPECT_GT(radii.back(), 0.218);
   EXPECT_LT(radii.back(), 0.40);
-  // As the exact distances at all points of a fine grid have it.
+  // Comparison with the exact distances at all points of a fine grid.
   vtkNew<vtkExactGeodesicDistance> exact;
   exact->SetInputData(MakeGrid(60, 40, GridCells::Triangles, 0.05));
   exact->SetSourceConnection(this->Filter->GetOutputPort());

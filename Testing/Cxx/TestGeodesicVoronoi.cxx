@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Voronoi diagrams as a filter gives them.
+/// Voronoi diagrams by the filter.
 #include "GraphTestTools.h"
 
 #include "vtkGeodesicSampler.h"
@@ -102,7 +102,7 @@ TEST_F(GeodesicVoronoi, LabelsAreThoseOfTheNearestSites)
   EXPECT_EQ(used.size(), 4u);
 }
 
-/// Without cells, the labels come from one search, or from virtual sources without a graph.
+/// Without cells, the labels come from a single search, or from virtual sources without a graph.
 TEST_F(GeodesicVoronoi, LabelsAlone)
 {
   ExpectSuccess(this->Filter);
@@ -116,7 +116,7 @@ TEST_F(GeodesicVoronoi, LabelsAlone)
     this->Filter->SetPreview(isPreview);
     this->Filter->SetAccuracy(isPreview ? 0.0123 : 0.05);
     ExpectSuccess(this->Filter);
-    EXPECT_EQ(this->Filter->GetGraphBuildTime(), built); // no other graph has been made
+    EXPECT_EQ(this->Filter->GetGraphBuildTime(), built); // no other graph has been built
     for (const int port : { 1, 2 })
     {
       EXPECT_EQ(this->Filter->GetOutput(port)->GetNumberOfPoints(), 0);
@@ -134,7 +134,7 @@ TEST_F(GeodesicVoronoi, LabelsAlone)
       EXPECT_NEAR(estimates[i], distances[i], 0.1 * distances[i]);
       same += labels[i] == sites[i] ? 1 : 0;
     }
-    EXPECT_GT(same, 390); // of 400; ties within the accuracy may go either way
+    EXPECT_GT(same, 390); // of 400; ties within the accuracy may be resolved either way
   }
   this->Filter->SetInputData(MakePlateWithHole());
   this->Filter->SetSiteIds({ 0, 4 });
@@ -176,8 +176,8 @@ TEST_F(GeodesicVoronoi, CellsCoverTheSurface)
   }
 }
 
-/// On regular grids borders pass through points of the mesh, but for rounding: no slivers there,
-/// which filters downstream would lose.
+/// On regular grids borders pass through points of the mesh, up to rounding. No slivers may arise
+/// there, because filters downstream would lose them.
 TEST_F(GeodesicVoronoi, CellsCanBeTriangulated)
 {
   for (const int n : { 7, 19 })
@@ -240,7 +240,7 @@ TEST_F(GeodesicVoronoi, SiteArraysArePassed)
   EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray("Label"));
   this->Filter->PassSiteArraysOn();
   ExpectSuccess(this->Filter);
-  const std::vector<double> expected = { 0.0, 7.0, 9.0 }; // of the id, and of the points
+  const std::vector<double> expected = { 0.0, 7.0, 9.0 }; // of the id, then of the points
   const auto expectLabels = [&](const std::vector<double>& sites, vtkDataSetAttributes* data) {
     const auto found = ToVector(data->GetArray("Label"));
     ASSERT_EQ(found.size(), sites.size());
@@ -265,7 +265,7 @@ TEST_F(GeodesicVoronoi, QuadsAndReorientedFaces)
     ExpectSuccess(this->Filter);
     EXPECT_NEAR(AreaOf(this->Filter->GetCells()), 48.0, 1e-9);
   }
-  // Polygons keep the orientation of the input where it changes from face to face.
+  // Polygons keep the orientation of the input if it changes between faces.
   const auto mixed =
     MakeSurface({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } } },
       { { 0, 1, 2 }, { 0, 3, 2 } });
@@ -302,7 +302,7 @@ TEST_F(GeodesicVoronoi, Centroidal)
     EXPECT_LT(values[i], values[i - 1]);
   }
   EXPECT_LT(values.back(), 0.2 * values.front());
-  // All sites in a corner have become cells of similar size.
+  // All sites started in a corner and now have cells of similar size.
   const std::vector<double> areas =
     ToVector(this->Filter->GetSites()->GetPointData()->GetArray("CellArea"));
   const double mean = AreaOf(this->Terrain) / 5.0;
@@ -311,7 +311,7 @@ TEST_F(GeodesicVoronoi, Centroidal)
     EXPECT_NEAR(area, mean, 0.5 * mean);
   }
   EXPECT_EQ(this->Terrain->GetFieldData()->GetArray("Energy"), nullptr);
-  // No iteration: the sites stay.
+  // Without iterations the sites do not move.
   this->Filter->SetNumberOfIterations(0);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(ToVector(this->Filter->GetOutput()->GetFieldData()->GetArray("Energy")).size(), 1u);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The arrays of a graph are public: anybody may empty or replace them between updates. Filters
-/// that use or made the graph never follow what is gone.
+/// The arrays of a graph are public: any code may empty or replace them between updates. Filters
+/// that use or built the graph never access released memory.
 #include "GraphTestTools.h"
 
 #include "vtkDGGDistance.h"
@@ -24,7 +24,7 @@ namespace
 {
 using Change = std::function<void(vtkFieldData*)>;
 
-/// Ways to take the memory of arrays away without a word.
+/// Returns changes that release the memory of arrays without notification.
 std::vector<std::pair<std::string, Change>> GetChanges()
 {
   std::vector<std::pair<std::string, Change>> changes;
@@ -57,7 +57,7 @@ std::string Print(vtkObject* object)
   return os.str();
 }
 
-/// Does something whenever an event comes.
+/// Calls a function whenever an event is invoked.
 class Reaction
 {
 public:
@@ -150,7 +150,7 @@ TEST_F(GraphArraysInUse, ALaterUpdateNoticesAndBuildsAnother)
     ExpectSuccess(distance);
     EXPECT_TRUE(distance->GetUsedInputGraph());
     change.second(surface->GetFieldData());
-    // What observers of the warning see is not the old graph, whose arrays are gone by then.
+    // Observers of the warning must not see the old graph, whose arrays are already released.
     std::string seen;
     const Reaction reaction(distance, vtkCommand::WarningEvent, [&] { seen = Print(distance); });
     distance->Modified();
@@ -159,7 +159,7 @@ TEST_F(GraphArraysInUse, ALaterUpdateNoticesAndBuildsAnother)
     EXPECT_EQ(listener.Errors, std::vector<std::string>());
     EXPECT_FALSE(distance->GetUsedInputGraph());
     EXPECT_EQ(GetDistances(distance), this->Expected);
-    if (change.first != "all gone") // no graph is nothing to warn of
+    if (change.first != "all gone") // a missing graph causes no warning
     {
       EXPECT_EQ(listener.Warnings.size(), 1u);
       EXPECT_NE(seen.find("NumberOfGraphEdges: 0\n"), std::string::npos) << seen;
@@ -178,7 +178,7 @@ TEST_F(GraphArraysInUse, TheFilterThatMadeItBuildsItAgain)
     const bool isGone = this->GetArrays()->GetNumberOfArrays() < arrays;
     this->Graph->Modified();
     this->Update();
-    EXPECT_EQ(this->Graph->GetGraphBuildTime() > built, !isGone); // the filter still has them
+    EXPECT_EQ(this->Graph->GetGraphBuildTime() > built, !isGone); // the filter still has the arrays
     EXPECT_EQ(GetDistances(this->Distance), this->Expected);
   }
 }

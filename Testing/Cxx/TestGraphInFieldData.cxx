@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A graph travels in field data, through filters and files. One that is damaged or of another
-/// surface is noticed, reported and built anew, never followed.
+/// A graph is passed in field data through filters and files. A damaged graph, or a graph of
+/// another surface, is detected, reported and rebuilt, but never used.
 #include "GraphTestTools.h"
 
 #include "vtkDGGDistance.h"
@@ -27,7 +27,7 @@ namespace
 {
 constexpr double Accuracy = 0.05;
 
-/// A surface with a graph, and the distances that it gives.
+/// A surface with a graph, and the resulting distances.
 class GraphInFieldData : public ::testing::Test
 {
 protected:
@@ -50,8 +50,8 @@ protected:
     return copy;
   }
 
-  /// One warning, and a graph of our own that gives the same; then no more warnings, and a good
-  /// graph is taken up again.
+  /// Expects one warning and a rebuilt graph with the same distances. Later updates give no
+  /// warning, and a valid graph is used again.
   void ExpectRebuilt(vtkPolyData* surface, const std::vector<std::string>& parts)
   {
     vtkNew<vtkDGGDistance> filter;
@@ -80,7 +80,7 @@ protected:
     EXPECT_EQ(GetDistances(filter), this->Expected);
   }
 
-  /// The same for a surface whose graph has been changed.
+  /// Expects the same for a surface whose graph has been changed.
   void ExpectNoticed(const std::function<void(vtkFieldData*)>& damage, const std::string& part)
   {
     SCOPED_TRACE(part);
@@ -92,12 +92,12 @@ protected:
   vtkSmartPointer<vtkPolyData> Surface;
   vtkNew<vtkDGGDistance> Filter;
   std::vector<double> Expected;
-  bool IsMoved = false; // whether the surface has become another one
+  bool IsMoved = false; // true if the surface has changed
 };
 
 vtkSmartPointer<vtkPolyData> WriteAndRead(vtkPolyData* data, int mode, int compressor = 0)
 {
-  // A file for each test: they may run side by side.
+  // Each test has a separate file, because tests may run simultaneously.
   const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
   const std::string path = std::string(DGG_TEST_OUTPUT) + "/GraphInFieldData" + test +
     std::to_string(mode) + std::to_string(compressor) + ".vtp";
@@ -159,7 +159,7 @@ TEST_F(GraphInFieldData, SurvivesFilesWithFloatPointsAndDoubleLengths)
 
 TEST_F(GraphInFieldData, IntegersOfAnyNameWillDo)
 {
-  // As numpy makes them.
+  // Types as created by numpy.
   auto copy = this->Copy();
   for (const char* name : { "DGG.Offsets", "DGG.Info" })
   {
@@ -234,7 +234,7 @@ TEST_F(GraphInFieldData, OtherTreatmentOfCoincidentPoints)
     vtkNew<vtkDiscreteGeodesicGraph> graph;
     graph->SetInputData(surface);
     graph->SetMergeCoincidentPoints(merge);
-    Listener mute(graph); // of the seam
+    Listener mute(graph); // ignores the warning about the seam
     vtkNew<vtkDGGDistance> filter;
     filter->SetInputConnection(graph->GetOutputPort());
     filter->AddSourceId(0);
@@ -252,7 +252,7 @@ TEST_F(GraphInFieldData, OtherTreatmentOfCoincidentPoints)
     listener.Warnings.clear();
     filter->SetMergeCoincidentPoints(merge);
     filter->Update();
-    EXPECT_EQ(listener.Warnings.size(), merge ? 0u : 1u); // of the seam
+    EXPECT_EQ(listener.Warnings.size(), merge ? 0u : 1u); // about the seam
     EXPECT_TRUE(filter->GetUsedInputGraph());
     EXPECT_EQ(std::isnan(GetDistances(filter)[3]), !merge);
   }
@@ -265,7 +265,7 @@ TEST_F(GraphInFieldData, MissingArrays)
     this->ExpectNoticed(
       [&](vtkFieldData* data) { data->RemoveArray(name.c_str()); }, name + " is missing");
   }
-  // No array at all is no graph, and nothing to talk about.
+  // Without any array there is no graph and no warning.
   auto copy = this->Copy();
   copy->GetFieldData()->Initialize();
   vtkNew<vtkDGGDistance> filter;
@@ -332,7 +332,7 @@ TEST_F(GraphInFieldData, ArraysOfOtherTypes)
     "DGG.Angles is of type float with 2 components");
   this->ExpectNoticed(
     [](vtkFieldData* data) {
-      vtkNew<vtkSOADataArrayTemplate<float>> array; // not in one piece
+      vtkNew<vtkSOADataArrayTemplate<float>> array; // not contiguous
       array->DeepCopy(data->GetArray("DGG.Lengths"));
       array->SetName("DGG.Lengths");
       data->AddArray(array);
@@ -371,7 +371,7 @@ TEST_F(GraphInFieldData, AlteredValues)
     { "DGG.ArrivalAngles", 17, 0.25, "checksum" },
     { "DGG.Info", 0, 2, "has the format version 2" },
     { "DGG.Info", 0, 0, "has the format version 0" },
-    { "DGG.Info", 1, 2, "its kind is 2" }, // 1 would be that of a cloud
+    { "DGG.Info", 1, 2, "its kind is 2" }, // 1 is the kind of a cloud
     { "DGG.Info", 2, 4, "construction is 4" },
     { "DGG.Info", 2, -1, "construction is -1" },
     { "DGG.Info", 3, 4.517329193108107e18, "checksum" }, // bits of an accuracy near 1e-6

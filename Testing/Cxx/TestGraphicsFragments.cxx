@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The second output of vtkPoissonVectorGraphics: coloured points.
+/// The second output of vtkPoissonVectorGraphics: colored points.
 #include "VectorGraphicsTestTools.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -15,7 +15,8 @@ using namespace dggtest;
 
 namespace
 {
-/// A square [0, 6] x [0, 4] of squares, and a curve upwards at x = 1.5 between two colours.
+/// The rectangle [0, 6] x [0, 4] in unit squares, and an upward curve at x = 1.5 between two
+/// colors.
 struct Fixture : GraphicsFixture
 {
   Fixture()
@@ -42,7 +43,7 @@ struct Fixture : GraphicsFixture
 TEST(GraphicsFragments, AreColoredPointsOfTheSurface)
 {
   Fixture drawing;
-  EXPECT_EQ(drawing.Run()->GetNumberOfPoints(), 0); // unless asked for
+  EXPECT_EQ(drawing.Run()->GetNumberOfPoints(), 0); // generated only on request
   EXPECT_EQ(drawing.Filter->GetFragmentPort()->GetIndex(), 1);
   drawing.Filter->GenerateFragmentsOn();
   for (const int division : { 1, 3 })
@@ -108,7 +109,7 @@ TEST(GraphicsFragments, AreWhereTheSurfaceIsRefined)
   EXPECT_EQ(faces.size(), 2u * 2u * 16u);
   EXPECT_EQ(std::count(faces.begin(), faces.end(), 4.0), 32);
   EXPECT_EQ(std::count(faces.begin(), faces.end(), 23.0), 32);
-  // Near the curve: those of the second column, and of what touches it.
+  // Near the curve, cells of the second column and their neighbors are refined.
   drawing.Filter->SetRefinementRegionToNearCurves();
   vtkPolyData* fragments = drawing.Run();
   faces = GetValues(fragments, "FaceId");

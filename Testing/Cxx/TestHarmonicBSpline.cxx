@@ -34,14 +34,14 @@ void AddArray(vtkPolyData* surface, const char* name, const std::function<double
   surface->GetPointData()->AddArray(array);
 }
 
-/// The spherical harmonic x z, which is 6 times its negative Laplacian.
+/// Returns the spherical harmonic x z, whose negative Laplacian is 6 times the function.
 double Harmonic(vtkPolyData* sphere, vtkIdType i)
 {
   const double* p = sphere->GetPoint(i);
   return p[0] * p[2];
 }
 
-/// Relative L2 error of a solution on the unit sphere.
+/// Returns the relative L2 error of a solution on the unit sphere.
 double ErrorOnSphere(vtkPolyData* sphere, const std::vector<double>& values)
 {
   const std::vector<double> areas = GetPointAreas(sphere);
@@ -112,7 +112,7 @@ TEST_F(HarmonicBSpline, SitesAreChosen)
     EXPECT_NEAR(sum, 1.0, 1e-10);
   }
   EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray("PoissonSolution"));
-  // Fewer than one are one, more than points are points.
+  // The number of sites is clamped to the range from 1 to the number of points.
   this->Filter->SetNumberOfSites(-4);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetNumberOfUsedSites(), 1);
@@ -232,7 +232,7 @@ TEST_F(HarmonicBSpline, DirichletBoundary)
     return std::min(i / 24, i % 24) == 0 || std::max(i / 24, i % 24) == 23;
   };
   AddArray(grid, "f", [](vtkIdType) { return 1.0; });
-  // What sources on the boundary are does not matter.
+  // Source values on the boundary have no effect.
   AddArray(grid, "other", [&](vtkIdType i) { return isOnRim(i) ? 1e4 : 1.0; });
   this->Filter->SetInputData(grid);
   this->Filter->SetBoundaryToDirichlet();
@@ -274,7 +274,7 @@ TEST_F(HarmonicBSpline, UnbalancedSourcesAreBalanced)
   {
     EXPECT_NEAR(value, 0.0, 1e-12);
   }
-  // A thousandth is what integrals of densities may be off.
+  // Integrals of densities may deviate from 0 by a thousandth.
   AddArray(
     this->Surface, "few", [](vtkIdType i) { return i == 50 ? 1.001 : (i == 90 ? -1.0 : 0.0); });
   const std::vector<double> areas = GetPointAreas(this->Surface);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Our heat method against CGAL's, with and without flips of edges: not less accurate.
+/// Comparison of the heat method with CGAL's, with and without edge flips: it must be at least as
+/// accurate.
 
 #include "GeneratedMesh.h"
 #include "MeshFile.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pictures of point clouds: components and normals, distances, a path, cells; compared with
-/// pictures that were looked at.
+/// Images of point clouds: components and normals, distances, a path, cells; compared with verified
+/// baselines.
 #include "CloudTestTools.h"
 #include "ImageScene.h"
 #include "PathTestTools.h"
@@ -22,7 +22,7 @@ namespace
 {
 constexpr int Side = 36;
 
-/// A point at random in the first triangle of each square of the terrain.
+/// Returns a random point in the first triangle of each square of the terrain.
 Points MakeTerrainPoints(int side)
 {
   auto terrain = MakeTerrain(side + 1);
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> MakeTerrainCloud()
 constexpr vtkIdType Source = Side * 7 + 6;
 }
 
-/// Two sheets that do not touch, in the colours of their components, with normals.
+/// Two separate layers in the colors of their components, with normals.
 TEST(ImageClouds, ComponentsAndNormals)
 {
   vtkNew<vtkPointCloudDGG> graph;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pictures of curves: isolines with ridges and bands, paths, loops with offset curves, patch
-/// boundaries; compared with pictures that were looked at.
+/// Images of curves: isolines with ridges and bands, paths, loops with offset curves, patch
+/// boundaries; compared with verified baselines.
 #include "ImageScene.h"
 #include "LoopTestTools.h"
 #include "PathTestTools.h"
@@ -28,7 +28,7 @@ using namespace dggtest;
 
 namespace
 {
-/// A vase, bent, wide below and narrow near the top, open at both ends.
+/// Returns a bent vase, wide below and narrow near the top, open at both ends.
 vtkSmartPointer<vtkPolyData> MakeVase()
 {
   constexpr int sides = 28;
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkPolyData> MakeVase()
 }
 constexpr Viewpoint VaseView = { { { 1.2, -3.4, 2.2 } }, { { 0.1, 0.0, 0.67 } }, 22.5 };
 
-/// Through places on the upper side of a torus, three near the hole and three far from it.
+/// Returns positions on the upper side of a torus, three near the hole and three far from it.
 vtkSmartPointer<vtkPolyData> MakeStar()
 {
   Points points;
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkPolyData> MakeStar()
   return MakeSourcePoints(points);
 }
 
-/// The filter on exact distances, with so many values evenly in between.
+/// Connects the filter to exact distances and sets `number` evenly spaced values.
 void Prepare(vtkApolloniusIsolines* isolines, vtkPolyData* surface,
   const std::vector<vtkIdType>& sources, bool hasWindows, int number)
 {
@@ -80,7 +80,7 @@ void Prepare(vtkApolloniusIsolines* isolines, vtkPolyData* surface,
   isolines->GenerateBandsOn();
 }
 
-/// Colours of bands, light enough for lines to be seen.
+/// Returns colors of bands, light enough for lines to be visible.
 vtkSmartPointer<vtkLookupTable> BandColors(int number)
 {
   auto colors = FieldColors(0, number, number + 1);
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkLookupTable> BandColors(int number)
 }
 }
 
-/// Linear, Apollonius, virtual sources, windows, on coarse meshes.
+/// Isolines on coarse meshes by the methods linear, Apollonius, virtual sources and windows.
 TEST(ImageCurves, IsolinesByAllMethods)
 {
   constexpr int number = 12;
@@ -128,7 +128,7 @@ TEST(ImageCurves, IsolinesByAllMethods)
   scene.ExpectBaseline("TestImageIsolines");
 }
 
-/// Bands between isolines, and ridges coloured by their angle, of two sources.
+/// Bands between isolines of two sources, and ridges colored by their angle.
 TEST(ImageCurves, RidgesAndBands)
 {
   constexpr int number = 14;
@@ -150,7 +150,7 @@ TEST(ImageCurves, RidgesAndBands)
   scene.ExpectBaseline("TestImageRidges");
 }
 
-/// From a corner of the terrain to places all around the bump, and between places in faces.
+/// Paths from a corner of the terrain to positions around the bump, and between positions in faces.
 TEST(ImageCurves, Paths)
 {
   constexpr int side = 60;
@@ -163,7 +163,7 @@ TEST(ImageCurves, Paths)
     filter->AddPair(5 * side + 3, end[1] * side + end[0]);
   }
   filter->SetPairData(MakePairs({ { { 0.11, 0.93, 0.0 } }, { { 0.42, 0.63, 0.0 } } }));
-  filter->SetProjectionTolerance(0.2); // the points are dropped onto the sheet
+  filter->SetProjectionTolerance(0.2); // the points are projected onto the surface
   ExpectSuccess(filter);
 
   ImageScene scene;
@@ -173,7 +173,7 @@ TEST(ImageCurves, Paths)
   scene.ExpectBaseline("TestImagePath");
 }
 
-/// Paths in a coarse graph, and what they become when they are straightened.
+/// Paths in a coarse graph before and after straightening.
 TEST(ImageCurves, StraightenedPaths)
 {
   constexpr int side = 12;
@@ -197,7 +197,7 @@ TEST(ImageCurves, StraightenedPaths)
   scene.ExpectBaseline("TestImageStraightenedPath");
 }
 
-/// Loops around a handle, a rope that keeps to its points, its offset curves.
+/// Loops around a handle, a rope that is held by its points, and the offset curves of the rope.
 TEST(ImageCurves, HandlesAndRope)
 {
   auto torus = MakeTorus(36, 18);
@@ -220,8 +220,7 @@ TEST(ImageCurves, HandlesAndRope)
   scene.ExpectBaseline("TestImageLoop");
 }
 
-/// Loops through points, with kinks there; one that was let go, at the waist, and its offset
-/// curves.
+/// Loops through points, with kinks there; one relaxed loop at the waist, and its offset curves.
 TEST(ImageCurves, LoopsThroughPoints)
 {
   auto vase = MakeVase();
@@ -245,7 +244,7 @@ TEST(ImageCurves, LoopsThroughPoints)
   scene.ExpectBaseline("TestImageTautLoop");
 }
 
-/// Twelve curves between six landmarks on two surfaces; those that correspond have one colour.
+/// Twelve curves between six landmarks on two surfaces; corresponding curves have the same color.
 TEST(ImageCurves, PatchBoundaries)
 {
   const Cells octahedron = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 }, { 5, 2, 1 },
@@ -259,7 +258,7 @@ TEST(ImageCurves, PatchBoundaries)
     const double x = 0.9 * p[0] + 0.45 * p[2] * p[2];
     bean->GetPoints()->SetPoint(i, x, 0.8 * p[1] * (1.0 - 0.3 * p[2]), 1.15 * p[2]);
   }
-  // The corners of an octahedron, three of them towards the viewer.
+  // The corners of an octahedron, three of them facing the viewer.
   const auto landmarks = [](vtkPolyData* surface, double turn) {
     const double towards[3] = { 0.36, -0.81, 0.46 };
     const double right[3] = { 0.91, 0.41, 0.0 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pictures of distances: exact ones, errors of the others, the graph, a matrix, a probe; compared
-/// with pictures that were looked at.
+/// Images of distances: exact distances, errors of the other methods, the graph, a matrix, a probe;
+/// compared with verified baselines.
 #include "GraphTestTools.h"
 #include "ImageScene.h"
 #include "SpectralTestTools.h"
@@ -32,7 +32,7 @@ using namespace dggtest;
 
 namespace
 {
-/// The terrain with a cut that parts one corner from the rest, which stays without a distance.
+/// Returns the terrain with a cut that separates one corner, which is not reached.
 vtkSmartPointer<vtkPolyData> MakeCutTerrain()
 {
   auto terrain = MakeTerrain(60);
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> MakeCutTerrain()
   return terrain;
 }
 
-/// Adds a panel with the relative errors of a filter on the terrain in percent, and lines of equal
+/// Adds a panel with the relative errors of a filter on the terrain in percent, and isolines of the
 /// distance.
 void AddErrors(ImageScene& scene, vtkGeodesicDistanceAlgorithm* filter, double largest)
 {
@@ -78,7 +78,7 @@ void AddErrors(ImageScene& scene, vtkGeodesicDistanceAlgorithm* filter, double l
 
 TEST(ImageDistances, Exact)
 {
-  // One source by id and one inside a face that starts later.
+  // One source by id and one inside a face with an initial distance.
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(MakeCutTerrain());
   filter->AddSourceId(60 * 12 + 9);
@@ -88,7 +88,7 @@ TEST(ImageDistances, Exact)
   start->InsertNextValue(0.25);
   sources->GetPointData()->AddArray(start);
   filter->SetSourceData(sources);
-  filter->SetProjectionTolerance(0.2); // the point is dropped onto the sheet
+  filter->SetProjectionTolerance(0.2); // the point is projected onto the surface
   ExpectSuccess(filter);
   ImageScene scene;
   scene.AddPanel(TerrainView);
@@ -144,7 +144,8 @@ TEST(ImageDistances, ErrorsOfTheGraph)
   scene.ExpectBaseline("TestImageGraphDistance");
 }
 
-/// Quads of two components and a third one that no source reaches; a limit; whose distance it is.
+/// Quads of two components and a third one that no source reaches; a maximum distance; the nearest
+/// source.
 TEST(ImageDistances, QuadsAndComponents)
 {
   auto relief = MakeGrid(14, 11, GridCells::Quads);
@@ -211,14 +212,14 @@ TEST(ImageDistances, GraphEdges)
     star->SetLines(MakeCells(chosen));
     scene.AddPanel(TerrainView);
     auto* actor = scene.AddSurface(graph->GetOutput(), { { 0.75, 0.75, 0.72 } });
-    actor->GetProperty()->SetRepresentationToWireframe(); // or lines through it were hidden
+    actor->GetProperty()->SetRepresentationToWireframe(); // otherwise it would hide lines
     scene.AddLines(star, 0.004, Blue);
     scene.AddPoints(star, points, 0.02, Red);
   }
   scene.ExpectBaseline("TestImageGraphEdges");
 }
 
-/// From the red points (rows, from below) to the blue ones (columns, from the left).
+/// Distances from the red points (rows, from below) to the blue points (columns, from the left).
 TEST(ImageDistances, Matrix)
 {
   constexpr int side = 41;

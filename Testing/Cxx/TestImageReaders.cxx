@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A surface and a cloud with colours, from files: compared with a picture that was looked at.
+/// A surface and a cloud with colors, read from files and compared with a verified baseline.
 #include "ImageScene.h"
 
 #include "vtkDGGOFFReader.h"
@@ -20,7 +20,7 @@ using namespace dggtest;
 
 TEST(ImageReaders, Colors)
 {
-  // A house of quads, triangles and a pentagon, each with a colour.
+  // A house of quads, triangles and a pentagon, each with a color.
   const std::string house = std::string(DGG_TEST_OUTPUT) + "/house.off";
   std::ofstream(house) << "OFF\n10 7 0\n"
                           "0 0 0\n1.6 0 0\n1.6 1 0\n0 1 0\n0 0 0.8\n1.6 0 0.8\n1.6 1 0.8\n"
@@ -33,7 +33,7 @@ TEST(ImageReaders, Colors)
   ExpectSuccess(surface);
   EXPECT_EQ(surface->GetOutput()->GetNumberOfPolys(), 7);
 
-  // A cloud of which the colours are coordinates.
+  // A cloud whose colors are its coordinates.
   auto points = MakeTerrain(24);
   points->SetPolys(nullptr);
   vtkNew<vtkUnsignedCharArray> colors;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pictures of samples and of Voronoi cells, compared with verified baselines.
+/// Images of samples and of Voronoi cells, compared with verified baselines.
 #include "ImageScene.h"
 #include "SpectralTestTools.h"
 
@@ -24,7 +24,7 @@ using namespace dggtest;
 
 namespace
 {
-/// Cells, their borders and their sites.
+/// Adds cells, their borders and their sites.
 void AddCells(ImageScene& scene, vtkGeodesicVoronoi* filter, double size)
 {
   const auto count = static_cast<int>(filter->GetSites()->GetNumberOfPoints());
@@ -34,7 +34,7 @@ void AddCells(ImageScene& scene, vtkGeodesicVoronoi* filter, double size)
 }
 }
 
-/// In the order in which they were taken: at points of a fine mesh, and inside of large faces.
+/// Samples in the order of selection: at points of a fine mesh, and inside large faces.
 TEST(ImageSites, Samples)
 {
   ImageScene scene(2, 1, 240, 200);
@@ -66,7 +66,7 @@ TEST(ImageSites, VoronoiCells)
   voronoi->SetInputData(pebble);
   voronoi->SetSiteConnection(sampler->GetOutputPort());
   ExpectSuccess(voronoi);
-  // A closed surface without handles on which three cells meet at a time: Euler's formula.
+  // Euler's formula for a closed surface without handles on which three cells meet at each corner.
   std::set<std::pair<double, double>> pairs;
   vtkDataArray* sites = voronoi->GetBoundaries()->GetCellData()->GetArray("SiteId");
   for (vtkIdType i = 0; i < sites->GetNumberOfTuples(); ++i)
@@ -83,7 +83,7 @@ TEST(ImageSites, VoronoiCells)
   scene.ExpectBaseline("TestImageVoronoi");
 }
 
-/// Sites in a corner, before and after they have been moved to the middle of their cells.
+/// Sites in a corner, before and after they have been moved to the centers of their cells.
 TEST(ImageSites, CentroidalVoronoiCells)
 {
   constexpr int side = 40;

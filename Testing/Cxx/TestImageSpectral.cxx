@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pictures of functions made of the Laplacian: Green's functions, distances, splines, flows,
-/// colours; compared with pictures that were looked at.
+/// Images of functions of the Laplacian: Green's functions, distances, splines, flows, colors;
+/// compared with verified baselines.
 #include "ImageScene.h"
 #include "SpectralTestTools.h"
 #include "VectorGraphicsTestTools.h"
@@ -36,7 +36,7 @@ double MeanOverArea(vtkPolyData* surface, const std::vector<double>& values)
     std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
-/// A closed curve on the terrain: an ellipse as it is seen from above, counter-clockwise.
+/// Adds a closed curve on the terrain: an ellipse in the view from above, counter-clockwise.
 void AddEllipse(Points& points, Cells& lines, double x, double y, double width, double height)
 {
   constexpr int count = 40;
@@ -53,7 +53,7 @@ void AddEllipse(Points& points, Cells& lines, double x, double y, double width, 
   lines.push_back(line);
 }
 
-/// An open curve on the terrain, a wave from one side to the other.
+/// Adds an open curve on the terrain, a wave from one side to the other.
 void AddWave(Points& points, Cells& lines, double y, double height)
 {
   constexpr int count = 40;
@@ -68,8 +68,8 @@ void AddWave(Points& points, Cells& lines, double y, double height)
   lines.push_back(line);
 }
 
-/// A horizon with sky above and land below, a sun, a dike in the light, a lake: two diffusion
-/// curves, a Poisson curve, a region.
+/// A landscape with a horizon, sky, land, sun, dike and lake: two diffusion curves, a Poisson
+/// curve, a region.
 struct Drawing
 {
   Drawing()
@@ -97,7 +97,7 @@ struct Drawing
 };
 }
 
-/// By all methods around a source inside of a face of a coarse mesh, also between its points.
+/// All methods around a source inside a face of a coarse mesh, also between its points.
 TEST(ImageSpectral, GreensFunctionByAllMethods)
 {
   auto terrain = MakeTerrain(16);
@@ -123,7 +123,8 @@ TEST(ImageSpectral, GreensFunctionByAllMethods)
   scene.ExpectBaseline("TestImageGreens");
 }
 
-/// Nothing flows through the boundary, and zero on the boundary.
+/// Neumann and Dirichlet boundary conditions: no flow through the boundary, and zero on the
+/// boundary.
 TEST(ImageSpectral, GreensFunctionAtABoundary)
 {
   constexpr int side = 40;
@@ -169,7 +170,7 @@ TEST(ImageSpectral, BiharmonicDistances)
   scene.ExpectBaseline("TestImageBiharmonic");
 }
 
-/// Cells, one of the functions, and a solution with a source and a sink.
+/// Cells, a basis function, and a solution with a source and a sink.
 TEST(ImageSpectral, BSplines)
 {
   auto pebble = MakePebble(4);
@@ -211,7 +212,7 @@ TEST(ImageSpectral, BSplines)
   scene.ExpectBaseline("TestImageBSpline");
 }
 
-/// Values at a few sites: the functions of both orders, the first one with bumps at the sites.
+/// Values at a few sites: interpolants of both orders; the harmonic one has bumps at the sites.
 TEST(ImageSpectral, Interpolation)
 {
   auto pebble = MakePebble(4);
@@ -246,7 +247,7 @@ TEST(ImageSpectral, Interpolation)
   scene.ExpectBaseline("TestImageInterpolation");
 }
 
-/// From two places to a third one: the potential, and the flow where it is strong.
+/// Transport from two positions to a third one: the potential, and the flow where it is strong.
 TEST(ImageSpectral, EarthMoversFlow)
 {
   auto terrain = MakeTerrain(18);
@@ -278,7 +279,7 @@ TEST(ImageSpectral, EarthMoversFlow)
   {
     double f[3];
     flow->GetTuple(i, f);
-    const double size = vtkMath::Norm(f); // not drawn where it is weak, of one length elsewhere
+    const double size = vtkMath::Norm(f); // weak flow is not drawn; other arrows have equal length
     for (const double component : f)
     {
       directions.push_back(size < 0.5 ? 0.0 : 0.06 / size * component);
@@ -307,7 +308,7 @@ TEST(ImageSpectral, VectorGraphics)
   scene.ExpectBaseline("TestImageVectorGraphics");
 }
 
-/// A curve from which colour flows, and a region of cells, on grey.
+/// A curve that emits color, and a region of cells, on gray.
 TEST(ImageSpectral, VectorGraphicsSources)
 {
   constexpr int side = 40;
@@ -342,7 +343,7 @@ TEST(ImageSpectral, VectorGraphicsSources)
   scene.ExpectBaseline("TestImageSources");
 }
 
-/// The same as coloured points.
+/// The same drawing as colored points.
 TEST(ImageSpectral, VectorGraphicsFragments)
 {
   Drawing drawing;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Ridges and bands, the further outputs of vtkApolloniusIsolines.
+/// Ridges and bands, the additional outputs of vtkApolloniusIsolines.
 #include "FilterTestTools.h"
 
 #include "vtkApolloniusIsolines.h"
@@ -23,7 +23,8 @@ using namespace dggtest;
 
 namespace
 {
-/// The square [0, 8] x [0, 8] with a source in the middle of its left part and one in the right.
+/// The square [0, 8] x [0, 8] with one source in the middle of its left part and one in the right
+/// part.
 class IsolineOutputs : public testing::Test
 {
 protected:
@@ -80,7 +81,7 @@ TEST_F(IsolineOutputs, TheRidgeBetweenTwoSourcesIsTheirBisector)
     ridges->GetBounds(bounds);
     EXPECT_NEAR(bounds[0], 3.5, 1e-12);
     EXPECT_NEAR(bounds[1], 3.5, 1e-12);
-    // Far up and down the directions differ by less.
+    // Far up and down the directions differ by less than `degrees`.
     const double reach = 1.5 / std::tan(degrees * vtkMath::Pi() / 360.0);
     EXPECT_NEAR(bounds[2], std::max(0.0, 4.0 - reach), 0.02) << degrees;
     EXPECT_NEAR(bounds[3], std::min(8.0, 4.0 + reach), 0.02) << degrees;

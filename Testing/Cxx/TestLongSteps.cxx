@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Steps in several threads: each is done once, and the progress does not wait for the last.
+/// Steps in several threads: each step runs once, and progress is reported while the last step
+/// runs.
 #include "DGGThreads.h"
 
 #include "dggBlockLoop.h"
@@ -20,7 +21,7 @@
 
 namespace
 {
-/// Calls `test` for all numbers of threads and ways to have them.
+/// Calls `test` for several numbers of threads and all backends of vtkSMPTools.
 template <typename Test>
 void ForEachBackend(Test&& test)
 {
@@ -29,7 +30,7 @@ void ForEachBackend(Test&& test)
   {
     if (!vtkSMPTools::SetBackend(backend))
     {
-      continue; // VTK was built without it
+      continue; // not available in this build of VTK
     }
     for (const int threads : { 1, 2, 3 })
     {
@@ -42,7 +43,7 @@ void ForEachBackend(Test&& test)
   vtkSMPTools::SetBackend(original.c_str());
 }
 
-/// Waits until something is so, but not for ever.
+/// Waits until a condition holds, at most 5 s. Returns the condition.
 template <typename Condition>
 bool WaitUntil(Condition&& condition)
 {
@@ -106,8 +107,8 @@ TEST(LongSteps, TheFirstErrorCounts)
   });
 }
 
-// The step of this thread is over soon, that of another goes on until this thread has called the
-// progress several times. Then it stops, as by an observer.
+// The step of this thread is short. The step of another thread runs until this thread has reported
+// progress several times, and then stops as if aborted by an observer.
 TEST(LongSteps, ProgressWhileNothingIsLeftToDo)
 {
   ForEachBackend([] {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkDGGOBJReader, vtkDGGPLYReader, vtkDGGSTLReader and vtkDGGXYZReader: dialects, digits, ids,
-// connectivity and bad files; tests that these, vtkDGGOFFReader and vtkPCDReader share.
+// connectivity and invalid files; tests shared with vtkDGGOFFReader and vtkPCDReader.
 #include "MeshDescription.h"
 #include "ReaderFixture.h"
 
@@ -24,7 +24,7 @@ using dggtest::Describe;
 using dggtest::Digits;
 using dggtest::FileCase;
 
-/// Numbers as bytes.
+/// Returns numbers as bytes.
 template <typename T>
 std::string Bytes(const std::vector<T>& values, bool isBigEndian = false)
 {
@@ -42,7 +42,8 @@ std::string Bytes(const std::vector<T>& values, bool isBigEndian = false)
   return bytes;
 }
 
-/// Points, cells, normals, arrays of points and cells, an element and lists to skip.
+/// Returns a PLY file with points, cells, normals, arrays of points and cells, and an element and
+/// lists that are skipped.
 std::string MakePLY(const std::string& format)
 {
   const bool isBig = format == "binary_big_endian";
@@ -79,7 +80,7 @@ const char* const PLYContents =
   "| active RGB unsigned char 1 2 3, 4 5 6, 255 0 9 "
   "| quality float 0.25, 0.5, 1 | u int -4, 5, 6 | cells label int 8, 9";
 
-/// A text file of points and other properties.
+/// Returns a text file of points with additional properties.
 std::string MakeTextPLY(const std::string& properties, const std::string& elements,
   const std::string& data, const std::string& count = "3")
 {
@@ -488,7 +489,7 @@ TYPED_TEST(MeshReaders, ReadsCompressedFiles)
   std::string compressed = this->Load("file.gz");
   this->ExpectRefused(compressed.substr(0, compressed.size() / 2),
     vtkErrorCode::PrematureEndOfFileError, { "the compressed data end too early" });
-  compressed[compressed.size() - 8] ^= 1; // checksum
+  compressed[compressed.size() - 8] ^= 1; // corrupts the checksum
   this->ExpectRefused(compressed, vtkErrorCode::FileFormatError,
     { "the file cannot be decompressed: incorrect data check" });
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkDGGMeshWriter: what each format keeps, and what it refuses.
+// vtkDGGMeshWriter: data that each format preserves, and input that it refuses.
 #include "FilterTestTools.h"
 #include "MeshDescription.h"
 
@@ -41,7 +41,7 @@ vtkSmartPointer<ArrayType> MakeArray(const char* name, int components, const std
   return array;
 }
 
-/// A quadrangle and a triangle at large coordinates.
+/// Returns a quadrangle and a triangle at large coordinates.
 vtkSmartPointer<vtkPolyData> MakeMesh(int pointType = VTK_DOUBLE)
 {
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
@@ -59,7 +59,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(int pointType = VTK_DOUBLE)
   return mesh;
 }
 
-/// All kinds of arrays.
+/// Returns a mesh with all kinds of arrays.
 vtkSmartPointer<vtkPolyData> MakeRichMesh()
 {
   vtkSmartPointer<vtkPolyData> mesh = MakeMesh();
@@ -90,7 +90,7 @@ protected:
   }
   ~MeshWriter() override { std::filesystem::remove_all(this->Folder); }
 
-  /// Writes the mesh and returns a description of what is read back.
+  /// Writes the mesh and returns a description of the mesh that is read back.
   template <typename ReaderType>
   std::string RoundTrip(vtkPolyData* mesh, const std::string& name)
   {
@@ -161,7 +161,7 @@ TEST_F(MeshWriter, WritesTriangles)
 {
   const std::string polygons =
     this->RoundTrip<vtkDGGSTLReader>(MakeMesh(), "a.stl").substr(std::string(Points).size());
-  EXPECT_EQ(std::count(polygons.begin(), polygons.end(), ','), 2) << polygons; // of a quadrangle
+  EXPECT_EQ(std::count(polygons.begin(), polygons.end(), ','), 2) << polygons; // the quad is split
   for (const int type : { VTK_DOUBLE, VTK_FLOAT })
   {
     vtkSmartPointer<vtkPolyData> mesh = MakeMesh(type);
@@ -287,7 +287,7 @@ TEST_F(MeshWriter, RefusesWhatCannotBeWritten)
 TEST_F(MeshWriter, KeepsOlderFilesUntilTheEnd)
 {
   const std::string before = this->RoundTrip<vtkDGGPLYReader>(MakeMesh(), "a.ply");
-  vtkSmartPointer<vtkPolyData> large = MakeMesh(); // more than a block
+  vtkSmartPointer<vtkPolyData> large = MakeMesh(); // larger than a block of the writer
   large->GetPoints()->SetNumberOfPoints(300000);
   this->Writer->SetInputData(large);
   dggtest::ProgressWatch watch(this->Writer);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all outputs have in common that are new geometry on a surface: field data and the precision
-/// of points.
+/// Properties common to all outputs with new geometry on a surface: field data and the precision of
+/// points.
 #include "FilterCases.h"
 #include "GraphTestTools.h"
 
@@ -64,7 +64,7 @@ FilterCase GetFilter(const std::string& name)
 class NewGeometry : public ::testing::TestWithParam<FilterCase>
 {
 protected:
-  /// Update, and collect all coordinates; expect that they are of this type.
+  /// Updates the filter and returns all coordinates. Expects that they have the given type.
   Coordinates Run(vtkGeodesicAlgorithm* filter, int dataType)
   {
     ExpectSuccess(filter);
@@ -80,7 +80,7 @@ protected:
     return all;
   }
 
-  /// All numbers of all arrays of points and cells.
+  /// Returns all values of all point and cell arrays.
   std::vector<double> GetData(vtkGeodesicAlgorithm* filter)
   {
     std::vector<double> all;
@@ -110,7 +110,7 @@ TEST_P(NewGeometry, FieldDataIsPassedWithoutGraphsAndWindows)
   vtkPolyData* surface = distance->GetOutput();
   AddNote(surface, "d.Note");
   vtkFieldData* before = surface->GetFieldData();
-  ASSERT_EQ(before->GetNumberOfArrays(), 11); // of a graph, of windows, and the note
+  ASSERT_EQ(before->GetNumberOfArrays(), 11); // arrays of a graph and of windows, and the note
   const auto filter = this->GetParam().Make(surface);
   ExpectSuccess(filter);
   for (const int port : this->GetParam().Ports)
@@ -135,12 +135,12 @@ TEST_P(NewGeometry, PrecisionIsDoubleUnlessSet)
   const auto filter = this->GetParam().Make(MakeRelief(VTK_FLOAT));
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DOUBLE_PRECISION);
   EXPECT_FALSE(this->Run(filter, VTK_DOUBLE).empty());
-  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION); // that of the input
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION); // precision of the input
   const Coordinates floats = this->Run(filter, VTK_FLOAT);
   const std::vector<double> data = this->GetData(filter);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   const Coordinates doubles = this->Run(filter, VTK_DOUBLE);
-  // Only the coordinates are rounded, not what is measured.
+  // Only the coordinates are rounded, not the measured values.
   EXPECT_EQ(this->GetData(filter), data);
   ASSERT_EQ(floats.size(), doubles.size());
   bool isRounded = false;
@@ -157,7 +157,7 @@ TEST_P(NewGeometry, PrecisionIsDoubleUnlessSet)
   EXPECT_EQ(this->Run(wide, VTK_DOUBLE), doubles);
   wide->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
   EXPECT_EQ(this->Run(wide, VTK_FLOAT), floats);
-  // New points are not integers.
+  // New points do not have integer coordinates.
   const auto whole = this->GetParam().Make(MakeRelief(VTK_INT));
   EXPECT_EQ(this->Run(whole, VTK_DOUBLE), doubles);
 }
@@ -197,7 +197,7 @@ TEST(NewGeometryOfTwoSurfaces, EachHasItsOwn)
   AddNote(second, "second");
   const auto filter = GetFilter("PatchBoundaries").Make(first);
   vtkGeodesicPatchBoundaries::SafeDownCast(filter)->SetSecondSurfaceData(second);
-  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION); // that of each surface
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION); // precision of each surface
   ExpectSuccess(filter);
   vtkPolyData* outputs[2] = { filter->GetOutput(0), filter->GetOutput(1) };
   EXPECT_EQ(outputs[0]->GetPoints()->GetDataType(), VTK_FLOAT);
@@ -216,7 +216,7 @@ TEST(OldGeometry, StaysAsItIs)
   ExpectSuccess(filter);
   EXPECT_EQ(filter->GetOutput(0)->GetPoints(), surface->GetPoints());
   EXPECT_EQ(GetGraphBytes(filter->GetOutput(0)), GetGraphBytes(surface));
-  // The points of the input come first in the cells, as exactly as they are there.
+  // The points of the input come first in the cells, with unchanged coordinates.
   const Coordinates before = GetCoordinates(surface);
   Coordinates cells = GetCoordinates(filter->GetOutput(2));
   ASSERT_GT(cells.size(), before.size());
@@ -236,7 +236,7 @@ TEST(OldGeometry, WindowsGoWithTheDistancesThatAreReplaced)
   vtkFieldData* data = filter->GetOutput(0)->GetFieldData();
   EXPECT_EQ(data->GetAbstractArray("GeodesicDistance.WindowInfo"), nullptr);
   EXPECT_EQ(data->GetAbstractArray("GeodesicDistance.Windows"), nullptr);
-  // Those of other distances on the surface are still good.
+  // Windows of other distances on the surface remain valid.
   distance->SetDistanceArrayName("d");
   distance->Update();
   ExpectSuccess(filter);

@@ -23,7 +23,7 @@ protected:
   }
 };
 
-/// Bytes of binary files, most significant first.
+/// Bytes of a binary file, most significant first.
 class BinaryFile
 {
 public:
@@ -73,7 +73,8 @@ BinaryFile MakeHead(std::int32_t vertices, std::int32_t faces)
   return file;
 }
 
-/// Three points. "OFF BINARY\n" has 11 bytes, the counts 12, the points 36: faces begin at byte 59.
+/// Returns three points. "OFF BINARY\n" has 11 bytes, the counts 12, the points 36: faces begin at
+/// byte 59.
 BinaryFile MakeTriangle(std::int32_t faces)
 {
   BinaryFile file = MakeHead(3, faces);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What PCL writes, vtkPCDReader reads, and what vtkPCDWriter writes, PCL reads: exactly the same.
+// vtkPCDReader reads files of PCL, and PCL reads files of vtkPCDWriter, without any change of the
+// data.
 #include "PCDTestTools.h"
 
 #include "vtkDGGPointCloudConversions.h"
@@ -22,7 +23,7 @@
 
 namespace dggtest
 {
-/// A point of our own: double coordinates, and a field of each other type.
+/// A custom point type: double coordinates, and a field of each other type.
 struct SurveyPoint
 {
   double x = 0.0;
@@ -71,8 +72,8 @@ protected:
     EXPECT_EQ(writer->Write(), 1);
   }
 
-  /// From PCL's cloud to vtkPolyData and back; to a file of either side, and back with the other
-  /// one.
+  /// Expects the same cloud after conversion to vtkPolyData and back, and after writing by either
+  /// library and reading by the other.
   template <typename Point>
   void ExpectSameBothWays(const pcl::PointCloud<Point>& cloud)
   {
@@ -122,7 +123,7 @@ protected:
   }
 };
 
-/// Five points, one of them nowhere, in numbers that need all of their digits.
+/// Returns five points, one of them not finite, with values that need all of their digits.
 template <typename Point>
 pcl::PointCloud<Point> MakeCloud()
 {
@@ -202,7 +203,7 @@ TEST_F(PCDAgainstPCL, Layout)
   auto cloud = MakeCloud<pcl::PointXYZ>();
   cloud.width = 2;
   cloud.height = 3;
-  // PCL writes six digits of these.
+  // PCL writes these values with six digits.
   cloud.sensor_origin_ = Eigen::Vector4f(0.5f, -2.25f, 100.0f, 0.0f);
   cloud.sensor_orientation_ = Eigen::Quaternionf(0.5f, -0.5f, 0.5f, 0.5f);
   this->ExpectSameBothWays(cloud);
@@ -213,7 +214,7 @@ TEST_F(PCDAgainstPCL, Layout)
 
 TEST_F(PCDAgainstPCL, ManyPoints)
 {
-  // More than a block of the writer, and compressed data of all kinds of items.
+  // More points than a block of the writer, and compressed data of all kinds of items.
   std::mt19937 random(3);
   pcl::PointCloud<pcl::PointXYZI> cloud;
   for (int i = 0; i < 400000; ++i)
@@ -230,7 +231,7 @@ TEST_F(PCDAgainstPCL, ManyPoints)
 
 TEST_F(PCDAgainstPCL, FilesOfPCLBlobs)
 {
-  // PCL writes clouds of any fields with functions of their own; binary files end in zeros then.
+  // PCL writes clouds of arbitrary fields with separate functions, whose binary files end in zeros.
   const auto data = dggtest::MakeRichCloud(VTK_DOUBLE);
   pcl::PCLPointCloud2 blob;
   ASSERT_TRUE(vtkDGG::FromPolyData(data, blob));
@@ -250,7 +251,7 @@ TEST_F(PCDAgainstPCL, FilesOfPCLBlobs)
     read->GetFieldData()->RemoveArray("PCD.Viewpoint");
     dggtest::ExpectSameCloud(data, read);
 
-    // And PCL reads our file of it, to the same bytes.
+    // PCL reads the file of vtkPCDWriter to the same bytes.
     this->SaveWithVTK(data, mode);
     pcl::PCLPointCloud2 again;
     ASSERT_EQ(pcl::io::loadPCDFile(this->GetPath("vtk.pcd"), again), 0);
@@ -278,7 +279,7 @@ TEST_F(PCDAgainstPCL, NoPoints)
   {
     const std::string path = this->GetPath("pcl.pcd");
     pcl::PCDWriter writer;
-    // PCL may report an error for an empty cloud, but it writes a file.
+    // PCL may report an error for an empty cloud, but nevertheless writes a file.
     mode == 0     ? writer.writeASCII(path, cloud)
       : mode == 1 ? writer.writeBinary(path, cloud)
                   : writer.writeBinaryCompressed(path, cloud);

@@ -27,7 +27,7 @@ using dggtest::Sizes;
 class PCDReader : public dggtest::PCDTest
 {
 protected:
-  /// A small file of each mode with several kinds of fields.
+  /// Returns a small file of the given mode with several kinds of fields.
   std::string MakeFile(int mode)
   {
     vtkNew<vtkPCDWriter> writer;
@@ -38,7 +38,7 @@ protected:
     return this->Load("rich.pcd");
   }
 
-  /// Whatever the file is, the reader answers; false when it is refused, with nothing left.
+  /// Returns true if the file is read, and false if it is refused with an empty output.
   bool Survives(const std::string& content)
   {
     this->Reader->SetFileName(this->Write(content).c_str());
@@ -70,7 +70,7 @@ void ExpectTuple(vtkDataArray* array, vtkIdType id, const std::vector<double>& e
   }
 }
 
-/// A header with other values in some lines.
+/// Returns a header with one replaced line.
 std::string Header(std::string PCDLines::*line, const std::string& value, PCDLines lines = {})
 {
   lines.*line = value;
@@ -81,7 +81,7 @@ const std::string Zeros(400, '0');
 const std::string DoubleHeader = "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nPOINTS 1\nDATA ascii\n";
 const std::string BinaryHeader = Header(&PCDLines::Data, "binary");
 const std::string CompressedHeader = Header(&PCDLines::Data, "binary_compressed");
-/// Fields beside the coordinates; one point.
+/// Returns a file of one point with fields in addition to the coordinates.
 std::string Fields(const std::string& fields, const std::string& size, const std::string& type,
   const std::string& count, const std::string& data)
 {
@@ -107,7 +107,7 @@ const FileCase Cases[] = {
   { "binary, filled up with zeros as by PCL",
     BinaryHeader + Floats({ 0, 1, 2, 3, 4.5f, 5 }) + std::string(500, '\0'),
     "float 0 1 2, 3 4.5 5 | verts 0, 1" },
-  // Four literal bytes, which are repeated to the end.
+  // Four literal bytes, which are repeated until the end.
   { "compressed", CompressedHeader + Sizes(8, 24) + "\x03" + Floats({ 1.5f }) + "\xE0\x0B\x03",
     "float 1.5 1.5 1.5, 1.5 1.5 1.5 | verts 0, 1" },
   { "numbers too small for doubles",
@@ -125,12 +125,12 @@ const FileCase Cases[] = {
       "1 2 3 4 5 6 7 8 9 10\n",
     "float 1 2 3 | verts 0 | rgb unsigned char 4 5 6 | rgba float 7 8 | normal_x float 9 "
     "| normal_y float 10" },
-  // 0xFFFFC080, which is not a number as a float.
+  // 0xFFFFC080, which is NaN as a float.
   { "color in the bits of a float",
     Fields("x y z rgb", "4 4 4 4", "F F F F", "", "binary") + Floats({ 0, 0, 0 }) +
       "\x80\xC0\xFF\xFF",
     "float 0 0 0 | verts 0 | active RGB unsigned char 255 192 128" },
-  // The bits of this tiny number are 0x00404080.
+  // 0x00404080, the bits of this tiny number.
   { "color in the text of a float",
     Fields("x y z rgb", "4 4 4 4", "F F F F", "", "ascii") + "0 0 0 5.900609994354369e-39\n",
     "float 0 0 0 | verts 0 | active RGB unsigned char 64 64 128" },
@@ -218,7 +218,7 @@ const FileCase Cases[] = {
     "data follow the last of 2 points" },
 };
 
-/// Wrong lines of a header of two points.
+/// Invalid lines of a header of two points.
 const struct
 {
   std::string PCDLines::*Line;
@@ -320,7 +320,7 @@ TEST_F(PCDReader, SkipsTheMarkOfUTF8)
   EXPECT_EQ(vtkPCDReader::CanReadFile(this->Write("\xEF\xBB\xBF").c_str()), 0);
 }
 
-/// Returns the largest memory of the process so far, KiB.
+/// Returns the peak memory of the process so far, KiB.
 long GetPeak()
 {
   rusage usage;
@@ -335,7 +335,8 @@ TEST_F(PCDReader, RefusesHeadersOfManyFields)
   {
     many += " f" + std::to_string(i);
   }
-  // Words take many times the memory of their text, so that those of a long line are not kept.
+  // Words take many times the memory of their text. The words of a long line are therefore not
+  // stored.
   std::string endless = "FIELDS x y z";
   for (int i = 0; i < 8000000; ++i)
   {
@@ -347,14 +348,14 @@ TEST_F(PCDReader, RefusesHeadersOfManyFields)
   this->ExpectRefused("FIELDS x y z" + many + end, code, { "line 1: more than 10000 fields" });
   this->ExpectRefused(endless + end, code, { "line 1: more than 10000" });
   this->ExpectRefused(endless, Premature, { "before the line DATA" });
-#ifndef __SANITIZE_ADDRESS__ // it keeps what is given back
+#ifndef __SANITIZE_ADDRESS__ // it retains released memory
   EXPECT_LT(GetPeak() - before, 5 * static_cast<long>(endless.size() / 1024));
 #endif
 }
 
 TEST_F(PCDReader, AllocatesNothingForEmptyPromises)
 {
-  // Would take gigabytes.
+  // Counts that would require gigabytes of memory.
   const long before = GetPeak();
   PCDLines lines;
   for (const char* count : { "10000000", "100000000", "4294967296", "1000000000000000000" })
@@ -367,12 +368,12 @@ TEST_F(PCDReader, AllocatesNothingForEmptyPromises)
         { "line 10: ", count, "only 12 bytes follow" });
     }
   }
-  // All counts agree, but so few bytes cannot hold so many.
+  // All counts agree, but the compressed data is too short for them.
   lines.Width = lines.Points = "10000000";
   lines.Data = "binary_compressed";
   this->ExpectRefused(lines.Format() + Sizes(8, 120000000) + "12345678",
     vtkErrorCode::FileFormatError, { "8 bytes of compressed data cannot hold 120000000 bytes" });
-  // Not many points, but huge ones.
+  // Few points, but huge ones.
   this->ExpectRefused(
     Fields("x y z h", "4 4 4 8", "F F F F", "1 1 1 100000000", "ascii") + "0 0 0\n", Premature,
     { "promised" });
@@ -391,7 +392,7 @@ TEST_F(PCDReader, SurvivesDamage)
     {
       this->CheckTruncation(whole, true);
     }
-    // Each byte of the header, and the sizes of the compressed data.
+    // Each byte of the header and of the sizes of the compressed data is changed.
     for (std::size_t i = 0; i < header + 8; ++i)
     {
       for (const char byte : { ' ', '\n', '9', '-', '\0', '\xFF' })
@@ -414,7 +415,7 @@ TEST_F(PCDReader, SurvivesDamage)
       }
       this->Survives(damaged);
     }
-    // Lines that are missing, or there twice.
+    // Lines are removed or duplicated.
     for (std::size_t begin = 0; begin < header;)
     {
       const std::size_t next = whole.find('\n', begin) + 1;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPCDWriter: what is written is read again as it was, and what cannot be written is reported.
+// vtkPCDWriter: data is unchanged after writing and reading, and data that cannot be written is
+// reported.
 #include "FilterTestTools.h"
 #include "PCDTestTools.h"
 
@@ -43,7 +44,7 @@ protected:
     EXPECT_EQ(listener.Errors, std::vector<std::string>());
     EXPECT_EQ(listener.Warnings, std::vector<std::string>());
   }
-  /// Write it in all modes, and read it.
+  /// Writes the cloud in all modes and expects the same cloud after reading.
   void ExpectRoundTrip(vtkPolyData* cloud)
   {
     for (int mode = 0; mode <= 2; ++mode)
@@ -66,7 +67,7 @@ protected:
       EXPECT_NE(listener.Errors[0].find(part), std::string::npos) << listener.Errors[0];
     }
   }
-  /// The line of the header that begins with this word.
+  /// Returns the line of the header that begins with this word.
   std::string GetLine(const std::string& word) const
   {
     const std::string content = this->Load();
@@ -77,7 +78,7 @@ protected:
   vtkNew<vtkPCDWriter> Writer;
 };
 
-/// Points on a line, with the layout that the reader gives them.
+/// Returns points on a line, with the same layout as the output of the reader.
 vtkSmartPointer<vtkPolyData> MakeRow(vtkIdType count)
 {
   vtkNew<vtkPoints> points;
@@ -99,7 +100,7 @@ TEST_F(PCDWriter, KeepsEverythingInAllModes)
 
 TEST_F(PCDWriter, KeepsAllFloats)
 {
-  // All patterns of bits that are numbers, at random.
+  // Random bit patterns of valid numbers.
   std::mt19937 random(11);
   auto cloud = MakeRow(20000);
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
@@ -116,7 +117,7 @@ TEST_F(PCDWriter, KeepsAllFloats)
     {
       if (array->GetTuple1(i) != array->GetTuple1(i))
       {
-        array->SetTuple1(i, 0.0); // there are many NaN, and text knows one
+        array->SetTuple1(i, 0.0); // many bit patterns are NaN, but text has only one NaN
       }
     }
     cloud->GetPointData()->AddArray(array);
@@ -130,8 +131,8 @@ TEST_F(PCDWriter, KeepsAllFloats)
 
 TEST_F(PCDWriter, CompressesAnything)
 {
-  // Data that repeat soon, late, hardly and not at all, of lengths around those of a stream's
-  // items.
+  // Data with short, long, few and no repetitions, of lengths close to those of the items of a
+  // compressed stream.
   std::mt19937 random(5);
   const struct
   {
@@ -158,7 +159,7 @@ TEST_F(PCDWriter, CompressesAnything)
       dggtest::ExpectSameArrays(cloud->GetPointData(), this->ReadWellFile()->GetPointData());
     }
   }
-  // A row along x: two of three coordinates are the same everywhere.
+  // A row along x: two of three coordinates are constant.
   this->WriteWell(MakeRow(60000), vtkPCDWriter::BINARY_COMPRESSED);
   EXPECT_LT(this->Load().size(), 60000u * 12u / 2u);
 }
@@ -325,8 +326,8 @@ TEST_F(PCDWriter, ReportsWhatCannotBeWritten)
   this->WriteWell(MakeRow(2));
 }
 
-/// Arrays that are shorter or longer than the points are an error, and nothing beyond their end is
-/// read.
+/// Arrays that are shorter or longer than the points cause an error, and are not read beyond their
+/// end.
 TEST_F(PCDWriter, ReportsArraysOfAnotherLength)
 {
   for (const vtkIdType length : { 0, 2, 1000 })

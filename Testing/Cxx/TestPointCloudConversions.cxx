@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkDGGPointCloudConversions.h: PCL's clouds to vtkPolyData and back.
+// vtkDGGPointCloudConversions.h: conversion of PCL's clouds to vtkPolyData and back.
 #include "PCDTestTools.h"
 
 #include "vtkDGGPointCloudConversions.h"
@@ -63,14 +63,14 @@ TEST(PointCloudConversions, Coordinates)
   ASSERT_EQ(data->GetNumberOfPoints(), 3);
   EXPECT_TRUE(std::isnan(data->GetPoint(1)[0]));
   EXPECT_EQ(data->GetNumberOfVerts(), 2);
-  // A copy: the cloud may change or go.
+  // The data is a copy: the cloud may be changed or destroyed.
   (*cloud)[2].x = 7.0f;
   ExpectPoint(data, 2, 4, 5, 6);
   Cloud back;
   back.push_back(pcl::PointXYZ(9.0f, 9.0f, 9.0f));
   ASSERT_TRUE(vtkDGG::FromPolyData(data, back));
   ASSERT_EQ(back.size(), 3u);
-  EXPECT_EQ(back[2].data[3], 1.0f); // PCL's fourth coordinate
+  EXPECT_EQ(back[2].data[3], 1.0f); // padding coordinate of PCL
 }
 
 TEST(PointCloudConversions, ColorsWithAndWithoutAlpha)
@@ -112,7 +112,7 @@ TEST(PointCloudConversions, SaysWhatIsMissing)
 
 TEST(PointCloudConversions, ConvertsNumbers)
 {
-  // Doubles, and an array of another type, into a cloud of floats and integers.
+  // Doubles, and an array of another type, converted to a cloud of floats and integers.
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->InsertNextPoint(0.1, 1e300, -3.0);
@@ -143,7 +143,8 @@ TEST(PointCloudConversions, OrganizedClouds)
   Cloud cloud(2, 3, pcl::PointXYZ(1.0f, 2.0f, 3.0f));
   cloud(1, 2).x = 8.0f;
   ExpectPoint(vtkDGG::ToPolyData(cloud), 5, 8, 2, 3);
-  // PCL lets a cloud disagree with itself after points are added; the points count.
+  // In PCL width and height may disagree with the points after an insertion; the number of points
+  // is used.
   cloud.points.resize(5);
   const vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(cloud);
   ASSERT_NE(data, nullptr);
@@ -161,7 +162,7 @@ TEST(PointCloudConversions, BlobsOfAnyFields)
     EXPECT_EQ(blob->height, 2u);
     EXPECT_FALSE(blob->is_dense);
     EXPECT_EQ(blob->row_step, 3 * blob->point_step);
-    data->GetFieldData()->RemoveArray("PCD.Viewpoint"); // blobs have none
+    data->GetFieldData()->RemoveArray("PCD.Viewpoint"); // blobs have no viewpoint
     const auto expectSame = [&] {
       const vtkSmartPointer<vtkPolyData> back = vtkDGG::ToPolyData(blob);
       ASSERT_NE(back, nullptr);
@@ -170,7 +171,7 @@ TEST(PointCloudConversions, BlobsOfAnyFields)
     };
     expectSame();
     EXPECT_NE(vtkDGG::ToPolyData(pcl::PCLPointCloud2::ConstPtr(blob)), nullptr);
-    // From a machine that stores numbers the other way round, also with rows that are longer.
+    // Data of a machine with the opposite byte order, also with longer rows.
     blob->is_bigendian = !blob->is_bigendian;
     for (std::size_t point = 0; point < blob->data.size(); point += blob->point_step)
     {
@@ -194,7 +195,7 @@ TEST(PointCloudConversions, BlobsOfAnyFields)
 
 TEST(PointCloudConversions, BlobsOfTypedClouds)
 {
-  // With padding between the fields, and rows that are longer than their points.
+  // Padding between the fields, and rows that are longer than their points.
   Cloud cloud(2, 2, pcl::PointXYZ(1.0f, 2.0f, 3.0f));
   cloud(1, 1).z = 9.0f;
   pcl::PCLPointCloud2 blob;
@@ -208,7 +209,7 @@ TEST(PointCloudConversions, BlobsOfTypedClouds)
   blob.row_step = 60;
   ExpectPoint(vtkDGG::ToPolyData(blob), 3, 1, 2, 9);
   ExpectPoint(vtkDGG::ToPolyData(blob), 1, 1, 2, 3);
-  // PCL understands our blobs.
+  // PCL converts blobs from FromPolyData().
   ASSERT_TRUE(vtkDGG::FromPolyData(vtkDGG::ToPolyData(cloud), blob));
   Cloud back;
   pcl::fromPCLPointCloud2(blob, back);
@@ -252,7 +253,7 @@ TEST(PointCloudConversions, RefusesMalformedBlobs)
   blob = good();
   blob.fields[1].count = 2;
   expect(blob, "'y' has 2 values");
-  blob.fields[1].count = 0; // PCL's way to say 1
+  blob.fields[1].count = 0; // PCL's notation for a count of 1
   EXPECT_NE(vtkDGG::ToPolyData(blob, &error), nullptr);
   blob = good();
   blob.fields[1].datatype = 99;
@@ -263,7 +264,7 @@ TEST(PointCloudConversions, RefusesMalformedBlobs)
   blob.fields[1].name = "w";
   expect(blob, "no field 'y'");
   expect(pcl::PCLPointCloud2(), "no field 'x'");
-  // Points that are nowhere.
+  // Points without coordinates.
   const pcl::PointCloud<pcl::Normal> normals;
   EXPECT_EQ(vtkDGG::ToPolyData(normals, &error), nullptr);
   EXPECT_NE(error.find("no field 'x'"), std::string::npos);
@@ -282,7 +283,7 @@ TEST(PointCloudConversions, NothingAtAll)
   EXPECT_TRUE(cloud.empty());
   pcl::PCLPointCloud2 blob;
   EXPECT_FALSE(vtkDGG::FromPolyData(nullptr, blob));
-  // No points are well.
+  // An empty cloud is valid.
   vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(Cloud(), &error);
   ASSERT_NE(data, nullptr);
   EXPECT_EQ(error, "");

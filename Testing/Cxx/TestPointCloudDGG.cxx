@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPointCloudDGG: outputs, properties, what is kept between updates.
+// vtkPointCloudDGG: outputs, properties, reuse between updates.
 #include "GraphTestTools.h"
 #include "PointCloudDGGFixture.h"
 
@@ -55,7 +55,7 @@ TEST_F(PointCloudDGG, AddsTheGraphAndComponents)
   EXPECT_EQ(field->GetArray("DGG.Lengths")->GetNumberOfTuples(), edges);
   EXPECT_EQ(field->GetArray("DGG.Radii")->GetNumberOfTuples(), 900);
   vtkDataArray* info = field->GetArray("DGG.Info");
-  EXPECT_EQ(info->GetTuple1(1), 1); // cloud
+  EXPECT_EQ(info->GetTuple1(1), 1); // kind: cloud
   EXPECT_EQ(info->GetTuple1(2), 6); // scheme C
   EXPECT_EQ(field->GetArray("DGG.Angles"), nullptr);
 
@@ -139,7 +139,7 @@ TEST_F(PointCloudDGG, MakesVerticesOnRequest)
     EXPECT_EQ(output->GetCell(0)->GetPointId(i), i);
   }
   EXPECT_EQ(vtkPolyData::SafeDownCast(this->Filter->GetInput())->GetNumberOfCells(), 0);
-  // Cells of the input stay as they are, and what is empty stays empty.
+  // Cells of the input are passed unchanged, and empty input remains empty.
   this->Filter->SetInputData(MakeGrid(10, 10));
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->GetOutput()->GetNumberOfVerts(), 0);
@@ -167,7 +167,7 @@ TEST_F(PointCloudDGG, KeepsTheGraph)
 {
   const Points points = MakeFlatPoints(25, 0.2);
   const auto cloud = MakeCloud(points);
-  vtkNew<vtkElevationFilter> elevation; // changes something upstream, but not the points
+  vtkNew<vtkElevationFilter> elevation; // changes the pipeline upstream, but not the points
   elevation->SetInputData(cloud);
   this->Filter->SetInputConnection(elevation->GetOutputPort());
   ExpectSuccess(this->Filter);
@@ -222,7 +222,7 @@ TEST_F(PointCloudDGG, WarnsOncePerGraph)
   ExpectWarning(this->Filter, { "do not lie on a surface" });
   const double scatter = this->Filter->GetScatter();
   EXPECT_GT(scatter, 1.0);
-  // The graph is kept: what there was to warn of can be asked.
+  // The graph is kept, and the statistics behind the warning remain available.
   this->Filter->SetMemoryLimit(1u << 30);
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetScatter(), scatter);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPointCloudDGG: warnings and errors about clouds, and filters behind it. The kernel has tests
-// of the graphs.
+// vtkPointCloudDGG: warnings and errors about clouds, and filters downstream. Graphs are tested
+// with the kernel.
 #include "PointCloudDGGFixture.h"
 
 #include "vtkDGGDistance.h"
@@ -151,7 +151,7 @@ TEST_F(PointCloudDGG, VoxelsLargerThanTheSpacing)
   this->Filter->SetOffsetInVoxels(0.0);
   this->Filter->SetResolution(0);
   ExpectSuccess(this->Filter);
-  // Points far off that are too many to be outliers.
+  // Distant points that are too many to be outliers.
   this->Use(Join(clean, Move(Scale(MakeSpherePoints(30), 2e3), { { 5e3, 0.0, 0.0 } })));
   ExpectWarning(
     this->Filter, { ", automatic), are larger than the spacing", "sparser than others" });
@@ -164,7 +164,7 @@ TEST_F(PointCloudDGG, ExtentsOutOfRange)
   for (const bool byPlanes : { false, true })
   {
     this->Filter->SetEstimateNormals(byPlanes);
-    // Also where the extent itself is below the normal range of double.
+    // Includes extents below the normal range of double.
     for (const double scale : { 1e-320, 1e-200, 1e200, 1e308 })
     {
       this->Use(Scale(part, scale));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkPointCloudDGG: normals that are given, and those by planes.
+// vtkPointCloudDGG: given normals, and normals from planes.
 #include "PointCloudDGGFixture.h"
 
 #include "vtkDataArray.h"
@@ -18,7 +18,7 @@ namespace dggtest
 {
 TEST_F(PointCloudDGG, NormalsByPlanes)
 {
-  // Far from the origin, and small.
+  // A small sphere far from the origin.
   const Points points = MakeSpherePoints(1000);
   Points cloud = points;
   for (auto& p : cloud)
@@ -46,7 +46,7 @@ TEST_F(PointCloudDGG, NormalsByPlanes)
 
 TEST_F(PointCloudDGG, NoNormalsByPlanesWhereThereAreNone)
 {
-  // A square, and a line far from it that leans to no plane. Rounded to floats, too.
+  // A square, and a distant line that does not define a plane; also rounded to floats.
   Points points = MakeFlatPoints(20, 0.2);
   for (int i = 0; i < 60; ++i)
   {
@@ -82,7 +82,7 @@ TEST_F(PointCloudDGG, NormalsOfTheInput)
     normals->InsertNextTuple(p.data());
   }
   cloud->GetPointData()->SetNormals(normals);
-  this->Filter->EstimateNormalsOn(); // there is nothing to estimate
+  this->Filter->EstimateNormalsOn(); // the cloud already has normals
   ExpectSuccess(this->Filter);
   const vtkMTimeType built = this->Filter->GetGraphBuildTime();
   EXPECT_NE(GetCloudBytes(this->GetOutput()), fitted);
@@ -107,14 +107,14 @@ TEST_F(PointCloudDGG, OrientedNormalsThatAreNotThere)
   this->Filter->OrientedNormalsOn();
   ExpectWarning(this->Filter, { "OrientedNormals", "no effect" });
   EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
-  // The graph is the same: it is kept, but the warning is not less true.
+  // The graph is unchanged and kept, but the warning is repeated.
   this->Filter->OrientedNormalsOff();
   ExpectSuccess(this->Filter);
   const vtkMTimeType built = this->Filter->GetGraphBuildTime();
   this->Filter->OrientedNormalsOn();
   ExpectWarning(this->Filter, { "OrientedNormals", "no effect" });
   EXPECT_EQ(this->Filter->GetGraphBuildTime(), built);
-  // What is estimated points to either side.
+  // Estimated normals have an arbitrary sign.
   this->Filter->EstimateNormalsOn();
   ExpectWarning(this->Filter, { "OrientedNormals", "no effect" });
   this->Filter->OrientedNormalsOff();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkPoissonVectorGraphics: colours that are known, what comes with them.
+/// vtkPoissonVectorGraphics: known colors, and arrays of the output.
 #include "VectorGraphicsTestTools.h"
 
 #include "vtkIntArray.h"
@@ -95,7 +95,7 @@ TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
   {
     drawing.Filter->SetRefinementLevel(level);
     vtkPolyData* output = drawing.Run();
-    EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "Colors"); // of one channel
+    EXPECT_STREQ(output->GetPointData()->GetScalars()->GetName(), "Colors"); // one channel
     EXPECT_EQ(output->GetFieldData()->GetArray("note")->GetComponent(0, 0), 7.0);
     EXPECT_EQ(output->GetPointData()->GetArray("broken"), nullptr);
     vtkDataArray* linear = output->GetPointData()->GetArray("linear");
@@ -129,7 +129,7 @@ TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
   const vtkIdType near = drawing.Run()->GetNumberOfCells();
   drawing.Filter->SetRefinementRegionToEverywhere();
   EXPECT_LT(near, drawing.Run()->GetNumberOfCells());
-  // In the last column alone: triangles of the others are not smaller than before.
+  // Only the last column is refined: triangles of other columns are not smaller than before.
   drawing.Filter->SetRefinementLevel(1);
   drawing.Filter->SetRefinementRegionToCells();
   ExpectError(drawing.Filter, { "'Refine'", "SetRefinementArrayName()" });
@@ -153,7 +153,7 @@ TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
   };
   EXPECT_EQ(countColumn(5.0), 4 * 2 * 4);
   EXPECT_EQ(countColumn(2.0), 4 * 2);
-  // Another choice is another drawing.
+  // A different selection changes the drawing.
   for (double& cell : cells)
   {
     cell = 1.0 - cell;
@@ -254,7 +254,7 @@ TEST(PoissonVectorGraphics, FactorizationIsKeptForOtherColors)
   drawing.Surface->GetPoints()->SetPoint(0, -0.5, 0.0, 0.0);
   drawing.Surface->GetPoints()->Modified();
   expectAnother("the surface");
-  // What is kept is what a new filter finds.
+  // The reused state gives the result of a new filter.
   vtkNew<vtkPoissonVectorGraphics> other;
   other->SetInputData(drawing.Surface);
   other->SetCurveData(drawing.Curves);
@@ -268,7 +268,7 @@ TEST(PoissonVectorGraphics, FactorizationIsKeptForOtherColors)
 
 TEST(PoissonVectorGraphics, PointsKnowTheirComponents)
 {
-  // A curve through all of the square: two parts, and a point without a cell.
+  // A curve across the whole square, which forms two components, and a point without a cell.
   GraphicsFixture drawing(
     { { 3, 0, 0 }, { 3, 4, 0 }, { 1, 1, 0 }, { 2, 1, 0 } }, { { 0, 1 }, { 2, 3 } });
   drawing.Surface->GetPoints()->InsertNextPoint(50.0, 0.0, 0.0);
@@ -290,7 +290,7 @@ TEST(PoissonVectorGraphics, PointsKnowTheirComponents)
 
 TEST(PoissonVectorGraphics, OtherCellsAreLeftOutButForTheirPoints)
 {
-  // Beside the square, a vertex, a line, and a point of no cell.
+  // In addition to the square: a vertex, a line, and a point without a cell.
   GraphicsFixture drawing = MakeTwoAcross();
   vtkPolyData* surface = drawing.Surface;
   for (int i = 0; i < 4; ++i)
@@ -322,7 +322,7 @@ TEST(PoissonVectorGraphics, OtherCellsAreLeftOutButForTheirPoints)
     }
     for (vtkIdType k = 35; k < i; ++k)
     {
-      EXPECT_NE(components[k], components[i]); // one of its own
+      EXPECT_NE(components[k], components[i]); // a separate component
     }
   }
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkPoissonVectorGraphics: wrong and awkward input, colours of any size, memory, progress.
+/// vtkPoissonVectorGraphics: invalid and degenerate input, colors of any magnitude, memory,
+/// progress.
 #include "VectorGraphicsTestTools.h"
 
 #include "vtkIntArray.h"
@@ -80,7 +81,7 @@ TEST(PoissonVectorGraphics, WrongCurves)
   drawing.Curves->GetPoints()->SetPoint(2, 1, NaN, 0.0);
   drawing.Curves->GetPoints()->Modified();
   ExpectError(filter, { "point 2", "finite" });
-  drawing.Curves->GetPoints()->SetPoint(2, 4, 4, 0.0); // where it ends
+  drawing.Curves->GetPoints()->SetPoint(2, 4, 4, 0.0); // coincides with the end of the curve
   drawing.Curves->GetPoints()->Modified();
   ExpectError(filter, { "line 1 of input port 1", "no length" });
   drawing.Curves->SetLines(MakeCells({ { 1 } }));
@@ -97,14 +98,14 @@ TEST(PoissonVectorGraphics, SurfacesWithoutSides)
 {
   GraphicsFixture drawing = MakeTwoColored();
   auto* filter = drawing.Filter.Get();
-  // A page on the square that a curve crosses: edges of three triangles.
+  // A page attached to the square along a line that a curve crosses: edges of three triangles.
   vtkSmartPointer<vtkPolyData> book = MakeSurface(
     { { 0, 0, 0 }, { 6, 0, 0 }, { 6, 4, 0 }, { 0, 4, 0 }, { 0, 2, 0 }, { 6, 2, 0 }, { 3, 2, 5 } },
     { { 0, 1, 5, 4 }, { 4, 5, 2, 3 }, { 4, 5, 6 } });
   filter->SetInputData(book);
   ExpectError(filter, { "line 0 of input port 1", "edges of more than two faces", "Remove" });
-  EXPECT_EQ(filter->GetMemorySize(), 0u); // nothing is kept of what failed
-  // One side of a Moebius band: across the seam there are no sides, elsewhere there are.
+  EXPECT_EQ(filter->GetMemorySize(), 0u); // no state remains after a failure
+  // A curve on a Moebius band: sides are undefined across the seam, but defined elsewhere.
   Points points;
   Cells cells;
   for (int i = 0; i < 8; ++i)
@@ -156,18 +157,18 @@ TEST(PoissonVectorGraphics, MemoryIsCheckedEarlyAndAlways)
   filter->SetRefinementLevel(3);
   drawing.Run();
   const vtkTypeUInt64 kept = filter->GetMemorySize();
-  // A factorization that is kept does not go beyond the limit either.
+  // A cached factorization must not exceed the limit either.
   filter->SetMemoryLimit(kept);
   ExpectError(filter, { "MemoryLimit" });
   filter->SetMemoryLimit(0);
   drawing.Run();
   EXPECT_EQ(filter->GetNumberOfFactorizations(), 1);
-  // Nothing stays of what did not fit.
+  // No memory is kept after an update that did not fit into the limit.
   filter->SetMemoryLimit(kept / 2);
   filter->SetRefinementLevel(4);
   ExpectError(filter, { "MemoryLimit" });
   EXPECT_EQ(filter->GetMemorySize(), 0u);
-  // Wherever it was refused.
+  // Memory is released wherever the update was refused.
   filter->SetRefinementLevel(3);
   for (const double part : { 0.2, 0.4, 0.6, 0.8, 1.0 })
   {
@@ -191,13 +192,13 @@ TEST(PoissonVectorGraphics, WidthsAreThoseOfFirstPoints)
   AddArray(drawing.OfPoints(), "Width", { 0.5, 1.25 }, 1);
   EXPECT_NE(GetValues(drawing.Run(), "Colors"), expected);
   AddArray(drawing.OfPoints(), "Width", { 0.0, 1.25 }, 1);
-  ExpectError(drawing.Filter, { "line 0 of input port 1", "width 0:" }); // before it is drawn
+  ExpectError(drawing.Filter, { "line 0 of input port 1", "width 0:" }); // before drawing
 }
 
 TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
 {
-  // The refined mesh would be too much: no progress is reported before the error, as there would be
-  // for curves that are drawn.
+  // The refined mesh would exceed the limit. No progress is reported before the error, although
+  // drawing curves would report some.
   GraphicsFixture drawing = MakeTwoColored();
   drawing.Filter->SetRefinementLevel(6);
   drawing.Filter->SetMemoryLimit(20 << 20);
@@ -206,9 +207,9 @@ TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
   for (const double reported : watch.Progress)
   {
     EXPECT_TRUE(reported <= 0.1 + 1e-12 || reported == 1.0)
-      << reported; // of the mesh, and at the end
+      << reported; // progress of the mesh, and at the end
   }
-  // Nor is more refined near curves than there is memory for.
+  // Refinement near curves respects the memory limit, too.
   drawing.Filter->SetRefinementRegionToNearCurves();
   ExpectError(drawing.Filter, { "refinement", "MemoryLimit", "RefinementLevel" });
   drawing.Filter->SetRefinementLevel(2);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The same results on any number of processes. Run under mpiexec; alone as well.
+/// Equal results on any number of processes. Run under mpiexec; a single process is valid, too.
 #include "FilterCases.h"
 #include "SeveralProcessesFixture.h"
 
@@ -35,7 +35,7 @@ class SeveralProcessesContract
 }
 
 //------------------------------------------------------------------------------
-/// Every filter, on parts that several processes have.
+/// Every filter, on pieces that are distributed over several processes.
 TEST_P(SeveralProcessesContract, OutputsAreThoseOfTheWhole)
 {
   if (this->Count == 1)
@@ -104,7 +104,7 @@ TEST_F(SeveralProcesses, GlobalIdsNumberPoints)
 }
 
 //------------------------------------------------------------------------------
-/// Ids that neither 32 bits nor a double hold.
+/// Ids that neither 32 bits nor a double can represent.
 TEST_F(SeveralProcesses, LargeGlobalIds)
 {
   const auto part = this->TakeStrip(this->Surface, PartIds::Global);
@@ -129,7 +129,8 @@ TEST_F(SeveralProcesses, LargeGlobalIds)
 }
 
 //------------------------------------------------------------------------------
-/// Of a graph, bit by bit: without correction always, with it where cells have global ids.
+/// Graph distances are bitwise equal: always without correction, and with correction if cells have
+/// global ids.
 TEST_F(SeveralProcesses, GraphDistancesAreTheSame)
 {
   for (const bool corrects : { false, true })
@@ -165,7 +166,7 @@ TEST_F(SeveralProcesses, GhostCellsAreLeftOut)
 }
 
 //------------------------------------------------------------------------------
-/// Cuts that cross a seam, at its end too, neither close nor widen it.
+/// Cuts that cross a seam, even at its end, neither close nor widen the seam.
 TEST_F(SeveralProcesses, SeamsStaySeams)
 {
   const auto seam = MakeSeam(25);
@@ -176,7 +177,7 @@ TEST_F(SeveralProcesses, SeamsStaySeams)
   EXPECT_EQ(open->GetNumberOfBoundaryLoops(), 1);
   for (int shift = 0; shift < 8; ++shift)
   {
-    // Cuts between columns, which cross the seam: where they lie on an edge of it, that is joined.
+    // Cuts between columns, which cross the seam. An edge of the seam that lies on a cut is joined.
     const int columns = 24;
     Labels labels = LabelStrips(seam, columns);
     for (int& label : labels)
@@ -222,7 +223,7 @@ TEST_F(SeveralProcesses, AGraphServesAChain)
     mesh = mesh == 0 ? distance->GetMeshBuildTime() : mesh;
     EXPECT_EQ(distance->GetMeshBuildTime(), mesh);
   }
-  // One that a filter keeps.
+  // A graph that is kept by the filter.
   vtkNew<vtkDGGDistance> own;
   own->SetInputData(part);
   own->SetSourceData(MakeSources());
@@ -235,7 +236,7 @@ TEST_F(SeveralProcesses, AGraphServesAChain)
 }
 
 //------------------------------------------------------------------------------
-/// Sources come from any process, from one or from all: each counts once.
+/// Sources may come from one or all processes. Each source counts once.
 TEST_F(SeveralProcesses, SourcesCountOnce)
 {
   const auto part = this->TakeStrip(this->Surface);
@@ -270,7 +271,7 @@ TEST_F(SeveralProcesses, SourcesCountOnce)
 }
 
 //------------------------------------------------------------------------------
-/// What every process has as a whole, as with most readers, counts once.
+/// A surface that every process contains completely, as with most readers, counts once.
 TEST_F(SeveralProcesses, TheSameSurfaceEverywhereCountsOnce)
 {
   const auto prepare = [](auto* filter) { filter->SetSourceIds({ 3 }); };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What several processes may have: parts of any kind, files, errors, blocks. Run under mpiexec;
-/// alone as well.
+/// Input of several processes: pieces of any kind, files, errors, blocks. Run under mpiexec; a
+/// single process is valid, too.
 #include "SeveralProcessesFixture.h"
 
 #include "vtkDGGDistance.h"
@@ -38,7 +38,7 @@ TEST_F(SeveralProcesses, FewerPartsThanProcesses)
 }
 
 //------------------------------------------------------------------------------
-/// The first process alone has what is read.
+/// Only the first process reads the data.
 TEST_F(SeveralProcesses, ReadersGiveOnePiece)
 {
   vtkNew<vtkDGGOFFReader> reader;
@@ -52,7 +52,7 @@ TEST_F(SeveralProcesses, ReadersGiveOnePiece)
   {
     return;
   }
-  // Without a file, nobody waits for the first process.
+  // If the file is missing, no process waits for the first one.
   reader->SetFileName("none.off");
   const Listener silence(reader);
   const Listener listener(filter);
@@ -61,7 +61,7 @@ TEST_F(SeveralProcesses, ReadersGiveOnePiece)
 }
 
 //------------------------------------------------------------------------------
-/// A plane in pieces of other cells than triangles, with verts and lines.
+/// A plane in pieces of cells other than triangles, with verts and lines.
 TEST_F(SeveralProcesses, PiecesOfQuadsAndStrips)
 {
   for (const GridCells cells : { GridCells::Quads, GridCells::Strips })
@@ -93,7 +93,7 @@ TEST_F(SeveralProcesses, PiecesOfQuadsAndStrips)
 //------------------------------------------------------------------------------
 TEST_F(SeveralProcesses, PiecesOfASource)
 {
-  vtkNew<vtkSphereSource> sphere; // whose pieces differ by roundings on their rims
+  vtkNew<vtkSphereSource> sphere; // its pieces differ by rounding error on their rims
   sphere->SetThetaResolution(40);
   sphere->SetPhiResolution(30);
   vtkNew<vtkExactGeodesicDistance> filter;
@@ -135,7 +135,7 @@ TEST_F(SeveralProcesses, ParallelFiles)
 }
 
 //------------------------------------------------------------------------------
-/// Four pieces in a file, of which a process may have several side by side.
+/// Four pieces in a file, of which a process may have several adjacent ones.
 TEST_F(SeveralProcesses, FilesOfMorePieces)
 {
   const std::string base =
@@ -172,7 +172,7 @@ TEST_F(SeveralProcesses, FilesOfMorePieces)
 }
 
 //------------------------------------------------------------------------------
-/// Wherever something is wrong, all processes say so, and go on together.
+/// If any process fails, all processes report the error and continue together.
 TEST_F(SeveralProcesses, ErrorsOfOneProcess)
 {
   if (this->Count == 1)
@@ -224,7 +224,7 @@ TEST_F(SeveralProcesses, ErrorsOfOneProcess)
   filter->UpdatePiece(0, this->Count + 1, 0);
   EXPECT_NE(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
 
-  // The first process is asked to stop.
+  // The first process requests an abort.
   ProgressWatch watch(filter);
   watch.StopAt = this->IsFirst() ? 0.3 : 2.0;
   filter->SetAccuracy(0.02);
@@ -249,7 +249,7 @@ TEST_F(SeveralProcesses, GlobalIdsInTwoPlaces)
   vtkDataArray* ids = part->GetPointData()->GetGlobalIds();
   for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
   {
-    ids->SetTuple1(i, static_cast<double>(i)); // those of this process
+    ids->SetTuple1(i, static_cast<double>(i)); // ids within this process
   }
   vtkNew<vtkDGGDistance> filter;
   filter->SetInputData(part);
@@ -261,7 +261,7 @@ TEST_F(SeveralProcesses, GlobalIdsInTwoPlaces)
 }
 
 //------------------------------------------------------------------------------
-/// Blocks of which each process has a part.
+/// Blocks that have a piece in each process.
 TEST_F(SeveralProcesses, BlocksInParts)
 {
   vtkNew<vtkMultiBlockDataSet> whole;
@@ -306,7 +306,7 @@ TEST_F(SeveralProcesses, BlocksInParts)
         FloatTolerance);
     }
   }
-  // Each process alone, with the same parts.
+  // Each process runs separately, with the same pieces.
   filter->SetSourceData(MakeSourcePoints({ { { (this->Here + 0.5) / this->Count, 0.5, 0.0 } } }));
   filter->SetProjectionTolerance(0.5);
   filter->Update();

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Filters that search the same graph share what searches need, and answer as if they were alone.
+/// Filters that search the same graph share search data, and give the same results as a single
+/// filter.
 #include "../Benchmark/MemoryProbe.h"
 #include "GraphTestTools.h"
 
@@ -17,10 +18,10 @@ using namespace dggtest;
 
 namespace
 {
-/// Bytes per vertex of tables and landmarks, at least.
+/// Lower bound of the size of tables and landmarks, bytes per vertex.
 constexpr double BytesOfTables = 40.0;
 constexpr double BytesOfLandmarks = 68.0;
-/// Bytes per vertex of the tables that link points: 64 and more for each of six half-edges.
+/// Size of the tables that link points, bytes per vertex: at least 64 for each of six half-edges.
 constexpr double BytesOfBuilder = 384.0;
 
 class SharedGraph : public ::testing::Test
@@ -28,7 +29,7 @@ class SharedGraph : public ::testing::Test
 protected:
   void SetUp() override
   {
-    this->Holder->SetInputData(this->Surface); // of the prepared surface, so that it does not count
+    this->Holder->SetInputData(this->Surface); // shares the surface: its memory is not measured
     this->Holder->AddSourceId(0);
     ExpectSuccess(this->Holder);
   }
@@ -88,7 +89,7 @@ TEST_F(SharedGraph, TheSecondFilterMakesNoTables)
   const auto second = this->MakeDistance(5);
   const Memory alone = Measure(first);
   const Memory shared = Measure(second);
-  if (alone.Growth > 0.0) // else it cannot be measured
+  if (alone.Growth > 0.0) // otherwise memory cannot be measured
   {
     EXPECT_LT(shared.Growth, alone.Growth - BytesOfTables * this->Size);
     EXPECT_LT(shared.Peak, alone.Peak - BytesOfTables * this->Size);
@@ -142,7 +143,7 @@ TEST_F(SharedGraph, LandmarksAreFoundOnce)
   EXPECT_EQ(GetCoordinates(first->GetOutput()), GetCoordinates(second->GetOutput()));
 }
 
-/// Whether others have found landmarks makes no difference to a filter with few pairs.
+/// Landmarks of other filters do not affect a filter with few pairs.
 TEST_F(SharedGraph, AnswersDoNotDependOnOthers)
 {
   const auto alone = this->MakePath(20);
@@ -157,7 +158,8 @@ TEST_F(SharedGraph, AnswersDoNotDependOnOthers)
     BytesOfLandmarks * this->Size);
 }
 
-/// The graph lives as long as anybody searches it, whoever has made it or prepared it first.
+/// The graph exists as long as any filter searches it, independent of the filter that built or
+/// prepared it.
 TEST_F(SharedGraph, OutlivesTheFirst)
 {
   const auto second = this->MakeDistance(9);

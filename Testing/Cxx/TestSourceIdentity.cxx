@@ -28,7 +28,7 @@ namespace
 {
 using Weights = std::array<double, 3>;
 
-/// A point of a triangle of a surface.
+/// A position in a triangle of a surface.
 struct Place
 {
   vtkIdType Cell;
@@ -39,8 +39,8 @@ struct Place
 enum Naming
 {
   ByPosition,
-  ByPointId, ///< places are corners of triangles
-  ByFace,    ///< whatever the position
+  ByPointId, ///< positions are corners of triangles
+  ByFace,    ///< FaceId, with an arbitrary position
   ByAllArrays
 };
 
@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> MakePoints(
     positions.push_back(GetPosition(surface, place));
     for (double& x : positions.back())
     {
-      x += naming == ByFace ? 10.0 : 0.0; // positions do not count
+      x += naming == ByFace ? 10.0 : 0.0; // positions are ignored
     }
     ids->InsertNextValue(GetPointId(surface, place));
     faces->InsertNextValue(place.Cell);
@@ -107,7 +107,8 @@ vtkSmartPointer<vtkPolyData> MakePoints(
   return points;
 }
 
-/// All numbers that a filter puts out, but for the arrays that identify points; FaceId on request.
+/// Returns all values of the outputs of a filter except arrays that identify points; FaceId on
+/// request.
 std::vector<double> GetNumbers(vtkAlgorithm* filter, bool withFaces)
 {
   const Listener listener(filter);
@@ -148,8 +149,8 @@ bool AreSame(const std::vector<double>& a, const std::vector<double>& b, double 
     });
 }
 
-/// Four places around the middle of a surface of 9 x 9 points, and one in the middle; the cells of
-/// a second layer begin at `firstCell`.
+/// Returns four positions around the middle of a surface of 9 x 9 points, and one in the middle;
+/// the cells of a second layer begin at `firstCell`.
 std::vector<Place> MakePlaces(
   vtkPolyData* surface, const Weights& coordinates, vtkIdType firstCell = 0)
 {
@@ -232,7 +233,7 @@ TEST_P(SourceIdentity, FacesNamePointsAsPositionsDo)
 
 TEST_P(SourceIdentity, CoincidentLayersAreDistinguished)
 {
-  // Other numbers of these filters do not depend on the layer.
+  // FaceId is the only output of these filters that depends on the layer.
   const std::string name = this->GetParam().Name;
   const bool withFaces =
     name == "Path" || name == "Loop" || name == "PatchBoundaries" || name == "Sampler";
@@ -249,7 +250,7 @@ TEST_P(SourceIdentity, CoincidentLayersAreDistinguished)
       EXPECT_TRUE(AreSame(expected[layer], numbers, 0.0)) << layer << naming;
     }
   }
-  EXPECT_EQ(AreSame(expected[0], expected[1], 1e-9), name == "Matrix"); // see below
+  EXPECT_EQ(AreSame(expected[0], expected[1], 1e-9), name == "Matrix"); // tested below
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, SourceIdentity, ::testing::ValuesIn(GetFiltersWithPoints()),
@@ -292,7 +293,7 @@ TEST(SourceFaces, ThreeCoordinatesAreNeeded)
 
 TEST(SourceFaces, OutputsIdentifyTheirPoints)
 {
-  // Samples and sites inside faces, on the layer that the position does not find.
+  // Samples and sites inside faces, on the layer that a search by position does not return.
   const auto terrain = MakeTerrain(9);
   vtkNew<vtkGeodesicSampler> sampler;
   sampler->SetInputData(Beside(terrain, terrain, 0.0));

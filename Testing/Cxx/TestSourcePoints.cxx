@@ -87,9 +87,9 @@ TEST(SourcePoints, ArraysOfTheNearest)
   filter->PassSourceArraysOn();
   ExpectSuccess(filter);
   vtkPointData* data = filter->GetOutput()->GetPointData();
-  EXPECT_EQ(data->GetNumberOfArrays(), 4); // not the numbers of sources
+  EXPECT_EQ(data->GetNumberOfArrays(), 4); // indices of sources are not passed
   EXPECT_NEAR(GetDistances(filter)[3], 0.1, 1e-12);
-  // Nearest to one, to the other, to an id, to none.
+  // Points nearest to the first source, to the second source, to an id, to none.
   const vtkIdType points[4] = { 3, 6, 9, 0 };
   const std::string expectedNames[4] = { "west", "east", "", "" };
   const double expectedLabels[4] = { 7.0, 9.0, 0.0, 0.0 };
@@ -105,7 +105,7 @@ TEST(SourcePoints, ArraysOfTheNearest)
   }
 }
 
-// Sources that are an outcome of this filter, with arrays that are not for the surface.
+// Sources from an output of the same filter, with arrays that are not passed to the surface.
 TEST(SourcePoints, ArraysThatAreNotPassed)
 {
   vtkNew<vtkExactGeodesicDistance> before;
@@ -124,9 +124,9 @@ TEST(SourcePoints, ArraysThatAreNotPassed)
   ghosts->Fill(1.0);
   vtkNew<vtkFloatArray> heights;
   heights->SetName("Height");
-  heights->SetNumberOfTuples(3); // of 4 points
+  heights->SetNumberOfTuples(3); // the surface has 4 points
   heights->Fill(1.0);
-  vtkNew<vtkFloatArray> coordinates; // without FaceId they are of no use
+  vtkNew<vtkFloatArray> coordinates; // ignored without FaceId
   coordinates->SetName("Barycentric");
   coordinates->SetNumberOfComponents(3);
   coordinates->SetNumberOfTuples(4);
@@ -173,7 +173,7 @@ TEST(SourcePoints, InitialDistances)
   };
   expectOffsets(offsets);
 
-  // Another name: the array is not looked at, then it is.
+  // An array with another name is ignored until the name is set.
   filter->SetSourceData(WithInitialDistances(places, { offsets[0], offsets[1] }, "Start"));
   ExpectSuccess(filter);
   const double none[2] = { 0.0, 0.0 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contract of all filters on surfaces: errors in the input, cells and points that are not
-/// used, coincident points, and the graph that some filters search.
+/// The contract of all filters on surfaces: errors in the input, unused cells and points,
+/// coincident points, and the graph that some filters search.
 #include "FilterCases.h"
 #include "GraphTestTools.h"
 #include "PartTestTools.h"
@@ -33,7 +33,7 @@ using namespace dggtest;
 
 namespace
 {
-/// Returns true for equal numbers; eigenvectors of another mesh differ by rounding.
+/// Returns true for equal numbers; eigenvectors of another mesh may differ by rounding.
 bool AreSame(double a, double b)
 {
   return std::abs(a - b) <= 1e-9 * std::abs(a) || (std::isnan(a) && std::isnan(b));
@@ -44,9 +44,9 @@ class SurfaceContract : public ::testing::TestWithParam<FilterCase>
 protected:
   vtkSmartPointer<vtkGeodesicAlgorithm> Make() { return this->GetParam().Make(this->Relief); }
 
-  /// Expects that a filter gives the results of the relief on a surface with the same triangles
-  /// after `otherCells` other cells, and the same points before others. `elsewhere` checks the
-  /// values at these.
+  /// Expects the results of the relief on a surface with the same triangles after `otherCells`
+  /// other cells, and the same points followed by others. `elsewhere` checks the values at the
+  /// additional points.
   template <typename Function>
   void ExpectTheSame(
     vtkPolyData* surface, vtkIdType otherCells, vtkGeodesicAlgorithm* filter, Function elsewhere)
@@ -62,7 +62,7 @@ protected:
       const bool isOfPoints = n == this->Relief->GetNumberOfPoints();
       if (more != 0 && more != others && !isOfPoints)
       {
-        return; // new points, numbered in another way
+        return; // new points have different ids
       }
       const std::string name = expected->GetName();
       const vtkIdType first = isOfPoints ? 0 : more;
@@ -110,7 +110,7 @@ protected:
   vtkSmartPointer<vtkPolyData> Relief = MakeRelief(VTK_DOUBLE);
 };
 
-/// Filters that search a graph.
+/// Fixture of filters that search a graph.
 template <typename FilterType>
 class GraphFilters : public ::testing::Test
 {
@@ -128,11 +128,11 @@ protected:
     }
     if (auto* voronoi = vtkGeodesicVoronoi::SafeDownCast(this->Filter))
     {
-      voronoi->RefineBoundariesOff(); // which needs links as well
+      voronoi->RefineBoundariesOff(); // refinement needs links, too
     }
   }
 
-  /// Makes the filter use points that are not vertices.
+  /// Sets points that are not vertices.
   void UseLinks()
   {
     this->SetPoints(this->Filter, MakeSourcePoints(GetPointsOnEdges(this->Relief)));
@@ -161,7 +161,7 @@ TEST_P(SurfaceContract, RecoversFromErrors)
   ExpectError(filter, { "point 5" });
   {
     const Listener listener(filter);
-    filter->Update(); // nothing has changed: the error is not repeated, but stays
+    filter->Update(); // nothing has changed: the error is not repeated, but remains set
     EXPECT_TRUE(listener.Errors.empty());
     EXPECT_NE(filter->GetErrorCode(), vtkErrorCode::NoError);
     ExpectEmptyOutput(filter);
@@ -217,7 +217,7 @@ TEST_P(SurfaceContract, UsesNoOtherCellsAndNoPointsWithoutPolygons)
 
 TEST_P(SurfaceContract, MergesCoincidentPoints)
 {
-  // A relief that is cut in two: the upper part has copies of the points of the middle row.
+  // A relief cut in two: the upper part has copies of the points of the middle row.
   const auto surface = MakeRelief(VTK_DOUBLE);
   vtkCellArray* triangles = surface->GetPolys();
   for (vtkIdType id = 36; id < 45; ++id)
@@ -241,7 +241,7 @@ TEST_P(SurfaceContract, MergesCoincidentPoints)
   vtkDataArray* integrals = surface->GetPointData()->GetArray("f");
   for (vtkIdType id = 81; integrals && id < 90; ++id)
   {
-    integrals->SetComponent(id, 0, 0.0); // those of merged points are added
+    integrals->SetComponent(id, 0, 0.0); // values of merged points are added
   }
   this->ExpectTheSame(surface, 0, filter, [](vtkDataArray* array, vtkIdType i) {
     EXPECT_TRUE(AreSame(array->GetComponent(i, 0), array->GetComponent(i - 81 + 36, 0)));
@@ -303,7 +303,7 @@ TYPED_TEST(GraphFilters, TakeTheGraphOnTheirInputOrBuildOne)
 TYPED_TEST(GraphFilters, RefuseLinksBeyondTheMemoryLimit)
 {
   ExpectSuccess(this->Filter);
-  this->Filter->SetMemoryLimit(1000); // the graph is there
+  this->Filter->SetMemoryLimit(1000); // the graph exists
   this->UseLinks();
   ExpectError(this->Filter, { "linking points that are not vertices" });
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// vtkSurfaceEarthMoversDistance: known distances, flows, distributions given in several ways,
-/// components, what is kept.
+/// vtkSurfaceEarthMoversDistance: known distances, flows, several representations of distributions,
+/// components, reuse between updates.
 #include "SpectralTestTools.h"
 
 #include "vtkSurfaceEarthMoversDistance.h"
@@ -37,7 +37,7 @@ void AddArray(vtkPolyData* data, const std::string& name, const std::vector<doub
   data->GetPointData()->AddArray(array);
 }
 
-/// A filter on a surface, with the arrays "from" and "to".
+/// The filter on a surface, with the arrays "from" and "to".
 struct Fixture
 {
   explicit Fixture(vtkPolyData* surface)
@@ -73,7 +73,7 @@ struct Fixture
   vtkNew<vtkSurfaceEarthMoversDistance> Filter;
 };
 
-/// Densities around a place, in double precision.
+/// Returns densities around a position, in double precision.
 std::vector<double> Bump(vtkPolyData* surface, double x, double y, double width)
 {
   std::vector<double> values;
@@ -86,8 +86,8 @@ std::vector<double> Bump(vtkPolyData* surface, double x, double y, double width)
   return values;
 }
 
-/// The end of a strip of the given length and four units: masses that everything has to leave, or
-/// to reach, along straight lines.
+/// Returns masses at the end of a strip of the given height, four units in total. All mass leaves
+/// or reaches the end along straight lines.
 std::vector<double> EndOfStrip(vtkPolyData* strip, double x, double height)
 {
   std::vector<double> masses;
@@ -111,7 +111,7 @@ TEST(SurfaceEarthMoversDistance, FlowAlongAStripIsStraight)
     moved.Filter->NormalizeOff();
     EXPECT_NEAR(moved.Distance(), 4.0 * 12.0, 0.05);
     EXPECT_NEAR(moved.Filter->GetLowerBound(), 4.0 * 12.0, 0.05);
-    // Four units of mass go through a width of four.
+    // Four units of mass cross a width of four.
     vtkDataArray* flow = moved.Flow();
     ASSERT_NE(flow, nullptr);
     ASSERT_EQ(flow->GetNumberOfTuples(), strip->GetNumberOfCells());
@@ -150,7 +150,8 @@ TEST(SurfaceEarthMoversDistance, FlowOnASphereIsTangentAndCostsTheDistance)
   }
   Fixture moved(sphere, from, to);
   const double distance = moved.Distance();
-  // Along meridians: the integral of the mass that passes a parallel, sin^2(t) / 2, over t.
+  // Mass moves along meridians: the distance is the integral over t of the mass that crosses a
+  // parallel, sin^2(t) / 2.
   EXPECT_NEAR(distance, 0.25 * vtkMath::Pi(), 0.01);
   double cost = 0.0;
   for (vtkIdType c = 0; c < sphere->GetNumberOfCells(); ++c)
@@ -180,7 +181,7 @@ TEST(SurfaceEarthMoversDistance, DistributionsInSeveralWays)
   const double expected = densities.Distance();
   EXPECT_GT(expected, 0.35);
   EXPECT_LT(expected, 0.7);
-  // The same distributions as masses, which need not be normalized.
+  // The same distributions as masses, which do not need to be normalized.
   const std::vector<double> areas = GetPointAreas(terrain);
   std::vector<double> fromMasses(from);
   std::vector<double> toMasses(to);
@@ -192,7 +193,7 @@ TEST(SurfaceEarthMoversDistance, DistributionsInSeveralWays)
   Fixture masses(MakeTerrain(20), fromMasses, toMasses);
   masses.Filter->SetArrayMeaningToMass();
   EXPECT_NEAR(masses.Distance(), expected, 1e-9);
-  // As points with masses, and half of it in an array.
+  // Distributions as points with masses, and one half as an array.
   auto points = MakeSourcePoints({});
   points->SetPoints(terrain->GetPoints());
   for (double& mass : fromMasses)
@@ -209,7 +210,7 @@ TEST(SurfaceEarthMoversDistance, DistributionsInSeveralWays)
   both.Filter->SetFromData(points);
   both.Filter->SetMassArrayName("half");
   EXPECT_NEAR(both.Distance(), expected, 1e-9);
-  // Without a name, each point has the mass 1: another distribution.
+  // Without a name, each point has mass 1, which is another distribution.
   both.Filter->SetMassArrayName(nullptr);
   EXPECT_GT(std::abs(both.Distance() - expected), 0.01);
 }
@@ -232,7 +233,7 @@ TEST(SurfaceEarthMoversDistance, PartsNeedTheSameMass)
   EXPECT_NEAR(pair.Distance(), 2.0 * expected, 0.04 * expected);
   pair.Filter->SetToData(MakeSourcePoints({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }));
   ExpectError(pair.Filter, { "nothing can get there" });
-  // Sums of floats are close enough.
+  // Sums of single-precision values are accurate enough.
   std::vector<double> from(2 * n);
   std::vector<double> to(2 * n);
   for (std::size_t i = 0; i < 2 * n; ++i)
@@ -258,7 +259,7 @@ TEST(SurfaceEarthMoversDistance, PartsNeedTheSameMass)
 
 TEST(SurfaceEarthMoversDistance, MassesOfMergedPointsAreAdded)
 {
-  // Two halves of a strip that meet along x = 6 with points of their own.
+  // Two halves of a strip with separate points along their common line x = 6.
   auto strip = Beside(MakeGrid(6, 4), MakeGrid(6, 4), 6.0);
   Fixture moved(strip, EndOfStrip(strip, 0.0, 4.0), EndOfStrip(strip, 6.0, 4.0));
   moved.Filter->SetArrayMeaningToMass();
@@ -278,7 +279,7 @@ TEST(SurfaceEarthMoversDistance, OtherTrianglesHaveNoFlow)
   EXPECT_NEAR(moved.Distance(), expected, 0.01 * expected);
   EXPECT_EQ(moved.Flow(), nullptr);
   EXPECT_EQ(moved.Filter->GetNumberOfFactorizations(), 2);
-  // The input is as it was.
+  // The input is unchanged.
   EXPECT_EQ(terrain->GetPointData()->GetNumberOfArrays(), 2);
   EXPECT_EQ(terrain->GetCellData()->GetNumberOfArrays(), 0);
   EXPECT_EQ(terrain->GetFieldData()->GetNumberOfArrays(), 0);
@@ -358,7 +359,7 @@ TEST(SurfaceEarthMoversDistance, CopiesOfTrianglesHaveTheirFlow)
   }
 }
 
-// The smallest gap that can be asked for is that of rounding: no warning that it is not closed.
+// Tolerances below rounding error count as rounding error: no warning reports an open gap.
 TEST(SurfaceEarthMoversDistance, AnySmallToleranceIsReached)
 {
   auto surface = MakeGrid(5, 4);

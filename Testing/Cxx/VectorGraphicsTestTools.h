@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of vtkPoissonVectorGraphics share: arrays, a square with curves.
+/// Tools shared by the tests of vtkPoissonVectorGraphics: arrays, a square with curves.
 #ifndef VectorGraphicsTestTools_h
 #define VectorGraphicsTestTools_h
 
@@ -34,7 +34,7 @@ void AddArray(
   data->AddArray(array);
 }
 
-/// A square [0, 6] x [0, 4] and polylines on it.
+/// A rectangle [0, 6] x [0, 4] and polylines on it.
 struct GraphicsFixture
 {
   GraphicsFixture(const Points& points, const Cells& lines)
@@ -59,7 +59,7 @@ struct GraphicsFixture
   vtkNew<vtkPoissonVectorGraphics> Filter;
 };
 
-/// Two curves across, upwards: at x = 1.5 and x = 4.
+/// Returns the rectangle with two upward curves, at x = 1.5 and x = 4.
 inline GraphicsFixture MakeTwoAcross()
 {
   return GraphicsFixture(

@@ -132,7 +132,7 @@ dgg::CloudGraph BuildGraph(const Cloud& cloud,
   EXPECT_TRUE(status.IsOk()) << status.GetMessage();
   EXPECT_EQ(view.NumberOfVertices, status.IsOk() ? cloud.GetSize() : view.NumberOfVertices);
   EXPECT_EQ(view.Info.Kind, dgg::GraphKind::Cloud);
-  // Symmetric, and every row sorted by target.
+  // Edges must be symmetric, and every row sorted by target.
   for (Id v = 0; v < view.NumberOfVertices; ++v)
   {
     for (dgg::Offset e = view.Offsets[v]; e < view.Offsets[v + 1]; ++e)

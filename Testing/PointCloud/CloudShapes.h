@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Point clouds with known distances, and what tests ask of graphs.
+/// Point clouds with known distances, and checks of graphs.
 #ifndef CloudShapes_h
 #define CloudShapes_h
 
@@ -21,7 +21,7 @@ using dgg::Point3;
 using dggtest::GraphDistances;
 using dggtest::WithThreads;
 
-/// Points, x y z each, and the distance between two of them.
+/// Point coordinates (x, y, z per point), and the distance between two points.
 struct Cloud
 {
   std::vector<double> Points;
@@ -42,41 +42,41 @@ struct Cloud
   }
 };
 
-/// Random points of the unit sphere; `noise` moves them along each axis, but not what is known of
-/// their distances.
+/// Returns random points of the unit sphere. `noise` moves points along each axis, but does not
+/// change the known distances.
 Cloud Sphere(int count, unsigned seed, double noise = 0.0);
-/// Random points of a square with sides of length 1. With a `gradient` there are that many times as
-/// many per area on the right as on the left.
+/// Returns random points of a unit square. The density at the right side is `gradient` times the
+/// density at the left side.
 Cloud Square(int count, unsigned seed, double gradient = 1.0);
-/// A regular grid of n x n points of the same.
+/// Returns a regular grid of n x n points of the unit square.
 Cloud Grid(int n);
-/// Random points of a cylinder of radius 1 and height 3 around the z axis.
+/// Returns random points of a cylinder of radius 1 and height 3 around the z axis.
 Cloud Cylinder(int count, unsigned seed);
 
-/// A builder for the points of a cloud, which must stay.
+/// Returns a builder for the points of a cloud, which must outlive the builder.
 dgg::CloudGraphBuilder MakeBuilder(const Cloud& cloud);
 
-/// What is predicted; what the kernel refuses fails the test.
+/// Returns the prediction of the kernel; a refusal fails the test.
 dgg::CloudGraphEstimate Predict(
   const Cloud& cloud, const dgg::CloudGraphOptions& options = dgg::CloudGraphOptions());
 
-/// The message with which a graph is refused; empty when it is built.
+/// Returns the message with which a graph is refused; empty if it is built.
 std::string GetRefusal(const Cloud& cloud, const dgg::CloudGraphOptions& options);
 
-/// Build; what the kernel refuses, and a graph that is not well formed, fails the test.
+/// Builds a graph. A refusal, or a malformed graph, fails the test.
 dgg::CloudGraph BuildGraph(const Cloud& cloud,
   const std::function<void(dgg::CloudGraphOptions&)>& change = nullptr,
   dgg::CloudGraphStatistics* statistics = nullptr);
 
 struct Errors
 {
-  double Mean = 0.0; ///< of the absolute values
+  double Mean = 0.0; ///< mean absolute value
   double Bias = 0.0;
   double Max = 0.0;
   int Unreached = 0;
 };
 
-/// Relative errors of distances from some vertices, of those that are farther than `least`.
+/// Returns the relative errors of distances from some vertices, for distances larger than `least`.
 Errors MeasureErrors(const Cloud& cloud, const dgg::GraphView& graph, double least = 0.0);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds with parts that are very much sparser than others: voxels that are large enough for the
-// sparse ones are larger than the balls of the dense ones.
+// Clouds with much sparser parts: voxels that are large enough for the sparse parts are larger than
+// the balls of the dense parts.
 #include "CloudShapes.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ using dgg::CloudGraph;
 using dgg::CloudGraphOptions;
 using dgg::CloudGraphStatistics;
 
-/// Points of a scanner above flat ground, with equal steps of angle from a circle of radius 1 to
-/// one of `farthest`.
+/// Returns the points of a scanner above flat ground, in equal angular steps, from a circle of
+/// radius 1 to a circle of radius `farthest`.
 Cloud FlatScan(int rings, int perRing, double height, double farthest)
 {
   Cloud cloud;
@@ -36,14 +36,14 @@ Cloud FlatScan(int rings, int perRing, double height, double farthest)
   return cloud;
 }
 
-/// Bytes of the band and what comes with it, per node.
+/// Returns the memory of the band and its tables, bytes per point.
 double BandPerPoint(const Cloud& cloud, const CloudGraphStatistics& statistics)
 {
   return static_cast<double>(statistics.BandMemory) / cloud.GetSize();
 }
 
-/// Mean relative error of distances from the first point, among those of a sphere, which come
-/// first.
+/// Returns the mean relative error of distances from the first point to points of a sphere, which
+/// come first in the cloud.
 double ErrorOnSphere(const Cloud& sphere, const CloudGraph& graph)
 {
   const std::vector<double> found = GraphDistances(graph.Graph.View(), 0);
@@ -64,13 +64,13 @@ double Sqr(double x)
 
 TEST(CloudDensity, ScansOfFlatGround)
 {
-  // Points near the scanner are hundreds of times as dense as those far off.
+  // The density near the scanner is hundreds of times the density at the rim.
   const Cloud cloud = FlatScan(20, 64, 1.8, 200.0);
   CloudGraphStatistics statistics;
   const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
   EXPECT_LT(BandPerPoint(cloud, statistics), 20e3);
-  EXPECT_GT(statistics.VoxelSize, statistics.Spacing); // or this is no test
-  // Rings far off fall apart; those that hang together are gone around the middle.
+  EXPECT_GT(statistics.VoxelSize, statistics.Spacing); // otherwise nothing is tested
+  // Distant rings fall apart; paths between connected rings turn around the middle.
   EXPECT_GT(graph.ComponentSizes[0], 14 * 64);
   const std::vector<double> found = GraphDistances(graph.Graph.View(), 0);
   double worst = 0.0;
@@ -78,7 +78,8 @@ TEST(CloudDensity, ScansOfFlatGround)
   int count = 0;
   for (Id i = 1; i < cloud.GetSize(); ++i)
   {
-    // Seen from the circle that nothing is inside of: beyond its tangent, along it first.
+    // The circle around the empty middle is an obstacle: beyond the tangent point, paths first
+    // follow the circle.
     const Point3 p = cloud.At(i);
     const double radius = dgg::Norm(p);
     const double angle = std::acos(std::min(1.0, p.X / radius));
@@ -99,7 +100,7 @@ TEST(CloudDensity, ScansOfFlatGround)
 
 TEST(CloudDensity, HolesOfDensePartsAreGoneAround)
 {
-  // A dense square with a hole in it that is narrower than a voxel, and a sparse one beside it.
+  // A dense square with a hole that is narrower than a voxel, and a sparse square next to it.
   Cloud cloud;
   const Cloud dense = Square(1000, 4);
   const auto isHole = [](const Point3& p) {
@@ -120,7 +121,7 @@ TEST(CloudDensity, HolesOfDensePartsAreGoneAround)
   }
   CloudGraphStatistics statistics;
   const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-  EXPECT_GT(statistics.VoxelSize, 0.2); // or this is no test
+  EXPECT_GT(statistics.VoxelSize, 0.2); // otherwise nothing is tested
   EXPECT_EQ(graph.ComponentSizes, (std::vector<Id>{ count, 200 }));
   const dgg::GraphView view = graph.Graph.View();
   for (Id v = 0; v < count; ++v)
@@ -138,7 +139,8 @@ TEST(CloudDensity, HolesOfDensePartsAreGoneAround)
 
 TEST(CloudDensity, ManyPointsFarOff)
 {
-  // Too many to be outliers, and their balls are larger than the rest of the cloud is.
+  // The distant points are too many to be outliers, and their balls are larger than the rest of the
+  // cloud.
   const Cloud clean = Sphere(1000, 22);
   Cloud cloud = clean;
   const Cloud off = Sphere(25, 23);
@@ -148,7 +150,7 @@ TEST(CloudDensity, ManyPointsFarOff)
   }
   CloudGraphStatistics statistics;
   const CloudGraph graph = BuildGraph(cloud, nullptr, &statistics);
-  EXPECT_GT(statistics.VoxelSize, 2.0); // or this is no test
+  EXPECT_GT(statistics.VoxelSize, 2.0); // otherwise nothing is tested
   EXPECT_LT(BandPerPoint(cloud, statistics), 60e3);
   ASSERT_EQ(graph.ComponentSizes[0], 1000);
   EXPECT_LT(ErrorOnSphere(clean, graph), 1.2 * ErrorOnSphere(clean, BuildGraph(clean)));

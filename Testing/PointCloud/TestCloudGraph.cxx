@@ -37,7 +37,7 @@ TEST(CloudGraph, NumberingDoesNotMatter)
 
 TEST(CloudGraph, ComponentsAreThoseOfTheGraph)
 {
-  // Two spheres, the second one smaller, and a point far off.
+  // Two spheres, the second one smaller, and a distant point.
   Cloud cloud = Sphere(800, 3);
   const Cloud small = Sphere(1500, 4);
   for (Id i = 0; i < small.GetSize(); ++i)
@@ -70,7 +70,7 @@ TEST(CloudGraph, OptionsAreUsedAsGiven)
       options.Alpha = 12.0;
     },
     &statistics);
-  // Of two units.
+  // The extent is two units.
   const double voxel = 2.0 / 100.0;
   EXPECT_NEAR(statistics.VoxelSize, voxel, 0.01 * voxel);
   EXPECT_EQ(statistics.Resolution, 100);
@@ -94,8 +94,8 @@ TEST(CloudGraph, OptionsAreUsedAsGiven)
 
 TEST(CloudGraph, AllPointsWithinReachAreNeighbours)
 {
-  // A spot of the square has 200 times as many points as the rest per area: points there have far
-  // more neighbours than others.
+  // A small region of the square has 200 times the density of the rest: points there have far more
+  // neighbors than others.
   Cloud cloud = Square(2000, 9);
   const Cloud spot = Square(1000, 10);
   for (Id i = 0; i < spot.GetSize(); ++i)
@@ -123,6 +123,6 @@ TEST(CloudGraph, AllPointsWithinReachAreNeighbours)
       pairs += p != q && dgg::Norm(cloud.At(p) - cloud.At(q)) <= reach ? 1 : 0;
     }
   }
-  // All but some that would leave the band at the border.
+  // Almost all pairs have an edge; the others would leave the band at the border.
   EXPECT_GT(static_cast<double>(graph.Graph.Targets.Size()), 0.99 * static_cast<double>(pairs));
 }

@@ -24,7 +24,7 @@ Errors ErrorsOf(const Cloud& cloud, const std::function<void(CloudGraphOptions&)
   return MeasureErrors(cloud, graph.Graph.View(), least);
 }
 
-/// A coarser graph, what was found out about the noise, and its errors beyond `least`.
+/// A coarser graph, its statistics on noise, and its errors beyond `least`.
 struct NoisyGraph
 {
   dgg::CloudGraphStatistics Statistics;
@@ -38,8 +38,8 @@ struct NoisyGraph
   }
 };
 
-/// Random points of the sphere or of the square, with normal noise along the normals: so distances
-/// stay what they are.
+/// Returns random points of the sphere or of the square, with Gaussian noise along the normals, so
+/// that distances do not change.
 Cloud WithNoiseAlongNormals(
   bool isRound, int count, double noise, unsigned seed, std::mt19937& generator)
 {
@@ -68,7 +68,7 @@ TEST(CloudGraphAccuracy, ClosedForms)
   EXPECT_LT(square.Max, 5e-3);
   const Errors cylinder = ErrorsOf(Cylinder(8000, 3), nullptr, 0.3);
   EXPECT_LT(cylinder.Mean, 5e-4);
-  // Random points leave holes that paths go around.
+  // Random points leave holes that paths must avoid.
   EXPECT_LT(cylinder.Max, 0.1);
   const Errors grid = ErrorsOf(Grid(70), nullptr, 0.15);
   EXPECT_LT(grid.Mean, 1e-3);
@@ -88,7 +88,7 @@ TEST(CloudGraphAccuracy, ArcsAreBetterThanChords)
     0.3);
   EXPECT_LT(10.0 * arcs.Mean, chords.Mean);
   EXPECT_LT(chords.Bias, 0.0);
-  // Zigzag only ever makes paths longer.
+  // Zigzag can only lengthen paths.
   EXPECT_GT(arcs.Bias, 0.9 * arcs.Mean);
 }
 
@@ -115,7 +115,7 @@ TEST(CloudGraphAccuracy, AllSchemes)
 
 TEST(CloudGraphAccuracy, ConvergesAsPointsGetDenser)
 {
-  // With chords the reach is where zigzag and shortcuts balance: n^(-1/3).
+  // With chords the best reach balances zigzag and shortcuts: n^(-1/3).
   const auto chords = [](CloudGraphOptions& options) { options.ArcLengthWeights = false; };
   const double coarse = ErrorsOf(Sphere(1500, 6), chords, 0.5).Mean;
   const double fine = ErrorsOf(Sphere(12000, 7), chords, 0.5).Mean;
@@ -145,7 +145,7 @@ TEST(CloudGraphAccuracy, SparsificationStaysWithinItsBound)
           EXPECT_LE(found[v], truth[v] * (1.0 + accuracy) * (1.0 + 1e-6)) << accuracy;
           largest = std::max(largest, truth[v] > 0.0 ? found[v] / truth[v] - 1.0 : 0.0);
         }
-        EXPECT_GT(largest, 0.01 * accuracy); // something was left out
+        EXPECT_GT(largest, 0.01 * accuracy); // some edges were omitted
       }
     }
   }
@@ -176,7 +176,7 @@ TEST(CloudGraphAccuracy, HoldsUnderRotation)
 TEST(CloudGraphAccuracy, GivenNormals)
 {
   const Cloud cloud = Sphere(3000, 11);
-  // Those of a sphere around the origin are the points; some are missing.
+  // The normals of a sphere around the origin are its points; some normals are missing.
   std::vector<double> normals;
   for (Id i = 0; i < cloud.GetSize(); ++i)
   {
@@ -193,7 +193,7 @@ TEST(CloudGraphAccuracy, GivenNormals)
     cloud, [&](CloudGraphOptions& options) { options.Normals = normals.data(); }, 0.3);
   EXPECT_LT(errors.Mean, 7e-4);
   EXPECT_LT(errors.Max, 6e-3);
-  // Wrong ones do harm: they are used.
+  // Wrong normals increase the error, which shows that normals are used.
   for (double& x : normals)
   {
     x = 1.0;
@@ -220,7 +220,7 @@ TEST(CloudGraphAccuracy, NoisyPointsAreMovedToTheSurface)
 
 TEST(CloudGraphAccuracy, NoiseAboveTheSpacing)
 {
-  // To 16 neighbours it seems a volume.
+  // With 16 neighbors the cloud seems to fill a volume.
   struct Case
   {
     bool IsRound;
@@ -246,13 +246,14 @@ TEST(CloudGraphAccuracy, NoiseAboveTheSpacing)
 
 TEST(CloudGraphAccuracy, ShapesFinerThanMuchNoise)
 {
-  // Waves: as many neighbours as noise is best taken off with where it is flat would flatten them.
+  // A wavy surface. The number of neighbors that is best for noise on a flat surface would flatten
+  // the waves.
   const int n = 4000;
   Cloud cloud = Square(n, 1);
   std::mt19937 generator(101);
   std::normal_distribution<double> number;
   const double noise = std::sqrt(1.2 / n); // 1.05 spacings
-  std::vector<Point3> flat;                // the same, rolled out
+  std::vector<Point3> flat;                // the unrolled surface
   for (Id i = 0; i < n; ++i)
   {
     const Point3 p = cloud.At(i);
@@ -270,13 +271,13 @@ TEST(CloudGraphAccuracy, ShapesFinerThanMuchNoise)
   }
   cloud.Distance = [&](Id a, Id b) { return dgg::Norm(flat[a] - flat[b]); };
   const NoisyGraph graph(cloud, 0.3);
-  EXPECT_LT(graph.Error.Mean, 0.0095); // 0.0090, and 0.0100 with twice the neighbours
+  EXPECT_LT(graph.Error.Mean, 0.0095); // 0.0090, and 0.0100 with twice the neighbors
   EXPECT_EQ(graph.Statistics.Scatter, 0.0);
 }
 
 TEST(CloudGraphAccuracy, NoiseThatIsLargeBesideTheShapeIsReported)
 {
-  // Fits to noise flatten what is curved. It is seen by the noise and the curvature.
+  // Fits to noisy points flatten curved surfaces. This is detected by noise and curvature.
   struct Case
   {
     bool IsRound;
@@ -309,7 +310,7 @@ TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreReported)
       cloud, [](CloudGraphOptions& options) { options.Accuracy = 0.1; }, &statistics);
     return statistics;
   };
-  // A volume.
+  // Points that fill a volume.
   Cloud box = Square(1500, 21);
   const Cloud heights = Square(1500, 22);
   for (Id i = 0; i < box.GetSize(); ++i)
@@ -320,11 +321,12 @@ TEST(CloudGraphAccuracy, PointsOnNoSurfaceAreReported)
   EXPECT_GT(volume.OffSurface, 0.5);
   EXPECT_GT(volume.Scatter, 1.0);
   EXPECT_EQ(volume.Noise, 0.0);
-  // Noise that is too much for so few points.
+  // Noise that is too large for the number of points.
   const dgg::CloudGraphStatistics noisy = measure(Sphere(1500, 27, 0.25));
   EXPECT_GT(noisy.OffSurface, 0.1);
   EXPECT_GT(noisy.Scatter, 1.0);
-  // Surfaces with a crease, clean and noisy ones; too few points to show.
+  // Surfaces with a crease, clean and noisy surfaces, and a cloud with too few points for a
+  // decision.
   Cloud roof = Square(1500, 23);
   for (Id i = 0; i < roof.GetSize(); ++i)
   {

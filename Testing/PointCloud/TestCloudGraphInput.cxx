@@ -71,7 +71,7 @@ TEST(CloudGraphInput, PointsThatAreNotFiniteAreLeftOut)
     EXPECT_EQ(graph.Radii[v], 0.0);
     EXPECT_EQ(graph.Graph.Offsets[v], graph.Graph.Offsets[v + 1]);
   }
-  // The others are connected as if there were nothing else.
+  // The other points are connected as if the invalid points did not exist.
   const std::vector<double> truth = GraphDistances(BuildGraph(whole).Graph.View(), 0);
   const std::vector<double> found = GraphDistances(graph.Graph.View(), places[0]);
   for (Id i = 0; i < whole.GetSize(); ++i)
@@ -107,14 +107,14 @@ TEST(CloudGraphInput, CoincidentPointsAreJoined)
   {
     EXPECT_NEAR(distances[i], truth[i], 1e-10);
   }
-  // Nothing but copies.
+  // A cloud of copies of a single point.
   Cloud copies;
   for (int i = 0; i < 100; ++i)
   {
     copies.Add({ 3.0, 3.0, 3.0 });
   }
   EXPECT_EQ(BuildGraph(copies).ComponentSizes, (std::vector<Id>{ 100 }));
-  // Many copies of each point change nothing either.
+  // Many copies of each point have no effect either.
   Cloud tenfold;
   const Cloud few = Sphere(400, 3);
   for (int copy = 0; copy < 30; ++copy)
@@ -191,7 +191,8 @@ TEST(CloudGraphInput, ScaleAndPlaceDoNotMatter)
 
 TEST(CloudGraphInput, OutliersChangeNothing)
 {
-  // As far off as that, they would leave no digits, no voxels and no short edges to the others.
+  // At such distances, outliers would leave no digits, no voxels and no short edges for the other
+  // points.
   const Cloud clean = Sphere(800, 21);
   const CloudGraph expected = BuildGraph(clean);
   const std::vector<double> truth = GraphDistances(expected.Graph.View(), 7);
@@ -232,13 +233,13 @@ TEST(CloudGraphInput, OutliersChangeNothing)
     check({ { -0.1, off, -off }, { -off, off, -off }, { -off, off, -off } }, 2);
   }
   check({ { 0.0, 0.0, 2e3 }, { 0.0, 4e6, 0.0 }, { 8e9, 0.0, 0.0 }, { 0.0, -2e13, 0.0 } }, 4);
-  // A number that stands for no reading, at many points.
+  // A placeholder for missing readings, at many points.
   check(std::vector<Point3>(500, { -9999.0, -9999.0, -9999.0 }), 1);
 }
 
 TEST(CloudGraphInput, PartsThatAreFarApart)
 {
-  // Too many points to be outliers: each part is as it would be on its own, but for the accuracy.
+  // Too many points to be outliers: each part has the same result as alone, up to the accuracy.
   const Cloud clean = Sphere(1000, 22);
   const std::vector<double> truth = GraphDistances(BuildGraph(clean).Graph.View(), 0);
   const auto add = [&](double off, Id count) {
@@ -275,7 +276,7 @@ TEST(CloudGraphInput, PartsThatAreFarApart)
 
 TEST(CloudGraphInput, PartsThatAreFarApartHaveTheirDigits)
 {
-  // Whatever the resolution: edges are those of each part on its own, or there is an error.
+  // At any resolution, edges equal those of each part alone, or an error is reported.
   const Cloud clean = Square(300, 26);
   const auto change = [](CloudGraphOptions& options) {
     options.Resolution = 1000;
@@ -317,8 +318,8 @@ TEST(CloudGraphInput, PartsThatAreFarApartHaveTheirDigits)
 
 TEST(CloudGraphInput, AFewPointsTogetherOffTheOthers)
 {
-  // Each has more of its own kind around it than of the others. They must not get balls as large as
-  // the way to those, nor make all voxels large.
+  // Each of these points has more neighbors within its group than outside. Their balls must not
+  // grow to the distance of the other points, and must not enlarge all voxels.
   const Cloud clean = Square(1500, 23);
   const double spacing = 1.0 / std::sqrt(1500.0);
   CloudGraphStatistics expected;
@@ -339,14 +340,14 @@ TEST(CloudGraphInput, AFewPointsTogetherOffTheOthers)
     const std::vector<double> found = GraphDistances(graph.Graph.View(), 0);
     for (Id i = 1; i < 1500; ++i)
     {
-      EXPECT_NEAR(found[i], truth[i], 2e-3 * truth[i]) << count; // both are that accurate
+      EXPECT_NEAR(found[i], truth[i], 2e-3 * truth[i]) << count; // both have this accuracy
     }
   }
 }
 
 TEST(CloudGraphInput, ShortEdgesAreAsLongAsTheyAre)
 {
-  // Shorter than what joins points in the same place; outliers do not make that longer either.
+  // Edges shorter than those that connect coincident points. Outliers do not lengthen the latter.
   Cloud cloud = Sphere(1000, 24);
   cloud.Points[0] = cloud.Points[1] = cloud.Points[2] = 0.0;
   cloud.Points[3] = 1e-14;

@@ -15,7 +15,7 @@ using dgg::CloudGraphOptions;
 using dgg::CloudGraphStatistics;
 using dgg::CloudScheme;
 
-/// Edges of the graph between points of which `first` is true for one only.
+/// Returns the number of edges of which exactly one end satisfies `first`.
 template <typename Test>
 int EdgesBetween(const CloudGraph& graph, Test&& first)
 {
@@ -45,7 +45,7 @@ Cloud TwoSheets(int count, double gap, unsigned seed)
 
 TEST(CloudGuards, SheetsThreeOffsetsApart)
 {
-  // h given: two planes at a distance of 3 h voxels, in each scheme.
+  // With h given: two planes at a distance of 3 h voxels, in each scheme.
   for (const CloudScheme scheme :
     { CloudScheme::Curvature, CloudScheme::Constant, CloudScheme::Spacing })
   {
@@ -70,7 +70,7 @@ TEST(CloudGuards, SheetsThreeOffsetsApart)
 
 TEST(CloudGuards, SheetsCloserThanTwoBalls)
 {
-  // The balls overlap, but the points that segments pass are not where they should be.
+  // The balls overlap, but points near segments between the layers have inconsistent positions.
   const double spacing = 1.0 / std::sqrt(1500.0);
   for (const double gap : { 3.2, 3.5, 4.5 })
   {
@@ -83,8 +83,8 @@ TEST(CloudGuards, SheetsCloserThanTwoBalls)
 
 TEST(CloudGuards, SheetsTwoSpacingsApart)
 {
-  // As close as that, random points leave no room for balls of the default size: with balls of a
-  // third of the gap, or with oriented normals, sheets stay apart, and each stays in one piece.
+  // At this distance, random points leave no room for balls of the default size. With balls of a
+  // third of the gap, or with oriented normals, layers stay separate, and each remains connected.
   const double spacing = 1.0 / 30.0;
   for (const double gap : { 2.2, 2.5, 2.8 })
   {
@@ -124,7 +124,7 @@ TEST(CloudGuards, SheetsTwoSpacingsApart)
 
 TEST(CloudGuards, OrientedNormalsSeparateSheetsAtAnyReach)
 {
-  // With the default reach, chords from sheet to sheet are up to 13 gaps long.
+  // With the default reach, chords between layers are up to 13 gaps long.
   const double spacing = 1.0 / std::sqrt(3000.0);
   const Cloud cloud = TwoSheets(3000, 0.8 * spacing, 5);
   std::vector<double> normals;
@@ -151,7 +151,7 @@ TEST(CloudGuards, OrientedNormalsSeparateSheetsAtAnyReach)
 
 TEST(CloudGuards, PointsWithoutAnOrientedNormalAreConnectedAsUsual)
 {
-  // What is fitted to them points to either side.
+  // Normals fitted to these points have an arbitrary sign.
   const Cloud cloud = Sphere(3000, 15);
   std::vector<double> normals = cloud.Points;
   for (Id i = 0; i < cloud.GetSize(); ++i)
@@ -174,7 +174,7 @@ TEST(CloudGuards, PointsWithoutAnOrientedNormalAreConnectedAsUsual)
 
 TEST(CloudGuards, PathsGoAroundHoles)
 {
-  // A square without a disc: distances around it are those of tangents and arcs.
+  // A square without a disk: paths around the disk consist of tangents and arcs.
   const Cloud whole = Square(9000, 6);
   Cloud cloud;
   cloud.Add({ 0.15, 0.5, 0.0 });
@@ -193,7 +193,7 @@ TEST(CloudGuards, PathsGoAroundHoles)
   const double tangent = std::sqrt(0.35 * 0.35 - radius * radius);
   const double truth = 2.0 * tangent + radius * (dgg::Pi - 2.0 * std::acos(radius / 0.35));
   const double found = GraphDistances(graph.Graph.View(), 0)[1];
-  EXPECT_GT(found, 0.75); // not straight through
+  EXPECT_GT(found, 0.75); // not straight through the disk
   EXPECT_NEAR(found, truth, 0.015 * truth);
 }
 
@@ -216,7 +216,7 @@ TEST(CloudGuards, GapsAreNotCrossed)
 
 TEST(CloudGuards, PointsFarOffStayAlone)
 {
-  // Birds over a square must not make bridges.
+  // Points above a square must not create bridges.
   Cloud cloud = Square(3000, 8);
   const double spacing = 1.0 / std::sqrt(3000.0);
   cloud.Add({ 0.5, 0.5, 8.0 * spacing });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What graphs of clouds take, what is predicted of it, and limits.
+// Memory use of graphs of clouds, its prediction, and limits.
 #include "../Benchmark/MemoryProbe.h"
 #include "CloudShapes.h"
 
@@ -47,8 +47,8 @@ TEST(CloudGraph, PredictsWhatItTakes)
 
 TEST(CloudGraph, EstimateIsWithinAFactorOfTwo)
 {
-  // All blocks of the allocator: MemoryProbe replaces it. A little more points than a power of two:
-  // what grows by doubling would take most then.
+  // MemoryProbe replaces the allocator and measures all blocks. The number of points is slightly
+  // above a power of two, where arrays that grow by doubling take the most memory.
   struct Case
   {
     CloudScheme Scheme;
@@ -66,11 +66,11 @@ TEST(CloudGraph, EstimateIsWithinAFactorOfTwo)
     options.Scheme = test.Scheme;
     options.Accuracy = test.Accuracy;
     const CloudGraphEstimate estimate = Predict(cloud, options);
-    const double given = 24.0 * cloud.GetSize(); // there already
+    const double given = 24.0 * cloud.GetSize(); // memory of the input
     const MemoryProbe probe;
     CloudGraph graph;
     ASSERT_TRUE(MakeBuilder(cloud).Build(options, graph).IsOk());
-    const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 where it cannot be measured
+    const auto peak = static_cast<double>(probe.GetHeapPeak()); // 0 if it cannot be measured
     SCOPED_TRACE(std::to_string(static_cast<int>(test.Scheme)) + " " +
       std::to_string(test.Accuracy) + " " + std::to_string(test.Noise));
     EXPECT_LE(peak, estimate.Peak - given);
@@ -80,7 +80,8 @@ TEST(CloudGraph, EstimateIsWithinAFactorOfTwo)
 
 TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
 {
-  // From the least limit on that what comes before the band fits into: none of them is no limit.
+  // Limits from the smallest one that suffices for the steps before the band. A remainder of 0 must
+  // not mean "no limit".
   const Cloud cloud = Sphere(500, 20);
   const auto refusal = [&](std::size_t limit) {
     CloudGraphOptions options;
@@ -100,14 +101,14 @@ TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
   {
     const std::string message = refusal(limit);
     EXPECT_NE(message.find("the band of voxels"), std::string::npos) << message;
-    // What is reported to do can be done.
+    // The suggested remedy is possible.
     EXPECT_NE(message.find("set a Resolution below "), std::string::npos) << message;
   }
 }
 
 TEST(CloudGraph, HugeReachesTakeNoMoreThanPredicted)
 {
-  // Each row looks at all points, in each of several threads.
+  // Each row examines all points, in each of several threads.
   const Cloud cloud = Sphere(600, 30);
   for (const double accuracy : { 0.5, 0.0 })
   {
@@ -133,11 +134,11 @@ TEST(CloudGraph, LimitsAreKeptByFewerThreads)
   const CloudGraphEstimate one = Predict(cloud, options);
   options.NumberOfThreads = 16;
   const CloudGraphEstimate many = Predict(cloud, options);
-  EXPECT_GT(many.Peak, 1.2 * one.Peak); // or this is no test
+  EXPECT_GT(many.Peak, 1.2 * one.Peak); // otherwise nothing is tested
   const CloudGraph expected =
     BuildGraph(cloud, [](CloudGraphOptions& o) { o.Accuracy = 0.5, o.Alpha = 1e6; });
 
-  // All threads would take more than the limit, but one does not.
+  // All threads together would exceed the limit, but a single thread does not.
   options.Parallel = WithThreads(16);
   options.MemoryLimit = static_cast<std::size_t>(one.Peak) + 1;
   const MemoryProbe probe;
@@ -151,7 +152,7 @@ TEST(CloudGraph, LimitsAreKeptByFewerThreads)
 
 TEST(CloudGraph, RefusesRowsThatDoNotFit)
 {
-  // What comes before the rows just fits; but not what it takes to choose a single one.
+  // The steps before the rows just fit, but the selection of a single row does not.
   const Cloud cloud = Sphere(1500, 32);
   CloudGraphOptions options;
   options.Alpha = 1e6;

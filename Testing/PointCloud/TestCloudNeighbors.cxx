@@ -72,7 +72,7 @@ TEST(CloudNeighbors, AreTheNearest)
 
 TEST(CloudNeighbors, TiesOfRegularPoints)
 {
-  // On a grid many points are equally far: the radius includes those exactly on it.
+  // On a grid many points are equidistant: the radius includes points exactly on it.
   std::vector<Point3> points;
   for (int i = 0; i < 20; ++i)
   {

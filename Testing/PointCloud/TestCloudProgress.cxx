@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress of graphs of clouds, and requests to stop.
+// Progress of graphs of clouds, and abort requests.
 #include "CloudShapes.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using namespace cloudtest;
 using dgg::CloudGraph;
 using dgg::CloudGraphOptions;
 
-/// Keeps what it is reported, and goes on until `end` is reached.
+/// Returns a callback that records progress and continues until `end` is reached.
 dgg::ProgressCallback Keep(std::vector<double>& reported, double end = dgg::Infinity)
 {
   return [&reported, end](double done) {
@@ -24,7 +24,8 @@ dgg::ProgressCallback Keep(std::vector<double>& reported, double end = dgg::Infi
   };
 }
 
-/// Asked to stop at look number `calls`, `work` does, and looks no more.
+/// Expects that `work` stops when call `calls` of the progress callback requests an abort, without
+/// any further call.
 void ExpectStop(std::size_t calls, CloudGraphOptions options,
   const std::function<dgg::Status(const CloudGraphOptions&)>& work)
 {

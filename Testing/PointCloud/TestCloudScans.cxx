@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds of real scans, with the defaults. Only where there are any (DGG_EXTRA_DATA).
+// Clouds of real-world scans, with default options. Compiled only if DGG_EXTRA_DATA is defined.
 #include "CloudShapes.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using namespace cloudtest;
 using dgg::CloudGraph;
 using dgg::CloudGraphStatistics;
 
-/// Points of a binary PLY file of three floats each.
+/// Returns the points of a binary PLY file of three floats each.
 Cloud ReadPoints(const std::string& name)
 {
   std::ifstream file(std::string(DGG_EXTRA_DATA) + "/clouds/" + name, std::ios::binary);
@@ -48,7 +48,7 @@ Cloud ReadPoints(const std::string& name)
 struct Scan
 {
   const char* Name;
-  double Main; ///< part of the points that the main component has, at least
+  double Main; ///< smallest fraction of points in the main component
 };
 }
 
@@ -68,7 +68,7 @@ TEST_P(CloudScans, DefaultsWork)
   const auto edges = static_cast<double>(graph.Graph.Targets.Size());
   EXPECT_LT(edges, 200.0 * cloud.GetSize());
   EXPECT_LT(statistics.BandMemory, 100U << 20);
-  // No edge leads over a gap: along it there is a point every few spacings.
+  // No edge bridges a gap: along an edge there is a point every few spacings.
   const dgg::GraphView view = graph.Graph.View();
   int far = 0;
   for (Id v = 0; v < view.NumberOfVertices; v += 7)
@@ -78,7 +78,7 @@ TEST_P(CloudScans, DefaultsWork)
       const Id t = view.Targets[e];
       const Point3 middle = 0.5 * (cloud.At(v) + cloud.At(t));
       const double ball = std::max(graph.Radii[v], graph.Radii[t]);
-      // Of points that have edges to both ends, or are the ends.
+      // Distance of the midpoint from the nearest end or neighbor of the first end.
       double nearest = 0.5 * dgg::Norm(cloud.At(v) - cloud.At(t));
       for (dgg::Offset k = view.Offsets[v]; k < view.Offsets[v + 1]; ++k)
       {
