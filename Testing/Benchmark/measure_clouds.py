@@ -577,14 +577,15 @@ def speed_table(results):
 def tables(results):
     """Returns all tables."""
     parts = [
-        "Graphs are built on threads, timed on the wall; all other times are CPU seconds on one thread. "
-        "Predicted peaks are bytes that the allocator is asked for, measured ones the growth of the "
-        "process, with what the allocator keeps besides.\n"
+        "Graphs are built on several threads and their times are wall-clock times; all other times "
+        "are CPU seconds on one thread. Predicted peaks count the bytes requested from the "
+        "allocator; measured peaks are the growth of the process, which includes memory that the "
+        "allocator retains.\n"
     ]
     titles = {
-        "Mean errors, % (times better than published)": mean_table,
-        "Clouds that are not easy": guard_table,
-        "What large clouds take, and meshes with the same points": speed_table,
+        "Mean errors, % (in parentheses: published / ours)": mean_table,
+        "Difficult clouds": guard_table,
+        "Cost on large clouds, and on meshes with the same points": speed_table,
     }
     parts += titled(results, titles)
     return "\n".join([*parts, *folded("Errors of the default in detail", error_table(results))])

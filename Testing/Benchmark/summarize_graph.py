@@ -6,7 +6,7 @@
 Usage: summarize_graph.py RESULT.json [TABLE.md]
 
 Times are medians over the sources of a mesh. The mean error and the 99.9th percentile are means
-over the sources, the maximum is the largest of all. Ratios are times better than a peer.
+over the sources, the maximum is the largest of all. Ratios are those of a peer to the graph.
 """
 
 from benchmark_results import (
@@ -221,7 +221,7 @@ def peer_parts(run):
     parts = ["**Peers**\n", peer_table(run)]
     rows = [row for mesh in run.graphs for row in ratio_rows(run, mesh)]
     if rows:
-        parts.append("**Graph with corrected distances against peers** (times better)\n")
+        parts.append("**Graph with corrected distances against peers** (ratios: peer / graph)\n")
         parts.append(ratio_table(rows))
     return parts
 
@@ -236,8 +236,8 @@ def summarize(path):
     run = Run(path)
     about = environment(run.context)
     parts = [
-        f"CPU seconds on one thread, but for parallel ones (on the wall); the set-up of each one's "
-        f"mesh is left out ({about}).\n"
+        f"CPU seconds on one thread, except for parallel cases, which are in wall-clock seconds; "
+        f"without the time in which each library sets up its mesh ({about}).\n"
     ]
     for mesh, graphs in run.graphs.items():
         parts.append(f"**{mesh}{vertices_of(graphs)}: size, accuracy, time**\n")

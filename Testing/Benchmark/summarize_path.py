@@ -181,7 +181,7 @@ def matrix_table(run):
 def summarize(path):
     run = Run(path)
     parts = [
-        f"CPU seconds on one thread, but for what is marked to be on the wall "
+        f"CPU seconds on one thread, except for columns marked as wall-clock time "
         f"({environment(run.context)}).\n"
     ]
     titles = {

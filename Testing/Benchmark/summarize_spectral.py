@@ -157,7 +157,7 @@ def summarize(path):
     parts = [f"CPU seconds on one thread ({environment(run.context)}).\n"]
     titles = {
         "Factorizations and columns": factor_table,
-        "Green's functions of points anywhere": point_table,
+        "Green's functions of arbitrary points": point_table,
         "Eigenpairs, earth mover's distance of two vertices": long_table,
         "Peers": peer_table,
     }
