@@ -89,7 +89,7 @@ int vtkDGGMeshWriter::Write()
 
 int vtkDGGMeshWriter::FindFormat() const
 {
-  // In the order of dgg::FileFormat.
+  // Extensions in the order of dgg::FileFormat.
   const char* const extensions[] = { ".obj", ".off", ".pcd", ".ply", ".stl", ".xyz" };
   std::string extension = std::filesystem::path(this->FileName).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),

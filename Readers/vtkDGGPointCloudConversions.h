@@ -45,7 +45,7 @@ namespace vtkDGG
 {
 namespace Detail
 {
-/// Returns false if the type of PCL is unknown here.
+/// Converts the description of a field. Returns false if the type of PCL is unknown.
 inline bool FromPCLField(const pcl::PCLPointField& in, PointField& out)
 {
   const char kind = pcl::getFieldType(static_cast<int>(in.datatype));

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// A source of values, behind the public header.
+/// Implementation of PointFieldSource, hidden from the public header.
 class vtkDGG::PointFieldSource::Values : public dgg::FieldSource
 {
 public:

@@ -46,9 +46,9 @@ public:
 
   /// Returns the description of the values.
   const PointField& GetField() const;
-  /// Writes the values of the points [begin, end): those of point i to
-  /// destination + (i - begin) * stride, as numbers of that kind and size. Numbers out of range
-  /// become the nearest ones in it, and NaN becomes 0 where there is none.
+  /// Writes the values of the points [begin, end). The values of point i are written to destination
+  /// + (i - begin) * stride as numbers of the given kind and size. Numbers out of range become the
+  /// nearest number in range; NaN becomes 0 if the kind has no NaN.
   void Copy(vtkIdType begin, vtkIdType end, char kind, int size, char* destination,
     std::size_t stride) const;
 

@@ -8,7 +8,7 @@
 #include "vtkVersionMacros.h" // for VTK_VERSION_NUMBER
 
 /// vtkDGGIsAbortedMacro: true if the algorithm should stop. Since VTK 9.3 also true if an upstream
-/// filter was aborted; stays true until vtkDGGClearAbortMacro() or the next update.
+/// filter was aborted; remains true until vtkDGGClearAbortMacro() or the next update.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
 #define vtkDGGIsAbortedMacro(algorithm) ((algorithm)->CheckAbort())
 #define vtkDGGClearAbortMacro(algorithm) ((algorithm)->SetAbortOutput(false))

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The context of an update of a filter. Not for use outside of vtkDGG.
+ * Context of an update of a filter. Not for use outside of vtkDGG.
  */
 #ifndef DGGContext_h
 #define DGGContext_h
@@ -13,7 +13,7 @@ class vtkPolyData;
 
 struct DGGContext : public dgg::TaskContext
 {
-  vtkPolyData* Input; ///< of port 0
+  vtkPolyData* Input; ///< input port 0
 };
 
 #endif

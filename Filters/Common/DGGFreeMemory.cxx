@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <fstream>
 
-/// The first number in a file, or that behind a key; `missing` when there is none, as for "max".
+/// Returns the first number in a file, or the number after a key; `missing` if there is none, such
+/// as for the value "max".
 static vtkTypeUInt64 Read(const std::string& path, const std::string& key, vtkTypeUInt64 missing)
 {
   std::ifstream file(path);
@@ -28,7 +29,7 @@ vtkTypeUInt64 DGGGetFreeInControlGroup(const std::string& membership, const std:
   vtkTypeUInt64 free = unlimited;
   for (const auto& [folder, controller, limitName, usageName, filesName] : versions)
   {
-    std::string group; // whose path, inside a container, may be that of the machine
+    std::string group; // in a container, possibly the path of the host
     std::ifstream file(membership);
     for (std::string line; std::getline(file, line);) // "number:controllers:/path"
     {

@@ -12,14 +12,15 @@
 
 #include <string> // for paths
 
-/// Makes the budget of an update from the property MemoryLimit. If that is 0, the limit is 70 % of
-/// what the machine, the limits of the process and, on Linux, its control groups leave free;
-/// unlimited where that is unknown.
+/// Returns the memory budget of an update for the property MemoryLimit. If the property is 0, the
+/// limit is 70 % of the memory that the machine, the limits of the process and, on Linux, its
+/// control groups leave free; there is no limit if the free memory is unknown.
 VTKDGGFILTERSCOMMON_EXPORT dgg::MemoryBudget DGGMakeBudget(vtkTypeInt64 property);
 
-/// Bytes that control groups leave this process: the least that the group itself or any around it
-/// has free. The largest number when nothing limits it. `membership` is the file that names the
-/// groups of the process (/proc/self/cgroup), `mount` where groups are mounted (/sys/fs/cgroup).
+/// Returns the number of bytes that control groups leave to this process: the minimum over its
+/// group and all enclosing groups; the largest integer if there is no limit. `membership` is the
+/// file that names the groups of the process (/proc/self/cgroup), `mount` the mount point of the
+/// groups (/sys/fs/cgroup).
 VTKDGGFILTERSCOMMON_EXPORT vtkTypeUInt64 DGGGetFreeInControlGroup(
   const std::string& membership, const std::string& mount);
 

@@ -101,7 +101,7 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
   this->Clear();
   dgg::Buffer<double> ownRadii(radii.size());
   std::copy(radii.begin(), radii.end(), ownRadii.begin());
-  // The memory that the view refers to becomes that of the arrays.
+  // The arrays take over the memory that the view refers to.
   this->Graph = StoredGraph(graph.View(), { voxelSize, ownRadii.Data() });
   dgg::Buffer<std::int64_t> info = this->Graph.MakeInfo(mesh, DGGMakeParallelFor());
 
@@ -136,7 +136,7 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
 //------------------------------------------------------------------------------
 void DGGGraphArrays::AddTo(vtkFieldData* data) const
 {
-  RemoveFrom(data); // a graph of the other kind has arrays that this one has not
+  RemoveFrom(data); // the graph of a cloud has further arrays
   for (const Entry& entry : this->Arrays)
   {
     if (entry.Array)

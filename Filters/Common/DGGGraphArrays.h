@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The graph of a surface or a cloud as arrays in field data. Internal.
+/// Graph of a surface or a cloud as arrays in field data. Internal.
 #ifndef DGGGraphArrays_h
 #define DGGGraphArrays_h
 
@@ -20,33 +20,33 @@
 
 class vtkFieldData;
 
-/// Puts a graph of the kernel into field data, without a copy, and finds it there again. The same
-/// arrays are read and checked once.
+/// Stores a graph of the kernel in field data without a copy, and finds it there. The same arrays
+/// are read and checked only once.
 class VTKDGGFILTERSCOMMON_EXPORT DGGGraphArrays
 {
 public:
-  /// Makes arrays of the memory of `graph`, which is empty afterwards.
+  /// Creates arrays from the memory of `graph`, which is empty afterwards.
   void Adopt(dgg::GeodesicGraph& graph, const dgg::PreparedSurface& mesh);
-  /// The same for the graph of a cloud, and the radii of its band, one per point.
+  /// Same for the graph of a cloud; `radii` are the radii of its band, one per point.
   void Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii, double voxelSize,
     const dgg::PreparedSurface& cloud);
 
   /// Returns true if field data, which may be null, contain the graph of a cloud.
   static bool AreOfCloud(vtkFieldData* data);
 
-  /// Finds a graph of the mesh or cloud in `data`, which may be null. Returns true if there is one.
-  /// `complaint` says why arrays that are present are not a graph of the mesh. It is empty if the
-  /// same arrays were complained about before.
+  /// Finds the graph of the mesh or cloud in `data`, which may be null. Returns true if there is
+  /// one. `complaint` is the reason why existing arrays are not a graph of the mesh; it is empty if
+  /// the same arrays were rejected before.
   bool Find(vtkFieldData* data, const dgg::PreparedSurface& mesh, std::string& complaint);
 
-  /// Returns true if Find() would give the same answer as the last time, without reading the
+  /// Returns true if Find() would return the same result as the last time. Does not read the
   /// arrays.
   bool IsSame(vtkFieldData* data, const dgg::PreparedSurface& mesh) const;
 
-  /// Returns true if there is a graph and its arrays have not been changed since.
+  /// Returns true if there is a graph and its arrays have not changed since Find() or Adopt().
   bool IsValid() const;
 
-  /// Adds the arrays to field data, in place of those of an earlier graph.
+  /// Adds the arrays to field data; they replace the arrays of an earlier graph.
   void AddTo(vtkFieldData* data) const;
 
   /// Removes the arrays of any graph from field data.
@@ -55,21 +55,21 @@ public:
   void Clear();
 
   ///@{
-  /// The graph, as long as these arrays live. Only for a valid graph.
+  /// Returns the graph, valid as long as this object exists. Precondition: IsValid().
   const dgg::StoredGraph& GetGraph() const { return this->Graph; }
   const dgg::GraphView& GetView() const { return this->Graph.GetView(); }
   ///@}
-  /// Returns the defect of arrays that Find() has refused as damaged; empty for others.
+  /// Returns the defect of arrays that Find() rejected as damaged; empty for other arrays.
   const std::string& GetDamage() const { return this->Graph.GetDamage(); }
-  /// Time at which this graph was adopted or found. It changes with the graph.
+  /// Time at which this graph was adopted or found; changes with the graph.
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
-  /// Identity, age and memory of all arrays: it changes with any of them.
+  /// Identity, modification time and memory of all arrays; changes if any of them changes.
   using Key = std::vector<std::uintptr_t>;
   Key GetKey() const;
 
 private:
-  /// Identity and age of an array. Holding it keeps its address from being used again.
+  /// Identity and modification time of an array. The reference prevents reuse of the address.
   struct Entry
   {
     vtkSmartPointer<vtkAbstractArray> Array;
@@ -85,7 +85,7 @@ private:
   static Entries MakeEntries(vtkFieldData* data);
 
   Entries Arrays;
-  std::uint64_t Mesh = 0; // build number of the surface that they were compared with
+  std::uint64_t Mesh = 0; // build number of the surface that the arrays were compared with
   dgg::StoredGraph Graph;
   bool IsGraph = false;
   vtkTimeStamp Time;

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Integers of a size, whatever VTK calls them. Internal.
+/// Test for integer arrays of a given size, independent of VTK's type names. Internal.
 #ifndef DGGIsInteger_h
 #define DGGIsInteger_h
 
 #include "vtkAbstractArray.h" // for the type
 #include "vtkType.h"          // for its values
 
-/// Whether an array is of signed integers of so many bytes. 64-bit integers have several names:
-/// readers and NumPy use others than vtkTypeInt64Array, so that a cast is no test.
+/// Returns true if the array contains signed integers of `size` bytes. VTK has several types of
+/// 64-bit integers, and readers and NumPy use other types than vtkTypeInt64Array, so a cast is not
+/// a sufficient test.
 inline bool DGGIsInteger(vtkAbstractArray* array, int size)
 {
   switch (array->GetDataType())

@@ -28,8 +28,8 @@ namespace
 using Parts = std::vector<DGGSurfacePart>;
 using Numbers = std::vector<DGGPartNumbers>;
 
-/// How far apart points with the same global id may be, as a fraction of the diagonal: processes
-/// may have rounded them otherwise.
+/// Largest distance between points with the same global id, as a fraction of the diagonal:
+/// processes may round coordinates differently.
 constexpr double IdTolerance = 1e-5;
 
 bool AreSame(vtkDataArray* a, vtkDataArray* b)
@@ -43,8 +43,8 @@ bool AreSame(vtkDataArray* a, vtkDataArray* b)
           static_cast<std::size_t>(a->GetDataTypeSize())) == 0);
 }
 
-/// Whether a process sends what another one has as well: the same cells on the same points, and, as
-/// for sources, the same point data where there are no faces.
+/// Returns true if two parts are copies of each other, sent by two processes: the same cells on the
+/// same points and, for parts without faces such as sources, the same point data.
 bool AreSame(vtkPolyData* a, vtkPolyData* b)
 {
   if (a->GetNumberOfPoints() != b->GetNumberOfPoints() ||
@@ -66,7 +66,7 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
   same = same && (hasFaces || data->GetNumberOfArrays() == b->GetPointData()->GetNumberOfArrays());
   for (int i = 0; i < data->GetNumberOfArrays() && same && !hasFaces; ++i)
   {
-    vtkDataArray* array = data->GetArray(i); // strings do not count
+    vtkDataArray* array = data->GetArray(i); // null for strings, which are not compared
     same = !array ||
       AreSame(array,
         array->GetName() ? b->GetPointData()->GetArray(array->GetName())
@@ -94,14 +94,14 @@ std::vector<vtkDataArray*> FindGlobalIds(const Parts& parts, bool ofPoints)
   return ids;
 }
 
-/// Exact, other than through double.
+/// Returns an id exactly; a conversion to double could round the id.
 vtkIdType GetId(vtkDataArray* ids, vtkIdType i)
 {
   return static_cast<vtkIdType>(ids->GetVariantValue(i).ToTypeInt64());
 }
 
 /// Joins points of one block that have equal global ids. Fails if such points have different
-/// positions, as when each process has numbered its own points.
+/// positions, which happens if each process has numbered its own points.
 dgg::Status JoinGlobalIds(
   const Parts& parts, const std::vector<vtkDataArray*>& ids, dgg::DisjointSets& points)
 {
@@ -142,11 +142,12 @@ dgg::Status JoinGlobalIds(
   return dgg::Status::Success();
 }
 
-/// Consecutive numbers of the sets of points, by block, and global ids where there are any.
+/// Numbers the sets of joined points consecutively: block by block, within a block by global ids if
+/// they exist.
 void NumberPoints(const Parts& parts, const std::vector<vtkDataArray*>& ids,
   dgg::DisjointSets& points, Numbers& numbers)
 {
-  std::vector<std::tuple<int, vtkIdType, dgg::Id>> order; // of one point of each set
+  std::vector<std::tuple<int, vtkIdType, dgg::Id>> order; // one point of each set
   dgg::Id inAll = 0;
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
@@ -174,8 +175,8 @@ void NumberPoints(const Parts& parts, const std::vector<vtkDataArray*>& ids,
   }
 }
 
-/// The same for cells, kind by kind. Those with the same global id on the same points are one; on
-/// others they are not, as faces of a volume have its ids.
+/// Numbers cells consecutively, kind by kind. Cells with the same global id are joined if they have
+/// the same points; otherwise they are not, because faces of a volume have the id of the volume.
 void NumberCells(const Parts& parts, const std::vector<vtkDataArray*>& ids, Numbers& numbers)
 {
   vtkIdType next = 0;
@@ -235,7 +236,8 @@ DGGPartNumbers MakeIdentity(vtkPolyData* part)
   return numbers;
 }
 
-/// `whole` is what the output was made from, whose arrays are those of the input.
+/// Returns the differences between an output and `whole`, the joined surface that the output was
+/// computed from.
 DGGChangedArrays FindChanges(
   vtkDataSetAttributes* whole, vtkDataSetAttributes* output, const std::vector<vtkIdType>& numbers)
 {
@@ -251,7 +253,7 @@ DGGChangedArrays FindChanges(
   for (int i = 0; i < output->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = output->GetAbstractArray(i);
-    // No other arrays can be sent.
+    // Arrays of other types cannot be sent.
     if (!(vtkDataArray::SafeDownCast(array) || vtkStringArray::SafeDownCast(array)) ||
       !array->GetName() || whole->GetAbstractArray(array->GetName()) == array)
     {
@@ -306,7 +308,7 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b) { return parts[a].Block < parts[b].Block; });
-  std::vector<std::size_t> used; // those that are not empty, but the first of several
+  std::vector<std::size_t> used; // non-empty parts without repeated copies
   std::vector<std::size_t> first(parts.size());
   vtkIdType size = 0;
   for (const std::size_t p : order)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The surface that parts make. Internal.
+/// Joins the parts of a surface. Internal.
 #ifndef DGGJoinedParts_h
 #define DGGJoinedParts_h
 
@@ -15,34 +15,31 @@
 
 class vtkAbstractArray;
 
-/// How the point data or the cell data of an output differ from those of the input.
+/// Differences between the point data or the cell data of an output and of the input.
 struct DGGChangedArrays
 {
   std::vector<std::string> Removed;
   std::vector<vtkSmartPointer<vtkAbstractArray>> Added;
-  /// Names of active arrays; empty where there is none.
+  /// Names of active arrays; empty if there is none.
   std::array<std::string, vtkDataSetAttributes::NUM_ATTRIBUTES> Active;
 };
 
-/// What an output that is the surface with arrays added is on one part.
+/// Result on one part, for an output that is the surface with arrays added.
 struct DGGPartResult
 {
   DGGChangedArrays Points;
   DGGChangedArrays Cells;
 };
 
-/// Makes one surface of parts, and brings what was found on it back to them.
-///
-/// Points of parts of one block are the same
-///  - if all parts have global ids: when these are equal, which they must not be elsewhere;
-///  - else, when they lie in the same place on the rims of different parts. Where a part has
-///    several points in one place, at a seam, only those are that are ends of edges which lie in
-///    the same place.
-///
-/// Points are numbered block by block, in each of them by global ids or else part by part in the
-/// order in which they come; cells alike, within their kind, where those with the same global id on
-/// the same points are one. A part that another process has as well counts once. One part alone
-/// stays as it is.
+/// Joins parts to one surface, and transfers results on this surface to the parts.
+/// Points of parts of one block are identified
+///  - if all parts have global ids: by equal ids, which must not occur at other positions;
+///  - otherwise by equal positions on the boundaries of different parts. If a part has several
+///    points at one position, at a seam, only ends of edges that coincide are identified.
+/// Points are numbered block by block, within a block by global ids or else part by part in their
+/// order. Cells are numbered in the same manner within their kind; cells with the same global id on
+/// the same points are identified. A part that another process has as well counts once. A single
+/// part is unchanged.
 class VTKDGGFILTERSCOMMON_EXPORT DGGJoinedParts
 {
 public:
@@ -50,7 +47,7 @@ public:
 
   vtkPolyData* GetWhole() const { return this->Whole; }
 
-  /// Of an output that has the points and cells of the whole.
+  /// Returns the result on a part of an output that has the points and cells of the joined surface.
   DGGPartResult MakeResult(vtkPolyData* output, std::size_t part) const;
 
   static void AddResult(const DGGPartResult& result, vtkPolyData* part);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Arrays of outputs. Internal.
+/// Creates arrays of outputs. Internal.
 #ifndef DGGMakeArray_h
 #define DGGMakeArray_h
 
@@ -14,7 +14,7 @@
 #include <cstddef> // for std::size_t
 #include <string>  // for names
 
-/// An array with a name, to be filled.
+/// Returns an array with a name and uninitialized values.
 template <typename ArrayType>
 vtkSmartPointer<ArrayType> DGGMakeArray(
   const std::string& name, std::size_t tuples, int components = 1)
@@ -26,7 +26,7 @@ vtkSmartPointer<ArrayType> DGGMakeArray(
   return array;
 }
 
-/// An array that takes over the memory of a buffer.
+/// Returns an array that takes over the memory of a buffer.
 template <typename ArrayType, typename ValueType>
 vtkSmartPointer<ArrayType> DGGAdoptArray(
   dgg::Buffer<ValueType>& buffer, const char* name, int components = 1)
@@ -45,7 +45,7 @@ vtkSmartPointer<ArrayType> DGGAdoptArray(
   return array;
 }
 
-/// The same as DGGMakeArray(), added to some data.
+/// Same as DGGMakeArray(), and adds the array to `data`.
 template <typename ArrayType>
 vtkSmartPointer<ArrayType> DGGAddArray(
   vtkFieldData* data, const std::string& name, std::size_t tuples, int components = 1)

@@ -26,7 +26,7 @@
 
 namespace
 {
-/// Type of points for one of vtkAlgorithm::DesiredOutputPrecision.
+/// Returns the data type of points for a value of vtkAlgorithm::DesiredOutputPrecision.
 int ChooseDataType(int precision, vtkPoints* input)
 {
   switch (precision)
@@ -36,12 +36,13 @@ int ChooseDataType(int precision, vtkPoints* input)
     case vtkAlgorithm::DOUBLE_PRECISION:
       return VTK_DOUBLE;
     default:
-      // Not that of the input for points that are integers: new ones are not.
+      // New points are not integers, even if the points of the input are.
       return input && input->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
   }
 }
 
-/// Whether floats can represent the positions: they are neither infinite then, nor all but zero.
+/// Returns an error if floats cannot represent the positions because the largest coordinate
+/// overflows or underflows.
 dgg::Status CheckRange(const double* begin, const double* end)
 {
   double largest = 0.0;
@@ -72,7 +73,7 @@ dgg::Status DGGNewGeometry::Take(const DGGContext& context, int precision)
   vtkPoints* points = context.Input->GetPoints();
   this->Fields->Initialize();
   this->Fields->PassData(context.Input->GetFieldData());
-  // The graph and the windows are those of other points.
+  // The graph and the windows belong to the points of the input.
   DGGGraphArrays::RemoveFrom(this->Fields);
   DGGWindowArrays::RemoveAllFrom(this->Fields);
   this->DataType = ChooseDataType(precision, points);
@@ -214,7 +215,7 @@ void DGGPolylineWriter::Add(const dgg::SurfacePath& path, bool isClosed)
   const auto count = static_cast<std::size_t>(CountPoints(path, isClosed));
   const vtkIdType first = this->Next;
   double arcLength = 0.0;
-  const bool isPoint = path.Points.size() == 1; // twice: a polyline has two ends
+  const bool isPoint = path.Points.size() == 1; // stored twice: a polyline has two ends
   this->Lines->InsertNextCell(isPoint ? 2 : static_cast<int>(path.Points.size()));
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -264,7 +265,7 @@ double DGGPolylineWriter::MeasurePiece(const dgg::SurfacePath& path, std::size_t
 }
 
 //------------------------------------------------------------------------------
-/// The face that piece i lies in; the last piece for the last point.
+/// Returns the face of piece i; for the last point, the face of the last piece.
 dgg::Id DGGPolylineWriter::FindFace(const dgg::SurfacePath& path, std::size_t i) const
 {
   return path.Faces.empty() ? dgg::FindFaceOf(this->Geometry.GetMesh(), path.Points[i])

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What outputs have in common that are new geometry on a surface. Internal.
+/// Common properties of outputs that are new geometry on a surface. Internal.
 #ifndef DGGNewGeometry_h
 #define DGGNewGeometry_h
 
@@ -32,9 +32,9 @@ class vtkFieldData;
 class vtkPolyData;
 struct DGGContext;
 
-/// Paths, loops, samples, cells: outputs whose points lie on a surface but are not its points. Here
-/// is what vtkGeodesicAlgorithm promises of all of them: which field data they have, of which
-/// precision their points are, how they name cells and points of the input.
+/// Common base of outputs whose points lie on a surface but are not its points: paths, loops,
+/// samples, cells. Implements the guarantees of vtkGeodesicAlgorithm for all of them: field data,
+/// precision of points, and ids of cells and points of the input.
 class VTKDGGFILTERSCOMMON_EXPORT DGGNewGeometry
 {
 public:
@@ -43,38 +43,39 @@ public:
   DGGNewGeometry(const DGGNewGeometry&) = delete;
   DGGNewGeometry& operator=(const DGGNewGeometry&) = delete;
 
-  /// Take from a surface what outputs need. `precision` is one of
-  /// vtkAlgorithm::DesiredOutputPrecision. Fails when coordinates are out of the range of the
-  /// floats that are asked for.
+  /// Stores the data of a surface that outputs need. `precision` is a value of
+  /// vtkAlgorithm::DesiredOutputPrecision. Fails if floats are requested and coordinates exceed
+  /// their range.
   dgg::Status Take(const DGGContext& context, int precision);
 
-  /// The mesh that was taken; it must live on.
+  /// Returns the mesh of Take(), which must outlive this object.
   const dgg::SurfaceMesh& GetMesh() const;
 
-  /// x y z per vertex.
+  /// Returns x y z per vertex.
   const double* GetPositions() const;
 
-  /// Make an output empty but for the field data.
+  /// Removes all data of an output and sets the field data.
   void Begin(vtkPolyData* output) const;
-  /// Points to be set.
+  /// Returns points with uninitialized coordinates.
   vtkSmartPointer<vtkPoints> MakePoints(std::size_t size) const;
   void SetPoint(vtkPoints* points, vtkIdType i, const dgg::SurfacePoint& place) const;
 
-  /// For `vtkOriginalPointIds`: the point of the input, -1 where the place is not at one.
+  /// Returns the value of `vtkOriginalPointIds`: the point of the input at `place`, -1 if there is
+  /// none.
   static vtkIdType GetPointId(const dgg::SurfacePoint& place);
-  /// For `FaceId`: the cell of the input that a face is a part of, -1 for no face.
+  /// Returns the value of `FaceId`: the cell of the input that contains a face, -1 for no face.
   vtkIdType GetCell(dgg::Id face) const;
-  /// Makes the array `Barycentric`; null unless all polygons of the surface are triangles.
+  /// Returns the array `Barycentric`; null unless all polygons of the surface are triangles.
   vtkSmartPointer<vtkDoubleArray> MakeBarycentric(std::size_t size) const;
-  /// Sets the coordinates, in the cell of `face`, of a point; 0 for no face. The array may be null.
+  /// Sets the coordinates of a point in the cell of `face`; 0 for no face. The array may be null.
   void SetBarycentric(
     vtkDoubleArray* array, vtkIdType i, const dgg::SurfacePoint& point, dgg::Id face) const;
 
 private:
   const dgg::PreparedSurface* Mesh = nullptr;
-  std::unique_ptr<DGGSurfaceArrays> Cells; // of the input
+  std::unique_ptr<DGGSurfaceArrays> Cells; // cells of the input
   std::unique_ptr<dgg::CellCoordinates>
-    Coordinates; // null for clouds and for surfaces with other cells than triangles
+    Coordinates; // null for clouds and for surfaces with cells other than triangles
   vtkNew<vtkFieldData> Fields;
   int DataType;
 };
@@ -84,21 +85,22 @@ private:
 VTKDGGFILTERSCOMMON_EXPORT void DGGFillSurfacePoints(const std::vector<dgg::SurfacePoint>& places,
   const DGGNewGeometry& geometry, vtkPolyData* output);
 
-/// Fills points and polylines, curve by curve, with the point data FaceId, Barycentric,
-/// vtkOriginalPointIds and ArcLength. Curves without faces are those of a cloud, straight in space
-/// from point to point.
+/// Collects points and polylines, curve by curve, with the point data FaceId, Barycentric,
+/// vtkOriginalPointIds and ArcLength. Curves without faces belong to a cloud and are straight in
+/// space between their points.
 class VTKDGGFILTERSCOMMON_EXPORT DGGPolylineWriter
 {
 public:
   /// `size` is the number of points of all polylines.
   DGGPolylineWriter(const DGGNewGeometry& geometry, vtkIdType size);
 
-  /// The points that a curve takes: a closed one begins and ends with the same.
+  /// Returns the number of points of a curve in the output: a closed curve begins and ends with the
+  /// same point.
   static vtkIdType CountPoints(const dgg::SurfacePath& path, bool isClosed);
-  /// Append a curve, which is not empty. One that is a point becomes a polyline from that point to
-  /// itself, as a polyline of one point is no valid cell.
+  /// Appends a non-empty curve. A curve of one point becomes a polyline from that point to itself,
+  /// because a polyline of one point is not a valid cell.
   void Add(const dgg::SurfacePath& path, bool isClosed = false);
-  /// Put all of it into an output that is empty but for field data.
+  /// Adds all curves to an output that is empty except for its field data.
   void AddTo(vtkPolyData* output) const;
 
 private:

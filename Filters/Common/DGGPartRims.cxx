@@ -18,8 +18,8 @@ namespace
 {
 using Edge = std::array<dgg::Id, 2>;
 
-/// By how much the same point of two parts may differ where each has computed it, as a fraction of
-/// the largest coordinate: some roundings.
+/// Largest difference between coordinates of the same point in two parts that each computed the
+/// point, as a fraction of the largest coordinate: a few ulps.
 constexpr double FloatRounding = 0x1p-22;
 constexpr double DoubleRounding = 0x1p-50;
 
@@ -32,7 +32,7 @@ void AddEdge(vtkIdType a, vtkIdType b, std::vector<Edge>& edges)
   }
 }
 
-/// Edges with a single face. The points of the part are numbered from `first` on.
+/// Returns the edges with a single face. The points of the part are numbered from `first` on.
 std::vector<Edge> FindRim(vtkPolyData* part, dgg::Id first)
 {
   std::vector<Edge> edges;
@@ -72,14 +72,14 @@ std::vector<Edge> FindRim(vtkPolyData* part, dgg::Id first)
   return rim;
 }
 
-/// A point of a rim.
+/// Point on the boundary of a part.
 struct RimPoint
 {
   int Block;
   std::size_t Part;
-  dgg::Id Point; // of all parts
+  dgg::Id Point; // index among the points of all parts
   std::array<double, 3> Position;
-  dgg::Id Place; // the same for points in the same place of the same block
+  dgg::Id Place; // equal for points at the same position in the same block
 
   bool operator<(const RimPoint& other) const
   {
@@ -99,7 +99,8 @@ std::vector<dgg::Id> FindEnds(const std::vector<Edge>& rim)
   return ids;
 }
 
-/// Number the places of the points of one block from `place` on; returns what comes after these.
+/// Numbers the distinct positions of the points of one block from `place` on. Returns the next
+/// unused index.
 dgg::Id FindPlaces(std::vector<RimPoint>::iterator begin, std::vector<RimPoint>::iterator end,
   bool isDouble, dgg::Id place)
 {
@@ -129,12 +130,12 @@ dgg::Id FindPlaces(std::vector<RimPoint>::iterator begin, std::vector<RimPoint>:
   return place + static_cast<dgg::Id>(places->GetNumberOfPoints());
 }
 
-/// An edge of a rim between two places.
+/// Boundary edge between two positions.
 struct RimEdge
 {
-  Edge Places; // the smaller one first
+  Edge Places; // the smaller index first
   std::size_t Part;
-  Edge Points; // at these places
+  Edge Points; // points at these positions
 
   bool operator<(const RimEdge& other) const
   {
@@ -142,8 +143,8 @@ struct RimEdge
   }
 };
 
-/// Calls `join(begin, end)` for each run of elements that are the `same`, if each of them is of
-/// another part; they are sorted by parts.
+/// Calls `join(begin, end)` for each run of `same` elements if all of them belong to different
+/// parts. Elements are sorted by parts.
 template <typename Element, typename Same, typename Join>
 void ForRunsOfDifferentParts(const std::vector<Element>& elements, Same&& same, Join&& join)
 {
@@ -166,7 +167,7 @@ void ForRunsOfDifferentParts(const std::vector<Element>& elements, Same&& same, 
 void DGGJoinRims(const std::vector<DGGSurfacePart>& parts, dgg::DisjointSets& points)
 {
   std::vector<std::vector<Edge>> rims;
-  std::vector<RimPoint> rimPoints; // block by block, as parts are
+  std::vector<RimPoint> rimPoints; // block by block, in the order of the parts
   dgg::Id count = 0;
   bool isDouble = false;
   for (std::size_t p = 0; p < parts.size(); ++p)
@@ -180,7 +181,7 @@ void DGGJoinRims(const std::vector<DGGSurfacePart>& parts, dgg::DisjointSets& po
       part->GetPoint(point - count, x.data());
       if (!std::isfinite(x[0] + x[1] + x[2]))
       {
-        rimPoints.pop_back(); // it is in no place, and an error later on
+        rimPoints.pop_back(); // not finite: never joined, and reported as an error later
       }
     }
     count += static_cast<dgg::Id>(part->GetNumberOfPoints());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which points of parts of a surface are the same. Internal.
+/// Identifies points on the boundaries of parts of a surface. Internal.
 #ifndef DGGPartRims_h
 #define DGGPartRims_h
 
@@ -9,8 +9,8 @@
 
 #include "dggDisjointSets.h" // for sets of points
 
-/// Join points that lie in the same place on the rims of different parts, see DGGJoinedParts. The
-/// numbers in `points` are those of all parts, one after the other.
+/// Joins points that have the same position on the boundaries of different parts, see
+/// DGGJoinedParts. Indices in `points` count the points of all parts in succession.
 void DGGJoinRims(const std::vector<DGGSurfacePart>& parts, dgg::DisjointSets& points);
 
 #endif

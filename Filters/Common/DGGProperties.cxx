@@ -27,7 +27,7 @@ dgg::Status DGGCheckLengths(std::initializer_list<std::pair<const char*, double>
 {
   for (const auto& [name, value] : properties)
   {
-    if (!(value >= 0.0)) // true for NaN
+    if (!(value >= 0.0)) // also true for NaN
     {
       return dgg::InvalidInput(name, " is ", value, ": it must not be negative or NaN");
     }

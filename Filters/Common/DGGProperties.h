@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Properties that several filters have. Internal.
+/// Properties that several filters have in common. Internal.
 #ifndef DGGProperties_h
 #define DGGProperties_h
 
@@ -17,7 +17,8 @@
 #include <utility>          // for properties
 #include <vector>           // for ids
 
-/// Defines both ways to set the data of an input port. The assertion is there for the semicolon.
+/// Defines both functions that set the data of an input port. The assertion requires a semicolon
+/// after the macro.
 #define vtkDGGDefineInputMacro(Class, Name, Port)                   \
   void Class::Set##Name##Connection(vtkAlgorithmOutput* connection) \
   {                                                                 \
@@ -29,13 +30,13 @@
   }                                                                 \
   static_assert(true, #Name)
 
-/// The i-th id; -1 when there is none.
+/// Returns the i-th id; -1 if there is none.
 VTKDGGFILTERSCOMMON_EXPORT vtkIdType DGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);
-/// A line with the name and the ids.
+/// Prints a line with the name and the ids.
 VTKDGGFILTERSCOMMON_EXPORT void DGGPrintIds(
   std::ostream& os, vtkIndent indent, const char* name, const std::vector<vtkIdType>& ids);
 
-/// Fails when a property, given with its name, is negative or NaN. Infinity is a length.
+/// Returns an error if a property is negative or NaN. Infinity is allowed.
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckLengths(
   std::initializer_list<std::pair<const char*, double>> properties);
 

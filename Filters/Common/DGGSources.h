@@ -21,9 +21,9 @@ class vtkObject;
 class vtkPolyData;
 struct DGGContext;
 
-/// Points of a surface or a cloud as a user gives them: ids, then the points of an input port.
-/// Its point arrays `FaceId`, `Barycentric` and `vtkOriginalPointIds` identify points as
-/// dgg::SourceCollection describes.
+/// Points of a surface or a cloud as specified by the user: ids, then the points of an input port.
+/// The point arrays `FaceId`, `Barycentric` and `vtkOriginalPointIds` of the port identify points
+/// as dgg::SourceCollection describes.
 struct VTKDGGFILTERSCOMMON_EXPORT DGGSourceSet
 {
   const std::vector<vtkIdType>& Ids;
@@ -60,9 +60,9 @@ VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGLocate(const DGGContext& context, cons
 VTKDGGFILTERSCOMMON_EXPORT vtkSmartPointer<vtkAbstractArray> DGGPickTuples(
   vtkAbstractArray* from, const std::vector<vtkIdType>& tuples, double missing);
 
-/// Adds the point arrays of the port to `output`; each tuple is that of the nearest source. Where
-/// that is an id, or there is none: NaN, 0 or the empty string. Arrays of the output with the same
-/// names stay.
+/// Adds the point arrays of the port to `output`; each tuple is that of the nearest source. If the
+/// nearest source is an id, or if there is none, the value is NaN, 0 or the empty string. Arrays of
+/// the output with the same names are kept.
 VTKDGGFILTERSCOMMON_EXPORT void DGGPassArrays(
   const DGGSourceSet& set, const std::vector<dgg::Id>& nearest, vtkDataSetAttributes* output);
 

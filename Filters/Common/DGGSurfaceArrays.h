@@ -17,8 +17,8 @@ class vtkCellArray;
 class vtkDataArray;
 class vtkPolyData;
 
-/// Points and cells of a vtkPolyData as the kernel needs them: views of its arrays where they hold
-/// doubles and 64-bit integers, otherwise copies. The vtkPolyData must outlive this object.
+/// Points and cells of a vtkPolyData in the form of the kernel: views of arrays of doubles and
+/// 64-bit integers, copies of other arrays. The vtkPolyData must outlive this object.
 class VTKDGGFILTERSCOMMON_EXPORT DGGSurfaceArrays
 {
 public:
@@ -36,8 +36,8 @@ private:
   std::list<std::vector<dgg::Offset>> Ids;
 };
 
-/// Fails unless a point array has numbers, this number of components (0 for any) and a tuple per
-/// point. `where` is the name of `data` in messages.
+/// Returns an error unless a point array is numeric, with this number of components (0 for any) and
+/// a tuple per point. `where` is the name of `data` in messages.
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckPointArray(vtkAbstractArray* array,
   vtkPolyData* data, const std::string& where, int components, vtkDataArray*& numbers);
 

@@ -67,11 +67,12 @@ struct PartFinder
     {
       this->AddLeaf(node);
     }
-    ++this->Block; // also for one that is not here: another process may have it
+    ++this->Block; // also for a missing block, which another process may have
   }
 };
 
-/// Bytes of `array` that have a bit of `mask` set; nothing when they do not fit.
+/// Returns, per element, true if a bit of `mask` is set in `array`; all false if the array is null
+/// or has another size.
 std::vector<bool> ReadMask(vtkUnsignedCharArray* array, vtkIdType size, unsigned char mask)
 {
   std::vector<bool> isSet(static_cast<std::size_t>(size), false);
@@ -87,7 +88,7 @@ bool HasAny(const std::vector<bool>& mask)
   return std::find(mask.begin(), mask.end(), true) != mask.end();
 }
 
-/// Consecutive numbers of what is not left out; -1 for the rest.
+/// Returns consecutive indices of the elements that are kept; -1 for excluded elements.
 std::vector<vtkIdType> Number(const std::vector<bool>& isLeftOut)
 {
   std::vector<vtkIdType> numbers(isLeftOut.size(), -1);
@@ -99,7 +100,7 @@ std::vector<vtkIdType> Number(const std::vector<bool>& isLeftOut)
   return numbers;
 }
 
-/// Calls `visit(cell, size, points)`, cell by cell as a vtkPolyData numbers them.
+/// Calls `visit(cell, size, points)` for each cell, in the order of ids in a vtkPolyData.
 template <typename Visitor>
 void ForEachCell(vtkPolyData* part, Visitor&& visit)
 {
@@ -169,11 +170,11 @@ void AssembleCells(const std::vector<DGGSurfacePart>& parts,
   }
   whole->GetCellData()->CopyAllOn();
   whole->GetCellData()->CopyAllocate(arrays);
-  vtkIdType before = 0; // cells of earlier kinds
+  vtkIdType before = 0; // number of cells of earlier kinds
   std::vector<vtkIdType> firstCells(parts.size(), 0);
   for (int kind = 0; kind < DGGNumberOfCellKinds; ++kind)
   {
-    // Where the cells of this kind come from, by their numbers.
+    // Part and cell id from which each cell of this kind is copied, by the id of the copy.
     std::vector<std::pair<std::size_t, vtkIdType>> origins;
     for (std::size_t p = 0; p < parts.size(); ++p)
     {
@@ -287,7 +288,7 @@ dgg::Status DGGRemoveGhosts(vtkSmartPointer<vtkPolyData>& part)
     return dgg::Status::Success();
   }
   DGG_RETURN_IF_ERROR(DGGCheckCells(part));
-  // Points of the cells that stay do so as well; those of the others alone go with them.
+  // Points of remaining cells are kept; points that only removed cells use are removed.
   for (const bool isGhost : { true, false })
   {
     ForEachCell(part, [&](vtkIdType cell, vtkIdType size, const vtkIdType* ids) {

@@ -14,11 +14,12 @@
 
 namespace
 {
-/// How often the calling thread reports progress, between its ranges and when it waits for others.
+/// Interval at which the calling thread reports progress, between its ranges and while it waits for
+/// other threads.
 constexpr std::chrono::milliseconds PollInterval(10);
 
-/// Ranges of a loop, which threads take one after the other until none is left or one throws. The
-/// one at 0 is for the calling thread.
+/// Ranges of a loop. Threads take ranges in succession until none is left or one throws. The range
+/// at 0 is reserved for the calling thread.
 class RangeQueue
 {
 public:
@@ -89,8 +90,8 @@ dgg::ParallelFor DGGMakeParallelFor(const dgg::ProgressCallback& progress)
     std::future<void> done;
     if (others > 0)
     {
-      // Not by this thread: with STDThread it would wait without a share of the loop, and with any
-      // backend until the last range is done.
+      // Not on this thread: with STDThread this thread would wait without taking ranges of the
+      // loop, and with any backend it would wait until the last range is done.
       try
       {
         done = std::async(std::launch::async, [&queue, others] {
@@ -104,7 +105,7 @@ dgg::ParallelFor DGGMakeParallelFor(const dgg::ProgressCallback& progress)
       }
       catch (const std::system_error&)
       {
-        // The system gives no more threads: this one does it all.
+        // The system cannot create more threads: this thread runs all ranges.
       }
     }
     queue.RunFirst(progress);

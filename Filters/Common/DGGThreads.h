@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Loops on the threads of VTK. Internal.
+/// Parallel loops on the threads of VTK. Internal.
 #ifndef DGGThreads_h
 #define DGGThreads_h
 
@@ -9,11 +9,11 @@
 #include "dggParallel.h"               // for ParallelFor
 #include "dggTypes.h"                  // for ProgressCallback
 
-/// Runs loops by vtkSMPTools. The calling thread takes part in them; between its ranges, and once
-/// nothing is left for it to do, it calls `progress` with 0 now and then until the other threads
-/// are done, so that what they have reported reaches the observers of a filter and their wish to
-/// abort reaches the loop. What a loop throws in any thread is thrown to the caller, after the
-/// loop: an exception that leaves a thread would end the program.
+/// Returns a function that runs loops by vtkSMPTools. The calling thread takes ranges as well.
+/// Between its ranges, and while it waits for the other threads, it regularly calls `progress` with
+/// 0. Thus progress that other threads have reported reaches the observers of a filter, and a
+/// request to abort reaches the loop. An exception of any thread is rethrown to the caller after
+/// the loop, because an exception that leaves a thread would end the program.
 VTKDGGFILTERSCOMMON_EXPORT dgg::ParallelFor DGGMakeParallelFor(
   const dgg::ProgressCallback& progress = dgg::ProgressCallback());
 

@@ -23,9 +23,9 @@
 namespace
 {
 constexpr std::int64_t FormatVersion = 2;
-constexpr int NumberOfComponents = 5; // of windows and of sources
+constexpr int NumberOfComponents = 5; // windows and sources
 constexpr int InfoSize = 5;
-constexpr int TableHash = 4; // where the hash of the windows is
+constexpr int TableHash = 4; // index of the hash of the windows
 const std::array<const char*, 4> Suffixes = { { ".WindowOffsets", ".Windows", ".WindowSources",
   ".WindowInfo" } };
 
@@ -58,10 +58,10 @@ vtkSmartPointer<vtkDoubleArray> MakeTable(const std::string& name, std::size_t s
   return table;
 }
 
-/// Single 64-bit integers, of any type that VTK has for them.
+/// Values of a one-component array of 64-bit integers of any of VTK's types.
 struct Integers
 {
-  const std::int64_t* Begin = nullptr; // null when there are none such
+  const std::int64_t* Begin = nullptr; // null if there is no such array
   const std::int64_t* End = nullptr;
 };
 
@@ -82,7 +82,7 @@ vtkDoubleArray* FindTable(vtkAbstractArray* found)
   return array && array->GetNumberOfComponents() == NumberOfComponents ? array : nullptr;
 }
 
-/// What is found of the three arrays with windows.
+/// The three arrays with windows as found in field data.
 struct Tables
 {
   Integers Offsets;
@@ -95,7 +95,8 @@ void Add(dgg::BitHash& hash, vtkDoubleArray* array)
   hash.Add(array->GetPointer(0), static_cast<std::size_t>(array->GetNumberOfValues()));
 }
 
-/// What the windows belong to, and what they are.
+/// Returns the values of WindowInfo: version, signature of the surface, hashes of distances and
+/// windows.
 std::array<std::int64_t, InfoSize> MakeInfo(
   vtkDoubleArray* distances, const dgg::PreparedSurface& mesh, const Tables& tables)
 {
@@ -124,7 +125,7 @@ void ReadTables(const Tables& tables, dgg::EdgeWindows& found)
   row = tables.Sources->GetPointer(0);
   for (dgg::FaceSource& s : found.Sources)
   {
-    // A number that is not an id must not become one.
+    // A value that is not an id must not be converted to an id.
     const bool isId = row[0] >= 0.0 && row[0] < 2147483647.0;
     s = { isId ? static_cast<dgg::Id>(row[0]) : dgg::NoId, { { row[1], row[2], row[3] } }, row[4],
       dgg::NoId };

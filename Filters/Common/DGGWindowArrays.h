@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The windows of exact distances as arrays in field data. Internal.
+/// Windows of exact distances as arrays in field data. Internal.
 #ifndef DGGWindowArrays_h
 #define DGGWindowArrays_h
 
@@ -18,8 +18,8 @@ class vtkDataArray;
 class vtkDoubleArray;
 class vtkFieldData;
 
-/// Puts the windows that belong to an array of distances into field data, and finds them there
-/// again. For distances named D the arrays are
+/// Stores the windows that belong to an array of distances in field data, and finds them there. For
+/// distances named D the arrays are
 ///
 ///  - `D.WindowOffsets` (int64): the windows of half-edge h are [WindowOffsets[h],
 ///    WindowOffsets[h + 1]);
@@ -29,8 +29,7 @@ class vtkFieldData;
 ///  - `D.WindowInfo` (int64, 5 values): format version, the signature of the surface, a hash of the
 ///    distances, a hash of the other three arrays.
 ///
-/// Nothing that is found is trusted: sizes, the surface, the distances and every number are looked
-/// at.
+/// Found arrays are not trusted: sizes, surface, distances and all values are checked.
 class VTKDGGFILTERSCOMMON_EXPORT DGGWindowArrays
 {
 public:
@@ -39,11 +38,11 @@ public:
 
   static void RemoveFrom(vtkFieldData* data, const std::string& distances);
 
-  /// Remove the windows of all distances, whatever their names.
+  /// Removes the windows of all distances, regardless of their names.
   static void RemoveAllFrom(vtkFieldData* data);
 
-  /// Look for the windows of `distances`. `complaint` is what is wrong with arrays that are there
-  /// but cannot be used; empty when there are none.
+  /// Finds the windows of `distances`. `complaint` is the defect of existing arrays that cannot be
+  /// used; empty if there are no arrays.
   static bool Find(vtkFieldData* data, vtkDataArray* distances, const dgg::PreparedSurface& mesh,
     dgg::EdgeWindows& windows, std::string& complaint);
 };

@@ -55,7 +55,8 @@ int GetAsked(vtkInformation* request, vtkInformationVector* outputVector,
   return value;
 }
 
-/// Returns an error if the other pieces are not available: each process must have one piece.
+/// Returns an error if the other pieces are not available: each process must have exactly one
+/// piece.
 dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* controller)
 {
   if (pieces <= 1 ||
@@ -121,9 +122,9 @@ void DGGFilterInternals::Update(
 //------------------------------------------------------------------------------
 dgg::Status DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step)
 {
-  // Not by SetErrorCode(): a failure does not modify the filter.
+  // ErrorCode is set directly, because SetErrorCode() would modify the filter.
   this->Filter->ErrorCode = vtkErrorCode::NoError;
-  this->Filter->SetAbortExecute(0); // VTK 9.1 does so at the start of an update, later ones do not
+  this->Filter->SetAbortExecute(0); // only VTK 9.1 resets the flag at the start of an update
   this->Reached = 0.0;
   this->IsStopped = false;
   this->Caller = std::this_thread::get_id();
@@ -140,7 +141,8 @@ dgg::Status DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step
 }
 
 //------------------------------------------------------------------------------
-/// Runs a step without letting exceptions pass VTK: one that reaches Python ends the interpreter.
+/// Runs a step and converts exceptions to errors. VTK must not see them: an exception that reaches
+/// Python ends the interpreter.
 dgg::Status DGGFilterInternals::Try(const std::function<dgg::Status()>& step)
 {
   try
@@ -181,7 +183,7 @@ bool DGGFilterInternals::AttemptOutsideOfUpdate(const std::function<dgg::Status(
                       .IsOk();
   if (this->Filter->ErrorCode == vtkErrorCode::NoError)
   {
-    this->Filter->ErrorCode = errorCode; // of the last update
+    this->Filter->ErrorCode = errorCode; // restores the code of the last update
   }
   return done;
 }
@@ -232,11 +234,11 @@ dgg::Status DGGFilterInternals::Compute(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
   {
-    // First of all checks: other remedies would not help.
+    // Before all other checks, whose remedies would not help.
     const dgg::Status status = DGGMeshAdapter::CheckSurface(input);
     if (!status.IsOk())
     {
-      this->Mesh->Clear(); // so that the report is not that of another surface
+      this->Mesh->Clear(); // the report must not describe another surface
       return status;
     }
   }
@@ -354,7 +356,7 @@ dgg::Status DGGFilterInternals::PrepareMesh(vtkPolyData* surface)
 {
   if (!surface)
   {
-    this->Mesh->Clear(); // so that the report is not that of another surface
+    this->Mesh->Clear(); // the report must not describe another surface
     return dgg::Status::Invalid(
       "there is no input: call SetInputConnection() or SetInputData() with a surface");
   }

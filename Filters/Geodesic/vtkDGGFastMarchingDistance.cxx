@@ -26,12 +26,12 @@ constexpr double LargestRadius = 1000.0;
 constexpr double BandShare = 0.4;
 }
 
-/// Solver, kept until the mesh changes, or the band of a cloud.
+/// Solver that is kept until the mesh changes, or the band of a cloud.
 struct vtkDGGFastMarchingDistance::Preparation
 {
   std::uint64_t MeshBuild;
   std::unique_ptr<dgg::FastMarching> Solver;
-  std::unique_ptr<DGGCloudMarching> OnCloud; // instead of Solver
+  std::unique_ptr<DGGCloudMarching> OnCloud; // used instead of Solver for clouds
   double BandRadius;                         // as requested
   int Resolution;
 };

@@ -46,7 +46,7 @@ enum class LoopStatus
   NotConnected = 2
 };
 
-/// The requested loops, and the rims of tapes along them.
+/// Requested loops, and boundaries of the tapes along them.
 struct DGGLoopSet
 {
   std::vector<dgg::FoundLoop> Loops; ///< empty if not found
@@ -88,7 +88,7 @@ dgg::Status RunRope(const dgg::LoopFinder& finder, const LoopPoints& points, boo
   return status;
 }
 
-/// Adds the rims of tapes along all loops that are not too long.
+/// Adds the boundaries of tapes along all loops that are not too long.
 dgg::Status AddTapes(const dgg::PreparedSurface& mesh, double width,
   const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
@@ -140,7 +140,7 @@ struct Curve
   vtkIdType Loop;
 };
 
-/// Returns true if the rim ends exactly at its first point.
+/// Returns true if the boundary curve ends exactly at its first point.
 bool IsClosed(const dgg::SurfacePath& rim)
 {
   return rim.Points.size() > 2 && dgg::IsSamePoint(rim.Points.front(), rim.Points.back());

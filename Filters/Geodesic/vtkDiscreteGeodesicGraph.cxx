@@ -64,7 +64,7 @@ public:
   DGGGraphArrays OnInput;
   DGGGraphArrays Built;
   dgg::Domain BuiltDomain;
-  dgg::GraphSummary Current; // of the graph of the last update
+  dgg::GraphSummary Current; // graph of the last update
   dgg::GraphEstimate Estimate;
   vtkTimeStamp BuildTime;
 
@@ -274,7 +274,7 @@ void vtkDiscreteGeodesicGraph::vtkInternals::MakeEmptyOutput(
   this->Estimate = dgg::GraphEstimate();
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(context.Input);
-  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they belong to another surface
+  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // the arrays belong to another surface
   vtkPolyData::GetData(outputVector, 1)->Initialize();
 }
 
@@ -319,7 +319,7 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Build(const DGGContext& cont
 dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::AddLines(
   const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines)
 {
-  const dgg::Id rowsInBlock = 4096; // between two reports of progress
+  const dgg::Id rowsInBlock = 4096; // rows between two reports of progress
   const vtkIdType count = arrays.GetView().GetNumberOfEdges() / 2;
   const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
   DGG_RETURN_IF_ERROR(context.Memory.Check("the edges of the graph as lines",

@@ -59,7 +59,7 @@ dgg::Status vtkExactGeodesicDistance::vtkInternals::ComputeDistances(DGGDistance
   options.KeepWindows = this->Self->GenerateWindows;
   if (options.KeepWindows)
   {
-    // Not 0, which would mean no limit.
+    // At least 1, because 0 would mean no limit.
     options.MemoryLimit = static_cast<std::size_t>(std::max(1.0, task.Context.Memory.GetBytes()));
   }
 

@@ -139,7 +139,7 @@ vtkMTimeType vtkGeodesicAlgorithm::GetMeshBuildTime() const
 //------------------------------------------------------------------------------
 int vtkGeodesicAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  // Port 0 is required but checked here: the check of the pipeline would keep an earlier output.
+  // Port 0 is required but checked here: the check by the pipeline would keep an earlier output.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -186,5 +186,5 @@ int vtkGeodesicAlgorithm::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Internals->Update(request, inputVector, outputVector);
-  return 1; // so that filters downstream run and become empty as well
+  return 1; // filters downstream must run and become empty as well
 }

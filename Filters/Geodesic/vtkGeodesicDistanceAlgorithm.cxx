@@ -277,7 +277,7 @@ dgg::Status DGGDistanceInternals::Execute(
   task.MayBeSparse =
     context.Surface.GetNumberOfMergedPoints() == 0 && !this->Filter->PassSourceArrays;
   DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
-  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // an abort may still come here
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // the observer may still abort here
   const std::size_t n = task.IsSparse ? task.Vertices.size() : GetNumberOfVertices(task);
   bool complete = task.Distances.size() == n;
   complete &= !task.WantNearestSource || task.NearestSource.size() == n;
@@ -351,7 +351,7 @@ void DGGDistanceInternals::AddResults(
   const PointArrayMaker maker{ task, task.Context.Surface, isReached, output->GetNumberOfPoints() };
   maker.Add<vtkDoubleArray>(data, this->Filter->DistanceArrayName, 1, this->Filter->UnreachedValue,
     [&](std::size_t i, int) { return task.Distances[i]; });
-  // Not SetScalars(), which would remove the scalars of the input.
+  // SetScalars() would remove the scalars of the input.
   data->SetActiveScalars(this->Filter->DistanceArrayName.c_str());
   std::vector<bool> isPointReached = isReached;
   isPointReached.resize(static_cast<std::size_t>(maker.NumberOfPoints));

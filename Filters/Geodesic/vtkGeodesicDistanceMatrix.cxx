@@ -218,7 +218,7 @@ void vtkGeodesicDistanceMatrix::ReleaseMatrix()
   this->GetInternals().Matrix = MakeMatrix(0, 1);
   if (vtkDataObject* output = this->GetOutputDataObject(0))
   {
-    output->ReleaseData(); // so that the pipeline considers it out of date
+    output->ReleaseData(); // the pipeline must consider the output out of date
   }
 }
 
@@ -317,12 +317,12 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
   }
   const bool withTable = this->Self->WantsTable(columns.size());
   DGG_RETURN_IF_ERROR(CheckMemory(context.Memory, rows.size(), columns.size(), withTable));
-  // Before the graph, whose memory is limited by the memory that remains free.
+  // Allocated before the graph, because the graph may use all memory that remains free.
   const auto matrix = MakeMatrix(rows.size(), columns.size());
   const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);
 
   DGG_RETURN_IF_ERROR(this->Self->GraphUser->Update(context, this->Self));
-  // Search from the smaller set.
+  // Searches start from the smaller set.
   const bool sourcesAreRows = rows.size() <= columns.size();
   const dgg::MatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
   DGG_RETURN_IF_ERROR(dgg::MatrixSearch(context, *this->Self->GraphUser,

@@ -61,7 +61,7 @@ void ForEachCell(vtkCellArray* cells, Visitor&& visit)
   }
 }
 
-/// Returns the cells that name landmarks; null if there are none.
+/// Returns the cells that refer to landmarks; null if there are none.
 vtkPolyData* GetLayout(vtkInformationVector** inputVector)
 {
   vtkPolyData* layout = vtkPolyData::GetData(inputVector[4]);
@@ -82,7 +82,7 @@ dgg::PatchLayout ReadLayout(vtkPolyData* cells)
   return layout;
 }
 
-/// Adds the fraction of its curve before each point.
+/// Adds a point array with the fraction of the curve before each point.
 void AddFractions(vtkPolyData* output)
 {
   vtkDataArray* lengths = output->GetPointData()->GetArray("ArcLength");
@@ -272,7 +272,7 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::Execute(
 }
 
 //------------------------------------------------------------------------------
-/// Called if the first surface is empty, whatever the second surface is.
+/// Called if the first surface is empty, regardless of the second surface.
 void vtkGeodesicPatchBoundaries::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {

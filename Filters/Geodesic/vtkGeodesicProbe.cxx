@@ -32,7 +32,7 @@ vtkDGGDefineInputMacro(vtkGeodesicProbe, Probe, 1);
 
 namespace
 {
-/// Number of points per block of a thread.
+/// Number of points that a thread processes as a block.
 constexpr std::size_t BlockSize = 1024;
 /// Progress after reading distances, which may fit virtual sources.
 constexpr double ReadDone = 0.5;

@@ -157,7 +157,7 @@ dgg::Status vtkGeodesicSampler::vtkInternals::MakeOptions(
     return dgg::Status::Success();
   }
   DGG_RETURN_IF_ERROR(DGGLocate(context, start, this->Self->ProjectionTolerance, options.Given));
-  if (mesh.IsCloud()) // samples of a cloud are points of it
+  if (mesh.IsCloud()) // samples of a cloud are points of the cloud
   {
     std::transform(options.Given.begin(), options.Given.end(), options.Given.begin(),
       [](const dgg::SurfacePoint& point) { return dgg::SurfacePoint::AtVertex(point.Vertex); });

@@ -124,7 +124,7 @@ struct VoronoiOutputs
       isReached[static_cast<std::size_t>(i)] = this->GetTrueDistance(vertex) < dgg::Infinity;
     }
     DGGUnreachedArray::AddTo(data, this->DistanceName, this->UnreachedValue, isReached);
-    // Not SetScalars(), which would remove the scalars of the input.
+    // SetScalars() would remove the scalars of the input.
     data->SetActiveScalars(sourceName.c_str());
     if (!this->Result.Energies.empty())
     {
@@ -138,7 +138,7 @@ struct VoronoiOutputs
   void FillBoundaries(vtkPolyData* output) const
   {
     const dgg::VoronoiDiagram& diagram = this->Result.Diagram;
-    // Only points of curves, in ascending order.
+    // Only points of curves are written, in ascending order.
     std::vector<dgg::Id> used = diagram.CurvePoints;
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -208,7 +208,7 @@ struct VoronoiOutputs
       const dgg::Id face = diagram.PolygonFaces[k];
       if (this->Mesh.GetMesh().IsFlipped(face))
       {
-        std::reverse(corners.begin(), corners.end()); // orientation of the input
+        std::reverse(corners.begin(), corners.end()); // same orientation as in the input
       }
       polygons->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
       const auto i = static_cast<vtkIdType>(k);

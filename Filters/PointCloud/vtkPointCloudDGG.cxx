@@ -219,6 +219,6 @@ void vtkPointCloudDGG::vtkInternals::MakeEmptyOutput(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they belong to another surface
+  DGGGraphArrays::RemoveFrom(output->GetFieldData()); // they belong to other points
   DGGAddArray<vtkIntArray>(output->GetPointData(), this->Self->ComponentArrayName, 0);
 }

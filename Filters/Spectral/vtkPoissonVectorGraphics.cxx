@@ -183,7 +183,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const DGGContext& co
   }
   ++this->NumberOfFactorizations;
   this->Kept = drawing;
-  for (dgg::GraphicsCurve& curve : this->Kept.Curves) // colors do not matter
+  for (dgg::GraphicsCurve& curve : this->Kept.Curves) // colors do not affect the factorization
   {
     curve.Left = std::vector<double>();
     curve.Right = std::vector<double>();
@@ -389,7 +389,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   const int channels = options.NumberOfChannels;
   if (this->Self->GenerateFragments)
   {
-    // As fragments and as arrays.
+    // Memory as fragments and as arrays.
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
     const double count = static_cast<double>(this->RefinedFaces.size()) *
       std::pow(static_cast<double>(this->Self->FragmentDivision), 2);

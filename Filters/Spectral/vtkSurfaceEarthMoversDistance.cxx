@@ -113,7 +113,7 @@ vtkSmartPointer<vtkDoubleArray> MakePotential(const dgg::PreparedSurface& prepar
   return array;
 }
 
-/// Add active arrays without SetScalars() and SetVectors(), which would remove those of the input.
+/// Adds active arrays without SetScalars() and SetVectors(), which would remove those of the input.
 /// @{
 void ShowPotential(vtkPolyData* output, vtkDoubleArray* potential)
 {

@@ -43,7 +43,7 @@ std::vector<char> Decompress(const std::string& name, std::size_t limit)
   if (count < 0 || error != Z_OK)
   {
     const bool isCut = error == Z_BUF_ERROR;
-    const std::string prefix = name + ": "; // our callers name the file
+    const std::string prefix = name + ": "; // callers add the name of the file
     message += std::string_view(message).substr(0, prefix.size()) == prefix ? prefix.size() : 0;
     dgg::Fail(isCut ? dgg::FileCode::Premature : dgg::FileCode::Malformed,
       "the file cannot be decompressed: ", isCut ? "the compressed data end too early" : message);

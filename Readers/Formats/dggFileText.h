@@ -105,7 +105,7 @@ public:
     , End(text.data() + text.size())
     , Rules(rules)
   {
-    constexpr std::string_view mark = "\xEF\xBB\xBF"; // of UTF-8
+    constexpr std::string_view mark = "\xEF\xBB\xBF"; // byte order mark of UTF-8
     this->Position += text.substr(0, mark.size()) == mark ? mark.size() : 0;
   }
 
@@ -139,12 +139,12 @@ public:
       {
         return false;
       }
-      ++this->Position; // the line end
+      ++this->Position; // skips the line end
       ++this->Line;
     }
     return true;
   }
-  /// Returns the word at the position and moves behind it.
+  /// Returns the word at the position and moves to its end.
   std::string_view TakeWord()
   {
     const char* const first = this->Position;

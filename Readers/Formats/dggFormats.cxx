@@ -23,7 +23,7 @@ struct Format
   void (*Write)(dgg::MeshData& mesh, const dgg::ProgressReport& progress, dgg::FileSink& sink);
   bool HasLines;
 };
-/// In the order of dgg::FileFormat.
+/// Formats in the order of dgg::FileFormat.
 constexpr Format Formats[] = { { dgg::LooksLikeOBJ, dgg::ParseOBJ, dgg::WriteOBJ, true },
   { dgg::LooksLikeOFF, dgg::ParseOFF, dgg::WriteOFF, true },
   { dgg::LooksLikePCD, dgg::ParsePCD, dgg::WritePCD, false },

@@ -94,7 +94,7 @@ bool dgg::DecompressLZF(
 void dgg::CompressLZF(const char* input, std::size_t inputSize, std::vector<char>& output)
 {
   const auto* bytes = reinterpret_cast<const unsigned char*>(input);
-  // Last position of three bytes with that hash, plus one; 0 if there is none.
+  // Last position of three bytes with the same hash, plus one; 0 if there is none.
   std::vector<std::size_t> last(std::size_t(1) << HashBits, 0);
   std::size_t literals = 0; // start of the pending literals
   std::size_t i = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The compression of PCD files, LZF. Internal to the parser and the writer.
+/// LZF, the compression of PCD files. Internal to the parser and the writer.
 ///
 /// A stream of LZF is a sequence of items that begin with a control byte c:
 /// - c < 32: c + 1 bytes follow and are taken as they are;

@@ -59,13 +59,13 @@ struct MeshData
   CellList Polygons;           ///< three corners or more
   std::vector<DataArray> PointArrays;
   std::vector<DataArray> CellArrays; ///< verts first, then lines, then polygons
-  std::optional<CloudLayout> Layout; ///< of a point cloud in a PCD file
+  std::optional<CloudLayout> Layout; ///< layout of a point cloud in a PCD file
   std::vector<std::string> Warnings; ///< possible defects that are no errors
 
   std::size_t GetNumberOfPoints() const { return this->Points.size() / 3; }
 };
 
-/// Returns the array with that role, or null.
+/// Returns the array with the given role, or null.
 inline const DataArray* FindArray(const std::vector<DataArray>& arrays, ArrayRole role)
 {
   for (const DataArray& array : arrays)

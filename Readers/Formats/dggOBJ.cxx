@@ -139,7 +139,7 @@ private:
     }
     else
     {
-      this->Text.SkipLine(); // groups, materials, curves
+      this->Text.SkipLine(); // skips groups, materials, curves
       return;
     }
     if (this->Text.FindOnLine())
@@ -164,7 +164,7 @@ private:
     return count;
   }
 
-  /// A point has three coordinates, then a weight or a color, or both.
+  /// Reads a point: three coordinates, then a weight or a color, or both.
   void ReadPoint()
   {
     const std::size_t count = this->ReadNumbers(7);

@@ -484,7 +484,7 @@ private:
   dgg::TextCursor Text;
   dgg::MeshData& Mesh;
   const char* Awaited = "";      ///< value that is being read, for messages
-  std::size_t Record = NoRecord; ///< its vertex or face
+  std::size_t Record = NoRecord; ///< index of the vertex or face that is being read
   bool IsBinary = false;
   bool HasTCoords = false;
   bool HasColors = false;
@@ -496,8 +496,8 @@ private:
   Colors PointColors;
   Colors FaceColors;
   dgg::FaceSorter Faces;
-  std::vector<std::int64_t> Corners; ///< of the current face
-  std::vector<RestNumber> Rest;      ///< of the current record
+  std::vector<std::int64_t> Corners; ///< corners of the current face
+  std::vector<RestNumber> Rest;      ///< remaining numbers of the current record
 };
 
 /// Puts colors as fractions of 1, as geomview defines them.
@@ -539,7 +539,7 @@ void dgg::WriteOFF(MeshData& mesh, const ProgressReport& progress, FileSink& sin
   const DataArray* const colors = FindArray(mesh.PointArrays, ArrayRole::Colors);
   const DataArray* const cellColors = FindArray(mesh.CellArrays, ArrayRole::Colors);
   const std::size_t points = mesh.GetNumberOfPoints();
-  // A face of one corner for each point of a vert.
+  // Each point of a vert is written as a face of one corner.
   const std::size_t faces =
     mesh.Verts.Connectivity.size() + mesh.Lines.GetCount() + mesh.Polygons.GetCount();
   sink.Put(std::string(tCoords ? "ST" : "") + (colors ? "C" : "") + (normals ? "N" : "") + "OFF\n");

@@ -14,8 +14,8 @@ namespace
 {
 using dgg::FileCode;
 
-/// Values of a point that a header may have in a file without points, whatever the size of the
-/// file.
+/// Largest number of values per point in the header of a file without points, independent of the
+/// size of the file.
 constexpr std::size_t MaximumValuesWithoutPoints = 1000000;
 
 constexpr auto Malformed = FileCode::Malformed;
@@ -195,7 +195,7 @@ private:
     this->CheckRest(8 + compressed);
   }
 
-  /// The least significant byte comes first.
+  /// Reads a size, least significant byte first.
   static std::size_t ReadSize(std::string_view bytes)
   {
     std::size_t size = 0;
@@ -206,8 +206,8 @@ private:
     return size;
   }
 
-  /// Points one after the other, each with all of its fields, or (`isByField`) fields one after the
-  /// other, each of all points.
+  /// Sets the view to points in memory: point by point with all fields, or (`isByField`) field by
+  /// field with all points.
   void SetView(const char* data, bool isByField, bool hasPadding)
   {
     this->View.Fields.clear();
@@ -237,7 +237,8 @@ private:
     }
   }
 
-  /// PCL fills files with zeros up to whole pages; any other data are an error.
+  /// Throws unless the rest of the file is empty or zero. PCL fills files with zeros up to whole
+  /// pages; any other data are an error.
   void CheckRest(std::size_t begin) const
   {
     const std::size_t trouble = this->Text.GetRest().find_first_not_of('\0', begin);
@@ -253,14 +254,14 @@ private:
   {
     dgg::Fail(code, "line ", line, ": ", parts...);
   }
-  /// At a byte behind the header.
+  /// Throws an error at a byte after the header.
   template <typename... Parts>
   [[noreturn]] void FailAtByte(FileCode code, std::size_t byte, const Parts&... parts) const
   {
     dgg::Fail(code, "byte ", this->Text.GetByte() + byte, ": ", parts...);
   }
 
-  dgg::TextCursor Text; ///< behind the header, except in text files
+  dgg::TextCursor Text; ///< text after the header, except in text files
   const dgg::ProgressReport& Progress;
   dgg::PCDHeader Header;
   std::size_t Count = 0;
@@ -349,7 +350,7 @@ private:
     }
   }
 
-  /// Puts a line per point.
+  /// Writes a line per point.
   void PutText(const std::vector<char>& block, dgg::FileSink& sink) const
   {
     const char* in = block.data();
@@ -370,8 +371,8 @@ private:
     }
   }
 
-  /// Puts all values of each field, one field after the other, because the values of one field are
-  /// similar and compress better.
+  /// Writes all values of each field, one field after the other, because the values of one field
+  /// are similar and compress better.
   void WriteCompressed(dgg::FileSink& sink) const
   {
     std::vector<char> fields(this->Count * this->PointBytes);

@@ -110,7 +110,7 @@ public:
   {
     return this->Lines.count(keyword) > 0 ? &this->Get(keyword) : nullptr;
   }
-  /// Returns the line of a keyword, which must have that many values, or null.
+  /// Returns the line of a keyword, which must have `count` values, or null.
   const Entry* Find(const char* keyword, std::size_t count) const
   {
     const Entry* entry = this->Find(keyword);
@@ -139,7 +139,7 @@ private:
   std::map<std::string, Entry, std::less<>> Lines;
 };
 
-/// Old files have neither SIZE nor TYPE; all numbers are floats then.
+/// Reads the fields. Old files have neither SIZE nor TYPE; then all numbers are floats.
 void ReadFields(const Entries& entries, dgg::PCDHeader& header)
 {
   const Entry* columns = entries.Find("COLUMNS");
@@ -305,7 +305,7 @@ bool dgg::LooksLikePCD(std::string_view begin)
     const bool isWhole = text.GetRest().find('\n') != std::string_view::npos;
     if (!IsKeyword(keyword))
     {
-      return hasFields && !isWhole; // the last line may be cut
+      return hasFields && !isWhole; // the last line may be truncated
     }
     hasFields = hasFields || keyword == "FIELDS" || keyword == "COLUMNS";
   }

@@ -45,17 +45,17 @@ struct Property
   std::string Name;
   NumberType Type;
   bool IsList = false;
-  NumberType CountType; ///< of the lengths of lists
+  NumberType CountType; ///< type of the lengths of lists
   ListUse Use = ListUse::Skipped;
   DataArray* Target = nullptr; ///< array that receives the values; null to skip them
-  std::size_t Component = 0;   ///< of the target
+  std::size_t Component = 0;   ///< component of the target
 };
 
 struct Element
 {
   std::string Name;
-  std::size_t Count = 0; ///< records
-  std::size_t Line = 0;  ///< of the header
+  std::size_t Count = 0; ///< number of records
+  std::size_t Line = 0;  ///< line of the header
   std::vector<Property> Properties;
 
   Property* Find(std::string_view name)
@@ -179,7 +179,7 @@ private:
       type = this->TakeWord();
     }
     property.Name = this->TakeWord();
-    // Of two lists of this kind the first one counts.
+    // Only the first of two lists of this kind is used.
     const std::vector<Property>& others = this->Elements.back().Properties;
     const bool isFace = this->Elements.back().Name == "face" &&
       (property.Name == "vertex_indices" || property.Name == "vertex_index") &&
@@ -401,7 +401,7 @@ private:
     }
   }
 
-  /// Adds the triangles of strips, which -1 separates.
+  /// Adds the triangles of strips; -1 separates the strips.
   void AddStrips()
   {
     dgg::CellList& polygons = this->Mesh.Polygons;
@@ -532,14 +532,14 @@ private:
   std::size_t HeaderEntries = 0;
   bool IsBinary = false;
   bool IsBigEndian = false;
-  const Element* Current = nullptr; ///< that is being read; null in the header
-  std::size_t Record = 0;           ///< of this element
+  const Element* Current = nullptr; ///< element that is being read; null in the header
+  std::size_t Record = 0;           ///< index of the current record
   std::int64_t NumberOfPoints = 0;
-  std::size_t NumberOfFaces = 0; ///< records
+  std::size_t NumberOfFaces = 0; ///< number of records
   DataArray Points;
   std::deque<DataArray> PointArrays;
   std::deque<DataArray> CellArrays;
-  std::vector<std::int64_t> Corners; ///< of the current face
+  std::vector<std::int64_t> Corners; ///< corners of the current face
   dgg::FaceSorter Faces;
 };
 }

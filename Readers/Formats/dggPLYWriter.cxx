@@ -17,10 +17,11 @@ struct Column
 {
   const DataArray* Array;
   std::size_t Component;
-  NumberType Type; ///< in the file
+  NumberType Type; ///< type in the file
 };
 
-/// PLY has no integers of 64 bits: they become 32 bits if all fit, otherwise double.
+/// Returns the type of values in the file. PLY has no 64-bit integers: they become 32-bit integers
+/// if all fit, otherwise double.
 NumberType GetFileType(const dgg::ArrayValues& values)
 {
   return std::visit(
@@ -48,7 +49,7 @@ const char* GetTypeName(const NumberType& type)
                           : (isSigned ? "int" : "uint");
 }
 
-/// The properties of an element.
+/// Properties of an element.
 class Table
 {
 public:
@@ -119,7 +120,7 @@ private:
   }
 
   std::vector<Column> Columns;
-  std::set<std::string> Taken; ///< names
+  std::set<std::string> Taken; ///< names in use
   std::string Header;
 };
 }

@@ -26,7 +26,7 @@ NumberType GetType(const PointField& field)
   return { field.Kind, static_cast<std::size_t>(field.Size) };
 }
 
-/// The fields of a cloud by their names.
+/// Fields of a cloud by their names.
 struct FieldTable
 {
   std::map<std::string, const PointFieldView*> Views;
@@ -103,7 +103,8 @@ void AddCoordinates(const Vector& views, std::size_t count, dgg::MeshData& mesh)
   }
 }
 
-/// Colors are bytes of a number: alpha, red, green, blue, from the most significant one on.
+/// Returns colors from the bytes of numbers: alpha, red, green, blue, starting with the most
+/// significant byte.
 DataArray UnpackColors(const PointFieldView& view, int components, std::size_t count)
 {
   std::vector<std::uint8_t> bytes;
@@ -200,7 +201,7 @@ std::string dgg::CheckPointFields(const PointCloudView& cloud)
         " values per point, expected one";
     }
   }
-  // Arrays of one name would replace each other.
+  // Arrays with equal names would replace each other.
   const struct
   {
     const PointFieldView* View;

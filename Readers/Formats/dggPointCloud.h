@@ -30,7 +30,7 @@ std::string ToMesh(const PointCloudView& cloud, MeshData& mesh);
 /// Adds a vert for each point with finite coordinates.
 void AddVertsOfFinitePoints(MeshData& mesh);
 
-/// A field, and the components of an array that it takes its values from.
+/// A field, and the components of the array that contains its values.
 class FieldSource
 {
 public:
@@ -45,9 +45,9 @@ public:
   }
 
   const PointField& GetField() const { return this->Field; }
-  /// Writes the values of the points [begin, end): those of point i to
-  /// destination + (i - begin) * stride, as numbers of that kind and size. Numbers out of range
-  /// become the nearest ones in it; NaN becomes 0 where there is no NaN.
+  /// Writes the values of the points [begin, end). The values of point i are written to destination
+  /// + (i - begin) * stride as numbers of the given kind and size. Numbers out of range become the
+  /// nearest number in range; NaN becomes 0 if the kind has no NaN.
   void Copy(std::size_t begin, std::size_t end, char kind, int size, char* destination,
     std::size_t stride) const;
 

@@ -13,11 +13,11 @@
 
 namespace dgg
 {
-/// Values that each point has.
+/// Description of the values that each point has.
 struct PointField
 {
   std::string Name; ///< as in PCL
-  char Kind = 'F';  ///< of number: F (float), I (integer) or U (unsigned integer)
+  char Kind = 'F';  ///< kind of number: F (float), I (integer) or U (unsigned integer)
   int Size = 4;     ///< bytes of a number: 1, 2, 4 or 8
   int Count = 1;    ///< numbers per point
 
@@ -51,7 +51,7 @@ struct CloudLayout
 /// A point cloud in memory, which it does not own.
 struct PointCloudView : CloudLayout
 {
-  std::vector<PointFieldView> Fields; ///< with those of x, y and z
+  std::vector<PointFieldView> Fields; ///< fields, including x, y and z
 };
 }
 

@@ -33,7 +33,7 @@ public:
   std::int64_t Add(const double (&coordinates)[3])
   {
     const double p[] = { coordinates[0] + 0.0, coordinates[1] + 0.0,
-      coordinates[2] + 0.0 }; // no -0
+      coordinates[2] + 0.0 }; // replaces -0 by 0
     const std::int64_t count = static_cast<std::int64_t>(this->Points.size() / 3);
     if (2 * static_cast<std::size_t>(count) >= this->Table.size())
     {
@@ -137,7 +137,7 @@ void ParseBinary(std::string_view file, const dgg::ProgressReport& progress, dgg
   for (std::size_t i = 0; i < facets; ++i)
   {
     progress.At(i, facets);
-    const char* corner = file.data() + HeaderBytes + FacetBytes * i + 12; // behind the normal
+    const char* corner = file.data() + HeaderBytes + FacetBytes * i + 12; // after the normal
     for (int k = 0; k < 3; ++k, corner += 12)
     {
       double p[3];
@@ -175,7 +175,7 @@ public:
     while (this->Text.FindAnywhere())
     {
       this->Expect({ "solid" });
-      this->Text.SkipLine(); // the name of the solid
+      this->Text.SkipLine(); // skips the name of the solid
       while (!this->ExpectEither("facet", "endsolid"))
       {
         this->ReadFacet();
@@ -188,7 +188,7 @@ public:
 private:
   void ReadFacet()
   {
-    this->Text.SkipLine(); // the normal
+    this->Text.SkipLine(); // skips the normal
     this->Expect({ "outer", "loop" });
     for (int k = 0; k < 3; ++k)
     {
@@ -277,7 +277,7 @@ void dgg::WriteSTL(MeshData& mesh, const ProgressReport& progress, FileSink& sin
       " triangles, and an STL file holds at least one and at most ", UINT32_MAX);
   }
   const auto isFloat = [](double value) {
-    return !(static_cast<double>(static_cast<float>(value)) != value); // or NaN
+    return !(static_cast<double>(static_cast<float>(value)) != value); // also true for NaN
   };
   const bool isBinary = std::all_of(mesh.Points.begin(), mesh.Points.end(), isFloat);
   if (isBinary)

@@ -48,7 +48,7 @@ public:
       isNaN ? buffer : std::to_chars(buffer, buffer + sizeof(buffer), number).ptr;
     this->Put(isNaN ? "nan" : std::string_view(buffer, static_cast<std::size_t>(end - buffer)));
   }
-  /// Puts the numbers of an array for one point or cell.
+  /// Writes the numbers of an array for one point or cell.
   void PutNumbers(const DataArray& array, std::size_t i)
   {
     const auto components = static_cast<std::size_t>(array.Components);
@@ -61,7 +61,7 @@ public:
       },
       array.Values);
   }
-  /// Puts the bytes of a number, least significant first.
+  /// Writes the bytes of a number, least significant first.
   template <typename Number>
   void PutBytes(Number number)
   {
@@ -76,7 +76,7 @@ private:
   void Flush();
 
   std::filesystem::path FileName;
-  std::filesystem::path PartName; ///< the same for devices and pipes
+  std::filesystem::path PartName; ///< equal to FileName for devices and pipes
   std::string Buffer;
   std::ofstream Stream;
   bool IsClosed = false;

@@ -21,7 +21,7 @@ bool HasAmbiguousCommas(std::string_view line)
   }
   bool hasBlanks = false; // as separators, without a comma
   bool hasTightCommas = false;
-  char last = ' '; // the last one that is no blank
+  char last = ' '; // last character that is not a blank
   bool isBehindBlank = false;
   for (const char c : line)
   {
@@ -38,7 +38,7 @@ bool HasAmbiguousCommas(std::string_view line)
   return hasBlanks && hasTightCommas;
 }
 
-/// Reads lines that begin with three numbers, behind a count or a line of words. Returns the count;
+/// Reads lines that begin with three numbers, after a count or a line of words. Returns the count;
 /// -1 if there is none.
 double Parse(
   dgg::TextCursor& text, const dgg::ProgressReport& progress, std::vector<double>& points)
@@ -98,7 +98,7 @@ double Parse(
 
 bool dgg::LooksLikeXYZ(std::string_view begin)
 {
-  const std::size_t end = begin.find_last_of("\r\n"); // the last line may be cut
+  const std::size_t end = begin.find_last_of("\r\n"); // the last line may be truncated
   begin = begin.substr(0, std::min(end, begin.size()));
   TextCursor text(begin, Rules);
   std::vector<double> points;

@@ -146,7 +146,7 @@ dgg::DataArray ReadArray(vtkDataArray* array)
   return result;
 }
 
-/// Returns the array with colors of that many components, or null.
+/// Returns the array of colors with `components` components, or null.
 vtkDataArray* FindColors(vtkDataSetAttributes* data, int components)
 {
   for (vtkDataArray* array :

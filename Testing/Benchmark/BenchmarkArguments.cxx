@@ -153,7 +153,7 @@ int RunBenchmarks(int argc, char** argv, std::map<std::string, std::string> defa
     std::cerr << error.what() << "\n";
     return 1;
   }
-  // What the result was compiled with.
+  // Libraries and compiler of this build.
   benchmark::AddCustomContext("vtk_version", vtkVersion::GetVTKVersion());
   benchmark::AddCustomContext("compiler", DGG_BENCHMARK_COMPILER);
 #ifdef DGG_WITH_CGAL

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The command line of a benchmark program: meshes and --name=value.
+/// Command line of a benchmark program: meshes and --name=value.
 #ifndef BenchmarkArguments_h
 #define BenchmarkArguments_h
 
@@ -15,28 +15,28 @@
 class BenchmarkArguments
 {
 public:
-  /// `defaults` are the options that there are, with the values that they have when not given.
+  /// `defaults` contains all options with their default values.
   explicit BenchmarkArguments(std::map<std::string, std::string> defaults)
     : Values(std::move(defaults))
   {
   }
 
-  /// Read what Google Benchmark left on the command line. A BenchmarkError on an option that does
-  /// not exist or a mesh that cannot be read.
+  /// Reads the arguments that Google Benchmark left. Throws a BenchmarkError for an unknown option
+  /// and for a mesh that cannot be read.
   void Parse(int argc, char** argv);
 
   const std::string& Get(const std::string& name) const { return this->Values.at(name); }
   double GetNumber(const std::string& name) const;
   int GetInteger(const std::string& name) const;
-  /// The same; a BenchmarkError if it is less than `least`.
+  /// Same; throws a BenchmarkError if the value is less than `least`.
   int GetAtLeast(const std::string& name, int least) const;
-  /// The parts of a value, separated by commas.
+  /// Returns the parts of a value, separated by commas.
   std::vector<std::string> GetList(const std::string& name) const;
   std::vector<int> GetIntegers(const std::string& name) const;
 
-  /// The meshes named on the command line, else those of the environment (DGG_BENCHMARK_MESHES,
-  /// separated by ':'), else a generated surface and, when it is installed, the bunny of Debian's
-  /// glmark2-data.
+  /// Returns the meshes of the command line, or else those of the environment
+  /// (DGG_BENCHMARK_MESHES, separated by ':'), or else a generated surface and, if installed, the
+  /// bunny of Debian's glmark2-data.
   const std::vector<MeshRecipe>& GetMeshes() const { return this->Meshes; }
 
 private:
@@ -46,17 +46,18 @@ private:
 
 MeshRecipe MeshFromFile(const std::string& file);
 
-/// A torus, named "torus", of so many rings: at least 6, else a BenchmarkError.
+/// Returns a torus, named "torus", with `rings` rings; throws a BenchmarkError if there are fewer
+/// than 6.
 MeshRecipe TorusOfRings(int rings);
 
-/// A mesh after a step of Loop subdivision.
+/// Returns the recipe of a mesh after a step of Loop subdivision.
 MeshRecipe Subdivided(MeshRecipe mesh);
 
-/// 5000 is 5K.
+/// Returns a short name of a size; 5000 is 5K.
 std::string SizeName(int size);
 
-/// The main function of a program: reads the arguments, has cases registered and runs them. A
-/// BenchmarkError before that is reported on the standard error output.
+/// Main function of a program: reads the arguments, calls `registerCases` and runs the cases. A
+/// BenchmarkError before the run is written to the standard error output.
 int RunBenchmarks(int argc, char** argv, std::map<std::string, std::string> defaults,
   const std::function<void(const BenchmarkArguments&)>& registerCases);
 

@@ -1,20 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Exact geodesic distance from one vertex to all: our engine, CGAL (when it was found) and the
-/// edge graph of VTK, in one run.
+/// Exact geodesic distance from one vertex to all: our engine, CGAL (if found) and the edge graph
+/// of VTK, in one run.
 ///
 /// Usage: BenchmarkExact [--benchmark_...] [--growth=FILE|none] [--cgal_limit=N] [mesh...]
 ///
-/// Meshes may also come from the environment (DGG_BENCHMARK_MESHES, separated by ':'). Without any,
-/// a generated surface is measured, and the bunny of Debian's glmark2-data when it is installed.
-/// The growth of engine T is followed over coarser and finer versions (quadric decimation, Loop
-/// subdivision; 5K to about 700K vertices) of the mesh of --growth, by default the last mesh.
-/// CGAL is left out above the limit of vertices, by default 60000.
+/// Meshes may also be named by the environment (DGG_BENCHMARK_MESHES, separated by ':'). By
+/// default, a generated surface and, if installed, the bunny of Debian's glmark2-data are measured.
+/// The growth of engine T is measured on coarser and finer versions (quadric decimation, Loop
+/// subdivision; 5K to about 700K vertices) of the mesh of --growth, by default the last mesh. CGAL
+/// is not run above the limit of vertices, by default 60000.
 ///
-/// Every line of the result is one source of one mesh, so that peers alternate within a mesh and a
-/// busy machine disturbs them alike. Times are CPU seconds of this process, the set-up of each
-/// peer's mesh apart ("SetUp" lines). summarize.py makes a table of it.
+/// Each line of the result is one source of one mesh, so that peers alternate within a mesh and
+/// other load on the machine affects them equally. Times are CPU seconds of this process; the
+/// set-up of each peer's mesh is reported separately ("SetUp" lines). summarize.py makes a table of
+/// the result.
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
@@ -40,7 +41,7 @@ void RegisterComparison(const MeshRecipe& recipe, const BenchmarkArguments& argu
   }
 }
 
-/// 5K, 10K, 20K, the mesh itself, and one and two subdivisions of it.
+/// Registers meshes of 5K, 10K and 20K vertices, the mesh itself, and one and two subdivisions.
 void RegisterGrowth(const MeshRecipe& base)
 {
   std::vector<MeshRecipe> recipes;

@@ -1,25 +1,26 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Discrete geodesic graphs: construction and queries, beside our other methods, the heat method of
-/// CGAL (when it was found with Eigen) and the edge graph of VTK, in one run.
+/// Discrete geodesic graphs: construction and queries, compared with our other methods, the heat
+/// method of CGAL (if found with Eigen) and the edge graph of VTK, in one run.
 ///
 /// Usage: BenchmarkGraph [--benchmark_...] [--name=value...] [mesh...]
-///   --rules=Guaranteed,OneRelay,Indirect,SVG  which constructions
-///   --thorough=Guaranteed  of which to measure all: threads, memory, every search, blocks; of the
-///                     others only building and the certified search, with and without correction
-///   --accuracies=0.1,0.05,0.02,0.01,0.001     of the first three
+///   --rules=Guaranteed,OneRelay,Indirect,SVG  constructions
+///   --thorough=Guaranteed  constructions with all measurements: threads, memory, all searches,
+///                     blocks; others: only build and certified search, with and without correction
+///   --accuracies=0.1,0.05,0.02,0.01,0.001     of the first three constructions
 ///   --neighbors=15,30,60                  of the saddle vertex graph (SVG)
-///   --sources=10      sources per graph, each a query with each search
-///   --many=1000       sources of a run in blocks; 0 leaves it out
-///   --threads=2       threads of the parallel cases; 1 leaves them out
+///   --sources=10      sources per graph; each is queried with each search
+///   --many=1000       sources of a run in blocks; 0: no such run
+///   --threads=2       threads of the parallel cases; 1: no parallel cases
 /// Meshes as for BenchmarkExact.
 ///
 /// Names of the results are GROUP/MESH/CASE with these groups:
 ///   Graph/MESH/RULE/PARAMETER/...  one graph (GraphCases.h)
-///   Peer/MESH/METHOD/...           the others, on the same mesh from the same sources
-/// Times are CPU seconds of this process, but those of several threads, which are seconds on the
-/// wall. Errors are against our exact engine T. summarize_graph.py makes tables of it.
+///   Peer/MESH/METHOD/...           other methods on the same mesh from the same sources
+/// Times are CPU seconds of this process, except with several threads, where they are wall-clock
+/// seconds. Errors are relative to our exact engine T. summarize_graph.py makes tables of the
+/// result.
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
@@ -61,13 +62,13 @@ void RegisterQueries(const CaseGroup& cases, const GraphRecipe& recipe, int sour
   }
 }
 
-/// What needs more builds, or many queries.
+/// Registers cases that need further builds or many queries.
 void RegisterThoroughCases(const CaseGroup& cases, const GraphRecipe& recipe,
   const BenchmarkArguments& arguments, int sources)
 {
   const int threads = arguments.GetAtLeast("threads", 1);
   const int many = arguments.GetAtLeast("many", 0);
-  // Once: memory that an earlier build has left behind is not seen.
+  // Runs once: later runs would reuse memory that an earlier build has released.
   cases.For(Once).Add("Memory", MeasureMemory, recipe);
   if (threads > 1)
   {

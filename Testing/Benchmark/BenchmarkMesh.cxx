@@ -23,7 +23,7 @@ vtkSmartPointer<vtkPolyData> Generated(const MeshRecipe& recipe)
   return ToPolyData(BumpySphere(recipe.Level));
 }
 
-/// Drop points without a face; merge nothing.
+/// Removes points without a face; does not merge points.
 vtkSmartPointer<vtkPolyData> WithoutUnusedPoints(vtkPolyData* mesh)
 {
   vtkNew<vtkCleanPolyData> clean;
@@ -121,7 +121,7 @@ MeasuredGraph& BenchmarkMesh::GetGraph(const GraphRecipe& recipe)
 {
   if (!this->Graph || this->GraphName != recipe.Name)
   {
-    this->Graph.reset(); // before the next one needs the memory
+    this->Graph.reset(); // release before the next is allocated
     this->Graph = std::make_unique<MeasuredGraph>(this->Surface, recipe.Options);
     this->GraphName = recipe.Name;
   }
@@ -139,7 +139,7 @@ BenchmarkMesh& GetBenchmarkMesh(const MeshRecipe& recipe)
   static std::string name;
   if (!kept || name != recipe.Name)
   {
-    kept.reset(); // before the next one needs the memory
+    kept.reset(); // release before the next is allocated
     kept = std::make_unique<BenchmarkMesh>(recipe);
     name = recipe.Name;
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A mesh under measurement, in the form that each peer wants, with the exact answers.
+/// Mesh of a benchmark, in the form that each peer needs, with exact results.
 #ifndef BenchmarkMesh_h
 #define BenchmarkMesh_h
 
@@ -20,24 +20,24 @@
 
 class vtkPolyData;
 
-/// How to get a mesh: from a file or a generator, and then coarser or finer.
+/// Recipe of a mesh: a file or a generator, then decimation or subdivision.
 struct MeshRecipe
 {
   std::string Name;
-  std::string File;     ///< empty: a generated surface
+  std::string File;     ///< file name; empty for a generated surface
   int Level = 0;        ///< refinement of the generated surface, a sphere
-  int Rings = 0;        ///< when positive: the generated surface is a torus of so many rings
-  int Vertices = 0;     ///< when positive: decimate to about this many
+  int Rings = 0;        ///< if positive, the generated surface is a torus with this number of rings
+  int Vertices = 0;     ///< if positive, number of vertices to decimate to, approximate
   int Subdivisions = 0; ///< steps of Loop subdivision, each with four times the vertices
 
   vtkSmartPointer<vtkPolyData> Make() const;
 };
 
-/// Which graph of which mesh.
+/// Recipe of a graph: its mesh and options.
 struct GraphRecipe
 {
   MeshRecipe Mesh;
-  std::string Name; ///< shows the graphs of one mesh apart
+  std::string Name; ///< distinguishes the graphs of a mesh
   dgg::GraphOptions Options;
 };
 
@@ -46,7 +46,7 @@ class BenchmarkMesh
 public:
   explicit BenchmarkMesh(const MeshRecipe& recipe);
 
-  /// Why the mesh cannot be used; empty when it can.
+  /// Returns the reason why the mesh cannot be used; empty if there is none.
   const std::string& GetError() const { return this->Error; }
   const MeshArrays& GetArrays() const { return this->Arrays; }
   const dgg::SurfaceMesh& GetSurface() const { return this->Surface; }
@@ -54,18 +54,18 @@ public:
   {
     return static_cast<double>(this->Arrays.GetNumberOfVertices());
   }
-  /// The k-th of so many fixed sources: vertex n k / numberOfSources, or the next one that has a
-  /// face.
+  /// Returns the k-th of `numberOfSources` fixed sources: vertex n k / numberOfSources, or the next
+  /// vertex that has a face.
   dgg::Id GetSource(int k, int numberOfSources) const;
-  /// Our exact distances from a vertex, computed once.
+  /// Returns our exact distances from a vertex, computed once.
   const std::vector<double>& GetExactDistances(dgg::Id source);
-  /// Give them when they are known, to save that run.
+  /// Sets exact distances that are already known, to avoid their computation.
   void SetExactDistances(dgg::Id source, std::vector<double> distances);
 
-  /// Random pairs of points of the mesh.
+  /// Returns random pairs of points of the mesh.
   MeasuredPairs& GetPairs(const PairRecipe& recipe);
 
-  /// A graph of the mesh. Only the last one is kept.
+  /// Returns a graph of the mesh. Only the last one is kept.
   MeasuredGraph& GetGraph(const GraphRecipe& recipe);
 
   vtkPolyData* GetPolyData() const;
@@ -81,7 +81,8 @@ private:
   std::string GraphName;
 };
 
-/// The mesh of a recipe. Only the last one is kept: the large ones do not fit together.
+/// Returns the mesh of a recipe. Only the last one is kept, because several large ones exceed the
+/// memory.
 BenchmarkMesh& GetBenchmarkMesh(const MeshRecipe& recipe);
 
 #endif

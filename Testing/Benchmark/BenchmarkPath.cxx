@@ -1,30 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a graph gives: paths, farthest point samples and their Voronoi cells, a matrix of
-/// distances; beside exact propagation and the edge paths of VTK, in one run.
+/// Applications of a graph: paths, farthest point samples and their Voronoi cells, and a distance
+/// matrix, compared with exact propagation and VTK's edge paths, in one run.
 ///
 /// Usage: BenchmarkPath [--benchmark_...] [--name=value...] [mesh...]
 ///   --accuracy=0.01     of the graph
 ///   --pairs=1000        random pairs of points anywhere on the surface
-///   --targets=10        so many of them have the same start
-///   --vertex_pairs=20   random pairs of vertices, for VTK; 0 leaves them out
-///   --samples=1000      farthest point samples; 0 leaves them and their cells out
-///   --matrix=1000       rows and columns of the matrix; 0 leaves it out
-///   --threads=2         threads of the matrix, and of what comes before all that is measured
-///   --torus=64          rings of a generated torus; 0 leaves it out
-///   --subdivided=armadillo  meshes that are measured after a step of Loop subdivision as well
-/// Meshes as for BenchmarkExact. Every mesh is measured in all ways.
+///   --targets=10        number of successive pairs with the same start
+///   --vertex_pairs=20   random pairs of vertices, for VTK; 0: none
+///   --samples=1000      farthest point samples; 0: neither samples nor cells
+///   --matrix=1000       rows and columns of the matrix; 0: no matrix
+///   --threads=2         threads of the matrix, and of preparations that are not measured
+///   --torus=64          rings of a generated torus; 0: no torus
+///   --subdivided=armadillo  meshes that are also measured after a step of Loop subdivision
+/// Meshes as for BenchmarkExact. All cases are measured on each mesh.
 ///
 /// Names of the results are GROUP/MESH/CASE with these groups:
-///   Path/MESH/...   PathCases.h; Straight and Default are paths that are straightened, and that
-///   try
-///                   other detours as well, without landmarks and (MarkedStraight and so on) with
-///                   them
+///   Path/MESH/...   PathCases.h; Straight paths are straightened only, Default paths also try
+///                   detours. MarkedStraight and MarkedDefault use landmarks.
 ///   Cells/MESH/...  CellCases.h
 ///   Matrix/MESH/Update
-/// Times are CPU seconds on one thread, but those of the matrix and of landmarks, which are seconds
-/// on the wall. summarize_path.py makes tables of it.
+/// Times are CPU seconds on one thread, except for the matrix and landmarks, where they are
+/// wall-clock seconds. summarize_path.py makes tables of the result.
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
@@ -35,7 +33,7 @@
 
 namespace
 {
-/// Paths that are straightened only, and default ones, which try detours as well.
+/// Detour options: paths that are straightened only, and default paths, which also try detours.
 const std::map<std::string, double> Detours = {
   { "Straight", 0.0 },
   { "Default", dgg::PathOptions().Detour },
@@ -74,7 +72,7 @@ void RegisterMesh(const MeshRecipe& mesh, const BenchmarkArguments& arguments)
 {
   GraphRecipe recipe;
   recipe.Mesh = mesh;
-  recipe.Name = "graph"; // the only one
+  recipe.Name = "graph"; // the only graph
   recipe.Options.Accuracy = arguments.GetNumber("accuracy");
   Require(dgg::GraphBuilder::Check(recipe.Options));
   RegisterPaths(recipe, arguments);
@@ -92,7 +90,8 @@ void RegisterMesh(const MeshRecipe& mesh, const BenchmarkArguments& arguments)
   }
 }
 
-/// What was named, the subdivided ones after those that they come from, and the torus.
+/// Returns the meshes of the command line, each followed by its subdivision if requested, and the
+/// torus.
 std::vector<MeshRecipe> ListMeshes(const BenchmarkArguments& arguments)
 {
   const std::vector<std::string> subdivided = arguments.GetList("subdivided");

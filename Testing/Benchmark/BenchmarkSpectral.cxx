@@ -1,24 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Green's functions and what is made of them: the time of factorizations, of columns and of
-/// sources anywhere by each method, of biharmonic columns, eigenpairs and an earth mover's
-/// distance; beside CHOLMOD, libigl and CGAL's heat method, those of them that were found, in one
-/// run.
+/// Green's functions and their applications: times of factorizations, of columns, of sources at any
+/// surface point by each method, of biharmonic columns, eigenpairs and an earth mover's distance;
+/// compared with CHOLMOD, libigl and CGAL's heat method, as far as they were found, in one run.
 ///
 /// Usage: BenchmarkSpectral [--benchmark_...] [--name=value...] [mesh...]
-///   --sizes=35000,100000  vertices of generated tori; empty leaves them out
+///   --sizes=35000,100000  vertices of generated tori; empty: none
 ///   --sources=5         of columns and Green's functions
-///   --eigenpairs=100    0 leaves them out
-///   --movers=1          earth mover's distances; 0 leaves them out
-/// Meshes as for BenchmarkExact, but without its generated surface. Peers need connected ones.
+///   --eigenpairs=100    number of eigenpairs; 0: none
+///   --movers=1          number of earth mover's distances; 0: none
+/// Meshes as for BenchmarkExact, without its generated surface. Peers need connected meshes.
 ///
 /// Names of the results are
 ///   Spectral/MESH/CASE[/K]          SpectralCases.h
 ///   Spectral/MESH/Greens/WAY/K      OpenedSolver.h
 ///   Peer/MESH/PEER/CASE[/K]         PoissonPeerCases.h; FieldMethods.h for the peer Heat, which
 ///                                   has two matrices
-/// Times are CPU seconds on one thread. summarize_spectral.py makes tables of it.
+/// Times are CPU seconds on one thread. summarize_spectral.py makes tables of the result.
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
@@ -69,7 +68,7 @@ void RegisterPeers(const MeshRecipe& mesh, int sources)
 #endif
 }
 
-/// A torus of about so many vertices.
+/// Returns the recipe of a torus with about `size` vertices.
 MeshRecipe TorusOf(int size)
 {
   MeshRecipe torus;

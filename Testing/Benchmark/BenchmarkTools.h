@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the benchmark programs share: how a case is registered, timed and reported, and the meshes
-/// and graphs that it is about.
+/// Common functions of the benchmark programs: registration, timing and reports of cases, and their
+/// meshes and graphs.
 #ifndef BenchmarkTools_h
 #define BenchmarkTools_h
 
@@ -19,39 +19,41 @@
 #include <utility>    // for std::move
 #include <vector>     // for distances
 
-/// Why a case, or a program, cannot go on.
+/// Reason why a case or a program cannot continue.
 class BenchmarkError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Throw that error: for a text that is not empty, a failure, or a condition that does not hold.
+/// Throws a BenchmarkError for a non-empty text, a failure, or a condition that is false.
 void Require(const std::string& error);
 void Require(const dgg::Status& status);
 void Require(bool condition, const std::string& error);
 
-/// A loop on this many threads of the standard library, each taking the next piece of it when done
-/// with one.
+/// Returns a loop on `threads` threads of the standard library; each thread takes the next range
+/// when it has finished one.
 dgg::ParallelFor ThreadedLoop(int threads);
 
-/// CPU time of this process, all threads together, in seconds.
+/// Returns the CPU time of this process, all threads together, in seconds.
 double CPUSeconds();
-/// CPU time of the calling thread, in seconds; that of the process where the system does not show.
+/// Returns the CPU time of the calling thread, in seconds; of the process if the system does not
+/// report it per thread.
 double ThreadSeconds();
-/// Time on the wall in seconds.
+/// Returns the wall-clock time in seconds.
 double WallSeconds();
 
 using BenchmarkCase = std::function<void(benchmark::State&)>;
 
-/// Have a case run; it repeats until it has been timed for `minimum` seconds. A BenchmarkError is
-/// an error of the case.
+/// Registers a case that is repeated until `minimum` seconds have been timed. A BenchmarkError
+/// becomes an error of the case.
 void RegisterCase(const std::string& name, BenchmarkCase run, double minimum = 0.1);
 
-/// The least time of cases that run once: they take several times of their own, or long.
+/// Value of `minimum` for cases that run once, because they take long or measure several times
+/// themselves.
 constexpr double Once = 1e-9;
 
-/// Cases whose names begin alike.
+/// Cases whose names have a common prefix.
 class CaseGroup
 {
 public:
@@ -61,10 +63,10 @@ public:
   {
   }
 
-  /// The same with another least time.
+  /// Returns the same group with another minimum time.
   CaseGroup For(double minimum) const { return CaseGroup(this->Prefix, minimum); }
 
-  /// A case that calls `run` with the state and copies of the arguments.
+  /// Registers a case that calls `run` with the state and copies of the arguments.
   template <typename Run, typename... Arguments>
   void Add(const std::string& name, Run run, const Arguments&... arguments) const
   {
@@ -72,14 +74,14 @@ public:
       this->Prefix + name, [=](benchmark::State& state) { run(state, arguments...); },
       this->Minimum);
   }
-  /// The same for the k-th of `count` sources, which are given as well.
+  /// Same for the k-th of `count` sources; `run` also receives k and `count`.
   template <typename Run, typename... Arguments>
   void AddSource(
     const std::string& name, int k, int count, Run run, const Arguments&... arguments) const
   {
     this->Add(name + "/" + std::to_string(k), run, arguments..., k, count);
   }
-  /// The same for all of them.
+  /// Same for all `count` sources.
   template <typename Run, typename... Arguments>
   void AddSources(const std::string& name, int count, Run run, const Arguments&... arguments) const
   {
@@ -94,12 +96,12 @@ private:
   double Minimum;
 };
 
-/// One loop of Google Benchmark: `prepare` is not timed, `run` is. What it takes on the wall is
-/// reported as well ("wall_seconds").
+/// Runs the loop of Google Benchmark. `prepare` is not timed, `run` is. Also reports the wall-clock
+/// time of `run` ("wall_seconds").
 void Measure(benchmark::State& state, const std::function<void()>& prepare,
   const std::function<void()>& run, double (*clock)() = CPUSeconds);
 
-/// The mesh of a recipe; an error when it cannot be used or has more than `limit` vertices.
+/// Returns the mesh of a recipe; throws if it cannot be used or has more than `limit` vertices.
 BenchmarkMesh& OpenMesh(const MeshRecipe& recipe, double limit = dgg::Infinity);
 
 struct OpenedGraph
@@ -108,17 +110,17 @@ struct OpenedGraph
   MeasuredGraph* Graph = nullptr;
 };
 
-/// A graph and its mesh. The graph is not necessarily built.
+/// Returns a graph, which need not be built, and its mesh.
 OpenedGraph OpenGraph(const GraphRecipe& recipe);
-/// The same, built.
+/// Same, with the graph built.
 OpenedGraph OpenBuiltGraph(const GraphRecipe& recipe);
 
 void ReportMesh(benchmark::State& state, const BenchmarkMesh& mesh);
 void ReportMemory(benchmark::State& state, const BenchmarkMesh& mesh, const MemoryProbe& probe);
-/// Errors against the exact distances of the mesh.
+/// Reports errors relative to the exact distances of the mesh.
 void ReportErrors(benchmark::State& state, BenchmarkMesh& mesh, dgg::Id source,
   const std::vector<double>& distances);
-/// An error when there are none.
+/// Reports errors; throws if there are none.
 void ReportErrors(benchmark::State& state, const ErrorStatistics& errors);
 
 #endif

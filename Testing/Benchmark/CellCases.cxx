@@ -12,8 +12,8 @@
 
 namespace
 {
-/// What is compared is timed in turn, so many times, and the smallest times are compared: a busy
-/// machine disturbs some of them only.
+/// Number of rounds in which the compared methods are timed alternately. The smallest times are
+/// compared, because other load on the machine affects only some of them.
 constexpr int Rounds = 3;
 constexpr int NumberOfQueries = 10;
 
@@ -24,7 +24,7 @@ double TimeOf(const std::function<void()>& run)
   return CPUSeconds() - start;
 }
 
-/// Queries from single vertices to all, without correction unless asked for, as in MeasureQuery().
+/// Runs queries from single vertices to all; corrections as in MeasureQuery().
 void RunQueries(const OpenedGraph& opened, int count, bool correct, dgg::SearchResult& result)
 {
   dgg::SearchOptions options;
@@ -46,7 +46,7 @@ dgg::Status Sample(const OpenedGraph& opened, int count, std::vector<dgg::Surfac
     opened.Graph->GetOptions().Accuracy, options, samples);
 }
 
-/// Samples as sites, with all that refining their borders takes except the builder.
+/// Converts samples to sites, with all input of boundary refinement except the builder.
 dgg::VoronoiInput ToSites(const std::vector<dgg::SurfaceSample>& samples, double accuracy)
 {
   dgg::VoronoiInput sites;
@@ -71,7 +71,7 @@ void MeasureFarthestPoints(benchmark::State& state, const GraphRecipe& recipe, i
   std::vector<dgg::SurfaceSample> found;
   dgg::SearchResult result;
   dgg::Status status;
-  RunQueries(opened, 1, false, result); // not the first query
+  RunQueries(opened, 1, false, result); // the first query is not measured
   for (auto unused : state)
   {
     (void)unused;
@@ -109,7 +109,7 @@ void MeasureVoronoi(benchmark::State& state, const GraphRecipe& recipe, int samp
   SampleStatistics refinedDiagrams;
   dgg::SearchResult result;
   dgg::VoronoiDiagram diagram;
-  RunQueries(opened, 1, true, result); // not the first query
+  RunQueries(opened, 1, true, result); // the first query is not measured
   for (auto unused : state)
   {
     (void)unused;

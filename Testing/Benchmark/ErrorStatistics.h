@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Relative errors of a distance field against the exact one.
+/// Relative errors of a distance field compared with the exact field.
 #ifndef ErrorStatistics_h
 #define ErrorStatistics_h
 
@@ -10,15 +10,16 @@
 
 struct ErrorStatistics
 {
-  // NaN when there is no vertex with both distances, so that nothing looks like no error.
+  // NaN if no vertex has both distances, so that an empty comparison does not look like a zero
+  // error.
   double Mean;          ///< mean of |a - d| / d
   double Percentile999; ///< 99.9 % of the vertices are no worse
   double Maximum;
   std::size_t Unreached = 0; ///< vertices with an exact distance but no approximate one
-  std::size_t Beyond = 0;    ///< vertices with an approximate distance that cannot be reached
+  std::size_t Beyond = 0;    ///< unreachable vertices with an approximate distance
 
   bool IsEmpty() const;
-  /// Vertices with exact distance 0 or infinity have no error.
+  /// Returns the statistics. Vertices with exact distance 0 or infinity are not counted.
   static ErrorStatistics Of(
     const std::vector<double>& approximate, const std::vector<double>& exact);
 };

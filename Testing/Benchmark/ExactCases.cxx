@@ -36,7 +36,7 @@ void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, int k, int
   const std::vector<dgg::GeodesicSource> sources = { { dgg::SurfacePoint::AtVertex(source), 0.0 } };
   dgg::ExactResult result;
   std::unique_ptr<dgg::ExactGeodesics> solver;
-  // A new solver for every run: nothing is warm that a user would find cold.
+  // A new solver for each run, because the first run of a user has no warm buffers either.
   Measure(
     state,
     [&] {
@@ -53,7 +53,7 @@ void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, int k, int
     static_cast<double>(result.PeakMemory) / mesh.GetNumberOfVertices();
 
   mesh.SetExactDistances(source, std::move(result.Distances));
-  // Memory in a run of its own. One source is enough where runs are long.
+  // Memory is measured in a separate run. One source suffices where runs are long.
   if (k == 0 || mesh.GetNumberOfVertices() < 2e5)
   {
     solver.reset();

@@ -141,7 +141,7 @@ FieldMethod& GetPrepared(
   const std::string wanted = recipe.Name + "/" + method.Name;
   if (!kept || name != wanted)
   {
-    kept.reset(); // before the next one needs the memory
+    kept.reset(); // release before the next is allocated
     auto made = method.Make(mesh);
     made->Prepare();
     kept = std::move(made);

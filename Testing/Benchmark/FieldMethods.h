@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Methods that compute distances from a vertex, ours and those of other libraries, measured alike.
+/// Methods that compute distances from a vertex, ours and those of other libraries, measured in the
+/// same manner.
 
 #ifndef FieldMethods_h
 #define FieldMethods_h
@@ -22,7 +23,8 @@ class FieldMethod
 {
 public:
   virtual ~FieldMethod() = default;
-  /// All that precedes queries, except the mesh of the library. Throws a BenchmarkError on failure.
+  /// Runs all steps that precede queries, except the construction of the library's mesh. Throws a
+  /// BenchmarkError on failure.
   virtual void Prepare() {}
   /// Computes the distances of all vertices. Throws a BenchmarkError on failure.
   virtual void Run(dgg::Id source) = 0;
@@ -34,12 +36,12 @@ struct NamedMethod
 {
   std::string Name;
   std::function<std::unique_ptr<FieldMethod>(const BenchmarkMesh&)> Make;
-  bool IsPrepared = true; ///< false: nothing precedes the first query
+  bool IsPrepared = true; ///< false if no step precedes the first query
 };
 
 NamedMethod HeatOfOurs();
 NamedMethod MarchingOfOurs();
-/// vtkDijkstraGraphGeodesicPath.
+/// Returns the method of vtkDijkstraGraphGeodesicPath.
 NamedMethod EdgesOfVTK();
 #ifdef DGG_WITH_CGAL
 NamedMethod ExactOfCGAL();
@@ -48,11 +50,11 @@ NamedMethod ExactOfCGAL();
 NamedMethod HeatOfCGAL(PeerHeat::Triangulation triangulation);
 #endif
 
-/// Time and memory of all that precedes queries.
+/// Measures time and memory of all steps that precede queries.
 void MeasurePreparation(
   benchmark::State& state, const MeshRecipe& recipe, const NamedMethod& method);
-/// A query from the k-th of `numberOfSources` sources to all, on a mesh of up to `limit` vertices;
-/// not the first query of a method that prepares anything.
+/// Measures a query from the k-th of `numberOfSources` sources to all, on a mesh of up to `limit`
+/// vertices. The first query of a method with a preparation is not measured.
 void MeasureField(benchmark::State& state, const MeshRecipe& recipe, const NamedMethod& method,
   double limit, int k, int numberOfSources);
 

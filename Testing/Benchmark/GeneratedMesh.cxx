@@ -14,11 +14,12 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-/// Random numbers that are the same with every standard library (distributions are not).
+/// Random numbers that are the same with every standard library (the standard's distributions
+/// differ).
 class Shift
 {
 public:
-  /// Uniform in [-1, 1].
+  /// Returns a number with uniform distribution in [-1, 1].
   double operator()() { return 2.0 * static_cast<double>(this->Engine()) / 4294967295.0 - 1.0; }
 
 private:
@@ -62,7 +63,7 @@ MeshArrays Icosahedron()
   return mesh;
 }
 
-/// Every triangle into four.
+/// Splits every triangle into four.
 void Split(MeshArrays& mesh)
 {
   std::map<std::pair<dgg::Id, dgg::Id>, dgg::Id> middles;
@@ -226,7 +227,7 @@ MeshArrays Cuboid(double x, double y, double z, int steps, double jitter)
       }
       for (int k = 0; k < 3; ++k)
       {
-        // A point on the edge of the cuboid stays where it is: the shape must not change.
+        // Points on edges of the cuboid are not moved, because the shape must not change.
         if (rims == 1 && at[k] != 0 && at[k] != count[k])
         {
           p[k] += jitter * extent[k] / count[k] * shift();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Meshes for machines that have no scans: irregular, with convex and saddle vertices.
+/// Generated meshes for machines without scans: irregular, with convex and saddle vertices.
 #ifndef GeneratedMesh_h
 #define GeneratedMesh_h
 
@@ -11,8 +11,8 @@
 /// one level is split into the faces 4 f to 4 f + 3 of the next.
 MeshArrays Icosphere(int level);
 
-/// The same with waves of relative height `amplitude` and vertices shifted at random by up to 0.2
-/// edge lengths.
+/// Same with waves of relative height `amplitude` and vertices shifted at random by up to 0.2 edge
+/// lengths.
 MeshArrays BumpySphere(int level, double amplitude = 0.1);
 
 /// Torus of radii 1 and 0.4 with `rings` x `sides` vertices, shifted at random along the surface by

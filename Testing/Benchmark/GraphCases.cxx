@@ -122,7 +122,7 @@ void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::Searc
   const dgg::SearchOptions options = QueryOptions(method, correct);
   const dgg::GraphSearch& search = opened.Graph->GetSearch();
   dgg::SearchResult result;
-  dgg::Status status = search.Run({ seed }, options, result); // not the first query
+  dgg::Status status = search.Run({ seed }, options, result); // the first query is not measured
   Measure(
     state, [] {}, [&] { status = search.Run({ seed }, options, result); });
   Require(status);

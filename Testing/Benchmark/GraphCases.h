@@ -10,23 +10,23 @@
 
 #include <benchmark/benchmark.h> // for State
 
-/// CPU time on one thread; size, degree, windows and memory.
+/// Measures the CPU time of a build on one thread; reports size, degree, windows and memory.
 void MeasureBuild(benchmark::State& state, const GraphRecipe& recipe);
-/// The peak of memory that the system says building takes, tables and workspaces included.
+/// Measures the peak memory of a build as the system reports it, including tables and workspaces.
 void MeasureMemory(benchmark::State& state, const GraphRecipe& recipe);
-/// Time on the wall with several threads, and whether the graph is the same bit by bit.
+/// Measures the wall-clock time with several threads; reports if the graph is the same bit by bit.
 void MeasureParallelBuild(benchmark::State& state, const GraphRecipe& recipe, int threads);
-/// The prediction of size and memory, against what they turn out to be.
+/// Measures the prediction of size and memory; reports predicted and actual values.
 void MeasureEstimate(benchmark::State& state, const GraphRecipe& recipe);
 
-/// What the search prepares before the first query (fans, vertex order).
+/// Measures the preparation of the search before the first query (fans, vertex order).
 void MeasureCache(benchmark::State& state, const GraphRecipe& recipe);
-/// That and the first query, with correction.
+/// Measures this preparation and the first query, with correction.
 void MeasureFirstQuery(benchmark::State& state, const GraphRecipe& recipe);
-/// A query from the k-th of `numberOfSources` sources to all.
+/// Measures a query from the k-th of `numberOfSources` sources to all.
 void MeasureQuery(benchmark::State& state, const GraphRecipe& recipe, dgg::SearchMethod method,
   bool correct, int k, int numberOfSources);
-/// Queries from many sources to all, in blocks.
+/// Measures queries from many sources to all, in blocks.
 void MeasureMany(
   benchmark::State& state, const GraphRecipe& recipe, int numberOfSources, int threads);
 

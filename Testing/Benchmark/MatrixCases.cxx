@@ -22,7 +22,7 @@ namespace
 constexpr unsigned int RowSeed = 20190523u;
 constexpr unsigned int ColumnSeed = 20190524u;
 
-/// Points of the surface in space.
+/// Returns surface points as points in space.
 vtkSmartPointer<vtkPolyData> ToPolyData(
   const BenchmarkMesh& mesh, const std::vector<dgg::SurfacePoint>& points)
 {
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(
   return data;
 }
 
-/// Errors of the first row of the matrix.
+/// Returns the errors of the first row of the matrix.
 ErrorStatistics CheckFirstRow(const BenchmarkMesh& mesh, const dgg::SurfacePoint& row,
   const std::vector<dgg::SurfacePoint>& columns, vtkDoubleArray* matrix)
 {
@@ -66,7 +66,7 @@ void MeasureMatrix(
   filter->SetAccuracy(accuracy);
   filter->SetUnreachedValue(dgg::Infinity);
   filter->GenerateTableOff();
-  // Builds the graph and what links points to it.
+  // Builds the graph and the structures that link points to it.
   filter->SetRowData(ToPolyData(mesh, { rows[0] }));
   filter->SetColumnData(ToPolyData(mesh, { columns[0] }));
   filter->Update();

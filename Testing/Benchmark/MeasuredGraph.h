@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A graph under measurement.
+/// Graph of a benchmark.
 #ifndef MeasuredGraph_h
 #define MeasuredGraph_h
 
@@ -14,31 +14,31 @@
 class MeasuredGraph
 {
 public:
-  /// The mesh must outlive the graph. Nothing is built yet.
+  /// The mesh must outlive the graph. The graph is not built yet.
   MeasuredGraph(const dgg::SurfaceMesh& surface, const dgg::GraphOptions& options);
 
-  /// Build the graph, the builder's tables included.
+  /// Builds the graph, including the tables of the builder.
   void Build(const dgg::ParallelFor& parallel);
-  /// Build the graph if that has not been done.
+  /// Builds the graph unless it has been built.
   void NeedGraph();
-  /// Free it.
+  /// Releases the graph.
   void Clear();
 
-  /// Prepare a new search: what comes between a graph and its first query.
+  /// Prepares a new search: all steps between a build and the first query.
   void PrepareSearch();
-  /// The search of the graph, prepared once.
+  /// Returns the search of the graph, prepared once.
   const dgg::GraphSearch& GetSearch();
-  /// Have that search prepare landmarks, once.
+  /// Prepares landmarks of the search, once.
   void NeedLandmarks();
-  /// The builder that links points to the graph, prepared once.
+  /// Returns the builder that links points to the graph, prepared once.
   const dgg::GraphBuilder& GetBuilder();
 
-  /// Why there is no graph; empty when there is one.
+  /// Returns the reason why there is no graph; empty if there is one.
   const std::string& GetError() const { return this->Error; }
   const dgg::GraphOptions& GetOptions() const { return this->Options; }
   const dgg::GeodesicGraph& GetGraph() const { return this->Graph; }
   const dgg::GraphStatistics& GetStatistics() const { return this->Statistics; }
-  /// Edges that leave a vertex: mean and standard deviation.
+  /// Computes mean and standard deviation of the number of outgoing edges per vertex.
   void GetDegree(double& mean, double& deviation) const;
 
 private:

@@ -25,7 +25,7 @@ dgg::SurfacePoint RandomVertex(const dgg::SurfaceMesh& surface, RandomNumbers& r
   return dgg::SurfacePoint::AtVertex(vertex);
 }
 
-/// Per face, the area up to it and with it.
+/// Returns the cumulative area per face, including the face.
 std::vector<double> SumAreas(const dgg::SurfaceMesh& surface)
 {
   std::vector<double> sums;
@@ -90,7 +90,7 @@ const std::vector<double>& MeasuredPairs::GetExactDistances()
       this->Ends.begin() + static_cast<std::ptrdiff_t>(end));
     options.StopAtTargets = true;
     dgg::ExactResult result;
-    // Points of the surface: it cannot fail.
+    // Cannot fail for points of the surface.
     solver.Run({ { this->GetStart(begin), 0.0 } }, options, result);
     this->ExactDistances.insert(
       this->ExactDistances.end(), result.TargetDistances.begin(), result.TargetDistances.end());

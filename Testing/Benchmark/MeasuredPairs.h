@@ -12,12 +12,12 @@
 #include <tuple>   // for the order of recipes
 #include <vector>  // for the pairs
 
-/// Which pairs.
+/// Recipe of pairs of points.
 struct PairRecipe
 {
   int Count = 0;
-  int PerStart = 1;        ///< so many pairs, one after the other, have the same start
-  bool AtVertices = false; ///< else anywhere on the surface, the same chance for every place
+  int PerStart = 1;        ///< number of successive pairs that share a start
+  bool AtVertices = false; ///< otherwise uniformly distributed over the surface
 
   bool operator<(const PairRecipe& other) const
   {
@@ -26,7 +26,7 @@ struct PairRecipe
   }
 };
 
-/// Random points of a surface, the same ones for the same `seed` everywhere.
+/// Returns random points of a surface, the same for the same `seed` on all systems.
 std::vector<dgg::SurfacePoint> RandomPoints(
   const dgg::SurfaceMesh& surface, int count, bool atVertices, unsigned int seed);
 
@@ -43,7 +43,8 @@ public:
   }
   const dgg::SurfacePoint& GetEnd(std::size_t pair) const { return this->Ends[pair]; }
 
-  /// Exact distances of the pairs, computed once; Infinity where they are not connected.
+  /// Returns exact distances of the pairs, computed once; Infinity for pairs that are not
+  /// connected.
   const std::vector<double>& GetExactDistances();
 
 private:

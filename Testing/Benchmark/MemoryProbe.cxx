@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#ifdef __GLIBC__ // as <cstdlib> says
+#ifdef __GLIBC__ // defined by <cstdlib>
 #include <malloc.h>
 #endif
 
@@ -17,7 +17,7 @@ namespace
 std::atomic<std::size_t> Held{ 0 };
 std::atomic<std::size_t> Peak{ 0 };
 
-/// An entry of /proc/self/status in bytes; 0 when there is none.
+/// Returns an entry of /proc/self/status in bytes; 0 if there is none.
 std::size_t ReadStatus(const std::string& key)
 {
   std::ifstream status("/proc/self/status");
@@ -40,9 +40,9 @@ void ResetResidentPeak()
 }
 }
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) // which has its own
-// glibc lets programs put their own functions in the place of these, and keeps its own ones under
-// other names. Whatever asks for memory then comes here: operator new, Eigen, VTK's arrays.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) // ASan has its own
+// glibc allows programs to replace these functions, and provides its own ones under other names.
+// All allocations then pass through the functions below: operator new, Eigen, VTK's arrays.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -53,7 +53,7 @@ void __libc_free(void* block);
 
 namespace
 {
-/// Not exact when threads race for the peak; the benchmarks run on one.
+/// Counts a block. The peak is inexact if several threads allocate; the benchmarks run on one.
 void* Took(void* block)
 {
   const std::size_t held = Held += block ? malloc_usable_size(block) : 0;
@@ -70,7 +70,8 @@ void Gives(void* block)
 }
 }
 
-// Libraries only call what is visible; libstdc++ 14 allocates aligned blocks by posix_memalign().
+// Libraries can call only visible functions; libstdc++ 14 allocates aligned blocks by
+// posix_memalign().
 #pragma GCC visibility push(default)
 extern "C" {
 void* malloc(std::size_t size) noexcept
@@ -87,7 +88,7 @@ void* realloc(void* block, std::size_t size) noexcept
 {
   const std::size_t before = block ? malloc_usable_size(block) : 0;
   void* moved = __libc_realloc(block, size);
-  // On failure the block stays; with size 0 it is gone.
+  // On failure the block remains; with size 0 it has been released.
   Held -= moved || size == 0 ? before : 0;
   return Took(moved);
 }
@@ -119,7 +120,7 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexce
 
 MemoryProbe::MemoryProbe()
 {
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) // which has its own
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) // ASan has its own
   // Free blocks kept by the allocator would hide growth of the resident set.
   malloc_trim(0);
 #endif

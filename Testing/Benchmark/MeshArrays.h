@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A triangle mesh as flat arrays: what the kernel and the peers are given, bit for bit the same.
+/// Triangle mesh as flat arrays, identical input of the kernel and the peers.
 #ifndef MeshArrays_h
 #define MeshArrays_h
 

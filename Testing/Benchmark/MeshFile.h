@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Meshes from files, through VTK's readers, and to and from vtkPolyData.
+/// Meshes from files by VTK's readers, and conversions from and to vtkPolyData.
 #ifndef MeshFile_h
 #define MeshFile_h
 
@@ -13,16 +13,16 @@
 
 class vtkPolyData;
 
-/// Read a .ply, .obj, .stl, .vtp or .vtk file; polygons become triangles. The result has no points
-/// when the file cannot be read.
+/// Reads a .ply, .obj, .stl, .vtp or .vtk file; polygons become triangles. The result has no points
+/// if the file cannot be read.
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& path);
 
-/// The triangles of a poly data that holds nothing else.
+/// Returns the triangles of a vtkPolyData without other cells.
 MeshArrays ToArrays(vtkPolyData* mesh);
 
 vtkSmartPointer<vtkPolyData> ToPolyData(const MeshArrays& mesh);
 
-/// File name without folder and extension.
+/// Returns the file name without folder and extension.
 std::string StemOf(const std::string& path);
 
 #endif

@@ -12,7 +12,7 @@ OpenedSolver OpenSolver(const MeshRecipe& recipe)
   static std::string name;
   if (kept && name != recipe.Name)
   {
-    kept.reset(); // before its mesh goes, and the next one needs the memory
+    kept.reset(); // release before its mesh is released and the next is allocated
   }
   BenchmarkMesh& mesh = OpenMesh(recipe);
   if (!kept)

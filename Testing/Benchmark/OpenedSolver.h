@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A mesh and the Poisson equation on it, for one case of a benchmark; and all ways to a Green's
-/// function, behind one face.
+/// Mesh and Poisson equation of a benchmark case, and a common interface of all methods that
+/// compute a Green's function.
 #ifndef OpenedSolver_h
 #define OpenedSolver_h
 
 #include "BenchmarkMesh.h" // for MeshRecipe
 
 #include "dggGreensFunction.h"      // for methods and results
-#include "dggGreensInterpolation.h" // for the way that keeps columns
+#include "dggGreensInterpolation.h" // for the method that keeps columns
 #include "dggPoissonSolver.h"       // for PoissonSolver
 
 #include <string> // for names
@@ -24,19 +24,20 @@ struct OpenedSolver
 /// Returns the factorized solver of a recipe. The solver of the last mesh is kept.
 OpenedSolver OpenSolver(const MeshRecipe& recipe);
 
-/// One at a vertex, 0 at others.
+/// Returns a vector that is 1 at a vertex and 0 at all others.
 std::vector<double> UnitLoad(const dgg::PoissonSolver& solver, dgg::Id vertex);
 
-/// The Green's function of a vertex: of the Laplacian for the power 1, of the bi-Laplacian for 2.
+/// Computes the Green's function of a vertex: of the Laplacian for power 1, of the bi-Laplacian for
+/// 2.
 dgg::Status FindColumn(
   const dgg::PoissonSolver& solver, dgg::Id source, int power, std::vector<double>& values);
 
-/// The methods of GreensFunction, and GreensInterpolation.
+/// Method of GreensFunction, or GreensInterpolation.
 struct GreensWay
 {
   std::string Name;
   dgg::GreensMethod Method = dgg::GreensMethod::SingularitySubtraction;
-  bool IsInterpolation = false; ///< of regular parts
+  bool IsInterpolation = false; ///< interpolation of regular parts
 };
 
 const std::vector<GreensWay>& GetGreensWays();
@@ -44,7 +45,7 @@ const std::vector<GreensWay>& GetGreensWays();
 class MeasuredGreens
 {
 public:
-  /// The solver must be ready and outlive this.
+  /// The solver must be ready and outlive this object.
   MeasuredGreens(const dgg::PoissonSolver& solver, const GreensWay& way);
 
   dgg::Status Run(const dgg::SurfacePoint& pole, dgg::GreensResult& result);

@@ -10,7 +10,7 @@
 
 namespace
 {
-/// The search of a graph with landmarks, or without.
+/// Returns the search of a graph, with or without landmarks.
 const dgg::GraphSearch& SearchOf(MeasuredGraph& graph, bool withLandmarks)
 {
   if (withLandmarks)
@@ -30,7 +30,7 @@ void MeasureLandmarks(benchmark::State& state, const GraphRecipe& recipe, int th
 {
   const OpenedGraph opened = OpenBuiltGraph(recipe);
   dgg::GraphSearch search(opened.Graph->GetGraph().View(), &opened.Mesh->GetSurface());
-  // What the first query prepares is not part of the landmarks.
+  // The preparation of the first query does not belong to the landmarks.
   dgg::SearchResult result;
   dgg::Status status = search.Run({ dgg::GraphSeed{ 0 } }, {}, result);
   const std::size_t before = search.GetMemorySize();
@@ -53,7 +53,7 @@ void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const Pair
     &opened.Graph->GetBuilder(), opened.Mesh->GetArrays().Points.data());
   PathStatistics statistics;
   dgg::FoundPath found;
-  // Not the first path.
+  // The first path is not measured.
   dgg::Status status = finder.Find(measured.GetStart(0), measured.GetEnd(0), options, found);
   for (auto unused : state)
   {
@@ -91,7 +91,7 @@ void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const P
     for (std::size_t i = 0; i < measured.GetCount(); ++i)
     {
       const double start = ThreadSeconds();
-      // The peer cannot be asked for a path that does not exist.
+      // The peer cannot handle a missing path.
       const double length = std::isfinite(exact[i])
         ? peer.FindPath(measured.GetStart(i).Vertex, measured.GetEnd(i).Vertex)
         : dgg::Infinity;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What is measured of paths through a graph, of farthest point samples and their Voronoi cells,
-/// and of a matrix of distances.
+/// Benchmarks of paths through a graph, of farthest point samples and their Voronoi cells, and of a
+/// distance matrix.
 #ifndef PathCases_h
 #define PathCases_h
 
@@ -11,28 +11,29 @@
 
 #include <benchmark/benchmark.h> // for State
 
-/// Distances of landmarks: time on the wall, and the bytes that the search holds afterwards besides
-/// those of a query, so also the workspaces of all threads that found them.
+/// Measures landmarks: wall-clock time, and the bytes that the search holds afterwards in addition
+/// to those of a query, including the workspaces of all threads that computed the landmarks.
 void MeasureLandmarks(benchmark::State& state, const GraphRecipe& recipe, int threads);
 
-/// A path for each of the pairs, timed one by one; the time of the case is that of the mean path.
+/// Measures a path for each pair, timed one by one; the time of the case is the mean over the
+/// paths.
 void MeasurePaths(benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs,
   const dgg::PathOptions& options, bool withLandmarks);
 
-/// Paths along mesh edges between pairs of vertices, as VTK finds them.
+/// Measures VTK's paths along mesh edges between pairs of vertices.
 void MeasureEdgePaths(benchmark::State& state, const MeshRecipe& recipe, const PairRecipe& pairs);
 
-/// Farthest point samples at vertices, beside ten queries from single vertices to all.
+/// Measures farthest point samples at vertices, and ten queries from single vertices to all.
 void MeasureFarthestPoints(benchmark::State& state, const GraphRecipe& recipe, int samples);
 
-/// The Voronoi diagram of these samples, the same without refined borders, its labels of the
-/// vertices alone, and a search from all samples at once, which gives labels without correction;
-/// beside one query.
+/// Measures the Voronoi diagram of these samples, with and without refined boundaries, its vertex
+/// labels alone, and a single search from all samples, which yields labels without correction; for
+/// comparison also one query.
 void MeasureVoronoi(benchmark::State& state, const GraphRecipe& recipe, int samples);
 
-/// vtkGeodesicDistanceMatrix between two sets of so many random points anywhere on the surface:
-/// time on the wall of an update with the graph kept from an earlier one, and the errors of one
-/// row. What carries the graph across updates is the filter.
+/// Measures vtkGeodesicDistanceMatrix between two sets of `size` random surface points: wall-clock
+/// time of an update with the graph of an earlier update, and the errors of one row. The filter
+/// keeps the graph between updates.
 void MeasureMatrix(
   benchmark::State& state, const MeshRecipe& recipe, double accuracy, int size, int threads);
 

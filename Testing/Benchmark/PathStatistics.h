@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What many paths have in common: time, and length against the exact distances.
+/// Statistics of many paths: time, and length compared with the exact distance.
 #ifndef PathStatistics_h
 #define PathStatistics_h
 
@@ -12,17 +12,17 @@
 class PathStatistics
 {
 public:
-  /// A length in place of a path; both are Infinity where there is no way.
+  /// Adds a length without a path; both lengths are Infinity if there is no path.
   void AddLength(double seconds, double length, double exact);
 
-  /// Everything as counters. The excess of a path is how much longer it is than the shortest one,
-  /// relative to that.
+  /// Reports all statistics as counters. The excess of a path is its length divided by that of the
+  /// shortest path, minus 1.
   void Report(benchmark::State& state) const;
 
 private:
   SampleStatistics Seconds;
   SampleStatistics Excess;
-  SampleStatistics Outside; // excesses that another class of homotopy explains, not rounding
+  SampleStatistics Outside; // excesses due to another homotopy class, not rounding
 };
 
 #endif

@@ -38,7 +38,7 @@ void PeerCGAL::SetSourceVertex(dgg::Id vertex)
 
 void PeerCGAL::SetSourceInFace(dgg::Id face, const std::array<double, 3>& barycentric)
 {
-  // CGAL counts the corners of a face from a half-edge of its own choice.
+  // CGAL counts the corners of a face from an arbitrary half-edge.
   const CGALSurface& surface = this->State->Mesh;
   const CGALSurface::Face_index cgalFace(static_cast<CGALSurface::size_type>(face));
   auto half = surface.halfedge(cgalFace);
@@ -67,7 +67,7 @@ std::vector<double> PeerCGAL::ComputeDistances()
   {
     if (!surface.is_isolated(v))
     {
-      // Negative where there is no path.
+      // Negative if there is no path.
       const double distance = this->State->Algorithm->shortest_distance_to_source_points(v).first;
       distances[v] = distance < 0.0 ? distances[v] : distance;
     }

@@ -21,15 +21,16 @@ public:
   PeerCGAL(const PeerCGAL&) = delete;
   PeerCGAL& operator=(const PeerCGAL&) = delete;
 
-  /// Why CGAL cannot hold the mesh (it wants an oriented manifold); empty when it can.
+  /// Returns the reason why CGAL cannot represent the mesh (it requires an oriented manifold);
+  /// empty if it can.
   const std::string& GetRefusal() const { return this->Refusal; }
 
-  /// Prepare a run from one source; leaves nothing of the run before.
+  /// Prepares a run from one source; discards the previous run.
   void SetSourceVertex(dgg::Id vertex);
-  /// Source inside a face; coordinates in the order of the face's corners in the input.
+  /// Sets a source inside a face; coordinates are in the order of the face's corners in the input.
   void SetSourceInFace(dgg::Id face, const std::array<double, 3>& barycentric);
 
-  /// Distances of all vertices; infinity where there is no path.
+  /// Returns the distances of all vertices; infinity if there is no path.
   std::vector<double> ComputeDistances();
 
 private:

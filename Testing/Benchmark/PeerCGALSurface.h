@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A mesh in CGAL's form, for the source files of the peers made from CGAL.
+/// Mesh in CGAL's form, for the source files of the peers made from CGAL.
 #ifndef PeerCGALSurface_h
 #define PeerCGALSurface_h
 
@@ -20,7 +20,7 @@ inline CGALSurface::Vertex_index CGALVertex(dgg::Id id)
   return CGALSurface::Vertex_index(static_cast<CGALSurface::size_type>(id));
 }
 
-/// Fill `surface`; returns why CGAL cannot hold the mesh, empty when it can.
+/// Fills `surface`. Returns the reason why CGAL cannot represent the mesh; empty if it can.
 inline std::string BuildCGALSurface(const MeshArrays& mesh, CGALSurface& surface)
 {
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)

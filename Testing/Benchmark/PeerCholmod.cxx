@@ -22,7 +22,7 @@ public:
   {
     const Eigen::SparseMatrix<double> whole =
       dgg::MakeCotanLaplacian(dgg::IntrinsicTriangulation(this->Surface)).Stiffness;
-    // Without the last vertex, whose value is held.
+    // The last vertex, whose value is fixed, is excluded.
     const Eigen::SparseMatrix<double> matrix =
       whole.topLeftCorner(whole.rows() - 1, whole.cols() - 1);
     this->Decomposition.compute(matrix);

@@ -13,7 +13,7 @@ namespace
 namespace heat = CGAL::Heat_method_3;
 using DistanceMap = CGALSurface::Property_map<CGALSurface::Vertex_index, double>;
 
-/// One face for both of CGAL's class instances.
+/// Common interface of both instances of CGAL's class template.
 class Solver
 {
 public:
@@ -25,7 +25,7 @@ template <class Mode>
 class SolverOf : public Solver
 {
 public:
-  /// CGAL factorises in the constructor.
+  /// CGAL factorizes in the constructor.
   explicit SolverOf(const CGALSurface& mesh)
     : Method(mesh)
   {
@@ -66,7 +66,7 @@ void PeerHeat::Clear()
   this->Internals->Method.reset();
 }
 
-/// CGAL throws where a factorisation fails.
+/// Runs `work` and handles the exception that CGAL throws if a factorization fails.
 template <class Work>
 void PeerHeat::Try(Work&& work)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// CGAL's heat method (Heat_method_3: Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013),
-/// with CGAL's own choice of sparse solver. Two factorisations first, then two solves per query.
-/// CGAL's and Eigen's headers stay inside the source file.
+/// with CGAL's own choice of sparse solver. Two factorizations first, then two solves per query.
+/// CGAL's and Eigen's headers are included in the source file only.
 #ifndef PeerHeat_h
 #define PeerHeat_h
 
@@ -18,8 +18,8 @@ class PeerHeat
 public:
   enum class Triangulation
   {
-    Direct,           ///< that of the mesh
-    IntrinsicDelaunay ///< edges flipped first: CGAL's default, more accurate
+    Direct,           ///< triangulation of the mesh
+    IntrinsicDelaunay ///< flips edges first: CGAL's default, more accurate
   };
 
   PeerHeat(const MeshArrays& mesh, Triangulation triangulation);
@@ -27,17 +27,17 @@ public:
   PeerHeat(const PeerHeat&) = delete;
   PeerHeat& operator=(const PeerHeat&) = delete;
 
-  /// Why there are no answers: CGAL wants an oriented manifold without degenerate faces. Empty when
-  /// there are.
+  /// Returns the reason why there are no results (CGAL requires an oriented manifold without
+  /// degenerate faces); empty if there are.
   const std::string& GetRefusal() const { return this->Refusal; }
 
-  /// Drop the factorisations.
+  /// Releases the factorizations.
   void Clear();
-  /// Everything that comes before a query.
+  /// Runs all steps that precede a query.
   void Precompute();
-  /// Run from one vertex to all; precomputes if that has not been done.
+  /// Computes distances from one vertex to all; calls Precompute() if necessary.
   void Run(dgg::Id source);
-  /// Distances of the last run.
+  /// Returns the distances of the last run.
   std::vector<double> GetDistances() const;
 
 private:

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# dgg_add_peer(NAME LIBRARY SOURCES...): another library's answer to what the kernel does, for tests
-# and benchmarks. A static library of its own, so that compiler flags and licences of LIBRARY stay
-# away from what is installed.
+# dgg_add_peer(NAME LIBRARY SOURCES...): adds another library's implementation of a task of the
+# kernel, for tests and benchmarks. It is a separate static library, so that compiler flags and
+# licenses of LIBRARY do not affect installed files.
 function (dgg_add_peer name library)
   list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/")
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${ARGN}

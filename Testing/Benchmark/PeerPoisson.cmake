@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# dggPeerCholmod: CHOLMOD's sparse factorization, where it is installed (Debian:
-# libsuitesparse-dev); a part of it is under the GPL. dggPeerLibigl: libigl's cotangent matrix and
-# solver, where DGG_PEER_LIBIGL_DIR says.
+# dggPeerCholmod: CHOLMOD's sparse factorization, if installed (Debian: libsuitesparse-dev); a part
+# of it is under the GPL. dggPeerLibigl: libigl's cotangent matrix and solver, if
+# DGG_PEER_LIBIGL_DIR is set.
 include("${CMAKE_CURRENT_LIST_DIR}/PeerLibrary.cmake")
 
 set(DGG_PEER_LIBIGL_DIR "" CACHE PATH

@@ -21,7 +21,8 @@ void PeerVTK::Run(vtkIdType source)
 {
   this->Filter->StopWhenEndReachedOff();
   this->Filter->SetStartVertex(source);
-  // The path itself is not wanted: the shortest one is traced.
+  // Only distances are needed: with the source as end vertex, the traced path is the shortest
+  // possible.
   this->Filter->SetEndVertex(source);
   this->Filter->Modified();
   this->Filter->Update();

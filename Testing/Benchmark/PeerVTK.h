@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What VTK itself offers: shortest paths along the edges of the mesh.
+/// Shortest paths along the edges of the mesh by VTK.
 #ifndef PeerVTK_h
 #define PeerVTK_h
 
@@ -16,16 +16,16 @@ class vtkPolyData;
 class PeerVTK
 {
 public:
-  /// The adjacency of the mesh is built here, once.
+  /// Builds the adjacency of the mesh, once.
   explicit PeerVTK(vtkPolyData* mesh);
   ~PeerVTK();
 
-  /// Run from one vertex to all.
+  /// Computes distances from one vertex to all.
   void Run(vtkIdType source);
-  /// Length of the path from one vertex to another one, which must be connected with it; the search
-  /// stops there.
+  /// Returns the length of the path between two vertices, which must be connected; the search stops
+  /// at the end vertex.
   double FindPath(vtkIdType from, vtkIdType to);
-  /// Distances of the last Run().
+  /// Returns the distances of the last Run().
   std::vector<double> GetDistances();
 
 private:

@@ -12,7 +12,7 @@ namespace
 {
 constexpr const char* Refusal = "the peer could not factorize or solve";
 
-/// The last one is kept, factorized.
+/// Returns a factorized solver. Only the last one is kept.
 PeerPoisson* GetPrepared(
   const MeshRecipe& recipe, const BenchmarkMesh& mesh, const PoissonPeer& peer)
 {
@@ -21,7 +21,7 @@ PeerPoisson* GetPrepared(
   const std::string wanted = recipe.Name + "/" + peer.Name;
   if (!kept || name != wanted)
   {
-    kept.reset(); // before the next one needs the memory
+    kept.reset(); // release before the next is allocated
     kept = peer.Make(mesh.GetArrays());
     name = wanted;
     if (!kept->Prepare())
@@ -32,7 +32,7 @@ PeerPoisson* GetPrepared(
   return kept.get();
 }
 
-/// The largest difference but for a constant, relative to the largest value.
+/// Returns the largest difference up to a constant, relative to the largest value.
 double DifferenceOf(const dgg::PoissonSolver& solver, const std::vector<double>& ours,
   const std::vector<double>& theirs)
 {

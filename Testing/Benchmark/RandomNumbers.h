@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Random numbers that are the same with every standard library (distributions are not).
+/// Random numbers that are the same with every standard library (the standard's distributions
+/// differ).
 #ifndef RandomNumbers_h
 #define RandomNumbers_h
 
@@ -15,7 +16,7 @@ public:
   {
   }
 
-  /// Uniform in [0, 1).
+  /// Returns a number with uniform distribution in [0, 1).
   double operator()() { return static_cast<double>(this->Engine()) / 4294967296.0; }
 
 private:

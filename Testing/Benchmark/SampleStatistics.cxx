@@ -22,7 +22,7 @@ double SampleStatistics::GetQuantile(double share) const
   std::vector<double> sorted = this->Values;
   std::sort(sorted.begin(), sorted.end());
   const double count = static_cast<double>(sorted.size());
-  const double rank = std::max(1.0, std::ceil(share * count - 1e-9)); // of 99 %: 99 of 100
+  const double rank = std::max(1.0, std::ceil(share * count - 1e-9)); // 99 % of 100: rank 99
   return sorted[static_cast<std::size_t>(rank) - 1];
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Mean and quantiles of some numbers.
+/// Mean and quantiles of a sample.
 #ifndef SampleStatistics_h
 #define SampleStatistics_h
 
@@ -14,13 +14,13 @@ public:
   void Add(double value) { this->Values.push_back(value); }
   std::size_t GetCount() const { return this->Values.size(); }
 
-  /// 0 without numbers, as all of these.
+  /// Returns the mean; 0 for an empty sample, as all functions below.
   double GetMean() const;
-  /// The smallest of the numbers that at least this share of them does not exceed.
+  /// Returns the smallest value that at least this fraction of the values does not exceed.
   double GetQuantile(double share) const;
   double GetMinimum() const { return this->GetQuantile(0.0); }
   double GetMaximum() const { return this->GetQuantile(1.0); }
-  /// Which share of the numbers is no larger than `limit`.
+  /// Returns the fraction of values that are at most `limit`.
   double GetShareUpTo(double limit) const;
 
 private:

@@ -36,7 +36,8 @@ void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe)
   ReportMesh(state, mesh);
   state.counters["analysis_seconds"] = analysis;
   state.counters["factor_entries"] = static_cast<double>(solver->GetNumberOfFactorEntries());
-  // Memory in a run of its own. What is predicted is for the factorization, when the rest is known.
+  // Memory is measured in a separate run. The prediction is for the factorization, after the
+  // analysis.
   solver.reset();
   const MemoryProbe probe;
   std::size_t analyzed = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What is measured of the Poisson equation and of what is made of it.
+/// Benchmarks of the Poisson equation and its applications.
 #ifndef SpectralCases_h
 #define SpectralCases_h
 
@@ -10,29 +10,30 @@
 
 #include <benchmark/benchmark.h> // for State
 
-/// Matrix, order of elimination and factorization; the memory that was predicted after the order
-/// was known, and what was taken.
+/// Measures matrix, elimination ordering and factorization; reports the memory that was predicted
+/// after the ordering, and the memory used.
 void MeasureFactor(benchmark::State& state, const MeshRecipe& recipe);
 
-/// The Green's function of the k-th of so many vertices: one solve.
+/// Measures the Green's function of the k-th of `numberOfSources` vertices: one solve.
 void MeasureColumn(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources);
 
-/// Those of as many vertices as are solved for together, all of them.
+/// Measures the Green's functions of a block of vertices that are solved for together.
 void MeasureColumnBlock(benchmark::State& state, const MeshRecipe& recipe);
 
-/// The Green's function of the k-th of so many random points of the surface. What is kept from one
-/// to the next of them, as columns of vertices, is there already; the time of the first one is
-/// reported besides.
+/// Measures the Green's function of the k-th of `numberOfSources` random surface points. Data kept
+/// between points, such as columns of vertices, already exist; the time of the first point is
+/// reported separately.
 void MeasureGreens(benchmark::State& state, const MeshRecipe& recipe, const GreensWay& way, int k,
   int numberOfSources);
 
-/// The Green's function of the bi-Laplacian of a vertex: two solves.
+/// Measures the Green's function of the bi-Laplacian at a vertex: two solves.
 void MeasureBiharmonicColumn(
   benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources);
 
 void MeasureEigenpairs(benchmark::State& state, const MeshRecipe& recipe, int count);
 
-/// The earth mover's distance of two vertices, with the defaults, beside their geodesic distance.
+/// Measures the earth mover's distance between two vertices, with default options; reports their
+/// geodesic distance as well.
 void MeasureEarthMovers(benchmark::State& state, const MeshRecipe& recipe);
 
 #endif

@@ -14,7 +14,7 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ErrorStatistics, OfVerticesThatAreReached)
 {
-  // The source, two that are reached, and one that is not.
+  // The source, two reached vertices and an unreached one.
   const auto errors = ErrorStatistics::Of({ 0.0, 1.1, 3.0, Far }, { 0.0, 1.0, 4.0, 5.0 });
   EXPECT_FALSE(errors.IsEmpty());
   EXPECT_NEAR(errors.Mean, 0.175, 1e-12);

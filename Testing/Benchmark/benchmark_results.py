@@ -16,7 +16,7 @@ def load(path):
     """Context and results of a run, without failed ones."""
     with open(path, encoding="utf-8") as file:
         content = json.load(file)
-    # Aggregates (of --benchmark_repetitions) repeat what the single runs say.
+    # Aggregates (of --benchmark_repetitions) repeat the data of single runs.
     results = [
         entry
         for entry in content["benchmarks"]

@@ -51,13 +51,13 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 CYLINDER_HEIGHT = 3.0
 HOLES = 12
 HOLE_RADIUS = 0.3
-LONGEST_EDGE = 3.0  # median edges; longer ones are of faces over gaps between points
+LONGEST_EDGE = 3.0  # in median edges; longer edges belong to faces over gaps between points
 TERRAIN_LINES = 257
-SHEETS_OFFSET = 3  # radius of the balls in voxels; sheets are as far apart as three radii
+SHEETS_OFFSET = 3  # radius of the balls in voxels; the distance of the layers is three radii
 TORUS = "torus-640"  # points are drawn from its vertices
 TORUS_SMALL_RADIUS = 0.4
-# What was published for models of the same kind: beginning of the name of a cloud, number of
-# points, and the least and largest mean error of graphs.
+# Published values for models of the same kind: beginning of the name of a cloud, number of points,
+# and the least and largest mean error of graphs.
 PUBLISHED = (
     ("sphere", 655000, (7e-5, 7e-5)),
     ("torus", 57000, (1.2e-3, 1.7e-3)),
@@ -66,7 +66,7 @@ PUBLISHED = (
 )
 PUBLISHED_MARCHING = (1.8e-2, 3.7e-2)
 SAME_SIZE = 1.25  # ratio of numbers of points of models of the same size
-MOST_UNREACHED = 0.01  # share of points above which there is no mean error
+MOST_UNREACHED = 0.01  # fraction of points above which there is no mean error
 ALPHAS = {
     "A": (0.5, 0.7, 1.0, 1.4, 2.0, 3.0),
     "B": (1.0, 2.0, 3.0, 5.0, 7.0, 9.0, 12.0, 16.0, 21.0),
@@ -492,7 +492,7 @@ def mean_table(results):
         row = {"cloud": cloud, "points": points, "published": known}
         for method in (*methods, "C, arcs, finer", "fast marching"):
             error = graphs[method]["error"] if method in graphs else None
-            # The mean over a part of the points does not characterize the method.
+            # A mean over a part of the points does not characterize the method.
             usable = error and error["missed"] <= MOST_UNREACHED * points
             row[method] = percent(error["mean"]) if usable else DASH
             if usable and known and method in ("C, arcs", "C, arcs, finer"):
@@ -535,7 +535,7 @@ def guard_table(results):
         column("cloud", str, "cloud"),
         column("scheme, arcs", str, "scheme"),
         column("noise found", in_form("{:.2g}"), "noise"),
-        # Balls of a given radius show only that parts stay apart.
+        # Balls of a given radius show only that layers remain disconnected.
         (
             "error: mean / 99.9 % / max",
             lambda row: DASH if "sheets" in row["cloud"] else errors_text(row["error"]),

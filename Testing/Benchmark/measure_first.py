@@ -25,7 +25,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 SOURCES = 10
 NEW_MESHES = 5
-SLOW = 2.0  # seconds: what takes longer is measured once
+SLOW = 2.0  # seconds above which a method is measured once
 
 METHODS = {
     "virtual sources": propagation(1),

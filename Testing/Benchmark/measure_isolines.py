@@ -306,7 +306,7 @@ def steiner_table(results):
     rows = []
     for row in named(results):
         counts = steiner_counts(row)
-        if len(counts) > 2:  # only where more than the usual ones were measured
+        if len(counts) > 2:  # only if additional counts were measured
             cases = {f"Apollonius{count}": f"k = {count}" for count in counts}
             rows += [
                 {"mesh": row["mesh"], "method": title, "gain": gain(row, name), **row[name]}

@@ -24,7 +24,7 @@ except ImportError:
 SIZES = (10_000, 100_000, 1_000_000)
 REPETITIONS = 20
 LARGEST_OF_GDIST = 10_000
-DENSE_ENTRIES = 2e7  # of dense rows of SciPy
+DENSE_ENTRIES = 2e7  # entries of dense rows of SciPy
 
 
 def rippled_square(number_of_points):

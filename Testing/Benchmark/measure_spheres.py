@@ -26,7 +26,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SPLINE_LEVEL = 5
 LOCAL_RADIUS = 0.2
-# Barycentric coordinates of poles. Close to corners or sides all interpolation is more accurate.
+# Smallest barycentric coordinate of poles. Interpolation is more accurate close to corners or
+# sides.
 LEAST_COORDINATE = 0.05
 ERRORS = {
     "error_local": "within 0.2",

@@ -93,7 +93,7 @@ def measure(folder, accuracies, number_of_sources=SOURCES, most_points=1000000, 
                 rows += measure_mesh(path, accuracies, number_of_sources, most_points)
             except (ValueError, vtkdgg.VTKError) as problem:
                 refused.append({"mesh": name, "reason": reason(problem)})
-        # Each filter says the same.
+        # All filters give the same warnings.
         said = dict.fromkeys(reason(warning.message) for warning in caught)
         noted += [{"mesh": name, "note": note} for note in said]
     refused += [

@@ -36,7 +36,7 @@ def curve(graphs, rule, case, figure):
     for (name, _), cases in graphs.items():
         degree = median(cases.get("Build"), "degree_mean")
         error = errors(cases.get(case))[figure]
-        # An error of zero has no place on a logarithmic axis.
+        # A logarithmic axis cannot show an error of zero.
         if name == rule and degree and error:
             points.append((degree, 100.0 * error))
     return sorted(points)

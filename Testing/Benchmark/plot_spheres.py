@@ -27,10 +27,10 @@ COLUMNS = (
     ("error_global", "on the whole sphere", "relative L2 error"),
     ("error_largest", "largest of all", "absolute error"),
 )
-# A power, its line, and the curve that it is drawn below.
+# Power, line style, and the curve above the line.
 POWERS = ((1, ":", "Interpolated"), (2, "--", "SingularitySubtraction"))
 MOST_TICKS = 5
-BELOW = 0.6  # where lines of powers start, as a part of the error of the curve
+BELOW = 0.6  # start of the lines of powers, relative to the error of the curve
 
 
 def draw_power(axes, power, line, edges, error):

@@ -4,7 +4,7 @@
 
 import sys
 
-# Colours that differ in lightness too, for those who do not see hues; markers to go with them.
+# Colors that also differ in lightness, for color-blind readers, and their markers.
 STYLES = (
     ("#0b5fa5", "o"),
     ("#e08214", "s"),

@@ -89,8 +89,8 @@ case "${1:-}" in
     ;;
 esac
 
-# Settings of each mode: the program and the scripts of its tables and its plot, or the script that
-# measures; scans of --data; further packages.
+# Settings of each mode: program, scripts of its tables and its plot, or the script that measures;
+# scans of --data; further packages.
 program=
 tables="summarize_$mode.py"
 plot=
@@ -197,7 +197,7 @@ insert() {
   fi
 }
 
-# draw PICTURE COMMAND...: draws a picture, with --readme for the page as well. The command fails where
+# draw PICTURE COMMAND...: draws a picture, with --readme for the page as well. The command fails if
 # there are no curves.
 draw() {
   local name="$1"
@@ -219,7 +219,7 @@ present() {
 }
 
 measure_by_program() {
-  # BLAS below CHOLMOD: one thread, as all others have.
+  # One thread for the BLAS of CHOLMOD, as for all other peers.
   OPENBLAS_NUM_THREADS=1 "$build/bin/$program" --benchmark_out="$out/$mode.json" \
     --benchmark_out_format=json ${arguments[@]+"${arguments[@]}"}
   echo
@@ -261,7 +261,7 @@ dgg_build "$build" \
   -DDGG_PEER_LIBIGL_DIR="$libigl" \
   -DDGG_BUILD_BENCHMARKS=ON
 
-# The Python that apt's packages are for, if there is one.
+# Python for which apt installs packages, if it exists.
 python="$(command -v /usr/bin/python3 || command -v python3)"
 mkdir -p "$out"
 case "$mode" in

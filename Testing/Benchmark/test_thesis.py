@@ -146,7 +146,7 @@ class Clouds(unittest.TestCase):
         tilted = points @ np.linalg.qr(np.random.default_rng(4).random((3, 3)))[0]
         triangles = local_triangles(vtkdgg.Mesh(tilted).as_polydata(), tilted)
         self.assertTrue((np.diff(triangles, axis=1) > 0).all())
-        # In the middle they are those of Delaunay: no point is inside of a circle.
+        # In the interior the triangles are Delaunay: no point is inside a circumcircle.
         corners = points[triangles][:, :, :2]
         inner = (np.abs(corners - 0.5).max(axis=(1, 2)) < 0.3).nonzero()[0]
         self.assertGreater(len(inner), 100)
@@ -208,7 +208,7 @@ class Results(unittest.TestCase):
         self.assertEqual(measured(reuse=True), found)
         with open(os.path.join(path, "F9.1.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file)["figures"]["count"], 1)
-        # Not when they were to be measured again, or differently.
+        # Repeated measurements and other options do not use the kept result.
         for count, options in enumerate(
             ({}, {"full": True, "reuse": True}, {"data": "data", "reuse": True}), 2
         ):
@@ -317,7 +317,7 @@ class AddedVertices(unittest.TestCase):
                     opposite.setdefault(edge, []).append(angles[i])
             inner = [sum(angles) for angles in opposite.values() if len(angles) == 2]
             self.assertLess(max(inner), np.pi + 1e-6)
-            # It is the same surface.
+            # The refined mesh is the same surface.
             found = vtkdgg.distance(surfaces.from_arrays(more, split), 5)[: len(points)]
             np.testing.assert_allclose(found, vtkdgg.distance(mesh, 5), rtol=1e-5)
 

@@ -21,7 +21,7 @@ from exhibits.exhibit import FAILED, NOT_REGENERATED, SLACK, Verdict
 from exhibits.run import ProgramFailed, Run, TooLong, limited_time
 from plot_tools import PlotError
 
-MOST_SECONDS = 3600  # of an exhibit
+MOST_SECONDS = 3600  # limit of an exhibit
 
 HEAD = f"""# The thesis, measured anew
 
@@ -72,7 +72,7 @@ def measured(exhibit, run, say, is_wanted=True):
                 if is_wanted
                 else run.find(exhibit.name)
             )
-        exhibit.table(found.figures)  # kept ones may be of an earlier form
+        exhibit.table(found.figures)  # kept results may have an older form
         verdict = exhibit.verdict(found.figures)
     except (ProgramFailed, TooLong, OSError, ValueError, KeyError, RuntimeError) as problem:
         found, verdict = None, Verdict(FAILED, f"{type(problem).__name__}: {problem}")
@@ -173,12 +173,12 @@ def main(arguments=None):
     """Measure, judge, and write the page; 1 when something failed."""
     options = parse(arguments)
     wanted = chosen([name for name in options.exhibits.split(",") if name])
-    # What takes hours can be interrupted; what takes minutes is measured together.
+    # Runs that take hours can be resumed; runs that take minutes are measured completely.
     reuse = options.keep or options.full
     run = Run(options.out, options.programs, options.data, options.full, reuse)
     pictures = options.pictures or options.out
     os.makedirs(pictures, exist_ok=True)
-    # Of stretched triangles, which are meant to be there.
+    # Warnings about stretched triangles, which are intended here.
     warnings.simplefilter("ignore", RuntimeWarning)
     results = []
     for exhibit in ALL:

@@ -23,14 +23,15 @@ namespace
 using dgg::Id;
 using dgg::Point3;
 
-/// Bytes per point, besides the band: places, what finds neighbours and spacings, results.
+/// Bytes per point, without the band: positions, search structures for neighbors and spacings,
+/// results.
 constexpr double BytesPerPoint = 240.0;
 constexpr dgg::Offset PointsPerTask = 1024;
-/// Shares of the progress of the preparation.
+/// Progress at the end of steps of the preparation.
 constexpr double EndOfNodes = 0.1;
 constexpr double EndOfSpacings = 0.5;
 
-/// The spacing of each point, as vtkPointCloudDGG finds it.
+/// Finds the spacing of each point in the same manner as vtkPointCloudDGG.
 class SpacingFinder
 {
 public:
@@ -89,7 +90,7 @@ private:
     std::vector<double> SquaredDistances; // ascending
   };
 
-  /// The point and its nearest ones.
+  /// Finds the points closest to point i, including point i.
   void FindClosest(dgg::Offset i, Close& close) const
   {
     const Point3& p = this->Places[i];
@@ -140,7 +141,7 @@ dgg::Status DGGCloudMarching::Prepare(
       .Find(context.Parallel, dgg::ProgressPart(progress, EndOfNodes, EndOfSpacings), spacings));
   dgg::BandSizes sizes;
   DGG_RETURN_IF_ERROR(dgg::ChooseBandSizes(this->Nodes, this->Places, spacings, options, sizes));
-  // With room for the march.
+  // Leaves memory for the march.
   const double ofBand = dgg::VoxelBand::PredictMemory(1.0);
   const double share = ofBand / (ofBand + dgg::BandMarching::PredictMemory(1.0));
   const auto limit = context.Memory.GetBytes();
@@ -193,7 +194,7 @@ dgg::Status DGGCloudMarching::Run(
     "use a smaller Resolution or BandRadius"));
   const double scale = this->Nodes.Scale;
   std::vector<dgg::BandSource> sources;
-  std::vector<Id> numbers; // of these
+  std::vector<Id> numbers; // index per source of the band: its source of the task
   for (std::size_t k = 0; k < task.Sources.size(); ++k)
   {
     const dgg::GeodesicSource& source = task.Sources[k];
@@ -229,7 +230,8 @@ dgg::Status DGGCloudMarching::Run(
     Id& nearest = result.NearestSource[i];
     nearest = nearest == dgg::NoId ? dgg::NoId : numbers[nearest];
   }
-  // The point that a source is at, or beside, is no farther than that.
+  // The distance of the point at or closest to a source is at most the initial distance of the
+  // source plus their straight distance.
   for (std::size_t k = 0; k < task.Sources.size(); ++k)
   {
     const Id point = task.Sources[k].Point.Vertex;

@@ -15,17 +15,17 @@
 struct DGGContext;
 struct DGGDistanceTask;
 
-/// What is prepared once for the points of a cloud and the options of its band.
+/// Solver for a cloud, prepared once for its points and the options of its band.
 class DGGCloudMarching
 {
 public:
-  /// `progress` receives the fraction of this step.
+  /// Builds the band. `progress` receives the fraction of this step.
   dgg::Status Prepare(const DGGContext& context, const dgg::BandOptions& options,
     const dgg::ProgressCallback& progress);
 
-  /// Fills distances and nearest sources. Outliers, and points that are not finite, are reached by
-  /// sources at them only; copies of a point have its distance. A source beside the band starts at
-  /// the point that it is closest to.
+  /// Fills distances and nearest sources. Outliers and points with non-finite coordinates are
+  /// reached only by sources at these points; copies of a point have its distance. A source outside
+  /// the band starts at the closest point of the cloud.
   dgg::Status Run(DGGDistanceTask& task, const dgg::ProgressCallback& progress) const;
 
   /// Median radius of balls, in voxels.
@@ -37,8 +37,8 @@ private:
   void NumberPlaces(dgg::Id numberOfPoints);
 
   dgg::CloudNodes Nodes;
-  std::vector<dgg::Point3> Places; // of nodes
-  std::vector<dgg::Id> PlaceOf;    // per point: a node, or beyond these an outlier, or dgg::NoId
+  std::vector<dgg::Point3> Places; // positions of nodes
+  std::vector<dgg::Id> PlaceOf;    // per point: a node, an outlier (numbered after nodes) or NoId
   dgg::VoxelBand Band;
   std::unique_ptr<dgg::BandMarching> Marching;
   double BandRadius = 0.0;

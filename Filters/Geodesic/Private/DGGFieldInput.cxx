@@ -27,17 +27,19 @@
 
 namespace
 {
-/// The name of results where distances have none: the default one of distance filters.
+/// Name of results if the distances have no name: the default name of distance filters.
 constexpr const char* DefaultName = "GeodesicDistance";
-/// Virtual sources are those of the distances when these are the distances at the sources plus the
-/// straight ones from there, up to this part of the mean edge length, on average: estimates of
-/// graphs may differ by as much as these promise.
+/// Largest mean difference, relative to the mean edge length, between distances and the sums of
+/// offset and length of virtual sources. Virtual sources beyond this limit belong to other
+/// distances. Estimates of graphs may differ by the accuracy of the graph.
 constexpr double LargestDifference = 0.1;
-/// A distance changes along an edge by at most its length, approximate ones but for a few edges.
+/// Distances change along an edge by at most its length; approximate distances may exceed the
+/// length along a few edges.
 constexpr double SteepestSlope = 1.1;
 constexpr double LargestShareOfSteepEdges = 0.1;
 
-/// Why values cannot be distances in the units of the points; empty when they may be.
+/// Returns the reason why values cannot be distances in the units of the points; empty if they may
+/// be.
 std::string FindFault(const dgg::SurfaceMesh& mesh, const std::vector<double>& values)
 {
   dgg::Id known = 0;
@@ -77,7 +79,7 @@ std::string ListArrays(vtkPointData* data)
                                        : "There are no point arrays";
 }
 
-/// What SetInputArrayToProcess() says; null when it was not called.
+/// Returns the request of SetInputArrayToProcess(); null if there is none.
 vtkInformation* FindRequest(vtkInformation* filter)
 {
   vtkInformationVector* arrays = filter->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
@@ -85,14 +87,15 @@ vtkInformation* FindRequest(vtkInformation* filter)
   return request && request->Has(vtkDataObject::FIELD_ASSOCIATION()) ? request : nullptr;
 }
 
-/// The name in a request, or else that of the property; empty for the active scalars.
+/// Returns the name in a request, or else the name in the property; empty for the active scalars.
 std::string GetAskedName(vtkInformation* request, const std::string& property)
 {
   const char* asked = request ? request->Get(vtkDataObject::FIELD_NAME()) : property.c_str();
   return asked ? asked : "";
 }
 
-/// A request is for an array of the points of the surface, by its name or as the scalars.
+/// Returns an error unless a request specifies a point array of the surface by its name or as the
+/// scalars.
 dgg::Status CheckRequest(vtkInformation* request)
 {
   const int where = request->Get(vtkDataObject::FIELD_ASSOCIATION());
@@ -178,7 +181,7 @@ dgg::Status DGGFieldInput::ReadDistances(const DGGContext& context, vtkDataArray
         " is minus infinity: points that are not reached have NaN, plus infinity or the "
         "UnreachedValue");
     }
-    // Of points that share a vertex, the first is the vertex.
+    // The first of several points at a vertex has the id of the vertex.
     if (!std::isnan(d) && mesh.GetVertex(i) == static_cast<dgg::Id>(i))
     {
       this->Distances[i] = d;
@@ -290,6 +293,6 @@ bool DGGFieldInput::HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const
     difference += std::abs(source.Offset + source.Length - this->Distances[v]);
     reached += 1.0;
   }
-  // False for numbers that are not finite.
+  // False if the difference is NaN.
   return difference <= LargestDifference * reached * mesh.GetMeanEdgeLength();
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A distance field of the kernel from the arrays of a vtkPolyData. Internal.
+/// Distance field of the kernel from the arrays of a vtkPolyData. Internal.
 #ifndef DGGFieldInput_h
 #define DGGFieldInput_h
 
@@ -20,44 +20,45 @@ class PreparedSurface;
 }
 struct DGGContext;
 
-/// Reads a point array of distances, and what there is beside it that gives the distance inside of
-/// faces: windows in the field data (DGGWindowArrays), or else virtual sources in the point
-/// data, or else virtual sources that are fitted to the distances. Values that rise too steeply for
-/// distances are taken as linear, with a warning; that they are distances is the user's word.
+/// Reads a point array of distances and the data that determine distances inside faces: windows in
+/// the field data (DGGWindowArrays), or else virtual sources in the point data, or else virtual
+/// sources that are fitted to the distances. Values that are too steep for distances are
+/// interpolated linearly, with a warning; further checks are not made.
 class DGGFieldInput
 {
 public:
-  /// The point array that a filter takes: the one that its SetInputArrayToProcess() says, or else
-  /// the one that its property names; the active scalars when that name is empty. No other is taken
-  /// in its place: fails, with the names that there are, when it is missing, and when it is not of
-  /// one number per point. `filter` is the information of the filter.
+  /// Finds the point array that a filter uses: the array of its SetInputArrayToProcess(), or else
+  /// the array that its property names; the active scalars if that name is empty. There is no
+  /// fallback to another array: fails, with the names of existing arrays, if the array is missing
+  /// or does not have one number per point. `filter` is the information object of the filter.
   static dgg::Status FindDistances(vtkInformation* filter, const std::string& property,
     vtkPolyData* surface, vtkDataArray*& distances);
 
-  /// The name that arrays of results have: that of the distances, or "GeodesicDistance" when they
-  /// have none.
+  /// Returns the base name of result arrays: the name of the distances, or "GeodesicDistance" if
+  /// they have no name.
   static std::string GetName(vtkDataArray* distances);
-  /// The same where FindDistances() was not asked.
+  /// Same if FindDistances() has not been called.
   static std::string GetName(vtkInformation* filter, const std::string& property);
 
-  /// The number that marks points that are not reached, besides NaN and infinity; NaN for the
-  /// points that the array beside the distances names (DGGUnreachedArray), which is the default.
+  /// Sets the value, besides NaN and infinity, that marks unreached points. Default NaN: the points
+  /// that the array DGGUnreachedArray of the distances marks.
   void SetUnreachedValue(double value) { this->UnreachedValue = value; }
 
-  /// The distances alone, to be taken as linear. Fails when a distance is minus infinity.
+  /// Reads distances only, for linear interpolation. Fails if a distance is minus infinity.
   dgg::Status ReadDistances(const DGGContext& context, vtkDataArray* distances);
 
-  /// And what there is beside them, with a part of the progress.
+  /// Reads distances and the windows or virtual sources that belong to them. Reports a part of the
+  /// progress.
   dgg::Status Read(const DGGContext& context, vtkDataArray* distances,
     const std::string& virtualSources, const dgg::ProgressCallback& progress);
 
-  /// Whether virtual sources are those that have been fitted.
+  /// Returns true if virtual sources were fitted to the distances.
   bool HasFittedSources() const { return this->IsFitted; }
-  /// Good as long as this and the mesh live.
+  /// Valid as long as this object and the mesh exist.
   const dgg::DistanceField& GetField() const { return this->Field; }
   const std::vector<double>& GetDistances() const { return this->Distances; }
-  /// Arrays that were there and could not be used, distances that are too steep; empty when all is
-  /// well.
+  /// Returns warnings about arrays that exist but cannot be used and distances that are too steep;
+  /// empty if there are none.
   const std::string& GetWarning() const { return this->Warning; }
   /// Returns a warning if distances inside triangles may be far off, otherwise an empty text.
   std::string DescribeQuality(const dgg::PreparedSurface& surface) const;

@@ -138,7 +138,7 @@ void DGGGraphUser::UseInput(const DGGContext& context, vtkObject* filter)
     this->UsedInput = this->InputGraph.GetTime();
     this->WarnedAccuracy = 0.0;
   }
-  if (!context.Surface.IsCloud()) // another one could not be built here, and none has a guarantee
+  if (!context.Surface.IsCloud()) // a cloud's graph cannot be rebuilt here and has no guarantee
   {
     this->WarnAboutAccuracy(filter);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The graph and the properties of filters that search a graph. Internal.
+/// Graph and properties of filters that search a graph. Internal.
 #ifndef DGGGraphUser_h
 #define DGGGraphUser_h
 
@@ -17,11 +17,11 @@
 
 class vtkObject;
 
-/// The properties of a filter that searches a graph, and the graph: that on its input, or else one
-/// that it builds and keeps until the mesh or the accuracy changes. The graph of a cloud must be on
-/// the input. Such filters have different superclasses, so this is a member:
-/// `std::unique_ptr<DGGGraphUser> GraphUser`. The filter declares the properties and documents
-/// them; vtkDGGGraphUserMacro() defines them.
+/// Properties and graph of a filter that searches a graph. The graph is that on the input, or else
+/// one that the filter builds and keeps until the mesh or the accuracy changes. The graph of a
+/// cloud must be on the input. Such filters have different superclasses, therefore this class is a
+/// member: `std::unique_ptr<DGGGraphUser> GraphUser`. The filter declares and documents the
+/// properties; vtkDGGGraphUserMacro() defines them.
 class DGGGraphUser : public dgg::GraphSession
 {
 public:
@@ -40,13 +40,13 @@ public:
   /// Returns true if such filters treat an input as a cloud: if it has the graph of a cloud.
   static bool IsCloud(vtkPolyData* input);
 
-  /// Brings the graph up to date; after a failure there is none. `filter` warns once about each
-  /// graph on the input that cannot be used, or is coarser than the accuracy that was set.
+  /// Updates the graph; after a failure there is none. `filter` warns once about each graph on the
+  /// input that cannot be used, or is coarser than the accuracy that was set.
   dgg::Status Update(const DGGContext& context, vtkObject* filter);
 
   ///@{
-  /// Reported by getters of filters: whether the graph is that on the input, whether it guarantees
-  /// its accuracy, and when a graph was last built.
+  /// Values of getters: true if the graph is on the input, true if its accuracy is guaranteed, and
+  /// the time of the last build of a graph.
   bool IsFromInput() const { return this->UsedInput != 0; }
   bool IsGuaranteed() const { return this->HasGraph() && this->GetSummary().Info.IsGuaranteed(); }
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
@@ -64,13 +64,13 @@ private:
   bool AcceptCoarserGraph = false;
 
   DGGGraphArrays InputGraph;
-  vtkMTimeType UsedInput = 0;  // when the graph on the input was found; 0 if it is not searched
-  double OwnAccuracy = 0.0;    // of the graph that was built here; 0 if none is searched
-  double WarnedAccuracy = 0.0; // of the last warning
+  vtkMTimeType UsedInput = 0;  // time when the graph on the input was found; 0 if unused
+  double OwnAccuracy = 0.0;    // accuracy of the graph built here; 0 if unused
+  double WarnedAccuracy = 0.0; // accuracy in the last warning
   vtkTimeStamp BuildTime;
 };
 
-/// Setter and getter of a property.
+/// Defines the setter and the getter of a property.
 #define vtkDGGGraphUserSetMacro(Class, Property, Type) \
   void Class::Set##Property(Type value)                \
   {                                                    \
@@ -84,7 +84,7 @@ private:
     return this->GraphUser->Get##Property();           \
   }
 
-/// A number of the graph in use.
+/// Defines the getter of a number of the graph in use.
 #define vtkDGGGraphUserNumberMacro(Class, Type, Name, Number) \
   Type Class::Name() const                                    \
   {                                                           \

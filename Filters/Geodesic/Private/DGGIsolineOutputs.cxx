@@ -22,7 +22,7 @@ namespace
 {
 constexpr double DegreesPerRadian = 180.0 / dgg::Pi;
 
-/// The limits of the bands, those of the outermost ones being the extreme distances.
+/// Returns the limits of the bands; the first and the last limit are the extreme distances.
 std::vector<double> FindLimits(const dgg::Bands& bands, const std::vector<dgg::Id>& used)
 {
   std::vector<double> limits = bands.Levels;
@@ -95,7 +95,7 @@ void DGGIsolineOutputs::WriteBands(const dgg::Bands& bands, vtkPolyData* output)
   this->Geometry.Begin(output);
   const dgg::SubMesh& surface = bands.Surface;
   std::vector<dgg::Id> faces;
-  std::vector<dgg::Id> used; // vertices
+  std::vector<dgg::Id> used; // vertices of the output
   std::vector<vtkIdType> pointOf(surface.Points.size(), -1);
   for (dgg::Id f = 0; f < surface.GetNumberOfFaces(); ++f)
   {
@@ -149,7 +149,7 @@ void DGGIsolineOutputs::WriteBands(const dgg::Bands& bands, vtkPolyData* output)
     }
     if (this->Geometry.GetMesh().IsFlipped(surface.Faces[f]))
     {
-      std::swap(corners[1], corners[2]); // as in the input
+      std::swap(corners[1], corners[2]); // same orientation as in the input
     }
     triangles->InsertNextCell(3, corners);
     const dgg::Id band = bands.BandOf[f];

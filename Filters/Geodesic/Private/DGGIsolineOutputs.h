@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The outputs of vtkApolloniusIsolines. Internal.
+/// Outputs of vtkApolloniusIsolines. Internal.
 #ifndef DGGIsolineOutputs_h
 #define DGGIsolineOutputs_h
 
@@ -15,7 +15,7 @@
 class DGGNewGeometry;
 class vtkPolyData;
 
-/// Writes isolines, ridges and bands of distances of one name.
+/// Writes isolines, ridges and bands of a distance array.
 class DGGIsolineOutputs
 {
 public:
@@ -25,7 +25,7 @@ public:
   {
   }
 
-  /// `values` are those of the levels.
+  /// `values` are the distances of the levels.
   void WriteLines(
     const dgg::Isolines& lines, const std::vector<double>& values, vtkPolyData* output) const;
   void WriteRidges(const dgg::Ridges& ridges, vtkPolyData* output) const;

@@ -16,7 +16,7 @@
 
 namespace
 {
-/// Later of the cell array's own time and that of its parts.
+/// Returns the latest modification time of a cell array and its parts.
 vtkMTimeType TimeOf(vtkCellArray* cells)
 {
   return cells ? std::max({ cells->GetMTime(), cells->GetOffsetsArray()->GetMTime(),
@@ -78,8 +78,8 @@ void DGGMeshAdapter::Clear()
 //------------------------------------------------------------------------------
 dgg::Status DGGMeshAdapter::Update(vtkPolyData* input, const dgg::Domain& domain)
 {
-  // After a change in place Modified() is often called on the data object alone. Another object
-  // with the very same points and polygons is no change.
+  // After an in-place change, applications often call Modified() on the data object only. Another
+  // object with identical arrays of points and polygons is not a change.
   const vtkMTimeType object = AddressOf(input);
   const vtkMTimeType time = input->vtkObject::GetMTime();
   const bool modified = object == this->Object && time != this->ObjectTime;

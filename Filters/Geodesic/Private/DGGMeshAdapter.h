@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Keeps the surface of an input between updates. Internal.
+/// Surface of an input, kept between updates. Internal.
 #ifndef DGGMeshAdapter_h
 #define DGGMeshAdapter_h
 
@@ -20,15 +20,14 @@ class DGGMeshAdapter
 public:
   DGGMeshAdapter();
 
-  /// Prepares the surface, or shares that of another filter. Does nothing if points and cells are
-  /// unchanged by their time stamps or by their bits. Fails as dgg::PreparedSurface::Make(); then
-  /// the surface is empty.
+  /// Prepares the surface, or shares that of another filter. Does nothing if time stamps or bits
+  /// show that points and cells are unchanged. Fails like dgg::PreparedSurface::Make(); then the
+  /// surface is empty.
   dgg::Status Update(vtkPolyData* input, const dgg::Domain& domain);
 
-  /// Fails if the input has no cell that a surface could be made of.
+  /// Returns an error if no cell of the input can be part of a surface.
   static dgg::Status CheckSurface(vtkPolyData* input);
 
-  /// Releases the surface.
   void Clear();
 
   const dgg::PreparedSurface& Get() const { return *this->Prepared; }
@@ -36,15 +35,16 @@ public:
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
 private:
-  /// Identity and age of points, polygons and strips. Time stamps are unique in VTK.
+  /// Identities and modification times of points, polygons and strips. Time stamps are unique in
+  /// VTK.
   using Key = std::array<vtkMTimeType, 6>;
   static Key MakeKey(vtkPolyData* input, const dgg::Domain& domain);
 
   dgg::PreparedSurface::Pointer Prepared; // never null
-  dgg::Signature Fingerprint{};           // of the input of Prepared
+  dgg::Signature Fingerprint{};           // signature of the input of Prepared
   vtkTimeStamp BuildTime;
   Key BuiltFrom{};
-  vtkMTimeType Object = 0; // the vtkPolyData last seen, and its own time
+  vtkMTimeType Object = 0; // address and own time of the last vtkPolyData
   vtkMTimeType ObjectTime = 0;
   bool IsBuilt = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Meshes on which approximate distances are far off. Internal.
+/// Criteria for meshes on which approximate distances are far off. Internal.
 #ifndef DGGMeshQuality_h
 #define DGGMeshQuality_h
 
@@ -12,10 +12,10 @@
 #include <initializer_list> // for reasons
 #include <string>           // for reasons
 
-/// Largest mean anisotropy, weighted with areas, without a warning. Measured on 16 scans and parts
-/// and on 120 generated CAD models. Scans and parts are below 1.9, except one with fine long
-/// triangles. All but two models whose distances are off by 10 % of the largest distance are above
-/// 2.
+/// Largest mean anisotropy, weighted by areas, without a warning. Measured on 16 scans and
+/// mechanical parts and on 120 generated CAD models. Scans and parts are below 1.9, except one with
+/// fine long triangles. Of the models whose distances are off by 10 % of the largest distance, all
+/// but two are above 2.
 constexpr double DGGMostAnisotropy = 2.0;
 
 inline bool DGGHasLongTriangles(const dgg::PreparedSurface& surface)
@@ -43,13 +43,13 @@ constexpr const char* DGGLongTrianglesHideSources =
   "distance. Use vtkExactGeodesicDistance with GenerateWindowsOn(), or remesh the surface";
 /// @}
 
-/// Warning for results that are not settled (PropagationResult::IsSettled).
+/// Warning for results that did not converge (PropagationResult::IsSettled).
 constexpr const char* DGGUnsettledDistances =
   "Virtual sources did not settle on triangles this irregular: distances are the shortest ones "
   "found so far, and may be too long. Use vtkExactGeodesicDistance or vtkDGGDistance, or remesh "
   "the surface";
 
-/// Reasons as one text; empty ones are skipped.
+/// Returns all reasons as one text; empty reasons are skipped.
 inline std::string DGGJoinReasons(std::initializer_list<std::string> reasons)
 {
   std::string text;

@@ -22,7 +22,8 @@ vtkDataObject* GetData(vtkInformationVector* vector)
   return vtkDataObject::GetData(vector, 0);
 }
 
-/// Processes that wait for this one are to hear of what is thrown here.
+/// Runs a step and converts exhausted memory to an error, because other processes wait for the
+/// status of this one.
 dgg::Status Guard(const std::function<dgg::Status()>& step)
 {
   try
@@ -86,7 +87,7 @@ dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
   const dgg::Status gathered = this->FindParts(processes, limit, memory, inputs);
   if (!gathered.IsOk())
   {
-    this->Ports.clear(); // so that the next update looks again
+    this->Ports.clear(); // forces a search for the parts in the next update
     return gathered;
   }
   const dgg::Status computed = processes.Agree(processes.IsFirst()
@@ -118,7 +119,7 @@ dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
 }
 
 //------------------------------------------------------------------------------
-/// Find those here, and gather them where they have changed on any process.
+/// Finds the parts on this process. Gathers parts of ports that have changed on any process.
 dgg::Status DGGPartedUpdate::FindParts(const DGGProcesses& processes, vtkIdType limit,
   vtkTypeUInt64 memory, vtkInformationVector** inputs)
 {
@@ -180,19 +181,19 @@ dgg::Status DGGPartedUpdate::FindParts(const DGGProcesses& processes, vtkIdType 
     }
     else
     {
-      port.Joined.Join({}); // so that there is one, also where it is not used
+      port.Joined.Join({}); // creates the joined surface, even if it is not used
     }
   }
   return processes.Agree(joined);
 }
 
 //------------------------------------------------------------------------------
-/// Before messages, in the midst of which it would be too late: what is sent takes its size twice
-/// on either side, as a message and when it is made or read.
+/// Checks memory before messages are sent, since a failure during a message cannot be handled.
+/// Parts take twice their size on both sides: in the message, and when they are serialized or read.
 dgg::Status DGGPartedUpdate::CheckMemory(
   const DGGProcesses& processes, vtkTypeUInt64 limit, const std::vector<int>& isSame) const
 {
-  vtkIdType here = 0; // in KiB
+  vtkIdType here = 0; // KiB
   for (std::size_t p = 0; p < this->Ports.size(); ++p)
   {
     for (const DGGSurfacePart& part : this->Ports[p].Parts)
@@ -209,7 +210,7 @@ dgg::Status DGGPartedUpdate::CheckMemory(
 }
 
 //------------------------------------------------------------------------------
-/// On the first process: the step, and what it has for the parts.
+/// On the first process: runs the step and computes the results of all parts.
 dgg::Status DGGPartedUpdate::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
   bool passesSurface, const Step& step)
 {
@@ -259,7 +260,7 @@ dgg::Status DGGPartedUpdate::Compute(vtkInformationVector** inputs, vtkInformati
 }
 
 //------------------------------------------------------------------------------
-/// The input as it is here, with the results for its parts.
+/// Copies the input of this process to the output and adds the results of its parts.
 void DGGPartedUpdate::Deliver(vtkDataObject* input, vtkDataObject* output)
 {
   output->Initialize();
@@ -298,7 +299,7 @@ void DGGPartedUpdate::Deliver(vtkDataObject* input, vtkDataObject* output)
   {
     fill(output, 0);
   }
-  // What belongs to the whole, such as a graph.
+  // Field data belong to the entire surface, for example a graph.
   vtkDataObject* whole = this->Outputs.empty() ? input : this->Outputs[0].Get();
   output->GetFieldData()->Initialize();
   output->GetFieldData()->PassData(whole->GetFieldData());

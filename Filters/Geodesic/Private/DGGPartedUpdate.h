@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// An update of a filter whose inputs come in parts. Internal.
+/// Update of a filter whose inputs consist of parts. Internal.
 #ifndef DGGPartedUpdate_h
 #define DGGPartedUpdate_h
 
@@ -14,33 +14,32 @@
 #include <tuple>      // for the key
 #include <vector>     // for the ports
 
-/// Joins the parts of the inputs, blocks, partitions and what other processes have, has the first
-/// process compute on the whole, and hands the results back to the parts. What is joined is kept
-/// for the next update, as long as the parts are the same.
-///
-/// A graph that is distributed would begin here: with a step for each process in place of the
-/// gathering.
+/// Joins the parts of the inputs (blocks, partitions and pieces of other processes), runs the
+/// computation on the joined surfaces on the first process, and distributes the results to the
+/// parts. Joined surfaces are kept for the next update as long as the parts are unchanged.
+/// A distributed graph would be implemented here, with a step on each process instead of gathering.
 class DGGPartedUpdate
 {
 public:
-  /// Computes on whole inputs, and fills outputs.
+  /// Computes on joined inputs and fills outputs.
   using Step = std::function<dgg::Status(vtkInformationVector**, vtkInformationVector*)>;
 
-  /// Whether an input is one part, on this process alone.
+  /// Returns true if each input is a single part on this process alone.
   static bool IsPlain(vtkInformationVector** inputs, int numberOfInputs);
 
-  /// Outputs are filled on all processes, or none. `passesSurface`: output 0 is input 0 with arrays
-  /// added, and gets its parts; other outputs come as a whole on the first process. `limit` is the
-  /// most points that may be gathered, `memory` a MemoryLimit for the messages.
-  /// Memory that is exhausted in the midst of a message is not repaired: others wait for ever.
+  /// Fills the outputs on all processes or on none. If `passesSurface`, output 0 is input 0 with
+  /// arrays added, and is divided into the parts of the input; other outputs are on the first
+  /// process as a whole. `limit` is the largest number of points that may be gathered, `memory` a
+  /// MemoryLimit for the messages. If a process runs out of memory while sending, the other
+  /// processes hang.
   dgg::Status Run(const DGGProcesses& processes, vtkIdType limit, vtkTypeUInt64 memory,
     vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs,
     bool passesSurface, const Step& step);
 
-  /// The whole of an input, on this process alone.
+  /// Joins the parts of an input on this process alone.
   static dgg::Status Join(vtkDataObject* input, vtkSmartPointer<vtkPolyData>& whole);
 
-  /// Leaves of inputs that were no vtkPolyData.
+  /// Returns the number of leaves of inputs that are not vtkPolyData.
   vtkIdType GetNumberOfOthers() const { return this->Others; }
 
 private:
@@ -48,10 +47,10 @@ private:
 
   struct Port
   {
-    std::vector<PartKey> Key;          // of the parts on this process
-    std::vector<DGGSurfacePart> Parts; // those here, without ghosts
-    std::vector<std::size_t> Counts;   // of parts, per process
-    DGGJoinedParts Joined;             // on the first process
+    std::vector<PartKey> Key;          // keys of the parts on this process
+    std::vector<DGGSurfacePart> Parts; // parts on this process, without ghosts
+    std::vector<std::size_t> Counts;   // number of parts per process
+    DGGJoinedParts Joined;             // on the first process only
   };
 
   dgg::Status FindParts(const DGGProcesses& processes, vtkIdType limit, vtkTypeUInt64 memory,
@@ -63,10 +62,10 @@ private:
   void Deliver(vtkDataObject* input, vtkDataObject* output);
 
   std::vector<Port> Ports;
-  DGGProcesses Processes{ nullptr }; // that Ports are of
+  DGGProcesses Processes{ nullptr }; // processes of the last update
   vtkIdType Others = 0;
-  std::vector<vtkSmartPointer<vtkDataObject>> Outputs; // of the step
-  std::vector<DGGPartResult> Results;                  // of parts, for output 0
+  std::vector<vtkSmartPointer<vtkDataObject>> Outputs; // outputs of the step
+  std::vector<DGGPartResult> Results;                  // results of the parts, for output 0
 };
 
 #endif

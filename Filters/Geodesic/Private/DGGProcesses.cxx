@@ -36,7 +36,7 @@ void SendArrays(vtkMultiProcessController* controller, const DGGChangedArrays& a
   }
   for (vtkAbstractArray* array : arrays.Added)
   {
-    // What VTK's messages of arrays leave out.
+    // VTK's messages of arrays do not include these properties.
     const char* arrayName = array->GetName();
     stream << array->GetDataType() << std::string(arrayName ? arrayName : "")
            << array->GetNumberOfComponents();
@@ -45,7 +45,7 @@ void SendArrays(vtkMultiProcessController* controller, const DGGChangedArrays& a
       const char* name = array->GetComponentName(k);
       stream << std::string(name ? name : "");
     }
-    if (auto* words = vtkStringArray::SafeDownCast(array)) // of which there are no messages
+    if (auto* words = vtkStringArray::SafeDownCast(array)) // VTK has no messages for string arrays
     {
       stream << static_cast<vtkTypeInt64>(words->GetNumberOfValues());
       for (vtkIdType i = 0; i < words->GetNumberOfValues(); ++i)
@@ -117,7 +117,8 @@ DGGChangedArrays ReceiveArrays(vtkMultiProcessController* controller, int from)
   return arrays;
 }
 
-/// VTK's messages of data sets cut ids to 32 bits: their arrays go for themselves.
+/// Moves arrays of ids out of data. VTK's messages of data sets truncate ids to 32 bits, so these
+/// arrays are sent separately.
 DGGChangedArrays TakeIds(vtkDataSetAttributes* data)
 {
   DGGChangedArrays ids;

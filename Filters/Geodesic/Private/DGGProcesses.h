@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What processes say to each other. Internal.
+/// Communication between processes. Internal.
 #ifndef DGGProcesses_h
 #define DGGProcesses_h
 
@@ -12,8 +12,8 @@
 
 class vtkMultiProcessController;
 
-/// The processes that have parts of a surface. All of them call the same functions in the same
-/// order. Without a controller there is only this one.
+/// Processes that have parts of a surface. All of them must call the same functions in the same
+/// order. Without a controller this is the only process.
 class DGGProcesses
 {
 public:
@@ -25,18 +25,19 @@ public:
   bool IsFirst() const;
   bool operator==(const DGGProcesses& other) const { return this->Controller == other.Controller; }
 
-  /// Success if it went well everywhere, else what went wrong on the first process with an error.
-  /// Nobody goes on alone, or waits for one that does not.
+  /// Returns success if all processes succeeded, otherwise the error of the first process with an
+  /// error. No process continues alone or waits for one that has stopped.
   dgg::Status Agree(const dgg::Status& status) const;
   vtkIdType Sum(vtkIdType number) const;
-  /// Whether something holds on all of them, item by item.
+  /// Returns, item by item, true if the item is true on all processes.
   std::vector<int> AndAll(const std::vector<int>& holds) const;
 
-  /// On the first process: append the parts of the others, process by process, and count those of
-  /// each. Fails there when one does not arrive as it was sent; the others are received all the
-  /// same.
+  /// Appends the parts of the other processes on the first process, process by process, with the
+  /// number of parts of each. Fails there if a part arrives damaged; the remaining parts are
+  /// received nevertheless.
   dgg::Status Gather(std::vector<DGGSurfacePart>& parts, std::vector<std::size_t>& counts) const;
-  /// Back again: the first process has the results of all parts, the others get theirs.
+  /// Inverse of Gather(): sends the results of all parts from the first process to the processes of
+  /// the parts.
   void Scatter(const std::vector<std::size_t>& counts, std::vector<DGGPartResult>& results) const;
 
 private:

@@ -17,18 +17,18 @@
 #include <memory>  // For the solver
 #include <vector>  // For the sources
 
-/// Prepared once for each mesh.
+/// Solver of virtual source propagation, prepared once for each mesh.
 class DGGPropagation
 {
 public:
-  /// Which quality is right for the mesh.
+  /// Returns the quality that suits the mesh.
   static dgg::PropagationQuality Choose(const dgg::PreparedSurface& surface)
   {
     return DGGHasLongTriangles(surface) ? dgg::PropagationQuality::High
                                         : dgg::PropagationQuality::Fast;
   }
 
-  /// With threads and progress of the update.
+  /// Computes distances with the threads and the progress of the update.
   dgg::Status Run(const DGGContext& context, const std::vector<dgg::GeodesicSource>& sources,
     dgg::PropagationOptions options, dgg::PropagationResult& result)
   {
@@ -37,7 +37,7 @@ public:
       options.WantVirtualSource ? surface.GetMesh() : surface.GetMeshWithoutAngles();
     if (!this->Solver || this->MeshBuild != surface.GetBuildNumber())
     {
-      this->Solver.reset(); // before there are two
+      this->Solver.reset(); // release before the next is allocated
       this->Solver.reset(new dgg::SourcePropagation(mesh));
       this->MeshBuild = surface.GetBuildNumber();
     }

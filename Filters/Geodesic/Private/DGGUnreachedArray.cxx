@@ -49,7 +49,7 @@ std::vector<bool> DGGUnreachedArray::Find(
   std::vector<bool> isUnreached(static_cast<std::size_t>(n));
   if (!std::isnan(unreachedValue))
   {
-    // As an array of that type has it.
+    // Value after conversion to the type of the array.
     const double wanted = distances->GetDataType() == VTK_FLOAT
       ? static_cast<double>(static_cast<float>(unreachedValue))
       : unreachedValue;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which points are not reached, as a point array beside their distances. Internal.
+/// Point array that marks unreached points of a distance array. Internal.
 #ifndef DGGUnreachedArray_h
 #define DGGUnreachedArray_h
 
@@ -11,14 +11,14 @@
 class vtkDataArray;
 class vtkPointData;
 
-/// Distances of points that are not reached may be any number, the UnreachedValue of a distance
-/// filter. NaN and plus infinity speak for themselves. Any other number could be a distance, so
-/// that for distances named D the point array `D.Unreached` (unsigned char) is 1 where a point is
-/// not reached, else 0.
+/// Marks unreached points. Their distance may be any number, the UnreachedValue of a distance
+/// filter. NaN and plus infinity are unambiguous; any other number could be a distance. Therefore,
+/// for distances named D, the point array `D.Unreached` (unsigned char) is 1 at unreached points
+/// and 0 elsewhere.
 class DGGUnreachedArray
 {
 public:
-  /// Nothing is added where all points are reached or the value speaks for itself. `isReached` is
+  /// Adds the array unless all points are reached or the value is NaN or infinity. `isReached` is
   /// per point.
   static void AddTo(vtkPointData* data, const std::string& distances, double unreachedValue,
     const std::vector<bool>& isReached);

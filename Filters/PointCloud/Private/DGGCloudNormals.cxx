@@ -20,18 +20,19 @@
 
 namespace
 {
-/// Points that a thread looks at between two looks at the progress.
+/// Number of points between two checks of the progress by a thread.
 constexpr std::size_t NormalBlock = 256;
-/// Points that make a plane.
+/// Smallest number of points that define a plane.
 constexpr int FewestPoints = 3;
-/// Points that are thinner than that across a line make none, relative to their length.
+/// Smallest ratio of the standard deviations of points across and along a line at which the points
+/// define a plane.
 constexpr double ThinnestPlane = 1e-5;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/// The finite points as floats: in the frame of the cloud, as floats have few digits and a small
-/// range. Those far off all others would leave few of these digits: they are outside of the frame,
-/// outliers are left out.
+/// Converts the finite points to floats in the frame of the cloud, because floats have few digits
+/// and a small range. Outliers are excluded. Points far from all others do not enlarge the frame,
+/// because few digits would remain for the other points.
 dgg::Status MakeCloud(
   const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids, Cloud::Ptr& cloud)
 {
@@ -57,7 +58,7 @@ dgg::Status MakeCloud(
   return dgg::Status::Success();
 }
 
-/// Whether points are in a line, or in one place: any plane through it would fit them.
+/// Returns true if points are collinear or coincide: any plane through the line would fit them.
 bool IsLine(const Cloud& cloud, const pcl::Indices& points)
 {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -75,7 +76,7 @@ bool IsLine(const Cloud& cloud, const pcl::Indices& points)
   moments /= static_cast<double>(points.size());
   const Eigen::Vector3d values =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments, Eigen::EigenvaluesOnly).eigenvalues();
-  // Of coordinates up to 1, in the frame.
+  // Rounding error of coordinates up to 1 in the frame.
   const double rounding =
     std::numeric_limits<float>::epsilon() * std::max(1.0, mean.lpNorm<Eigen::Infinity>());
   return !(values[1] > ThinnestPlane * ThinnestPlane * values[2] + rounding * rounding);

@@ -9,10 +9,10 @@
 
 #include <vector> // for the normals
 
-/// Fit a plane to the nearest `numberOfNeighbors` points of each point, itself included, on the
-/// threads of VTK. `normals` receives three numbers per point, of length 1 or all 0 where a point
-/// is not finite, or an outlier (dggOutliers.h), or its neighbours define no plane. Which side they
-/// point to is arbitrary, though always the same. `positions` are x y z per point.
+/// Fits a plane to the nearest `numberOfNeighbors` points of each point, including the point, on
+/// the threads of VTK. `normals` receives three numbers per point: a unit vector, or zeros if the
+/// point is not finite or an outlier (dggOutliers.h), or if its neighbors do not define a plane.
+/// The sign of normals is arbitrary, but reproducible. `positions` are x y z per point.
 dgg::Status DGGEstimateNormals(const double* positions, dgg::Id numberOfPoints,
   int numberOfNeighbors, const dgg::ProgressCallback& progress, std::vector<double>& normals);
 

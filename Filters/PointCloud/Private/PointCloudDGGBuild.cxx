@@ -20,12 +20,12 @@
 
 namespace
 {
-/// Share of the progress that goes to normals by planes.
+/// Progress weight of the estimation of normals.
 constexpr double NormalsShare = 0.1;
-/// Bytes that finding them takes for each point, with PCL's copies and tree.
+/// Bytes per point that the estimation of normals takes, including PCL's copies and tree.
 constexpr double BytesPerNormal = 106.0;
 
-/// By which a graph is known.
+/// Returns the key that identifies a graph.
 dgg::Signature MakeKey(const dgg::CloudGraphOptions& options, dgg::Id numberOfPoints)
 {
   dgg::BitHash hash;
@@ -82,7 +82,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Predict()
 }
 
 //------------------------------------------------------------------------------
-/// Without normals.
+/// Returns the options of the graph, without normals.
 dgg::CloudGraphOptions vtkPointCloudDGG::vtkInternals::MakeOptions(vtkPolyData* cloud) const
 {
   dgg::CloudGraphOptions options;
@@ -107,8 +107,8 @@ vtkPointCloudDGG::vtkInternals::NormalsSource vtkPointCloudDGG::vtkInternals::Ma
 }
 
 //------------------------------------------------------------------------------
-/// The normals to build with, null when the builder is to find them. `done` is the share of the
-/// progress that it took.
+/// Finds the normals for the builder; null if the builder must estimate them. `done` receives the
+/// fraction of the progress that this step took.
 dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
   const DGGContext& context, const NormalsSource& source, Normals& normals, double& done)
 {
@@ -151,7 +151,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
 }
 
 //------------------------------------------------------------------------------
-/// Build a graph with these options, unless it is the one that is kept.
+/// Builds a graph with these options, unless the kept graph has the same key.
 dgg::Status vtkPointCloudDGG::vtkInternals::Build(
   const DGGContext& context, dgg::CloudGraphOptions options, double done)
 {

@@ -51,14 +51,14 @@ public:
   using Normals = std::shared_ptr<const std::vector<double>>;
 
   DGGGraphArrays Built;
-  dgg::Signature BuiltBy{};        ///< options and normals
-  std::vector<dgg::Id> Components; // of what was built
+  dgg::Signature BuiltBy{};        ///< key of options and normals
+  std::vector<dgg::Id> Components; // components of the graph that was built
   Findings BuiltFindings;
-  Findings Current; // of the last update
+  Findings Current; // findings of the last update
   dgg::CloudGraphEstimate Estimate;
   vtkTimeStamp BuildTime;
 
-  // By planes, kept while points are the same.
+  // Normals of fitted planes, kept while points are unchanged.
   Normals PlaneNormals;
   vtkMTimeType NormalsMesh = 0;
   int NormalsNeighbors = 0;
@@ -67,9 +67,9 @@ private:
   /// Origin of the normals.
   struct NormalsSource
   {
-    vtkDataArray* Given = nullptr; ///< of the input
+    vtkDataArray* Given = nullptr; ///< normals of the input
     bool ByPlanes = false;
-    int NumberOfNeighbors = 0; ///< for planes
+    int NumberOfNeighbors = 0; ///< number of points per plane
   };
   vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
   dgg::Status CheckInputNormals(vtkPolyData* cloud) const;

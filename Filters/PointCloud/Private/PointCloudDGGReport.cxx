@@ -7,11 +7,12 @@
 
 namespace
 {
-/// Noise by the radius of curvature that is warned of: distances on spheres are 1 % too short.
+/// Largest ratio of noise to radius of curvature without a warning: distances on spheres are then 1
+/// % too short.
 constexpr double LargestNoiseByRadius = 0.07;
 }
 
-/// A number of the graph of the last update.
+/// Defines the getter of a number of the last update's graph.
 #define vtkPointCloudDGGNumberMacro(Type, Name, member)    \
   Type vtkPointCloudDGG::Get##Name() const                 \
   {                                                        \
@@ -80,7 +81,7 @@ vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedMemory() const
 vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedPeakMemory() const
 {
   return static_cast<vtkTypeUInt64>(
-    std::ceil(this->GetInternals().Estimate.Peak)); // a limit that does
+    std::ceil(this->GetInternals().Estimate.Peak)); // rounded up, so that it suffices as a limit
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +132,7 @@ vtkMTimeType vtkPointCloudDGG::GetGraphBuildTime() const
 }
 
 //------------------------------------------------------------------------------
-/// Of a graph that has just been built.
+/// Warns about the points of a graph that has just been built.
 void vtkPointCloudDGG::vtkInternals::WarnAboutPoints()
 {
   const dgg::Id unused = this->Current.Statistics.UnusedPoints;
@@ -174,7 +175,7 @@ void vtkPointCloudDGG::vtkInternals::WarnAboutPoints()
 }
 
 //------------------------------------------------------------------------------
-/// Of a graph that has just been built: voxels that are coarser than the points.
+/// Warns if voxels of a graph that has just been built are coarser than the points.
 void vtkPointCloudDGG::vtkInternals::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
 {
   const dgg::CloudGraphStatistics& used = this->Current.Statistics;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A distribution of mass on a surface as a user gives it. Internal.
+/// Distribution of mass on a surface as specified by the user. Internal.
 #ifndef DGGDistribution_h
 #define DGGDistribution_h
 
@@ -16,37 +16,37 @@ class PreparedSurface;
 }
 class vtkPolyData;
 
-/// Read a point array of one number per point, each of them finite, masses not negative. `where` is
-/// what messages call the data, `setter` what names the array.
+/// Reads a point array with one finite number per point; masses must not be negative. `where` is
+/// the name of the data in messages, `setter` the function that names the array.
 dgg::Status DGGReadNumbers(vtkPolyData* data, const std::string& name, const std::string& where,
   const std::string& setter, bool areMasses, std::vector<double>& values);
 
-/// Where a distribution comes from; empty names and null mean none.
+/// Inputs of a distribution; empty names and null mean none.
 struct DGGMassOrigin
 {
   std::string Name;      ///< "from" or "to"
-  std::string Array;     ///< of the surface
-  std::string Setter;    ///< of that array's name
+  std::string Array;     ///< array of the surface
+  std::string Setter;    ///< function that sets Array
   vtkPolyData* Points;   ///< may be null
-  int Port;              ///< of these
-  std::string MassArray; ///< of these
+  int Port;              ///< input port of Points
+  std::string MassArray; ///< array of Points
 };
 
-/// One number per point of the surface, masses at other points, or both.
+/// Distribution by one number per point of the surface, by masses at other points, or both.
 class DGGDistribution
 {
 public:
-  /// Copies the numbers and locates the points on the surface. Fails if nothing is given, an array
-  /// is missing or has another size, or a number is negative or not finite.
+  /// Copies the numbers and locates the points on the surface. Fails if nothing is given, if an
+  /// array is missing or has a wrong size, or if a number is negative or not finite.
   dgg::Status Read(const DGGContext& context, const DGGMassOrigin& origin, double tolerance);
 
-  /// Masses per vertex. `areas`, per vertex, is null when the numbers are masses themselves.
+  /// Computes masses per vertex. `areas`, per vertex, is null if the numbers are masses.
   dgg::Status Integrate(const dgg::PreparedSurface& mesh, const std::vector<double>* areas,
     std::vector<double>& masses) const;
 
 private:
   std::vector<double> Values; // per point of the surface; may be empty
-  std::vector<double> Masses; // per other point
+  std::vector<double> Masses; // per further point
   std::vector<dgg::SurfacePoint> Places;
 };
 

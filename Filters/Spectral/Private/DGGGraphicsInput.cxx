@@ -28,20 +28,20 @@ constexpr std::size_t NoRegion = std::numeric_limits<std::size_t>::max();
 constexpr dgg::GraphicsCurveType Types[] = { dgg::GraphicsCurveType::Diffusion,
   dgg::GraphicsCurveType::Poisson, dgg::GraphicsCurveType::Region, dgg::GraphicsCurveType::Source };
 
-/// What is wrong with the input. Never leaves this file.
+/// Exception for invalid input. Caught within this file.
 struct Refusal
 {
   std::string Message;
 };
 
-/// A message of parts, thrown.
+/// Throws a Refusal with the text of all parts.
 template <typename... Parts>
 [[noreturn]] void Refuse(const Parts&... parts)
 {
   throw Refusal{ dgg::JoinText(parts...) };
 }
 
-/// Run what may refuse the input.
+/// Runs a function and converts a Refusal to an error.
 template <typename Function>
 dgg::Status Try(Function&& function)
 {
@@ -56,8 +56,8 @@ dgg::Status Try(Function&& function)
   return dgg::Status::Success();
 }
 
-/// An array of numbers, or null. Refuses an array of another type by that name: to skip it would
-/// mean another picture.
+/// Returns an array of numbers, or null. An array of this name with another type is an error,
+/// because the result without the array would be wrong.
 vtkDataArray* FindNumbers(vtkDataSetAttributes* data, const char* kind, const std::string& name)
 {
   vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
@@ -70,7 +70,7 @@ vtkDataArray* FindNumbers(vtkDataSetAttributes* data, const char* kind, const st
   return numbers;
 }
 
-/// An array of points, or else one of cells.
+/// A point array, or else a cell array of this name.
 struct FoundArray
 {
   FoundArray(vtkPolyData* data, const std::string& name)
@@ -89,7 +89,7 @@ struct FoundArray
   bool IsOfPoints;
 };
 
-/// A cell array with one number per cell; `setter` is for messages.
+/// Returns a cell array with one number per cell. `setter` is for messages.
 vtkDataArray* GetCellNumbers(vtkPolyData* surface, const std::string& name, const char* setter)
 {
   vtkDataArray* array = FindNumbers(surface->GetCellData(), "cell", name);
@@ -112,7 +112,7 @@ double GetNumber(vtkDataArray* array, vtkIdType cell, const char* remedy)
   return number;
 }
 
-/// Whether all points are in one place.
+/// Returns true if all points coincide.
 bool HasNoLength(vtkPolyData* curves, const std::vector<vtkIdType>& points)
 {
   double first[3];
@@ -124,7 +124,7 @@ bool HasNoLength(vtkPolyData* curves, const std::vector<vtkIdType>& points)
   });
 }
 
-/// Colours in bytes are from 0 to 1.
+/// Returns the factor that scales colors to [0, 1]; bytes are divided by 255.
 double ScaleOf(vtkDataArray* array)
 {
   return array->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
@@ -168,7 +168,7 @@ dgg::Status DGGGraphicsInput::Read(
 //------------------------------------------------------------------------------
 void DGGGraphicsInput::CollectLines(vtkPolyData* curves)
 {
-  vtkIdType cell = curves->GetNumberOfVerts(); // cells are numbered from verts on
+  vtkIdType cell = curves->GetNumberOfVerts(); // cell ids count verts first
   const auto lines = vtk::TakeSmartPointer(curves->GetLines()->NewIterator());
   for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
   {
@@ -197,7 +197,8 @@ void DGGGraphicsInput::CollectLines(vtkPolyData* curves)
 }
 
 //------------------------------------------------------------------------------
-/// As many as the arrays have components, those with a single strength for all channels apart.
+/// Chooses the number of channels: the number of components of the arrays. Strengths with a single
+/// component, which applies to all channels, count only if there are no other arrays.
 void DGGGraphicsInput::ChooseChannels(
   vtkPolyData* curves, vtkPolyData* surface, const DGGGraphicsNames& names)
 {
@@ -263,7 +264,8 @@ void DGGGraphicsInput::ReadType(vtkPolyData* curves, const DGGGraphicsNames& nam
 }
 
 //------------------------------------------------------------------------------
-/// The numbers of all points of a curve; those of its cell for each where the array is of cells.
+/// Returns the values of all points of a curve. If the array is a cell array, each point has the
+/// value of the cell.
 std::vector<double> DGGGraphicsInput::ReadTuples(
   vtkPolyData* curves, const std::string& name, std::size_t k, int channels, bool mayBeSingle) const
 {
@@ -330,12 +332,12 @@ void DGGGraphicsInput::ReadCurve(vtkPolyData* curves, const DGGGraphicsNames& na
     curve.Right = curve.Left;
     std::transform(curve.Right.begin(), curve.Right.end(), curve.Right.begin(), std::negate<>());
   }
-  // One width for the whole curve: that of its cell, or of its first point.
+  // The width is constant along a curve: that of its cell, or of its first point.
   curve.Width = names.DefaultWidth;
   const FoundArray width(curves, names.Width);
   if (width.Array)
   {
-    this->ReadTuples(curves, names.Width, k, 1, false); // all must be right
+    this->ReadTuples(curves, names.Width, k, 1, false); // checks all values
     curve.Width =
       width.Array->GetComponent(width.IsOfPoints ? this->PointIds[k].front() : this->Cells[k], 0);
   }
@@ -404,7 +406,7 @@ std::vector<dgg::GraphicsRegion> DGGGraphicsInput::MakeRegions(
   };
   for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces() && !regions.empty(); ++f)
   {
-    // Of triangles on the same points, the region of the first one counts, if it has one.
+    // If triangles have the same points, the first one with a region determines the region.
     const dgg::Id original = mesh.GetMesh().GetOriginal(f);
     const std::size_t region = regionOf(f);
     if (region != NoRegion && (f == original || regionOf(original) == NoRegion))
@@ -418,7 +420,7 @@ std::vector<dgg::GraphicsRegion> DGGGraphicsInput::MakeRegions(
   }
   regions.erase(std::remove_if(regions.begin(), regions.end(),
                   [](const dgg::GraphicsRegion& region) { return region.Faces.empty(); }),
-    regions.end()); // of lines or verts
+    regions.end()); // regions of lines or verts
   return regions;
 }
 

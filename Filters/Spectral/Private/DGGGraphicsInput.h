@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The curves and regions of a drawing as a user gives them. Internal.
+/// Curves and regions of a drawing as specified by the user. Internal.
 #ifndef DGGGraphicsInput_h
 #define DGGGraphicsInput_h
 
@@ -18,7 +18,7 @@ class PreparedSurface;
 }
 class vtkPolyData;
 
-/// Names of arrays, and what counts where there is none.
+/// Names of arrays, and the default width.
 struct DGGGraphicsNames
 {
   std::string CurveType;
@@ -27,21 +27,21 @@ struct DGGGraphicsNames
   std::string Strength;
   std::string RightStrength;
   std::string Width;
-  std::string Region;         ///< of the surface
-  std::string RegionStrength; ///< of the surface
-  std::string Refinement;     ///< of the surface
+  std::string Region;         ///< cell array of the surface
+  std::string RegionStrength; ///< cell array of the surface
+  std::string Refinement;     ///< cell array of the surface
   double DefaultWidth = 0.0;
 };
 
-/// Lines with their numbers, and sets of cells with theirs.
+/// Lines with their parameters, and regions with their strengths.
 class DGGGraphicsInput
 {
 public:
-  /// Copy what is given; `curves` may be null. Fails, with a message that names what is wrong, when
-  /// an array is missing or has the wrong number of components, or a number is not finite.
+  /// Copies the input; `curves` may be null. Fails if an array is missing or has the wrong number
+  /// of components, or if a number is not finite; the message names the defect.
   dgg::Status Read(vtkPolyData* curves, vtkPolyData* surface, const DGGGraphicsNames& names);
 
-  /// The cells of regions as faces of the mesh.
+  /// Returns the cells of regions as faces of the mesh.
   std::vector<dgg::GraphicsRegion> MakeRegions(const dgg::PreparedSurface& mesh) const;
 
   /// Finds the faces of cells that are refined. Fails if the array is missing or has a NaN.
@@ -50,7 +50,8 @@ public:
 
   int GetNumberOfChannels() const { return this->NumberOfChannels; }
   const std::vector<dgg::GraphicsCurve>& GetCurves() const { return this->Curves; }
-  /// Per curve, its points; of a closed one, the last is not the first again.
+  /// Returns the points of each curve. The first point of a closed curve is not repeated at the
+  /// end.
   const std::vector<std::vector<vtkIdType>>& GetPointIds() const { return this->PointIds; }
 
 private:

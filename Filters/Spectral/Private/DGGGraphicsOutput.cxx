@@ -24,9 +24,9 @@ namespace
 {
 constexpr const char* ShownName = "RGB";
 constexpr const char* NetName = "NetSource";
-constexpr const char* ComponentName = "Component"; // of points, a tuple of NetName
+constexpr const char* ComponentName = "Component"; // point array: tuple of NetName
 
-/// Leave out arrays that do not have a tuple for everything.
+/// Removes arrays whose number of tuples is wrong.
 void RemoveBrokenArrays(vtkFieldData* data, vtkIdType tuples)
 {
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
@@ -161,7 +161,7 @@ void DGGGraphicsOutput::AddTriangles(const dgg::SubMesh& cut, vtkPolyData* outpu
     }
     if (this->Geometry.GetMesh().IsFlipped(old))
     {
-      std::swap(corners[1], corners[2]); // as in the input
+      std::swap(corners[1], corners[2]); // same orientation as in the input
     }
     cells->InsertNextCell(3, corners);
     to->CopyData(from, this->Geometry.GetCell(old), f);

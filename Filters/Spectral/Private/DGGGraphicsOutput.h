@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A coloured surface as vtkPolyData. Internal.
+/// Colored surface as vtkPolyData. Internal.
 #ifndef DGGGraphicsOutput_h
 #define DGGGraphicsOutput_h
 
@@ -16,37 +16,38 @@
 class vtkPolyData;
 struct DGGContext;
 
-/// The outputs of vtkPoissonVectorGraphics.
+/// Writes the outputs of vtkPoissonVectorGraphics.
 class DGGGraphicsOutput
 {
 public:
-  /// `name` is that of the array with the values.
+  /// `name` is the name of the array with the values.
   explicit DGGGraphicsOutput(const std::string& name)
     : Name(name)
   {
   }
 
-  /// Whether an array of the output has a name besides that of the values.
+  /// Returns true if an array of the output other than the values has this name.
   static bool IsTaken(const std::string& name);
 
-  /// What is kept of a surface, which must live on, as must its mesh.
+  /// Stores references to a surface and its mesh, which must outlive this object.
   dgg::Status Take(const DGGContext& context, int precision);
 
-  /// About what a point of the output takes, with the two triangles that there are for it. After
-  /// Take().
+  /// Returns the approximate number of bytes per point of the output, including two triangles per
+  /// point. Call Take() first.
   double GetBytesPerPoint(int channels) const;
 
-  /// Points, triangles and all arrays.
+  /// Writes points, triangles and all arrays.
   void Fill(const dgg::SubMesh& cut, const dgg::GraphicsResult& result, int channels,
     vtkPolyData* output) const;
 
-  /// Fragments as points with all arrays.
+  /// Writes fragments as points with all arrays.
   void FillFragments(
     const dgg::GraphicsFragments& fragments, int channels, vtkPolyData* output) const;
 
-  /// Values of points, all channels of one after each other, and what is shown of them.
+  /// Adds the values of points, all channels of a point in succession, and their colors for
+  /// display.
   void AddColors(const std::vector<double>& values, int channels, vtkPolyData* output) const;
-  /// What sources sum to, per component.
+  /// Adds the net source of each component.
   void AddNetSources(const std::vector<double>& values, int channels, vtkPolyData* output) const;
 
 private:

@@ -31,13 +31,14 @@ dgg::Status DGGPoissonCache::Prepare(const DGGContext& context, const dgg::Poiss
   if (!this->Solver || this->MeshBuild != mesh.GetBuildNumber())
   {
     this->EarlierFactorizations = this->GetNumberOfFactorizations();
-    this->Solver.reset(); // before there are two
+    this->Solver.reset(); // release before the next is allocated
     this->Solver = std::make_unique<dgg::PoissonSolver>(mesh.GetMesh());
     this->SolverTime.Modified();
     this->MeshBuild = mesh.GetBuildNumber();
   }
   return this->Solver->Prepare(options, progress, [&](double bytes, double missing) {
-    // What is held already is not free any more, so it must not count against what is free.
+    // Memory that the solver already holds is not free any more, so it must not be compared with
+    // the free memory.
     const double own = !context.Memory.IsExplicit() ? missing : bytes;
     return context.Memory.Check(
       "the factorization and the results", own + others(*this->Solver), remedy);

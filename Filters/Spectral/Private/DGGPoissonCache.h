@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The factorization that a filter keeps from update to update. Internal.
+/// Factorization that a filter keeps between updates. Internal.
 #ifndef DGGPoissonCache_h
 #define DGGPoissonCache_h
 
@@ -11,7 +11,7 @@
 #include "vtkType.h"      // for vtkTypeUInt64
 
 #include <cstdint>    // for the build number
-#include <functional> // for what else takes memory
+#include <functional> // for OtherMemory
 #include <memory>     // for the solver
 #include <string>     // for advice
 
@@ -21,29 +21,29 @@ class PreparedSurface;
 }
 struct DGGContext;
 
-/// Keeps a dgg::PoissonSolver until the mesh changes, or an option that matters to its matrix.
+/// Keeps a dgg::PoissonSolver until the mesh or an option that affects the matrix changes.
 class DGGPoissonCache
 {
 public:
-  /// Bytes that will be taken besides the solver's, once it has been analyzed.
+  /// Returns the bytes that will be allocated besides those of the solver, which has been analyzed.
   using OtherMemory = std::function<double(const dgg::PoissonSolver&)>;
 
-  /// Bring the solver up to date. Fails when it and what else is wanted would take more memory than
-  /// the limit of the context. Must be called in every update: the solver reads the mesh, which
-  /// may be another one.
+  /// Updates the solver. Fails if the solver and `others` would take more memory than the limit of
+  /// the context. Must be called in every update, because the solver refers to the mesh, which may
+  /// have been replaced.
   dgg::Status Prepare(const DGGContext& context, const dgg::PoissonOptions& options,
     const OtherMemory& others, const std::string& remedy, const dgg::ProgressCallback& progress);
 
-  /// Whether Prepare() would have nothing to factorize.
+  /// Returns true if Prepare() would not factorize.
   bool IsPrepared(const dgg::PreparedSurface& mesh, const dgg::PoissonOptions& options) const;
 
   /// Returns the solver. Call Prepare() first.
   const dgg::PoissonSolver& GetSolver() const { return *this->Solver; }
-  /// When that solver was made. What refers to it is released with it.
+  /// Time at which the solver was created. Data that refer to an earlier solver must be released.
   vtkMTimeType GetSolverTime() const { return this->SolverTime.GetMTime(); }
 
   int GetNumberOfFactorizations() const;
-  /// About how many bytes are held.
+  /// Returns the approximate number of bytes that are held.
   vtkTypeUInt64 GetMemorySize() const
   {
     return this->Solver ? static_cast<vtkTypeUInt64>(this->Solver->GetEstimatedMemory()) : 0;

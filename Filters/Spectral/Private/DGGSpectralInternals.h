@@ -22,7 +22,7 @@ class vtkSpectralAlgorithm;
 /// ready; a filter checks further inputs and properties of its own.
 struct DGGSpectralTask
 {
-  const DGGContext& Context;                     ///< of the update
+  const DGGContext& Context;                     ///< context of the update
   const dgg::PoissonSolver& Solver;              ///< ready
   vtkMTimeType SolverTime;                       ///< changes with the solver
   const std::vector<dgg::SurfacePoint>& Sources; ///< empty only if the filter may select sources

@@ -16,7 +16,7 @@ namespace
 vtkSmartPointer<vtkDoubleArray> MakeArray(
   const std::string& name, std::size_t tuples, std::size_t components)
 {
-  dgg::Buffer<double> values(tuples * components); // VTK may abort where this throws
+  dgg::Buffer<double> values(tuples * components); // throws where VTK may abort
   std::fill(values.begin(), values.end(), 0.0);
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());

@@ -22,10 +22,10 @@
 
 namespace
 {
-/// Part of the progress of Prepare() when there are cells.
+/// Progress of Prepare() after the computation of cells.
 constexpr double CellsDone = 0.6;
 
-/// Piecewise linear functions at points.
+/// Returns the values of a piecewise linear function at surface points.
 std::vector<double> Interpolate(const dgg::SurfaceMesh& mesh,
   const std::vector<dgg::SurfacePoint>& points, const std::vector<double>& values)
 {
@@ -38,7 +38,8 @@ std::vector<double> Interpolate(const dgg::SurfaceMesh& mesh,
   return found;
 }
 
-/// Sources per vertex from numbers per point; none where values are given.
+/// Returns integrated sources per vertex from numbers per point; zero at vertices with prescribed
+/// values.
 std::vector<double> Integrate(const dgg::PreparedSurface& prepared,
   const dgg::PoissonSolver& solver, const std::vector<double>& numbers, bool isDensity,
   double& imbalance)
@@ -75,8 +76,7 @@ std::vector<double> Integrate(const dgg::PreparedSurface& prepared,
   return sources;
 }
 
-/// The values of some points of `data`, added to those that are there. `where` is what messages
-/// call it.
+/// Appends the values of some points of `data`. `where` is the name of the data in messages.
 dgg::Status AppendValues(const std::string& name, vtkPolyData* data, const std::string& where,
   const std::vector<vtkIdType>& ids, std::vector<std::vector<double>>& values)
 {
@@ -281,7 +281,7 @@ dgg::Status DGGSplineRun::AddSolution(const std::vector<double>& numbers, bool i
 }
 
 //------------------------------------------------------------------------------
-/// The function of a site at the targets.
+/// Returns the function of a site at the targets.
 std::vector<double> DGGSplineRun::EvaluatedOf(std::size_t site) const
 {
   std::vector<double> values;

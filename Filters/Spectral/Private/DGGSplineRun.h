@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What vtkHarmonicBSpline computes, of both orders. Internal.
+/// Computation of vtkHarmonicBSpline, of both orders. Internal.
 #ifndef DGGSplineRun_h
 #define DGGSplineRun_h
 
@@ -15,40 +15,41 @@
 
 class vtkPolyData;
 
-/// The corner that a point is nearest to, a free one if there is one.
+/// Returns the corner closest to a surface point, preferably a corner without a prescribed value.
 dgg::Id DGGFindNearestCorner(const dgg::PoissonSolver& solver, const dgg::SurfacePoint& point);
 
 /// Reads the right-hand side of an equation: one finite number per point.
 dgg::Status DGGReadRightHandSide(
   vtkPolyData* surface, const std::string& name, std::vector<double>& values);
 
-/// Values at sites: first those of points of the surface, then those of other points, which may be
-/// null; from point arrays of the same name. `values[c]` are those of component c. Fails, with a
-/// message that says what is wrong, when one is missing or of another kind, or a value of a site is
-/// not finite.
+/// Reads the values at sites from point arrays of the same name: first at points of the surface,
+/// then at other points, which may be null. `values[c]` are the values of component c. Fails if an
+/// array is missing or of another kind, or if a value of a site is not finite; the message names
+/// the defect.
 dgg::Status DGGReadSiteValues(const std::string& name, vtkPolyData* surface,
   const std::vector<vtkIdType>& ids, vtkPolyData* points, std::vector<std::vector<double>>& values);
 
-/// Finds what a task asks for. Its sources are the sites.
+/// Computes the results that a task requests. The sources of the task are the sites.
 class DGGSplineRun
 {
 public:
-  /// `isSmooth`: of order 1, functions at targets by Green's functions of their own.
+  /// `isSmooth`: with order 1, functions at targets are computed by Green's functions of the
+  /// targets.
   DGGSplineRun(DGGSpectralTask& task, bool isBiharmonic, bool isSmooth);
 
-  /// Sites are checked, and if functions are wanted prepared for. Of order 1 solutions need that.
+  /// Checks the sites. If `wantsFunctions`, prepares functions, which solutions of order 1 require.
   dgg::Status Prepare(bool wantsFunctions, const dgg::ProgressCallback& progress);
-  /// All basis functions. They become results if `isResult`, and of order 1 are kept at sites for
-  /// AddInterpolation() if `isKept`.
+  /// Computes all basis functions. They become results if `isResult`. If `isKept`, their values at
+  /// sites are kept for AddInterpolation() (order 1).
   dgg::Status FindBasis(bool isResult, bool isKept, const dgg::ProgressCallback& progress);
-  /// The site of each point, of order 1.
+  /// Adds the site of each point (order 1).
   void AddCells(const std::string& name);
-  /// Functions with given values at the sites. After Prepare() for functions, of order 1 after
-  /// FindBasis() as well.
+  /// Adds functions with the given values at the sites. Requires Prepare() with functions, and with
+  /// order 1 also FindBasis().
   dgg::Status AddInterpolation(const std::vector<std::vector<double>>& siteValues,
     const std::string& name, const dgg::ProgressCallback& progress);
-  /// The solution for the given numbers at the points. `imbalance` is the largest sum that has to
-  /// be balanced in a component, relative to the sum of sizes.
+  /// Adds the solution for the given numbers at the points. `imbalance` is the largest absolute sum
+  /// of sources over a component that must be balanced, relative to the sum of absolute values.
   dgg::Status AddSolution(const std::vector<double>& numbers, bool isDensity,
     const std::string& solutionName, double& imbalance);
 
@@ -61,8 +62,8 @@ private:
   bool IsSmooth;
   dgg::HarmonicSplines Harmonic;
   dgg::BiharmonicSplines Biharmonic;
-  std::vector<double> AtSites;   // basis functions of order 1, one after the other
-  std::vector<double> Evaluated; // per target and site, if they are to be smooth
+  std::vector<double> AtSites;   // basis functions of order 1, in succession
+  std::vector<double> Evaluated; // per target and site; empty unless smooth
 };
 
 #endif

@@ -1,35 +1,35 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Rules of the thesis that the module has repaired or replaced, as they were published, and the
-/// methods that it compares with, beside ours.
+/// Rules of the thesis that the module has corrected or replaced, as published, and the methods
+/// that the thesis compares with, measured together with ours.
 ///
 /// Usage: BenchmarkPublished [--benchmark_...] [--name=value...] [mesh...]
 ///   --accuracies=0.01,0.001   of the graphs
-///   --sources=3               of the errors
-///   --rules=OneRelay          graphs that queues are measured on: OneRelay, Guaranteed, Indirect
+///   --sources=3               sources for the errors
+///   --rules=OneRelay          graphs for the queues: OneRelay, Guaranteed, Indirect
 ///   --parts=Queue,Pruning,Pseudo,Heat,Unfolding,Merging
-///   --steps=0,10              of the variational heat method; 0 is the heat method
-///   --vertex=-1               source of these; -1: as many as --sources
-///   --fields=                 a folder that their distances are written to, as raw doubles
-///   --samples=100,400         of triangle unfolding
-///   --pairs=2000              of vertices, asked of it and of the graph
-///   --tolerances=0,0.001,0.01 of merged windows; 0 is the exact engine
+///   --steps=0,10              steps of the variational heat method; 0 is the heat method
+///   --vertex=-1               source of this method; -1: as many sources as --sources
+///   --fields=                 folder for its distances, as raw doubles
+///   --samples=100,400         samples of triangle unfolding
+///   --pairs=2000              pairs of vertices for triangle unfolding and the graph
+///   --tolerances=0,0.001,0.01 tolerances of merged windows; 0 is the exact engine
 /// Meshes as for BenchmarkExact.
 ///
 /// Names of the results are
 ///   Published/MESH/Queue/RULE/QUEUE/FANS/ACCURACY/K
 ///       QUEUE is FIFO, SLF, LLL or Both; FANS are All, Narrow (arcsin sqrt(accuracy), as
-///       published) or Wide (as wide as two edges in a row may deviate)
+///       published) or Wide (the largest deviation of two successive edges)
 ///   Published/MESH/Pruning/RULE/ACCURACY/Build, .../Query/K
 ///       RULE is None, Progress or Published
 ///   Published/MESH/Pseudo/RULE/ACCURACY/Build, .../Query/K
-///       RULE is Plain, candidates of the mesh as it is, pruned as published; Pseudo, the same with
-///       pseudo-vertices; or Guaranteed
+///       RULE is Plain (candidates of the unchanged mesh, pruned as published), Pseudo (the same
+///       with pseudo-vertices) or Guaranteed
 ///   Published/MESH/Heat/TRIANGLES/steps=N/K
 ///       TRIANGLES are Direct or Delaunay
 ///   Published/MESH/Unfolding/samples=N, .../Graph/ACCURACY, .../Paths/ACCURACY
-///       what is prepared; queries are in a counter
+///       times of the preparation; queries are in a counter
 ///   Published/MESH/Merging/tolerance=X/K
 /// Times are CPU seconds on one thread.
 
@@ -101,7 +101,7 @@ void MeasureQueue(benchmark::State& state, const GraphRecipe& recipe, QueueRule 
   ReportErrors(state, *opened.Mesh, source, result.Distances);
 }
 
-/// A graph that is not one of the library: only the last one is kept.
+/// A graph that the library does not build. Only the last one is kept.
 struct OwnGraph
 {
   std::string Name;
@@ -139,7 +139,7 @@ void Build(benchmark::State& state, const MeshRecipe& recipe, const std::string&
   state.counters["added_per_vertex"] = own.Added / mesh.GetNumberOfVertices();
 }
 
-/// From a vertex to all of the mesh; it needs the graph that was built last.
+/// Measures a query from a vertex to all of the mesh in the graph that was built last.
 void Query(benchmark::State& state, const MeshRecipe& recipe, const std::string& name, int k,
   int numberOfSources)
 {
@@ -157,12 +157,12 @@ void Query(benchmark::State& state, const MeshRecipe& recipe, const std::string&
   Measure(
     state, [] {}, [&] { status = search.Run({ seed }, options, result); });
   Require(status);
-  // Without the pseudo-vertices, which come last.
+  // Pseudo-vertices, which come last, are excluded.
   result.Distances.resize(static_cast<std::size_t>(mesh.GetNumberOfVertices()));
   ReportErrors(state, mesh, source, result.Distances);
 }
 
-/// Gaps are looked for among the candidates.
+/// Builds the graph with pseudo-vertices. Gaps are searched in the graph of all candidates.
 dgg::Status BuildPseudo(const dgg::SurfaceMesh& surface, double accuracy, OwnGraph& own)
 {
   dgg::GeodesicGraph candidates;
@@ -188,7 +188,7 @@ dgg::Status BuildGuaranteed(const dgg::SurfaceMesh& surface, double accuracy, Ow
   return dgg::GraphBuilder(surface).Build(options, own.Graph);
 }
 
-/// Graphs that are built here, by part and rule.
+/// Functions that build the graphs, by part and rule.
 const std::map<std::string, std::map<std::string, Builder>> Builders = {
   { "Pruning",
     { { "None", FromCandidates(PruningRule::None) },
@@ -243,7 +243,7 @@ void RegisterAll(const BenchmarkArguments& arguments)
   arguments.GetAtLeast("sources", 1);
   for (const std::string& text : arguments.GetList("accuracies"))
   {
-    // The library has a lower limit, candidates have none.
+    // The library has a lower limit, the graphs of candidates have none.
     Require(std::atof(text.c_str()) > 0.0, "accuracies must be positive");
   }
   for (const MeshRecipe& mesh : arguments.GetMeshes())

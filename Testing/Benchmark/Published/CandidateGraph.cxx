@@ -20,11 +20,11 @@ namespace
 {
 constexpr dgg::Id PatchSize = 256;
 
-/// The candidates of each vertex, in the order of the table. Fails when a vertex has too many
+/// Finds the candidates of each vertex, in the order of the table. Fails if a vertex has too many
 /// windows.
 dgg::Status FindCandidates(const dgg::UnfoldingTable& table, double accuracy, dgg::RowStore& rows)
 {
-  constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max() / 4; // it is added to
+  constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max() / 4; // avoids overflow
   dgg::GraphWindowTracer<dgg::CandidateRule> tracer(
     table, dgg::CandidateRule(accuracy), { dgg::DefaultWindowLimit, unlimited, unlimited });
   std::vector<dgg::RowEdge> row;

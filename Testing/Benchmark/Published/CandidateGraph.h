@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The published indirect construction in steps: candidates, and what pruning leaves of them.
+/// The published indirect construction in steps: candidates, and pruning.
 #ifndef CandidateGraph_h
 #define CandidateGraph_h
 
@@ -12,10 +12,10 @@ enum class PruningRule
 {
   None,
   Progress, ///< ours: GraphConstruction::Indirect
-  /// A candidate (s,t) goes if some candidate r has w(s,r) + w(r,t) <= (1 + accuracy) w(s,t) (Fang
-  /// 2019, sec. 3.3, the condition as printed, in a procedure that works: the printed one removes
-  /// every edge). Candidates that are removed go on to serve as evidence, and sides of triangles
-  /// are not spared, so that errors add up and two candidates can remove each other.
+  /// Removes a candidate (s,t) if some candidate r has w(s,r) + w(r,t) <= (1 + accuracy) w(s,t)
+  /// (Fang 2019, sec. 3.3; the condition as printed, in a corrected procedure: the printed one
+  /// removes every edge). Removed candidates still serve as r, and sides of triangles are not
+  /// exempt; thus errors accumulate, and two candidates can remove each other.
   Published
 };
 
@@ -26,7 +26,7 @@ struct CandidateStatistics
   double PruningSeconds = 0.0;
 };
 
-/// Build the graph of all candidates, pruned by a rule; empty on failure.
+/// Builds the graph of all candidates, pruned by a rule; the graph is empty on failure.
 dgg::Status BuildFromCandidates(const dgg::SurfaceMesh& mesh, double accuracy, PruningRule rule,
   dgg::GeodesicGraph& graph, CandidateStatistics& statistics);
 

@@ -9,10 +9,10 @@
 
 namespace
 {
-/// A mean of labels that are all equal is not exact.
+/// Relative tolerance: rounding affects even a mean of equal labels.
 constexpr double Rounding = 1e-9;
 
-/// Vertices that wait, each once, and the sum of their labels.
+/// Queue of vertices without duplicates, and the sum of their labels.
 class LabelQueue
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   bool IsEmpty() const { return this->Waiting.empty(); }
 
-  /// Lower a label, and have the vertex wait.
+  /// Lowers a label and adds the vertex to the queue.
   void Lower(dgg::Id v, double label)
   {
     double& old = this->Result.Distances[v];
@@ -48,7 +48,8 @@ public:
   {
     if (this->LargeLast)
     {
-      // Not more often than there are vertices: by rounding all may be above the mean.
+      // At most one rotation per vertex of the queue, because rounding errors may raise all labels
+      // above the mean.
       const double mean = this->Sum / static_cast<double>(this->Waiting.size());
       for (std::size_t i = this->Waiting.size();
            i > 1 && this->Result.Distances[this->Waiting.front()] > mean * (1.0 + Rounding); --i)
@@ -75,8 +76,8 @@ private:
   double Sum = 0.0;
 };
 
-/// The smallest angles between arrival and departure that fans of this tolerance allow, per vertex;
-/// 0 allows all.
+/// Returns, per vertex, the smallest angle between arrival and departure that fans of this
+/// tolerance allow; 0 allows all edges.
 std::vector<float> LeadsOf(const dgg::SurfaceMesh& mesh, double tolerance)
 {
   std::vector<float> leads(static_cast<std::size_t>(mesh.GetNumberOfVertices()), 0.0f);

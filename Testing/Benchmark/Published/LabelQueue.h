@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The published search in a graph: label correcting, with the queues that it was compared with.
+/// The published label-correcting search in a graph, with the queues that were compared.
 #ifndef LabelQueue_h
 #define LabelQueue_h
 
@@ -11,14 +11,14 @@
 #include <cstddef> // for std::size_t
 #include <vector>  // for the labels
 
-/// Where a vertex enters the queue, and which one leaves it (Bertsekas, "A simple and fast label
-/// correcting algorithm for shortest paths", 1993).
+/// Position at which a vertex enters the queue, and choice of the vertex that leaves it (Bertsekas,
+/// "A simple and fast label correcting algorithm for shortest paths", 1993).
 enum class QueueRule
 {
   FirstInFirstOut,
-  SmallLabelFirst, ///< enters at the front when its label is not larger than that there
+  SmallLabelFirst, ///< enters at the front if its label is at most that of the front
   LargeLabelLast,  ///< labels above the mean of the queue are moved to the back
-  SmallAndLarge    ///< both, as published
+  SmallAndLarge    ///< both rules, as published
 };
 
 struct LabelResult
@@ -29,10 +29,11 @@ struct LabelResult
   std::size_t Rotations = 0; ///< vertices moved from the front to the back
 };
 
-/// Distances from a vertex. With a positive fan tolerance, radians, a vertex passes a label on only
-/// along edges that deviate by no more than that from straight on (Fang 2019, sec. 3.4, where it is
-/// arcsin sqrt(accuracy)): labels can then be too large, and vertices unreached. There are no marks
-/// of visited vertices, as the published listing has them: with these it is wrong.
+/// Returns the distances from a vertex. With a positive fan tolerance (radians), a vertex
+/// propagates its label only along edges that deviate from the straight continuation by at most
+/// this angle (Fang 2019, sec. 3.4, where the tolerance is arcsin sqrt(accuracy)). Labels can then
+/// be too large, and vertices unreached. Unlike the published listing, vertices are not marked as
+/// visited, because marks make the search incorrect.
 LabelResult SearchByLabels(const dgg::GraphView& graph, const dgg::SurfaceMesh& mesh,
   dgg::Id source, QueueRule rule, double fanTolerance);
 

@@ -7,19 +7,20 @@
 
 namespace
 {
-/// Windows this close together touch, relative to the length of the edge.
+/// Largest gap between windows that are adjacent, relative to the length of the edge.
 constexpr double Touching = 1e-9;
-/// Parts of an interval in which differences of two windows are bounded.
+/// Number of parts of an interval in which the difference of two windows is bounded.
 constexpr int Parts = 8;
 
-/// How fast the distance grows along the axis.
+/// Returns the derivative of the distance along the axis.
 double Slope(const dgg::Window& w, double x)
 {
   return (x - w.Image.X) / dgg::DistanceToAxis(w.Image, x);
 }
 
-/// No less than the largest difference of two windows on the interval of the second one. As slopes
-/// grow along the axis, those at both ends of a part bound that of the difference in between.
+/// Returns an upper bound for the difference of two windows on the interval of the second one.
+/// Slopes increase along the axis, so those at both ends of a part bound the slope of the
+/// difference in between.
 double LargestDifference(const dgg::Window& merged, const dgg::Window& part)
 {
   double largest = 0.0;
@@ -47,8 +48,8 @@ void MergingEngine::Reset()
   this->NumberOfMerged = 0;
 }
 
-/// From a pseudo-source: the shortest way to it may be that along an edge, which has not lowered
-/// its label.
+/// Adds the errors of a pseudo-source and its neighbors, because the shortest path to the
+/// pseudo-source may follow an edge that has not lowered its label.
 void MergingEngine::Receive(dgg::Id h, const dgg::Window& window)
 {
   if (window.Root >= 0)
@@ -58,7 +59,8 @@ void MergingEngine::Receive(dgg::Id h, const dgg::Window& window)
     for (const dgg::Id* g = this->Mesh.FanBegin(window.Root); g != this->Mesh.FanEnd(window.Root);
          ++g)
     {
-      // Both, as the last one at a border has no half-edge that leaves the pseudo-source.
+      // Both neighbors, because the last one at a boundary has no half-edge that leaves the
+      // pseudo-source.
       error = std::max({ error, this->VertexErrors[this->Mesh.Destination(*g)],
         this->VertexErrors[this->Mesh.Origin(dgg::SurfaceMesh::Previous(*g))] });
     }
@@ -79,7 +81,7 @@ void MergingEngine::LabelDropped(dgg::Id v)
 void MergingEngine::Simplify(dgg::Id h, dgg::WindowList& list)
 {
   const double before = this->EdgeErrors[h];
-  double added = 0.0; // to the last window
+  double added = 0.0; // error added to the last window
   double most = 0.0;
   std::size_t size = 0;
   for (const dgg::Window& w : list)
@@ -102,7 +104,7 @@ void MergingEngine::Simplify(dgg::Id h, dgg::WindowList& list)
   }
   this->NumberOfMerged += list.size() - size;
   list.resize(size);
-  // What comes from here is as much off.
+  // Windows that propagate from here have the same error.
   const double error = before + most;
   this->EdgeErrors[h] = error;
   double& atApex = this->VertexErrors[this->Mesh.Apex(h)];
@@ -116,9 +118,10 @@ void MergingEngine::Simplify(dgg::Id h, dgg::WindowList& list)
   }
 }
 
-/// Of all images that give the right distances at both ends the farthest one whose rays there do
-/// not leave out what the two windows see: rays spread as slopes at the ends do, and the nearer the
-/// image, the more. False where there is none.
+/// Merges two windows. Of all images that reproduce the distances at both ends, uses the farthest
+/// one whose rays at the ends cover the region that the two windows see. The rays diverge at least
+/// as the slopes at the ends do; a closer image has more divergent rays. Returns false if there is
+/// no such image.
 bool MergingEngine::Merge(
   const dgg::Window& first, const dgg::Window& second, double length, dgg::Window& merged) const
 {
@@ -129,8 +132,8 @@ bool MergingEngine::Merge(
   {
     return false;
   }
-  // Distance of the image from the beginning: by the law of cosines with the slope there, and with
-  // that at the end.
+  // Distance of the image from the beginning, by the law of cosines with the slopes at the
+  // beginning and at the end.
   double reach = first.DistanceAtBegin - std::min(first.Sigma, second.Sigma);
   const double bendAtBegin = rise - Slope(first, first.Begin) * width;
   const double bendAtEnd = Slope(second, second.End) * width - rise;
@@ -151,7 +154,7 @@ bool MergingEngine::Merge(
   merged.Image = { first.Begin + image.X, -image.Y };
   merged.Sigma = first.DistanceAtBegin - reach;
   merged.SetInterval(first.Begin, second.End);
-  // No vertex is there: the label of none makes the window stale.
+  // The image is not at a vertex, so no label can make the window stale.
   merged.Root = ~this->SourceOf(first.Root);
   merged.HasScattered = first.HasScattered || second.HasScattered;
   return merged.FacesEdge(length);

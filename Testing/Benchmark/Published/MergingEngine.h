@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Propagation of windows that are merged within a tolerance, to compare with.
+/// Propagation of windows that are merged within a tolerance, for comparison.
 #ifndef MergingEngine_h
 #define MergingEngine_h
 
@@ -11,14 +11,14 @@
 #include <vector>  // for errors
 
 /// Approximate distances with an error parameter (Surazhsky, Surazhsky, Kirsanov, Gortler and
-/// Hoppe, "Fast exact and approximate geodesics on meshes", 2005): windows side by side on an edge
-/// become one, whose distances are the same at both ends, which sees all that both have seen, and
-/// which is off by little in between.
+/// Hoppe, "Fast exact and approximate geodesics on meshes", 2005). Adjacent windows on an edge are
+/// merged to one that has the same distances at both ends, sees at least the region that they saw,
+/// and differs from them slightly in between.
 ///
-/// The published test is on its own for each merger; so it would let errors become four times the
-/// tolerance. Here they add up along the way, in bounds for each half-edge and vertex, and a merger
-/// may not bring them above `tolerance` times the distance: so that is the largest relative error
-/// of the result, below and above.
+/// The published test considers each merger separately, so that errors could grow to four times the
+/// tolerance. Here errors accumulate along paths in bounds per half-edge and per vertex, and a
+/// merger may not raise them above `tolerance` times the distance. Thus `tolerance` is the largest
+/// relative error of the result in both directions.
 class MergingEngine : public dgg::TriangleEngine
 {
 public:
@@ -28,7 +28,7 @@ public:
   {
   }
 
-  /// Windows that others have taken in.
+  /// Returns the number of windows that were merged into others.
   std::size_t GetNumberOfMerged() const { return this->NumberOfMerged; }
 
 protected:
@@ -42,8 +42,8 @@ private:
     const dgg::Window& first, const dgg::Window& second, double length, dgg::Window& merged) const;
 
   const double Tolerance;
-  std::vector<double> EdgeErrors;   // per half-edge, of the windows that have come to it
-  std::vector<double> VertexErrors; // per vertex, of its label
+  std::vector<double> EdgeErrors;   // per half-edge: bound of the windows that arrived
+  std::vector<double> VertexErrors; // per vertex: bound of its label
   std::size_t NumberOfMerged = 0;
 };
 

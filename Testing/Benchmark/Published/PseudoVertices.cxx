@@ -10,7 +10,7 @@
 
 namespace
 {
-/// Gaps between consecutive angles: where they begin, and how wide they are.
+/// Returns the gaps between consecutive angles: start and width of each.
 std::vector<std::pair<double, double>> GapsOf(
   const dgg::SurfaceMesh& mesh, const dgg::GraphView& graph, dgg::Id v)
 {

@@ -15,9 +15,9 @@
 namespace
 {
 constexpr int PairsOfStart = 20;
-constexpr double LeastSeconds = 0.05; // of queries that are timed
+constexpr double LeastSeconds = 0.05; // minimum total time of queries
 
-/// CPU seconds of an exact propagation from a vertex.
+/// Returns the CPU seconds of an exact propagation from a vertex.
 double ExactSeconds(const BenchmarkMesh& mesh)
 {
   dgg::ExactGeodesics solver(mesh.GetSurface());
@@ -27,7 +27,7 @@ double ExactSeconds(const BenchmarkMesh& mesh)
   return ThreadSeconds() - start;
 }
 
-/// As raw doubles, for maps.
+/// Writes raw doubles, for maps.
 void WriteField(const std::string& file, const std::vector<double>& field)
 {
   std::ofstream out(file, std::ios::binary);
@@ -69,14 +69,14 @@ void MeasureHeat(benchmark::State& state, const MeshRecipe& recipe, bool isDelau
   }
 }
 
-/// Ask for all pairs; times are those of one of them.
+/// Queries all pairs; times are per pair.
 template <typename Ask>
 void MeasurePairs(
   benchmark::State& state, BenchmarkMesh& mesh, const PairRecipe& pairs, const Ask& ask)
 {
   MeasuredPairs& measured = mesh.GetPairs(pairs);
   const std::vector<double>& exact = measured.GetExactDistances();
-  ask(measured.GetStart(0), measured.GetEnd(0)); // prepares what is prepared once
+  ask(measured.GetStart(0), measured.GetEnd(0)); // the first query prepares data
   std::vector<double> lengths(measured.GetCount());
   double seconds = 0.0;
   double count = 0.0;
@@ -112,7 +112,7 @@ void MeasureUnfolding(
   state.counters["triangles"] = static_cast<double>(unfolding.GetNumberOfTriangles());
 }
 
-/// The graph, asked for lengths or for paths that are straightened.
+/// Measures lengths or straightened paths in the graph.
 void MeasureGraphPairs(
   benchmark::State& state, const GraphRecipe& recipe, const PairRecipe& pairs, bool isStraightened)
 {
@@ -140,7 +140,7 @@ void MeasureGraphPairs(
   state.counters["bytes"] = static_cast<double>(graph.GetGraph().GetMemorySize());
 }
 
-/// With a tolerance of 0, by the exact engine itself.
+/// Measures merged windows; with a tolerance of 0, the exact engine.
 void MeasureMerging(
   benchmark::State& state, const MeshRecipe& recipe, double tolerance, int k, int numberOfSources)
 {

@@ -71,7 +71,7 @@ protected:
 constexpr QueueRule AllQueues[] = { QueueRule::FirstInFirstOut, QueueRule::SmallLabelFirst,
   QueueRule::LargeLabelLast, QueueRule::SmallAndLarge };
 
-/// A square with sides of length 1; vertices inside are shifted at random.
+/// Returns a square with sides of length 1; interior vertices are shifted at random.
 MeshArrays FlatSquare(int side)
 {
   RandomNumbers random(11u);
@@ -196,7 +196,7 @@ TEST_F(Published, PseudoVerticesLeaveTheSurfaceAsItIs)
   ASSERT_TRUE(status.IsOk()) << status.GetMessage();
   EXPECT_GT(added, this->Surface.GetNumberOfVertices());
   EXPECT_EQ(refined.GetNumberOfVertices(), this->Surface.GetNumberOfVertices() + added);
-  // Vertices keep their distances, within what both graphs promise.
+  // Vertices keep their distances, within the accuracy of both graphs.
   const std::vector<double> before =
     Distances(this->Build(this->Surface, dgg::GraphConstruction::Guaranteed));
   const std::vector<double> after =
@@ -209,7 +209,8 @@ TEST_F(Published, PseudoVerticesLeaveTheSurfaceAsItIs)
 
 TEST_F(Published, VariationalHeatLowersTheEnergy)
 {
-  // What becomes of the error: it falls on regular triangles, on others it may grow.
+  // Largest ratio of the errors: the error decreases on regular triangles and may increase on
+  // others.
   const std::pair<MeshArrays, double> cases[] = { { Icosphere(3), 0.5 }, { Icosphere(4), 0.3 },
     { BumpySphere(3), 1.5 }, { Torus(40, 20), 1.5 } };
   for (const auto& mesh : cases)

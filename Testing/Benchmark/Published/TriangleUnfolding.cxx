@@ -9,7 +9,7 @@
 
 namespace
 {
-/// Triangles flatter than this, relative, are of no use to locate anything.
+/// Smallest relative height of a triangle that can locate points.
 constexpr double LeastHeight = 1e-3;
 }
 
@@ -29,11 +29,12 @@ dgg::Status TriangleUnfolding::Prepare(int count)
   return dgg::Status::Success();
 }
 
-/// Each as far as possible from those before; with the exact distances of all vertices from it.
+/// Selects samples, each as far as possible from earlier ones, and computes the exact distances of
+/// all vertices from each.
 dgg::Status TriangleUnfolding::TakeSamples(int count, std::vector<std::vector<double>>& fields)
 {
   dgg::ExactGeodesics solver(this->Mesh);
-  // Vertices without a face are never the farthest.
+  // Vertices without a face are never selected.
   std::vector<double> least;
   least.reserve(static_cast<std::size_t>(this->Mesh.GetNumberOfVertices()));
   for (dgg::Id v = 0; v < this->Mesh.GetNumberOfVertices(); ++v)
@@ -107,7 +108,7 @@ void TriangleUnfolding::FindTriangles(const std::vector<std::vector<double>>& fi
   this->Places.clear();
   for (dgg::Id v = 0; v < n; ++v)
   {
-    // Where there are no triangles, the nearest sample is one of its own.
+    // Without triangles, the location is the nearest sample.
     const double least = fields[cells[v]][v];
     Place best{ { { cells[v], cells[v], cells[v] } }, { { least, least, least } },
       { { 1.0, 0.0, 0.0 } } };
@@ -132,8 +133,8 @@ void TriangleUnfolding::FindTriangles(const std::vector<std::vector<double>>& fi
   }
 }
 
-/// Barycentric coordinates in the plane, from the differences of squared distances from the
-/// corners. False when the triangle is too flat.
+/// Computes barycentric coordinates in the plane from the differences of squared distances from the
+/// corners. Returns false if the triangle is too flat.
 bool TriangleUnfolding::Locate(Place& place) const
 {
   const double length = this->Between(place.Corners[0], place.Corners[1]);
@@ -154,7 +155,8 @@ bool TriangleUnfolding::Locate(Place& place) const
   return true;
 }
 
-/// The sum over the sides of a triangle: what a point inside it is nearer than its corners.
+/// Returns the sum over the sides of products of weights and squared length: the difference between
+/// the weighted mean of squared distances from the corners and the squared distance from the point.
 double TriangleUnfolding::InTriangle(const Place& place) const
 {
   double sum = 0.0;
@@ -201,7 +203,7 @@ TriangleUnfolding::Bounds TriangleUnfolding::GetBounds(dgg::Id from, dgg::Id to)
       const double b = this->Between(p.Corners[i], q.Corners[j]);
       const double c = q.Distances[j];
       bounds.Upper = std::min(bounds.Upper, a + b + c);
-      // The longest of the three by what the others do not reach; nothing where all are infinite.
+      // Excess of the longest length over the sum of the other two; no bound if all are infinite.
       bounds.Lower = std::max(bounds.Lower, 2.0 * std::max(a, std::max(b, c)) - (a + b + c));
     }
   }

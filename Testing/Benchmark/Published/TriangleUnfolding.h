@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Distances between any two vertices from those between samples, to compare with.
+/// Distances between any two vertices from distances between samples, for comparison.
 #ifndef TriangleUnfolding_h
 #define TriangleUnfolding_h
 
@@ -12,20 +12,21 @@
 #include <vector>  // for the tables
 
 /// Geodesic triangle unfolding, GTU (Xin, Ying and He, "Constant-time all-pairs geodesic distance
-/// query on triangle meshes", 2012): exact distances between all samples, triangles of samples, and
-/// for each vertex its triangle with the distances from the three corners. A query lays the two
-/// triangles out in the plane and takes the straight line, in constant time.
+/// query on triangle meshes", 2012). Stores exact distances between all samples, triangles of
+/// samples and, for each vertex, its triangle with the distances from the three corners. A query
+/// unfolds the two triangles into the plane and returns the straight distance, in constant time.
 ///
-/// Samples are each the vertex farthest from those before. Their triangles are dual to their
-/// geodesic Voronoi cells: three samples are a triangle where their cells meet in a face of the
-/// mesh. Of the triangles at the nearest sample that has any, a vertex takes the one that it lies
-/// in, or the nearest one. In the plane, with barycentric coordinates a and b in the two triangles,
+/// Each sample is the vertex farthest from earlier samples. Their triangles are dual to their
+/// geodesic Voronoi cells: three samples form a triangle if their cells meet in a face of the mesh.
+/// A vertex belongs to the triangle that contains it, or the closest one, among the triangles at
+/// the nearest sample that has any. In the plane, with barycentric coordinates a and b in the two
+/// triangles,
 ///
 ///   |p - q|^2 = sum a_i b_j D_ij^2 - sum_(i<j) a_i a_j l_ij^2 - sum_(i<j) b_i b_j m_ij^2,
 ///
 /// where D are the nine distances between corners, l and m the sides. On a curved surface the nine
-/// lengths fit into no plane, and this is a compromise that favours none of them. The result is
-/// kept within what the triangle inequality leaves, which makes it exact between samples.
+/// distances are not realizable in a plane, and this formula is a symmetric compromise. The result
+/// is clamped to the bounds of the triangle inequality, which makes it exact between samples.
 class TriangleUnfolding
 {
 public:
@@ -35,24 +36,24 @@ public:
     double Upper;
   };
 
-  /// The mesh must outlive this.
+  /// The mesh must outlive this object.
   explicit TriangleUnfolding(const dgg::SurfaceMesh& mesh)
     : Mesh(mesh)
   {
   }
 
-  /// As many exact propagations as there are samples: at most `count`.
+  /// Prepares at most `count` samples, with one exact propagation each.
   dgg::Status Prepare(int count);
 
-  /// The distance between two vertices; Infinity when they are not connected.
+  /// Returns the distance between two vertices; Infinity if they are not connected.
   double GetDistance(dgg::Id from, dgg::Id to) const;
-  /// What the triangle inequality says of it, by the samples around both ends. The error of
-  /// GetDistance() is at most their difference.
+  /// Returns the bounds of a distance by the triangle inequality and the samples around both ends.
+  /// The error of GetDistance() is at most the difference of the bounds.
   Bounds GetBounds(dgg::Id from, dgg::Id to) const;
 
   const std::vector<dgg::Id>& GetSamples() const { return this->Samples; }
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
-  /// Bytes that queries need.
+  /// Returns the bytes that queries need.
   std::size_t GetMemorySize() const;
 
 private:
@@ -77,7 +78,7 @@ private:
 
   const dgg::SurfaceMesh& Mesh;
   std::vector<dgg::Id> Samples;
-  std::vector<double> Table; ///< distances between samples, a square
+  std::vector<double> Table; ///< distances between samples, a square matrix
   std::vector<Triangle> Triangles;
   std::vector<Place> Places; ///< per vertex
 };

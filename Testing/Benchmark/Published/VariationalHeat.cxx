@@ -7,12 +7,13 @@
 
 namespace
 {
-/// What a difference of p and grad u costs, beside that of |p| and 1: the more, the more steps it
-/// takes. With this, ten lower the error on spheres and on terrain, a hundred do not with 8. On
-/// scans and long triangles errors may grow, while the energy falls.
+/// Weight of the difference of p and grad u relative to that of |p| and 1; a larger weight requires
+/// more steps. With this value, ten steps reduce the error on spheres and on terrain; with 8, a
+/// hundred do not. On scans and long triangles errors may increase although the energy decreases.
 constexpr double Penalty = 0.5;
 
-/// The p that is best for a given v = grad u + w: (|p| - 1)^2 + r/2 |p - v|^2 is smallest along v.
+/// Returns the best p for v = grad u + w: the minimum of (|p| - 1)^2 + r/2 |p - v|^2, parallel to
+/// v.
 dgg::Point2 Shrunk(const dgg::Point2& v)
 {
   const double norm = dgg::Norm(v.X, v.Y);
@@ -56,7 +57,7 @@ dgg::Point2 VariationalHeat::Gradient(const Frame& frame, const std::vector<doub
   return { x, (values[frame.Corners[2]] - first - x * frame.Apex.X) / frame.Apex.Y };
 }
 
-/// The integrals of a flow against the gradients of the basis functions.
+/// Adds the integrals of a flow against the gradients of the basis functions.
 void VariationalHeat::AddDivergence(
   const Frame& frame, const dgg::Point2& flow, std::vector<double>& sums)
 {
@@ -69,7 +70,7 @@ void VariationalHeat::AddDivergence(
 
 void VariationalHeat::Improve(dgg::Id source, int iterations, std::vector<double>& distances) const
 {
-  // What is not reached is flat, and stays so.
+  // Unreached vertices have a constant value.
   std::vector<double> values = distances;
   for (double& value : values)
   {
@@ -114,7 +115,7 @@ void VariationalHeat::Improve(dgg::Id source, int iterations, std::vector<double
     this->Factor.Solve(sums);
     values.swap(sums);
   }
-  // Known up to a constant.
+  // The solution is unique up to a constant.
   const double shift = iterations > 0 ? values[source] : 0.0;
   for (std::size_t v = 0; v < values.size(); ++v)
   {

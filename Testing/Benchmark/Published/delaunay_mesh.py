@@ -22,8 +22,8 @@ class DelaunayMesh:
         self.points = [np.array(point) for point in points]
         self.given = len(points)
         self.limit = most * len(points)
-        self.faces = {}  # {face: (corners, the face of the surface that it is in)}
-        self.across = {}  # {(a, b): the face that has this edge in this direction}
+        self.faces = {}  # {face: (corners, face of the surface that contains it)}
+        self.across = {}  # {(a, b): face with this directed edge}
         self.count = 0
         for i, corners in enumerate(triangles.tolist()):
             self.add(corners, i)
@@ -56,7 +56,7 @@ class DelaunayMesh:
     def mend(self, a, b):
         """Split or flip an edge that does not meet the condition; those around are looked at again."""
         if (a, b) not in self.across or (b, a) not in self.across:
-            return  # gone, or a boundary
+            return  # removed, or on the boundary
         if self.angle(a, b) + self.angle(b, a) <= math.pi + 1e-9:
             return
         c, d = self.apex(a, b), self.apex(b, a)

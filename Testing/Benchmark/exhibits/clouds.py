@@ -17,7 +17,7 @@ from .exhibit import NOT_COMPARABLE, REPRODUCED, Exhibit, Verdict, judged
 from .local_triangles import local_triangles
 from .tables import DEGREE, ERRORS, column, errors_text, listing, named, short
 
-# As published: voxels along the largest extent, radius of balls and alpha in voxels.
+# Published values: voxels along the largest extent, radius of balls and alpha in voxels.
 RESOLUTION = 512
 BALLS = (2.0, 4.0)
 ALPHAS = {"A": (1.0, 2.5), "B": (4.0,)}
@@ -358,7 +358,7 @@ class Cells(Exhibit):
         name = "torus-100"
         mesh = run.mesh(name)
         points, _ = surfaces.arrays_of(mesh)
-        # A torus whose tube is flattened has two sheets that are close to each other.
+        # A torus with a flattened tube has two layers close to each other.
         flat = surfaces.from_arrays(points * [1.0, 1.0, 0.25], surfaces.arrays_of(mesh)[1])
         found = {}
         for title, surface in (("torus", mesh), ("flattened torus", flat)):

@@ -22,7 +22,7 @@ from .fields import exact_fields, sources_of, summary
 from .tables import column, errors_text, listing, named, vertices_text
 
 ACCURACY = 0.01
-SIDES = 1e-3  # closer to a curve than this, on which side a fragment is depends on flat triangles
+SIDES = 1e-3  # within this distance from a curve, flat triangles decide the side of a fragment
 
 
 class BothEnds(Exhibit):
@@ -107,7 +107,7 @@ class Links(Exhibit):
         places = points[triangles[faces]].mean(axis=1)
         exact = [field(vtkdgg.vtkExactGeodesicDistance, mesh, place) for place in places.tolist()]
         graph.distance(0)
-        graph.distance(places[:1])  # what is prepared once
+        graph.distance(places[:1])  # prepares the search
         times = {"vertex": [], "face": []}
         found = []
         for k, place in enumerate(places):
@@ -155,7 +155,7 @@ class GreenSums(Exhibit):
     published = (
         "Algorithm 4: each fragment takes its Green's function (Eq. 4.21), and sums it over cells."
     )
-    # z, and the colours on the left, which is north, and on the right.
+    # z, and the colors on the left, which is north, and on the right.
     curves = ((-0.3, 0.2, 0.0), (0.5, 1.0, 0.8))
     count = 400
 
@@ -278,7 +278,7 @@ class Flips(Exhibit):
         row = {"model": name, "vertices": len(points)}
         row["split"] = split.GetNumberOfPoints() / len(points)
         exact = exact_fields(run, name)
-        with_flips = vtkdgg.vtkHeatGeodesicDistance  # by default
+        with_flips = vtkdgg.vtkHeatGeodesicDistance  # flips edges by default
         for kind, surface, make in (("flips", mesh, with_flips), ("added", split, heat)):
             start = time.process_time()
             found = [

@@ -10,7 +10,7 @@ WORSE = "worse"
 NOT_COMPARABLE = "not comparable"
 NOT_REGENERATED = "not regenerated"
 FAILED = "failed"
-# How far from what was published a figure may be and still be the same.
+# Largest ratio of a measured and a published figure that count as equal.
 SLACK = 1.25
 
 
@@ -39,7 +39,7 @@ class Exhibit:
 
     name = ""
     title = ""
-    published = ""  # the figures that were printed, or what was shown
+    published = ""  # published figures, or a description of the picture
 
     def measure(self, run):
         """The figures of this exhibit."""

@@ -17,8 +17,8 @@ from .exhibit import NOT_COMPARABLE, Exhibit, Verdict, judged
 from .tables import column, errors_text, listing, named, short, tenths, vertices_text
 
 SOURCES = 5
-STEPS = 10  # of the variational heat method
-PART = 0.55  # of the size of a picture on the screen
+STEPS = 10  # steps of the variational heat method
+PART = 0.55  # size of a picture on the screen, relative
 
 
 def sources_of(mesh, count=SOURCES):
@@ -85,7 +85,7 @@ class Maps(Exhibit):
         raise NotImplementedError
 
     def measure(self, run):
-        picture = f"{run.folder}/{self.name}.png"  # until it is asked for
+        picture = f"{run.folder}/{self.name}.png"  # written on request
         first, *others = self.models(run)
         return {
             "picture": picture,
@@ -178,7 +178,7 @@ class Stretched(Maps):
         "maps of the errors of the direct construction, of heat and of its variational form."
     )
 
-    blade = "blade_aniso"  # a strip in a picture
+    blade = "blade_aniso"  # model that appears as a strip in a picture
 
     def models(self, run):
         return ["bumpy-5-stretched-8", *([self.blade] if run.has(self.blade) else [])]
@@ -256,7 +256,7 @@ class Accuracy(Exhibit):
         "mean error 0.21 % at ε = 0.1 %; 2.03 % on a bad tessellation at ε = 1 %. Table 3.4 has 0.32 % "
         "at ε = 1 % on a bunny."
     )
-    # Accuracy, shape of triangles, mean error that was printed.
+    # Accuracy, shape of triangles, published mean error.
     cases = ((0.001, "", 0.0021), (0.01, "", 0.0032), (0.01, "-stretched-8", 0.0203))
 
     def measure(self, run):

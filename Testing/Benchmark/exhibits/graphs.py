@@ -32,10 +32,10 @@ from .run import shared
 from .tables import DEGREE, ERRORS, column, errors_text, listing, named, tenths, vertices_text
 
 RULES = ("Guaranteed", "OneRelay", "Indirect")
-# With the indirect construction pruned by the published condition.
+# Includes the indirect construction pruned by the published condition.
 COLUMNS = {**{rule: rule for rule in RULES}, "Published": "Indirect, pruned as published"}
 FINEST = ("1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9")
-# Of its largest possible value: above that the degree is limited by the number of vertices.
+# Fraction of the largest possible degree above which the number of vertices limits the degree.
 FREE_SHARE = 0.05
 
 
@@ -283,7 +283,7 @@ class Comparison(Exhibit):
         "exact propagation takes 2.6 s."
     )
     accuracies = (0.01, 0.001)
-    # Published times, by that of the published exact propagation.
+    # Published times, relative to that of the published exact propagation.
     printed = [
         ["ε = 0.01", "25", "–", "0.013", "0.32 %"],
         ["ε = 0.001", "–", "43", "0.017", "–"],
@@ -476,10 +476,10 @@ class DirectAgainstIndirect(Exhibit):
         if run.full:
             accuracies = ["0.1", "0.01", "0.001", "0.0001", "0.00001"]
             return measured(run, "bumpy-5", RULES, accuracies, sources=1)
-        # That of other exhibits: the indirect construction takes minutes below 1e-3.
+        # Data of other exhibits: the indirect construction takes minutes below 1e-3.
         found = {rule: dict(graphs) for rule, graphs in sweep(run).items() if rule in RULES}
         largest = max(growth(run).items(), key=lambda item: int(item[0]))[1]
-        # The last one on a small mesh, where the indirect construction takes half a minute.
+        # The last accuracy on a small mesh, where the indirect construction takes half a minute.
         small = measured(run, "bumpy-4", RULES, [self.finest], sources=1)
         for rule in RULES:
             found[rule][Growth.accuracy] = largest[rule]

@@ -16,7 +16,7 @@ from .fields import sources_of
 from .run import shared
 from .tables import column, hundredths, joined, listing, named
 
-# Published: model, vertices, mean error with two Steiner points, and linear, in percent.
+# Published model, vertices, mean error in percent with two Steiner points, and linear.
 PUBLISHED = (
     ("Beetle", 600, 0.12, 0.52),
     ("Bottle", 1000, 0.096, 0.43),

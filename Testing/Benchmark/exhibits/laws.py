@@ -145,7 +145,7 @@ class Fit:
     c: float
     p: float
     floor: float
-    off: float  # as a factor, the root of the mean square
+    off: float  # root mean square, as a factor
 
     def at(self, x):
         return self.c * x**self.p + self.floor

@@ -17,12 +17,12 @@ def local_triangles(cloud, points):
     several layers. A few edges have more than two triangles."""
     near = nearest(cloud, len(points), NEIGHBORS + 1)[:, 1:]
     ways = points[near] - points[:, None]
-    # The plane through the point with the least squares of distances of its neighbours.
+    # Plane through the point with the least sum of squared distances of its neighbors.
     _, axes = np.linalg.eigh(np.einsum("nki,nkj->nij", ways, ways))
     flat = np.einsum("nki,nij->nkj", ways, axes[:, :, 1:])
     squares = (flat**2).sum(axis=2)
-    # Inversion takes circles through the point to lines: neighbours in the triangulation are corners
-    # of the hull of the others' images.
+    # Inversion maps circles through the point to lines: neighbors in the triangulation are corners
+    # of the convex hull of the images.
     images = flat / np.maximum(squares, 1e-300)[:, :, None]
     triangles = [
         (point, *pair)

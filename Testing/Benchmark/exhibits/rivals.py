@@ -10,7 +10,7 @@ from .exhibit import NOT_COMPARABLE, WORSE, Exhibit, Verdict
 from .searches import errors_of, published
 from .tables import ERRORS, column, hundredths, listing, vertices_text
 
-ROUNDING = 1e-7  # errors below are drawn there
+ROUNDING = 1e-7  # smaller errors are drawn at this value
 
 
 class Unfolding(Exhibit):

@@ -17,7 +17,7 @@ from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 from . import surfaces
 
-# Models that are measured where there is a folder of data; smallest first.
+# Models that are measured if there is a data folder; smallest first.
 SCANS = ("fertility", "kitten", "gargoyle", "bunny", "armadillo")
 
 
@@ -41,14 +41,14 @@ class Run:
     """Where things are, and how much is measured."""
 
     def __init__(self, folder, programs, data=None, full=False, reuse=False):
-        self.reuse = reuse  # what is finished is not measured again
+        self.reuse = reuse  # finished exhibits are not measured again
         self.folder = folder
         self.programs = programs
         self.data = data
         self.full = full
         self._meshes = {}
         self._made = {}
-        self._models = {}  # of what is being measured: a set that keeps the order
+        self._models = {}  # keys: models of the current exhibit, an ordered set
         os.makedirs(folder, exist_ok=True)
 
     def settings(self):
@@ -130,7 +130,7 @@ class Run:
             with open(self.path(name) + ".part", "w", encoding="utf-8") as file:
                 json.dump(found, file, indent=1)
             os.replace(self.path(name) + ".part", self.path(name))
-            found = self.find(name)  # as it will be read: keys are texts
+            found = self.find(name)  # reloaded: keys of JSON are strings
         return found
 
     def shared(self, name, measure):
@@ -143,7 +143,7 @@ class Run:
     def program(self, name, *arguments):
         """Run a benchmark program; the path of its JSON."""
         key = (name, *arguments)
-        # Of the same arguments the same file: plots of kept results read it again.
+        # The same arguments use the same file, which plots of kept results read again.
         mark = hashlib.sha1(" ".join(arguments).encode()).hexdigest()[:8]
         path = os.path.join(self.folder, f"{name}-{mark}.json")
 

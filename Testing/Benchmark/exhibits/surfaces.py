@@ -13,7 +13,7 @@ NAME = re.compile(
     r"(?:-noise-(?P<noise>[0-9.]+))?(?:-stretched-(?P<factor>[0-9.]+))?$"
 )
 SEED = 7
-JITTER = 0.2  # of a mean edge, along the surface
+JITTER = 0.2  # fraction of a mean edge, along the surface
 
 
 def make(name):
