@@ -161,7 +161,7 @@ double ResidualOf(const Poisson& poisson, Id vertex, const std::vector<double>& 
 TEST(PoissonSolver, SolutionsAmongNeedlesAreRefined)
 {
   // A single substitution leaves residuals up to 5e-9, and so do substitutions of several systems
-  // at once.
+  // together.
   const dgg::SurfaceMesh mesh = Build(NeedlePlane(12, 1e-6));
   const Poisson poisson(mesh);
   const Id n = mesh.GetNumberOfVertices();

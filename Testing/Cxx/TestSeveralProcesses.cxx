@@ -40,7 +40,7 @@ TEST_P(SeveralProcessesContract, OutputsAreThoseOfTheWhole)
 {
   if (this->Count == 1)
   {
-    GTEST_SKIP() << "the whole surface is here";
+    GTEST_SKIP() << "the test needs several processes";
   }
   const auto surface = MakeRelief(VTK_DOUBLE);
   const auto alone = this->GetParam().Make(surface);

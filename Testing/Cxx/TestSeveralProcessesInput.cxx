@@ -177,7 +177,7 @@ TEST_F(SeveralProcesses, ErrorsOfOneProcess)
 {
   if (this->Count == 1)
   {
-    GTEST_SKIP() << "the whole surface is here";
+    GTEST_SKIP() << "the test needs several processes";
   }
   const auto part = this->TakeStrip(this->Surface);
   vtkNew<vtkPolyData> bad;
@@ -243,7 +243,7 @@ TEST_F(SeveralProcesses, GlobalIdsInTwoPlaces)
 {
   if (this->Count == 1)
   {
-    GTEST_SKIP() << "the whole surface is here";
+    GTEST_SKIP() << "the test needs several processes";
   }
   const auto part = this->TakeStrip(this->Surface, PartIds::Global);
   vtkDataArray* ids = part->GetPointData()->GetGlobalIds();

@@ -233,7 +233,7 @@ TEST(CloudGraphInput, OutliersChangeNothing)
     check({ { -0.1, off, -off }, { -off, off, -off }, { -off, off, -off } }, 2);
   }
   check({ { 0.0, 0.0, 2e3 }, { 0.0, 4e6, 0.0 }, { 8e9, 0.0, 0.0 }, { 0.0, -2e13, 0.0 } }, 4);
-  // A placeholder for missing readings, at many points.
+  // The value by which scanners mark missing points, many times.
   check(std::vector<Point3>(500, { -9999.0, -9999.0, -9999.0 }), 1);
 }
 

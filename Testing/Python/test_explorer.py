@@ -212,7 +212,7 @@ class Surface(unittest.TestCase):
         self.assertAlmostEqual(scene.loop.length, sum(lengths), delta=1e-6)
         self.assert_equal(scene.loop.points[0], scene.loop.points[-1])
         self.assertIn(f"loop: {scene.loop.length:.6g} model", hand.window._status.GetInput())
-        # One more begins anew.
+        # A further click starts again.
         hand.click(hand.middle(-30, 30))
         self.assertEqual(len(scene.places), 1)
         self.assertIsNone(scene.path)

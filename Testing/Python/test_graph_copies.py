@@ -234,7 +234,7 @@ class FromPolydata(unittest.TestCase):
             vtkdgg.Graph.from_polydata(graph.polydata),
         ):
             with warnings.catch_warnings():
-                warnings.simplefilter("error")  # nothing is built anew
+                warnings.simplefilter("error")  # nothing is rebuilt
                 self.assertAlmostEqual(same.distance(0)[7], np.sqrt(5.0), delta=1e-6)
                 self.assertEqual(same.path(0, 4).length, 1.0)
                 self.assertEqual(same.path([0.0, 0.0, 0.0], 4).point_ids[0], 0)

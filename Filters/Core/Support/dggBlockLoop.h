@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Long loops in blocks that run at once, with one progress. Internal.
+/// Long loops in blocks that run simultaneously, with one progress. Internal.
 #ifndef dggBlockLoop_h
 #define dggBlockLoop_h
 
@@ -15,7 +15,7 @@
 
 namespace dgg
 {
-/// One progress of blocks that run at once: the mean of theirs.
+/// Combines the progress of blocks that run simultaneously: the mean of their progress values.
 class SharedProgress
 {
 public:
