@@ -13,10 +13,11 @@ import numpy as np
 import support
 import sweep_meshes
 import vtkdgg
+from support import add_array, make
 from sweep_trial import Surface
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkPolyDataAlgorithm
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 from vtkmodules.vtkIOCore import vtkWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
@@ -87,28 +88,10 @@ class Scene:
 
     def dots(self, count=3, **arrays):
         """Some places as input, with arrays."""
-        dots = support.polydata(self.places[:count], np.empty((0, 3)))
+        dots = support.polydata(self.places[:count])
         for name, values in arrays.items():
             add_array(dots.GetPointData(), name, values)
         return dots
-
-
-def add_array(data, name, values):
-    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
-    array.SetName(name)
-    data.AddArray(array)
-
-
-def make(kind, data, **properties):
-    """An algorithm with an input, data or another algorithm, and properties."""
-    algorithm = getattr(vtkdgg, kind)()
-    if isinstance(data, vtkAlgorithm):
-        algorithm.SetInputConnection(data.GetOutputPort())
-    else:
-        algorithm.SetInputData(data)
-    for name, value in properties.items():
-        getattr(algorithm, f"Set{name}")(value)
-    return algorithm
 
 
 def own_methods(algorithm):
@@ -416,7 +399,7 @@ add_cases(
         "movers-mass": {"FromArrayName": "One", "ToArrayName": "Two", "ArrayMeaning": 1},
         "movers-points": {
             "FromData": lambda s: s.dots(2, mass=[1.0, 3.0]),
-            "ToData": lambda s: support.polydata(s.places[2:4], np.empty((0, 3))),
+            "ToData": lambda s: support.polydata(s.places[2:4]),
         },
     },
     SMALL,
@@ -429,13 +412,7 @@ def graphics(closed, cells, **properties):
 
     def build(scene):
         ids = scene.inner[:3] + scene.inner[:1] * closed
-        curve = support.polyline(scene.points[ids])
-        if closed:
-            ring = vtkCellArray()
-            ring.InsertNextCell(4)
-            for i in (0, 1, 2, 0):
-                ring.InsertCellPoint(i)
-            curve.SetLines(ring)
+        curve = support.polydata(scene.points[ids], Lines=[[0, 1, 2] + [0] * closed])
         for name, values in cells.items():
             add_array(curve.GetCellData(), name, np.array([values]))
         return make("vtkPoissonVectorGraphics", scene.data, CurveData=curve, **properties)
@@ -574,13 +551,13 @@ def bumpy_cloud():
     angle = np.pi * (3.0 - np.sqrt(5.0)) * i
     flat = np.sqrt(1.0 - z * z)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
     points = np.column_stack([flat, z]) * (1.0 + 0.1 * np.sin(5.0 * z))[:, None]
-    return support.polydata(points, np.empty((0, 3)))
+    return support.polydata(points)
 
 
 def thinned(cloud):
     """Every third point."""
     points = vtk_to_numpy(cloud.GetPoints().GetData())
-    return support.polydata(points[::3], np.empty((0, 3)))
+    return support.polydata(points[::3])
 
 
 def scenes(data_folder, folder, graphs, only=""):

@@ -10,10 +10,11 @@ import numpy as np
 import record_cases
 import support
 import vtkdgg
-from record_cases import add_array, make, own_methods
+from record_cases import own_methods
+from support import add_array, make
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 # By scene: one of each filter, and of each method with inputs of its own.
 GOOD = {
@@ -60,10 +61,6 @@ WORDS = ["", None, "missing"]
 IDS = [[], [-1], [10**6], [0, 0], [0, 1, 2]]
 
 
-def empty():
-    return vtkPolyData()
-
-
 def moved(place, value):
     """A terrain in which a point is elsewhere."""
 
@@ -84,19 +81,8 @@ def scaled(factor):
 
 
 def of(points, *cells):
-    """Polygons with any numbers of points."""
-
-    def build():
-        data = support.polydata(points, np.empty((0, 3)))
-        polygons = vtkCellArray()
-        for cell in cells:
-            polygons.InsertNextCell(len(cell))
-            for i in cell:
-                polygons.InsertCellPoint(i)
-        data.SetPolys(polygons)
-        return data
-
-    return build
+    """Returns a function for polygons with any numbers of corners."""
+    return lambda: support.polydata(points, Polys=cells)
 
 
 def contradicting():
@@ -133,9 +119,9 @@ def lines():
 CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0.5, 0, 0], [0, 0, 1]]
 DATA = {
     "nothing": lambda: None,
-    "empty": empty,
+    "empty": vtkPolyData,
     "image": vtkImageData,
-    "points": lambda: support.polydata(CORNERS, np.empty((0, 3))),
+    "points": lambda: support.polydata(CORNERS),
     "lines": lines,
     "NaN": moved(5, np.nan),
     "infinite": moved(5, np.inf),
@@ -217,10 +203,9 @@ def tamper(where, name, how):
     """Change an array of a copy of the input."""
 
     def change(algorithm):
-        data = vtkPolyData()
         source = algorithm.GetInputAlgorithm(0, 0)
         source.Update()
-        data.DeepCopy(source.GetOutputDataObject(0))
+        data = support.copy_of(source.GetOutputDataObject(0))
         arrays = getattr(data, f"Get{where}")()
         array = arrays.GetArray(name)
         values = np.array(vtk_to_numpy(array))
@@ -425,7 +410,7 @@ def calls():
             yield f"{name} {str(wrong)[:20]}", call
     for detour in (-0.1, 0.2, np.nan, "far"):
         yield f"detour {detour}", lambda detour=detour: graph.path(0, 8, detour=detour)
-    cloud = support.polydata(points, np.empty((0, 3)))
+    cloud = support.polydata(points)
     for name, data in (("mesh", support.polydata(points, triangles)), ("cloud", cloud)):
         yield f"from {name}", lambda data=data: vtkdgg.Graph.from_polydata(data)
     for kind in (None, 3, "reader", cloud):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fixtures: folders, small meshes and clouds, strict comparison of images, examples, commands."""
+"""Fixtures that the tests share: folders, small meshes and clouds, filters, refusals, pictures,
+processes, commands."""
 
 import contextlib
 import importlib.util
@@ -9,28 +10,49 @@ import os
 import subprocess
 import sys
 import types
+import unittest
+import warnings
 
 import numpy as np
 import vtkdgg
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkImagingCore import vtkImageDifference
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 TESTING = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOT = os.path.dirname(TESTING)
 DATA = os.path.join(TESTING, "Data")
-BASELINE = os.path.join(TESTING, "Baseline")
 EXAMPLES = os.path.join(ROOT, "Examples")
 OUTPUT = os.environ["DGG_TEST_OUTPUT"]
 BUMPY = os.path.join(DATA, "bumpy.ply")
 TETRAHEDRON = os.path.join(DATA, "tetrahedron.off")
 HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
+needs_clouds = unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+
+
+class Test(unittest.TestCase):
+    """A test with tables of wrong calls."""
+
+    def refuse(self, call, *cases, error=ValueError):
+        """Expects an error of each call: arguments, as a tuple or dict, and the pattern of the
+        message."""
+        for given, pattern in cases:
+            with self.subTest(given=given), self.assertRaisesRegex(error, pattern):
+                call(**given) if isinstance(given, dict) else call(*given)
+
+
+@contextlib.contextmanager
+def warnings_as(action):
+    """Ignores warnings, or turns warnings into errors."""
+    with warnings.catch_warnings():
+        warnings.simplefilter(action)
+        yield
 
 
 def output_folder(name):
-    """A folder for the results of one test."""
+    """Returns a folder for the results of one test."""
     folder = os.path.join(OUTPUT, name)
     os.makedirs(folder, exist_ok=True)
     return folder
@@ -48,12 +70,10 @@ def grid(columns, rows):
     return points, triangles
 
 
-def folded(scale=1.0):
-    """Two squares along a common side, at a right angle."""
-    points = scale * np.array(
-        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1]], dtype=float
-    )
-    return points, np.array([[0, 1, 3], [0, 3, 2], [0, 4, 5], [0, 5, 1]])
+def folded():
+    """Points and triangles of two squares with a common side, at a right angle."""
+    points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0, 1]]
+    return np.array(points, dtype=float), np.array([[0, 1, 3], [0, 3, 2], [0, 4, 5], [0, 5, 1]])
 
 
 def two_squares(offset):
@@ -98,48 +118,98 @@ def prism(sides, rows):
     return points, triangles
 
 
-def polydata(points, triangles):
-    """The same as vtkPolyData."""
+def polydata(points, triangles=(), **cells):
+    """Returns vtkPolyData of triangles, and of rows of ids that replace cells of a kind: Verts,
+    Lines, Polys or Strips."""
     mesh = vtkPolyData()
     vtk_points = vtkPoints()
     vtk_points.SetData(numpy_to_vtk(np.asarray(points, dtype=float), deep=True))
     mesh.SetPoints(vtk_points)
     triangles = np.asarray(triangles, dtype=np.int64)
-    cells = vtkCellArray()
-    cells.SetData(
+    polygons = vtkCellArray()
+    polygons.SetData(
         numpy_to_vtkIdTypeArray(np.arange(0, triangles.size + 1, 3, dtype=np.int64), deep=True),
         numpy_to_vtkIdTypeArray(triangles.ravel(), deep=True),
     )
-    mesh.SetPolys(cells)
+    mesh.SetPolys(polygons)
+    for kind, rows in cells.items():
+        array = vtkCellArray()
+        for row in rows:
+            array.InsertNextCell(len(row), list(map(int, row)))
+        getattr(mesh, f"Set{kind}")(array)
     return mesh
 
 
+def polyline(points):
+    """Returns vtkPolyData with one line through the points."""
+    return polydata(points, Lines=[range(len(points))])
+
+
+def copy_of(data):
+    """Returns a deep copy of vtkPolyData."""
+    result = vtkPolyData()
+    result.DeepCopy(data)
+    return result
+
+
+def add_array(data, name, values):
+    """Adds a copy of an array to point, cell or field data."""
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    data.AddArray(array)
+    return array
+
+
+def make(kind, data, **properties):
+    """Returns an algorithm, by class or name, with data or an algorithm as input, and with
+    properties."""
+    algorithm = (getattr(vtkdgg, kind) if isinstance(kind, str) else kind)()
+    if isinstance(data, vtkAlgorithm):
+        algorithm.SetInputConnection(data.GetOutputPort())
+    else:
+        algorithm.SetInputData(data)
+    for name, value in properties.items():
+        getattr(algorithm, f"Set{name}")(value)
+    return algorithm
+
+
+def distances_of(algorithm):
+    """Updates a distance filter and returns a copy of its distances."""
+    return point_array(vtkdgg.check(algorithm), "GeodesicDistance")
+
+
 def triangles_of(mesh):
-    """A copy of the triangles of vtkPolyData, three ids each."""
+    """Returns a copy of the triangles of vtkPolyData, shape (n, 3)."""
     ids = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())
     return np.array(ids, dtype=np.int64).reshape(-1, 3)
 
 
 def bumpy():
-    """Points and triangles of a bumpy sphere, from its file."""
+    """Returns points and triangles of a bumpy sphere of 642 points, from its file."""
     mesh = vtkdgg.read(BUMPY)
     return mesh.points, mesh.triangles
 
 
 def point_array(mesh, name):
-    """A copy of a point array as numpy array."""
+    """Returns a copy of a point array."""
     return np.array(vtk_to_numpy(mesh.GetPointData().GetArray(name)))
 
 
-def pixels(image):
-    """Image to array, rows from the bottom."""
+def length_of(points):
+    """Returns the length of a polyline."""
+    return np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
+
+
+def pixels(path):
+    """Returns the colors of a PNG file: integers of shape (height, width, 3), the lowest row first."""
+    image = read_image(path)
     width, height, _ = image.GetDimensions()
-    scalars = image.GetPointData().GetScalars()
-    return np.array(vtk_to_numpy(scalars)).reshape(height, width, -1)
+    colors = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
+    return colors[:, :, :3].astype(int)
 
 
 def image_of(array):
-    """Array to image."""
+    """Returns colors of shape (height, width, channels) as vtkImageData."""
     height, width, channels = array.shape
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
@@ -148,43 +218,32 @@ def image_of(array):
     return image
 
 
-def image_error(image, reference):
-    """How much two images differ: 0 for equal ones, about one per pixel that is quite different.
-
-    VTK's own comparison with all its leniency switched off: by default it forgives shifts of two
-    pixels.
-    """
-    if image.GetDimensions() != reference.GetDimensions():
-        raise AssertionError(f"sizes differ: {image.GetDimensions()}, {reference.GetDimensions()}")
-    difference = vtkImageDifference()
-    difference.SetInputData(image)
-    difference.SetImageData(reference)
-    difference.AllowShiftOff()
-    difference.AveragingOff()
-    # Rounding on another processor may move a colour by a few levels.
-    difference.SetThreshold(12)
-    difference.Update()
-    return difference.GetThresholdedError()
-
-
 def read_image(path):
-    """Read a PNG file."""
+    """Returns a PNG file as vtkImageData."""
     reader = vtkPNGReader()
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
 
 
-def write_image(path, image):
-    """Write a PNG file."""
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputData(image)
-    writer.Write()
+def number_of_colours(path):
+    """Returns the number of colors of a picture."""
+    return len(np.unique(pixels(path) @ [256 * 256, 256, 1]))
+
+
+def python(code, *arguments, **options):
+    """Runs code in another Python process, in the folder of the tests."""
+    return subprocess.run(
+        [sys.executable, "-c", code, *map(str, arguments)],
+        cwd=os.path.dirname(os.path.abspath(__file__)),
+        capture_output=True,
+        check=False,
+        **{"text": True, "timeout": 120, **options},
+    )
 
 
 def run(script, *arguments, cwd=None):
-    """Run an example as a user does."""
+    """Runs an example as a user does."""
     return subprocess.run(
         [sys.executable, os.path.join(EXAMPLES, "Python", script), *map(str, arguments)],
         cwd=cwd or OUTPUT,
@@ -195,7 +254,7 @@ def run(script, *arguments, cwd=None):
 
 
 def call(*arguments):
-    """Run the command in this process, which saves time."""
+    """Runs the command in this process, which saves time."""
     from vtkdgg.command_line import main  # not needed by tests in ParaView
 
     with contextlib.redirect_stdout(io.StringIO()) as printed:
@@ -210,7 +269,7 @@ def call(*arguments):
 
 
 def command(*arguments):
-    """Run the command as a user does."""
+    """Runs the command as a user does."""
     return subprocess.run(
         [sys.executable, "-m", "vtkdgg", *map(str, arguments)],
         cwd=OUTPUT,
@@ -221,10 +280,10 @@ def command(*arguments):
 
 
 def example(name):
-    """A module of the examples."""
+    """Returns a module of the examples."""
     folder = os.path.join(EXAMPLES, "Python")
     if folder not in sys.path:
-        sys.path.append(folder)  # what it imports is beside it
+        sys.path.append(folder)  # contains the modules that it imports
     path = os.path.join(folder, f"{name}.py")
     specification = importlib.util.spec_from_file_location(name, path)
     module = importlib.util.module_from_spec(specification)
@@ -233,22 +292,5 @@ def example(name):
 
 
 def table(result):
-    """The table that a command prints."""
+    """Returns the table that a command prints."""
     return dict(line.split(None, 1) for line in result.stdout.splitlines() if " " in line)
-
-
-def number_of_colours(path):
-    """How many colours a picture has."""
-    red, green, blue = np.moveaxis(pixels(read_image(path))[:, :, :3].astype(int), -1, 0)
-    return len(np.unique((red * 256 + green) * 256 + blue))
-
-
-def polyline(points):
-    """One line through some points."""
-    curve = polydata(points, np.empty((0, 3)))
-    lines = vtkCellArray()
-    lines.InsertNextCell(len(points))
-    for i in range(len(points)):
-        lines.InsertCellPoint(i)
-    curve.SetLines(lines)
-    return curve

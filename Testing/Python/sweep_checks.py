@@ -429,7 +429,7 @@ def probe(trial):
     distance.SetSourceIds([source])
     algorithm = vtkdgg.vtkGeodesicProbe()
     algorithm.SetInputData(trial.update(distance))
-    algorithm.SetProbeData(support.polydata(places[alone], np.empty((0, 3))))
+    algorithm.SetProbeData(support.polydata(places[alone]))
     found = support.point_array(trial.update(algorithm), "GeodesicDistance")
     true = exact_inside(trial, source, places[alone], faces[alone])
     trial.expect_most(np.abs(found - true), trial.slack(true), "probe is not the exact distance")

@@ -41,7 +41,7 @@ class DemoOnClouds(unittest.TestCase):
         self.assertFalse(os.path.exists(os.path.join(folder, "error.png")))
         cloud, path = (vtkdgg.read(os.path.join(folder, f"{n}.vtp")) for n in ("distance", "path"))
         distances, length = cloud.point_data["GeodesicDistance"], path.cell_data["Length"][0]
-        picture = support.pixels(support.read_image(os.path.join(folder, "distance.png")))
+        picture = support.pixels(os.path.join(folder, "distance.png"))
         self.assertEqual(picture.shape[:2], (1200, 1600))
         return table(result), distances, length, picture
 
@@ -175,7 +175,7 @@ class Cells(unittest.TestCase):
         result = run("cloud_cells.py", cloud, count, picture)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
-        return result.stdout, support.pixels(support.read_image(picture))[:, :, :3].astype(int)
+        return result.stdout, support.pixels(picture)[:, :, :3].astype(int)
 
     def test_even_cells(self):
         said, picture = self.cells("sphere", support.sphere_points(4000), 20)
@@ -227,7 +227,7 @@ class Cells(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stdout, r"\A1 cells, with [1-4]00 to [1-4]00 of 501 points\n")
         self.assertIn("components", result.stderr)
-        self.assertGreater(is_grey(support.pixels(support.read_image(picture))).mean(), 0.005)
+        self.assertGreater(is_grey(support.pixels(picture)).mean(), 0.005)
 
 
 class Guards(unittest.TestCase):
@@ -235,7 +235,7 @@ class Guards(unittest.TestCase):
         module = support.example("cloud_guards")
         picture = os.path.join(support.OUTPUT, "cloud_guards.png")
         module.main(picture, 0.1)
-        image = support.pixels(support.read_image(picture))[:, :, :3]
+        image = support.pixels(picture)[:, :, :3]
         self.assertEqual(image.shape[:2], module.SIZE[::-1])
         rows, columns = image.shape[0] // 2, image.shape[1] // 2
         for i in range(4):

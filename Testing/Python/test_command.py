@@ -465,8 +465,8 @@ class Command(unittest.TestCase):
             result = support.command("render", *arguments)
             self.assertEqual(result.returncode, 0, result.stderr)
         self.assertGreater(support.number_of_colours(first), 1000)
-        first, second = support.read_image(first), support.read_image(second)
-        self.assertLess(support.image_error(first, second), 100.0)
+        difference = np.abs(support.pixels(first) - support.pixels(second)).max(axis=2)
+        self.assertLess((difference > 12).mean(), 1e-4)
 
     def test_missing_display(self):
         """Only the program replaces its process, by one with a virtual display."""
@@ -491,7 +491,7 @@ class Command(unittest.TestCase):
             asked = "render", path, "--source", 0, f"--view={view}", "--out", picture
             result = support.command(*asked)
             self.assertEqual(result.returncode, 0, result.stderr)
-            image = support.pixels(support.read_image(picture)).astype(int)[:, :1280]
+            image = support.pixels(picture)[:, :1280]
             rows, columns = np.nonzero(np.ptp(image, axis=2) > 60)  # coloured ones
             rows = 2 * (rows - rows.min()) // (np.ptp(rows) + 1)
             columns = 2 * (columns - columns.min()) // (np.ptp(columns) + 1)
@@ -508,14 +508,14 @@ class Command(unittest.TestCase):
             result = support.command("render", kept, "--array", name, "--out", picture)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual("isolines every" in result.stdout, name == "ExactDistance")
-            images.append(support.pixels(support.read_image(picture)).astype(int))
+            images.append(support.pixels(picture))
         left = np.arange(1600) < 1280  # of the scalar bar, whose title is the name
         differs = (images[0] != images[1]).any(axis=(0, 2))
         self.assertTrue(differs.any() and not differs[left].any())
         ink = [np.count_nonzero(image[:, left].max(axis=2) < 60) for image in images]
         self.assertLess(10 * ink[0], ink[2])
 
-    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    @support.needs_clouds
     def test_clouds(self):
         cloud = out("cloud.pcd")
         vtkdgg.write(cloud, vtkdgg.Mesh(support.plane(41, 21)))

@@ -212,7 +212,7 @@ class Potpourri3d(unittest.TestCase):
         pp3d.write_point_cloud(points + 1 / 3, path)
         np.testing.assert_array_equal(pp3d.read_point_cloud(path), points + 1 / 3)
 
-    @unittest.skipUnless(support.HAS_CLOUDS, "built without PCL")
+    @support.needs_clouds
     def test_clouds(self):
         points, _ = support.grid(20, 20)
         solver = pp3d.PointCloudHeatSolver(points)

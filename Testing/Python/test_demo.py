@@ -155,7 +155,7 @@ class Demo(unittest.TestCase):
             self.assertEqual(np.isnan(values).sum(), 4)
         # Unreached points have a separate colour: blue in the error picture.
         folder = support.output_folder(os.path.join("demo", "two"))
-        picture = support.pixels(support.read_image(os.path.join(folder, "error.png"))).astype(int)
+        picture = support.pixels(os.path.join(folder, "error.png"))
         bluish = picture[:, :, 2] - picture[:, :, 0] > 40
         self.assertGreater(bluish.mean(), 0.02)
 

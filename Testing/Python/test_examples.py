@@ -42,7 +42,7 @@ class Gallery(DrawsPictures, unittest.TestCase):
 
 
 class Tutorial(unittest.TestCase):
-    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    @support.needs_clouds
     def test_pictures(self):
         folder = support.output_folder("tutorial")
         result = run("tutorial.py", folder)
@@ -81,7 +81,7 @@ class Patches(unittest.TestCase):
             self.assertLess(float(row[4]), 2.1 * float(row[3]))
         self.assertEqual(support.read_image(picture).GetDimensions(), (1200, 600, 1))
         # Curves in many colours on both halves: what is neither white nor grey.
-        for half in np.hsplit(support.pixels(support.read_image(picture)).astype(int), 2):
+        for half in np.hsplit(support.pixels(picture), 2):
             colourful = np.ptp(half[:, :, :3], axis=2) > 100
             self.assertGreater(colourful.sum(), 1000)
 
@@ -93,7 +93,7 @@ class Graph(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stdout, r"\d+ edges, \d+\.\d per point\nfrom point 3: up to \d")
         self.assertEqual(support.read_image(picture).GetDimensions(), (1200, 600, 1))
-        halves = np.hsplit(support.pixels(support.read_image(picture)).astype(int), 2)
+        halves = np.hsplit(support.pixels(picture), 2)
         # The same surface twice, in other colours.
         background = [np.all(half == 255, axis=2) for half in halves]
         self.assertLess(np.mean(background[0] != background[1]), 1e-4)
@@ -136,7 +136,7 @@ class Terrain(unittest.TestCase):
         exact = vtkdgg.check(path).GetCellData().GetArray("Length").GetValue(0)
         self.assertAlmostEqual(length, exact, delta=6e-4)
         # Both paths and the ground are seen.
-        array = support.pixels(support.read_image(picture)).astype(int)
+        array = support.pixels(picture)
         self.assertGreater(number_of_colours(picture), 1000)
         red, green, blue = (array[:, :, i] for i in range(3))
         self.assertGreater(np.sum((red > 130) & (green < 60) & (blue < 70)), 1000)
@@ -172,7 +172,7 @@ class Isolines(unittest.TestCase):
         self.assertGreater(int(said[3][3]), 1)
         # Arcs take more points than straight lines in triangles.
         self.assertGreater(int(said[3][2]), 2 * int(said[0][2]))
-        array = support.pixels(support.read_image(picture)).astype(int)
+        array = support.pixels(picture)
         red, green, blue = (array[:, :, i] for i in range(3))
         self.assertGreater(np.sum((blue > 60) & (red < 60)), 5000)
         self.assertGreater(np.sum((red > 120) & (green < 60) & (blue < 60)), 1500)
@@ -201,7 +201,7 @@ class GreensFunction(unittest.TestCase):
         for name in ("vertex", "singularity subtraction"):
             self.assertLess(errors[4][name], 0.7 * errors[3][name])
         # Above the captions, the last panel is nearly the first one; the others are not.
-        array = support.pixels(support.read_image(picture)).astype(int)
+        array = support.pixels(picture)
         self.assertEqual(array.shape[:2], (364, 1500))
         panels = [array[:, 300 * k + 1 : 300 * k + 299, :3] for k in range(5)]
         differences = [np.abs(panel[64:] - panels[0][64:]).mean() for panel in panels]
@@ -218,7 +218,7 @@ class VectorGraphics(unittest.TestCase):
         curves, before, after = map(int, said.groups())
         self.assertEqual((curves, before), (96, 60 * 34))
         self.assertGreater(after, 10 * before)
-        array = support.pixels(support.read_image(picture)).astype(int)
+        array = support.pixels(picture)
         self.assertEqual(array.shape[:2], (760, 1280))
         # Rows from the bottom, as support.pixels() has them: the sun, the glaze and the last forest
         # of the painted vase, where plain clay is light in the left half.
@@ -248,7 +248,7 @@ class Loops(unittest.TestCase):
         # Around the waist, a little more than twice across.
         self.assertAlmostEqual(lengths[4], 4.0 * 0.015**0.25 + 0.2, delta=0.08)
         # Loops, rope and tape are seen.
-        array = support.pixels(support.read_image(picture)).astype(int)
+        array = support.pixels(picture)
         red, green, blue = (array[:, :, i] for i in range(3))
         self.assertGreater(np.sum((blue > 80) & (red < 40)), 1500)
         self.assertGreater(np.sum((red > 120) & (green < 50) & (blue < 60)), 800)

@@ -440,7 +440,7 @@ class Surface(unittest.TestCase):
             ("Lines", [0, 1]),
             ("Verts", [0]),
         ):
-            mesh = support.polydata(points, np.empty((0, 3)))
+            mesh = support.polydata(points)
             cells = vtkCellArray()
             cells.InsertNextCell(len(ids), ids)
             getattr(mesh, f"Set{kind}")(cells)
@@ -487,7 +487,7 @@ class Surface(unittest.TestCase):
         self.assertRegex(hand.window._status.GetInput(), "Unable to open file .*shot-1.png")
 
 
-@unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+@support.needs_clouds
 class Cloud(unittest.TestCase):
     def test_cloud(self):
         points = support.sphere_points(1500)

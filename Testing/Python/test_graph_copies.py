@@ -3,20 +3,16 @@
 """Copies of vtkdgg.Graph, pickled ones, and graphs from a vtkPolyData."""
 
 import copy
-import os
 import pickle
-import subprocess
-import sys
 import unittest
-import warnings
 
 import numpy as np
 import support
 import vtkdgg
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from support import warnings_as
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 
 class Copies(unittest.TestCase):
@@ -24,21 +20,21 @@ class Copies(unittest.TestCase):
         self.graph = vtkdgg.Graph(*support.bumpy(), accuracy=0.03, memory_limit=2**28)
 
     def check_equal(self, graph):
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
+        with warnings_as("error"):
             for source in (11, [[0.7, 0.1, 0.2]]):
-                expected = self.graph.distance(source, projection_tolerance=1.0)
-                distances = graph.distance(source, projection_tolerance=1.0)
-                np.testing.assert_array_equal(distances, expected)
+                found, expected = (g.distance(source, projection_tolerance=1.0)
+                                   for g in (graph, self.graph))  # fmt: skip
+                np.testing.assert_array_equal(found, expected)
             np.testing.assert_array_equal(graph.matrix([1, 2]), self.graph.matrix([1, 2]))
+            self.assertEqual(graph.path(5, 318).length, self.graph.path(5, 318).length)
         search = graph._filters[vtkdgg.vtkDGGDistance]
         self.assertTrue(search.GetUsedInputGraph())
         self.assertEqual(search.GetMemoryLimit(), 2**28)
         self.assertEqual(repr(graph), repr(self.graph))
 
-    def test_ways_to_copy(self):
-        for asked in (False, True):
-            if asked:
+    def test_copies(self):
+        for is_used in (False, True):
+            if is_used:
                 self.graph.distance(5)
             self.check_equal(copy.copy(self.graph))
             self.check_equal(copy.deepcopy(self.graph))
@@ -52,59 +48,45 @@ class Copies(unittest.TestCase):
             "graph = pickle.load(sys.stdin.buffer)\n"
             "pickle.dump((graph, graph.distance(11)), sys.stdout.buffer)\n"
         )
-        self.graph.distance(11)
-        result = subprocess.run(
-            [sys.executable, "-c", code],
-            input=pickle.dumps(self.graph),
-            capture_output=True,
-            check=True,
-        )
+        result = support.python(code, input=pickle.dumps(self.graph), text=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
         graph, distances = pickle.loads(result.stdout)  # noqa: S301
         np.testing.assert_array_equal(distances, self.graph.distance(11))
         self.check_equal(graph)
 
     def test_other_data(self):
         mesh = self.graph.polydata
-        colours = numpy_to_vtk(np.arange(1926, dtype=np.uint8).reshape(-1, 3), deep=True)
-        colours.SetName("Colours")
-        mesh.GetPointData().AddArray(colours)
+        values = np.arange(1926, dtype=np.uint8).reshape(-1, 3)
+        support.add_array(mesh.GetPointData(), "Colours", values)
         graph = vtkdgg.Graph.from_polydata(mesh, memory_limit=2**28)
         graph = pickle.loads(pickle.dumps(graph))  # noqa: S301
-        kept = graph.polydata.GetPointData().GetArray("Colours")
-        self.assertEqual(kept.GetDataType(), colours.GetDataType())
-        np.testing.assert_array_equal(vtk_to_numpy(kept), vtk_to_numpy(colours))
+        kept = support.point_array(graph.polydata, "Colours")
+        self.assertEqual(kept.dtype, np.uint8)
+        np.testing.assert_array_equal(kept, values)
         self.check_equal(graph)
 
 
-class FromPolydata(unittest.TestCase):
+class FromPolydata(support.Test):
     def setUp(self):
         self.points, self.triangles = support.bumpy()
         self.graph = vtkdgg.Graph(self.points, self.triangles, accuracy=0.03)
         self.expected = self.graph.distance(11)
-
-    def editable(self):
-        """The surface with its graph, none of it shared."""
-        mesh = vtkPolyData()
-        mesh.DeepCopy(self.graph.polydata)
-        return mesh
+        self.mesh = support.copy_of(self.graph.polydata)
 
     def check_equal(self, graph):
-        self.assertEqual(graph.accuracy, 0.03)
-        self.assertEqual(graph.construction, "Guaranteed")
+        self.assertEqual((graph.accuracy, graph.construction), (0.03, "Guaranteed"))
         np.testing.assert_array_equal(graph.targets, self.graph.targets)
         np.testing.assert_array_equal(graph.distance(11), self.expected)
 
     def test_shares_the_graph(self):
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
+        with warnings_as("error"):
             graph = vtkdgg.Graph.from_polydata(self.graph.polydata)
         self.assertTrue(np.shares_memory(graph.lengths, self.graph.lengths))
         self.check_equal(graph)
 
     def test_from_a_pipeline(self):
-        builder = vtkdgg.vtkDiscreteGeodesicGraph()
-        builder.SetInputData(support.polydata(self.points, self.triangles))
-        builder.SetAccuracy(0.03)
+        surface = support.polydata(self.points, self.triangles)
+        builder = support.make("vtkDiscreteGeodesicGraph", surface, Accuracy=0.03)
         self.check_equal(vtkdgg.Graph.from_polydata(vtkdgg.check(builder)))
         builder.SetConstructionToSaddleVertexGraph()
         builder.SetNumberOfNeighbors(7)
@@ -112,111 +94,58 @@ class FromPolydata(unittest.TestCase):
         self.assertIsNone(graph.accuracy)
         self.assertEqual(len(graph.targets), builder.GetNumberOfGraphEdges())
 
-    def test_double_precision(self):
-        graph = vtkdgg.Graph(self.points / 3.0, self.triangles, accuracy=0.03)
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            again = vtkdgg.Graph.from_polydata(graph.polydata)
-        np.testing.assert_array_equal(again.distance(11), graph.distance(11))
-
     def test_the_surface_may_change_later(self):
-        mesh = self.editable()
-        graph = vtkdgg.Graph.from_polydata(mesh)
-        vtk_to_numpy(mesh.GetPoints().GetData())[:] = 0.0
-        mesh.GetPoints().Modified()
-        mesh.GetPolys().Reset()
+        graph = vtkdgg.Graph.from_polydata(self.mesh)
+        vtk_to_numpy(self.mesh.GetPoints().GetData())[:] = 0.0
+        self.mesh.GetPoints().Modified()
+        self.mesh.GetPolys().Reset()
         self.check_equal(graph)
         self.assertEqual(graph.polydata.GetNumberOfPolys(), len(self.triangles))
 
     def test_out_of_date(self):
-        mesh = self.editable()
-        vtk_to_numpy(mesh.GetPoints().GetData())[:] *= 2.0
+        vtk_to_numpy(self.mesh.GetPoints().GetData())[:] *= 2.0
         with self.assertWarnsRegex(RuntimeWarning, "out of date") as caught:
-            graph = vtkdgg.Graph.from_polydata(mesh)
-        self.assertEqual(caught.filename, __file__)
-        self.assertEqual(graph.accuracy, 0.03)
+            graph = vtkdgg.Graph.from_polydata(self.mesh)
+        self.assertEqual((caught.filename, graph.accuracy), (__file__, 0.03))
         np.testing.assert_allclose(graph.distance(11), 2.0 * self.expected, rtol=1e-6)
 
-    def refuses(self, mesh, pattern):
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            with self.assertRaisesRegex(ValueError, f"graph on the mesh is damaged: .*{pattern}"):
-                vtkdgg.Graph.from_polydata(mesh)
-
     def test_damaged(self):
-        mesh = self.editable()
-        vtk_to_numpy(mesh.GetFieldData().GetArray("DGG.Lengths"))[100] *= 0.5
-        self.refuses(mesh, "checksum is wrong.*a text file that rounds.*give an accuracy")
-        mesh = self.editable()
-        mesh.GetFieldData().GetArray("DGG.Targets").SetNumberOfTuples(100)
-        self.refuses(mesh, "DGG.Targets has 100")
-        mesh = self.editable()
-        vtk_to_numpy(mesh.GetFieldData().GetArray("DGG.Targets"))[100] = -1
-        self.refuses(mesh, "leads to vertex -1")
-        mesh = self.editable()
-        mesh.GetFieldData().RemoveArray("DGG.Angles")
-        self.refuses(mesh, "DGG.Angles is missing")
+        """Damage is an error, and a warning of functions that can build another graph."""
 
-        mesh = self.editable()
+        def put(name, slot, value):
+            return lambda fields: fields.GetArray(name).SetValue(slot, value)
+
+        damaged, other = "graph on the mesh is damaged: .*", "DGG.Info of another version, or is d"
+        for damage, pattern in (
+            (put("DGG.Lengths", 100, 0.5), damaged + "checksum is wrong.*a text file that rounds"),
+            (put("DGG.Targets", 100, -1), damaged + "leads to vertex -1"),
+            (lambda fields: fields.RemoveArray("DGG.Angles"), damaged + "DGG.Angles is missing"),
+            (put("DGG.Info", 1, 2), damaged + "its kind is 2"),
+            (put("DGG.Info", 2, 4), damaged + "its construction is 4"),
+            (put("DGG.Info", 3, -1), damaged + "its accuracy is"),
+            (put("DGG.Info", 0, 2), other),
+            (lambda fields: fields.GetArray("DGG.Info").SetNumberOfTuples(3), other),
+        ):
+            mesh = support.copy_of(self.mesh)
+            damage(mesh.GetFieldData())
+            self.refuse(vtkdgg.Graph.from_polydata, ((mesh,), pattern))
         mesh.GetFieldData().RemoveArray("DGG.Info")
         for ask in (lambda mesh: vtkdgg.distance(mesh, 0), vtkdgg.Graph):
             with self.assertWarnsRegex(RuntimeWarning, "damaged: .*DGG.Info is missing"):
                 ask(mesh)
 
-    def test_damaged_parameters(self):
-        for slot, value, pattern in (
-            (1, 2, "its kind is 2"),
-            (2, 4, "its construction is 4"),
-            (2, -1, "its construction is -1"),
-            (3, 0, "its accuracy is 0"),
-            (3, -1, "its accuracy is"),
-        ):
-            mesh = self.editable()
-            mesh.GetFieldData().GetArray("DGG.Info").SetValue(slot, value)
-            with self.subTest(slot=slot, value=value):
-                self.refuses(mesh, pattern)
-        for damage in (lambda info: info.SetValue(0, 2), lambda info: info.SetNumberOfTuples(3)):
-            mesh = self.editable()
-            damage(mesh.GetFieldData().GetArray("DGG.Info"))
-            with self.assertRaisesRegex(ValueError, "DGG.Info of another version, or is damaged"):
-                vtkdgg.Graph.from_polydata(mesh)
-
-    def test_legacy_files(self):
-        path = os.path.join(support.output_folder("graph"), "graph.vtk")
-        for binary in (True, False):
-            writer = vtkPolyDataWriter()
-            writer.SetInputData(self.graph.polydata)
-            writer.SetFileName(path)
-            if binary:
-                writer.SetFileTypeToBinary()
-            vtkdgg.check(writer)
-            reader = vtkPolyDataReader()
-            reader.SetFileName(path)
-            mesh = vtkdgg.check(reader)
-            if binary:
-                self.check_equal(vtkdgg.Graph.from_polydata(mesh))
-            else:
-                with self.assertRaisesRegex(ValueError, "as by a text file that rounds them"):
-                    vtkdgg.Graph.from_polydata(mesh)
-
     def test_other_data(self):
-        mesh = self.editable()
-        for kind, cells in ((mesh.SetVerts, [[3]]), (mesh.SetLines, [[4, 5], [5, 6]])):
-            array = vtkCellArray()
-            for cell in cells:
-                array.InsertNextCell(len(cell), cell)
-            kind(array)
+        mesh = support.polydata(self.points, self.triangles, Verts=[[3]], Lines=[[4, 5], [5, 6]])
+        mesh.SetFieldData(self.mesh.GetFieldData())
         names = vtkStringArray()
         names.SetName("Names")
         names.SetNumberOfValues(3)
         mesh.GetFieldData().AddArray(names)
         for data, size in ((mesh.GetPointData(), 642), (mesh.GetCellData(), 1283)):
-            array = numpy_to_vtk(np.arange(size), deep=True)
-            array.SetName("Numbers")
-            data.SetScalars(array)
-        kept = vtkdgg.Graph.from_polydata(mesh)
-        self.check_equal(kept)
-        kept = kept.polydata
+            data.SetScalars(support.add_array(data, "Numbers", np.arange(size)))
+        graph = vtkdgg.Graph.from_polydata(mesh)
+        self.check_equal(graph)
+        kept = graph.polydata
         for get in ("GetPointData", "GetCellData"):
             array = getattr(mesh, get)().GetScalars()
             self.assertIs(getattr(kept, get)().GetScalars(), array)
@@ -230,31 +159,27 @@ class FromPolydata(unittest.TestCase):
         graph = vtkdgg.Graph(points, triangles, merge_coincident_points=True, merge_tolerance=1e-6)
         for same in (
             graph,
-            pickle.loads(pickle.dumps(graph)),
+            pickle.loads(pickle.dumps(graph)),  # noqa: S301
             vtkdgg.Graph.from_polydata(graph.polydata),
         ):
-            with warnings.catch_warnings():
-                warnings.simplefilter("error")  # nothing is rebuilt
+            with warnings_as("error"):  # nothing is rebuilt
                 self.assertAlmostEqual(same.distance(0)[7], np.sqrt(5.0), delta=1e-6)
                 self.assertEqual(same.path(0, 4).length, 1.0)
                 self.assertEqual(same.path([0.0, 0.0, 0.0], 4).point_ids[0], 0)
-        with self.assertRaisesRegex(ValueError, "merge_tolerance"):
-            vtkdgg.Graph(points, triangles, merge_tolerance=-1.0)
+        wrong = {"points": points, "triangles": triangles, "merge_tolerance": -1.0}
+        self.refuse(vtkdgg.Graph, (wrong, "merge_tolerance"))
 
     def test_no_graph(self):
-        with self.assertRaisesRegex(ValueError, "no graph.*vtkDiscreteGeodesicGraph"):
-            vtkdgg.Graph.from_polydata(support.polydata(self.points, self.triangles))
-        for thing in (None, 3, self.points):
-            with self.assertRaisesRegex(TypeError, "expected a vtkPolyData"):
-                vtkdgg.Graph.from_polydata(thing)
-
-    def test_no_points(self):
-        empty = vtkPolyData()
         with_graph = vtkPolyData()
-        with_graph.SetFieldData(self.graph.polydata.GetFieldData())
-        for mesh in (empty, with_graph):
-            with self.assertRaisesRegex(ValueError, "no graph|points: expected at least one"):
-                vtkdgg.Graph.from_polydata(mesh)
+        with_graph.SetFieldData(self.mesh.GetFieldData())
+        self.refuse(
+            vtkdgg.Graph.from_polydata,
+            ((support.polydata(self.points, self.triangles),), "no graph.*vtkDiscreteGeodesicGraph"),
+            ((vtkPolyData(),), "no graph"),
+            ((with_graph,), "points: expected at least one"),
+        )
+        wrong = (((thing,), "expected a vtkPolyData") for thing in (None, 3, self.points))
+        self.refuse(vtkdgg.Graph.from_polydata, *wrong, error=TypeError)
 
 
 if __name__ == "__main__":

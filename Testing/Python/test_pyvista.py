@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""``mesh.dgg`` and the reader for PyVista, with a stand-in that has what its documentation says of
-the interface, and the metadata of the package by which PyVista finds them."""
+"""``mesh.dgg`` and the reader for PyVista, with a stand-in for the documented interface of PyVista,
+and the metadata of the package by which PyVista finds both."""
 
 import importlib.metadata
 import os
@@ -19,19 +19,19 @@ REGISTERED = {"accessors": {}, "readers": {}}
 
 
 class PolyData(vtkPolyData):
-    """That of the stand-in."""
+    """Stand-in for the class of PyVista."""
 
     def __init__(self, data=None):
         if data is not None:
             self.ShallowCopy(data)
 
     def copy_from(self, other):
-        """Become a copy."""
+        """Copies other data."""
         self.DeepCopy(other)
 
     @property
     def lines(self):
-        """Number of points and points of each line."""
+        """Lines: the number of points before the points of each."""
         array = support.numpy_to_vtkIdTypeArray(np.empty(0, dtype=np.int64), deep=True)
         self.GetLines().ExportLegacyFormat(array)
         return np.array(vtk_to_numpy(array))
@@ -45,7 +45,7 @@ class PolyData(vtkPolyData):
 
 
 class Cached:
-    """An accessor is made on first access and kept on the instance."""
+    """Descriptor that creates an accessor on first access and stores it in the instance."""
 
     def __init__(self, name, accessor):
         self.name = name
@@ -60,7 +60,7 @@ class Cached:
 
 
 def register_dataset_accessor(name, target_cls, *, override=False):
-    """That of the stand-in."""
+    """Stand-in for the function of PyVista."""
 
     def register(accessor):
         setattr(target_cls, name, Cached(name, accessor))
@@ -79,7 +79,7 @@ sys.modules["pyvista"] = pyvista
 
 
 def entry_points(group):
-    """Those of the package."""
+    """Returns the entry points of the package in a group, by name."""
     found = importlib.metadata.entry_points(group=group)
     return {point.name: point for point in found if point.value.startswith("vtkdgg.")}
 
@@ -172,7 +172,7 @@ class Accessor(unittest.TestCase):
         tube = PolyData(support.polydata(*support.prism(9, 6)))
         self.assertEqual(tube.dgg.loop().GetNumberOfLines(), 1)
 
-    @unittest.skipUnless(support.HAS_CLOUDS, "built without PCL")
+    @support.needs_clouds
     def test_cloud_from_a_file(self):
         points = support.plane(41, 21)
         path = os.path.join(support.output_folder("pyvista"), "cloud.pcd")

@@ -350,7 +350,7 @@ class Gallery(unittest.TestCase):
         self.assertAlmostEqual(colors.GetRange(0)[0], 0.1, 6)
         self.assertAlmostEqual(colors.GetRange(0)[1], 1.0, 6)
 
-    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    @support.needs_clouds
     def test_point_clouds(self):
         self.assertAlmostEqual(self.number("vtkPointCloudDGG()"), np.pi, delta=0.05)
 
@@ -384,7 +384,7 @@ class OtherPages(unittest.TestCase):
                     execute(block.replace("mesh.ply", BUMPY), names)
                 self.assertIn(array, names)
 
-    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    @support.needs_clouds
     def test_cloud_in_one_solve(self):
         block = pages.blocks("Filters/PointCloud/README.md", "python")[0]
         names = {}
@@ -429,7 +429,7 @@ class OtherPages(unittest.TestCase):
             if line and not line.startswith(("pcl::", "vtkDGG::From", "distance->AddSourceId")):
                 self.assertIn(line, program)
 
-    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    @support.needs_clouds
     def test_properties_of_point_clouds(self):
         page = pages.text_of("Filters/PointCloud/README.md")
         table = page[page.index("| property | default |") :].split("\n\n")[0]
@@ -447,12 +447,12 @@ class OtherPages(unittest.TestCase):
         own = known & set(re.findall(r"Set(\w+)", " ".join(vars(vtkdgg.vtkPointCloudDGG))))
         self.assertEqual({name for name in own if not name.startswith("SchemeTo")}, set(said))
 
-    @unittest.skipUnless(HAS_CLOUDS, "built without PCL")
+    @support.needs_clouds
     def test_scan_lines(self):
         # Lines 0.8 apart on a plane, with points 0.05 apart on them.
         x, y = np.meshgrid(np.arange(0.0, 10.0, 0.05), np.arange(0.0, 8.0, 0.8))
         points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
-        cloud = support.polydata(points, np.empty((0, 3)))
+        cloud = support.polydata(points)
         graph = vtkdgg.vtkPointCloudDGG()
         graph.SetInputData(cloud)
         vtkdgg.check(graph)

@@ -1,19 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Surface points by id, by coordinates and by face: the same answers from all functions and
-commands, on slits, seams and coincident layers too, and on meshes that were written and read."""
+commands, also on slits, seams, coincident layers and files; wrong ones are refused."""
 
 import gzip
 import json
 import os
 import unittest
-import warnings
 
 import numpy as np
 import support
 import vtkdgg
+from support import warnings_as
 from vtkdgg.explorer_scene import Scene
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 FOLDER = support.output_folder("surface_points")
 SEEDS = range(0, int(os.environ.get("DGG_TEST_SEEDS", 4)), 3)
@@ -22,55 +21,40 @@ SIDE = 9  # points of a layer along each side
 FORMATS = (".vtp", ".vtk", ".ply", ".obj", ".off", ".ply.gz", ".off.gz")
 
 
-def slit_grid():
-    """A grid of 21 x 21 points with a slit along x = 0.5, y < 0.79, and the points of the slit:
-    those on the left, and the copies on the right."""
-    x, y = np.meshgrid(np.linspace(0, 1, 21), np.linspace(0, 1, 21), indexing="ij")
-    points = np.column_stack([x.ravel(), y.ravel(), np.zeros(441)])
-    corner = (21 * np.arange(20)[:, None] + np.arange(20)).ravel()
-    triangles = np.vstack(
-        [
-            np.column_stack([corner, corner + 21, corner + 22]),
-            np.column_stack([corner, corner + 22, corner + 1]),
-        ]
-    )
-    left = 210 + np.flatnonzero(points[210:231, 1] < 0.79)
-    return cut(points, triangles, left)
-
-
 def cut(points, triangles, line):
-    """Doubles the points of a line x = const; triangles to the right of it get the copies."""
+    """Doubles the points of a line x = const; triangles to the right of the line get the copies."""
     copies = np.arange(len(points))
     copies[line] = len(points) + np.arange(len(line))
     is_right = points[triangles, 0].mean(axis=1) > points[line[0], 0]
     triangles = np.where(is_right[:, None], copies[triangles], triangles)
-    return np.vstack([points, points[line]]), triangles, line, copies[line]
+    return np.vstack([points, points[line]]), triangles
 
 
 class Surface:
-    """A random surface with a slit. Others have a seam that splits them into two parts, a second
-    layer in the same position, or both. Ids of points and triangles, and corners, are in random
-    order."""
+    """A random surface with a slit. Some surfaces have a seam that splits them into two components,
+    a second layer in the same position, or both. Ids and corners are in random order."""
 
     def __init__(self, seed):
         self.random = np.random.default_rng(seed)
         points, triangles = support.grid(SIDE - 1, SIDE - 1)
         points[:, 1:] += self.random.uniform(-0.2, 0.2, (len(points), 2))
         column = SIDE * np.arange(SIDE)
-        slit = column[: self.random.integers(3, SIDE - 1)] + 3
-        points, triangles, *_ = cut(points, triangles, slit)
+        points, triangles = cut(points, triangles, column[: self.random.integers(3, SIDE - 1)] + 3)
+        sides = [3, SIDE * SIDE]  # the two points at the open end of the slit
         if seed % 2:
-            points, triangles, *_ = cut(points, triangles, column + 6)
+            points, triangles = cut(points, triangles, column + 6)
         if seed % 4 > 1:
             triangles = np.vstack([triangles, triangles + len(points)])
             points = np.vstack([points, points])
         order = self.random.permutation(len(points))
+        self.sides = order[sides].tolist()
         self.points = np.empty_like(points)
         self.points[order] = points
         triangles = self.random.permutation(order[triangles])
         turns = self.random.integers(0, 3, len(triangles))
         self.triangles = np.array([np.roll(t, k) for t, k in zip(triangles, turns)])
-        # A part, which is not always all of it.
+        self.mesh = self.points, self.triangles
+        # Component of the first triangle.
         part = {int(self.triangles[0, 0])}
         while True:
             self.part = np.isin(self.triangles, list(part)).any(axis=1)
@@ -81,27 +65,22 @@ class Surface:
         self.ids = self.random.permutation(sorted(part))[:5].tolist()
 
     def polydata(self):
-        """The surface with a line, so that ids of cells are not rows of triangles."""
-        result = support.polydata(self.points, self.triangles)
-        line = vtkCellArray()
-        line.InsertNextCell(2, [0, 1])
-        result.SetLines(line)
-        return result
+        """Returns the surface with a line, so that ids of cells are not rows of triangles."""
+        return support.polydata(*self.mesh, Lines=[[0, 1]])
 
     def write(self, path):
         """Writes the surface, with the line if the format keeps it. Returns the id of the first
         triangle."""
         keeps_lines = path.endswith(FORMATS[:2])
         plain = path.removesuffix(".gz")
-        mesh = self.polydata() if keeps_lines else support.polydata(self.points, self.triangles)
-        vtkdgg.write(plain, mesh)
+        vtkdgg.write(plain, self.polydata() if keeps_lines else support.polydata(*self.mesh))
         if path != plain:
             with open(plain, "rb") as file, gzip.open(path, "wb") as target:
                 target.write(file.read())
         return int(keeps_lines)
 
     def faces_of(self, ids):
-        """Points as pairs of a triangle around each and coordinates of its corner."""
+        """Returns points as pairs of a triangle around each and coordinates of its corner."""
         found = []
         for i in ids:
             faces, corners = np.nonzero(self.triangles == i)
@@ -110,7 +89,7 @@ class Surface:
         return found
 
     def points_in_faces(self):
-        """Five points inside triangles of the part, as pairs and as coordinates."""
+        """Returns five points inside triangles of the component, as pairs and as coordinates."""
         faces = self.random.permutation(np.flatnonzero(self.part))[:5]
         weights = self.random.dirichlet([2.0, 2.0, 2.0], 5)
         corners = self.points[self.triangles[faces]]
@@ -123,38 +102,31 @@ def shifted(pairs, first=1):
 
 
 def mixed(*namings):
-    """A point of each in turn."""
+    """Returns points, each in the naming whose turn it is."""
     return [namings[i % len(namings)][i] for i in range(len(namings[0]))]
 
 
 def numbers_of(result):
-    """All numbers of a result, but those that identify points."""
+    """Returns all numbers of a result, but those that identify points."""
     if isinstance(result, (list, tuple)):
         return np.concatenate([numbers_of(one) for one in result] or [np.empty(0)])
     if hasattr(result, "toarray"):
         return result.toarray().ravel()
-    if isinstance(result, vtkdgg.Isoline):  # whose points depend on all edges of the mesh
-        return np.array([result.value, result.arc_lengths[-1]])
+    if isinstance(result, vtkdgg.Isoline):  # its points depend on all edges of the mesh
+        return np.array([result.value, support.length_of(result.points)])
     if isinstance(result, np.ndarray) or np.isscalar(result):
         return np.ravel(result).astype(float)
     names = [name for name in vars(result) if name not in ("faces", "point_ids", "barycentric")]
     return numbers_of([getattr(result, name) for name in names])
 
 
-def lengths_of(curves):
-    """The length of each curve, from rows of a curve, x, y, z."""
-    steps = np.linalg.norm(np.diff(curves[:, 1:4], axis=0), axis=1)
-    steps[np.diff(curves[:, 0]) != 0] = 0.0
-    return np.bincount(curves[1:, 0].astype(int), steps)
-
-
-def functions(mesh, merge):
-    """By name, functions of five surface points."""
+def functions(mesh, merge=False):
+    """Returns functions of five surface points, by name."""
     options = {"merge_coincident_points": merge}
     graph = vtkdgg.Graph(*mesh, **options)
 
     def function(of, *first, **more):
-        """A function of some of the points."""
+        """Returns a function of some of the points."""
         return lambda p: of(*mesh, *(p[part] for part in first), **more, **options)
 
     pair, rest = slice(2), slice(2, 5)
@@ -194,94 +166,107 @@ def functions(mesh, merge):
     }
 
 
-#: Commands that write curves.
-CURVES = ("isolines", "loop", "path")
-#: Functions whose answers depend on other parts than those of the points.
+#: Functions whose answers depend on other components than those of the points.
 ALL_PARTS = ("earth_movers", "fast", "interpolate", "sample", "sample in faces")
 
 
-class Functions(unittest.TestCase):
-    def setUp(self):
-        warnings.simplefilter("ignore")
-
+class Functions(support.Test):
     def agree(self, expected_on, expected_of, namings, merge=False, left_out=()):
-        """All functions of the points on a mesh give what they give on others."""
+        """Expects that all functions give the same numbers for all namings of points."""
         first = functions(expected_on, merge)
         for mesh, points in namings:
             others = functions(mesh, merge)
             for name in sorted(set(first) - set(left_out)):
-                with self.subTest(function=name, points=points):
+                with self.subTest(function=name, points=points), warnings_as("ignore"):
                     expected = numbers_of(first[name](expected_of))
                     found = numbers_of(others[name](points))
                     self.assertTrue(np.isfinite(expected).any())
                     tolerance = 1e-4 if name == "isolines" else 0.0
                     np.testing.assert_allclose(found, expected, rtol=tolerance, atol=1e-6)
 
-    def test_ids_and_corners(self):
-        for seed in SEEDS:
-            surface = Surface(seed)
-            mesh, of_vtk = (surface.points, surface.triangles), (surface.polydata(),)
+    def test_namings(self):
+        for surface in map(Surface, SEEDS):
+            mesh, of_vtk = surface.mesh, (surface.polydata(),)
             faces = surface.faces_of(surface.ids)
-            self.agree(
-                mesh,
-                surface.ids,
-                [(mesh, faces), (mesh, mixed(surface.ids, faces)), (of_vtk, shifted(faces))],
-                left_out=() if surface.part.all() else ("interpolate",),
-            )
+            namings = (mesh, faces), (mesh, mixed(surface.ids, faces)), (of_vtk, shifted(faces))
+            left_out = () if surface.part.all() else ("interpolate",)
+            self.agree(mesh, surface.ids, namings, left_out=left_out)
+            positions = surface.points[surface.ids]
+            # Sites must differ.
+            left_out = () if len(np.unique(positions, axis=0)) == 5 else ("interpolate",)
+            namings = [(mesh, mixed(faces, positions))]
+            self.agree(mesh, surface.ids, namings, merge=True, left_out=left_out)
 
     def test_inside_faces(self):
         for seed in SEEDS:
             surface = Surface(seed)
             faces, positions = surface.points_in_faces()
-            mesh, of_vtk = (surface.points, surface.triangles), (surface.polydata(),)
-            # Coordinates identify points where no other part is in the same position.
+            # Coordinates identify points where no other component is in the same position.
             alone = surface.points, surface.triangles[surface.part]
             mixture = mixed(faces, positions) if seed % 4 < 2 else faces
-            self.agree(
-                alone,
-                positions,
-                [(mesh, mixture), (of_vtk, shifted(faces))],
-                # Steps to means near the boundary depend on rounding errors.
-                left_out=("moved",) if surface.part.all() else ("moved", *ALL_PARTS),
-            )
+            namings = (surface.mesh, mixture), ((surface.polydata(),), shifted(faces))
+            # Steps to means near the boundary depend on rounding errors.
+            left_out = ("moved",) if surface.part.all() else ("moved", *ALL_PARTS)
+            self.agree(alone, positions, namings, left_out=left_out)
 
-    def test_files(self):
-        for seed in SEEDS:
-            surface = Surface(seed)
-            faces = surface.faces_of(surface.ids)
-            namings = []
-            for extension in FORMATS:
-                path = os.path.join(FOLDER, f"file{extension}")
-                first = surface.write(path)
-                again = vtkdgg.read(path)
-                np.testing.assert_array_equal(again.points, surface.points)
-                np.testing.assert_array_equal(again.triangles, surface.triangles)
-                namings.append(((again,), mixed(surface.ids, shifted(faces, first))))
-            self.agree(
-                (surface.points, surface.triangles),
-                surface.ids,
-                namings,
-                left_out=() if surface.part.all() else ("interpolate",),
-            )
+    def test_wrong_points(self):
+        """Functions of several and of one point refuse the same."""
+        surface = Surface(0)
+        mesh, graph = surface.mesh, vtkdgg.Graph(*surface.mesh, accuracy=0.1)
+        for call in (
+            lambda points: vtkdgg.distance(*mesh, points),
+            graph.distance,
+            graph.matrix,
+            lambda points: graph.paths(points, 19),
+            graph.voronoi,
+            lambda points: graph.isolines(points, 3),
+            lambda points: graph.sample(5, start=points or [0.5]),
+            lambda points: vtkdgg.greens_function(*mesh, points),
+            lambda points: vtkdgg.biharmonic(*mesh, points),
+            lambda points: vtkdgg.earth_movers(*mesh, points, 7),
+        ):
+            for points in (
+                [[0, 0, 1]], [[0, 0]], [0.5, 1.0], 1.5, [], "x", [True], [0, 999], None,
+                (999, (0.5, 0.5, 0.0)), [2, [3, (0.5, 0.25, 0.25)]],
+            ):  # fmt: skip
+                self.refuse(call, ((points,), ""))
+        for call in (lambda point: vtkdgg.path(*mesh, point, 7), lambda p: graph.path(7, p)):
+            for point in (
+                [0, 0, 1], [2], [[1.5, 1.0, 0.0]], 1.5, None, True, "x", 999, [2, (1.5, 1.0, 0.0)],
+            ):  # fmt: skip
+                self.refuse(call, ((point,), ""))
 
-    def test_merged(self):
-        for seed in SEEDS:
-            surface = Surface(seed)
-            mesh = surface.points, surface.triangles
-            faces = surface.faces_of(surface.ids)
-            positions = surface.points[surface.ids]
-            self.agree(
-                mesh,
-                surface.ids,
-                [(mesh, mixed(faces, positions))],
-                merge=True,
-                # Sites must differ.
-                left_out=() if len(np.unique(positions, axis=0)) == 5 else ("interpolate",),
-            )
+    def test_wrong_faces(self):
+        points, triangles = support.grid(2, 1)
+        mesh = points, [*triangles[:-1].tolist(), [0, 1, 4, 3]]
+        inside = (0.2, 0.3, 0.5)
+        self.refuse(
+            lambda sources: vtkdgg.distance(*mesh, sources),
+            (((4, inside),), r"sources: face 4 \(entry 0\) does not exist; there are 4 cells"),
+            (([0, (-1, inside)],), r"face -1 \(entry 1\) does not exist"),
+            (((3, inside),), "face 3 .* is not a triangle"),
+            (((0, (0.2, 0.3, 0.6)),), "barycentric coordinates .* have the sum 1"),
+            (((0, (1.2, -0.2, 0.0)),), "expected numbers that are not negative"),
+            (((0, (np.nan, 0.5, 0.5)),), "expected numbers that are not negative"),
+            (((0, (0.5, 0.5)),), "three barycentric coordinates"),
+            (((0.0, inside),), "an integer"),
+            (([0, "a"],), r"sources\[1\]: "),
+            (([0, [1, 2, 3]],), r"sources\[1\]: expected a point id"),
+            (([0, [1.0, 2.0]],), r"sources\[1\]: expected a point id"),
+            (([[0, inside]],), r"sources\[0\]: expected .* a tuple \(face, .*, got a list"),
+        )
+        # A list is a list of points.
+        found = vtkdgg.distance(*mesh, [0, tuple(points[4])])
+        np.testing.assert_array_equal(found, vtkdgg.distance(*mesh, [0, 4]))
+        wrong = {"points": points, "triangles": [], "sources": (0, inside), "method": "marching"}
+        self.refuse(vtkdgg.distance, (wrong, "face 0"))
+        if support.HAS_CLOUDS:
+            cloud = vtkdgg.CloudGraph(support.bumpy()[0])
+            self.refuse(cloud.distance, (((0, inside),), "a point cloud has no faces"))
 
 
-class Commands(unittest.TestCase):
-    """Commands of the shell."""
+class Commands(support.Test):
+    """Commands of the shell, on files of all formats."""
 
     def answer(self, *words):
         result = support.call(*words, "--json")
@@ -290,8 +275,8 @@ class Commands(unittest.TestCase):
         return {key: found[key] for key in found if key not in ("seconds", "written", "warnings")}
 
     def answers(self, path, words_of):
-        """Returns commands, their answers, and the numbers of the files that they write; that with
-        --iterations is the last one. `words_of` returns the options for some of five points."""
+        """Returns commands, their answers, and the numbers of the files that they write; the one
+        with --iterations is the last. `words_of` returns the options for some of five points."""
         pair, rest, graph = slice(2), slice(2, 5), ("--accuracy", 0.1)
         source = words_of("--source", pair)
         found = []
@@ -318,13 +303,13 @@ class Commands(unittest.TestCase):
             with open(out, encoding="utf-8") as file:
                 has_header = file.readline()[0].isalpha()
             numbers = np.loadtxt(out, delimiter=",", skiprows=int(has_header), ndmin=2)
-            if words[0] == "isolines":  # whose points depend on all edges of the mesh
-                numbers = lengths_of(numbers)
-            elif words[0] in CURVES:  # whose points on edges have several faces: coordinates only
+            if words[0] == "isolines":  # the points depend on all edges of the mesh
+                curves = np.split(numbers[:, 1:4], np.flatnonzero(np.diff(numbers[:, 0])) + 1)
+                numbers = np.array(list(map(support.length_of, curves)))
+            elif words[0] in ("loop", "path"):  # points on edges have several faces
                 numbers = numbers[:, :4]
             found.append((words, answer, numbers))
-        picture = os.path.join(FOLDER, "a.png")
-        answer = self.answer("render", path, *source, "--out", picture)
+        answer = self.answer("render", path, *source, "--out", os.path.join(FOLDER, "a.png"))
         return [(["render", *source], answer, np.empty(0)), *found]
 
     def agree(self, found, expected):
@@ -377,131 +362,33 @@ class Commands(unittest.TestCase):
                 # Steps of --iterations near the boundary depend on rounding errors.
                 self.agree(*(self.answers(path, named(points))[:-1] for points in both))
 
-
-class Slit(unittest.TestCase):
-    """Values that are known."""
-
-    @classmethod
-    def setUpClass(cls):
-        warnings.simplefilter("ignore")
-        cls.points, cls.triangles, cls.left, cls.right = slit_grid()
-        cls.mesh = cls.points, cls.triangles
-        cls.graph = vtkdgg.Graph(*cls.mesh)
-
-    def test_samples_to_begin_with(self):
-        for i in (*self.left, *self.right):
-            self.assertEqual(self.graph.sample(2, start=[i]).point_ids[0], i)
-
-    def test_ids_beside_coordinates(self):
-        i, copy = self.left[2], self.right[2]
-        near = [0.55, 0.1, 0.0]
-        for find in (lambda *ends: vtkdgg.path(*self.mesh, *ends), self.graph.path):
-            self.assertAlmostEqual(find(copy, near).length, 0.05, delta=1e-9)
-            self.assertGreater(find(i, near).length, 1.3)
-        lengths = [path.length for path in self.graph.paths([i, copy], [near, near])]
-        np.testing.assert_allclose(
-            self.graph.matrix([i, near, copy])[1], [lengths[0], 0.0, lengths[1]], rtol=0.01
-        )
-        distances = vtkdgg.distance(*self.mesh, [i, [0.05, 0.95, 0.0]])
-        self.assertEqual(distances[i], 0.0)
-        self.assertGreater(distances[copy], 1.0)
-
-    def test_command(self):
-        path, out = (os.path.join(FOLDER, name) for name in ("slit.vtp", "distance.vtp"))
-        vtkdgg.write(path, support.polydata(*self.mesh))
-        sources = "--source", 212, "--source", "0.05,0.95,0"
-        self.assertEqual(support.call("distance", path, *sources, "--out", out).returncode, 0)
-        self.assertEqual(vtkdgg.read(out).point_data["GeodesicDistance"][212], 0.0)
-
-    def test_explorer(self):
-        scene = Scene(support.polydata(*self.mesh))
-        scene.press(int(self.left[2]))
-        self.assertEqual(scene.distances[self.left[2]], 0.0)
-        self.assertGreater(scene.distances[self.right[2]], 1.0)
-
-    def test_comparison(self):
-        path, out = (os.path.join(FOLDER, name) for name in ("slit.vtp", "compared"))
-        vtkdgg.write(path, support.polydata(*self.mesh))
-        for source in (self.left[2], "face:{}:{:.0f},{:.0f},{:.0f}".format(*self.corner(212))):
+    def test_slit(self):
+        """The comparison and the explorer distinguish the sides of a slit."""
+        surface = Surface(0)
+        side, other = surface.sides
+        path, out = (os.path.join(FOLDER, name) for name in ("slit.off", "compared"))
+        surface.write(path)
+        ((face, corner),) = surface.faces_of([side])
+        fields = []
+        for source in (side, "face:{}:{:.0f},{:.0f},{:.0f}".format(face, *corner)):
             result = support.call("compare", path, "--source", source, "--out", out)
             self.assertEqual(result.returncode, 0, result.stderr)
-            result = vtkdgg.read(os.path.join(out, "distance.vtp"))
-            self.assertEqual(result.point_data["GeodesicDistance"][212], 0.0)
-
-    def corner(self, i):
-        """A triangle around a point and the coordinates of its corner."""
-        faces, corners = np.nonzero(self.triangles == i)
-        return faces[0], *np.eye(3)[corners[0]]
-
-
-class Layers(unittest.TestCase):
-    """A sphere that is present twice."""
-
-    @classmethod
-    def setUpClass(cls):
-        warnings.simplefilter("ignore")
-        points, triangles = support.bumpy()
-        cls.count = len(triangles)
-        cls.mesh = np.vstack([points, points]), np.vstack([triangles, triangles + len(points)])
-        cls.graph = vtkdgg.Graph(*cls.mesh, accuracy=0.05)
+            data = vtkdgg.read(os.path.join(out, "distance.vtp")).point_data
+            fields.append(data["GeodesicDistance"])
+        scene = Scene(support.polydata(*surface.mesh))
+        scene.press(side)
+        for distances in (*fields, scene.distances):
+            self.assertEqual(distances[side], 0.0)
+            self.assertGreater(distances[other], 1.0)
 
     def test_cells_of_samples(self):
+        """Samples of coincident layers have cells of their own."""
         path = os.path.join(FOLDER, "twice.vtp")
-        vtkdgg.write(path, support.polydata(*self.mesh))
-        areas = json.loads(support.call("voronoi", path, "--number", 8, "--json").stdout)["areas"]
-        self.assertGreater(min(areas), 0.1)
-
-    def test_results_identify_their_points(self):
-        samples = self.graph.sample(12, in_faces=True)
-        cells = self.graph.voronoi(list(zip(samples.faces, samples.barycentric)), iterations=3)
-        self.assertEqual((cells.faces < self.count).sum(), 6)
-        again = self.graph.voronoi(list(zip(cells.faces, cells.barycentric)))
-        np.testing.assert_allclose(again.areas, cells.areas, atol=1e-9)
-        path = self.graph.path(
-            *zip(cells.faces[cells.faces >= self.count][:2], cells.barycentric[:2])
-        )
-        self.assertTrue((path.faces >= self.count).all())
-        for found in (samples, path):
-            corners = self.mesh[0][self.mesh[1][found.faces]]
-            positions = (found.barycentric[:, :, None] * corners).sum(axis=1)
-            np.testing.assert_allclose(positions, found.points, atol=1e-12)
-
-
-class Mistakes(unittest.TestCase):
-    def test_faces(self):
-        points, triangles = support.grid(2, 1)
-        mesh = points, [*triangles[:-1].tolist(), [0, 1, 4, 3]]
-        inside = (0.2, 0.3, 0.5)
-        for sources, pattern in (
-            ((4, inside), r"sources: face 4 \(entry 0\) does not exist; there are 4 cells"),
-            ([0, (-1, inside)], r"face -1 \(entry 1\) does not exist"),
-            ((3, inside), "face 3 .* is not a triangle"),
-            ((0, (0.2, 0.3, 0.6)), "barycentric coordinates .* have the sum 1"),
-            ((0, (1.2, -0.2, 0.0)), "expected numbers that are not negative"),
-            ((0, (np.nan, 0.5, 0.5)), "expected numbers that are not negative"),
-            ((0, (0.5, 0.5)), "three barycentric coordinates"),
-            ((0.0, inside), "an integer"),
-            ([0, "a"], r"sources\[1\]: "),
-            ([0, [1, 2, 3]], r"sources\[1\]: expected a point id"),
-            ([0, [1.0, 2.0]], r"sources\[1\]: expected a point id"),
-            ([[0, inside]], r"sources\[0\]: expected .* a tuple \(face, .*, got a list"),
-        ):
-            with self.subTest(sources=sources):
-                with self.assertRaisesRegex(ValueError, pattern):
-                    vtkdgg.distance(*mesh, sources)
-        # A list is a list of points.
-        near = tuple(points[4])
-        np.testing.assert_array_equal(
-            vtkdgg.distance(*mesh, [0, near]), vtkdgg.distance(*mesh, [0, 4])
-        )
-        with self.assertRaisesRegex(ValueError, "start: expected .* a tuple .*, got a list"):
-            vtkdgg.path(*mesh, [0, inside], 4)
-        with self.assertRaisesRegex(ValueError, "face 0"):
-            vtkdgg.distance(points, [], (0, inside), method="marching")
-        if support.HAS_CLOUDS:
-            cloud = vtkdgg.CloudGraph(support.bumpy()[0])
-            with self.assertRaisesRegex(ValueError, "a point cloud has no faces"):
-                cloud.distance((0, inside))
+        points, triangles = support.bumpy()
+        twice = np.vstack([points, points]), np.vstack([triangles, triangles + len(points)])
+        vtkdgg.write(path, support.polydata(*twice))
+        with warnings_as("ignore"):
+            self.assertGreater(min(self.answer("voronoi", path, "--number", 8)["areas"]), 0.1)
 
 
 if __name__ == "__main__":
