@@ -1,15 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The explorer, by synthetic events: what is shown is what the filters give."""
+"""The explorer, with synthetic events: the window shows the answers of the functions."""
 
 import json
 import os
 import re
-import subprocess
-import sys
 import unittest
-import unittest.mock
 import warnings
+from unittest import mock
 
 import numpy as np
 import support
@@ -19,12 +17,12 @@ from vtkdgg import explorer
 from vtkdgg.errors import VTKError
 from vtkdgg.explorer import Explorer, Scene
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 FOLDER = support.output_folder("explorer")
 
 
-# Two windows, one after the other; each is left by its key after a moment.
+# Opens two windows, one after the other; each is closed by its key after 10 ms.
 START = """
 import sys
 import vtkdgg
@@ -49,7 +47,7 @@ for _ in range(2):
 
 
 class Hand:
-    """What a user does with a window."""
+    """The events that a user causes in a window."""
 
     def __init__(self, test, surface, **options):
         for name in os.listdir(FOLDER):
@@ -59,62 +57,62 @@ class Hand:
         test.addCleanup(self.window.close)
         self.window.window.Render()
 
-    @property
-    def interactor(self):
-        """Of the window."""
-        return self.window.interactor
-
     def pixel(self, place):
-        """Where a place is seen."""
+        """Returns the pixel that shows a position."""
         renderer = self.window.renderer
         renderer.SetWorldPoint(*place, 1.0)
         renderer.WorldToDisplay()
         return np.array(renderer.GetDisplayPoint()[:2])
 
     def middle(self, right=0, up=0):
-        """A pixel beside the middle of what is seen."""
+        """Returns a pixel beside the middle of the surface."""
         x, y = self.pixel(self.scene.surface.GetCenter())
         return int(x) + right, int(y) + up
 
     def send(self, event, pixel, control=0):
-        """The mouse."""
-        self.interactor.SetEventInformation(*pixel, control, 0)
-        self.interactor.InvokeEvent(event)
+        """Sends an event of the mouse."""
+        self.window.interactor.SetEventInformation(*pixel, control, 0)
+        self.window.interactor.InvokeEvent(event)
 
     def press(self, pixel, control=0):
-        """The left button."""
+        """Presses the left button."""
         self.send("LeftButtonPressEvent", pixel, control)
 
     def move(self, pixel):
-        """The mouse."""
+        """Moves the mouse."""
         self.send("MouseMoveEvent", pixel)
 
     def release(self, pixel):
-        """The left button."""
+        """Releases the left button."""
         self.send("LeftButtonReleaseEvent", pixel)
 
     def click(self, *pixels):
-        """One click after the other."""
+        """Clicks on the pixels, one after the other."""
         for pixel in pixels:
             self.press(pixel)
             self.release(pixel)
 
-    def key(self, key):
-        """Keys."""
-        self.interactor.SetKeyEventInformation(0, 0, key, 0, key)
-        self.interactor.InvokeEvent("KeyPressEvent")
-        self.interactor.InvokeEvent("CharEvent")
+    def key(self, *keys):
+        """Presses keys."""
+        for key in keys:
+            self.window.interactor.SetKeyEventInformation(0, 0, key, 0, key)
+            self.window.interactor.InvokeEvent("KeyPressEvent")
+            self.window.interactor.InvokeEvent("CharEvent")
 
     def place(self, i=0):
-        """The coordinates of a place, as functions take them."""
+        """Returns a chosen position, as functions take it."""
         return np.array(self.scene.places[i])
 
     def camera(self):
-        """Where the camera is."""
+        """Returns the position of the camera."""
         return np.array(self.window.renderer.GetActiveCamera().GetPosition())
 
+    def status(self):
+        """Returns the text of the window."""
+        return self.window._status.GetInput()
 
-class Surface(unittest.TestCase):
+
+class Surface(support.Test):
     @classmethod
     def setUpClass(cls):
         cls.mesh = vtkdgg.read(BUMPY).as_polydata()
@@ -133,7 +131,7 @@ class Surface(unittest.TestCase):
         for i, pixel in enumerate((hand.middle(), hand.middle(30, 20))):
             hand.press(pixel) if i == 0 else hand.move(pixel)
             self.assertLess(np.abs(hand.pixel(hand.place()) - pixel).max(), 0.6)
-            # It is on the surface, where nothing has to be projected.
+            # The position is on the surface: nothing has to be projected.
             fast = vtkdgg.distance(self.mesh, hand.place(), method="fast", projection_tolerance=0)
             self.assert_equal(scene.distances, fast)
             self.assertEqual((scene.used, scene.shown, len(scene.places)), ("fast", "distance", 1))
@@ -141,7 +139,7 @@ class Surface(unittest.TestCase):
             count = np.ceil(fast.max() / scene.step)
             self.assert_equal(values, scene.step * np.arange(1, count))
             self.assertEqual(scene.lines, hand.window._lines.GetMapper().GetInput())
-            text = hand.window._status.GetInput()
+            text = hand.status()
             at = "({:.6g}, {:.6g}, {:.6g})".format(*hand.place())
             nearest = np.linalg.norm(support.bumpy()[0] - hand.place(), axis=1).argmin()
             said = f"h: help\nsource: {at}, nearest point {nearest}"
@@ -153,26 +151,13 @@ class Surface(unittest.TestCase):
         hand.release(pixel)
         self.assert_equal(scene.distances, self.graph.distance(hand.place()))
         self.assertRegex(
-            hand.window._status.GetInput(), r"by graph: accuracy 0.01\nbuild [\d.]+ ms"
+            hand.status(), r"by graph: accuracy 0.01\nbuild [\d.]+ ms"
         )
         self.assertGreater(scene.cells.GetNumberOfCells(), self.mesh.GetNumberOfCells())
         # Hovering changes nothing.
         before = hand.place()
         hand.move(hand.middle())
         self.assert_equal(hand.place(), before)
-
-    def test_lines_at_rest(self):
-        self.hand.key("m")
-        self.hand.click(self.hand.middle())
-        place = self.hand.place()
-        self.assert_equal(self.scene.distances, vtkdgg.distance(self.mesh, place))
-        lines = self.scene.lines
-        values = vtk_to_numpy(lines.GetCellData().GetArray("IsoValue"))
-        for i in range(0, lines.GetNumberOfCells(), 4):
-            for k in range(0, lines.GetCell(i).GetNumberOfPoints(), 7):
-                point = np.array(lines.GetCell(i).GetPoints().GetPoint(k))
-                length = vtkdgg.path(self.mesh, place, point).length
-                self.assertAlmostEqual(length, values[i], delta=1e-3)
 
     def test_suggestion(self):
         hand, scene = self.hand, self.scene
@@ -182,7 +167,7 @@ class Surface(unittest.TestCase):
             scene.update()
             self.assert_equal(scene.distances, self.graph.distance(suggested))
             hand.click(tuple(int(x) for x in pixel))
-            # The first click has replaced it, or taken hold of it.
+            # The first click has replaced the suggestion, or holds it.
             self.assertEqual(len(scene.places), 1)
             hand.click(hand.middle(20, 20))
             self.assertEqual(len(scene.places), 2)
@@ -194,7 +179,7 @@ class Surface(unittest.TestCase):
         expected = self.graph.path(hand.place(0), hand.place(1))
         self.assert_equal(scene.path.points, expected.points)
         said = f"path: {expected.length:.6g} model units"
-        self.assertIn(said, hand.window._status.GetInput())
+        self.assertIn(said, hand.status())
         self.assertIsNone(scene.loop)
         # The end can be moved, and the path follows.
         distances = scene.distances
@@ -202,7 +187,7 @@ class Surface(unittest.TestCase):
         hand.move(hand.middle(50, 20))
         self.assertEqual(len(scene.places), 2)
         expected = self.graph.path(hand.place(0), hand.place(1))
-        self.assertNotIn(said, hand.window._status.GetInput())
+        self.assertNotIn(said, hand.status())
         self.assert_equal(scene.path.length, expected.length)
         self.assertIs(scene.distances, distances)
         hand.release(hand.middle(50, 20))
@@ -211,7 +196,7 @@ class Surface(unittest.TestCase):
         lengths = [self.graph.path(places[i - 1], places[i]).length for i in range(3)]
         self.assertAlmostEqual(scene.loop.length, sum(lengths), delta=1e-6)
         self.assert_equal(scene.loop.points[0], scene.loop.points[-1])
-        self.assertIn(f"loop: {scene.loop.length:.6g} model", hand.window._status.GetInput())
+        self.assertIn(f"loop: {scene.loop.length:.6g} model", hand.status())
         # A further click starts again.
         hand.click(hand.middle(-30, 30))
         self.assertEqual(len(scene.places), 1)
@@ -248,13 +233,13 @@ class Surface(unittest.TestCase):
         self.assertEqual(scene.graph.accuracy, 0.003)
         expected = vtkdgg.distance(self.mesh, hand.place(), accuracy=0.003)
         self.assert_equal(scene.distances, expected)
-        self.assertIn("accuracy 0.003", hand.window._status.GetInput())
+        self.assertIn("accuracy 0.003", hand.status())
         for _ in range(3):
             hand.key("-")
         self.assertEqual(scene.graph.accuracy, 0.1)
         hand.key("-")
         self.assertEqual(scene.graph.accuracy, 0.1)
-        self.assertIn("accuracies are from 0.1 to 0.001", hand.window._status.GetInput())
+        self.assertIn("accuracies are from 0.1 to 0.001", hand.status())
 
     def test_graph_of_the_surface(self):
         mesh = vtkdgg.Graph(vtkdgg.read(BUMPY).as_polydata(), accuracy=0.05).polydata
@@ -276,7 +261,7 @@ class Surface(unittest.TestCase):
         np.testing.assert_allclose(scene.values, 100.0 * errors, atol=1e-9)
         said = re.search(
             r"promised 1 %, measured (\S+) % on average, (\S+) % at most",
-            hand.window._status.GetInput(),
+            hand.status(),
         )
         self.assertAlmostEqual(float(said[1]), 100.0 * errors.mean(), delta=0.06 * float(said[1]))
         self.assertAlmostEqual(float(said[2]), 100.0 * errors.max(), delta=0.06 * float(said[2]))
@@ -326,7 +311,7 @@ class Surface(unittest.TestCase):
         expected = vtkdgg.greens_function(self.mesh, hand.place())
         self.assert_equal(scene.values, expected)
         self.assertGreater(scene.lines.GetNumberOfLines(), 5)
-        self.assertIn("Green's function", hand.window._status.GetInput())
+        self.assertIn("Green's function", hand.status())
         hand.key("g")
         self.assert_equal(scene.values, self.graph.distance(hand.place()))
 
@@ -338,13 +323,12 @@ class Surface(unittest.TestCase):
             self.assertRegex(window._help.GetInput(), rf"(?m)^(\+ and )?{re.escape(key)}[: ]")
         hand.key("h")
         self.assertRegex(window._help.GetInput(), "\\Ah: help\nsource: ")
-        hand.key("s")
-        hand.key("s")
+        hand.key("s", "s")
         for number in (1, 2):
             path = os.path.join(FOLDER, f"shot-{number}.png")
             self.assertEqual(window.written[number - 1], path)
             self.assertGreater(support.number_of_colours(path), 500)
-        self.assertIn(f"written: {path}", window._status.GetInput())
+        self.assertIn(f"written: {path}", hand.status())
         window.renderer.GetActiveCamera().Zoom(7.0)
         hand.key("r")
         corners = np.array(self.mesh.GetBounds()).reshape(3, 2).T
@@ -355,7 +339,7 @@ class Surface(unittest.TestCase):
         self.assertIsNone(self.scene.values)
         self.assertFalse(window._lines.GetVisibility())
         hand.key("x")
-        self.assertIn("written: nothing", window._status.GetInput())
+        self.assertIn("written: nothing", hand.status())
         hand.key("z")  # has no meaning
 
     def test_export(self):
@@ -378,14 +362,8 @@ class Surface(unittest.TestCase):
         self.assertTrue(surface.endswith("shot-points-2.vtp") and points.endswith("path-2.csv"))
 
     def test_start(self):
-        # In a process of its own: VTK keeps windows of before in mind when an event loop starts.
-        result = subprocess.run(
-            [sys.executable, "-c", START, BUMPY],
-            capture_output=True,
-            text=True,
-            timeout=120,
-            check=False,
-        )
+        # In a process of its own: VTK remembers earlier windows when an event loop starts.
+        result = support.python(START, BUMPY)
         self.assertEqual(result.stderr, "")
         # The first picture has not waited for a graph.
         self.assertEqual(result.stdout, 2 * "fast 642\nno graph, closed\n")
@@ -400,64 +378,50 @@ class Surface(unittest.TestCase):
         hand.click(*pixels[:2])
         self.assertEqual(np.isnan(hand.scene.values).sum(), 25)
         self.assertIsNone(hand.scene.path)
-        self.assertRegex(hand.window._status.GetInput(), "not connected by the surface")
+        self.assertRegex(hand.status(), "not connected by the surface")
         self.assertIsNone(hand.scene.cells)
         self.assertIsNotNone(hand.scene.lines)
         hand.click(pixels[2])
         self.assertIsNone(hand.scene.loop)
         hand.key("v")
         self.assertEqual(set(hand.scene.values), {0.0, 1.0, 2.0})
-        hand.key("e")
-        hand.key("s")
+        hand.key("e", "s")
         self.assertEqual(len(hand.window.written), 1)
 
-    def test_mistakes(self):
-        with self.assertRaisesRegex(ValueError, "no points"):
-            Scene(vtkPolyData())
-        with self.assertRaisesRegex(ValueError, "accuracy"):
-            Scene(self.mesh, accuracy=0.7)
+    def test_surfaces(self):
+        points, triangles = support.grid(3, 3)
+        for cells in ({"Polys": [[0, 3, 15, 12]]}, {"Strips": [[0, 1, 4, 5, 8, 9]]}):
+            hand = Hand(self, support.polydata(points, **cells))
+            hand.click(hand.pixel([0.6, 0.5, 0.0]).astype(int))
+            self.assertAlmostEqual(hand.scene.values[0], np.hypot(*hand.place()[:2]), delta=0.02)
+        self.refuse(
+            Scene,
+            ((vtkPolyData(),), "no points"),
+            ({"surface": self.mesh, "accuracy": 0.7}, "accuracy"),
+            ((support.polydata(points, Lines=[[0, 1]]),), "surface: contains no surface"),
+            ((support.polydata(points, Verts=[[0]]),), "surface: contains no surface"),
+        )
+        for wrong in (np.nan, np.inf):
+            points[5, 1] = wrong
+            mesh = support.polydata(points, triangles)
+            self.refuse(Scene, ((mesh,), "points: row 5 is not finite"))
         # One triangle without area.
         hand = Hand(self, support.polydata([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]))
         hand.scene.press(np.array([0.0, 0.0, 0.0]))
         hand.window.draw()
         np.testing.assert_allclose(hand.scene.values, [0, 1, 2], atol=1e-4)
-        # What a filter refuses is said.
+        # The refusal of a filter is shown.
         hand.scene.move(np.array([0.0, 9.0, 0.0]))
         hand.window.draw()
         self.assertIsNone(hand.scene.values)
-        self.assertIn("projection_tolerance", hand.window._status.GetInput())
+        self.assertIn("projection_tolerance", hand.status())
         # Nothing is held.
-        hand.scene.places = [np.zeros(3)]
-        hand.scene.held = None
+        hand.scene.places, hand.scene.held = [np.zeros(3)], None
         hand.scene.update(is_moving=True)
         np.testing.assert_allclose(hand.scene.values, [0, 1, 2], atol=1e-4)
 
-    def test_surfaces(self):
-        points, triangles = support.grid(3, 3)
-        for kind, ids in (
-            ("Polys", [0, 3, 15, 12]),
-            ("Strips", [0, 1, 4, 5, 8, 9]),
-            ("Lines", [0, 1]),
-            ("Verts", [0]),
-        ):
-            mesh = support.polydata(points)
-            cells = vtkCellArray()
-            cells.InsertNextCell(len(ids), ids)
-            getattr(mesh, f"Set{kind}")(cells)
-            if kind in ("Lines", "Verts"):
-                with self.assertRaisesRegex(ValueError, "surface: contains no surface"):
-                    Scene(mesh)
-                continue
-            hand = Hand(self, mesh)
-            hand.click(hand.pixel([0.6, 0.5, 0.0]).astype(int))
-            self.assertAlmostEqual(hand.scene.values[0], np.hypot(*hand.place()[:2]), delta=0.02)
-        for wrong in (np.nan, np.inf):
-            points[5, 1] = wrong
-            with self.assertRaisesRegex(ValueError, "points: row 5 is not finite"):
-                Scene(support.polydata(points, triangles))
-
     def test_no_errors(self):
-        # Distances are there, what they are compared with is not.
+        # Distances succeed, the exact distances that they are compared with fail.
         hand, scene = self.hand, self.scene
         hand.click(hand.middle())
         search = scene._search
@@ -467,24 +431,23 @@ class Surface(unittest.TestCase):
                 raise VTKError(["no exact distances today"])
             return search(method, is_moving)
 
-        with unittest.mock.patch.object(scene, "_search", refuse):
+        with mock.patch.object(scene, "_search", refuse):
             hand.key("e")
-        self.assertIn("no exact distances today", hand.window._status.GetInput())
+        self.assertIn("no exact distances today", hand.status())
         for name in ("distances", "values", "lines", "cells", "errors"):
             self.assertIsNone(getattr(scene, name), name)
-        hand.key("e")
-        hand.key("e")
+        hand.key("e", "e")
         self.assertIsNotNone(scene.errors)
 
     def test_no_screenshot(self):
         hand = self.hand
         hand.window._picture = os.path.join(FOLDER, "missing", "shot.png")
         # An exception in an observer is printed and lost.
-        with unittest.mock.patch("sys.excepthook") as lost:
+        with mock.patch("sys.excepthook") as lost:
             hand.key("s")
         lost.assert_not_called()
         self.assertEqual(hand.window.written, [])
-        self.assertRegex(hand.window._status.GetInput(), "Unable to open file .*shot-1.png")
+        self.assertRegex(hand.status(), "Unable to open file .*shot-1.png")
 
 
 @support.needs_clouds
@@ -502,7 +465,7 @@ class Cloud(unittest.TestCase):
         hand.move(hand.middle(0, 20))
         hand.release(hand.middle(0, 20))
         np.testing.assert_allclose(scene.distances, graph.distance(scene.places[0]))
-        self.assertIn("by graph: nothing is promised", hand.window._status.GetInput())
+        self.assertIn("by graph: nothing is promised", hand.status())
         hand.click(pixels[1])
         path = graph.path(*scene.places)
         np.testing.assert_allclose(scene.path.points, path.points)
@@ -513,7 +476,7 @@ class Cloud(unittest.TestCase):
             ("+", "no accuracy is promised"),
         ):
             hand.key(key)
-            self.assertIn(message, hand.window._status.GetInput())
+            self.assertIn(message, hand.status())
         hand.key("v")
         _, nearest = graph.distance(scene.places, return_source=True)
         np.testing.assert_array_equal(scene.values, nearest)
@@ -527,7 +490,7 @@ class Cloud(unittest.TestCase):
 
 class Command(unittest.TestCase):
     def explore(self, *arguments):
-        """The command, whose window is closed at once; what it prints."""
+        """Returns what the command prints; its window is closed immediately."""
 
         def start(window):
             window.scene.press(window._start)
@@ -535,7 +498,7 @@ class Command(unittest.TestCase):
             window.refresh()
             window.close()
 
-        with unittest.mock.patch.object(explorer.Explorer, "start", start):
+        with mock.patch.object(explorer.Explorer, "start", start):
             result = support.call("explore", *arguments, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         return json.loads(result.stdout)
@@ -559,7 +522,7 @@ class Command(unittest.TestCase):
             ((BUMPY, "--source", "642"), "expected a point id from 0 to 641"),
             ((BUMPY,), "no display to open a window on"),
         ):
-            with unittest.mock.patch.dict(os.environ):
+            with mock.patch.dict(os.environ):
                 if arguments == (BUMPY,):
                     os.environ.pop("DISPLAY", None)
                 result = support.call("explore", *arguments)
