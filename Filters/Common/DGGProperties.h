@@ -13,7 +13,6 @@
 
 #include <initializer_list> // for properties
 #include <ostream>          // for printing
-#include <string>           // for names
 #include <utility>          // for properties
 #include <vector>           // for ids
 

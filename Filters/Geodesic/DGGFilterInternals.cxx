@@ -263,18 +263,10 @@ void DGGFilterInternals::WarnAboutEmptyInput(const char* lack)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGFilterInternals::CheckProperties() const
+void DGGFilterInternals::MakeEmptyOutput(
+  const DGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
 {
-  return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-void DGGFilterInternals::ForgetResults() {}
-
-//------------------------------------------------------------------------------
-bool DGGFilterInternals::PassesSurface() const
-{
-  return false;
+  Empty(outputVector, false);
 }
 
 //------------------------------------------------------------------------------
@@ -284,18 +276,6 @@ dgg::Status DGGFilterInternals::GetWholeInput(vtkSmartPointer<vtkPolyData>& surf
   surface = vtkPolyData::SafeDownCast(input);
   return vtkCompositeDataSet::SafeDownCast(input) ? DGGPartedUpdate::Join(input, surface)
                                                   : dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-bool DGGFilterInternals::IsCloud(vtkPolyData* vtkNotUsed(input)) const
-{
-  return false;
-}
-
-//------------------------------------------------------------------------------
-std::string DGGFilterInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh";
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "dggPreparedSurface.h" // for the domain
 
 #include "vtkDGGFiltersGeodesicModule.h" // for the export macro
+#include "vtkSetGet.h"                   // for vtkNotUsed()
 #include "vtkSmartPointer.h"             // for the joined input
 #include "vtkType.h"                     // for vtkMTimeType
 
@@ -43,25 +44,25 @@ public:
   /// of an abort; each may throw.
   ///
   /// CheckProperties() is called before the mesh is prepared, Execute() after that.
-  /// MakeEmptyOutput() replaces Execute() if the surface has neither points nor cells. The context
-  /// belongs to the whole update (DGGContext.h).
-  virtual dgg::Status CheckProperties() const;
+  /// MakeEmptyOutput() replaces Execute() if the surface has neither points nor cells; by default
+  /// it makes outputs without arrays. The context belongs to the whole update (DGGContext.h).
+  virtual dgg::Status CheckProperties() const { return dgg::Status::Success(); }
   virtual dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) = 0;
-  virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) = 0;
+  virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector);
   ///@}
 
   /// Resets the results that getters return. Called before each update, so that a failed update
   /// keeps no results of an earlier update. Default: nothing to reset.
-  virtual void ForgetResults();
+  virtual void ForgetResults() {}
   /// Returns true if output 0 is the surface with arrays added and has the pieces of the input.
   /// Default false: output 0 is new geometry, as other outputs are.
-  virtual bool PassesSurface() const;
+  virtual bool PassesSurface() const { return false; }
   /// Returns true if this filter treats the input as a cloud and uses its points only. Default
   /// false; filters that search a graph return true for an input with the graph of a cloud.
-  virtual bool IsCloud(vtkPolyData* input) const;
+  virtual bool IsCloud(vtkPolyData* vtkNotUsed(input)) const { return false; }
   /// Returns advice for the error message when memory is exhausted.
-  virtual std::string GetMemoryRemedy() const;
+  virtual std::string GetMemoryRemedy() const { return "use a smaller mesh"; }
 
   /// Runs an update: gathers pieces and blocks, and runs the steps. The outputs are empty after an
   /// error, which is reported, or an abort.
@@ -120,5 +121,27 @@ private:
   std::unique_ptr<DGGMeshAdapter> Mesh;
   std::unique_ptr<DGGPartedUpdate> Parts;
 };
+
+/// Private implementation of filters of one class, which extends the steps of `Base`.
+template <typename Filter, typename Base = DGGFilterInternals>
+class DGGInternalsOf : public Base
+{
+public:
+  explicit DGGInternalsOf(Filter* self)
+    : Base(self)
+    , Self(self)
+  {
+  }
+
+protected:
+  Filter* const Self;
+};
+
+/// Defines the private function of a filter that returns its own private implementation.
+#define vtkDGGInternalsMacro(Class)                      \
+  Class::vtkInternals& Class::GetInternals() const       \
+  {                                                      \
+    return static_cast<vtkInternals&>(*this->Internals); \
+  }
 
 #endif

@@ -13,7 +13,6 @@
 
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -22,14 +21,6 @@
 #include <limits>
 
 vtkStandardNewMacro(vtkApolloniusIsolines);
-
-/// Results of an update.
-struct vtkApolloniusIsolines::Curves
-{
-  dgg::Isolines Lines;
-  dgg::Ridges Ridges;
-  dgg::Bands Bands;
-};
 
 namespace
 {
@@ -45,24 +36,31 @@ constexpr double RadiansPerDegree = dgg::Pi / 180.0;
 
 /// Smallest ChordTolerance: time and memory grow without bound as the tolerance decreases.
 constexpr double SmallestChordTolerance = 1e-6;
+
+/// Results of an update.
+struct Curves
+{
+  dgg::Isolines Lines;
+  dgg::Ridges Ridges;
+  dgg::Bands Bands;
+};
 }
 
 //------------------------------------------------------------------------------
-class vtkApolloniusIsolines::vtkInternals : public DGGFilterInternals
+class vtkApolloniusIsolines::vtkInternals : public DGGInternalsOf<vtkApolloniusIsolines>
 {
 public:
-  explicit vtkInternals(vtkApolloniusIsolines* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh, fewer values or a larger ChordTolerance";
+  }
 
 private:
   std::vector<double> CopyValues() const;
@@ -72,7 +70,7 @@ private:
   dgg::Status FindCurves(
     const DGGContext& context, const dgg::DistanceField& field, Curves& curves);
 
-  vtkApolloniusIsolines* Self;
+  bool WasEmpty = false; // true if the last update had no line and no other output
 };
 
 //------------------------------------------------------------------------------
@@ -89,7 +87,6 @@ vtkApolloniusIsolines::vtkApolloniusIsolines()
   , UsedWindows(false)
   , UsedVirtualSources(false)
   , NumberOfFallbacks(0)
-  , WasEmpty(false)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfOutputPorts(3);
@@ -232,12 +229,6 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkApolloniusIsolines::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh, fewer values or a larger ChordTolerance";
-}
-
-//------------------------------------------------------------------------------
 void vtkApolloniusIsolines::vtkInternals::ForgetResults()
 {
   this->Self->UsedWindows = false;
@@ -315,7 +306,7 @@ void vtkApolloniusIsolines::vtkInternals::WarnAboutNoLine(
 {
   const bool isEmpty =
     lines.Lines.empty() && !this->Self->GenerateRidges && !this->Self->GenerateBands;
-  if (isEmpty && !this->Self->WasEmpty)
+  if (isEmpty && !this->WasEmpty)
   {
     double smallest = dgg::Infinity;
     double largest = -dgg::Infinity;
@@ -332,7 +323,7 @@ void vtkApolloniusIsolines::vtkInternals::WarnAboutNoLine(
       this->Self, << "there are no isolines: the distances of the points are from " << smallest
                   << " to " << largest << ", and none of the values yields a line.");
   }
-  this->Self->WasEmpty = isEmpty;
+  this->WasEmpty = isEmpty;
 }
 
 //------------------------------------------------------------------------------

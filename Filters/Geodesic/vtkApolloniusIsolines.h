@@ -41,7 +41,6 @@
 #include "vtkNew.h" // For the values
 
 #include <string> // For array names
-#include <vector> // For the values
 
 class vtkContourValues;
 
@@ -218,8 +217,6 @@ private:
 
   class vtkInternals;
 
-  struct Curves;
-
   vtkNew<vtkContourValues> ContourValues;
   int Method;
   double ChordTolerance;
@@ -233,7 +230,6 @@ private:
   bool UsedWindows;
   bool UsedVirtualSources;
   vtkIdType NumberOfFallbacks;
-  bool WasEmpty; ///< true if the last update had no line and no other output
 };
 
 #endif

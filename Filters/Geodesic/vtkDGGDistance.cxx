@@ -14,7 +14,6 @@
 #include <utility>
 
 vtkStandardNewMacro(vtkDGGDistance);
-vtkDGGGraphUserMacro(vtkDGGDistance);
 
 namespace
 {
@@ -36,24 +35,22 @@ std::vector<Value> Select(const std::vector<Value>& values, const std::vector<dg
 }
 
 //------------------------------------------------------------------------------
-class vtkDGGDistance::vtkInternals : public DGGDistanceInternals
+class vtkDGGDistance::vtkInternals
+  : public DGGGraphInternalsOf<vtkDGGDistance, DGGDistanceInternals>
 {
 public:
-  explicit vtkInternals(vtkDGGDistance* self)
-    : DGGDistanceInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
-  dgg::Status CheckProperties() const override;
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
   std::vector<DGGPointArray> DeclareArrays() const override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
-
-private:
-  vtkDGGDistance* Self;
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh, a larger Accuracy or MaximumDistance";
+  }
 };
+
+vtkDGGInternalsMacro(vtkDGGDistance);
+vtkDGGGraphUserMacro(vtkDGGDistance);
 
 //------------------------------------------------------------------------------
 vtkDGGDistance::vtkDGGDistance()
@@ -61,19 +58,15 @@ vtkDGGDistance::vtkDGGDistance()
   , Search(Certified)
   , GenerateUpperBound(false)
   , UpperBoundArrayName("GeodesicUpperBound")
-  , GraphUser(new DGGGraphUser)
 {
   this->Internals.reset(new vtkInternals(this));
 }
 
 //------------------------------------------------------------------------------
-vtkDGGDistance::~vtkDGGDistance() = default;
-
-//------------------------------------------------------------------------------
 void vtkDGGDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  this->GraphUser->PrintSelf(os, indent);
+  this->GetInternals().GraphUser.PrintSelf(os, indent);
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
   os << indent << "Search: " << this->GetSearchAsString() << "\n";
   os << indent << "GenerateUpperBound: " << (this->GenerateUpperBound ? "On" : "Off") << "\n";
@@ -85,25 +78,6 @@ const char* vtkDGGDistance::GetSearchAsString() const
 {
   static const char* const names[] = { "Certified", "LabelCorrecting", "Dijkstra" };
   return names[this->Search];
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkDGGDistance::vtkInternals::CheckProperties() const
-{
-  DGG_RETURN_IF_ERROR(this->Self->GraphUser->Check());
-  return DGGDistanceInternals::CheckProperties();
-}
-
-//------------------------------------------------------------------------------
-bool vtkDGGDistance::vtkInternals::IsCloud(vtkPolyData* input) const
-{
-  return DGGGraphUser::IsCloud(input);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkDGGDistance::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh, a larger Accuracy or MaximumDistance";
 }
 
 //------------------------------------------------------------------------------
@@ -123,7 +97,7 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task
   const DGGContext& context = task.Context;
   const bool isCloud = context.Surface.IsCloud();
   const bool correct = this->Self->Correction && !isCloud;
-  DGGGraphUser& graph = *this->Self->GraphUser;
+  DGGGraphUser& graph = this->GraphUser;
   DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
   std::vector<dgg::GraphSeed> seeds;
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, task.Sources, seeds));

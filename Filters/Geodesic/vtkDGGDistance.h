@@ -39,12 +39,9 @@
 #define vtkDGGDistance_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicDistanceAlgorithm.h"
 
-#include <memory> // For the graph
 #include <string> // For array names
-#include <vector> // For arrays
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGDistance : public vtkGeodesicDistanceAlgorithm
 {
@@ -121,19 +118,19 @@ public:
 
 protected:
   vtkDGGDistance();
-  ~vtkDGGDistance() override;
+  ~vtkDGGDistance() override = default;
 
 private:
   vtkDGGDistance(const vtkDGGDistance&) = delete;
   void operator=(const vtkDGGDistance&) = delete;
 
   class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   bool Correction;
   int Search;
   bool GenerateUpperBound;
   std::string UpperBoundArrayName;
-  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 vtkStandardNewMacro(vtkDGGFastMarchingDistance);
@@ -26,38 +27,46 @@ constexpr double LargestRadius = 1000.0;
 constexpr double BandShare = 0.4;
 }
 
-/// Solver that is kept until the mesh changes, or the band of a cloud.
-struct vtkDGGFastMarchingDistance::Preparation
-{
-  std::uint64_t MeshBuild;
-  std::unique_ptr<dgg::FastMarching> Solver;
-  std::unique_ptr<DGGCloudMarching> OnCloud; // used instead of Solver for clouds
-  double BandRadius;                         // as requested
-  int Resolution;
-};
-
 //------------------------------------------------------------------------------
-class vtkDGGFastMarchingDistance::vtkInternals : public DGGDistanceInternals
+class vtkDGGFastMarchingDistance::vtkInternals
+  : public DGGInternalsOf<vtkDGGFastMarchingDistance, DGGDistanceInternals>
 {
 public:
-  explicit vtkInternals(vtkDGGFastMarchingDistance* self)
-    : DGGDistanceInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override
+  {
+    return DGGDistanceInternals::GetMemoryRemedy() + ", or on a cloud a smaller Resolution";
+  }
   void ForgetResults() override;
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
 
+  ///@{
+  /// Median radius of balls, in voxels, and resolution of the band of the last update.
+  double UsedBandRadius = 0.0;
+  int UsedResolution = 0;
+  ///@}
+
 private:
+  /// Solver that is kept until the mesh changes, or the band of a cloud.
+  struct Preparation
+  {
+    std::uint64_t MeshBuild;
+    std::unique_ptr<dgg::FastMarching> Solver;
+    std::unique_ptr<DGGCloudMarching> OnCloud; // used instead of Solver for clouds
+    double BandRadius;                         // as requested
+    int Resolution;
+  };
+
   dgg::Status MarchOnMesh(DGGDistanceTask& task);
   dgg::Status MarchOnCloud(DGGDistanceTask& task);
 
-  vtkDGGFastMarchingDistance* Self;
+  std::unique_ptr<Preparation> Prepared;
 };
+
+vtkDGGInternalsMacro(vtkDGGFastMarchingDistance);
 
 //------------------------------------------------------------------------------
 vtkDGGFastMarchingDistance::vtkDGGFastMarchingDistance()
@@ -68,9 +77,6 @@ vtkDGGFastMarchingDistance::vtkDGGFastMarchingDistance()
 {
   this->Internals.reset(new vtkInternals(this));
 }
-
-//------------------------------------------------------------------------------
-vtkDGGFastMarchingDistance::~vtkDGGFastMarchingDistance() = default;
 
 //------------------------------------------------------------------------------
 void vtkDGGFastMarchingDistance::PrintSelf(ostream& os, vtkIndent indent)
@@ -93,13 +99,13 @@ const char* vtkDGGFastMarchingDistance::GetFrontShapeAsString() const
 //------------------------------------------------------------------------------
 double vtkDGGFastMarchingDistance::GetUsedBandRadius() const
 {
-  return this->Prepared && this->Prepared->OnCloud ? this->Prepared->OnCloud->GetBandRadius() : 0.0;
+  return this->GetInternals().UsedBandRadius;
 }
 
 //------------------------------------------------------------------------------
 int vtkDGGFastMarchingDistance::GetUsedResolution() const
 {
-  return this->Prepared && this->Prepared->OnCloud ? this->Prepared->OnCloud->GetResolution() : 0;
+  return this->GetInternals().UsedResolution;
 }
 
 //------------------------------------------------------------------------------
@@ -107,12 +113,6 @@ bool vtkDGGFastMarchingDistance::vtkInternals::IsCloud(vtkPolyData* input) const
 {
   return input->GetNumberOfPoints() > 0 &&
     input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkDGGFastMarchingDistance::vtkInternals::GetMemoryRemedy() const
-{
-  return DGGDistanceInternals::GetMemoryRemedy() + ", or on a cloud a smaller Resolution";
 }
 
 //------------------------------------------------------------------------------
@@ -137,6 +137,8 @@ dgg::Status vtkDGGFastMarchingDistance::vtkInternals::CheckProperties() const
 void vtkDGGFastMarchingDistance::vtkInternals::ForgetResults()
 {
   this->Self->QualityWarning = false;
+  this->UsedBandRadius = 0.0;
+  this->UsedResolution = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -156,17 +158,17 @@ dgg::Status vtkDGGFastMarchingDistance::vtkInternals::MarchOnMesh(DGGDistanceTas
   options.Progress = task.Context.Progress;
 
   const dgg::PreparedSurface& mesh = task.Context.Surface;
-  if (!this->Self->Prepared || this->Self->Prepared->MeshBuild != mesh.GetBuildNumber())
+  if (!this->Prepared || this->Prepared->MeshBuild != mesh.GetBuildNumber())
   {
-    this->Self->Prepared.reset(); // release before the next is allocated
+    this->Prepared.reset(); // release before the next is allocated
     auto solver = std::make_unique<dgg::FastMarching>(mesh.GetMesh());
-    this->Self->Prepared.reset(
+    this->Prepared.reset(
       new Preparation{ mesh.GetBuildNumber(), std::move(solver), nullptr, 0.0, 0 });
   }
   this->Self->QualityWarning =
     this->WarnAboutQuality(DGGDescribeLongTriangles(mesh, DGGLongTrianglesMislead));
   dgg::MarchingResult result;
-  const dgg::Status status = this->Self->Prepared->Solver->Run(task.Sources, options, result);
+  const dgg::Status status = this->Prepared->Solver->Run(task.Sources, options, result);
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);
   task.VirtualSource = std::move(result.Virtual);
@@ -177,22 +179,26 @@ dgg::Status vtkDGGFastMarchingDistance::vtkInternals::MarchOnMesh(DGGDistanceTas
 dgg::Status vtkDGGFastMarchingDistance::vtkInternals::MarchOnCloud(DGGDistanceTask& task)
 {
   const DGGContext& context = task.Context;
-  const bool isKept = this->Self->Prepared &&
-    this->Self->Prepared->MeshBuild == context.Surface.GetBuildNumber() &&
-    this->Self->Prepared->BandRadius == this->Self->BandRadius &&
-    this->Self->Prepared->Resolution == this->Self->Resolution;
+  const bool isKept = this->Prepared &&
+    this->Prepared->MeshBuild == context.Surface.GetBuildNumber() &&
+    this->Prepared->BandRadius == this->Self->BandRadius &&
+    this->Prepared->Resolution == this->Self->Resolution;
   if (!isKept)
   {
-    this->Self->Prepared.reset();
+    this->Prepared.reset();
     dgg::BandOptions options;
     options.OffsetInVoxels = this->Self->BandRadius;
     options.Resolution = this->Self->Resolution;
     auto marching = std::make_unique<DGGCloudMarching>();
     DGG_RETURN_IF_ERROR(
       marching->Prepare(context, options, dgg::ProgressPart(context.Progress, 0.0, BandShare)));
-    this->Self->Prepared.reset(new Preparation{ context.Surface.GetBuildNumber(), nullptr,
+    this->Prepared.reset(new Preparation{ context.Surface.GetBuildNumber(), nullptr,
       std::move(marching), this->Self->BandRadius, this->Self->Resolution });
   }
-  return this->Self->Prepared->OnCloud->Run(
-    task, dgg::ProgressPart(context.Progress, isKept ? 0.0 : BandShare, 1.0));
+  const DGGCloudMarching& marching = *this->Prepared->OnCloud;
+  DGG_RETURN_IF_ERROR(
+    marching.Run(task, dgg::ProgressPart(context.Progress, isKept ? 0.0 : BandShare, 1.0)));
+  this->UsedBandRadius = marching.GetBandRadius();
+  this->UsedResolution = marching.GetResolution();
+  return dgg::Status::Success();
 }

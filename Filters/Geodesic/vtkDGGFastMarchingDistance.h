@@ -37,9 +37,6 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicDistanceAlgorithm.h"
 
-#include <memory> // For the unfolded triangles
-#include <string> // For messages
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGFastMarchingDistance : public vtkGeodesicDistanceAlgorithm
 {
 public:
@@ -103,21 +100,19 @@ public:
 
 protected:
   vtkDGGFastMarchingDistance();
-  ~vtkDGGFastMarchingDistance() override;
+  ~vtkDGGFastMarchingDistance() override = default;
 
 private:
   vtkDGGFastMarchingDistance(const vtkDGGFastMarchingDistance&) = delete;
   void operator=(const vtkDGGFastMarchingDistance&) = delete;
 
   class vtkInternals;
-
-  struct Preparation;
+  vtkInternals& GetInternals() const;
 
   int FrontShape;
   double BandRadius;
   int Resolution;
   bool QualityWarning;
-  std::unique_ptr<Preparation> Prepared;
 };
 
 #endif

@@ -3,7 +3,6 @@
 #include "vtkDGGLoop.h"
 
 #include "DGGContext.h"
-#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
@@ -23,7 +22,6 @@
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -35,7 +33,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkDGGLoop);
-vtkDGGGraphUserMacro(vtkDGGLoop);
 vtkDGGDefineInputMacro(vtkDGGLoop, Point, 1);
 
 /// Outcomes of the search for a loop: values of LoopStatus.
@@ -221,28 +218,29 @@ void FillOutputs(
 }
 
 //------------------------------------------------------------------------------
-class vtkDGGLoop::vtkInternals : public DGGFilterInternals
+class vtkDGGLoop::vtkInternals : public DGGGraphInternalsOf<vtkDGGLoop>
 {
 public:
-  explicit vtkInternals(vtkDGGLoop* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
+  bool IsCloud(vtkPolyData* vtkNotUsed(input)) const override { return false; }
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh, a larger Accuracy or fewer points at a time";
+  }
 
 private:
   DGGSourceSet GetPointSet(vtkInformationVector** inputVector) const;
   void WarnAboutMissingLoops(const DGGLoopSet& set);
   void WarnAboutMissingTapes(const DGGLoopSet& set);
-
-  vtkDGGLoop* Self;
 };
+
+vtkDGGInternalsMacro(vtkDGGLoop);
+vtkDGGGraphUserMacro(vtkDGGLoop);
 
 //------------------------------------------------------------------------------
 vtkDGGLoop::vtkDGGLoop()
@@ -250,15 +248,11 @@ vtkDGGLoop::vtkDGGLoop()
   , Taut(false)
   , TapeWidth(0.0)
   , ProjectionTolerance(0.01)
-  , GraphUser(new DGGGraphUser)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkDGGLoop::~vtkDGGLoop() = default;
 
 //------------------------------------------------------------------------------
 void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
@@ -269,7 +263,7 @@ void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Taut: " << (this->Taut ? "On" : "Off") << "\n";
   os << indent << "TapeWidth: " << this->TapeWidth << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GetInternals().GraphUser.PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -299,7 +293,7 @@ dgg::Status vtkDGGLoop::vtkInternals::CheckProperties() const
     { "TapeWidth", this->Self->TapeWidth } }));
   return std::isinf(this->Self->TapeWidth)
     ? dgg::Status::Invalid("TapeWidth is infinite: call SetTapeWidth() with a finite width")
-    : this->Self->GraphUser->Check();
+    : DGGGraphInternalsOf::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
@@ -307,12 +301,6 @@ DGGSourceSet vtkDGGLoop::vtkInternals::GetPointSet(vtkInformationVector** inputV
 {
   return { this->Self->PointIds, vtkPolyData::GetData(inputVector[1]), 1, "loop point",
     "call AddPointId() or SetPointIds()", "" };
-}
-
-//------------------------------------------------------------------------------
-std::string vtkDGGLoop::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh, a larger Accuracy or fewer points at a time";
 }
 
 //------------------------------------------------------------------------------
@@ -337,8 +325,8 @@ dgg::Status vtkDGGLoop::vtkInternals::Execute(
   dgg::ProgressCallback progress = context.Progress;
   if (this->Self->Mode != AroundHandles)
   {
-    DGG_RETURN_IF_ERROR(this->Self->GraphUser->Update(context, this->Self));
-    progress = this->Self->GraphUser->GetRemainingProgress(context);
+    DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
+    progress = this->GraphUser.GetRemainingProgress(context);
   }
 
   DGGLoopSet set;
@@ -350,7 +338,7 @@ dgg::Status vtkDGGLoop::vtkInternals::Execute(
   }
   else
   {
-    DGGGraphUser& graph = *this->Self->GraphUser;
+    DGGGraphUser& graph = this->GraphUser;
     const bool withLinks = !std::all_of(points.begin(), points.end(), dgg::IsVertex);
     DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, withLinks));
     const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),

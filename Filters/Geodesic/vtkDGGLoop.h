@@ -36,10 +36,8 @@
 #define vtkDGGLoop_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the graph
 #include <vector> // For ids
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGLoop : public vtkGeodesicAlgorithm
@@ -146,20 +144,20 @@ public:
 
 protected:
   vtkDGGLoop();
-  ~vtkDGGLoop() override;
+  ~vtkDGGLoop() override = default;
 
 private:
   vtkDGGLoop(const vtkDGGLoop&) = delete;
   void operator=(const vtkDGGLoop&) = delete;
 
   class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   int Mode;
   std::vector<vtkIdType> PointIds;
   bool Taut;
   double TapeWidth;
   double ProjectionTolerance;
-  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

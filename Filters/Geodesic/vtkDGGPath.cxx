@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGPath.h"
 
-#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
@@ -24,7 +23,6 @@
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkDGGPath);
-vtkDGGGraphUserMacro(vtkDGGPath);
 vtkDGGDefineInputMacro(vtkDGGPath, Pair, 1);
 
 namespace
@@ -199,29 +197,28 @@ void WritePaths(const PathSet& set, const DGGNewGeometry& geometry, vtkPolyData*
 }
 
 //------------------------------------------------------------------------------
-class vtkDGGPath::vtkInternals : public DGGFilterInternals
+class vtkDGGPath::vtkInternals : public DGGGraphInternalsOf<vtkDGGPath>
 {
 public:
-  explicit vtkInternals(vtkDGGPath* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status CheckProperties() const override;
-  void ForgetResults() override;
+  void ForgetResults() override { this->Self->NumberOfFallbacks = 0; }
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh, a larger Accuracy or fewer pairs at a time";
+  }
 
 private:
   void WarnAboutUnconnectedPairs(
     const DGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count);
-
-  vtkDGGPath* Self;
 };
+
+vtkDGGInternalsMacro(vtkDGGPath);
+vtkDGGGraphUserMacro(vtkDGGPath);
 
 //------------------------------------------------------------------------------
 vtkDGGPath::vtkDGGPath()
@@ -230,14 +227,10 @@ vtkDGGPath::vtkDGGPath()
   , Detour(dgg::PathOptions().Detour)
   , ProjectionTolerance(0.01)
   , NumberOfFallbacks(0)
-  , GraphUser(new DGGGraphUser)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkDGGPath::~vtkDGGPath() = default;
 
 //------------------------------------------------------------------------------
 void vtkDGGPath::PrintSelf(ostream& os, vtkIndent indent)
@@ -249,7 +242,7 @@ void vtkDGGPath::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Straighten: " << (this->Straighten ? "On" : "Off") << "\n";
   os << indent << "Detour: " << this->Detour << "\n";
   os << indent << "NumberOfFallbacks: " << this->NumberOfFallbacks << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GetInternals().GraphUser.PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -305,25 +298,7 @@ dgg::Status vtkDGGPath::vtkInternals::CheckProperties() const
 {
   DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
     { "Detour", this->Self->Detour } }));
-  return this->Self->GraphUser->Check();
-}
-
-//------------------------------------------------------------------------------
-bool vtkDGGPath::vtkInternals::IsCloud(vtkPolyData* input) const
-{
-  return DGGGraphUser::IsCloud(input);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkDGGPath::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh, a larger Accuracy or fewer pairs at a time";
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGPath::vtkInternals::ForgetResults()
-{
-  this->Self->NumberOfFallbacks = 0;
+  return DGGGraphInternalsOf::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
@@ -348,7 +323,7 @@ dgg::Status vtkDGGPath::vtkInternals::Execute(
     this->Self->ProjectionTolerance, ends));
   DGGNewGeometry geometry;
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
-  DGGGraphUser& graph = *this->Self->GraphUser;
+  DGGGraphUser& graph = this->GraphUser;
   if (!isExact)
   {
     DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));

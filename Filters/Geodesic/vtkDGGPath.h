@@ -36,10 +36,8 @@
 #define vtkDGGPath_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the graph
 #include <vector> // For ids
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkDGGPath : public vtkGeodesicAlgorithm
@@ -146,13 +144,14 @@ public:
 
 protected:
   vtkDGGPath();
-  ~vtkDGGPath() override;
+  ~vtkDGGPath() override = default;
 
 private:
   vtkDGGPath(const vtkDGGPath&) = delete;
   void operator=(const vtkDGGPath&) = delete;
 
   class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   vtkIdType GetPairId(vtkIdType i, int side) const;
 
@@ -162,7 +161,6 @@ private:
   double ProjectionTolerance;
   vtkIdType NumberOfFallbacks;
   std::vector<vtkIdType> PairIds; // two for each pair
-  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

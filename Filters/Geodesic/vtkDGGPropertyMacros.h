@@ -91,11 +91,8 @@
     return i >= 0 && i < this->GetNumberOf##name##Ids() ? this->name##Ids[i] : -1;               \
   }
 
-class DGGGraphUser;
-
 /// Declares Accuracy, AcceptCoarserGraph and values of the graph of the last update, which the
-/// filters document. The member `std::unique_ptr<DGGGraphUser> GraphUser` stores them, and
-/// vtkDGGGraphUserMacro() defines the functions.
+/// filters document. vtkDGGGraphUserMacro() defines the functions.
 #define vtkDGGGraphPropertiesMacro()               \
   virtual void SetAccuracy(double accuracy);       \
   double GetAccuracy() const;                      \

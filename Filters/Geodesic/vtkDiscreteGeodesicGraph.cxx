@@ -14,7 +14,6 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -41,14 +40,10 @@ bool IsMadeBy(const dgg::GraphInfo& info, const dgg::GraphOptions& options)
 }
 
 //------------------------------------------------------------------------------
-class vtkDiscreteGeodesicGraph::vtkInternals : public DGGFilterInternals
+class vtkDiscreteGeodesicGraph::vtkInternals : public DGGInternalsOf<vtkDiscreteGeodesicGraph>
 {
 public:
-  explicit vtkInternals(vtkDiscreteGeodesicGraph* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   void ForgetResults() override;
@@ -65,6 +60,7 @@ public:
   DGGGraphArrays Built;
   dgg::Domain BuiltDomain;
   dgg::GraphSummary Current; // graph of the last update
+  std::string InputGraphDamage;
   dgg::GraphEstimate Estimate;
   vtkTimeStamp BuildTime;
 
@@ -73,9 +69,9 @@ private:
   bool FindOnInput(const DGGContext& context);
   dgg::Status Build(const DGGContext& context);
   dgg::Status AddLines(const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines);
-
-  vtkDiscreteGeodesicGraph* Self;
 };
+
+vtkDGGInternalsMacro(vtkDiscreteGeodesicGraph);
 
 //------------------------------------------------------------------------------
 vtkDiscreteGeodesicGraph::vtkDiscreteGeodesicGraph()
@@ -87,15 +83,6 @@ vtkDiscreteGeodesicGraph::vtkDiscreteGeodesicGraph()
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfOutputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkDiscreteGeodesicGraph::vtkInternals& vtkDiscreteGeodesicGraph::GetInternals() const
-{
-  return static_cast<vtkInternals&>(*this->Internals);
-}
-
-//------------------------------------------------------------------------------
-vtkDiscreteGeodesicGraph::~vtkDiscreteGeodesicGraph() = default;
 
 //------------------------------------------------------------------------------
 void vtkDiscreteGeodesicGraph::PrintSelf(ostream& os, vtkIndent indent)
@@ -200,7 +187,7 @@ vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetMemorySize() const
 //------------------------------------------------------------------------------
 std::string vtkDiscreteGeodesicGraph::GetInputGraphDamage() const
 {
-  return this->GetInternals().OnInput.GetDamage();
+  return this->GetInternals().InputGraphDamage;
 }
 
 //------------------------------------------------------------------------------
@@ -237,6 +224,7 @@ std::string vtkDiscreteGeodesicGraph::vtkInternals::GetMemoryRemedy() const
 void vtkDiscreteGeodesicGraph::vtkInternals::ForgetResults()
 {
   this->Current = dgg::GraphSummary();
+  this->InputGraphDamage.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -284,6 +272,7 @@ bool vtkDiscreteGeodesicGraph::vtkInternals::FindOnInput(const DGGContext& conte
   DGGGraphArrays& graph = this->OnInput;
   std::string complaint;
   const bool found = graph.Find(context.Input->GetFieldData(), context.Surface, complaint);
+  this->InputGraphDamage = graph.GetDamage();
   if (!complaint.empty())
   {
     vtkWarningWithObjectMacro(this->Self, << complaint << ". A new one takes its place.");

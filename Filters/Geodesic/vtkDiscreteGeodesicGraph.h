@@ -154,7 +154,7 @@ public:
 
 protected:
   vtkDiscreteGeodesicGraph();
-  ~vtkDiscreteGeodesicGraph() override;
+  ~vtkDiscreteGeodesicGraph() override = default;
 
 private:
   vtkDiscreteGeodesicGraph(const vtkDiscreteGeodesicGraph&) = delete;

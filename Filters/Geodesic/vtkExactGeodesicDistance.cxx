@@ -14,19 +14,13 @@
 vtkStandardNewMacro(vtkExactGeodesicDistance);
 
 //------------------------------------------------------------------------------
-class vtkExactGeodesicDistance::vtkInternals : public DGGDistanceInternals
+class vtkExactGeodesicDistance::vtkInternals
+  : public DGGInternalsOf<vtkExactGeodesicDistance, DGGDistanceInternals>
 {
 public:
-  explicit vtkInternals(vtkExactGeodesicDistance* self)
-    : DGGDistanceInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-
-private:
-  vtkExactGeodesicDistance* Self;
 };
 
 //------------------------------------------------------------------------------
@@ -36,9 +30,6 @@ vtkExactGeodesicDistance::vtkExactGeodesicDistance()
 {
   this->Internals.reset(new vtkInternals(this));
 }
-
-//------------------------------------------------------------------------------
-vtkExactGeodesicDistance::~vtkExactGeodesicDistance() = default;
 
 //------------------------------------------------------------------------------
 void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)

@@ -74,7 +74,7 @@ public:
 
 protected:
   vtkExactGeodesicDistance();
-  ~vtkExactGeodesicDistance() override;
+  ~vtkExactGeodesicDistance() override = default;
 
 private:
   vtkExactGeodesicDistance(const vtkExactGeodesicDistance&) = delete;

@@ -14,7 +14,6 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -98,9 +97,6 @@ vtkGeodesicDistanceAlgorithm::vtkGeodesicDistanceAlgorithm()
 {
   this->SetNumberOfInputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceAlgorithm::~vtkGeodesicDistanceAlgorithm() = default;
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
@@ -321,18 +317,6 @@ void DGGDistanceInternals::MakeEmptyOutput(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
   this->AddResults(task, FindReached(task), output);
-}
-
-//------------------------------------------------------------------------------
-std::string DGGDistanceInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh or MaximumDistance";
-}
-
-//------------------------------------------------------------------------------
-std::vector<DGGPointArray> DGGDistanceInternals::DeclareArrays() const
-{
-  return {};
 }
 
 //------------------------------------------------------------------------------

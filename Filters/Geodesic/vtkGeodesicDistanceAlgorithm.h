@@ -189,7 +189,7 @@ public:
 
 protected:
   vtkGeodesicDistanceAlgorithm();
-  ~vtkGeodesicDistanceAlgorithm() override;
+  ~vtkGeodesicDistanceAlgorithm() override = default;
 
 private:
   vtkGeodesicDistanceAlgorithm(const vtkGeodesicDistanceAlgorithm&) = delete;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicDistanceMatrix.h"
 
-#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
@@ -17,7 +16,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -30,7 +28,6 @@
 #include <string>
 
 vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
-vtkDGGGraphUserMacro(vtkGeodesicDistanceMatrix);
 vtkDGGDefineInputMacro(vtkGeodesicDistanceMatrix, Row, 1);
 vtkDGGDefineInputMacro(vtkGeodesicDistanceMatrix, Column, 2);
 
@@ -126,33 +123,33 @@ void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
 }
 
 //------------------------------------------------------------------------------
-class vtkGeodesicDistanceMatrix::vtkInternals : public DGGFilterInternals
+class vtkGeodesicDistanceMatrix::vtkInternals
+  : public DGGGraphInternalsOf<vtkGeodesicDistanceMatrix>
 {
 public:
-  explicit vtkInternals(vtkGeodesicDistanceMatrix* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status CheckProperties() const override;
-  void ForgetResults() override;
+  void ForgetResults() override { this->Matrix = MakeMatrix(0, 1); }
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh, a larger Accuracy or fewer points at a time";
+  }
 
   vtkSmartPointer<vtkDoubleArray> Matrix = MakeMatrix(0, 1); // never null
 
 private:
   DGGSourceSet GetRows(vtkInformationVector** inputVector) const;
   DGGSourceSet GetColumns(vtkInformationVector** inputVector) const;
+  bool WantsTable(std::size_t columns) const;
   dgg::Status FillCompressedRows(
     const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output);
-
-  vtkGeodesicDistanceMatrix* Self;
 };
+
+vtkDGGInternalsMacro(vtkGeodesicDistanceMatrix);
+vtkDGGGraphUserMacro(vtkGeodesicDistanceMatrix);
 
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
@@ -162,20 +159,10 @@ vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
   , GenerateTable(true)
   , CompressedRows(false)
   , Correction(false)
-  , GraphUser(new DGGGraphUser)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(3);
 }
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceMatrix::vtkInternals& vtkGeodesicDistanceMatrix::GetInternals() const
-{
-  return static_cast<vtkInternals&>(*this->Internals);
-}
-
-//------------------------------------------------------------------------------
-vtkGeodesicDistanceMatrix::~vtkGeodesicDistanceMatrix() = default;
 
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
@@ -191,7 +178,7 @@ void vtkGeodesicDistanceMatrix::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Correction: " << (this->Correction ? "On" : "Off") << "\n";
   os << indent << "Matrix: " << this->GetInternals().Matrix->GetNumberOfTuples() << " x "
      << this->GetInternals().Matrix->GetNumberOfComponents() << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GetInternals().GraphUser.PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -234,7 +221,7 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::CheckProperties() const
 {
   DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
     { "MaximumDistance", this->Self->MaximumDistance } }));
-  return this->Self->GraphUser->Check();
+  return DGGGraphInternalsOf::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
@@ -254,35 +241,18 @@ DGGSourceSet vtkGeodesicDistanceMatrix::vtkInternals::GetColumns(
 }
 
 //------------------------------------------------------------------------------
-bool vtkGeodesicDistanceMatrix::WantsTable(std::size_t columns)
+bool vtkGeodesicDistanceMatrix::vtkInternals::WantsTable(std::size_t columns) const
 {
-  if (this->GenerateTable && columns > MaximumNumberOfTableColumns)
+  if (this->Self->GenerateTable && columns > MaximumNumberOfTableColumns)
   {
-    vtkWarningMacro(<< "a table would have " << columns << " columns, more than "
-                    << MaximumNumberOfTableColumns << ", too many for filters downstream. "
-                    << "The output is empty: use GetMatrix(), and call GenerateTableOff() to avoid "
-                    << "this warning.");
+    vtkWarningWithObjectMacro(
+      this->Self, << "a table would have " << columns << " columns, more than "
+                  << MaximumNumberOfTableColumns << ", too many for filters downstream. "
+                  << "The output is empty: use GetMatrix(), and call GenerateTableOff() to avoid "
+                  << "this warning.");
     return false;
   }
-  return this->GenerateTable;
-}
-
-//------------------------------------------------------------------------------
-bool vtkGeodesicDistanceMatrix::vtkInternals::IsCloud(vtkPolyData* input) const
-{
-  return DGGGraphUser::IsCloud(input);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGeodesicDistanceMatrix::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh, a larger Accuracy or fewer points at a time";
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::vtkInternals::ForgetResults()
-{
-  this->Matrix = MakeMatrix(0, 1);
+  return this->Self->GenerateTable;
 }
 
 //------------------------------------------------------------------------------
@@ -315,18 +285,18 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
     DGG_RETURN_IF_ERROR(
       DGGLocate(context, columnSet, this->Self->ProjectionTolerance, columns, this->Self));
   }
-  const bool withTable = this->Self->WantsTable(columns.size());
+  const bool withTable = this->WantsTable(columns.size());
   DGG_RETURN_IF_ERROR(CheckMemory(context.Memory, rows.size(), columns.size(), withTable));
   // Allocated before the graph, because the graph may use all memory that remains free.
   const auto matrix = MakeMatrix(rows.size(), columns.size());
   const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);
 
-  DGG_RETURN_IF_ERROR(this->Self->GraphUser->Update(context, this->Self));
+  DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
   // Searches start from the smaller set.
   const bool sourcesAreRows = rows.size() <= columns.size();
   const dgg::MatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
-  DGG_RETURN_IF_ERROR(dgg::MatrixSearch(context, *this->Self->GraphUser,
-    sourcesAreRows ? rows : columns, sourcesAreRows ? columns : rows, entries)
+  DGG_RETURN_IF_ERROR(dgg::MatrixSearch(context, this->GraphUser, sourcesAreRows ? rows : columns,
+    sourcesAreRows ? columns : rows, entries)
                         .Run(symmetric, this->Self->MaximumDistance));
   std::replace_if(
     entries.Values, entries.Values + rows.size() * columns.size(),
@@ -345,7 +315,7 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
 dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::FillCompressedRows(
   const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output)
 {
-  DGGGraphUser& graph = *this->Self->GraphUser;
+  DGGGraphUser& graph = this->GraphUser;
   DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
   std::vector<dgg::GraphSeed> links;
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, rows, links));
@@ -370,11 +340,4 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::FillCompressedRows(
   output->AddColumn(DGGAdoptArray<vtkDoubleArray>(found.Distances, "GeodesicDistance"));
   output->GetFieldData()->AddArray(DGGAdoptArray<vtkTypeInt64Array>(found.Offsets, "RowOffsets"));
   return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-void vtkGeodesicDistanceMatrix::vtkInternals::MakeEmptyOutput(
-  const DGGContext& vtkNotUsed(context), vtkInformationVector* outputVector)
-{
-  vtkTable::GetData(outputVector)->Initialize();
 }

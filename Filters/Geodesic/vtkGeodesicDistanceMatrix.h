@@ -39,10 +39,8 @@
 #define vtkGeodesicDistanceMatrix_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the graph
 #include <vector> // For ids
 
 class vtkDoubleArray;
@@ -168,7 +166,7 @@ public:
 
 protected:
   vtkGeodesicDistanceMatrix();
-  ~vtkGeodesicDistanceMatrix() override;
+  ~vtkGeodesicDistanceMatrix() override = default;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
@@ -178,7 +176,6 @@ private:
 
   class vtkInternals;
   vtkInternals& GetInternals() const;
-  bool WantsTable(std::size_t columns);
 
   std::vector<vtkIdType> RowIds;
   std::vector<vtkIdType> ColumnIds;
@@ -188,7 +185,6 @@ private:
   bool GenerateTable;
   bool CompressedRows;
   bool Correction;
-  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

@@ -18,13 +18,11 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <limits>
-#include <sstream>
 #include <string>
 
 vtkStandardNewMacro(vtkGeodesicPatchBoundaries);
@@ -130,40 +128,32 @@ void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const DGGNewGe
 }
 
 //------------------------------------------------------------------------------
-class vtkGeodesicPatchBoundaries::vtkInternals : public DGGFilterInternals
+class vtkGeodesicPatchBoundaries::vtkInternals : public DGGInternalsOf<vtkGeodesicPatchBoundaries>
 {
 public:
-  explicit vtkInternals(vtkGeodesicPatchBoundaries* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override { return "use smaller meshes"; }
 
 private:
   DGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
   dgg::Status PrepareSecondMesh(vtkPolyData* surface);
 
-  vtkGeodesicPatchBoundaries* Self;
+  DGGMeshAdapter SecondMesh;
 };
 
 //------------------------------------------------------------------------------
 vtkGeodesicPatchBoundaries::vtkGeodesicPatchBoundaries()
   : ProjectionTolerance(0.01)
-  , SecondMesh(new DGGMeshAdapter)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(5);
   this->SetNumberOfOutputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkGeodesicPatchBoundaries::~vtkGeodesicPatchBoundaries() = default;
 
 //------------------------------------------------------------------------------
 void vtkGeodesicPatchBoundaries::PrintSelf(ostream& os, vtkIndent indent)
@@ -206,7 +196,7 @@ DGGSourceSet vtkGeodesicPatchBoundaries::vtkInternals::GetLandmarks(
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::PrepareSecondMesh(vtkPolyData* surface)
 {
-  DGGMeshAdapter& mesh = *this->Self->SecondMesh;
+  DGGMeshAdapter& mesh = this->SecondMesh;
   const vtkMTimeType built = mesh.GetBuildTime();
   const dgg::Status status = mesh.Update(surface, this->GetDomain(surface));
   if (built != mesh.GetBuildTime())
@@ -217,12 +207,6 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::PrepareSecondMesh(vtkPolyD
     }
   }
   return status.Of("second surface");
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGeodesicPatchBoundaries::vtkInternals::GetMemoryRemedy() const
-{
-  return "use smaller meshes";
 }
 
 //------------------------------------------------------------------------------
@@ -248,7 +232,7 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::Execute(
   }
   DGG_RETURN_IF_ERROR(this->PrepareSecondMesh(secondInput));
   const DGGContext contexts[2] = { context,
-    { { this->Self->SecondMesh->Get(), context.Memory, context.NumberOfThreads, context.Progress,
+    { { this->SecondMesh.Get(), context.Memory, context.NumberOfThreads, context.Progress,
         context.Parallel },
       secondInput } };
   std::vector<dgg::SurfacePoint> landmarks[2];

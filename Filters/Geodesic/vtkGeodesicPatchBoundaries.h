@@ -39,10 +39,7 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the second surface
 #include <vector> // For ids
-
-class DGGMeshAdapter;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicPatchBoundaries : public vtkGeodesicAlgorithm
 {
@@ -116,7 +113,7 @@ public:
 
 protected:
   vtkGeodesicPatchBoundaries();
-  ~vtkGeodesicPatchBoundaries() override;
+  ~vtkGeodesicPatchBoundaries() override = default;
 
 private:
   vtkGeodesicPatchBoundaries(const vtkGeodesicPatchBoundaries&) = delete;
@@ -127,7 +124,6 @@ private:
   std::vector<vtkIdType> FirstLandmarkIds;
   std::vector<vtkIdType> SecondLandmarkIds;
   double ProjectionTolerance;
-  std::unique_ptr<DGGMeshAdapter> SecondMesh;
 };
 
 #endif

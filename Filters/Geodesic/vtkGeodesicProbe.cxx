@@ -17,7 +17,6 @@
 #include "dggSurfacePoint.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -70,22 +69,15 @@ double Probe(
 }
 
 //------------------------------------------------------------------------------
-class vtkGeodesicProbe::vtkInternals : public DGGFilterInternals
+class vtkGeodesicProbe::vtkInternals : public DGGInternalsOf<vtkGeodesicProbe>
 {
 public:
-  explicit vtkInternals(vtkGeodesicProbe* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-
-private:
-  vtkGeodesicProbe* Self;
 };
 
 //------------------------------------------------------------------------------
@@ -98,9 +90,6 @@ vtkGeodesicProbe::vtkGeodesicProbe()
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkGeodesicProbe::~vtkGeodesicProbe() = default;
 
 //------------------------------------------------------------------------------
 void vtkGeodesicProbe::PrintSelf(ostream& os, vtkIndent indent)

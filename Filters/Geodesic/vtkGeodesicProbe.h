@@ -94,7 +94,7 @@ public:
 
 protected:
   vtkGeodesicProbe();
-  ~vtkGeodesicProbe() override;
+  ~vtkGeodesicProbe() override = default;
 
 private:
   vtkGeodesicProbe(const vtkGeodesicProbe&) = delete;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicSampler.h"
 
-#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
@@ -14,7 +13,6 @@
 #include "dggSurfaceSampler.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -24,7 +22,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkGeodesicSampler);
-vtkDGGGraphUserMacro(vtkGeodesicSampler);
 vtkDGGDefineInputMacro(vtkGeodesicSampler, Start, 1);
 
 namespace
@@ -50,21 +47,16 @@ void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const DGGNewGeom
 }
 
 //------------------------------------------------------------------------------
-class vtkGeodesicSampler::vtkInternals : public DGGFilterInternals
+class vtkGeodesicSampler::vtkInternals : public DGGGraphInternalsOf<vtkGeodesicSampler>
 {
 public:
-  explicit vtkInternals(vtkGeodesicSampler* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override { return "use a smaller mesh or a larger Accuracy"; }
 
 private:
   DGGSourceSet GetStart(vtkInformationVector** inputVector) const;
@@ -72,9 +64,10 @@ private:
     const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
   void WarnAboutNumber(
     const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples);
-
-  vtkGeodesicSampler* Self;
 };
+
+vtkDGGInternalsMacro(vtkGeodesicSampler);
+vtkDGGGraphUserMacro(vtkGeodesicSampler);
 
 //------------------------------------------------------------------------------
 vtkGeodesicSampler::vtkGeodesicSampler()
@@ -83,14 +76,10 @@ vtkGeodesicSampler::vtkGeodesicSampler()
   , CoveringRadius(0.0)
   , InFaces(false)
   , ProjectionTolerance(0.01)
-  , GraphUser(new DGGGraphUser)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkGeodesicSampler::~vtkGeodesicSampler() = default;
 
 //------------------------------------------------------------------------------
 void vtkGeodesicSampler::PrintSelf(ostream& os, vtkIndent indent)
@@ -101,7 +90,7 @@ void vtkGeodesicSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoveringRadius: " << this->CoveringRadius << "\n";
   os << indent << "InFaces: " << (this->InFaces ? "On" : "Off") << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GetInternals().GraphUser.PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -114,25 +103,13 @@ dgg::Status vtkGeodesicSampler::vtkInternals::CheckProperties() const
   }
   DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "CoveringRadius", this->Self->CoveringRadius },
     { "ProjectionTolerance", this->Self->ProjectionTolerance } }));
-  return this->Self->GraphUser->Check();
+  return DGGGraphInternalsOf::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
 DGGSourceSet vtkGeodesicSampler::vtkInternals::GetStart(vtkInformationVector** inputVector) const
 {
   return { NoIds, vtkPolyData::GetData(inputVector[1]), 1, "start", "disconnect input port 1", "" };
-}
-
-//------------------------------------------------------------------------------
-bool vtkGeodesicSampler::vtkInternals::IsCloud(vtkPolyData* input) const
-{
-  return DGGGraphUser::IsCloud(input);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGeodesicSampler::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh or a larger Accuracy";
 }
 
 //------------------------------------------------------------------------------
@@ -194,7 +171,7 @@ dgg::Status vtkGeodesicSampler::vtkInternals::Execute(
   DGG_RETURN_IF_ERROR(this->MakeOptions(context, inputVector, options));
   DGGNewGeometry geometry;
   DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
-  DGGGraphUser& graph = *this->Self->GraphUser;
+  DGGGraphUser& graph = this->GraphUser;
   DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
   const bool needsLinks =
     options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);

@@ -37,10 +37,7 @@
 #define vtkGeodesicSampler_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
-
-#include <memory> // For the graph
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicSampler : public vtkGeodesicAlgorithm
 {
@@ -116,20 +113,20 @@ public:
 
 protected:
   vtkGeodesicSampler();
-  ~vtkGeodesicSampler() override;
+  ~vtkGeodesicSampler() override = default;
 
 private:
   vtkGeodesicSampler(const vtkGeodesicSampler&) = delete;
   void operator=(const vtkGeodesicSampler&) = delete;
 
   class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   vtkIdType NumberOfSamples;
   vtkIdType FirstSample;
   double CoveringRadius;
   bool InFaces;
   double ProjectionTolerance;
-  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicVoronoi.h"
 
-#include "DGGFilterInternals.h"
 #include "DGGGraphUser.h"
 #include "DGGMakeArray.h"
 #include "DGGNewGeometry.h"
@@ -23,7 +22,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -38,7 +36,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkGeodesicVoronoi);
-vtkDGGGraphUserMacro(vtkGeodesicVoronoi);
 vtkDGGDefineInputMacro(vtkGeodesicVoronoi, Site, 1);
 
 /// Options and results of vtkGeodesicVoronoi.
@@ -246,22 +243,20 @@ struct VoronoiOutputs
 }
 
 //------------------------------------------------------------------------------
-class vtkGeodesicVoronoi::vtkInternals : public DGGFilterInternals
+class vtkGeodesicVoronoi::vtkInternals : public DGGGraphInternalsOf<vtkGeodesicVoronoi>
 {
 public:
-  explicit vtkInternals(vtkGeodesicVoronoi* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh, a larger Accuracy or fewer sites";
+  }
 
 private:
   DGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
@@ -272,8 +267,11 @@ private:
   void PassArrays(const DGGContext& context, const DGGVoronoiResult& result,
     const DGGSourceSet& set, vtkInformationVector* outputVector) const;
 
-  vtkGeodesicVoronoi* Self;
+  DGGPropagation PreviewSolver;
 };
+
+vtkDGGInternalsMacro(vtkGeodesicVoronoi);
+vtkDGGGraphUserMacro(vtkGeodesicVoronoi);
 
 //------------------------------------------------------------------------------
 vtkGeodesicVoronoi::vtkGeodesicVoronoi()
@@ -288,16 +286,11 @@ vtkGeodesicVoronoi::vtkGeodesicVoronoi()
   , DistanceArrayName("GeodesicDistance")
   , SourceArrayName("GeodesicSource")
   , ProjectionTolerance(0.01)
-  , PreviewSolver(new DGGPropagation)
-  , GraphUser(new DGGGraphUser)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
 }
-
-//------------------------------------------------------------------------------
-vtkGeodesicVoronoi::~vtkGeodesicVoronoi() = default;
 
 //------------------------------------------------------------------------------
 void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
@@ -315,7 +308,7 @@ void vtkGeodesicVoronoi::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DistanceArrayName: " << this->DistanceArrayName << "\n";
   os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
   os << indent << "ProjectionTolerance: " << this->ProjectionTolerance << "\n";
-  this->GraphUser->PrintSelf(os, indent);
+  this->GetInternals().GraphUser.PrintSelf(os, indent);
 }
 
 //------------------------------------------------------------------------------
@@ -375,7 +368,7 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::CheckProperties() const
   {
     return dgg::Status::Invalid("Preview does not move sites: turn Preview or Centroidal off");
   }
-  return this->Self->GraphUser->Check();
+  return DGGGraphInternalsOf::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
@@ -383,18 +376,6 @@ DGGSourceSet vtkGeodesicVoronoi::vtkInternals::GetSiteSet(vtkInformationVector**
 {
   return { this->Self->SiteIds, vtkPolyData::GetData(inputVector[1]), 1, "site",
     "call AddSiteId() or SetSiteIds()", "" };
-}
-
-//------------------------------------------------------------------------------
-bool vtkGeodesicVoronoi::vtkInternals::IsCloud(vtkPolyData* input) const
-{
-  return DGGGraphUser::IsCloud(input);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGeodesicVoronoi::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh, a larger Accuracy or fewer sites";
 }
 
 //------------------------------------------------------------------------------
@@ -410,7 +391,7 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::ComputePreview(
   options.Quality = DGGPropagation::Choose(context.Surface);
   options.WantNearestSource = true;
   dgg::PropagationResult found;
-  DGG_RETURN_IF_ERROR(this->Self->PreviewSolver->Run(context, result.Sites, options, found)
+  DGG_RETURN_IF_ERROR(this->PreviewSolver.Run(context, result.Sites, options, found)
                         .Of("Preview, which can be turned off"));
   this->WarnAboutQuality(
     DGGJoinReasons({ DGGDescribeLongTriangles(context.Surface,
@@ -429,7 +410,7 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::Compute(
   const DGGContext& context, DGGVoronoiResult& result)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  DGGGraphUser& graph = *this->Self->GraphUser;
+  DGGGraphUser& graph = this->GraphUser;
   const dgg::ProgressCallback progress = graph.GetRemainingProgress(context);
   double start = 0.0;
   if (result.IsCentroidal)
@@ -485,7 +466,7 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::Execute(
   }
   else
   {
-    DGG_RETURN_IF_ERROR(this->Self->GraphUser->Update(context, this->Self));
+    DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
     DGG_RETURN_IF_ERROR(this->Compute(context, result));
   }
   this->FillOutputs(context, result, geometry, outputVector);

@@ -37,14 +37,10 @@
 #define vtkGeodesicVoronoi_h
 
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
-#include "vtkDGGPropertyMacros.h"        // For the properties of the graph
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the graph
 #include <string> // For array names
 #include <vector> // For site ids
-
-class DGGPropagation;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicVoronoi : public vtkGeodesicAlgorithm
 {
@@ -206,13 +202,14 @@ public:
 
 protected:
   vtkGeodesicVoronoi();
-  ~vtkGeodesicVoronoi() override;
+  ~vtkGeodesicVoronoi() override = default;
 
 private:
   vtkGeodesicVoronoi(const vtkGeodesicVoronoi&) = delete;
   void operator=(const vtkGeodesicVoronoi&) = delete;
 
   class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   std::vector<vtkIdType> SiteIds;
   bool Centroidal;
@@ -226,8 +223,6 @@ private:
   std::string DistanceArrayName;
   std::string SourceArrayName;
   double ProjectionTolerance;
-  std::unique_ptr<DGGPropagation> PreviewSolver;
-  std::unique_ptr<DGGGraphUser> GraphUser;
 };
 
 #endif

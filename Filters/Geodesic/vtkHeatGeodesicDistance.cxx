@@ -12,16 +12,10 @@
 #include "vtkObjectFactory.h"
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 vtkStandardNewMacro(vtkHeatGeodesicDistance);
-
-/// Factorizations, kept until the mesh changes.
-struct vtkHeatGeodesicDistance::Preparation
-{
-  std::uint64_t MeshBuild;
-  dgg::HeatMethod Method;
-};
 
 namespace
 {
@@ -47,23 +41,38 @@ std::string DescribeQuality(const dgg::PreparedSurface& surface, double factor, 
 }
 
 //------------------------------------------------------------------------------
-class vtkHeatGeodesicDistance::vtkInternals : public DGGDistanceInternals
+class vtkHeatGeodesicDistance::vtkInternals
+  : public DGGInternalsOf<vtkHeatGeodesicDistance, DGGDistanceInternals>
 {
 public:
-  explicit vtkInternals(vtkHeatGeodesicDistance* self)
-    : DGGDistanceInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
-  void ForgetResults() override;
+  void ForgetResults() override { this->Self->QualityWarning = false; }
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh or vtkDGGFastMarchingDistance";
+  }
 
-private:
-  vtkHeatGeodesicDistance* Self;
+  /// Factorizations, kept until the mesh changes.
+  struct Preparation
+  {
+    std::uint64_t MeshBuild;
+    dgg::HeatMethod Method;
+  };
+
+  int GetNumberOfFactorizations() const
+  {
+    return this->EarlierFactorizations +
+      (this->Prepared ? this->Prepared->Method.GetNumberOfFactorizations() : 0);
+  }
+
+  std::unique_ptr<Preparation> Prepared;
+  int EarlierFactorizations = 0; // for meshes before the last one
 };
+
+vtkDGGInternalsMacro(vtkHeatGeodesicDistance);
 
 //------------------------------------------------------------------------------
 vtkHeatGeodesicDistance::vtkHeatGeodesicDistance()
@@ -71,13 +80,9 @@ vtkHeatGeodesicDistance::vtkHeatGeodesicDistance()
   , IntrinsicDelaunay(true)
   , Boundary(Neumann)
   , QualityWarning(false)
-  , NumberOfFactorizations(0)
 {
   this->Internals.reset(new vtkInternals(this));
 }
-
-//------------------------------------------------------------------------------
-vtkHeatGeodesicDistance::~vtkHeatGeodesicDistance() = default;
 
 //------------------------------------------------------------------------------
 void vtkHeatGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
@@ -101,15 +106,14 @@ const char* vtkHeatGeodesicDistance::GetBoundaryAsString() const
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkHeatGeodesicDistance::GetMemorySize() const
 {
-  return this->Prepared ? static_cast<vtkTypeUInt64>(this->Prepared->Method.GetEstimatedMemory())
-                        : 0;
+  const auto& prepared = this->GetInternals().Prepared;
+  return prepared ? static_cast<vtkTypeUInt64>(prepared->Method.GetEstimatedMemory()) : 0;
 }
 
 //------------------------------------------------------------------------------
 int vtkHeatGeodesicDistance::GetNumberOfFactorizations() const
 {
-  return this->NumberOfFactorizations +
-    (this->Prepared ? this->Prepared->Method.GetNumberOfFactorizations() : 0);
+  return this->GetInternals().GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
@@ -126,18 +130,6 @@ dgg::Status vtkHeatGeodesicDistance::vtkInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeatGeodesicDistance::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh or vtkDGGFastMarchingDistance";
-}
-
-//------------------------------------------------------------------------------
-void vtkHeatGeodesicDistance::vtkInternals::ForgetResults()
-{
-  this->Self->QualityWarning = false;
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkHeatGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   const dgg::HeatBoundary boundaries[] = { dgg::HeatBoundary::Neumann, dgg::HeatBoundary::Dirichlet,
@@ -147,15 +139,14 @@ dgg::Status vtkHeatGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceT
   options.IntrinsicDelaunay = this->Self->IntrinsicDelaunay;
   options.Boundary = boundaries[this->Self->Boundary];
 
-  if (!this->Self->Prepared ||
-    this->Self->Prepared->MeshBuild != task.Context.Surface.GetBuildNumber())
+  if (!this->Prepared || this->Prepared->MeshBuild != task.Context.Surface.GetBuildNumber())
   {
-    this->Self->NumberOfFactorizations = this->Self->GetNumberOfFactorizations();
-    this->Self->Prepared.reset(); // release before the next is allocated
-    this->Self->Prepared.reset(new Preparation{
+    this->EarlierFactorizations = this->GetNumberOfFactorizations();
+    this->Prepared.reset(); // release before the next is allocated
+    this->Prepared.reset(new Preparation{
       task.Context.Surface.GetBuildNumber(), dgg::HeatMethod(task.Context.Surface.GetMesh()) });
   }
-  dgg::HeatMethod& method = this->Self->Prepared->Method;
+  dgg::HeatMethod& method = this->Prepared->Method;
   bool isTooMuch = false;
   dgg::Status status = method.Prepare(
     options, dgg::ProgressPart(task.Context.Progress, 0.0, FactorizedAt), [&](double bytes) {
@@ -166,7 +157,7 @@ dgg::Status vtkHeatGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceT
     });
   if (isTooMuch && method.GetNumberOfFactorizations() == 0)
   {
-    this->Self->Prepared.reset(); // no factorization exists yet
+    this->Prepared.reset(); // no factorization exists yet
   }
   if (!status.IsOk())
   {

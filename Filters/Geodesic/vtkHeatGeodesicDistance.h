@@ -38,9 +38,6 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicDistanceAlgorithm.h"
 
-#include <memory> // For the factorizations
-#include <string> // For advice
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkHeatGeodesicDistance : public vtkGeodesicDistanceAlgorithm
 {
 public:
@@ -110,22 +107,19 @@ public:
 
 protected:
   vtkHeatGeodesicDistance();
-  ~vtkHeatGeodesicDistance() override;
+  ~vtkHeatGeodesicDistance() override = default;
 
 private:
   vtkHeatGeodesicDistance(const vtkHeatGeodesicDistance&) = delete;
   void operator=(const vtkHeatGeodesicDistance&) = delete;
 
   class vtkInternals;
-
-  struct Preparation;
+  vtkInternals& GetInternals() const;
 
   double TimeStepFactor;
   bool IntrinsicDelaunay;
   int Boundary;
   bool QualityWarning;
-  int NumberOfFactorizations; // for meshes before the last one
-  std::unique_ptr<Preparation> Prepared;
 };
 
 #endif

@@ -13,34 +13,30 @@
 vtkStandardNewMacro(vtkVirtualSourceGeodesicDistance);
 
 //------------------------------------------------------------------------------
-class vtkVirtualSourceGeodesicDistance::vtkInternals : public DGGDistanceInternals
+class vtkVirtualSourceGeodesicDistance::vtkInternals
+  : public DGGInternalsOf<vtkVirtualSourceGeodesicDistance, DGGDistanceInternals>
 {
 public:
-  explicit vtkInternals(vtkVirtualSourceGeodesicDistance* self)
-    : DGGDistanceInternals(self)
-    , Self(self)
+  using DGGInternalsOf::DGGInternalsOf;
+
+  void ForgetResults() override { this->Self->QualityWarning = false; }
+  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  std::string GetMemoryRemedy() const override
   {
+    return "use a smaller mesh, or SetQualityToFast()";
   }
 
-  void ForgetResults() override;
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-  std::string GetMemoryRemedy() const override;
-
 private:
-  vtkVirtualSourceGeodesicDistance* Self;
+  DGGPropagation Propagation;
 };
 
 //------------------------------------------------------------------------------
 vtkVirtualSourceGeodesicDistance::vtkVirtualSourceGeodesicDistance()
   : Quality(Automatic)
   , QualityWarning(false)
-  , Propagation(new DGGPropagation)
 {
   this->Internals.reset(new vtkInternals(this));
 }
-
-//------------------------------------------------------------------------------
-vtkVirtualSourceGeodesicDistance::~vtkVirtualSourceGeodesicDistance() = default;
 
 //------------------------------------------------------------------------------
 void vtkVirtualSourceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
@@ -58,18 +54,6 @@ const char* vtkVirtualSourceGeodesicDistance::GetQualityAsString() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkVirtualSourceGeodesicDistance::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh, or SetQualityToFast()";
-}
-
-//------------------------------------------------------------------------------
-void vtkVirtualSourceGeodesicDistance::vtkInternals::ForgetResults()
-{
-  this->Self->QualityWarning = false;
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   dgg::PropagationOptions options;
@@ -80,7 +64,7 @@ dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(DGG
   options.WantNearestSource = task.WantNearestSource;
   options.WantVirtualSource = task.WantVirtualSource;
   dgg::PropagationResult result;
-  DGG_RETURN_IF_ERROR(this->Self->Propagation->Run(task.Context, task.Sources, options, result));
+  DGG_RETURN_IF_ERROR(this->Propagation.Run(task.Context, task.Sources, options, result));
   this->Self->QualityWarning = this->WarnAboutQuality(
     DGGJoinReasons({ DGGDescribeLongTriangles(task.Context.Surface, DGGLongTrianglesMislead),
       result.IsSettled ? "" : DGGUnsettledDistances }));

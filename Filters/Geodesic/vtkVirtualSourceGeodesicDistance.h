@@ -40,10 +40,6 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicDistanceAlgorithm.h"
 
-#include <memory> // For the prepared triangles
-
-class DGGPropagation;
-
 class VTKDGGFILTERSGEODESIC_EXPORT vtkVirtualSourceGeodesicDistance
   : public vtkGeodesicDistanceAlgorithm
 {
@@ -83,7 +79,7 @@ public:
 
 protected:
   vtkVirtualSourceGeodesicDistance();
-  ~vtkVirtualSourceGeodesicDistance() override;
+  ~vtkVirtualSourceGeodesicDistance() override = default;
 
 private:
   vtkVirtualSourceGeodesicDistance(const vtkVirtualSourceGeodesicDistance&) = delete;
@@ -93,7 +89,6 @@ private:
 
   int Quality;
   bool QualityWarning;
-  std::unique_ptr<DGGPropagation> Propagation;
 };
 
 #endif

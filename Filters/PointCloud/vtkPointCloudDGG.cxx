@@ -16,7 +16,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -57,6 +56,8 @@ void AddVertices(vtkPolyData* cloud)
 }
 }
 
+vtkDGGInternalsMacro(vtkPointCloudDGG);
+
 //------------------------------------------------------------------------------
 vtkPointCloudDGG::vtkPointCloudDGG()
   : Scheme(C)
@@ -74,15 +75,6 @@ vtkPointCloudDGG::vtkPointCloudDGG()
 {
   this->Internals.reset(new vtkInternals(this));
 }
-
-//------------------------------------------------------------------------------
-vtkPointCloudDGG::vtkInternals& vtkPointCloudDGG::GetInternals() const
-{
-  return static_cast<vtkInternals&>(*this->Internals);
-}
-
-//------------------------------------------------------------------------------
-vtkPointCloudDGG::~vtkPointCloudDGG() = default;
 
 //------------------------------------------------------------------------------
 const char* vtkPointCloudDGG::GetSchemeAsString() const
@@ -151,24 +143,6 @@ dgg::Status vtkPointCloudDGG::vtkInternals::CheckInputNormals(vtkPolyData* cloud
   return dgg::InvalidInput("the point normals of the input have ", normals->GetNumberOfComponents(),
     " components and ", normals->GetNumberOfTuples(), " tuples for ", cloud->GetNumberOfPoints(),
     " points: expected three numbers per point. Repair them, or turn UseInputNormals off");
-}
-
-//------------------------------------------------------------------------------
-bool vtkPointCloudDGG::vtkInternals::IsCloud(vtkPolyData* vtkNotUsed(input)) const
-{
-  return true;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkPointCloudDGG::vtkInternals::GetMemoryRemedy() const
-{
-  return "use fewer points, a larger Accuracy, a smaller Alpha or a smaller Resolution";
-}
-
-//------------------------------------------------------------------------------
-void vtkPointCloudDGG::vtkInternals::ForgetResults()
-{
-  this->Current = Findings();
 }
 
 //------------------------------------------------------------------------------

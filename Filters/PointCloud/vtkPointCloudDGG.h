@@ -283,7 +283,7 @@ public:
 
 protected:
   vtkPointCloudDGG();
-  ~vtkPointCloudDGG() override;
+  ~vtkPointCloudDGG() override = default;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 vtkStandardNewMacro(vtkBiharmonicDistance);
 
@@ -45,31 +46,35 @@ dgg::Status CheckAll(const dgg::SpectralDistance& distance, PlaceCheck check,
 }
 
 //------------------------------------------------------------------------------
-/// Solver, kept until the mesh changes.
-struct vtkBiharmonicDistance::Preparation
-{
-  vtkMTimeType SolverTime;
-  dgg::SpectralDistance Distance;
-};
-
-//------------------------------------------------------------------------------
-class vtkBiharmonicDistance::vtkInternals : public DGGSpectralInternals
+class vtkBiharmonicDistance::vtkInternals
+  : public DGGInternalsOf<vtkBiharmonicDistance, DGGSpectralInternals>
 {
 public:
-  explicit vtkInternals(vtkBiharmonicDistance* self)
-    : DGGSpectralInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
-private:
-  vtkBiharmonicDistance* Self;
+  /// Solver, kept until the mesh changes.
+  struct Preparation
+  {
+    vtkMTimeType SolverTime;
+    dgg::SpectralDistance Distance;
+  };
+
+  int GetNumberOfSpectra() const
+  {
+    return this->EarlierSpectra +
+      (this->Prepared ? this->Prepared->Distance.GetNumberOfSpectra() : 0);
+  }
+
+  std::unique_ptr<Preparation> Prepared;
+  int EarlierSpectra = 0; // for meshes before the last one
 };
+
+vtkDGGInternalsMacro(vtkBiharmonicDistance);
 
 //------------------------------------------------------------------------------
 vtkBiharmonicDistance::vtkBiharmonicDistance()
@@ -79,13 +84,9 @@ vtkBiharmonicDistance::vtkBiharmonicDistance()
   , NumberOfEigenvalues(150)
   , DiffusionTime(0.0)
   , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
-  , NumberOfSpectra(0)
 {
   this->Internals.reset(new vtkInternals(this));
 }
-
-//------------------------------------------------------------------------------
-vtkBiharmonicDistance::~vtkBiharmonicDistance() = default;
 
 //------------------------------------------------------------------------------
 void vtkBiharmonicDistance::PrintSelf(ostream& os, vtkIndent indent)
@@ -115,15 +116,14 @@ const char* vtkBiharmonicDistance::GetMethodAsString() const
 //------------------------------------------------------------------------------
 int vtkBiharmonicDistance::GetNumberOfSpectra() const
 {
-  return this->NumberOfSpectra +
-    (this->Prepared ? this->Prepared->Distance.GetNumberOfSpectra() : 0);
+  return this->GetInternals().GetNumberOfSpectra();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkBiharmonicDistance::GetMemorySize() const
 {
-  return this->Superclass::GetMemorySize() +
-    (this->Prepared ? this->Prepared->Distance.GetMemorySize() : 0);
+  const auto& prepared = this->GetInternals().Prepared;
+  return this->Superclass::GetMemorySize() + (prepared ? prepared->Distance.GetMemorySize() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -171,14 +171,13 @@ dgg::Status vtkBiharmonicDistance::vtkInternals::ComputeValues(DGGSpectralTask& 
     this->Self->Method == Exact ? dgg::SpectralMethod::Exact : dgg::SpectralMethod::Spectrum;
   options.NumberOfEigenvalues = this->Self->NumberOfEigenvalues;
   options.Time = this->Self->DiffusionTime;
-  if (!this->Self->Prepared || this->Self->Prepared->SolverTime != task.SolverTime)
+  if (!this->Prepared || this->Prepared->SolverTime != task.SolverTime)
   {
-    this->Self->NumberOfSpectra = this->Self->GetNumberOfSpectra();
-    this->Self->Prepared.reset(); // release before the next is allocated
-    this->Self->Prepared.reset(
-      new Preparation{ task.SolverTime, dgg::SpectralDistance(task.Solver) });
+    this->EarlierSpectra = this->GetNumberOfSpectra();
+    this->Prepared.reset(); // release before the next is allocated
+    this->Prepared.reset(new Preparation{ task.SolverTime, dgg::SpectralDistance(task.Solver) });
   }
-  dgg::SpectralDistance& distance = this->Self->Prepared->Distance;
+  dgg::SpectralDistance& distance = this->Prepared->Distance;
   DGG_RETURN_IF_ERROR(
     CheckAll(distance, &dgg::SpectralDistance::CheckSource, task.Sources, "source "));
   DGG_RETURN_IF_ERROR(

@@ -38,8 +38,6 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkSpectralAlgorithm.h"
 
-#include <memory> // For the eigenvalues
-
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkBiharmonicDistance : public vtkSpectralAlgorithm
 {
 public:
@@ -127,23 +125,20 @@ public:
 
 protected:
   vtkBiharmonicDistance();
-  ~vtkBiharmonicDistance() override;
+  ~vtkBiharmonicDistance() override = default;
 
 private:
   vtkBiharmonicDistance(const vtkBiharmonicDistance&) = delete;
   void operator=(const vtkBiharmonicDistance&) = delete;
 
   class vtkInternals;
-
-  struct Preparation;
+  vtkInternals& GetInternals() const;
 
   int Kind;
   int Method;
   int NumberOfEigenvalues;
   double DiffusionTime;
   double UnreachedValue;
-  int NumberOfSpectra; // for meshes before the last one
-  std::unique_ptr<Preparation> Prepared;
 };
 
 #endif

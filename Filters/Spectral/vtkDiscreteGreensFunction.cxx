@@ -144,28 +144,27 @@ private:
 }
 
 //------------------------------------------------------------------------------
-class vtkDiscreteGreensFunction::vtkInternals : public DGGSpectralInternals
+class vtkDiscreteGreensFunction::vtkInternals
+  : public DGGInternalsOf<vtkDiscreteGreensFunction, DGGSpectralInternals>
 {
 public:
-  explicit vtkInternals(vtkDiscreteGreensFunction* self)
-    : DGGSpectralInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   dgg::PoissonOptions GetPoissonOptions() const override;
   double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
     std::size_t numberOfTargets) const override;
-  void ForgetResults() override;
+  void ForgetResults() override { this->Used.clear(); }
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
   std::unique_ptr<Functions> Kept;
   std::vector<UsedMethod> Used; // per source
 
 private:
-  vtkDiscreteGreensFunction* Self;
+  void WarnAboutRemarks() const;
 };
+
+vtkDGGInternalsMacro(vtkDiscreteGreensFunction);
 
 //------------------------------------------------------------------------------
 vtkDiscreteGreensFunction::vtkDiscreteGreensFunction()
@@ -180,15 +179,6 @@ vtkDiscreteGreensFunction::vtkDiscreteGreensFunction()
 {
   this->Internals.reset(new vtkInternals(this));
 }
-
-//------------------------------------------------------------------------------
-vtkDiscreteGreensFunction::vtkInternals& vtkDiscreteGreensFunction::GetInternals() const
-{
-  return static_cast<vtkInternals&>(*this->Internals);
-}
-
-//------------------------------------------------------------------------------
-vtkDiscreteGreensFunction::~vtkDiscreteGreensFunction() = default;
 
 //------------------------------------------------------------------------------
 void vtkDiscreteGreensFunction::PrintSelf(ostream& os, vtkIndent indent)
@@ -307,12 +297,6 @@ double vtkDiscreteGreensFunction::vtkInternals::EstimateWorkingMemory(
 }
 
 //------------------------------------------------------------------------------
-void vtkDiscreteGreensFunction::vtkInternals::ForgetResults()
-{
-  this->Used.clear();
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkDiscreteGreensFunction::vtkInternals::ComputeValues(DGGSpectralTask& task)
 {
   const dgg::GreensMethod methods[] = { dgg::GreensMethod::SingularitySubtraction,
@@ -350,14 +334,14 @@ dgg::Status vtkDiscreteGreensFunction::vtkInternals::ComputeValues(DGGSpectralTa
     DGG_RETURN_IF_ERROR(run.InBlocks(this->Kept->Function));
   }
   this->Used.swap(used);
-  this->Self->WarnOfRemarks();
+  this->WarnAboutRemarks();
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-void vtkDiscreteGreensFunction::WarnOfRemarks()
+void vtkDiscreteGreensFunction::vtkInternals::WarnAboutRemarks() const
 {
-  const std::vector<UsedMethod>& used = this->GetInternals().Used;
+  const std::vector<UsedMethod>& used = this->Used;
   for (const NamedRemark& remark : Remarks)
   {
     const auto has = [&](const UsedMethod& of) { return of.Remark == remark.Remark; };
@@ -365,8 +349,9 @@ void vtkDiscreteGreensFunction::WarnOfRemarks()
     if (count > 0)
     {
       const auto first = std::find_if(used.begin(), used.end(), has) - used.begin();
-      vtkWarningMacro(<< count << " of the " << used.size() << " sources, the first of them "
-                      << first << ": " << remark.Text << ".");
+      vtkWarningWithObjectMacro(this->Self, << count << " of the " << used.size()
+                                            << " sources, the first of them " << first << ": "
+                                            << remark.Text << ".");
     }
   }
 }

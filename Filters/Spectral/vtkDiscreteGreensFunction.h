@@ -205,7 +205,7 @@ public:
 
 protected:
   vtkDiscreteGreensFunction();
-  ~vtkDiscreteGreensFunction() override;
+  ~vtkDiscreteGreensFunction() override = default;
 
 private:
   vtkDiscreteGreensFunction(const vtkDiscreteGreensFunction&) = delete;
@@ -213,8 +213,6 @@ private:
 
   class vtkInternals;
   vtkInternals& GetInternals() const;
-
-  void WarnOfRemarks();
 
   int Order;
   int Method;

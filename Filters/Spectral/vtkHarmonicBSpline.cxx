@@ -15,7 +15,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -48,14 +47,11 @@ constexpr double SiteMatrices = 4.0;
 }
 
 //------------------------------------------------------------------------------
-class vtkHarmonicBSpline::vtkInternals : public DGGSpectralInternals
+class vtkHarmonicBSpline::vtkInternals
+  : public DGGInternalsOf<vtkHarmonicBSpline, DGGSpectralInternals>
 {
 public:
-  explicit vtkInternals(vtkHarmonicBSpline* self)
-    : DGGSpectralInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
@@ -70,12 +66,15 @@ public:
   void ForgetResults() override;
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
+  std::vector<vtkIdType> UsedSites; // by the last update
+
 private:
-  vtkHarmonicBSpline* Self;
   // Inputs of this update, from ReadInputs() to ComputeValues().
   std::vector<std::vector<double>> SiteValues; // per component; empty without an interpolation
   std::vector<double> RightHandSide;           // empty without a solution
 };
+
+vtkDGGInternalsMacro(vtkHarmonicBSpline);
 
 //------------------------------------------------------------------------------
 vtkHarmonicBSpline::vtkHarmonicBSpline()
@@ -91,9 +90,6 @@ vtkHarmonicBSpline::vtkHarmonicBSpline()
 {
   this->Internals.reset(new vtkInternals(this));
 }
-
-//------------------------------------------------------------------------------
-vtkHarmonicBSpline::~vtkHarmonicBSpline() = default;
 
 //------------------------------------------------------------------------------
 void vtkHarmonicBSpline::PrintSelf(ostream& os, vtkIndent indent)
@@ -127,13 +123,13 @@ const char* vtkHarmonicBSpline::GetRightHandSideMeaningAsString() const
 //------------------------------------------------------------------------------
 vtkIdType vtkHarmonicBSpline::GetNumberOfUsedSites() const
 {
-  return static_cast<vtkIdType>(this->UsedSites.size());
+  return static_cast<vtkIdType>(this->GetInternals().UsedSites.size());
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const
 {
-  return DGGGetId(this->UsedSites, site);
+  return DGGGetId(this->GetInternals().UsedSites, site);
 }
 
 //------------------------------------------------------------------------------
@@ -265,7 +261,7 @@ double vtkHarmonicBSpline::vtkInternals::EstimateWorkingMemory(
 //------------------------------------------------------------------------------
 void vtkHarmonicBSpline::vtkInternals::ForgetResults()
 {
-  this->Self->UsedSites.clear();
+  this->UsedSites.clear();
   this->SiteValues = {};
   this->RightHandSide = {};
 }
@@ -335,7 +331,7 @@ dgg::Status vtkHarmonicBSpline::vtkInternals::ComputeValues(DGGSpectralTask& tas
                      "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
   }
   DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, 1.0));
-  this->Self->UsedSites.swap(sites);
+  this->UsedSites.swap(sites);
   this->SiteValues = {};
   this->RightHandSide = {};
   return dgg::Status::Success();

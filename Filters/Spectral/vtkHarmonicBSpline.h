@@ -42,7 +42,6 @@
 #include "vtkSpectralAlgorithm.h"
 
 #include <string> // For array names
-#include <vector> // For sites
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkHarmonicBSpline : public vtkSpectralAlgorithm
 {
@@ -191,13 +190,14 @@ public:
 
 protected:
   vtkHarmonicBSpline();
-  ~vtkHarmonicBSpline() override;
+  ~vtkHarmonicBSpline() override = default;
 
 private:
   vtkHarmonicBSpline(const vtkHarmonicBSpline&) = delete;
   void operator=(const vtkHarmonicBSpline&) = delete;
 
   class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   int Order;
   int NumberOfSites;
@@ -209,7 +209,6 @@ private:
   std::string InterpolationArrayName;
   bool GenerateBasis;
   bool SmoothEvaluation;
-  std::vector<vtkIdType> UsedSites;
 };
 
 #endif

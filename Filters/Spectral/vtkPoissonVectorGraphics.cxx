@@ -15,9 +15,6 @@
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -86,20 +83,19 @@ double EstimateMesh(const dgg::SurfaceMesh& mesh, const Drawing& drawing)
 }
 
 //------------------------------------------------------------------------------
-class vtkPoissonVectorGraphics::vtkInternals : public DGGFilterInternals
+class vtkPoissonVectorGraphics::vtkInternals : public DGGInternalsOf<vtkPoissonVectorGraphics>
 {
 public:
-  explicit vtkInternals(vtkPoissonVectorGraphics* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh or a lower RefinementLevel, or refine NearCurves only";
+  }
 
   dgg::VectorGraphics Graphics;
   Drawing Kept; // input that Graphics is prepared for
@@ -108,30 +104,27 @@ public:
   int NumberOfFactorizations = 0;
 
   /// Draws the curves, refines and cuts the surface, factorizes the matrix. Memory is checked
-  /// before allocation; `remedy` is the advice besides raising MemoryLimit. After a failure nothing
-  /// is kept.
+  /// before allocation. After a failure nothing is kept.
   dgg::Status Prepare(const DGGContext& context, const Drawing& drawing,
-    const dgg::GraphicsOptions& options, const std::string& remedy,
-    const dgg::ProgressCallback& progress);
+    const dgg::GraphicsOptions& options, const dgg::ProgressCallback& progress);
 
 private:
   dgg::Status Draw(const DGGContext& context, const Drawing& drawing,
-    const dgg::GraphicsOptions& options, const std::string& remedy,
-    const dgg::ProgressCallback& progress);
+    const dgg::GraphicsOptions& options, const dgg::ProgressCallback& progress);
   DGGGraphicsNames GetNames() const;
-
-  vtkPoissonVectorGraphics* Self;
 };
+
+vtkDGGInternalsMacro(vtkPoissonVectorGraphics);
 
 //------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& context,
-  const Drawing& drawing, const dgg::GraphicsOptions& options, const std::string& remedy,
+  const Drawing& drawing, const dgg::GraphicsOptions& options,
   const dgg::ProgressCallback& progress)
 {
   const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
   const std::size_t count = drawing.Curves.size();
   DGG_RETURN_IF_ERROR(
-    context.Memory.Check("the refined mesh", EstimateMesh(mesh, drawing), remedy));
+    context.Memory.Check("the refined mesh", EstimateMesh(mesh, drawing), this->GetMemoryRemedy()));
   std::vector<dgg::SurfaceCurve> joined(count);
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -152,9 +145,10 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& conte
   const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
   if (!status.IsOk())
   {
-    return status.IsAborted() ? status
-                              : dgg::InvalidInput(status.GetMessage(),
-                                  ", for memory to suffice: raise MemoryLimit, or ", remedy);
+    return status.IsAborted()
+      ? status
+      : dgg::InvalidInput(status.GetMessage(), ", for memory to suffice: raise MemoryLimit, or ",
+          this->GetMemoryRemedy());
   }
   std::vector<dgg::CurveChain> chains;
   for (std::size_t k = 0; k < count; ++k)
@@ -168,14 +162,14 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& conte
 
 //------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const DGGContext& context,
-  const Drawing& drawing, const dgg::GraphicsOptions& options, const std::string& remedy,
+  const Drawing& drawing, const dgg::GraphicsOptions& options,
   const dgg::ProgressCallback& progress)
 {
   this->IsKept = false;
   this->Graphics.Clear();
   this->RefinedFaces = std::vector<dgg::Id>();
   this->Kept = Drawing();
-  const dgg::Status status = this->Draw(context, drawing, options, remedy, progress);
+  const dgg::Status status = this->Draw(context, drawing, options, progress);
   if (!status.IsOk())
   {
     this->Graphics.Clear();
@@ -216,15 +210,6 @@ vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkPoissonVectorGraphics::vtkInternals& vtkPoissonVectorGraphics::GetInternals() const
-{
-  return static_cast<vtkInternals&>(*this->Internals);
-}
-
-//------------------------------------------------------------------------------
-vtkPoissonVectorGraphics::~vtkPoissonVectorGraphics() = default;
 
 //------------------------------------------------------------------------------
 void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
@@ -307,12 +292,6 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPoissonVectorGraphics::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh or a lower RefinementLevel, or refine NearCurves only";
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -379,8 +358,8 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   const double preparedAt = isKept ? FoundAt : FactorizedAt;
   if (!isKept)
   {
-    DGG_RETURN_IF_ERROR(this->Prepare(context, drawing, options, this->GetMemoryRemedy(),
-      dgg::ProgressPart(context.Progress, 0.0, preparedAt)));
+    DGG_RETURN_IF_ERROR(this->Prepare(
+      context, drawing, options, dgg::ProgressPart(context.Progress, 0.0, preparedAt)));
   }
   dgg::GraphicsResult result;
   options.Progress = dgg::ProgressPart(context.Progress, preparedAt, 1.0);

@@ -226,7 +226,7 @@ public:
 
 protected:
   vtkPoissonVectorGraphics();
-  ~vtkPoissonVectorGraphics() override;
+  ~vtkPoissonVectorGraphics() override = default;
 
 private:
   vtkPoissonVectorGraphics(const vtkPoissonVectorGraphics&) = delete;

@@ -3,7 +3,6 @@
 #include "vtkSpectralAlgorithm.h"
 
 #include "DGGContext.h"
-#include "DGGPoissonCache.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 #include "DGGSpectralInternals.h"
@@ -12,8 +11,6 @@
 #include "dggProgressPart.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -28,6 +25,12 @@ constexpr double FactorizedAt = 0.4;
 constexpr double FoundAt = 0.01;
 /// Progress weight of selecting sources within the rest.
 constexpr double ChoosingPart = 0.1;
+
+/// Returns the factorization that a filter keeps.
+const DGGPoissonCache& GetCache(const DGGFilterInternals& internals)
+{
+  return static_cast<const DGGSpectralInternals&>(internals).Cache;
+}
 
 /// Adds the results to the points of a port as active scalars; without results, the last of the
 /// further arrays becomes active.
@@ -58,14 +61,10 @@ vtkSpectralAlgorithm::vtkSpectralAlgorithm(const std::string& resultArrayName)
   , Boundary(Neumann)
   , IntrinsicDelaunay(false)
   , ResultArrayName(resultArrayName)
-  , Cache(new DGGPoissonCache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
 }
-
-//------------------------------------------------------------------------------
-vtkSpectralAlgorithm::~vtkSpectralAlgorithm() = default;
 
 //------------------------------------------------------------------------------
 void vtkSpectralAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
@@ -106,13 +105,13 @@ const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 //------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const
 {
-  return this->Cache->GetNumberOfFactorizations();
+  return GetCache(*this->Internals).GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSpectralAlgorithm::GetMemorySize() const
 {
-  return this->Cache->GetMemorySize();
+  return GetCache(*this->Internals).GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -133,12 +132,6 @@ dgg::Status DGGSpectralInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-std::string DGGSpectralInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh or fewer sources at a time";
-}
-
-//------------------------------------------------------------------------------
 dgg::PoissonOptions DGGSpectralInternals::GetPoissonOptions() const
 {
   dgg::PoissonOptions options;
@@ -147,34 +140,6 @@ dgg::PoissonOptions DGGSpectralInternals::GetPoissonOptions() const
     : dgg::PoissonBoundary::Neumann;
   options.IntrinsicDelaunay = this->Filter->IntrinsicDelaunay;
   return options;
-}
-
-//------------------------------------------------------------------------------
-std::size_t DGGSpectralInternals::CountSources(
-  const dgg::PoissonSolver& vtkNotUsed(solver), std::size_t given) const
-{
-  return given;
-}
-
-//------------------------------------------------------------------------------
-std::size_t DGGSpectralInternals::CountResults(std::size_t numberOfSources) const
-{
-  return numberOfSources;
-}
-
-//------------------------------------------------------------------------------
-dgg::Status DGGSpectralInternals::ChooseSources(const dgg::PoissonSolver& vtkNotUsed(solver),
-  const dgg::ProgressCallback& vtkNotUsed(progress),
-  std::vector<dgg::SurfacePoint>& vtkNotUsed(sources)) const
-{
-  return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-dgg::Status DGGSpectralInternals::ReadInputs(
-  vtkPolyData* vtkNotUsed(surface), const DGGSourceSet& vtkNotUsed(sources))
-{
-  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -197,7 +162,6 @@ dgg::Status DGGSpectralInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  DGGPoissonCache& cache = *this->Filter->Cache;
   const DGGSourceSet targetSet = GetTargets(inputVector);
   const DGGSourceSet sourceSet = this->GetSources(inputVector);
   std::vector<dgg::SurfacePoint> sources;
@@ -222,19 +186,21 @@ dgg::Status DGGSpectralInternals::Execute(
       this->EstimateWorkingMemory(solver, count, targets.size());
     return needed;
   };
-  const double prepared = cache.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
+  const double prepared = this->Cache.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
   const double chosen =
     prepared + (this->CanChooseSources() ? ChoosingPart * (1.0 - prepared) : 0.0);
-  DGG_RETURN_IF_ERROR(cache.Prepare(context, options, others, this->GetMemoryRemedy(),
+  DGG_RETURN_IF_ERROR(this->Cache.Prepare(context, options, others, this->GetMemoryRemedy(),
     dgg::ProgressPart(context.Progress, 0.0, prepared)));
   DGG_RETURN_IF_ERROR(this->ChooseSources(
-    cache.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources));
-  const double held = !context.Memory.IsExplicit() ? 0.0 : cache.GetSolver().GetEstimatedMemory();
+    this->Cache.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources));
+  const double held =
+    !context.Memory.IsExplicit() ? 0.0 : this->Cache.GetSolver().GetEstimatedMemory();
   const double left = context.Memory.GetBytes() - held - needed;
   DGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(),
     this->CountResults(sources.size()), this->Filter->ResultArrayName);
-  DGGSpectralTask task{ context, cache.GetSolver(), cache.GetSolverTime(), sources, targets,
-    sourceSet, std::max(0.0, left), dgg::ProgressPart(context.Progress, chosen, 1.0), outputs };
+  DGGSpectralTask task{ context, this->Cache.GetSolver(), this->Cache.GetSolverTime(), sources,
+    targets, sourceSet, std::max(0.0, left), dgg::ProgressPart(context.Progress, chosen, 1.0),
+    outputs };
   DGG_RETURN_IF_ERROR(this->ComputeValues(task));
   AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
     outputs.GetFurtherArrays(0));

@@ -39,11 +39,8 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
 #include <string> // For array names
 #include <vector> // For source ids
-
-class DGGPoissonCache;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkSpectralAlgorithm : public vtkGeodesicAlgorithm
 {
@@ -155,7 +152,7 @@ protected:
    * Constructs a filter with the default name of its result array.
    */
   explicit vtkSpectralAlgorithm(const std::string& resultArrayName);
-  ~vtkSpectralAlgorithm() override;
+  ~vtkSpectralAlgorithm() override = default;
 
 private:
   vtkSpectralAlgorithm(const vtkSpectralAlgorithm&) = delete;
@@ -168,7 +165,6 @@ private:
   int Boundary;
   bool IntrinsicDelaunay;
   std::string ResultArrayName;
-  std::unique_ptr<DGGPoissonCache> Cache;
 };
 
 #endif

@@ -15,8 +15,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -135,14 +133,11 @@ void AddNumber(vtkPolyData* output, const char* name, double value)
 }
 
 //------------------------------------------------------------------------------
-class vtkSurfaceEarthMoversDistance::vtkInternals : public DGGFilterInternals
+class vtkSurfaceEarthMoversDistance::vtkInternals
+  : public DGGInternalsOf<vtkSurfaceEarthMoversDistance>
 {
 public:
-  explicit vtkInternals(vtkSurfaceEarthMoversDistance* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
   void ForgetResults() override;
@@ -150,15 +145,16 @@ public:
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
+
+  DGGPoissonCache Cache;
 
 private:
   DGGMassOrigin GetOrigin(int which, vtkInformationVector** inputVector) const;
   void SetResults(const DGGContext& context, vtkPolyData* output, double total,
     const dgg::EarthMoversResult& result);
-
-  vtkSurfaceEarthMoversDistance* Self;
 };
+
+vtkDGGInternalsMacro(vtkSurfaceEarthMoversDistance);
 
 //------------------------------------------------------------------------------
 vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
@@ -168,15 +164,11 @@ vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
   , Tolerance(1e-2)
   , ProjectionTolerance(0.01)
   , IntrinsicDelaunay(false)
-  , Cache(new DGGPoissonCache)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(3);
   this->Internals->ForgetResults();
 }
-
-//------------------------------------------------------------------------------
-vtkSurfaceEarthMoversDistance::~vtkSurfaceEarthMoversDistance() = default;
 
 //------------------------------------------------------------------------------
 void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
@@ -200,8 +192,6 @@ void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-
-//------------------------------------------------------------------------------
 const char* vtkSurfaceEarthMoversDistance::GetArrayMeaningAsString() const
 {
   return this->ArrayMeaning == Mass ? "Mass" : "Density";
@@ -214,13 +204,13 @@ vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, To, 2);
 //------------------------------------------------------------------------------
 int vtkSurfaceEarthMoversDistance::GetNumberOfFactorizations() const
 {
-  return this->Cache->GetNumberOfFactorizations();
+  return this->GetInternals().Cache.GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSurfaceEarthMoversDistance::GetMemorySize() const
 {
-  return this->Cache->GetMemorySize();
+  return this->GetInternals().Cache.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -251,17 +241,10 @@ DGGMassOrigin vtkSurfaceEarthMoversDistance::vtkInternals::GetOrigin(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkSurfaceEarthMoversDistance::vtkInternals::GetMemoryRemedy() const
-{
-  return "use a smaller mesh";
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  DGGPoissonCache& cache = *this->Self->Cache;
   DGGDistribution distributions[2];
   for (int k = 0; k < 2; ++k)
   {
@@ -274,14 +257,14 @@ dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::Execute(
   options.MostIterations = this->Self->MaximumNumberOfIterations;
   options.Tolerance = this->Self->Tolerance;
 
-  const double prepared = cache.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
+  const double prepared = this->Cache.IsPrepared(mesh, poisson) ? FoundAt : FactorizedAt;
   const auto others = [&](const dgg::PoissonSolver& solver) {
     return SearchPart * solver.GetEstimatedMemory();
   };
-  DGG_RETURN_IF_ERROR(cache.Prepare(context, poisson, others, this->GetMemoryRemedy(),
+  DGG_RETURN_IF_ERROR(this->Cache.Prepare(context, poisson, others, this->GetMemoryRemedy(),
     dgg::ProgressPart(context.Progress, 0.0, prepared)));
   const std::vector<double>* areas =
-    this->Self->ArrayMeaning == Density ? &cache.GetSolver().GetAreas() : nullptr;
+    this->Self->ArrayMeaning == Density ? &this->Cache.GetSolver().GetAreas() : nullptr;
   std::vector<double> masses[2];
   for (int k = 0; k < 2; ++k)
   {
@@ -293,7 +276,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::Execute(
   dgg::EarthMoversResult result;
   options.Progress = dgg::ProgressPart(context.Progress, prepared, 1.0);
   DGG_RETURN_IF_ERROR(
-    dgg::EarthMovers(cache.GetSolver()).Run(masses[0], masses[1], options, result));
+    dgg::EarthMovers(this->Cache.GetSolver()).Run(masses[0], masses[1], options, result));
   DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0));
   this->Self->NumberOfIterations = result.Iterations;
   this->SetResults(context, vtkPolyData::GetData(outputVector), total, result);

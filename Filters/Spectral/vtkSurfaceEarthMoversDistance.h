@@ -39,10 +39,7 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
-#include <memory> // For the internals
 #include <string> // For array names
-
-class DGGPoissonCache;
 
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkSurfaceEarthMoversDistance : public vtkGeodesicAlgorithm
 {
@@ -178,13 +175,14 @@ public:
 
 protected:
   vtkSurfaceEarthMoversDistance();
-  ~vtkSurfaceEarthMoversDistance() override;
+  ~vtkSurfaceEarthMoversDistance() override = default;
 
 private:
   vtkSurfaceEarthMoversDistance(const vtkSurfaceEarthMoversDistance&) = delete;
   void operator=(const vtkSurfaceEarthMoversDistance&) = delete;
 
   class vtkInternals;
+  vtkInternals& GetInternals() const;
 
   std::string FromArrayName;
   std::string ToArrayName;
@@ -199,7 +197,6 @@ private:
   double LowerBound;
   double Gap;
   int NumberOfIterations;
-  std::unique_ptr<DGGPoissonCache> Cache;
 };
 
 #endif

@@ -129,14 +129,10 @@ protected:
   MisbehavingDistance() { this->Internals.reset(new vtkInternals(this)); }
 
 private:
-  class vtkInternals : public DGGDistanceInternals
+  class vtkInternals : public DGGInternalsOf<MisbehavingDistance, DGGDistanceInternals>
   {
   public:
-    explicit vtkInternals(MisbehavingDistance* self)
-      : DGGDistanceInternals(self)
-      , Self(self)
-    {
-    }
+    using DGGInternalsOf::DGGInternalsOf;
 
     dgg::Status ComputeDistances(DGGDistanceTask& task) override
     {
@@ -158,9 +154,6 @@ private:
       task.Distances.assign(task.Context.Surface.GetMesh().GetNumberOfVertices(), 2.5);
       return dgg::Status::Success();
     }
-
-  private:
-    MisbehavingDistance* Self;
   };
 };
 vtkStandardNewMacro(MisbehavingDistance);

@@ -5,7 +5,6 @@
 #include "dggInvalidInput.h"
 
 #include "vtkObject.h"
-#include "vtkPolyData.h"
 
 #include <memory>
 #include <string>
@@ -55,12 +54,6 @@ dgg::Status DGGGraphUser::Check() const
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
   return dgg::GraphBuilder::Check(options);
-}
-
-//------------------------------------------------------------------------------
-bool DGGGraphUser::IsCloud(vtkPolyData* input)
-{
-  return DGGGraphArrays::AreOfCloud(input->GetFieldData());
 }
 
 //------------------------------------------------------------------------------

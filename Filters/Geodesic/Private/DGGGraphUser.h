@@ -5,12 +5,14 @@
 #ifndef DGGGraphUser_h
 #define DGGGraphUser_h
 
-#include "DGGContext.h"     // for the update
-#include "DGGGraphArrays.h" // for the graph on the input
+#include "DGGContext.h"         // for the update
+#include "DGGFilterInternals.h" // for the base
+#include "DGGGraphArrays.h"     // for the graph on the input
 
 #include "dggGraphSession.h" // for the base
 
 #include "vtkIndent.h"    // for PrintSelf()
+#include "vtkPolyData.h"  // for the input
 #include "vtkTimeStamp.h" // for the build time
 
 #include <ostream> // for PrintSelf()
@@ -20,8 +22,8 @@ class vtkObject;
 /// Properties and graph of a filter that searches a graph. The graph is that on the input, or else
 /// one that the filter builds and keeps until the mesh or the accuracy changes. The graph of a
 /// cloud must be on the input. Such filters have different superclasses, therefore this class is a
-/// member: `std::unique_ptr<DGGGraphUser> GraphUser`. The filter declares and documents the
-/// properties; vtkDGGGraphUserMacro() defines them.
+/// member of DGGGraphInternalsOf. The filter declares and documents the properties;
+/// vtkDGGGraphUserMacro() defines them.
 class DGGGraphUser : public dgg::GraphSession
 {
 public:
@@ -36,9 +38,6 @@ public:
   void PrintSelf(std::ostream& os, vtkIndent indent) const;
   /// Fails if a property is out of range.
   dgg::Status Check() const;
-
-  /// Returns true if such filters treat an input as a cloud: if it has the graph of a cloud.
-  static bool IsCloud(vtkPolyData* input);
 
   /// Updates the graph; after a failure there is none. `filter` warns once about each graph on the
   /// input that cannot be used, or is coarser than the accuracy that was set.
@@ -70,25 +69,46 @@ private:
   vtkTimeStamp BuildTime;
 };
 
+/// Private implementation of filters of one class that search a graph. An input with the graph of a
+/// cloud is treated as a cloud.
+template <typename Filter, typename Base = DGGFilterInternals>
+class DGGGraphInternalsOf : public DGGInternalsOf<Filter, Base>
+{
+public:
+  using DGGInternalsOf<Filter, Base>::DGGInternalsOf;
+
+  dgg::Status CheckProperties() const override
+  {
+    DGG_RETURN_IF_ERROR(this->GraphUser.Check());
+    return Base::CheckProperties();
+  }
+  bool IsCloud(vtkPolyData* input) const override
+  {
+    return DGGGraphArrays::AreOfCloud(input->GetFieldData());
+  }
+
+  DGGGraphUser GraphUser;
+};
+
 /// Defines the setter and the getter of a property.
-#define vtkDGGGraphUserSetMacro(Class, Property, Type) \
-  void Class::Set##Property(Type value)                \
-  {                                                    \
-    if (this->GraphUser->Set##Property(value))         \
-    {                                                  \
-      this->Modified();                                \
-    }                                                  \
-  }                                                    \
-  Type Class::Get##Property() const                    \
-  {                                                    \
-    return this->GraphUser->Get##Property();           \
+#define vtkDGGGraphUserSetMacro(Class, Property, Type)       \
+  void Class::Set##Property(Type value)                      \
+  {                                                          \
+    if (this->GetInternals().GraphUser.Set##Property(value)) \
+    {                                                        \
+      this->Modified();                                      \
+    }                                                        \
+  }                                                          \
+  Type Class::Get##Property() const                          \
+  {                                                          \
+    return this->GetInternals().GraphUser.Get##Property();   \
   }
 
 /// Defines the getter of a number of the graph in use.
-#define vtkDGGGraphUserNumberMacro(Class, Type, Name, Number) \
-  Type Class::Name() const                                    \
-  {                                                           \
-    return static_cast<Type>(this->GraphUser->Number);        \
+#define vtkDGGGraphUserNumberMacro(Class, Type, Name, Number)        \
+  Type Class::Name() const                                           \
+  {                                                                  \
+    return static_cast<Type>(this->GetInternals().GraphUser.Number); \
   }
 
 /// Defines the properties of a filter that searches a graph. The filter has to declare all of them.

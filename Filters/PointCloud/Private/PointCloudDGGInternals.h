@@ -20,23 +20,22 @@
 
 class vtkDataArray;
 
-class vtkPointCloudDGG::vtkInternals : public DGGFilterInternals
+class vtkPointCloudDGG::vtkInternals : public DGGInternalsOf<vtkPointCloudDGG>
 {
 public:
-  explicit vtkInternals(vtkPointCloudDGG* self)
-    : DGGFilterInternals(self)
-    , Self(self)
-  {
-  }
+  using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
-  void ForgetResults() override;
+  void ForgetResults() override { this->Current = Findings(); }
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  bool IsCloud(vtkPolyData* input) const override;
-  std::string GetMemoryRemedy() const override;
+  bool IsCloud(vtkPolyData* vtkNotUsed(input)) const override { return true; }
+  std::string GetMemoryRemedy() const override
+  {
+    return "use fewer points, a larger Accuracy, a smaller Alpha or a smaller Resolution";
+  }
 
   /// Predicts the memory of the graph without building it.
   dgg::Status Predict();
@@ -80,8 +79,6 @@ private:
   dgg::Status Build(const DGGContext& context, dgg::CloudGraphOptions options, double done);
   void WarnAboutPoints();
   void WarnAboutVoxels(const dgg::CloudGraphOptions& options);
-
-  vtkPointCloudDGG* Self;
 };
 
 #endif

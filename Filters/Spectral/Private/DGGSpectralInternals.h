@@ -6,6 +6,7 @@
 #define DGGSpectralInternals_h
 
 #include "DGGFilterInternals.h" // for the base
+#include "DGGPoissonCache.h"    // for the factorization
 #include "DGGSpectralOutputs.h" // for results
 
 #include "dggPoissonSolver.h" // for the solver
@@ -44,7 +45,10 @@ public:
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override
+  {
+    return "use a smaller mesh or fewer sources at a time";
+  }
 
   /// Returns the options of the system to factorize.
   virtual dgg::PoissonOptions GetPoissonOptions() const;
@@ -55,18 +59,30 @@ public:
   /// factorized; and the sources. The callback takes the progress and returns false to stop. By
   /// default sources are required and used as given.
   virtual bool CanChooseSources() const { return false; }
-  virtual std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const;
-  virtual dgg::Status ChooseSources(const dgg::PoissonSolver& solver,
-    const dgg::ProgressCallback& progress, std::vector<dgg::SurfacePoint>& sources) const;
+  virtual std::size_t CountSources(
+    const dgg::PoissonSolver& vtkNotUsed(solver), std::size_t given) const
+  {
+    return given;
+  }
+  virtual dgg::Status ChooseSources(const dgg::PoissonSolver& vtkNotUsed(solver),
+    const dgg::ProgressCallback& vtkNotUsed(progress),
+    std::vector<dgg::SurfacePoint>& vtkNotUsed(sources)) const
+  {
+    return dgg::Status::Success();
+  }
   ///@}
 
   /// Reads and checks the inputs besides sources, which have been checked. Called before the
   /// factorization, so that errors cost little. Default: no further inputs.
-  virtual dgg::Status ReadInputs(vtkPolyData* surface, const DGGSourceSet& sources);
+  virtual dgg::Status ReadInputs(
+    vtkPolyData* vtkNotUsed(surface), const DGGSourceSet& vtkNotUsed(sources))
+  {
+    return dgg::Status::Success();
+  }
 
   /// Returns the number of components of the result array; 0 if the array is not requested.
   /// Default: one per source.
-  virtual std::size_t CountResults(std::size_t numberOfSources) const;
+  virtual std::size_t CountResults(std::size_t numberOfSources) const { return numberOfSources; }
 
   /// Returns the largest number of bytes that ComputeValues() allocates besides its results.
   virtual double EstimateWorkingMemory(const dgg::PoissonSolver& solver,
@@ -75,6 +91,8 @@ public:
   /// Sets the outputs of the task for each source. Returns an error, which is reported, or the
   /// status of an abort by the task's Progress. May throw.
   virtual dgg::Status ComputeValues(DGGSpectralTask& task) = 0;
+
+  DGGPoissonCache Cache;
 
 private:
   DGGSourceSet GetSources(vtkInformationVector** inputVector) const;

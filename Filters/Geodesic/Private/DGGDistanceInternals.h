@@ -59,7 +59,7 @@ public:
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override;
+  std::string GetMemoryRemedy() const override { return "use a smaller mesh or MaximumDistance"; }
 
   /// Fills the results of the task. Called with a mesh and at least one source, both checked.
   /// Returns an error, which is reported, or the status of an abort by the progress of the
@@ -68,7 +68,7 @@ public:
 
   /// Returns the point arrays that ComputeDistances() fills besides distances and nearest sources.
   /// Default none.
-  virtual std::vector<DGGPointArray> DeclareArrays() const;
+  virtual std::vector<DGGPointArray> DeclareArrays() const { return {}; }
 
 private:
   DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
