@@ -4,7 +4,6 @@
 
 #include "DGGIsInteger.h"
 #include "DGGMakeArray.h"
-#include "DGGThreads.h"
 
 #include "dggPreparedSurface.h"
 
@@ -89,21 +88,21 @@ void DGGGraphArrays::Clear()
 }
 
 //------------------------------------------------------------------------------
-void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const dgg::PreparedSurface& mesh)
+void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const dgg::TaskContext& context)
 {
-  this->Adopt(graph, {}, 0.0, mesh);
+  this->Adopt(graph, {}, 0.0, context);
 }
 
 //------------------------------------------------------------------------------
 void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii,
-  double voxelSize, const dgg::PreparedSurface& mesh)
+  double voxelSize, const dgg::TaskContext& context)
 {
   this->Clear();
   dgg::Buffer<double> ownRadii(radii.size());
   std::copy(radii.begin(), radii.end(), ownRadii.begin());
   // The arrays take over the memory that the view refers to.
   this->Graph = StoredGraph(graph.View(), { voxelSize, ownRadii.Data() });
-  dgg::Buffer<std::int64_t> info = this->Graph.MakeInfo(mesh, DGGMakeParallelFor());
+  dgg::Buffer<std::int64_t> info = this->Graph.MakeInfo(context.Surface, context.Parallel);
 
   const auto name = &StoredGraph::GetName;
   vtkSmartPointer<vtkAbstractArray> lengths =
@@ -128,7 +127,7 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
       this->Arrays[role] = MakeEntry(arrays[role]);
     }
   }
-  this->Mesh = mesh.GetBuildNumber();
+  this->Mesh = context.Surface.GetBuildNumber();
   this->IsGraph = true;
   this->Time.Modified();
 }
@@ -190,8 +189,9 @@ DGGGraphArrays::Key DGGGraphArrays::GetKey() const
 
 //------------------------------------------------------------------------------
 bool DGGGraphArrays::Find(
-  vtkFieldData* data, const dgg::PreparedSurface& mesh, std::string& complaint)
+  vtkFieldData* data, const dgg::TaskContext& context, std::string& complaint)
 {
+  const dgg::PreparedSurface& mesh = context.Surface;
   complaint.clear();
   if (this->IsSame(data, mesh))
   {
@@ -206,7 +206,7 @@ bool DGGGraphArrays::Find(
     {
       arrays[role] = MakeStoredArray(this->Arrays[role].Array);
     }
-    const dgg::Status status = this->Graph.Read(arrays, mesh, DGGMakeParallelFor());
+    const dgg::Status status = this->Graph.Read(arrays, mesh, context.Parallel);
     this->IsGraph = status.IsOk();
     this->Time.Modified();
     complaint = this->IsGraph ? "" : "the graph on the input " + status.GetMessage();

@@ -7,6 +7,7 @@
 
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
 #include "dggStoredGraph.h"            // for StoredGraph
+#include "dggTaskContext.h"            // for the surface and the threads
 
 #include "vtkAbstractArray.h" // for the smart pointers
 #include "vtkSmartPointer.h"  // for the arrays
@@ -26,10 +27,10 @@ class VTKDGGFILTERSCOMMON_EXPORT DGGGraphArrays
 {
 public:
   /// Creates arrays from the memory of `graph`, which is empty afterwards.
-  void Adopt(dgg::GeodesicGraph& graph, const dgg::PreparedSurface& mesh);
+  void Adopt(dgg::GeodesicGraph& graph, const dgg::TaskContext& context);
   /// Same for the graph of a cloud; `radii` are the radii of its band, one per point.
   void Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii, double voxelSize,
-    const dgg::PreparedSurface& cloud);
+    const dgg::TaskContext& context);
 
   /// Returns true if field data, which may be null, contain the graph of a cloud.
   static bool AreOfCloud(vtkFieldData* data);
@@ -37,7 +38,7 @@ public:
   /// Finds the graph of the mesh or cloud in `data`, which may be null. Returns true if there is
   /// one. `complaint` is the reason why existing arrays are not a graph of the mesh; it is empty if
   /// the same arrays were rejected before.
-  bool Find(vtkFieldData* data, const dgg::PreparedSurface& mesh, std::string& complaint);
+  bool Find(vtkFieldData* data, const dgg::TaskContext& context, std::string& complaint);
 
   /// Returns true if Find() would return the same result as the last time. Does not read the
   /// arrays.

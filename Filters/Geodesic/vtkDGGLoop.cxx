@@ -8,7 +8,6 @@
 #include "DGGNewGeometry.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
-#include "DGGThreads.h"
 
 #include "dggBlockLoop.h"
 #include "dggFoundLoop.h"
@@ -60,14 +59,14 @@ using LoopPoints = std::vector<dgg::SurfacePoint>;
 
 /// Finds a loop through each point, on all threads.
 dgg::Status RunThroughPoints(const dgg::LoopFinder& finder, const LoopPoints& points, bool taut,
-  const dgg::ProgressCallback& progress, DGGLoopSet& set)
+  const dgg::ParallelFor& parallel, const dgg::ProgressCallback& progress, DGGLoopSet& set)
 {
   set.Loops.assign(points.size(), dgg::FoundLoop());
   const auto step = [&](std::size_t i, const dgg::ProgressCallback& within) {
     return finder.ThroughPoint(points[i], taut, set.Loops[i], within)
       .Of("point " + std::to_string(i));
   };
-  return dgg::ForEach(points.size(), 1, DGGMakeParallelFor(progress), progress, step);
+  return dgg::ForEach(points.size(), 1, parallel, progress, step);
 }
 
 /// Finds a loop through all points.
@@ -343,8 +342,10 @@ dgg::Status vtkDGGLoop::vtkInternals::Execute(
     DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, withLinks));
     const dgg::LoopFinder finder(mesh.GetMesh(), graph.GetSearch(),
       withLinks ? &graph.GetBuilder() : nullptr, geometry.GetPositions(), graph.GetLinkAccuracy());
-    const auto run = this->Self->Mode == Rope ? RunRope : RunThroughPoints;
-    DGG_RETURN_IF_ERROR(run(finder, points, this->Self->Taut, finding, set));
+    const bool taut = this->Self->Taut;
+    DGG_RETURN_IF_ERROR(this->Self->Mode == Rope
+        ? RunRope(finder, points, taut, finding, set)
+        : RunThroughPoints(finder, points, taut, context.Parallel, finding, set));
   }
   for (std::size_t i = set.Status.size(); i < set.Loops.size(); ++i)
   {

@@ -271,7 +271,7 @@ bool vtkDiscreteGeodesicGraph::vtkInternals::FindOnInput(const DGGContext& conte
 {
   DGGGraphArrays& graph = this->OnInput;
   std::string complaint;
-  const bool found = graph.Find(context.Input->GetFieldData(), context.Surface, complaint);
+  const bool found = graph.Find(context.Input->GetFieldData(), context, complaint);
   this->InputGraphDamage = graph.GetDamage();
   if (!complaint.empty())
   {
@@ -298,7 +298,7 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Build(const DGGContext& cont
   const dgg::GraphBuilder builder(mesh.GetMesh());
   dgg::GeodesicGraph graph;
   DGG_RETURN_IF_ERROR(dgg::BuildGraph(context, builder, options, graph, this->Estimate));
-  this->Built.Adopt(graph, mesh);
+  this->Built.Adopt(graph, context);
   this->BuiltDomain = mesh.GetDomain();
   this->BuildTime.Modified();
   return dgg::Status::Success();

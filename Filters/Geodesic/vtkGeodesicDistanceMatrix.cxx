@@ -6,7 +6,6 @@
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
-#include "DGGThreads.h"
 
 #include "dggDistanceRows.h"
 #include "dggMatrixSearch.h"
@@ -98,11 +97,12 @@ Columns MakeColumns(std::size_t rows, std::size_t columns)
 }
 
 /// Copies a matrix to the columns of a table, which are named by their indices.
-void FillTable(vtkDoubleArray* matrix, const Columns& columns, vtkTable* table)
+void FillTable(
+  vtkDoubleArray* matrix, const Columns& columns, const dgg::ParallelFor& parallel, vtkTable* table)
 {
   const vtkIdType rows = matrix->GetNumberOfTuples();
   const auto count = static_cast<dgg::Offset>(columns.size());
-  DGGMakeParallelFor()(count, 1, [&](dgg::Offset begin, dgg::Offset end) {
+  parallel(count, 1, [&](dgg::Offset begin, dgg::Offset end) {
     for (vtkIdType i = 0; i < rows; ++i)
     {
       const double* row = matrix->GetPointer(i * count);
@@ -306,7 +306,7 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
     this->Self->UnreachedValue);
   vtkTable* output = vtkTable::GetData(outputVector);
   output->Initialize();
-  FillTable(matrix, table, output);
+  FillTable(matrix, table, context.Parallel, output);
   this->Matrix = matrix;
   return dgg::Status::Success();
 }

@@ -120,7 +120,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::CheckProperties() const
     return dgg::Status::Invalid(
       "ComponentArrayName is empty: call SetComponentArrayName() with a name");
   }
-  return dgg::CloudGraphBuilder::Check(this->MakeOptions(nullptr));
+  return dgg::CloudGraphBuilder::Check(this->MakeOptions());
 }
 
 //------------------------------------------------------------------------------
@@ -152,7 +152,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Execute(const DGGContext& context,
   DGG_RETURN_IF_ERROR(this->CheckInputNormals(context.Input));
   const NormalsSource source = this->MakeNormalsSource(context.Input);
   const vtkMTimeType built = this->Self->GetGraphBuildTime();
-  dgg::CloudGraphOptions options = this->MakeOptions(context.Input);
+  dgg::CloudGraphOptions options = this->MakeOptions(context);
   Normals normals;
   double done = 0.0;
   DGG_RETURN_IF_ERROR(this->FindNormals(context, source, normals, done));

@@ -11,7 +11,6 @@
 #include "dggSpectralDistance.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +52,8 @@ public:
   using DGGInternalsOf::DGGInternalsOf;
 
   dgg::Status CheckProperties() const override;
-  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
-    std::size_t numberOfTargets) const override;
+  double EstimateWorkingMemory(const DGGContext& context, const dgg::PoissonSolver& solver,
+    std::size_t numberOfSources, std::size_t numberOfTargets) const override;
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
   /// Solver, kept until the mesh changes.
@@ -147,7 +146,7 @@ dgg::Status vtkBiharmonicDistance::vtkInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-double vtkBiharmonicDistance::vtkInternals::EstimateWorkingMemory(
+double vtkBiharmonicDistance::vtkInternals::EstimateWorkingMemory(const DGGContext& context,
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
   const auto n = static_cast<double>(solver.GetAreas().size());
@@ -155,7 +154,7 @@ double vtkBiharmonicDistance::vtkInternals::EstimateWorkingMemory(
   const auto points =
     numberOfTargets > 0 ? static_cast<double>(numberOfSources + numberOfTargets) : 0.0;
   const double numbers = this->Self->Method == Exact
-    ? n * (NumbersPerThread * vtkSMPTools::GetEstimatedNumberOfThreads() + points)
+    ? n * (NumbersPerThread * context.NumberOfThreads + points)
     : count * (FunctionsPerEigenvalue * n + points);
   return numbers * sizeof(double);
 }

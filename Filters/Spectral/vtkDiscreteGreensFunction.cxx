@@ -4,7 +4,6 @@
 
 #include "DGGContext.h"
 #include "DGGSpectralInternals.h"
-#include "DGGThreads.h"
 
 #include "dggBlockLoop.h"
 #include "dggGreensFunction.h"
@@ -14,7 +13,6 @@
 #include "dggProgressPart.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +95,7 @@ public:
   {
     const std::vector<dgg::SurfacePoint>& sources = this->Task.Sources;
     return dgg::ForEach((sources.size() + BlockSize - 1) / BlockSize, 1,
-      DGGMakeParallelFor(this->Task.Progress), this->Task.Progress,
+      this->Task.Context.Parallel, this->Task.Progress,
       [&](std::size_t block, const dgg::ProgressCallback& progress) {
         const std::size_t first = block * BlockSize;
         const std::size_t end = std::min(sources.size(), first + BlockSize);
@@ -152,8 +150,8 @@ public:
 
   dgg::Status CheckProperties() const override;
   dgg::PoissonOptions GetPoissonOptions() const override;
-  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
-    std::size_t numberOfTargets) const override;
+  double EstimateWorkingMemory(const DGGContext& context, const dgg::PoissonSolver& solver,
+    std::size_t numberOfSources, std::size_t numberOfTargets) const override;
   void ForgetResults() override { this->Used.clear(); }
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
@@ -286,11 +284,11 @@ dgg::PoissonOptions vtkDiscreteGreensFunction::vtkInternals::GetPoissonOptions()
 }
 
 //------------------------------------------------------------------------------
-double vtkDiscreteGreensFunction::vtkInternals::EstimateWorkingMemory(
+double vtkDiscreteGreensFunction::vtkInternals::EstimateWorkingMemory(const DGGContext& context,
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
   const std::size_t blocks = (numberOfSources + BlockSize - 1) / BlockSize;
-  const auto threads = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
+  const auto threads = static_cast<std::size_t>(context.NumberOfThreads);
   return static_cast<double>(std::min(threads, blocks)) *
     (dgg::GreensFunction::BytesPerVertex * static_cast<double>(solver.GetAreas().size()) +
       dgg::GreensFunction::BytesPerTarget * static_cast<double>(numberOfTargets));

@@ -19,7 +19,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <utility>
@@ -61,8 +60,8 @@ public:
   std::size_t CountSources(const dgg::PoissonSolver& solver, std::size_t given) const override;
   dgg::Status ChooseSources(const dgg::PoissonSolver& solver, const dgg::ProgressCallback& progress,
     std::vector<dgg::SurfacePoint>& sources) const override;
-  double EstimateWorkingMemory(const dgg::PoissonSolver& solver, std::size_t numberOfSources,
-    std::size_t numberOfTargets) const override;
+  double EstimateWorkingMemory(const DGGContext& context, const dgg::PoissonSolver& solver,
+    std::size_t numberOfSources, std::size_t numberOfTargets) const override;
   void ForgetResults() override;
   dgg::Status ComputeValues(DGGSpectralTask& task) override;
 
@@ -237,7 +236,7 @@ dgg::Status vtkHarmonicBSpline::vtkInternals::ChooseSources(const dgg::PoissonSo
 }
 
 //------------------------------------------------------------------------------
-double vtkHarmonicBSpline::vtkInternals::EstimateWorkingMemory(
+double vtkHarmonicBSpline::vtkInternals::EstimateWorkingMemory(const DGGContext& context,
   const dgg::PoissonSolver& solver, std::size_t numberOfSources, std::size_t numberOfTargets) const
 {
   const auto n = static_cast<double>(solver.GetAreas().size());
@@ -251,7 +250,7 @@ double vtkHarmonicBSpline::vtkInternals::EstimateWorkingMemory(
   const double held =
     HeldNumbers + InterpolationNumbers * static_cast<double>(this->SiteValues.size());
   // Threads; equations of sites, like those of vertices; cells, solutions, interpolations.
-  return bytes * n * vtkSMPTools::GetEstimatedNumberOfThreads() +
+  return bytes * n * context.NumberOfThreads +
     (isHarmonic ? std::min(1.0, sites / n) * solver.GetEstimatedMemory() : 0.0) +
     (held * (n + targets) + (isSmooth ? sites * targets : 0.0) +
       (hasMatrices ? SiteMatrices * sites * sites : 0.0)) *

@@ -183,7 +183,7 @@ dgg::Status DGGSpectralInternals::Execute(
     const std::size_t count = this->CountSources(solver, sources.size());
     needed = DGGSpectralOutputs::EstimateMemory(
                numberOfPoints, targets.size(), this->CountResults(count)) +
-      this->EstimateWorkingMemory(solver, count, targets.size());
+      this->EstimateWorkingMemory(context, solver, count, targets.size());
     return needed;
   };
   const double prepared = this->Cache.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;

@@ -5,7 +5,6 @@
 #include "DGGContext.h"
 #include "DGGMeshQuality.h"
 #include "DGGSurfaceArrays.h"
-#include "DGGThreads.h"
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
@@ -198,9 +197,8 @@ dgg::Status DGGFieldInput::Read(const DGGContext& context, vtkDataArray* distanc
   DGG_RETURN_IF_ERROR(this->ReadDistances(context, distances));
   this->ReadWindows(context, distances);
   this->ReadSources(context, virtualSources);
-  return this->Field.HasWindows() || this->Field.HasSources()
-    ? dgg::Status::Success()
-    : this->FitSources(context.Surface.GetMesh(), progress);
+  return this->Field.HasWindows() || this->Field.HasSources() ? dgg::Status::Success()
+                                                              : this->FitSources(context, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -246,8 +244,9 @@ void DGGFieldInput::ReadSources(const DGGContext& context, const std::string& na
 
 //------------------------------------------------------------------------------
 dgg::Status DGGFieldInput::FitSources(
-  const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress)
+  const DGGContext& context, const dgg::ProgressCallback& progress)
 {
+  const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
   const std::string fault = FindFault(mesh, this->Distances);
   if (!fault.empty())
   {
@@ -256,7 +255,7 @@ dgg::Status DGGFieldInput::FitSources(
   }
   this->IsFitted = true;
   return dgg::FitVirtualSources(
-           mesh, this->Distances.data(), DGGMakeParallelFor(progress), this->Sources, progress)
+           mesh, this->Distances.data(), context.Parallel, this->Sources, progress)
     ? dgg::Status::Success()
     : dgg::Status::Abort();
 }

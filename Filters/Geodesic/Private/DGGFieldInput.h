@@ -67,7 +67,7 @@ private:
   void ReadWindows(const DGGContext& context, vtkDataArray* distances);
   void ReadSources(const DGGContext& context, const std::string& name);
   bool HasSourcesOfDistances(const dgg::SurfaceMesh& mesh) const;
-  dgg::Status FitSources(const dgg::SurfaceMesh& mesh, const dgg::ProgressCallback& progress);
+  dgg::Status FitSources(const DGGContext& context, const dgg::ProgressCallback& progress);
   void Warn(const std::string& text);
 
   std::vector<double> Distances; // per vertex

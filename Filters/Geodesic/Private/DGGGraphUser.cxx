@@ -79,7 +79,7 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
     this->InputGraph.Clear(); // so that its defect is reported again
   }
   std::string complaint;
-  const bool found = this->InputGraph.Find(data, context.Surface, complaint);
+  const bool found = this->InputGraph.Find(data, context, complaint);
   if (!complaint.empty() && !isCloud)
   {
     vtkWarningWithObjectMacro(filter, << complaint << ". It is not used; a graph with Accuracy "
@@ -167,7 +167,7 @@ dgg::Status DGGGraphUser::UseOwn(const DGGContext& context, dgg::GraphOptions op
   dgg::GeodesicGraph graph;
   DGG_RETURN_IF_ERROR(this->Build(context, options, graph));
   DGGGraphArrays arrays;
-  arrays.Adopt(graph, context.Surface);
+  arrays.Adopt(graph, context);
   this->SearchIn(arrays, context.Surface);
   this->OwnAccuracy = this->Accuracy;
   this->BuildTime.Modified();

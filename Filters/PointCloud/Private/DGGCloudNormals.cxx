@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGCloudNormals.h"
 
-#include "DGGThreads.h"
-
 #include "dggBlockLoop.h"
 #include "dggCloudFrame.h"
 #include "dggOutliers.h"
+#include "dggPreparedSurface.h"
 
 #include <pcl/features/normal_3d.h>
 #include <pcl/kdtree/kdtree_flann.h>
@@ -84,9 +83,11 @@ bool IsLine(const Cloud& cloud, const pcl::Indices& points)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGEstimateNormals(const double* positions, dgg::Id numberOfPoints,
-  int numberOfNeighbors, const dgg::ProgressCallback& progress, std::vector<double>& normals)
+dgg::Status DGGEstimateNormals(const dgg::TaskContext& context, int numberOfNeighbors,
+  const dgg::ProgressCallback& progress, std::vector<double>& normals)
 {
+  const double* positions = context.Surface.GetPositions();
+  const dgg::Id numberOfPoints = context.Surface.GetMesh().GetNumberOfVertices();
   normals.assign(3 * static_cast<std::size_t>(numberOfPoints), 0.0);
   std::vector<dgg::Id> ids;
   Cloud::Ptr cloud;
@@ -98,7 +99,7 @@ dgg::Status DGGEstimateNormals(const double* positions, dgg::Id numberOfPoints,
   }
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud);
-  return dgg::ForEach(ids.size(), NormalBlock, DGGMakeParallelFor(progress), progress,
+  return dgg::ForEach(ids.size(), NormalBlock, context.Parallel, progress,
     [&](std::size_t i, const dgg::ProgressCallback&) {
       pcl::Indices found(count);
       std::vector<float> distances(count);

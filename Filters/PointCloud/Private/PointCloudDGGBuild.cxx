@@ -5,7 +5,6 @@
 
 #include "DGGCloudNormals.h"
 #include "DGGContext.h"
-#include "DGGFreeMemory.h"
 
 #include "dggBitHash.h"
 #include "dggPreparedSurface.h"
@@ -13,7 +12,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 
 #include <memory>
 #include <vector>
@@ -64,17 +62,16 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Predict()
   }
   DGG_RETURN_IF_ERROR(this->PrepareMesh(cloud));
   DGG_RETURN_IF_ERROR(this->CheckInputNormals(cloud));
-  dgg::CloudGraphOptions options = this->MakeOptions(cloud);
   const NormalsSource source = this->MakeNormalsSource(cloud);
   Normals normals;
   double done = 0.0;
   const DGGContext context = this->MakeContext(cloud);
+  dgg::CloudGraphOptions options = this->MakeOptions(context);
   DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 0.0));
   DGG_RETURN_IF_ERROR(this->FindNormals(context, source, normals, done));
   const dgg::PreparedSurface& mesh = context.Surface;
   options.Normals = normals ? normals->data() : nullptr;
   options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
-  options.Parallel = context.Parallel;
   DGG_RETURN_IF_ERROR(
     dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
       .Estimate(options, this->Estimate));
@@ -82,8 +79,8 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Predict()
 }
 
 //------------------------------------------------------------------------------
-/// Returns the options of the graph, without normals.
-dgg::CloudGraphOptions vtkPointCloudDGG::vtkInternals::MakeOptions(vtkPolyData* cloud) const
+/// Returns the options of the graph that are properties of the filter.
+dgg::CloudGraphOptions vtkPointCloudDGG::vtkInternals::MakeOptions() const
 {
   dgg::CloudGraphOptions options;
   options.Scheme = static_cast<dgg::CloudScheme>(this->Self->Scheme);
@@ -92,9 +89,18 @@ dgg::CloudGraphOptions vtkPointCloudDGG::vtkInternals::MakeOptions(vtkPolyData* 
   options.Alpha = this->Self->Alpha;
   options.Accuracy = this->Self->Accuracy;
   options.ArcLengthWeights = this->Self->ArcLengthWeights;
-  options.HasOrientedNormals = this->Self->OrientedNormals && cloud && this->GetInputNormals(cloud);
-  options.MemoryLimit = static_cast<std::size_t>(DGGMakeBudget(this->Self->MemoryLimit).GetBytes());
-  options.NumberOfThreads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  return options;
+}
+
+//------------------------------------------------------------------------------
+/// Returns all options of the graph except normals and progress.
+dgg::CloudGraphOptions vtkPointCloudDGG::vtkInternals::MakeOptions(const DGGContext& context) const
+{
+  dgg::CloudGraphOptions options = this->MakeOptions();
+  options.HasOrientedNormals = this->Self->OrientedNormals && this->GetInputNormals(context.Input);
+  options.MemoryLimit = static_cast<std::size_t>(context.Memory.GetBytes());
+  options.NumberOfThreads = context.NumberOfThreads;
+  options.Parallel = context.Parallel;
   return options;
 }
 
@@ -139,7 +145,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
     DGG_RETURN_IF_ERROR(context.Memory.Check(
       "finding normals", BytesPerNormal * points, "use fewer points, or turn EstimateNormals off"));
     auto found = std::make_shared<std::vector<double>>();
-    DGG_RETURN_IF_ERROR(DGGEstimateNormals(mesh.GetPositions(), points, source.NumberOfNeighbors,
+    DGG_RETURN_IF_ERROR(DGGEstimateNormals(context, source.NumberOfNeighbors,
       dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found));
     this->PlaneNormals = found;
     this->NormalsNeighbors = source.NumberOfNeighbors;
@@ -166,13 +172,12 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Build(
   }
   this->Built.Clear();
   options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
-  options.Parallel = context.Parallel;
   dgg::CloudGraph result;
   Findings findings;
   DGG_RETURN_IF_ERROR(
     dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics));
   result.Graph.Info.Surface = mesh.GetSignature();
-  this->Built.Adopt(result.Graph, result.Radii, result.VoxelSize, mesh);
+  this->Built.Adopt(result.Graph, result.Radii, result.VoxelSize, context);
   this->BuiltBy = key;
   this->Components = std::move(result.Components);
   findings.ComponentSizes = std::move(result.ComponentSizes);

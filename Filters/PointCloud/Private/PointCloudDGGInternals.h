@@ -73,7 +73,8 @@ private:
   vtkDataArray* GetInputNormals(vtkPolyData* cloud) const;
   dgg::Status CheckInputNormals(vtkPolyData* cloud) const;
   NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
-  dgg::CloudGraphOptions MakeOptions(vtkPolyData* cloud) const;
+  dgg::CloudGraphOptions MakeOptions() const;
+  dgg::CloudGraphOptions MakeOptions(const DGGContext& context) const;
   dgg::Status FindNormals(
     const DGGContext& context, const NormalsSource& source, Normals& normals, double& done);
   dgg::Status Build(const DGGContext& context, dgg::CloudGraphOptions options, double done);

@@ -85,7 +85,7 @@ public:
   virtual std::size_t CountResults(std::size_t numberOfSources) const { return numberOfSources; }
 
   /// Returns the largest number of bytes that ComputeValues() allocates besides its results.
-  virtual double EstimateWorkingMemory(const dgg::PoissonSolver& solver,
+  virtual double EstimateWorkingMemory(const DGGContext& context, const dgg::PoissonSolver& solver,
     std::size_t numberOfSources, std::size_t numberOfTargets) const = 0;
 
   /// Sets the outputs of the task for each source. Returns an error, which is reported, or the
