@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Graphs of point clouds: errors by scheme, beside fast marching; difficult clouds; parameters; cost.
+"""Graphs of point clouds: errors of all schemes and of fast marching; difficult clouds; parameters; cost.
 
 Usage: measure_clouds.py OUT.json OUT.md [--name=value ...] [MESH ...]
 
@@ -18,10 +18,10 @@ Usage: measure_clouds.py OUT.json OUT.md [--name=value ...] [MESH ...]
   --terrain=FILE     a terrain on a grid, of which 257 by 257 vertices are measured
   --threads=2        of graphs; queries and marches use one
 
-The vertices of each MESH are a cloud as well. The truth are exact distances along its faces, without
-those that have an edge longer than three median ones. Published are the mean errors of Fang, "Discrete
-geodesic graphs", PhD thesis, Nanyang Technological University, 2019, chapter 5, at a resolution of 512
-voxels, for models of the same kind and size.
+The vertices of each MESH are a cloud as well. True distances are exact distances along its faces,
+without faces that have an edge longer than three median edges. Published values are the mean errors of
+Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, chapter 5, at a
+resolution of 512 voxels, for models of the same kind and size.
 """
 
 import time
@@ -29,21 +29,28 @@ import time
 import modes
 import numpy as np
 import vtkdgg
-from benchmark_results import (
+from exhibits import surfaces
+from exhibits.fields import summary
+from tables import (
     DASH,
+    DEGREE,
+    ERRORS,
     bytes_text,
+    column,
     count_text,
-    digits,
+    errors_text,
+    figure,
     folded,
     gain_text,
     in_form,
+    listing,
     percent,
+    range_text,
+    ratio,
+    significant,
     time_text,
     titled,
 )
-from exhibits import surfaces
-from exhibits.fields import summary
-from exhibits.tables import DEGREE, ERRORS, column, errors_text, listing
 from vtkdgg.commands.sizes import edge_lengths, floor_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -455,105 +462,112 @@ def published_of(cloud, method, points):
     return None
 
 
-def range_text(values):
-    if values is None:
-        return DASH
-    return " to ".join(percent(value) for value in sorted(set(values)))
+def published_text(values):
+    return DASH if values is None else range_text(values, percent)
 
 
 def better_text(known, error):
-    """How many times smaller an error is than the published one."""
+    """Returns the published error divided by ours."""
     return gain_text(known[0] / error["mean"]) if known else DASH
 
 
 def unreached_text(error):
-    """Points that are not reached, and those that are reached without a path on the surface."""
+    """Returns the number of unreached points, and of points reached without a path on the surface."""
     wrong = f", {error['beyond']} wrongly reached" if error["beyond"] else ""
     return f"{error['missed']}{wrong}"
 
 
-def mean_table(results):
-    columns = [
-        column("cloud", str, "cloud"),
-        column("points", count_text, "points"),
-        column("published", range_text, "published"),
-        ("A: chords / arcs", lambda row: f"{row['A, chords']} / {row['A, arcs']}"),
-        ("B: chords / arcs", lambda row: f"{row['B, chords']} / {row['B, arcs']}"),
-        column("C: chords", str, "C, chords"),
-        column("C: arcs (default)", str, "C, arcs"),
-        column("C: arcs, finer", str, "C, arcs, finer"),
-        column("fast marching", str, "fast marching"),
-    ]
-    methods = [f"{scheme}, {weights}" for scheme in "ABC" for weights in ("chords", "arcs")]
+def rows_of_clouds(results):
+    """Returns a row per cloud: its title, size, published errors, and the figures by method."""
     rows = []
     for cloud, graphs in results["clouds"].items():
         points = graphs["fast marching"]["points"]
-        known = published_of(cloud, "C", points)
-        row = {"cloud": cloud, "points": points, "published": known}
-        for method in (*methods, "C, arcs, finer", "fast marching"):
-            error = graphs[method]["error"] if method in graphs else None
-            # A mean over a part of the points does not characterize the method.
-            usable = error and error["missed"] <= MOST_UNREACHED * points
-            row[method] = percent(error["mean"]) if usable else DASH
-            if usable and known and method in ("C, arcs", "C, arcs, finer"):
-                row[method] += f" ({better_text(known, error)})"
-        rows.append(row)
-    return listing(columns, rows)
+        rows.append({"cloud": cloud, "points": points, **graphs})
+        rows[-1]["published"] = published_of(cloud, "C", points)
+    return rows
+
+
+def mean_table(results):
+    def mean(row, method, is_compared=False):
+        error = figure(row, method, "error")
+        # A mean over a part of the points does not characterize the method.
+        if error is None or error["missed"] > MOST_UNREACHED * row["points"]:
+            return DASH
+        known = row["published"] if is_compared else None
+        return percent(error["mean"]) + (f" ({better_text(known, error)})" if known else "")
+
+    def both(scheme):
+        return lambda row: " / ".join(mean(row, f"{scheme}, {w}") for w in ("chords", "arcs"))
+
+    columns = (
+        column("cloud", str, "cloud"),
+        column("points", count_text, "points"),
+        column("published", published_text, "published"),
+        ("A: chords / arcs", both("A")),
+        ("B: chords / arcs", both("B")),
+        ("C: chords", lambda row: mean(row, "C, chords")),
+        ("C: arcs (default)", lambda row: mean(row, "C, arcs", True)),
+        ("C: arcs, finer", lambda row: mean(row, "C, arcs, finer", True)),
+        ("fast marching", lambda row: mean(row, "fast marching")),
+    )
+    return listing(columns, rows_of_clouds(results))
 
 
 def error_table(results):
-    columns = [
+    rows = [
+        {
+            "cloud": row["cloud"],
+            "method": method,
+            "known": published_of(row["cloud"], method, row["points"]),
+            **row[method],
+        }
+        for row in rows_of_clouds(results)
+        for method in ("C, arcs", "fast marching")
+        if method in row
+    ]
+    columns = (
         column("cloud", str, "cloud"),
         column("points", count_text, "points"),
         column("method", str, "method"),
         DEGREE,
-        column("reach, spacings", digits, "reach in spacings"),
+        ratio("reach, spacings", ("reach",), ("spacing",), significant),
         ERRORS,
-        column("published mean, %", range_text, "published"),
-        ("published / ours", lambda row: better_text(row["published"], row["error"])),
+        column("unreached", unreached_text, "error"),
+        column("published mean, %", published_text, "known"),
+        ("published / ours", lambda row: better_text(row["known"], row["error"])),
         column("query", time_text, "query"),
-    ]
-    rows = [
-        {
-            "cloud": cloud,
-            "method": method,
-            "published": published_of(cloud, method, found["points"]),
-            **found,
-        }
-        for cloud, graphs in results["clouds"].items()
-        for method, found in graphs.items()
-        if method in ("C, arcs", "fast marching")
-    ]
-    for row in rows:
-        if row.get("spacing"):
-            row["reach in spacings"] = row["reach"] / row["spacing"]
+    )
     return listing(columns, rows)
 
 
 def guard_table(results):
-    columns = [
-        column("cloud", str, "cloud"),
-        column("scheme, arcs", str, "scheme"),
-        column("noise found", in_form("{:.2g}"), "noise"),
+    """Returns a table with a row per difficult cloud, and the graphs of all schemes side by side."""
+    rows = [{"cloud": cloud, **graphs} for cloud, graphs in results["guards"].items()]
+    schemes = [scheme for scheme in "ABC" if all(scheme in row for row in rows)]
+
+    def errors(scheme):
         # Balls of a given radius show only that layers remain disconnected.
-        (
-            "error: mean / 99.9 % / max",
-            lambda row: DASH if "sheets" in row["cloud"] else errors_text(row["error"]),
-        ),
-        column("unreached", unreached_text, "error"),
-        column("edges between sheets", str, "false edges"),
-        column("components", str, "components"),
-    ]
-    rows = [
-        {"cloud": cloud, "scheme": scheme, **found}
-        for cloud, graphs in results["guards"].items()
-        for scheme, found in graphs.items()
-    ]
+        return lambda row: DASH if "sheets" in row["cloud"] else errors_text(row[scheme]["error"])
+
+    def counts(title, form, *keys):
+        return (
+            f"{title}: {' / '.join(schemes)}",
+            lambda row: " / ".join(form(figure(row[scheme], *keys)) for scheme in schemes),
+        )
+
+    columns = (
+        column("cloud", str, "cloud"),
+        column("noise found", "{:.2g}", schemes[-1] if schemes else "C", "noise"),
+        *((f"{scheme}, arcs: mean / 99.9 % / max", errors(scheme)) for scheme in schemes),
+        counts("unreached", unreached_text, "error"),
+        counts("edges between sheets", in_form(str), "false edges"),
+        counts("components", str, "components"),
+    )
     return listing(columns, rows)
 
 
 def speed_table(results):
-    columns = [
+    columns = (
         column("cloud", str, "cloud"),
         column("points", count_text, "points"),
         column("graph (wall)", time_text, "wall"),
@@ -561,34 +575,32 @@ def speed_table(results):
         column("threads", str, "threads"),
         DEGREE,
         column("its size", bytes_text, "bytes"),
-        (
-            "peak: predicted / measured",
-            lambda row: f"{bytes_text(row['predicted'])} / {bytes_text(row['peak'])}",
-        ),
+        column("peak: predicted", bytes_text, "predicted"),
+        column("measured", bytes_text, "peak"),
         column("query", time_text, "query"),
         ERRORS,
         column("graph of the mesh (CPU)", time_text, "mesh", "build"),
         column("query there", time_text, "mesh", "query"),
         column("error there", errors_text, "mesh", "error"),
-    ]
+    )
     return listing(columns, results["speed"])
 
 
 def tables(results):
     """Returns all tables."""
-    parts = [
+    return (
         "Graphs are built on several threads and their times are wall-clock times; all other times "
         "are CPU seconds on one thread. Predicted peaks count the bytes requested from the "
         "allocator; measured peaks are the growth of the process, which includes memory that the "
-        "allocator retains.\n"
-    ]
-    titles = {
-        "Mean errors, % (in parentheses: published / ours)": mean_table,
-        "Difficult clouds": guard_table,
-        "Cost on large clouds, and on meshes with the same points": speed_table,
-    }
-    parts += titled(results, titles)
-    return "\n".join([*parts, *folded("Errors of the default in detail", error_table(results))])
+        "allocator retains.\n\n"
+    ) + titled(
+        {
+            "Mean errors, % (in parentheses: published / ours)": mean_table(results),
+            "Difficult clouds": guard_table(results),
+            "Cost on large clouds, and on meshes with the same points": speed_table(results),
+            "": folded("Errors of the default in detail", error_table(results)),
+        }
+    )
 
 
 def parse(arguments=None):

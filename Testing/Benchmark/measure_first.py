@@ -1,13 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How soon each distance filter answers on a new mesh, and again; and how far off it is.
+"""Time of each distance filter for its first and for further answers on a mesh, and its errors.
 
 Usage: measure_first.py OUT.json OUT.md MESH...
 
-Times are those of Update(), one thread and CPU time unless a column says otherwise: `new` for a
-filter and a mesh that have not been seen, with the mesh prepared as all filters do; `again` for
-another source on the same mesh. Errors are relative to the exact distances, over all points from
-all sources.
+Times are CPU times of Update() on one thread unless a table says otherwise: `new` for a new filter
+and a new mesh, including the preparation of the mesh, `again` for another source on the same mesh.
+Errors are relative to the exact distances, over all points from all sources.
 """
 
 import statistics
@@ -16,8 +15,7 @@ import time
 import modes
 import numpy as np
 import vtkdgg
-from benchmark_results import time_text
-from exhibits.tables import column, hundredths, joined, listing
+from tables import column, count_text, folded, joined, listing, time_text, titled
 from vtkdgg.commands.methods import graph, propagation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -39,7 +37,7 @@ METHODS = {
 
 
 def first_updates(make, mesh, source, clock):
-    """Times of updates on new meshes, and the filter of the last one."""
+    """Returns the median time of updates on new meshes, and the filter of the last one."""
     times = []
     while len(times) < NEW_MESHES:
         copy = vtkPolyData()
@@ -53,40 +51,38 @@ def first_updates(make, mesh, source, clock):
     return statistics.median(times), distance
 
 
-def measure_method(name, make, mesh, sources, exact):
-    """Times and errors of one method on one mesh."""
-    new, distance = first_updates(make, mesh, sources[0], time.process_time)
-    again = []
-    fields = []
+def further_updates(distance, sources, clock):
+    """Returns the median time of updates from these sources, and the distances."""
+    times, fields = [], []
     for source in sources:
         distance.SetSourceIds([source])
         distance.Modified()
-        again.append(modes.timed(distance.Update)[0])
+        times.append(modes.timed(distance.Update, clock)[0])
         array = vtkdgg.check(distance).GetPointData().GetArray("GeodesicDistance")
         fields.append(vtk_to_numpy(array).copy())
+    return statistics.median(times), fields
+
+
+def measure_method(name, make, mesh, sources, exact):
+    """Returns times and errors of one method on one mesh, and its distances."""
+    new, distance = first_updates(make, mesh, sources[0], time.process_time)
+    again, fields = further_updates(distance, sources, time.process_time)
     vtkSMPTools.Initialize(2)
-    pairs = []
-    for source in sources:
-        distance.SetSourceIds([source])
-        distance.Modified()
-        pairs.append(modes.timed(distance.Update, time.perf_counter)[0])
+    on_two_threads, _ = further_updates(distance, sources, time.perf_counter)
     vtkSMPTools.Initialize(1)
-    result = {
+    errors = np.concatenate(
+        [f[e > 0] / e[e > 0] - 1.0 for f, e in zip(fields, exact or fields) if np.any(e > 0)]
+    )
+    return {
         "method": name,
         "new": new,
-        "again": statistics.median(again),
-        "again_on_two_threads": statistics.median(pairs),
-    }
-    reference = exact or fields
-    errors = np.concatenate(
-        [f[e > 0] / e[e > 0] - 1.0 for f, e in zip(fields, reference) if np.any(e > 0)]
-    )
-    sizes = np.abs(errors)
-    result["mean"] = float(sizes.mean())
-    result["p999"] = float(np.quantile(sizes, 0.999))
-    result["least"] = float(errors.min())
-    result["most"] = float(errors.max())
-    return result, fields
+        "again": again,
+        "again_on_two_threads": on_two_threads,
+        "mean": float(np.abs(errors).mean()),
+        "p999": float(np.quantile(np.abs(errors), 0.999)),
+        "least": float(errors.min()),
+        "most": float(errors.max()),
+    }, fields
 
 
 def measure(options):
@@ -106,28 +102,33 @@ def measure(options):
     return found
 
 
-def table(name, points, results):
-    """A Markdown table of one mesh."""
-    heat = next(r["new"] for r in results if r["method"] == "heat")
-
-    def two_digits(value):
-        return f"{100 * value:.2g}"
-
-    columns = (
-        column("method", str, "method"),
-        column("new mesh", time_text, "new"),
-        column("of heat's", lambda new: hundredths(new / heat), "new"),
-        column("again", time_text, "again"),
-        column("points a second", lambda again: f"{points / again / 1e6:.2f} M", "again"),
-        column("two threads, wall clock", time_text, "again_on_two_threads"),
-        ("error, %: mean / 99.9 %", joined(two_digits, "mean", "p999")),
-        ("least / most", joined(lambda value: f"{100 * value:+.2g}", "least", "most")),
-    )
-    return listing(columns, results, f"**{name}**, {points} points")
-
-
 def tables(results):
-    return "\n".join(table(name, **found) for name, found in results.items())
+    """Returns a table of each quantity: a row per mesh, a column per method."""
+    rows = [
+        {"mesh": name, "points": found["points"], **{r["method"]: r for r in found["results"]}}
+        for name, found in results.items()
+    ]
+
+    def by_method(form, *keys):
+        first = [column("mesh", str, "mesh"), column("points", count_text, "points")]
+        return listing(first + [column(method, form, method, *keys) for method in METHODS], rows)
+
+    extremes = {
+        "Another source, two threads, wall clock": by_method(time_text, "again_on_two_threads"),
+        "Most negative / most positive error, %": by_method(
+            joined(lambda value: f"{100 * value:+.2g}", "least", "most")
+        ),
+    }
+    return titled(
+        {
+            "First answer on a new mesh": by_method(time_text, "new"),
+            "Answer from another source": by_method(time_text, "again"),
+            "Error, %: mean / 99.9 %": by_method(
+                joined(lambda value: f"{100 * value:.2g}", "mean", "p999")
+            ),
+            "": folded("Two threads, extreme errors", titled(extremes)),
+        }
+    )
 
 
 if __name__ == "__main__":

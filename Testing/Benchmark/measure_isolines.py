@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Isolines of distances by all methods beside vtkContourFilter: errors and times.
+"""Isolines of distances by all methods, compared with vtkContourFilter: errors and times.
 
 Usage: measure_isolines.py OUT.json OUT.md [--name=value ...] [MESH ...]
 
@@ -13,8 +13,8 @@ Usage: measure_isolines.py OUT.json OUT.md [--name=value ...] [MESH ...]
   --accuracy=0.01  of the graph
 
 The error of a segment of an isoline is |d - c| / c, with the exact distance d at its midpoint and its
-level c; means are over segments, as has been published, and ratios say how many times as large the
-error of vtkContourFilter is. Times are CPU seconds of Update() on one thread, the shortest of several.
+level c. Means are over segments, as published. The gain is the error of vtkContourFilter divided by
+that of a method. Times are CPU times of Update() on one thread, the shortest of several.
 """
 
 import statistics
@@ -22,8 +22,7 @@ import statistics
 import modes
 import numpy as np
 import vtkdgg
-from benchmark_results import count_text, digits, gain_text, percent, titled
-from exhibits.tables import column, hundredths, joined, listing
+from tables import column, count_text, digits, gain_text, hundredths, joined, listing, percent, titled
 from vtkdgg.commands.measured import Errors
 from vtkdgg.commands.methods import graph as graph_of
 from vtkdgg.commands.sizes import floor_of
@@ -236,29 +235,27 @@ MESH = column("mesh", str, "mesh")
 VERTICES = column("vertices", count_text, "vertices")
 
 
-def error_table(results, key="mean"):
+def error_table(results):
     rows = named(results)
     methods = [name for name in METHODS if all(name in row for row in rows)]
 
     def cell(row, name):
-        ratio = "" if name == "Contour" else f" ({gain_text(gain(row, name, key))})"
-        return percent(row[name][key]) + ratio
+        ratio = "" if name == "Contour" else f" ({gain_text(gain(row, name))})"
+        return percent(row[name]["mean"]) + ratio
 
     columns = [MESH, VERTICES]
     columns += [
         (f"{METHODS[name]}, %", lambda row, name=name: cell(row, name)) for name in methods
     ]
-    gains = [
-        digits(statistics.geometric_mean(gain(row, name, key) for row in rows)) + "x"
-        for name in methods[1:]
-    ]
-    total = ["geometric mean", "", "", *gains]
-    return listing(columns, rows) + "| " + " | ".join(total) + " |\n"
-
-
-def length_table(results):
-    """The mean that does not depend on the number of segments."""
-    return error_table(results, "by length")
+    made = listing(columns, rows)
+    # The mean weighted by length does not depend on the number of segments.
+    for key, title in {"mean": "geometric mean", "by length": "weighted by length"}.items():
+        gains = [
+            gain_text(statistics.geometric_mean(gain(row, name, key) for row in rows))
+            for name in methods[1:]
+        ]
+        made += f"| {' | '.join([title, '', '', *gains])} |\n"
+    return made
 
 
 def tail_table(results):
@@ -267,19 +264,20 @@ def tail_table(results):
         column(f"{title}, %", joined(percent, "p999", "max"), name)
         for name, title in METHODS.items()
     ]
-    fallbacks = [column("", str, name, "fallbacks")[1] for name in ("Sources", "Windows")]
-    columns.append(
-        ("fallbacks: virtual / windows", lambda row: " / ".join(f(row) for f in fallbacks))
-    )
+    columns += [
+        column(f"fallbacks: {METHODS[name]}", str, name, "fallbacks")
+        for name in ("Sources", "Windows")
+    ]
     return listing(columns, named(results))
 
 
 def chord_table(results):
-    columns = [MESH]
     chord = next(iter(results.values()))["chord"]
-    for title, method in (("windows", "Windows"), ("virtual", "Sources")):
+    columns = [MESH]
+    for method in ("Windows", "Sources"):
         for suffix, size in (("", chord), ("Halved", 0.5 * chord), ("Drawn", DRAWN)):
-            columns.append(column(f"{title}, {size:g} h, %", percent, method + suffix, "mean"))
+            title = f"{METHODS[method]}, {size:g} h, %"
+            columns.append(column(title, percent, method + suffix, "mean"))
     return listing(columns, named(results))
 
 
@@ -324,10 +322,10 @@ def steiner_table(results):
 
 def time_table(results):
     titles = {
-        "Contour": "vtkContourFilter",
-        "Apollonius2": "Apollonius, k = 2",
-        "SourcesDrawn": "virtual sources",
-        "WindowsDrawn": "windows",
+        "Contour": METHODS["Contour"],
+        "Apollonius2": METHODS["Apollonius2"],
+        "SourcesDrawn": METHODS["Sources"],
+        "WindowsDrawn": METHODS["Windows"],
     }
     columns = [MESH, column("faces", count_text, "faces")]
     columns += [
@@ -335,29 +333,23 @@ def time_table(results):
         for name, title in titles.items()
     ]
     columns += [
-        (
-            f"{titles[name]}, µs per face",
-            lambda row, name=name: digits(1e6 * row[name]["seconds"] / row["faces"]),
-        )
-        for name in ("SourcesDrawn", "WindowsDrawn")
+        column(f"segments: {titles[name]}", count_text, name, "segments")
+        for name in ("Contour", "WindowsDrawn")
     ]
-    segments = [column("", count_text, name, "segments")[1] for name in ("Contour", "WindowsDrawn")]
-    columns.append(("segments: linear / windows", lambda row: " / ".join(f(row) for f in segments)))
     return listing(columns, named(results))
 
 
 def tables(results):
     """Returns all tables."""
-    titles = {
+    makers = {
         "Isolines of exact distances: mean error (gain over linear)": error_table,
-        "The same, weighted by the length of segments": length_table,
         "Largest errors: 99.9 % / all": tail_table,
         "Tolerance of chords, in mean edges h: mean error": chord_table,
         "Isolines of approximate distances": input_table,
         "Steiner points per edge": steiner_table,
-        "Times": time_table,
+        "CPU time of one thread": time_table,
     }
-    return "\n".join(["CPU seconds on one thread.\n", *titled(results, titles)])
+    return titled({title: make(results) for title, make in makers.items()})
 
 
 def parse(arguments=None):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The cost of queries about a few points, on meshes of growing size, beside SciPy and gdist.
+"""Cost of queries about a few points on meshes of growing size, compared with SciPy and gdist.
 
 Usage: measure_local.py OUT.json OUT.md [NUMBER-OF-POINTS ...]
 
@@ -13,8 +13,8 @@ up to 10,000 points.
 import modes
 import numpy as np
 import vtkdgg
-from exhibits.tables import column, listing
 from scipy.sparse.csgraph import dijkstra
+from tables import column, listing, tenths
 
 try:
     import gdist
@@ -28,7 +28,7 @@ DENSE_ENTRIES = 2e7  # entries of dense rows of SciPy
 
 
 def rippled_square(number_of_points):
-    """Points and triangles of a jittered, rippled grid with unit spacing."""
+    """Returns points and triangles of a jittered, rippled grid with unit spacing."""
     side = round(number_of_points**0.5)
     x, y = (a.ravel() for a in np.meshgrid(np.arange(side), np.arange(side), indexing="ij"))
     jitter = np.random.default_rng(7).uniform(-0.25, 0.25, (2, x.size))
@@ -41,13 +41,13 @@ def rippled_square(number_of_points):
 
 
 def median(function, sources):
-    """Median CPU time of one call per source, after one more."""
+    """Returns the median CPU time of one call per source. A further call precedes them."""
     function(sources[-1])
     return float(np.median([modes.timed(lambda s=s: function(s))[0] for s in sources]))
 
 
 def measure_mesh(number_of_points):
-    """All figures of one mesh."""
+    """Returns all figures of one mesh."""
     points, triangles = rippled_square(number_of_points)
     edges = points[triangles[:, 0]] - points[triangles[:, 1]]
     radius = 3.0 * float(np.linalg.norm(edges, axis=1).mean())
@@ -80,15 +80,15 @@ def measure(options):
 
 
 def table(results):
-    """A Markdown table with a line per mesh."""
+    """Returns a table with a row per mesh."""
 
     def scaled(form, factor):
         return lambda value: form.format(factor * value)
 
     microseconds, milliseconds = scaled("{:.2f} µs", 1e6), scaled("{:.2f} ms", 1e3)
     columns = (
-        column("points", "{:,}".format, "points"),
-        column("entries per row", "{:.1f}".format, "entries per row"),
+        column("points", "{:,}", "points"),
+        column("entries per row", tenths, "entries per row"),
         column("sparse_matrix, per entry", microseconds, "sparse_matrix"),
         column("dijkstra(limit), per entry", microseconds, "dijkstra"),
         column("gdist, per entry", microseconds, "gdist"),

@@ -17,10 +17,20 @@ of the solution of -Laplace u = 6 x z, which is x z.
 import modes
 import numpy as np
 import vtkdgg
-from benchmark_results import count_text, folded, percent, slope, table, text, time_text
 from exhibits import surfaces
-from exhibits.tables import column, listing
-from summarize_spectral import WAYS
+from summarize import WAYS
+from tables import (
+    column,
+    count_text,
+    folded,
+    hundredths,
+    listing,
+    percent,
+    slope,
+    table,
+    time_text,
+    titled,
+)
 from vtkdgg.surface import add_array
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -144,7 +154,7 @@ def convergence_table(curves):
         columns = [curves[way][error] for way in WAYS]
         for points in zip(*columns):
             rows.append([title, str(points[0][0]), *(f"{value:.1e}" for *_, value in points)])
-        rows.append([title, "order", *(text(order(points), "{:.2f}") for points in columns)])
+        rows.append([title, "order", *(hundredths(order(points)) for points in columns)])
     return table(["error", "vertices", *WAYS.values()], rows)
 
 
@@ -160,11 +170,15 @@ def spline_table(rows):
 
 def tables(results):
     """Returns all tables."""
-    made = convergence_table(results["curves"])
+    errors = convergence_table(results["curves"])
     if results["other method"]:
-        made += f"\nAt {results['other method']} poles another method was used.\n"
-    parts = ["**Harmonic B-splines**\n", spline_table(results["splines"])]
-    return "\n".join([*parts, *folded("Errors on spheres of radius 1", made)])
+        errors += f"\nAt {results['other method']} poles another method was used.\n"
+    return titled(
+        {
+            "Harmonic B-splines": spline_table(results["splines"]),
+            "": folded("Errors on spheres of radius 1", errors),
+        }
+    )
 
 
 def parse(arguments=None):

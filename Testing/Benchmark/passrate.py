@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether graphs keep their promise on all meshes of a folder: mean and largest error over the
-accuracy, the anisotropy of the triangles, and what was refused and why.
+"""Errors of graphs of all meshes in a folder, relative to the accuracy; anisotropy of the triangles;
+refused files with reasons.
 
 Usage: passrate.py OUT FOLDER [--accuracies 0.1,0.01,0.001] [--sources 3] [--most_points 1000000]
 
-To be run by `Testing/Benchmark/run.sh passrate`. Writes passrate.json, passrate.md and passrate.png.
-Errors are those of distances in the graph, before they are corrected, against exact ones.
+`Testing/Benchmark/run.sh passrate` runs this script. Writes passrate.json, passrate.md and passrate.png.
+Errors are those of distances in the graph without correction, relative to exact distances.
 """
 
 import argparse
@@ -19,9 +19,9 @@ import warnings
 
 import numpy as np
 import vtkdgg
-from benchmark_results import count_text, digits, table
 from exhibits.surfaces import anisotropy, arrays_of
-from plot_tools import STYLES, PlotError, add_legend, load_matplotlib, style_axes
+from plots import STYLES, Panel, PlotError, plot
+from tables import column, count_text, digits, listing, tenths
 from vtkdgg.commands import files
 from vtkdgg.commands.measured import ROUNDING, Errors
 from vtkdgg.commands.methods import field
@@ -32,17 +32,17 @@ EXTENSIONS = (".obj", ".off", ".ply", ".stl", ".vtk", ".vtp")
 
 
 def meshes_of(folder):
-    """Paths of the files that may hold a surface, by name."""
+    """Returns the paths of mesh files, sorted by name."""
     names = sorted(os.listdir(folder))
     return [os.path.join(folder, name) for name in names if name.lower().endswith(EXTENSIONS)]
 
 
 def measure_mesh(path, accuracies, number_of_sources, most_points):
-    """One row for each accuracy. Raises what reading, exact distances or graphs refuse."""
+    """Returns one row per accuracy. Raises errors of reading and of exact distances."""
     mesh = files.triangles_of(vtkdgg.read(path).as_polydata(), path)
     points, triangles = arrays_of(mesh)
     if len(points) > most_points:
-        raise ValueError(f"{len(points)} points, and {most_points} are wanted at most")
+        raise ValueError(f"{len(points)} points exceed the limit of {most_points}")
     used = np.unique(triangles)
     sources = [
         int(used[len(used) * (2 * k + 1) // (2 * number_of_sources)])
@@ -77,12 +77,12 @@ def measure_mesh(path, accuracies, number_of_sources, most_points):
 
 
 def reason(problem):
-    """The first sentence or line of what was said, on one line."""
+    """Returns the start of a message on one line, without its source."""
     return " ".join(str(problem).split()).split(": ", 1)[-1][:160]
 
 
 def measure(folder, accuracies, number_of_sources=SOURCES, most_points=1000000, say=print):
-    """Rows of all meshes, what was said of them, and what was refused."""
+    """Returns rows of all meshes, warnings, and refused files."""
     rows, refused, noted = [], [], []
     for path in meshes_of(folder):
         name = os.path.basename(path)
@@ -106,68 +106,55 @@ def measure(folder, accuracies, number_of_sources=SOURCES, most_points=1000000, 
 
 
 def passes(row):
-    """Whether no error is larger than promised."""
+    """Returns true if no error exceeds the bound."""
     return row["max"] <= row["accuracy"] + ROUNDING
 
 
 def tables(results):
-    """As Markdown."""
+    """Returns the tables of all graphs, of refused files and of warnings."""
     rows = results["rows"]
-    count = sum(map(passes, rows))
-    parts = [f"{count} of {len(rows)} graphs keep their promise.\n"]
-    header = ["mesh", "vertices", "anisotropy", "ε", "degree", "mean / ε", "largest / ε", "kept"]
-    lines = [
-        [
-            row["mesh"],
-            count_text(row["vertices"]),
-            f"{row['tau']:.3g}",
-            f"{row['accuracy']:g}",
-            f"{row['degree']:.1f}",
-            digits(row["mean"] / row["accuracy"]),
-            digits(row["max"] / row["accuracy"]),
-            "yes" if passes(row) else "NO",
-        ]
-        for row in rows
-    ]
-    parts.append(table(header, lines))
-    refused = [[entry["mesh"], entry["reason"]] for entry in results["refused"]]
-    parts.append(table(["refused", "why"], refused))
-    noted = [[entry["mesh"], entry["note"]] for entry in results.get("noted", ())]
-    parts.append(table(["mesh", "what the filters say of it"], noted))
-    return "\n".join(part for part in parts if part)
-
-
-def plot(results, picture):
-    """Mean and largest error over ε, against anisotropy; says whether there was anything."""
-    subplots, handle = load_matplotlib()
-    rows = [row for row in results["rows"] if row["mean"] > 0.0 and np.isfinite(row["max"])]
-    if not rows:
-        return False
-    figure, axes = subplots(1, 1, figsize=(7.0, 5.2))
-    accuracies = sorted({row["accuracy"] for row in rows}, reverse=True)
-    curves = []
-    for accuracy, (colour, marker) in zip(accuracies, STYLES):
-        chosen = [row for row in rows if row["accuracy"] == accuracy]
-        for key, face in (("mean", colour), ("max", "white")):
-            xs = [row["tau"] for row in chosen]
-            ys = [row[key] / accuracy for row in chosen]
-            axes.plot(xs, ys, marker, color=colour, markerfacecolor=face, markersize=6.5)
-        curves.append((f"ε = {accuracy:g}", (colour, marker)))
-    axes.axhline(1.0, color="#444444", linewidth=1.2, linestyle="--")
-    style_axes(
-        axes,
-        "error over ε: mean (full), largest (empty)",
-        "anisotropy of the triangles",
-        minor=lambda value, _: f"{value:g}",
+    columns = (
+        column("mesh", str, "mesh"),
+        column("vertices", count_text, "vertices"),
+        column("anisotropy", "{:.3g}", "tau"),
+        column("ε", "{:g}", "accuracy"),
+        column("degree", tenths, "degree"),
+        ("mean / ε", lambda row: digits(row["mean"] / row["accuracy"])),
+        ("largest / ε", lambda row: digits(row["max"] / row["accuracy"])),
+        ("kept", lambda row: "yes" if passes(row) else "NO"),
     )
-    add_legend(figure, handle, curves, columns=5)
-    figure.tight_layout(rect=(0.0, 0.08, 1.0, 1.0))
-    figure.savefig(picture, dpi=80)
-    return True
+    refused = (column("refused", str, "mesh"), column("why", str, "reason"))
+    noted = (column("mesh", str, "mesh"), column("warning", str, "note"))
+    parts = (
+        f"{sum(map(passes, rows))} of {len(rows)} graphs are within the bound.\n",
+        listing(columns, rows),
+        listing(refused, results["refused"]),
+        listing(noted, results.get("noted", ())),
+    )
+    return "\n".join(filter(None, parts))
+
+
+def plot_rates(results, picture):
+    """Draws mean and largest error over ε against anisotropy; returns false if there is no data."""
+    rows = [row for row in results["rows"] if row["mean"] > 0.0 and np.isfinite(row["max"])]
+    styles = dict(zip(sorted({row["accuracy"] for row in rows}, reverse=True), STYLES))
+
+    def draw(axes):
+        for accuracy, (color, marker) in styles.items():
+            chosen = [row for row in rows if row["accuracy"] == accuracy]
+            for key, face in (("mean", color), ("max", "white")):
+                points = [(row["tau"], row[key] / accuracy) for row in chosen]
+                axes.plot(*zip(*points), marker, color=color, markerfacecolor=face, markersize=6.5)
+        axes.axhline(1.0, color="#444444", linewidth=1.2, linestyle="--")
+
+    title = "error over ε: mean (full), largest (empty)"
+    panel = Panel(title, "anisotropy of the triangles", draw=draw)
+    legend = [(f"ε = {accuracy:g}", style) for accuracy, style in styles.items()]
+    return bool(rows) and plot(picture, [[panel]], legend, size=(7.0, 5.2))
 
 
 def main(arguments=None):
-    """Measure and write; 1 when a promise was broken."""
+    """Measures and writes; returns 1 if an error exceeds a bound."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("out")
     parser.add_argument("folder")
@@ -176,9 +163,9 @@ def main(arguments=None):
     parser.add_argument("--most_points", type=int, default=1000000)
     options = parser.parse_args(arguments)
     if not os.path.isdir(options.folder):
-        sys.exit(f"error: {options.folder}: no such folder")
+        sys.exit(f"error: {options.folder} is not a folder.")
     if not meshes_of(options.folder):
-        sys.exit(f"error: {options.folder}: holds no mesh ({' '.join(EXTENSIONS)})")
+        sys.exit(f"error: {options.folder} contains no mesh ({' '.join(EXTENSIONS)}).")
     accuracies = [float(word) for word in options.accuracies.split(",")]
     os.makedirs(options.out, exist_ok=True)
     results = measure(options.folder, accuracies, options.sources, options.most_points)
@@ -190,7 +177,7 @@ def main(arguments=None):
         file.write(text)
     print(text)
     try:
-        if plot(results, path + ".png"):
+        if plot_rates(results, path + ".png"):
             print(f"Written: {path}.png")
     except PlotError as problem:
         print(f"no plot: {problem}")

@@ -89,52 +89,45 @@ case "${1:-}" in
     ;;
 esac
 
-# Settings of each mode: program, scripts of its tables and its plot, or the script that measures;
-# scans of --data; further packages.
+# Settings of each mode: program, or script that measures; picture of its plot; scans of --data;
+# further packages.
 program=
-tables="summarize_$mode.py"
-plot=
+script=
 picture=
-scans=(bunny armadillo fertility kitten gargoyle)
+scans=()
 packages=("${DGG_PACKAGES[@]}" libbenchmark-dev libcgal-dev libeigen3-dev glmark2-data)
 case "$mode" in
   cloud)
-    tables=measure_clouds.py plot=plot_clouds.py picture=cloud_error.png
+    script=measure_clouds.py picture=cloud_error.png
     scans=(awkward/bunny_raw_5holes igea)
-    packages+=(python3-matplotlib)
     ;;
-  exact) program=BenchmarkExact tables=summarize.py ;;
+  exact) program=BenchmarkExact ;;
   first)
-    tables=measure_first.py
+    script=measure_first.py
     scans=(bunny armadillo gargoyle fandisk blade_aniso igea terrain_andes)
     ;;
-  graph)
-    program=BenchmarkGraph plot=plot_graph.py picture=error_against_degree.png
-    packages+=(python3-matplotlib)
-    ;;
+  graph) program=BenchmarkGraph picture=error_against_degree.png ;;
   isolines)
-    tables=measure_isolines.py
-    scans+=(igea)
+    script=measure_isolines.py
+    scans=(bunny armadillo fertility kitten gargoyle igea)
     ;;
   local)
-    tables=measure_local.py
+    script=measure_local.py
     packages+=(python3-scipy)
     ;;
-  passrate | thesis)
-    scans=()
-    packages+=(python3-matplotlib)
+  passrate | thesis) picture=yes ;;
+  path)
+    program=BenchmarkPath
+    scans=(bunny armadillo fertility kitten gargoyle)
     ;;
-  path) program=BenchmarkPath ;;
   spectral)
     program=BenchmarkSpectral
     scans=(bunny igea)
     packages+=(libsuitesparse-dev)
     ;;
-  spheres)
-    tables=measure_spheres.py plot=plot_spheres.py picture=greens_convergence.png
-    packages+=(python3-matplotlib)
-    ;;
+  spheres) script=measure_spheres.py picture=greens_convergence.png ;;
 esac
+[ -z "$picture" ] || packages+=(python3-matplotlib)
 
 # only_for OPTION MODES: ends the script in other modes.
 only_for() {
@@ -189,14 +182,6 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-# insert: with --readme, puts the tables into the page.
-insert() {
-  if [ -n "$readme" ]; then
-    "$python" "$here/insert_table.py" "$here/README.md" "$mode" "$out/$mode.md"
-    echo "Written: Testing/Benchmark/README.md"
-  fi
-}
-
 # draw PICTURE COMMAND...: draws a picture, with --readme for the page as well. The command fails if
 # there are no curves.
 draw() {
@@ -211,31 +196,27 @@ draw() {
   fi
 }
 
-# present: puts the tables into the page, and draws the plot of the mode.
-present() {
+# measure: runs the program or script of the mode, and writes its tables and its plot.
+measure() {
+  if [ -n "$program" ]; then
+    # One thread for the BLAS of CHOLMOD, as for all other peers.
+    OPENBLAS_NUM_THREADS=1 "$build/bin/$program" --benchmark_out="$out/$mode.json" \
+      --benchmark_out_format=json ${arguments[@]+"${arguments[@]}"}
+    "$python" "$here/summarize.py" "$out/$mode.json" "$out/$mode.md"
+  else
+    python="$build/bin/vtkdgg-python"
+    "$python" "$here/$script" "$out/$mode.json" "$out/$mode.md" ${arguments[@]+"${arguments[@]}"}
+  fi
   echo "Written: $out/$mode.json and $out/$mode.md"
-  insert
-  [ -z "$plot" ] || draw "$picture" "$python" "$here/$plot" "$out/$mode.json"
-}
-
-measure_by_program() {
-  # One thread for the BLAS of CHOLMOD, as for all other peers.
-  OPENBLAS_NUM_THREADS=1 "$build/bin/$program" --benchmark_out="$out/$mode.json" \
-    --benchmark_out_format=json ${arguments[@]+"${arguments[@]}"}
-  echo
-  "$python" "$here/$tables" "$out/$mode.json" "$out/$mode.md"
-  present
-  if [ "$mode" = spectral ] && [ -n "$readme" ]; then
+  if [ -n "$readme" ]; then
+    "$python" "$here/tables.py" "$here/README.md" "$mode" "$out/$mode.md"
+    echo "Written: Testing/Benchmark/README.md"
+  fi
+  [ -z "$picture" ] || draw "$picture" "$python" "$here/plots.py" "$mode" "$out/$mode.json"
+  if [ "$mode$readme" = spectralyes ]; then
     draw greens_function.png dgg_with_display "$build/bin/vtkdgg-python" \
       "$DGG_ROOT/Examples/Python/greens_function.py"
   fi
-}
-
-measure_by_script() {
-  python="$build/bin/vtkdgg-python"
-  "$python" "$here/$tables" "$out/$mode.json" "$out/$mode.md" \
-    ${arguments[@]+"${arguments[@]}"}
-  present
 }
 
 measure_thesis() {
@@ -247,10 +228,8 @@ measure_thesis() {
     --programs "$build/bin" ${page[@]+"${page[@]}"} ${arguments[@]+"${arguments[@]}"}
 }
 
-with_python=OFF
-case "$mode$readme" in
-  cloud* | compare | first* | isolines* | local* | passrate | spectralyes | spheres* | thesis*) with_python=ON ;;
-esac
+with_python=ON
+[ -z "$program" ] || [ "$mode$readme" = spectralyes ] || with_python=OFF
 dgg_install "${packages[@]}"
 
 build="$DGG_ROOT/build/benchmark"
@@ -269,10 +248,9 @@ case "$mode" in
     dgg_with_display "$build/bin/vtkdgg" compare --methods --out "$out/compare" \
       ${arguments[@]+"${arguments[@]}"}
     ;;
-  cloud | first | isolines | local | spheres) measure_by_script ;;
   passrate)
     "$build/bin/vtkdgg-python" "$here/passrate.py" "$out" ${arguments[@]+"${arguments[@]}"}
     ;;
   thesis) measure_thesis ;;
-  *) measure_by_program ;;
+  *) measure ;;
 esac

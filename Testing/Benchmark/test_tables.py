@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables and plots of benchmark results, and sections of Markdown files. The programs themselves are
-run with their tables by Benchmark.NAME.Run and .Table."""
+"""Tests of tables and plots of benchmark results, and of generated sections of pages. The tests
+Benchmark.NAME.Run and .Table run the programs."""
 
 import importlib.util
 import json
@@ -11,10 +11,22 @@ import subprocess
 import sys
 import unittest
 
-import insert_table
-import plot_graph
-import summarize_graph
-from table_support import HERE, OUTPUT, PNG, cells_of
+import plots
+from summarize import PATTERNS, summarize
+from tables import MarkerError, insert, load, rows_of
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+OUTPUT = os.environ["DGG_TEST_OUTPUT"]
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+def cells_of(lines, start, header):
+    """Returns a row by column: the first row that starts with `start`, in the first table that has
+    the column `header`."""
+    first = next(i for i, line in enumerate(lines) if f"| {header} |" in line)
+    names = [name.strip() for name in lines[first].split("|")[1:-1]]
+    row = next(line for line in lines[first:] if line.startswith(f"| {start} |"))
+    return dict(zip(names, (cell.strip() for cell in row.split("|")[1:-1])))
 
 
 def graph(rule, parameter, degree, error):
@@ -38,7 +50,7 @@ class Tables(unittest.TestCase):
             json.dump({"context": {"vtk_version": "9"}, "benchmarks": entries}, file)
 
     def test_table(self):
-        text = summarize_graph.summarize(self.path)
+        text = summarize(self.path)
         self.assertIn("(vtk 9).", text)
         self.assertNotIn("failed", text)
         row = cells_of(text.splitlines(), "Guaranteed, ε = 0.01", "graph")
@@ -47,16 +59,22 @@ class Tables(unittest.TestCase):
         self.assertEqual(row["error: mean / 99.9 % / max"], "0.08 / 0.24 / 0.4 %")
         self.assertEqual(row["query"], "–")
 
+    def test_statistics(self):
+        row = rows_of(load(self.path)[1], PATTERNS["graph"])[0]
+        self.assertEqual((row["mesh"], row["rule"], row["parameter"]), ("ball", "Guaranteed", "0.1"))
+        self.assertEqual(row["Certified"]["error"]["mean"], 0.008)
+        self.assertAlmostEqual(row["Certified"]["seconds"], 0.007)  # median of 6 and 8 ms
+
     def test_curve(self):
-        graphs = summarize_graph.Run(self.path).graphs["ball"]
-        points = plot_graph.curve(graphs, "Guaranteed", "Certified", 0)
+        rows = rows_of(load(self.path)[1], PATTERNS["graph"])
+        points = plots.degree_curve(rows, "Guaranteed", "Certified", "mean")
         self.assertEqual([round(x) for x, _ in points], [15, 50])
         self.assertAlmostEqual(points[1][1], 0.08)
 
     @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "needs matplotlib")
     def test_plot(self):
         picture = os.path.join(OUTPUT, "graph.png")
-        command = [sys.executable, "-B", os.path.join(HERE, "plot_graph.py"), self.path, picture]
+        command = [sys.executable, "-B", os.path.join(HERE, "plots.py"), "graph", self.path, picture]
         subprocess.run(command, check=True)
         with open(picture, "rb") as file:
             self.assertEqual(file.read(8), PNG)
@@ -67,13 +85,14 @@ class Insert(unittest.TestCase):
 
     def test_replaces(self):
         expected = "a\n<!-- begin t (made) -->\nnew \\1\n<!-- end t -->\nz\n"
-        self.assertEqual(insert_table.insert(self.TEXT, "t", "\nnew \\1\n\n"), expected)
-        self.assertEqual(insert_table.insert(expected, "t", "new \\1"), expected)
+        self.assertEqual(insert(self.TEXT, "t", "\nnew \\1\n\n"), expected)
+        folded = "<details><summary>more</summary>\n\nhidden\n</details>\n"
+        self.assertEqual(insert(expected, "t", folded + "new \\1\n\n" + folded), expected)
 
     def test_other_markers(self):
         for text in ("nothing", self.TEXT + self.TEXT, self.TEXT.replace("end t", "end s")):
-            with self.subTest(text=text), self.assertRaises(insert_table.MarkerError):
-                insert_table.insert(text, "t", "new")
+            with self.subTest(text=text), self.assertRaises(MarkerError):
+                insert(text, "t", "new")
 
     def test_page(self):
         with open(os.path.join(HERE, "README.md"), encoding="utf-8") as file:
@@ -81,7 +100,7 @@ class Insert(unittest.TestCase):
         written = re.findall(r"written by Testing/Benchmark/run.sh (\w+) --readme", page)
         self.assertEqual(sorted(written), ["cloud", "first", "graph", "local", "spectral", "spheres"])
         for name in written:
-            self.assertIn("\nnew\n<!-- end", insert_table.insert(page, name, "new"))
+            self.assertIn("\nnew\n<!-- end", insert(page, name, "new"))
 
 
 if __name__ == "__main__":

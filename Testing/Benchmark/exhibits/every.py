@@ -5,28 +5,27 @@
 from . import clouds, differences, fields, graphs, greens, isolines, laws, rivals, searches, sweeps
 
 
-def _place(exhibit):
-    """Tables, then figures, then what the thesis does not show; by their numbers."""
-    chapter, number = exhibit.name[1:].split(".")
-    return ("TFDRL".index(exhibit.name[0]), int(chapter), int(number))
+MODULES = (
+    clouds,
+    differences,
+    fields,
+    graphs,
+    greens,
+    isolines,
+    laws,
+    rivals,
+    searches,
+    sweeps,
+)
+
+
+def place(name):
+    """Returns the order of exhibits: tables, figures, then what the thesis does not show, by number."""
+    chapter, number = name[1:].split(".")
+    return ("TFDRL".index(name[0]), int(chapter), int(number))
 
 
 ALL = sorted(
-    (
-        exhibit
-        for module in (
-            clouds,
-            differences,
-            fields,
-            graphs,
-            greens,
-            isolines,
-            laws,
-            rivals,
-            searches,
-            sweeps,
-        )
-        for exhibit in module.EXHIBITS
-    ),
-    key=_place,
+    (exhibit for module in MODULES for exhibit in module.EXHIBITS),
+    key=lambda exhibit: place(exhibit.name),
 )

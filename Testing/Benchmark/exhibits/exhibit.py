@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an exhibit of the thesis is, and how ours is judged beside the published one."""
+"""Base class of the exhibits of the thesis, and the comparison of our figures with published ones."""
 
 from dataclasses import dataclass
+
+from tables import listing, named
 
 REPRODUCED = "reproduced"
 BETTER = "better"
@@ -16,43 +18,63 @@ SLACK = 1.25
 
 @dataclass(frozen=True)
 class Verdict:
-    """One of the words above, and why."""
+    """One of the words above, and the reason."""
 
     word: str
-    reason: str
+    reason: str = ""
 
 
 def judged(ours, low, high=None, slack=SLACK):
-    """The word for a figure of which less is better, beside a published one or a range."""
+    """Returns the word for a figure of which less is better, compared with a published one or a
+    range."""
     high = low if high is None else high
     if ours * slack < low:
         return BETTER
     return WORSE if ours > high * slack else REPRODUCED
 
 
-class Exhibit:
-    """A table or figure of the thesis. Subclasses say what is measured and what becomes of it.
+def most_frequent(words):
+    return max(words, key=words.count)
 
-    `measure` returns what can be written as JSON; the others work on that, so that a page can be
-    made anew without measuring.
+
+class Exhibit:
+    """A table or figure of the thesis, or several with the same figures.
+
+    `measure` returns figures that can be written as JSON. All other functions use these figures, so
+    that a page can be written again without measurements.
     """
 
     name = ""
     title = ""
+    also = {}  # {name: title} of further exhibits that show the same figures
     published = ""  # published figures, or a description of the picture
+    columns = ()  # of the table
+
+    @property
+    def titles(self):
+        """{name: title} of all exhibits."""
+        return {self.name: self.title, **self.also}
 
     def measure(self, run):
-        """The figures of this exhibit."""
         raise NotImplementedError
+
+    def note(self, figures):  # pylint: disable=unused-argument
+        """Returns the text above the table."""
+        return ""
 
     def table(self, figures):
-        """As Markdown."""
-        raise NotImplementedError
+        """Returns Markdown."""
+        rows = named(figures) if isinstance(figures, dict) else figures
+        return listing(self.columns, rows, self.note(figures))
 
-    def draw(self, figures, path):  # pylint: disable=unused-argument
-        """Write a picture, and say that there is one."""
-        return False
+    def pictures(self, figures):  # pylint: disable=unused-argument
+        """Returns {name of an exhibit: function that writes its picture to a path}."""
+        return {}
 
-    def verdict(self, figures):
-        """Beside what was published."""
-        raise NotImplementedError
+    def verdict(self, figures):  # pylint: disable=unused-argument
+        """Returns the comparison with published figures."""
+        return Verdict(NOT_COMPARABLE)
+
+    def words(self, figures):
+        """Returns the words for all exhibits: {name: word}."""
+        return dict.fromkeys(self.titles, self.verdict(figures).word)

@@ -1,20 +1,34 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Distance fields: all methods beside each other, maps of errors, levels of detail."""
+"""Distance fields: all methods side by side, maps of errors, levels of detail."""
 
+import functools
 import os
+import shutil
+import time
 
 import numpy as np
 import vtkdgg
-from benchmark_results import count_text, percent, ratio_text
+from tables import (
+    column,
+    count_text,
+    errors_text,
+    listing,
+    named,
+    percent,
+    range_text,
+    ratio_text,
+    short,
+    tenths,
+    vertices_text,
+)
 from vtkdgg.commands import compare_methods, places
 from vtkdgg.commands.measured import Errors
 from vtkdgg.commands.methods import field, methods
 from vtkdgg.commands.sizes import floor_of
 
 from . import surfaces
-from .exhibit import NOT_COMPARABLE, Exhibit, Verdict, judged
-from .tables import column, errors_text, listing, named, short, tenths, vertices_text
+from .exhibit import NOT_COMPARABLE, Exhibit, Verdict, judged, most_frequent
 
 SOURCES = 5
 STEPS = 10  # steps of the variational heat method
@@ -22,13 +36,13 @@ PART = 0.55  # size of a picture on the screen, relative
 
 
 def sources_of(mesh, count=SOURCES):
-    """Vertices spread evenly over the list of those that have faces."""
+    """Returns vertices spread evenly over the list of vertices that have faces."""
     used = np.unique(surfaces.arrays_of(mesh)[1])
     return [int(used[len(used) * (2 * k + 1) // (2 * count)]) for k in range(count)]
 
 
 def exact_fields(run, name, count=SOURCES):
-    """Exact distances from the sources of a mesh of the run."""
+    """Returns exact distances from the sources of a mesh of the run."""
 
     def make():
         mesh = run.mesh(name)
@@ -39,8 +53,8 @@ def exact_fields(run, name, count=SOURCES):
 
 
 def summary(approximate, exact, floor=0.0):
-    """Mean, 99.9th percentile and largest of the sizes of relative errors, over all sources; and
-    how many vertices no way leads to that ought to be reached."""
+    """Returns mean, 99.9th percentile and maximum of absolute relative errors over all sources, and
+    the number of unreached vertices that have an exact distance."""
     found = [Errors(a, e, floor) for a, e in zip(approximate, exact)]
     sizes = [
         np.abs(errors.signed[np.isfinite(a) & (e > floor)])
@@ -56,8 +70,44 @@ def summary(approximate, exact, floor=0.0):
     }
 
 
+def summary_of(run, name, make):
+    """Returns the errors of a function of a source on a mesh of the run."""
+    mesh = run.mesh(name)
+    found = [make(source) for source in sources_of(mesh)]
+    return summary(found, exact_fields(run, name), floor_of(mesh))
+
+
+def timed(function):
+    """Returns the result of a function, and its CPU time."""
+    start = time.process_time()
+    result = function()
+    return result, time.process_time() - start
+
+
+def graph_figures(run, name, **options):
+    """Returns degree, CPU times and errors of a graph of a mesh of the run."""
+    mesh = run.mesh(name)
+    graph, built = timed(lambda: vtkdgg.Graph(mesh, **options))
+    graph.distance(sources_of(mesh)[0], correction=False)  # prepares the search
+    times = []
+
+    def query(source):
+        distances, seconds = timed(lambda: graph.distance(source, correction=False))
+        times.append(seconds)
+        return distances
+
+    return {
+        "degree": graph.degree,
+        "build": built,
+        "error": summary_of(run, name, query),
+        "query": float(np.median(times)),
+        "corrected": summary_of(run, name, graph.distance),
+    }
+
+
 def variational_heat(run, name, source, exact):
-    """Errors of the variational heat method, which BenchmarkPublished has, by what it is called."""
+    """Returns the errors of the variational heat method by title; BenchmarkPublished computes the
+    distances."""
     folder = os.path.join(run.folder, f"heat-{name}")
     os.makedirs(folder, exist_ok=True)
     options = (f"--steps={STEPS}", f"--vertex={source}", f"--fields={folder}")
@@ -74,34 +124,48 @@ def variational_heat(run, name, source, exact):
 
 
 class Maps(Exhibit):
-    """Errors of all methods from one source, the point that is farthest from the middle of the surface,
-    at one accuracy. `run.sh compare MESH` makes this picture of any mesh, without the variational heat
-    method, which is not part of the module."""
+    """Errors of all methods from one source, the point farthest from the center of the surface.
+    `run.sh compare MESH` draws this picture for any mesh, without the variational heat method."""
 
+    name = "F1.1"
+    title = "distances by several methods"
+    also = {
+        "F3.14": "maps and histograms of errors",
+        "F5.2": "anisotropic triangles, direct construction",
+    }
+    published = (
+        "pictures of distances and maps of errors: of several methods (F1.1), of DGG and its rivals with "
+        "histograms (F3.14), of the direct construction, heat and its variational form (F5.2)."
+    )
     accuracy = 0.01
+    blade = "blade_aniso"  # model that appears as a strip in a picture
 
     def models(self, run):
-        """Names of meshes; the picture is of the first one."""
-        raise NotImplementedError
+        """Returns the names of meshes and, for meshes with a picture, of exhibits."""
+        first = (run.scans() or ["bumpy-5"])[-1] if run.full else "bumpy-5"
+        found = {
+            first: "F1.1",
+            "bunny" if run.has("bunny") else "torus-100": "F3.14",
+            "bumpy-5-stretched-8": "F5.2",
+        }
+        return {**found, **({self.blade: None} if run.has(self.blade) else {})}
 
     def measure(self, run):
-        picture = f"{run.folder}/{self.name}.png"  # written on request
-        first, *others = self.models(run)
-        return {
-            "picture": picture,
-            "models": [self.errors(run, first, picture), *(self.errors(run, m) for m in others)],
-        }
+        return [self.errors(run, *model) for model in self.models(run).items()]
 
-    def errors(self, run, name, picture=None):
-        """Of all methods on one mesh."""
+    def errors(self, run, name, exhibit):
+        """Returns the errors of all methods on one mesh, and draws the picture of an exhibit."""
         mesh = run.mesh(name)
         source = places.far_point(mesh)
         exact, measured = compare_methods.measure(mesh, source, self.accuracy)
         measured.update(variational_heat(run, name, source, exact))
-        if picture:
+        picture = f"{run.folder}/{exhibit}.png"  # copied on request
+        if exhibit:
             compare_methods.save(picture, mesh, mesh.GetPoint(source), measured, PART)
         return {
             "model": name,
+            "exhibit": exhibit,
+            "picture": picture,
             "vertices": mesh.GetNumberOfPoints(),
             "methods": {
                 title: {"mean": e.mean, "p999": e.percentile, "max": e.largest}
@@ -109,109 +173,42 @@ class Maps(Exhibit):
             },
         }
 
+    def note(self, figures):
+        return f"ε = {self.accuracy}; {STEPS} steps of the variational heat method."
+
     def table(self, figures):
-        models = figures["models"]
-        columns = [
-            column(
-                f"{found['model']}, {vertices_text(found['vertices'])}", errors_text, found["model"]
-            )
-            for found in models
-        ]
+        columns = [column("error: mean / 99.9 % / max", str, "name")]
+        for found in figures:
+            title = f"{found['model']}, {vertices_text(found['vertices'])}"
+            columns.append(column(title, errors_text, found["model"]))
         rows = {
-            title: {found["model"]: found["methods"][title] for found in models}
-            for title in models[0]["methods"]
+            title: {found["model"]: found["methods"][title] for found in figures}
+            for title in figures[0]["methods"]
         }
-        note = f"ε = {self.accuracy}; {STEPS} steps of the variational heat method. Errors: mean / 99.9 % / max."
-        return listing([column("method", str, "name"), *columns], named(rows), note)
+        return listing(columns, named(rows), self.note(figures))
 
-    def found(self, figures, model=0):
-        """Errors on one mesh, by method."""
-        return figures["models"][model]["methods"]
-
-    def draw(self, figures, path):
-        with open(figures["picture"], "rb") as source, open(path, "wb") as target:
-            target.write(source.read())
-        return True
-
-
-class Overview(Maps):
-    name = "F1.1"
-    title = "distances by several methods"
-    published = "a picture of distances by several methods."
-
-    def models(self, run):
-        return [(run.scans() or ["bumpy-5"])[-1] if run.full else "bumpy-5"]
+    def pictures(self, figures):
+        return {
+            found["exhibit"]: functools.partial(shutil.copyfile, found["picture"])
+            for found in figures
+            if found["exhibit"]
+        }
 
     def verdict(self, figures):
-        found = self.found(figures)
-        gain = ratio_text(found["heat"]["mean"], found["graph, corrected"]["mean"])
+        methods_of = [found["methods"] for found in figures]
+        gain = ratio_text(methods_of[0]["heat"]["mean"], methods_of[0]["graph, corrected"]["mean"])
+        largest = max(found["graph"]["max"] for found in methods_of)
         return Verdict(
             NOT_COMPARABLE,
-            "Pictures without figures were published. Ours say the same: of the methods that answer "
-            f"in milliseconds the corrected graph is the most accurate, {gain} more so than heat.",
-        )
-
-
-class Histograms(Maps):
-    name = "F3.14"
-    title = "maps and histograms of errors"
-    published = "maps and histograms of the errors of DGG and its rivals."
-
-    def models(self, run):
-        return ["bunny" if run.has("bunny") else "torus-100"]
-
-    def verdict(self, figures):
-        found = self.found(figures)
-        return Verdict(
-            NOT_COMPARABLE,
-            "Pictures of other models were published. The largest error of the graph is "
-            f"{percent(found['graph']['max'])} %, below ε; that of "
-            f"fast marching is {percent(found['fast marching']['max'])} %, of heat "
-            f"{percent(found['heat']['max'])} %. Nothing bounds these.",
-        )
-
-
-class Stretched(Maps):
-    name = "F5.2"
-    title = "anisotropic triangles, direct construction"
-    published = (
-        "maps of the errors of the direct construction, of heat and of its variational form."
-    )
-
-    blade = "blade_aniso"  # model that appears as a strip in a picture
-
-    def models(self, run):
-        return ["bumpy-5-stretched-8", *([self.blade] if run.has(self.blade) else [])]
-
-    def verdict(self, figures):
-        found = self.found(figures)
-        largest = max(f["methods"]["graph"]["max"] for f in figures["models"])
-        return Verdict(
-            NOT_COMPARABLE,
-            f"Pictures were published. The graph keeps its promise ({percent(largest)} % at most). On "
-            f"{figures['models'][0]['model']} heat is off by {percent(found['heat']['mean'])} % on average, on "
-            f"intrinsic Delaunay triangles by {percent(found['heat, intrinsic Delaunay']['mean'])} %, the "
-            f"variational form by {percent(found['variational heat']['mean'])} and "
-            f"{percent(found['variational heat, Delaunay']['mean'])} %." + self.of_blade(figures),
-        )
-
-    def of_blade(self, figures):
-        """What differs on a real part, where there is one."""
-        if len(figures["models"]) < 2:
-            return ""
-        found = self.found(figures, 1)
-        titles = ("graph", "virtual sources", "fast marching", "heat", "heat, intrinsic Delaunay")
-        texts = [f"{percent(found[t]['max'])} % ({t})" for t in (*titles, "variational heat")]
-        return (
-            f" On {figures['models'][1]['model']}, a real part, the largest errors are "
-            f"{', '.join(texts)}; means hide them, which are at most "
-            f"{percent(max(errors['mean'] for errors in found.values()))} %."
+            f"On {figures[0]['model']} the corrected graph is {gain} as accurate as heat. The error of the "
+            f"graph is {percent(largest)} % at most, below ε; other methods have no bound, and their means hide "
+            "large errors.",
         )
 
 
 class LevelsOfDetail(Exhibit):
-    """One surface with more and more vertices: errors of all methods against the exact distances of
-    each level."""
+    """Mean errors of all methods on one surface at several resolutions, relative to exact distances on
+    the same mesh."""
 
     name = "F3.16"
     title = "levels of detail"
@@ -223,11 +220,8 @@ class LevelsOfDetail(Exhibit):
         for level in run.pick((3, 4, 5), (3, 4, 5, 6)):
             name = f"bumpy-{level}"
             mesh = run.mesh(name)
-            exact = exact_fields(run, name)
             levels[mesh.GetNumberOfPoints()] = {
-                title: summary(
-                    [field(make, mesh, s) for s in sources_of(mesh)], exact, floor_of(mesh)
-                )
+                title: summary_of(run, name, lambda source, make=make: field(make, mesh, source))
                 for title, make in methods(mesh, self.accuracy).items()
             }
         return levels
@@ -235,20 +229,18 @@ class LevelsOfDetail(Exhibit):
     def table(self, figures):
         columns = [column(title, percent, title, "mean") for title in next(iter(figures.values()))]
         columns.insert(0, column("vertices", lambda size: count_text(int(size)), "name"))
-        return listing(columns, named(figures), "Mean errors in percent, ε = 0.01.")
+        return listing(columns, named(figures), "Percent; ε = 0.01.")
 
     def verdict(self, figures):
         means = [found["graph, published rule"]["mean"] for found in figures.values()]
         return Verdict(
             NOT_COMPARABLE,
-            "Pictures were published. With the published rule the mean error is "
-            f"{percent(min(means))} to {percent(max(means))} % on all levels; the bound ε holds for ours "
-            "on each.",
+            f"The mean error of the published rule is {range_text(means, percent)} % on all levels.",
         )
 
 
 class Accuracy(Exhibit):
-    """Mean errors at two accuracies, on triangles of ordinary shape and on stretched ones."""
+    """Errors at two accuracies, on well-shaped and on stretched triangles."""
 
     name = "F3.8"
     title = "accuracy on good and bad triangles"
@@ -258,49 +250,36 @@ class Accuracy(Exhibit):
     )
     # Accuracy, shape of triangles, published mean error.
     cases = ((0.001, "", 0.0021), (0.01, "", 0.0032), (0.01, "-stretched-8", 0.0203))
+    columns = (
+        column("ε", short, "accuracy"),
+        column("anisotropy", tenths, "tau"),
+        column("published mean, %", percent, "published"),
+        column("OneRelay", errors_text, "OneRelay"),
+        column("Indirect", errors_text, "Indirect"),
+        column("Guaranteed", errors_text, "Guaranteed"),
+        column("Guaranteed, corrected", errors_text, "corrected"),
+    )
 
     def measure(self, run):
         base = run.pick("bumpy-4", "bumpy-5")
         rows = []
         for accuracy, stretch, published in self.cases:
-            mesh = run.mesh(base + stretch)
-            exact = exact_fields(run, base + stretch)
-            row = {
-                "accuracy": accuracy,
-                "published": published,
-                "tau": surfaces.anisotropy(*surfaces.arrays_of(mesh)),
-            }
-            for rule in ("Guaranteed", "OneRelay", "Indirect"):
-                graph = vtkdgg.Graph(mesh, accuracy=accuracy, construction=rule)
-                found = [graph.distance(s, correction=False) for s in sources_of(mesh)]
-                row[rule] = summary(found, exact, floor_of(mesh))
-                if rule == "Guaranteed":
-                    found = [graph.distance(s) for s in sources_of(mesh)]
-                    row["corrected"] = summary(found, exact, floor_of(mesh))
+            name = base + stretch
+            tau = surfaces.anisotropy(*surfaces.arrays_of(run.mesh(name)))
+            row = {"accuracy": accuracy, "published": published, "tau": tau}
+            for rule in ("OneRelay", "Indirect", "Guaranteed"):
+                found = graph_figures(run, name, accuracy=accuracy, construction=rule)
+                row.update({rule: found["error"], "corrected": found["corrected"]})
             rows.append(row)
         return rows
 
-    def table(self, figures):
-        columns = (
-            column("ε", short, "accuracy"),
-            column("anisotropy", tenths, "tau"),
-            column("published mean, %", percent, "published"),
-            column("OneRelay", errors_text, "OneRelay"),
-            column("Indirect", errors_text, "Indirect"),
-            column("Guaranteed", errors_text, "Guaranteed"),
-            column("Guaranteed, corrected", errors_text, "corrected"),
-        )
-        return listing(columns, figures)
-
     def verdict(self, figures):
-        words = [judged(row["Guaranteed"]["mean"], row["published"]) for row in figures]
         return Verdict(
-            max(words, key=words.count),
-            "With the rule that bounds the largest error the mean is a small part of ε, also on "
-            "stretched triangles. The first published figure, 0.21 % at ε = 0.1 %, is at odds with the "
-            "others; it may be of ε = 1 %, where the published direct rule has as much here. The models are "
-            "others.",
+            most_frequent([judged(row["Guaranteed"]["mean"], row["published"]) for row in figures]),
+            "With the rule that bounds the largest error the mean is a small fraction of ε, also on "
+            "stretched triangles. The first published figure, 0.21 % at ε = 0.1 %, contradicts the others; "
+            "it may refer to ε = 1 %, where the published direct rule has this error here.",
         )
 
 
-EXHIBITS = (Overview(), Histograms(), Stretched(), LevelsOfDetail(), Accuracy())
+EXHIBITS = (Maps(), LevelsOfDetail(), Accuracy())

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One run of exhibits: its meshes, the programs it calls, and results that are kept."""
+"""A run of exhibits: meshes, benchmark programs and kept results."""
 
+import contextlib
 import functools
 import hashlib
 import json
@@ -22,23 +23,23 @@ SCANS = ("fertility", "kitten", "gargoyle", "bunny", "armadillo")
 
 
 class ProgramFailed(Exception):
-    """A benchmark program did not end well; the text has its last words."""
+    """A benchmark program failed; the text ends with its last messages."""
 
 
 class TooLong(Exception):
-    """An exhibit took more time than it may."""
+    """An exhibit exceeded the time limit."""
 
 
 @dataclass(frozen=True)
 class Measured:
-    """Figures, and the names of what they were measured on."""
+    """Figures, and the names of the models."""
 
     figures: Any
     models: list
 
 
 class Run:
-    """Where things are, and how much is measured."""
+    """Folders, and the extent of the measurements."""
 
     def __init__(self, folder, programs, data=None, full=False, reuse=False):
         self.reuse = reuse  # finished exhibits are not measured again
@@ -52,19 +53,19 @@ class Run:
         os.makedirs(folder, exist_ok=True)
 
     def settings(self):
-        """What a result depends on besides the exhibit."""
+        """Returns the settings that a result depends on."""
         return {"full": self.full, "data": self.data is not None}
 
     def pick(self, default, full):
-        """The one or the other."""
+        """Returns the value of a default run or of a full run."""
         return full if self.full else default
 
     def uses(self, *names):
-        """Note what is measured."""
+        """Records models."""
         self._models.update(dict.fromkeys(names))
 
     def measured(self, make):
-        """What is made, and what was noted meanwhile."""
+        """Returns the result of a function, and the models that it recorded."""
         outer, self._models = self._models, {}
         try:
             return Measured(make(), list(self._models))
@@ -72,7 +73,7 @@ class Run:
             self._models = outer
 
     def mesh(self, name):
-        """A generated surface, or a model of the folder of data."""
+        """Returns a generated surface, or a model from the data folder."""
         self.uses(name if surfaces.NAME.match(name) else f"{name}.ply")
         if name not in self._meshes:
             made = surfaces.make(name)
@@ -83,15 +84,15 @@ class Run:
         return self._meshes[name]
 
     def scans(self, most=None):
-        """The models of the folder of data that are there: the first `most` of them."""
+        """Returns the first `most` models that the data folder contains."""
         return [name for name in SCANS if self.has(name)][:most]
 
     def has(self, name):
-        """Whether the folder of data holds this model."""
+        """Returns true if the data folder contains this model."""
         return self.data is not None and os.path.isfile(os.path.join(self.data, f"{name}.ply"))
 
     def file(self, name):
-        """The path of a mesh, for programs."""
+        """Returns the path of a mesh, for programs."""
         mesh = self.mesh(name)
         path = os.path.join(self.folder, f"{name}.ply")
         if not os.path.isfile(path):
@@ -103,17 +104,17 @@ class Run:
         return path
 
     def once(self, key, make):
-        """What several exhibits share: made once in a run."""
+        """Returns data that several exhibits share, computed once per run."""
         if key not in self._made:
             self._made[key] = make()
         return self._made[key]
 
     def path(self, name):
-        """Of the file of what was measured under this name."""
+        """Returns the path of the results of this name."""
         return os.path.join(self.folder, f"{name}.json")
 
     def find(self, name):
-        """What an earlier run with these settings measured; None without."""
+        """Returns the results of an earlier run with the same settings, or None."""
         if not os.path.isfile(self.path(name)):
             return None
         with open(self.path(name), encoding="utf-8") as file:
@@ -123,7 +124,7 @@ class Run:
         return Measured(**found)
 
     def kept(self, name, measure):
-        """That, where it is not to be measured again; else what is measured now, and kept."""
+        """Returns kept results if they may be reused; otherwise measures and keeps them."""
         found = self.find(name) if self.reuse else None
         if found is None:
             found = {"settings": self.settings(), **vars(self.measured(measure))}
@@ -134,14 +135,14 @@ class Run:
         return found
 
     def shared(self, name, measure):
-        """Figures of several exhibits."""
+        """Returns figures of several exhibits."""
         name = f"shared_{name}"
         found = self.once(name, lambda: self.kept(name, measure))
         self.uses(*found.models)
         return found.figures
 
     def program(self, name, *arguments):
-        """Run a benchmark program; the path of its JSON."""
+        """Runs a benchmark program, and returns the path of its JSON."""
         key = (name, *arguments)
         # The same arguments use the same file, which plots of kept results read again.
         mark = hashlib.sha1(" ".join(arguments).encode()).hexdigest()[:8]
@@ -164,27 +165,24 @@ class Run:
 
 
 def shared(measure):
-    """A function of the run whose figures several exhibits show."""
+    """Decorates a function of the run whose figures several exhibits show."""
     return functools.wraps(measure)(lambda run: run.shared(measure.__name__, lambda: measure(run)))
 
 
-class limited_time:
-    """A block that is left by TooLong after so many seconds; where alarms are to be had."""
+@contextlib.contextmanager
+def limited_time(seconds):
+    """Raises TooLong in a block after a number of seconds, on systems with alarms."""
 
-    def __init__(self, seconds):
-        self.seconds = seconds
-        self.before = None
+    def leave(*_):
+        raise TooLong(f"not done after {seconds} seconds")
 
-    def __enter__(self):
-        def leave(*_):
-            raise TooLong(f"not done after {self.seconds} seconds")
-
-        if hasattr(signal, "SIGALRM"):
-            self.before = signal.signal(signal.SIGALRM, leave)
-            signal.alarm(self.seconds)
-        return self
-
-    def __exit__(self, *_):
-        if hasattr(signal, "SIGALRM"):
-            signal.alarm(0)
-            signal.signal(signal.SIGALRM, self.before)
+    if not hasattr(signal, "SIGALRM"):
+        yield
+        return
+    before = signal.signal(signal.SIGALRM, leave)
+    signal.alarm(seconds)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, before)

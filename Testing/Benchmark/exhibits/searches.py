@@ -1,26 +1,30 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Published rules beside ours: pruning, queues, fans, pseudo-vertices; by BenchmarkPublished."""
+"""Published rules compared with ours, by BenchmarkPublished: pruning, queues, fans,
+pseudo-vertices."""
 
-from benchmark_results import (
-    collect,
+from plots import STYLES, Panel, plot
+from tables import (
+    DEGREE,
+    ERRORS,
+    column,
     digits,
-    errors,
-    largest,
+    errors_text,
+    hundredths,
+    listing,
     load,
-    mean,
-    median,
-    nested,
     number,
     percent,
+    range_text,
+    rows_of,
+    tenths,
+    vertices_text,
+    whole_percent,
 )
-from plot_tools import STYLES
 
 from . import surfaces
-from .drawing import plot_curves
-from .exhibit import BETTER, NOT_COMPARABLE, REPRODUCED, WORSE, Exhibit, Verdict, judged
+from .exhibit import NOT_COMPARABLE, REPRODUCED, Exhibit, Verdict, judged
 from .run import shared
-from .tables import DEGREE, ERRORS, column, errors_text, hundredths, listing, tenths, vertices_text
 
 ACCURACIES = ("0.01", "0.001")
 FANS = {"All": "all", "Narrow": "fans as published", "Wide": "wide fans"}
@@ -28,7 +32,8 @@ QUEUES = {"FIFO": "FIFO", "SLF": "SLF", "LLL": "LLL", "Both": "SLF and LLL"}
 
 
 def published(run, name, part, accuracies=ACCURACIES, sources=3, options=()):
-    """{case: {figure: [values]}} of one part; cases are what comes after its name."""
+    """Returns the figures of one part of BenchmarkPublished by case, which follows the part in the
+    names of results."""
     path = run.program(
         "BenchmarkPublished",
         f"--parts={part}",
@@ -38,25 +43,18 @@ def published(run, name, part, accuracies=ACCURACIES, sources=3, options=()):
         *options,
         run.file(name),
     )
-    found = {}
-    for entry in load(path)[1]:
-        words = entry["name"].split("/")
-        cut = next((i for i, word in enumerate(words) if word.isdigit()), len(words))
-        key = "/".join(word for word in words[3:cut] if word != "manual_time" and ":" not in word)
-        collect(entry, nested(found, key))
-    return found
+    pattern = rf"Published/[^/]+/{part}/(?P<case>.+?)(?:/\d+)?/(?:min_time|manual_time)"
+    return rows_of(load(path)[1], pattern)[0]
 
 
-def errors_of(figures):
-    return dict(
-        zip(("mean", "p999", "max"), errors(figures)),
-        missed=int(largest(figures, "unreached") or 0),
-    )
+def relative_maximum(row):
+    """Returns the largest error divided by the accuracy."""
+    return row["error"]["max"] / float(row["accuracy"])
 
 
 @shared
 def pruned(run):
-    """What candidates, and the two ways to prune them, make of one mesh."""
+    """Returns the graphs of all candidates, and of candidates pruned by both rules."""
     name = run.pick("bumpy-4", "bumpy-5")
     accuracies = run.pick(ACCURACIES, (*ACCURACIES, "0.0001"))
     found = published(run, name, "Pruning", accuracies)
@@ -64,87 +62,71 @@ def pruned(run):
     for accuracy in accuracies:
         for rule in ("None", "Progress", "Published"):
             build = found[f"{rule}/{accuracy}/Build"]
-            query = found[f"{rule}/{accuracy}/Query"]
+            seconds = build["pruning_seconds"]
             rows.append(
                 {
                     "accuracy": accuracy,
                     "rule": rule,
-                    "vertices": median(build, "vertices"),
-                    "candidates": median(build, "candidates_per_vertex"),
-                    "degree": median(build, "degree_mean"),
-                    "share": median(build, "pruning_seconds")
-                    / (median(build, "pruning_seconds") + median(build, "finding_seconds")),
-                    "error": errors_of(query),
+                    "vertices": build["vertices"],
+                    "degree": build["degree_mean"],
+                    "share": seconds / (seconds + build["finding_seconds"]),
+                    "error": found[f"{rule}/{accuracy}/Query"]["error"],
                 }
             )
     return rows
 
 
 class Pruning(Exhibit):
-    """Candidates of the indirect construction, and what is left of them: pruned by progress, which is
-    ours, and by the published condition."""
+    """Candidates of the indirect construction, and the edges that remain after pruning: by progress,
+    which is our rule, and by the published condition."""
 
     name = "T3.1"
     title = "pruning"
     published = (
-        "degree and mean error before and after pruning at ε = 1e-3 and 1e-4; after it the degree is "
-        "62 to 84 at 1e-3."
+        "degree and mean error before and after pruning at ε = 1e-3 and 1e-4; after pruning the degree "
+        "is 62 to 84 at 1e-3."
+    )
+    titles_of_rules = {"None": "before", "Progress": "by progress", "Published": "as published"}
+    columns = (
+        column("ε", str, "accuracy"),
+        column("pruning", titles_of_rules.get, "rule"),
+        DEGREE,
+        ERRORS,
+        ("largest / ε", lambda row: digits(relative_maximum(row))),
+        ("share of the time", lambda r: "–" if r["rule"] == "None" else whole_percent(r["share"])),
     )
 
     def measure(self, run):
         return pruned(run)
 
-    def table(self, figures):
-        titles = {"None": "before", "Progress": "by progress", "Published": "as published"}
-        columns = (
-            column("ε", str, "accuracy"),
-            column("pruning", titles.get, "rule"),
-            DEGREE,
-            ERRORS,
-            ("largest / ε", lambda row: digits(row["error"]["max"] / float(row["accuracy"]))),
-            (
-                "share of the time",
-                lambda row: "–" if row["rule"] == "None" else f"{100.0 * row['share']:.0f} %",
-            ),
-        )
-        return listing(columns, figures, f"{vertices_text(figures[0]['vertices'])}.")
+    def note(self, figures):
+        return f"{vertices_text(figures[0]['vertices'])}."
 
     def verdict(self, figures):
         row = next(r for r in figures if (r["rule"], r["accuracy"]) == ("Published", "0.001"))
-        ours = next(r for r in figures if (r["rule"], r["accuracy"]) == ("Progress", "0.001"))
-        worst = max(
-            r["error"]["max"] / float(r["accuracy"]) for r in figures if r["rule"] == "Published"
-        )
-        kept = max(
-            r["error"]["max"] / float(r["accuracy"]) for r in figures if r["rule"] == "Progress"
-        )
         fits = 62 / 1.25 <= row["degree"] <= 84 * 1.25
         return Verdict(
             REPRODUCED if fits else NOT_COMPARABLE,
-            f"By the published condition the degree is {row['degree']:.0f} at ε = 1e-3, and the largest "
-            f"error {digits(worst)} ε; by progress it is {ours['degree']:.0f}, and {digits(kept)} ε. The "
-            "procedure as listed removes all edges; ours has its condition only.",
+            f"The published condition gives degree {row['degree']:.0f} at ε = 1e-3. The procedure as "
+            "printed removes all edges; ours has only its condition.",
         )
 
 
 @shared
 def queues(run):
-    """Searches by all queues, in graphs of two rules, along all edges or those of fans."""
-    name = run.pick("bumpy-5", "bumpy-6")
-    found = published(run, name, "Queue")
+    """Returns searches by all queues, in graphs of two rules, along all edges or along fans."""
+    found = published(run, run.pick("bumpy-5", "bumpy-6"), "Queue")
     return [
         {
             "rule": rule,
             "accuracy": accuracy,
             "queue": queue,
             "fans": fans,
-            "vertices": median(figures, "vertices"),
-            "degree": median(figures, "degree_mean"),
-            "pops": mean(figures, "pops_per_vertex"),
-            "relaxed": mean(figures, "relaxations_per_vertex"),
-            "rotations": mean(figures, "rotations_per_vertex"),
-            "seconds": median(figures, "seconds"),
-            "error": errors_of(figures),
+            "vertices": figures["vertices"],
+            "pops": figures["pops_per_vertex"],
+            "relaxed": figures["relaxations_per_vertex"],
+            "seconds": figures["seconds"],
+            "error": figures["error"],
         }
         for rule in ("OneRelay", "Guaranteed")
         for accuracy in ACCURACIES
@@ -155,13 +137,15 @@ def queues(run):
 
 
 class Queues(Exhibit):
-    """Vertices taken from the queue, per vertex of the mesh, until no label changes: first in, first
-    out; small labels first (SLF); large labels last (LLL); both. Edges in all directions are relaxed,
-    or those of fans: as narrow as published, or as wide as two edges of a path may deviate."""
+    """Queue entries per vertex of the mesh until no label changes: first in, first out (FIFO); small
+    labels first (SLF); large labels last (LLL); both. Searches relax all edges or the edges of fans: as
+    narrow as published, or as wide as two successive edges of a path may deviate. The second table has
+    the times along all edges of the first rule, relative to its first search."""
 
     name = "T3.2"
     title = "queues of label correcting"
-    published = "1.23 to 1.79 queue entries per vertex with SLF and LLL."
+    also = {"F3.6": "time of a search by queue"}
+    published = "1.23 to 1.79 queue entries per vertex with SLF and LLL; curves of times."
     rule = "OneRelay"
 
     def measure(self, run):
@@ -177,11 +161,22 @@ class Queues(Exhibit):
             column("mean error, %", percent, "error", "mean"),
             column("largest, %", percent, "error", "max"),
         )
+        rows = self.by_queue(figures, "seconds")
+        rows = [row for row in rows if row["rule"] == self.rule and row["fans"] == "All"]
+        unit = rows[0]["seconds of"]["FIFO"]
+        times = [
+            column(title, lambda seconds: hundredths(seconds / unit), "seconds of", queue)
+            for queue, title in QUEUES.items()
+        ]
         note = f"{vertices_text(figures[0]['vertices'])}; three sources."
-        return listing(columns, self.by_queue(figures, "pops"), note)
+        return (
+            listing(columns, self.by_queue(figures, "pops"), note)
+            + "\n"
+            + listing([column("time, ε", str, "accuracy"), *times], rows)
+        )
 
     def by_queue(self, figures, key):
-        """The rows of the last queue, each with a figure of all queues."""
+        """Returns the rows of the last queue, each with a figure of all queues."""
         groups = {}
         for row in figures:
             groups.setdefault((row["rule"], row["accuracy"], row["fans"]), {})[row["queue"]] = row
@@ -190,124 +185,77 @@ class Queues(Exhibit):
             for group in groups.values()
         ]
 
-    def both(self, figures):
-        return [
-            row["pops"]
-            for row in figures
-            if row["queue"] == "Both" and row["rule"] == self.rule and row["fans"] == "All"
-        ]
-
     def verdict(self, figures):
-        pops = self.both(figures)
-        word = judged(sum(pops) / len(pops), 1.23, 1.79)
-        narrow = [row for row in figures if row["fans"] == "Narrow" and row["rule"] == self.rule]
-        missed = max(row["error"]["missed"] / row["vertices"] for row in narrow)
+        rows = [row for row in figures if row["queue"] == "Both" and row["rule"] == self.rule]
+        pops = [row["pops"] for row in rows if row["fans"] == "All"]
+        missed = [row["error"]["missed"] / row["vertices"] for row in rows if row["fans"] == "Narrow"]
         return Verdict(
-            word,
-            f"{min(pops):.2f} to {max(pops):.2f} with both strategies, when all edges are relaxed. "
-            f"Fans as narrow as published, arcsin sqrt(ε), leave up to {100.0 * missed:.0f} % of the "
-            "vertices without a label; wide ones leave few, which certification mends in ours: see "
-            "[differences](Differences.md).",
+            judged(sum(pops) / len(pops), 1.23, 1.79),
+            f"{min(pops):.2f} to {max(pops):.2f} with SLF and LLL along all edges. Fans as published, "
+            f"arcsin sqrt(ε), leave up to {whole_percent(max(missed))} of the vertices without a label. Wide "
+            "fans leave few, which our certification reaches: see [differences](Differences.md). Our own "
+            "search uses buckets of distance ([graphs](README.md#graphs)).",
         )
 
-
-class QueueTimes(Queues):
-    """The time of a search over ε, all edges relaxed, by that of the first: the same figures as
-    Table 3.2."""
-
-    name = "F3.6"
-    title = "time of a search by queue"
-    published = "curves of the time of a search by queue; their figures are not at hand."
-
-    def rows(self, figures):
-        return [r for r in figures if r["rule"] == self.rule and r["fans"] == "All"]
-
-    def table(self, figures):
-        rows = self.by_queue(self.rows(figures), "seconds")
-        unit = rows[0]["seconds of"]["FIFO"]
-        columns = [
-            column(title, lambda seconds: hundredths(seconds / unit), "seconds of", queue)
-            for queue, title in QUEUES.items()
-        ]
-        return listing([column("ε", str, "accuracy"), *columns], rows)
-
-    def verdict(self, figures):
-        rows = self.rows(figures)
-        pops = {q: [r["pops"] for r in rows if r["queue"] == q] for q in QUEUES}
-        return Verdict(
-            NOT_COMPARABLE,
-            f"SLF and LLL take {min(pops['Both']):.2f} to {max(pops['Both']):.2f} entries per vertex, "
-            f"FIFO {min(pops['FIFO']):.2f} to {max(pops['FIFO']):.2f}, when all edges are relaxed. The "
-            "module's own search is in buckets of distance, with one entry per vertex at most "
-            "accuracies ([graphs](README.md#graphs)).",
-        )
+    def words(self, figures):
+        return {**super().words(figures), "F3.6": NOT_COMPARABLE}
 
 
 class PseudoVertices(Exhibit):
-    """Pseudo-vertices on meshes that are stretched more and more, as published: how many are added,
-    what they do to the graph of candidates pruned as published ("plain"), and what our rule gives
-    without."""
+    """Pseudo-vertices, as published, on increasingly stretched meshes: their number, their effect on the
+    graph of candidates pruned as published ("plain"), and our rule, which uses none."""
 
     name = "F3.13"
     title = "pseudo-vertices on anisotropic meshes"
     published = "6 to 23 times as many pseudo-vertices as vertices on anisotropic models."
     accuracy = "0.01"
     kinds = {"Plain": "plain", "Pseudo": "with pseudo-vertices", "Guaranteed": "Guaranteed"}
-
-    def models(self, run):
-        names = [f"bumpy-3-stretched-{factor}" for factor in (2, 8)]
-        return ["bumpy-3", *names, *run.pick([], ["bumpy-4-stretched-16"])]
+    columns = (
+        column("mesh", str, "model"),
+        column("anisotropy", tenths, "tau"),
+        column("pseudo-vertices per vertex", digits, "Pseudo", "added"),
+        *[column(f"edges: {title}", number, kind, "edges") for kind, title in kinds.items()],
+        *[column(f"error: {title}", errors_text, kind, "error") for kind, title in kinds.items()],
+    )
 
     def measure(self, run):
+        names = ["bumpy-3", "bumpy-3-stretched-2", "bumpy-3-stretched-8"]
         rows = []
-        for name in self.models(run):
+        for name in [*names, *run.pick([], ["bumpy-4-stretched-16"])]:
             found = published(run, name, "Pseudo", (self.accuracy,))
             row = {"model": name, "tau": surfaces.anisotropy(*surfaces.arrays_of(run.mesh(name)))}
             for kind in self.kinds:
                 build = found[f"{kind}/{self.accuracy}/Build"]
                 row[kind] = {
-                    "edges": median(build, "edges") / median(build, "vertices"),
-                    "added": median(build, "added_per_vertex"),
-                    "error": errors_of(found[f"{kind}/{self.accuracy}/Query"]),
+                    "edges": build["edges"] / build["vertices"],
+                    "added": build["added_per_vertex"],
+                    "error": found[f"{kind}/{self.accuracy}/Query"]["error"],
                 }
             rows.append(row)
         return rows
 
-    def table(self, figures):
-        columns = (
-            column("mesh", str, "model"),
-            column("anisotropy", tenths, "tau"),
-            column("pseudo-vertices per vertex", digits, "Pseudo", "added"),
-            *self.columns("edges", number, "edges"),
-            *self.columns("error", errors_text, "error"),
-        )
-        note = f"ε = {self.accuracy}; edges per vertex of the mesh; errors: mean / 99.9 % / max."
-        return listing(columns, figures, note)
+    def note(self, figures):
+        return f"ε = {self.accuracy}; edges per vertex of the mesh; errors: mean / 99.9 % / max."
 
-    def columns(self, title, form, key):
-        """Those of a figure of each kind."""
-        for kind, name in self.kinds.items():
-            yield column(f"{title}: {name}", form, kind, key)
-
-    def draw(self, figures, path):
+    def pictures(self, figures):
         styles = dict(zip(self.kinds, STYLES))
         curves = [
             (sorted((row["tau"], row[kind]["edges"]) for row in figures), style, "-")
             for kind, style in styles.items()
         ]
+        panel = Panel("edges per vertex of the mesh", "anisotropy", "", curves)
         legend = [(self.kinds[kind], style) for kind, style in styles.items()]
-        return plot_curves(path, "edges per vertex of the mesh", "anisotropy", curves, legend)
+        return {self.name: lambda path: plot(path, [[panel]], legend)}
 
     def verdict(self, figures):
         added = [row["Pseudo"]["added"] for row in figures[1:]]
         last = figures[-1]
-        word = judged(max(added), 6.0, 23.0)
         return Verdict(
-            REPRODUCED if word == REPRODUCED else (BETTER if word == BETTER else WORSE),
-            f"{digits(min(added))} to {digits(max(added))} pseudo-vertices per vertex where triangles are "
-            f"stretched. They make {digits(last['Pseudo']['edges'] / last['Guaranteed']['edges'])} times as "
-            "many edges as the progress rule needs, which keeps its promise on these meshes without.",
+            judged(max(added), 6.0, 23.0),
+            f"{range_text(added)} pseudo-vertices per vertex on stretched triangles, and "
+            f"{digits(last['Pseudo']['edges'] / last['Guaranteed']['edges'])} times as many edges as the "
+            "progress rule, which keeps its bound on these meshes without them.",
         )
 
 
-EXHIBITS = (Pruning(), Queues(), QueueTimes(), PseudoVertices())
+EXHIBITS = (Pruning(), Queues(), PseudoVertices())
