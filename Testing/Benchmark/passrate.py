@@ -4,23 +4,20 @@
 """Errors of graphs of all meshes in a folder, relative to the accuracy; anisotropy of the triangles;
 refused files with reasons.
 
-Usage: passrate.py OUT FOLDER [--accuracies 0.1,0.01,0.001] [--sources 3] [--most_points 1000000]
+Usage: passrate.py OUT.json OUT.md FOLDER [--accuracies=0.1,0.01,0.001] [--sources=3]
+           [--most_points=1000000]
 
-`Testing/Benchmark/run.sh passrate` runs this script. Writes passrate.json, passrate.md and passrate.png.
 Errors are those of distances in the graph without correction, relative to exact distances.
 """
 
-import argparse
-import json
 import os
-import sys
 import time
 import warnings
 
+import modes
 import numpy as np
 import vtkdgg
 from exhibits.surfaces import anisotropy, arrays_of
-from plots import STYLES, Panel, PlotError, plot
 from tables import column, count_text, digits, listing, tenths
 from vtkdgg.commands import files
 from vtkdgg.commands.measured import ROUNDING, Errors
@@ -134,55 +131,24 @@ def tables(results):
     return "\n".join(filter(None, parts))
 
 
-def plot_rates(results, picture):
-    """Draws mean and largest error over ε against anisotropy; returns false if there is no data."""
-    rows = [row for row in results["rows"] if row["mean"] > 0.0 and np.isfinite(row["max"])]
-    styles = dict(zip(sorted({row["accuracy"] for row in rows}, reverse=True), STYLES))
-
-    def draw(axes):
-        for accuracy, (color, marker) in styles.items():
-            chosen = [row for row in rows if row["accuracy"] == accuracy]
-            for key, face in (("mean", color), ("max", "white")):
-                points = [(row["tau"], row[key] / accuracy) for row in chosen]
-                axes.plot(*zip(*points), marker, color=color, markerfacecolor=face, markersize=6.5)
-        axes.axhline(1.0, color="#444444", linewidth=1.2, linestyle="--")
-
-    title = "error over ε: mean (full), largest (empty)"
-    panel = Panel(title, "anisotropy of the triangles", draw=draw)
-    legend = [(f"ε = {accuracy:g}", style) for accuracy, style in styles.items()]
-    return bool(rows) and plot(picture, [[panel]], legend, size=(7.0, 5.2))
+def parse(arguments=None):
+    """Returns the options of a command line."""
+    options = modes.parse(
+        __doc__, arguments, accuracies=(0.1, 0.01, 0.001), sources=SOURCES, most_points=1000000
+    )
+    for folder in options.meshes:
+        if not os.path.isdir(folder):
+            raise SystemExit(f"error: {folder} is not a folder.")
+        if not meshes_of(folder):
+            raise SystemExit(f"error: {folder} contains no mesh ({' '.join(EXTENSIONS)}).")
+    return options
 
 
-def main(arguments=None):
-    """Measures and writes; returns 1 if an error exceeds a bound."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("out")
-    parser.add_argument("folder")
-    parser.add_argument("--accuracies", default="0.1,0.01,0.001")
-    parser.add_argument("--sources", type=int, default=SOURCES)
-    parser.add_argument("--most_points", type=int, default=1000000)
-    options = parser.parse_args(arguments)
-    if not os.path.isdir(options.folder):
-        sys.exit(f"error: {options.folder} is not a folder.")
-    if not meshes_of(options.folder):
-        sys.exit(f"error: {options.folder} contains no mesh ({' '.join(EXTENSIONS)}).")
-    accuracies = [float(word) for word in options.accuracies.split(",")]
-    os.makedirs(options.out, exist_ok=True)
-    results = measure(options.folder, accuracies, options.sources, options.most_points)
-    path = os.path.join(options.out, "passrate")
-    with open(path + ".json", "w", encoding="utf-8") as file:
-        json.dump(results, file, indent=1)
-    text = tables(results)
-    with open(path + ".md", "w", encoding="utf-8") as file:
-        file.write(text)
-    print(text)
-    try:
-        if plot_rates(results, path + ".png"):
-            print(f"Written: {path}.png")
-    except PlotError as problem:
-        print(f"no plot: {problem}")
-    return 0 if all(map(passes, results["rows"])) else 1
+def measure_folders(options):
+    """Returns the results of the folder of a command line."""
+    (folder,) = options.meshes
+    return measure(folder, options.accuracies, options.sources, options.most_points)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    modes.run(measure_folders, tables, parse())

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plots of benchmark results.
 
-Usage: plots.py graph|cloud|spheres RESULT.json PLOT.png
+Usage: plots.py graph|cloud|passrate|spheres RESULT.json PLOT.png
 """
 
 import json
+import math
 import sys
 from dataclasses import dataclass
 from typing import Any
@@ -233,15 +234,35 @@ def draw_sphere_curves(curves, picture):
     return plot(picture, [panels], legend, lines, (14.0, 5.4))
 
 
-def curves_of(path):
+def plot_rates(results, picture):
+    """Draws mean and largest error over ε against anisotropy; returns false if there is no data."""
+    rows = [row for row in results["rows"] if 0.0 < row["mean"] and row["max"] < math.inf]
+    styles = dict(zip(sorted({row["accuracy"] for row in rows}, reverse=True), STYLES))
+
+    def draw(axes):
+        for accuracy, (color, marker) in styles.items():
+            chosen = [row for row in rows if row["accuracy"] == accuracy]
+            for key, face in (("mean", color), ("max", "white")):
+                points = [(row["tau"], row[key] / accuracy) for row in chosen]
+                axes.plot(*zip(*points), marker, color=color, markerfacecolor=face, markersize=6.5)
+        axes.axhline(1.0, color="#444444", linewidth=1.2, linestyle="--")
+
+    title = "error over ε: mean (full), largest (empty)"
+    panel = Panel(title, "anisotropy of the triangles", draw=draw)
+    legend = [(f"ε = {accuracy:g}", style) for accuracy, style in styles.items()]
+    return bool(rows) and plot(picture, [[panel]], legend, size=(7.0, 5.2))
+
+
+def read(path):
     with open(path, encoding="utf-8") as file:
-        return json.load(file)["curves"]
+        return json.load(file)
 
 
 PLOTS = {
     "graph": plot_graphs,
-    "cloud": lambda path, picture: draw_cloud_curves(curves_of(path), picture),
-    "spheres": lambda path, picture: draw_sphere_curves(curves_of(path), picture),
+    "cloud": lambda path, picture: draw_cloud_curves(read(path)["curves"], picture),
+    "passrate": lambda path, picture: plot_rates(read(path), picture),
+    "spheres": lambda path, picture: draw_sphere_curves(read(path)["curves"], picture),
 }
 
 

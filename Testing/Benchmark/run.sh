@@ -19,7 +19,7 @@
 #        Testing/Benchmark/run.sh spheres [--out DIR] [--readme] [OPTIONS OF measure_spheres.py]
 #        Testing/Benchmark/run.sh thesis [--out DIR] [--data DIR] [--full] [--keep] [--readme]
 #                                 [--exhibits LIST]
-#        Testing/Benchmark/run.sh passrate [--out DIR] FOLDER [--accuracies 0.1,0.01,0.001]
+#        Testing/Benchmark/run.sh passrate [--out DIR] FOLDER [OPTIONS OF passrate.py]
 #        Testing/Benchmark/run.sh compare [--out DIR] MESH [OPTIONS OF vtkdgg compare]
 #   exact     the exact solver: writes exact.json and exact.md
 #   first     how soon each distance filter answers on a new mesh, and again: writes first.json and
@@ -41,7 +41,7 @@
 #             and greens_convergence.png (needs matplotlib)
 #   thesis    the tables and figures of the thesis, published figures beside ours: writes a folder
 #             thesis with JSON and pictures, and thesis.md there (needs matplotlib)
-#   passrate  whether graphs of all meshes of a folder keep their promise: writes passrate.json,
+#   passrate  errors of graphs of all meshes of a folder, relative to ε: writes passrate.json,
 #             passrate.md and passrate.png
 #   compare   the errors of all methods on one mesh, as maps and histograms: writes a folder compare
 #             with methods.png
@@ -115,7 +115,7 @@ case "$mode" in
     script=measure_local.py
     packages+=(python3-scipy)
     ;;
-  passrate | thesis) picture=yes ;;
+  passrate) script=passrate.py picture=passrate.png ;;
   path)
     program=BenchmarkPath
     scans=(bunny armadillo fertility kitten gargoyle)
@@ -126,6 +126,7 @@ case "$mode" in
     packages+=(libsuitesparse-dev)
     ;;
   spheres) script=measure_spheres.py picture=greens_convergence.png ;;
+  thesis) packages+=(python3-matplotlib) ;;
 esac
 [ -z "$picture" ] || packages+=(python3-matplotlib)
 
@@ -247,9 +248,6 @@ case "$mode" in
   compare)
     dgg_with_display "$build/bin/vtkdgg" compare --methods --out "$out/compare" \
       ${arguments[@]+"${arguments[@]}"}
-    ;;
-  passrate)
-    "$build/bin/vtkdgg-python" "$here/passrate.py" "$out" ${arguments[@]+"${arguments[@]}"}
     ;;
   thesis) measure_thesis ;;
   *) measure ;;

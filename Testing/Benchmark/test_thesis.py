@@ -375,10 +375,10 @@ class PassRate(unittest.TestCase):
 
     def test_nothing_there(self):
         with self.assertRaisesRegex(SystemExit, "nowhere is not a folder"):
-            passrate.main((OUTPUT, "nowhere"))
+            passrate.parse(("-", "-", "nowhere"))
         with self.assertRaisesRegex(SystemExit, "contains no mesh"):
             os.makedirs(folder("empty"))
-            passrate.main((OUTPUT, os.path.join(OUTPUT, "thesis", "empty")))
+            passrate.parse(("-", "-", os.path.join(OUTPUT, "thesis", "empty")))
 
 
 if __name__ == "__main__":

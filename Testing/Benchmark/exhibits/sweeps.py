@@ -8,7 +8,7 @@ import os
 import numpy as np
 import passrate
 import vtkdgg
-from plots import STYLES, Panel, plot
+from plots import STYLES, Panel, plot, plot_rates
 from tables import (
     column,
     digits,
@@ -338,7 +338,7 @@ class PassRate(Exhibit):
         return listing(columns, rows)
 
     def pictures(self, figures):
-        return {self.name: lambda path: passrate.plot_rates(figures, path)}
+        return {self.name: lambda path: plot_rates(figures, path)}
 
     def verdict(self, figures):
         means = [row["mean"] / row["accuracy"] for row in figures["rows"]]
