@@ -4,6 +4,8 @@
 
 import importlib.metadata
 import os
+import pathlib
+import re
 import subprocess
 import sys
 
@@ -21,43 +23,17 @@ if FAR != 5.0:
 FAR = vtkdgg.Graph([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]]).distance(1)[2]
 if not abs(FAR - 5.0) < 1e-6:
     sys.exit(f"distance in the graph is {FAR}, not 5")
-for name in (
-    "vtkApolloniusIsolines",
-    "vtkBiharmonicDistance",
-    "vtkDGGDistance",
-    "vtkDGGMeshWriter",
-    "vtkDGGOBJReader",
-    "vtkDGGOFFReader",
-    "vtkDGGPLYReader",
-    "vtkDGGPath",
-    "vtkDGGSTLReader",
-    "vtkDGGXYZReader",
-    "vtkDiscreteGeodesicGraph",
-    "vtkDiscreteGreensFunction",
-    "vtkExactGeodesicDistance",
-    "vtkDGGFastMarchingDistance",
-    "vtkGeodesicAlgorithm",
-    "vtkGeodesicDistanceAlgorithm",
-    "vtkGeodesicDistanceMatrix",
-    "vtkGeodesicPatchBoundaries",
-    "vtkGeodesicProbe",
-    "vtkGeodesicSampler",
-    "vtkGeodesicVoronoi",
-    "vtkHarmonicBSpline",
-    "vtkHeatGeodesicDistance",
-    "vtkPCDReader",
-    "vtkPCDWriter",
-    "vtkPoissonVectorGraphics",
-    "vtkSurfaceEarthMoversDistance",
-    "vtkVirtualSourceGeodesicDistance",
-):
+STUBS = sorted(pathlib.Path(WHERE).parent.glob("vtkDGG*.pyi"))
+CLASSES = [name for stub in STUBS for name in re.findall(r"(?m)^class (\w+)", stub.read_text())]
+if len(CLASSES) < 28:
+    sys.exit(f"the stubs have {len(CLASSES)} classes, expected at least 28: {CLASSES}")
+for name in CLASSES:
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")
 if WITH_PCL.upper() in ("ON", "1", "TRUE", "YES") and not hasattr(vtkdgg, "vtkPointCloudDGG"):
     sys.exit("vtkPointCloudDGG is missing")
-for name in ("py.typed", "vtkDGGFiltersGeodesic.pyi", "vtkDGGReaders.pyi"):
-    if not os.path.exists(os.path.join(os.path.dirname(WHERE), name)):
-        sys.exit(f"{name} is missing")
+if not pathlib.Path(WHERE).with_name("py.typed").exists():
+    sys.exit("py.typed is missing")
 if importlib.metadata.version("vtkdgg") != VERSION:
     sys.exit(f"metadata are of version {importlib.metadata.version('vtkdgg')}")
 COMMAND = subprocess.run(

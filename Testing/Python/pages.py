@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages of the documentation: their code, their headings, their links."""
+"""Pages of the documentation: their code, headings and links."""
 
 import os
 import re
@@ -39,28 +39,25 @@ PAGES = (
 
 
 def text_of(page):
-    """The text of a page."""
+    """Returns the text of a page."""
     with open(os.path.join(support.ROOT, page), encoding="utf-8") as file:
         return file.read()
 
 
 def blocks(page, language):
-    """The blocks of code of one language, those within lists included."""
+    """Returns the blocks of code of one language, including blocks within lists."""
     found = re.findall(rf"^( *)```{language}\n(.*?)^\1```$", text_of(page), re.M | re.S)
     return [textwrap.dedent(block) for _, block in found]
 
 
 def anchors(page):
-    """What links to headings of the page may name, as GitHub makes it of them."""
+    """Returns the anchors of the headings of a page, as GitHub makes them."""
     text = re.sub(r"^ *```.*?^ *```$", "", text_of(page), flags=re.M | re.S)
-    result = set()
-    for heading in re.findall(r"^#+ (.*)$", text, re.M):
-        anchor = re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
-        result.add(anchor)
-    return result
+    headings = re.findall(r"^#+ (.*)$", text, re.M)
+    return {re.sub(r"[^\w\- ]", "", h.strip().lower()).replace(" ", "-") for h in headings}
 
 
 def links(page):
-    """Targets of links and pictures."""
+    """Returns the targets of links and pictures."""
     text = re.sub(r"^ *```.*?^ *```$", "", text_of(page), flags=re.M | re.S)
     return re.findall(r"\]\(([^)\s]+)\)", text)

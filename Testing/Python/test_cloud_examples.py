@@ -11,28 +11,29 @@ import numpy as np
 import support
 import vtkdgg
 from support import BUMPY, command, run, table
+from test_demo import check_mistakes
 
 
 def plane(n):
-    """n x n points of the unit square."""
+    """Returns n x n points of the unit square."""
     return 0.5 * support.plane(n, n)
 
 
 def is_red(picture):
-    """Where a picture shows the source and the path."""
-    red, green, blue = (picture[:, :, i].astype(int) for i in range(3))
+    """Returns true for pixels of the source and the path."""
+    red, green, blue = np.moveaxis(picture, -1, 0)
     return (red > 120) & (green < 70) & (blue < 80)
 
 
 def is_grey(picture):
-    """Where a picture shows points that are not reached; its background is lighter."""
-    array = picture[:, :, :3].astype(int)
-    return (np.ptp(array, axis=2) <= 8) & (array[:, :, 0] > 100) & (array[:, :, 0] < 210)
+    """Returns true for pixels of points that are not reached; the background is lighter."""
+    red = picture[:, :, 0]
+    return (np.ptp(picture, axis=2) <= 8) & (red > 100) & (red < 210)
 
 
 class DemoOnClouds(unittest.TestCase):
     def demo(self, name, *arguments):
-        """The table, the distances, the length of the path, and the picture."""
+        """Returns the table, the distances, the length of the path, and the picture."""
         folder = support.output_folder(os.path.join("demo_cloud", name))
         shutil.rmtree(folder)
         result = command("compare", *arguments, "--out", folder)
@@ -46,7 +47,7 @@ class DemoOnClouds(unittest.TestCase):
         return table(result), distances, length, picture
 
     def text(self, name, points, header="", ending=""):
-        """Write an .xyz file, and return its path."""
+        """Writes an .xyz file, and returns its path."""
         path = os.path.join(support.output_folder("formats"), name)
         with open(path, "w", encoding="ascii") as file:
             file.write(header)
@@ -78,20 +79,11 @@ class DemoOnClouds(unittest.TestCase):
         ):
             self.assertRegex(rows[row], pattern)
         # The path and both ends of the range of colours are seen, and nothing that is not reached.
-        array = picture.astype(int)
-        red, green, blue = (array[:, :, i] for i in range(3))
+        red, green, blue = np.moveaxis(picture, -1, 0)
         self.assertGreater(is_red(picture).sum(), 3000)
         self.assertGreater(np.sum((red > 150) & (green > 150) & (blue < 100)), 3000)
         self.assertGreater(np.sum((blue > red + 30) & (blue > green + 30)), 3000)
         self.assertLess(is_grey(picture).mean(), 0.01)
-
-    def test_source_by_coordinates(self):
-        path = self.text("plane.xyz", plane(30))
-        place = "0.51,0.49,0"
-        rows, distances, _, _ = self.demo("place", path, "--source", place)
-        self.assertEqual(rows["source"], "(0.51, 0.49, 0)")
-        near = np.linalg.norm(plane(30) - [0.51, 0.49, 0.0], axis=1)
-        np.testing.assert_allclose(distances, near, rtol=0.02, atol=0.004)
 
     def test_points_of_a_mesh(self):
         rows, distances, _, _ = self.demo("bumpy", BUMPY, "--cloud", "--source", 5)
@@ -100,7 +92,7 @@ class DemoOnClouds(unittest.TestCase):
         exact = vtkdgg.distance(*support.bumpy(), 5)
         error = np.abs(distances - exact)[exact > 0.0] / exact[exact > 0.0]
         self.assertLess(error.mean(), 0.03)
-        # It is not the distance on the mesh.
+        # The distances are not those on the mesh.
         self.assertGreater(error.max(), 1e-4)
 
     def test_points_that_are_not_reached(self):
@@ -122,7 +114,6 @@ class DemoOnClouds(unittest.TestCase):
         for name, points, longest in (
             ("one", [[1.0, 2.0, 3.0]], 0.0),
             ("same", [[1.0, 1.0, 1.0]] * 3, 0.0),
-            ("pair", [[1.0, 2.0, 3.0], [1.0, 2.0, 4.0]], 1.0),
             ("row", [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 2.0),
         ):
             with self.subTest(name):
@@ -131,7 +122,7 @@ class DemoOnClouds(unittest.TestCase):
                 self.assertAlmostEqual(np.max(distances), longest, delta=1e-6)
                 self.assertAlmostEqual(length, longest, delta=1e-6)
                 # The farthest point is dark, and may be all that is seen where it is the source.
-                dark = (picture[:, :, :3].max(axis=2) < 60).sum()
+                dark = (picture.max(axis=2) < 60).sum()
                 self.assertGreater(is_red(picture).sum() + dark, 500)
 
     def test_mistakes(self):
@@ -144,7 +135,8 @@ class DemoOnClouds(unittest.TestCase):
         with open(garbage, "w", encoding="ascii") as file:
             file.write("x y z\n")
         unseen = self.text("unseen.xyz", [[0.0, 0.0, 0.0], [np.nan, 0.0, 0.0]])
-        for arguments, pattern in (
+        check_mistakes(
+            self,
             ((empty,), "empty.xyz: the file has no points"),
             ((unfinite,), "none of its points is finite"),
             ((bad,), "line 2: 'x' is not a number"),
@@ -156,18 +148,12 @@ class DemoOnClouds(unittest.TestCase):
             ((BUMPY, "--cloud", "--merge"), "--merge applies to meshes"),
             ((BUMPY, "--cloud", "--methods"), "--methods applies to meshes"),
             ((unseen, "--source", "1"), "--source 1: this point is not finite"),
-        ):
-            with self.subTest(arguments=arguments):
-                result = support.call("compare", *arguments)
-                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-                self.assertRegex(result.stderr, r"\Aerror: [^\n]+\n\Z")
-                self.assertRegex(result.stderr, pattern)
-                self.assertEqual(result.stdout, "")
+        )
 
 
 class Cells(unittest.TestCase):
     def cells(self, name, points, count):
-        """What the example says, and the colours of its picture."""
+        """Returns the text of the example, and the colors of its picture."""
         folder = support.output_folder("cloud_cells")
         cloud = os.path.join(folder, f"{name}.vtp")
         vtkdgg.write(cloud, vtkdgg.Mesh(points))
@@ -175,7 +161,7 @@ class Cells(unittest.TestCase):
         result = run("cloud_cells.py", cloud, count, picture)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
-        return result.stdout, support.pixels(picture)[:, :, :3].astype(int)
+        return result.stdout, support.pixels(picture)
 
     def test_even_cells(self):
         said, picture = self.cells("sphere", support.sphere_points(4000), 20)
@@ -201,7 +187,7 @@ class Cells(unittest.TestCase):
         x, t = np.meshgrid(np.arange(20 * count) / 10.0, np.arange(12) * np.pi / 6.0)
         tube = np.column_stack([x.ravel(), 0.2 * np.cos(t).ravel(), 0.2 * np.sin(t).ravel()])
         graph = vtkdgg.vtkPointCloudDGG()
-        graph.SetInputData(support.polydata(tube, np.empty((0, 3), dtype=int)))
+        graph.SetInputData(support.polydata(tube))
         cloud = vtkdgg.check(graph)
         order = np.array(sorted(range(count), key=lambda cell: cell % 10))
         labels = order[(tube[:, 0] / 2.0).astype(int)]
@@ -209,15 +195,15 @@ class Cells(unittest.TestCase):
         colours = module.choose_colours(cloud, labels, count)
         self.assertTrue((colours[order[1:]] != colours[order[:-1]]).all())
         self.assertTrue((0 <= colours).all() and (colours < len(module.COLOURS)).all())
-        # All of them are used, and about equally often.
+        # All colors are used, and about equally often.
         self.assertLessEqual(np.ptp(np.bincount(colours, minlength=len(module.COLOURS))), 1)
-        # Points that no site reaches have no part in it.
+        # Points that no site reaches do not count.
         labels[labels == 5] = -1
         np.testing.assert_array_equal(
             np.sort(module.choose_colours(cloud, labels, count)) >= 0, True
         )
 
-    def test_points_without_a_place_and_parts_without_a_site(self):
+    def test_points_and_components_without_a_site(self):
         points = np.vstack([plane(20), plane(10) / 2.0 + [2.0, 0.0, 0.0], [[np.nan, 0.0, 0.0]]])
         folder = support.output_folder("cloud_cells")
         path = os.path.join(folder, "parts.xyz")
@@ -235,7 +221,7 @@ class Guards(unittest.TestCase):
         module = support.example("cloud_guards")
         picture = os.path.join(support.OUTPUT, "cloud_guards.png")
         module.main(picture, 0.1)
-        image = support.pixels(picture)[:, :, :3]
+        image = support.pixels(picture)
         self.assertEqual(image.shape[:2], module.SIZE[::-1])
         rows, columns = image.shape[0] // 2, image.shape[1] // 2
         for i in range(4):

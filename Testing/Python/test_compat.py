@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkdgg.compat: code for other packages runs with only the import changed. The peers are used as
-well, where they are installed."""
+"""vtkdgg.compat: code for other packages runs with only the import changed. Packages that are
+installed are compared with."""
 
 import importlib
 import inspect
@@ -23,15 +23,14 @@ except ImportError:
 
 
 def peer(name):
-    """Another package, or None."""
+    """Returns another package, or None if it is not installed."""
     try:
         return importlib.import_module(name)
     except ImportError:
         return None
 
 
-# The public names of each original, with those of its classes. Names
-# marked with ! are not available.
+# The public names of each original and of its classes. Names marked with ! are not available.
 NAMES = {
     pp3d: """
         EdgeFlipGeodesicSolver.find_geodesic_loop EdgeFlipGeodesicSolver.find_geodesic_path
@@ -60,13 +59,13 @@ NAMES = {
 
 
 def resolve(module, name):
-    """A function, class or method of a module."""
+    """Returns a function, class or method of a module."""
     for part in name.split("."):
         module = getattr(module, part)
     return module
 
 
-class Names(unittest.TestCase):
+class Names(support.Test):
     def test_all_are_there(self):
         for module, names in NAMES.items():
             names = names.split()
@@ -76,9 +75,9 @@ class Names(unittest.TestCase):
                 ours = resolve(module, name.strip("!"))
                 with self.subTest(name=name):
                     self.assertTrue(callable(ours) and ours.__doc__)
-                    if name.endswith("!"):
-                        with self.assertRaisesRegex(NotImplementedError, r"is not available\. \w+"):
-                            ours(1, two=3)
+                if name.endswith("!"):
+                    wrong = {"two": 3}, r"is not available\. \w+"
+                    self.refuse(ours, wrong, error=NotImplementedError)
 
     def test_names_match_originals(self):
         for module in NAMES:
@@ -108,7 +107,7 @@ class Names(unittest.TestCase):
         self.assertEqual(len(compat.__all__), 9)
 
 
-class Potpourri3d(unittest.TestCase):
+class Potpourri3d(support.Test):
     @classmethod
     def setUpClass(cls):
         cls.V, cls.F = support.bumpy()
@@ -116,39 +115,33 @@ class Potpourri3d(unittest.TestCase):
 
     def test_heat(self):
         solver = pp3d.MeshHeatMethodDistanceSolver(self.V, self.F)
-        dist = solver.compute_distance(7)
-        self.assertLess(np.abs(dist - self.exact).mean(), 0.03 * self.exact.max())
-        np.testing.assert_array_equal(dist, pp3d.compute_distance(self.V, self.F, 7))
-        several = solver.compute_distance_multisource([1, 2, 3])
-        np.testing.assert_array_equal(
-            several, pp3d.compute_distance_multisource(self.V, self.F, [1, 2, 3])
-        )
+        dist, several = solver.compute_distance(7), solver.compute_distance_multisource([1, 2, 3])
         exact = vtkdgg.distance(self.V, self.F, [1, 2, 3])
-        self.assertLess(np.abs(several - exact).mean(), 0.03 * exact.max())
+        for found, expected in ((dist, self.exact), (several, exact)):
+            self.assertLess(np.abs(found - expected).mean(), 0.03 * expected.max())
+        np.testing.assert_array_equal(dist, pp3d.compute_distance(self.V, self.F, 7))
+        again = pp3d.compute_distance_multisource(self.V, self.F, [1, 2, 3])
+        np.testing.assert_array_equal(several, again)
         smooth = pp3d.MeshHeatMethodDistanceSolver(self.V, self.F, t_coef=10.0, use_robust=False)
         self.assertGreater(np.abs(smooth.compute_distance(7) - dist).max(), 1e-3 * dist.max())
-        for wrong in (-1, 642, 0.5, [0.1, 0.2, 0.3]):
-            with self.assertRaises(ValueError):
-                solver.compute_distance(wrong)
+        wrong = -1, 642, 0.5, [0.1, 0.2, 0.3]
+        self.refuse(solver.compute_distance, *(((source,), "") for source in wrong))
 
     def test_paths(self):
         path_solver = pp3d.EdgeFlipGeodesicSolver(self.V, self.F)
         path_pts = path_solver.find_geodesic_path(v_start=14, v_end=22)
         exact = vtkdgg.path(self.V, self.F, 14, 22)
-        length = np.linalg.norm(np.diff(path_pts, axis=0), axis=1).sum()
-        self.assertAlmostEqual(length, exact.length, delta=1e-6)
+        self.assertAlmostEqual(support.length_of(path_pts), exact.length, delta=1e-6)
         np.testing.assert_array_equal(path_pts[[0, -1]], self.V[[14, 22]])
         same = path_solver.find_geodesic_path_poly([14, 22])
         np.testing.assert_array_equal(same, path_pts)
-        with self.assertRaises(NotImplementedError):
-            path_solver.find_geodesic_path_poly([14, 22, 40])
-        with self.assertRaises(NotImplementedError):
-            path_solver.find_geodesic_path(14, 22, max_iterations=3)
-
-    def test_loops(self):
+        wrong = ([14, 22, 40],), ""
+        self.refuse(path_solver.find_geodesic_path_poly, wrong, error=NotImplementedError)
+        wrong = {"v_start": 14, "v_end": 22, "max_iterations": 3}, ""
+        self.refuse(path_solver.find_geodesic_path, wrong, error=NotImplementedError)
         path_solver = pp3d.EdgeFlipGeodesicSolver(*support.prism(9, 6))
         loop = path_solver.find_geodesic_loop([28, 31, 34])
-        self.assertAlmostEqual(np.linalg.norm(np.diff(loop, axis=0), axis=1).sum(), 9.0, 6)
+        self.assertAlmostEqual(support.length_of(loop), 9.0, 6)
         np.testing.assert_array_equal(loop[0], loop[-1])
 
     def test_marching(self):
@@ -159,27 +152,21 @@ class Potpourri3d(unittest.TestCase):
             ([[face]], [(100, (0.2, 0.3, 0.5))], []),
             ([[(7, [])], [(100, [0.2, 0.3, 0.5])]], [7, (100, (0.2, 0.3, 0.5))], [[0.5], [1.0]]),
         ):
-            expected = vtkdgg.distance(
-                self.V,
-                self.F,
-                sources,
-                method="marching",
-                initial_distances=np.ravel(initial) if initial else None,
-            )
+            options = {"initial_distances": np.ravel(initial)} if initial else {}
+            expected = vtkdgg.distance(self.V, self.F, sources, method="marching", **options)
             np.testing.assert_array_equal(solver.compute_distance(curves, initial), expected)
-        np.testing.assert_array_equal(
-            solver.compute_distance([[(7, [])]], [[]]), solver.compute_distance([[(7, [])]])
+        curve = [[(7, [])]]
+        found = solver.compute_distance(curve, [[]])
+        np.testing.assert_array_equal(found, solver.compute_distance(curve))
+        wrong = [[(0.9, [])]], [[(0.9, [0.2, 0.3])]]
+        self.refuse(solver.compute_distance, *(((curves,), "") for curves in wrong))
+        self.refuse(
+            solver.compute_distance,
+            (([[(7, []), (8, [])]],), "vtkdgg.distance"),
+            (([[(7, [0.5])]],), "vtkdgg.distance"),
+            ({"curves": curve, "sign": True}, "vtkdgg.distance"),
+            error=NotImplementedError,
         )
-        for element, weights in ((0.9, []), (0.9, [0.2, 0.3])):
-            with self.assertRaises(ValueError):
-                solver.compute_distance([[(element, weights)]])
-        for curves, options in (
-            ([[(7, []), (8, [])]], {}),
-            ([[(7, [0.5])]], {}),
-            ([[(7, [])]], {"sign": True}),
-        ):
-            with self.assertRaisesRegex(NotImplementedError, "vtkdgg.distance"):
-                solver.compute_distance(curves, **options)
 
     def test_polygons(self):
         points, _ = support.grid(3, 3)
@@ -188,9 +175,10 @@ class Potpourri3d(unittest.TestCase):
         np.testing.assert_allclose(found, np.linalg.norm(points, axis=1), atol=0.4)
         self.assertEqual(pp3d.edges(points, quads)[:4].tolist(), [[0, 1], [1, 5], [5, 4], [4, 0]])
         pp3d.validate_mesh(points, quads)
-        for points, faces in ((points, quads), (points[:, :2], self.F), (points, self.F)):
-            with self.assertRaises(ValueError):
-                pp3d.validate_mesh(points, faces, force_triangular=True, test_indices=True)
+        self.refuse(
+            lambda *mesh: pp3d.validate_mesh(*mesh, force_triangular=True, test_indices=True),
+            *((mesh, "") for mesh in ((points, quads), (points[:, :2], self.F), (points, self.F))),
+        )
 
     def test_files(self):
         folder = support.output_folder("compat")
@@ -202,12 +190,10 @@ class Potpourri3d(unittest.TestCase):
             np.testing.assert_array_equal(found[1], triangles)
         pp3d.write_mesh(points, [[0, 1, 4, 3], [1, 2, 5]], path)
         self.assertEqual(pp3d.read_polygon_mesh(path)[1], [[0, 1, 4, 3], [1, 2, 5]])
-        with self.assertRaisesRegex(ValueError, "polygon 0 has 4 corners, expected 3"):
-            pp3d.read_mesh(path)
-        with self.assertRaises(NotImplementedError):
-            pp3d.write_mesh(points, triangles, path, points[:, :2], "per-vertex")
-        with self.assertRaises(NotImplementedError):
-            pp3d.write_mesh(points, triangles, path, points[:, :2])
+        self.refuse(pp3d.read_mesh, ((path,), "polygon 0 has 4 corners, expected 3"))
+        given = points, triangles, path, points[:, :2]
+        wrong = (given, ""), ((*given, "per-vertex"), "")
+        self.refuse(pp3d.write_mesh, *wrong, error=NotImplementedError)
         path = os.path.join(folder, "points.xyz")
         pp3d.write_point_cloud(points + 1 / 3, path)
         np.testing.assert_array_equal(pp3d.read_point_cloud(path), points + 1 / 3)
@@ -219,8 +205,7 @@ class Potpourri3d(unittest.TestCase):
         straight = np.linalg.norm(points - points[0], axis=1)
         np.testing.assert_allclose(solver.compute_distance(0), straight, atol=0.3)
         self.assertEqual(solver.compute_distance_multisource([0, 5])[5], 0.0)
-        with self.assertRaisesRegex(ValueError, "sources: point id 999"):
-            solver.compute_distance(999)
+        self.refuse(solver.compute_distance, ((999,), "sources: point id 999"))
 
     def test_areas(self):
         points, triangles = support.folded()
@@ -230,13 +215,10 @@ class Potpourri3d(unittest.TestCase):
         self.assertEqual(pp3d.edges(points, []).shape, (0, 2))
         functions = [pp3d.face_areas, pp3d.vertex_areas, pp3d.edges]
         for function in functions + [pp3d.cotan_laplacian] * (sparse is not None):
-            for faces in ([[0, 1, -1]], [[0, 1, 99]], [[0.0, 1.0, 2.5]]):
-                with self.subTest(function=function.__name__, faces=faces):
-                    with self.assertRaises(ValueError):
-                        function(points, faces)
+            wrong = [[0, 1, -1]], [[0, 1, 99]], [[0.0, 1.0, 2.5]]
+            self.refuse(function, *(((points, faces), "") for faces in wrong))
             if function is not pp3d.edges:
-                with self.assertRaisesRegex(ValueError, "more than three corners"):
-                    function(points, [[0, 1, 2, 3]])
+                self.refuse(function, ((points, [[0, 1, 2, 3]]), "more than three corners"))
 
     @unittest.skipUnless(sparse, "no SciPy")
     def test_laplacian(self):
@@ -270,13 +252,13 @@ class Potpourri3d(unittest.TestCase):
         self.assertLess(np.abs(ours - self.exact).mean(), np.abs(theirs - self.exact).mean())
         for v in (0, 99, 500):
             lengths = [
-                np.linalg.norm(np.diff(p.find_geodesic_path(7, v), axis=0), axis=1).sum()
+                support.length_of(p.find_geodesic_path(7, v))
                 for p in (m.EdgeFlipGeodesicSolver(self.V, self.F) for m in (pp3d, other))
             ]
             self.assertLessEqual(lengths[0], lengths[1] * (1 + 1e-9))
 
 
-class Pygeodesic(unittest.TestCase):
+class Pygeodesic(support.Test):
     @classmethod
     def setUpClass(cls):
         cls.points, cls.faces = support.bumpy()
@@ -287,9 +269,8 @@ class Pygeodesic(unittest.TestCase):
         self.assertAlmostEqual(distance, vtkdgg.distance(self.points, self.faces, 25)[97])
         # from target to source, as in pygeodesic
         np.testing.assert_array_equal(path[[0, -1]], self.points[[97, 25]])
-        self.assertAlmostEqual(np.linalg.norm(np.diff(path, axis=0), axis=1).sum(), distance)
-        with self.assertRaises(ValueError):
-            self.geoalg.geodesicDistance(25, 9999)
+        self.assertAlmostEqual(support.length_of(path), distance)
+        self.refuse(self.geoalg.geodesicDistance, ((25, 9999), ""))
 
     def test_distances(self):
         exact = vtkdgg.distance(self.points, self.faces, [25, 100])
@@ -317,8 +298,7 @@ class Pygeodesic(unittest.TestCase):
         np.testing.assert_array_equal(result[1], faces)
         with open(path, "w", encoding="utf-8") as file:
             file.write("9 9\n0 0 0\n")
-        with self.assertRaisesRegex(ValueError, "18 lines"):
-            geodesic.read_mesh_from_file(path)
+        self.refuse(geodesic.read_mesh_from_file, ((path,), "18 lines"))
 
     @unittest.skipUnless(peer("pygeodesic"), "no pygeodesic")
     def test_beside_it(self):

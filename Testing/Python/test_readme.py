@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages of the documentation: their code runs, their links lead somewhere."""
+"""The pages of the documentation: their code runs, and their links exist."""
 
 import contextlib
 import io
@@ -19,29 +19,30 @@ from vtkdgg.commands.words import HELP
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
-def write_cloud(name):
-    """A PCD file of 1500 points of a sphere."""
-    path = os.path.join(support.output_folder("readme"), name)
-    vtkdgg.write(path, vtkdgg.Mesh(support.sphere_points(1500)))
+FOLDER = support.output_folder("readme")
+
+
+def path_of(name, mesh=None):
+    """Returns the path of a file of a page, with this mesh or with the bumpy sphere."""
+    path = os.path.join(FOLDER, name)
+    shutil.copy(BUMPY, path) if mesh is None else vtkdgg.write(path, mesh)
     return path
 
 
-def write_prism():
-    """A PLY file of a tube with nine sides of length 1."""
-    path = os.path.join(support.output_folder("readme"), "prism.ply")
-    vtkdgg.write(path, vtkdgg.Mesh(*support.prism(9, 6)))
-    return path
+def cloud_of(name):
+    """Returns the path of a PCD file of 1500 points of a sphere."""
+    return path_of(name, vtkdgg.Mesh(support.sphere_points(1500)))
 
 
 def execute(block, names):
-    """Run a block; what it prints."""
+    """Runs a block, and returns the text that it prints."""
     with contextlib.redirect_stdout(io.StringIO()) as printed:
         exec(block, names)  # noqa: S102
     return printed.getvalue()
 
 
 def code(*path):
-    """A source file of the examples without its licence lines."""
+    """Returns a source file of the examples without its license lines."""
     with open(os.path.join(support.EXAMPLES, *path), encoding="utf-8") as file:
         return "".join(line for line in file if "SPDX-" not in line)
 
@@ -114,9 +115,8 @@ class Pages(unittest.TestCase):
 class FrontPage(unittest.TestCase):
     def test_ten_lines_of_python(self):
         self.assertEqual(code("Python", "ten_lines.py"), pages.blocks("README.md", "python")[0])
-        folder = support.output_folder("readme")
-        shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
-        result = run("ten_lines.py", cwd=folder)
+        path_of("mesh.ply")
+        result = run("ten_lines.py", cwd=FOLDER)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertRegex(result.stdout, r"farthest point: \d\.\d+ model units away")
 
@@ -133,38 +133,30 @@ class FrontPage(unittest.TestCase):
 
 
 class PythonPage(unittest.TestCase):
-    def setUp(self):
-        self.blocks = pages.blocks("Wrapping/Python/README.md", "python")
-
-    def test_one_liner(self):
+    def test_blocks(self):
+        one_line, several = pages.blocks("Wrapping/Python/README.md", "python")
         names = {}
-        execute(self.blocks[0], names)
+        execute(one_line, names)
         np.testing.assert_allclose(names["d"], [0.0, 3.0, 4.0], rtol=1e-12)
-
-    def test_files(self):
-        folder = support.output_folder("readme")
-        shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
-        (page,) = pages.blocks("Wrapping/Python/Files.md", "python")
-        block = page
-        for name in ("mesh.ply", "distance.ply"):
-            block = block.replace(f'"{name}"', repr(os.path.join(folder, name)))
-        names = {}
-        self.assertIn(f"# {execute(block, names).strip()}\n", page)
-        written = vtkdgg.read(os.path.join(folder, "distance.ply"))
-        np.testing.assert_array_equal(written.point_data["distance"], names["d"])
-
-    def test_many_queries(self):
         points, triangles = support.bumpy()
         names = {"points": points, "triangles": triangles}
-        execute(self.blocks[1], names)
+        execute(several, names)
         exact = vtkdgg.distance(points, triangles, [0, 10, 20])
         self.assertTrue((np.abs(names["d"] - exact) <= 0.01 * exact * (1 + 1e-6)).all())
         self.assertEqual(names["m"].shape, (2, 3))
         self.assertEqual(len({line.value for line in names["lines"]}), 10)
         self.assertEqual(names["cells"].areas.shape, (20,))
-        exact = vtkdgg.path(points, triangles, 0, 10)
-        self.assertLessEqual(names["p"].length, exact.length * 1.01)
-        self.assertGreaterEqual(names["p"].length, exact.length * (1 - 1e-9))
+        length = vtkdgg.path(points, triangles, 0, 10).length
+        self.assertTrue(length * (1 - 1e-9) <= names["p"].length <= 1.01 * length)
+
+    def test_files(self):
+        (page,) = pages.blocks("Wrapping/Python/Files.md", "python")
+        block = page.replace('"mesh.ply"', repr(path_of("mesh.ply")))
+        block = block.replace('"distance.ply"', repr(os.path.join(FOLDER, "distance.ply")))
+        names = {}
+        self.assertIn(f"# {execute(block, names).strip()}\n", page)
+        written = vtkdgg.read(os.path.join(FOLDER, "distance.ply"))
+        np.testing.assert_array_equal(written.point_data["distance"], names["d"])
 
     def test_other_packages(self):
         names = {}
@@ -176,15 +168,14 @@ class PythonPage(unittest.TestCase):
         names["geodesic"].PyGeodesicAlgorithmExact(points, triangles)
 
     def test_from_the_shell(self):
-        folder = support.output_folder("readme")
         lines = pages.blocks("Wrapping/Python/Shell.md", "sh")[0].splitlines()
         self.assertEqual(len(lines), 7)
-        shutil.copy(BUMPY, os.path.join(folder, "mesh.ply"))
+        path_of("mesh.ply")
         for line in lines:
             words = line.replace(" 1.5,2,0", " 300").replace(" 1000", " 600").split()
             self.assertEqual(words[0], "vtkdgg")
             is_file = re.compile(r"[a-z]+\.[a-z]+").fullmatch
-            words = [os.path.join(folder, word) if is_file(word) else word for word in words[1:]]
+            words = [os.path.join(FOLDER, word) if is_file(word) else word for word in words[1:]]
             result = support.command(*words)
             self.assertEqual(result.returncode, 0, result.stderr)
 
@@ -257,7 +248,7 @@ class Solved(unittest.TestCase):
 class Gallery(unittest.TestCase):
     """The snippets run one after the other, as the page says."""
 
-    # What each of them creates, and what it prints.
+    # A part of each snippet, and the pattern of the text that it prints.
     EXPECTED = (
         ("vtkDGGPLYReader()", ""),
         ("vtkDiscreteGeodesicGraph()", r"\d\d\.\d edges per point"),
@@ -292,17 +283,16 @@ class Gallery(unittest.TestCase):
         for block, (key, _) in zip(cls.blocks, cls.EXPECTED):
             if key == "vtkPointCloudDGG()":
                 if HAS_CLOUDS:
-                    block = block.replace("cloud.pcd", write_cloud("sphere.pcd"))
+                    block = block.replace("cloud.pcd", cloud_of("sphere.pcd"))
                     cls.printed[key] = execute(block, {}).strip()
                 continue
-            if key == "vtkDGGLoop()":  # a surface with something to go around
+            if key == "vtkDGGLoop()":  # a surface with a loop: a tube with nine sides of length 1
                 reader = cls.names["reader"]
-                reader.SetFileName(write_prism())
+                reader.SetFileName(path_of("prism.ply", vtkdgg.Mesh(*support.prism(9, 6))))
                 cls.printed[key] = execute(block, cls.names).strip()
                 reader.SetFileName(BUMPY)
                 continue
             cls.printed[key] = execute(block.replace("mesh.ply", BUMPY), cls.names).strip()
-        cls.exact = vtkdgg.distance(*support.bumpy(), 0)
 
     def number(self, key):
         return float(re.fullmatch(dict(self.EXPECTED)[key], self.printed[key])[1])
@@ -315,44 +305,20 @@ class Gallery(unittest.TestCase):
                 if key in self.printed:
                     self.assertRegex(self.printed[key], rf"\A{said}\Z")
 
-    def test_distances(self):
-        farthest = self.exact.max()
-        self.assertAlmostEqual(self.number("vtkExactGeodesicDistance()"), farthest, 12)
-        self.assertAlmostEqual(self.number("vtkDGGPath()"), self.exact[20], delta=1e-6)
-        exact = vtkdgg.distance(*support.bumpy(), 40)[10]
-        matrix = self.number("vtkGeodesicDistanceMatrix()")
-        self.assertTrue(exact * (1 - 1e-9) <= matrix <= 1.01 * exact * (1 + 1e-6))
-        self.assertTrue(0.05 * farthest < self.number("vtkBiharmonicDistance()") < farthest)
-        movers = self.number("vtkSurfaceEarthMoversDistance()")
-        self.assertTrue(0.0 < movers < farthest)
-
-    def test_loop(self):
+    def test_answers(self):
+        exact = vtkdgg.distance(*support.bumpy(), 0)
+        self.assertAlmostEqual(self.number("vtkExactGeodesicDistance()"), exact.max(), 12)
+        self.assertAlmostEqual(self.number("vtkDGGPath()"), exact[20], delta=1e-6)
         length = self.names["loops"].GetCellData().GetArray("Length").GetValue(0)
         self.assertAlmostEqual(length, 9.0, delta=1e-6)  # the file has floats
-
-    def test_greens_function(self):
-        greens = self.names["greens"].GetOutput().GetPointData().GetArray("GreensFunction")
-        self.assertAlmostEqual(
-            self.number("vtkDiscreteGreensFunction()"), greens.GetComponent(0, 1), 2
-        )
-
-    def test_interpolation(self):
-        found = self.names["smooth"].GetOutput().GetPointData().GetArray("Interpolation")
+        found = support.point_array(self.names["smooth"].GetOutput(), "Interpolation")
         for point, value in self.names["known"].items():
-            self.assertAlmostEqual(found.GetValue(point), value, 6)
-
-    def test_vector_graphics(self):
+            self.assertAlmostEqual(found[point], value, 6)
         painted = self.names["painted"]
-        self.assertEqual(self.number("vtkPoissonVectorGraphics()"), painted.GetNumberOfPoints())
         self.assertGreater(painted.GetNumberOfPoints(), self.names["surface"].GetNumberOfPoints())
         self.assertEqual(painted.GetPointData().GetScalars().GetName(), "RGB")
-        colors = painted.GetPointData().GetArray("Colors")
-        self.assertAlmostEqual(colors.GetRange(0)[0], 0.1, 6)
-        self.assertAlmostEqual(colors.GetRange(0)[1], 1.0, 6)
-
-    @support.needs_clouds
-    def test_point_clouds(self):
-        self.assertAlmostEqual(self.number("vtkPointCloudDGG()"), np.pi, delta=0.05)
+        if HAS_CLOUDS:
+            self.assertAlmostEqual(self.number("vtkPointCloudDGG()"), np.pi, delta=0.05)
 
     def test_examples_are_listed(self):
         page = pages.text_of("Examples/README.md")
@@ -388,36 +354,28 @@ class OtherPages(unittest.TestCase):
     def test_cloud_in_one_solve(self):
         block = pages.blocks("Filters/PointCloud/README.md", "python")[0]
         names = {}
-        execute(block.replace("cloud.pcd", write_cloud("solve.pcd")), names)
+        execute(block.replace("cloud.pcd", cloud_of("solve.pcd")), names)
         self.assertAlmostEqual(names["distances"].GetRange()[1], np.pi, delta=0.05)
 
     def test_matrix_in_one_line(self):
         block = pages.blocks("Filters/Geodesic/Distances.md", "py")[0]
         self.assertIn(block.strip(), code("Python", "graph_csr.py"))
 
-    def test_meshes_in_files(self):
-        block = pages.blocks("Readers/README.md", "python")[0]
-        folder = support.output_folder("readers")
-        with open(os.path.join(folder, "mesh.obj"), "w", encoding="ascii") as file:
+    def test_readers(self):
+        meshes, clouds = pages.blocks("Readers/README.md", "python")
+        with open(os.path.join(FOLDER, "mesh.obj"), "w", encoding="ascii") as file:
             file.write("v 0.1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-        for name in ("mesh.obj", "copy.ply"):
-            block = block.replace(f'"{name}"', repr(os.path.join(folder, name)))
-        execute(block, {})
-        reader = vtkdgg.vtkDGGPLYReader()
-        reader.SetFileName(os.path.join(folder, "copy.ply"))
-        self.assertEqual(vtkdgg.check(reader).GetPoint(0), (0.1, 0.0, 0.0))
-
-    def test_pcd_files(self):
-        block = pages.blocks("Readers/README.md", "python")[1]
-        folder = os.path.dirname(write_cloud("cloud.pcd"))
-        for name in ("cloud.pcd", "copy.pcd"):
-            block = block.replace(name, os.path.join(folder, name))
-        names = {}
-        execute(block, names)
-        self.assertEqual(names["cloud"].GetNumberOfPoints(), 1500)
-        reader = vtkdgg.vtkPCDReader()
-        reader.SetFileName(os.path.join(folder, "copy.pcd"))
-        self.assertEqual(vtkdgg.check(reader).GetNumberOfPoints(), 1500)
+        cloud_of("cloud.pcd")
+        for block, first, copy, count in (
+            (meshes, "mesh.obj", "copy.ply", 3),
+            (clouds, "cloud.pcd", "copy.pcd", 1500),
+        ):
+            for name in (first, copy):
+                block = block.replace(f'"{name}"', repr(os.path.join(FOLDER, name)))
+            execute(block, {})
+            written, read = (vtkdgg.read(os.path.join(FOLDER, name)) for name in (copy, first))
+            self.assertEqual(len(written.points), count)
+            np.testing.assert_array_equal(written.points[0], read.points[0])
 
     def test_lines_of_clouds_of_pcl(self):
         # Built and run by the tests of the install tree.
@@ -453,8 +411,7 @@ class OtherPages(unittest.TestCase):
         x, y = np.meshgrid(np.arange(0.0, 10.0, 0.05), np.arange(0.0, 8.0, 0.8))
         points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
         cloud = support.polydata(points)
-        graph = vtkdgg.vtkPointCloudDGG()
-        graph.SetInputData(cloud)
+        graph = support.make("vtkPointCloudDGG", cloud)
         vtkdgg.check(graph)
         self.assertGreater(graph.GetNumberOfComponents(), 1)
         block = pages.blocks("Filters/PointCloud/README.md", "python")[1]

@@ -1,28 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Long updates: other threads go on, Ctrl-C stops them, and what was stopped can be used again."""
+"""Long updates: other threads continue, and Ctrl-C stops filters, which can be used again."""
 
 import os
 import signal
-import subprocess
-import sys
 import threading
 import time
 import unittest
-import warnings
 
 import numpy as np
 import support
 import vtkdgg
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-# Seconds that a pause may take. What was measured on an idle machine is far below that; tests run
-# beside others.
+# Longest pause, seconds. Pauses are far shorter on an idle machine; tests run beside others.
 PATIENCE = 1.0
 
 
 def terrain(size):
-    """Points and triangles of hills."""
+    """Returns points and triangles of hills."""
     points, triangles = support.grid(size, size)
     points[:, 2] = 3.0 * np.sin(points[:, 0] / 5.0) * np.cos(points[:, 1] / 7.0)
     return points, triangles
@@ -33,42 +29,34 @@ SURFACE = support.polydata(POINTS, TRIANGLES)
 SMALL = support.polydata(*terrain(60))
 
 
+def made(kind, surface=SURFACE, **properties):
+    """Returns a filter of the surface with these properties."""
+    return support.make(kind, surface, **properties)
+
+
 def isolines():
-    """Their filter, with a field to draw."""
-    search = vtkdgg.vtkExactGeodesicDistance()
-    search.SetInputData(SURFACE)
-    search.AddSourceId(5)
-    search.GenerateWindowsOn()
-    contour = vtkdgg.vtkApolloniusIsolines()
-    contour.SetInputData(vtkdgg.check(search))
+    """Returns a filter of isolines of exact distances."""
+    search = made("vtkExactGeodesicDistance", SourceIds=[5], GenerateWindows=True)
+    contour = made("vtkApolloniusIsolines", vtkdgg.check(search))
     contour.GenerateValues(100, 0.0, 200.0)
     return contour
 
 
-def made(kind, surface=SURFACE, **properties):
-    """A filter of the surface with these properties."""
-    algorithm = kind()
-    algorithm.SetInputData(surface)
-    for name, value in properties.items():
-        getattr(algorithm, f"Set{name}")(value)
-    return algorithm
-
-
 WORK = {
-    "graph": lambda: made(vtkdgg.vtkDiscreteGeodesicGraph),
-    "exact": lambda: made(vtkdgg.vtkExactGeodesicDistance, SourceIds=[5]),
-    "heat": lambda: made(vtkdgg.vtkHeatGeodesicDistance, SourceIds=[5]),
-    "Green's function": lambda: made(vtkdgg.vtkDiscreteGreensFunction, SourceIds=[5]),
-    "sampler": lambda: made(vtkdgg.vtkGeodesicSampler, SMALL, NumberOfSamples=400),
+    "graph": lambda: made("vtkDiscreteGeodesicGraph"),
+    "exact": lambda: made("vtkExactGeodesicDistance", SourceIds=[5]),
+    "heat": lambda: made("vtkHeatGeodesicDistance", SourceIds=[5]),
+    "Green's function": lambda: made("vtkDiscreteGreensFunction", SourceIds=[5]),
+    "sampler": lambda: made("vtkGeodesicSampler", SMALL, NumberOfSamples=400),
     "matrix": lambda: made(
-        vtkdgg.vtkGeodesicDistanceMatrix, RowIds=list(range(64)), ColumnIds=list(range(500))
+        "vtkGeodesicDistanceMatrix", RowIds=list(range(64)), ColumnIds=list(range(500))
     ),
     "isolines": isolines,
 }
 
 
 class Heartbeat(threading.Thread):
-    """A thread that notes when it had its turn."""
+    """A thread that records the times at which it runs."""
 
     def __init__(self):
         super().__init__()
@@ -91,7 +79,7 @@ class Heartbeat(threading.Thread):
 
 
 class OtherThreads(unittest.TestCase):
-    def test_they_go_on(self):
+    def test_they_continue(self):
         for name, make in WORK.items():
             with self.subTest(name), Heartbeat() as heart:
                 algorithm = make()
@@ -102,8 +90,8 @@ class OtherThreads(unittest.TestCase):
                 self.assertGreater(len(within), 5, f"{end - start:.2f} s")
                 self.assertLess(max(np.diff(within)), PATIENCE)
 
-    def test_they_cannot_change_what_is_used(self):
-        """The arrays that were given are scribbled over while they are used."""
+    def test_they_may_change_the_arguments(self):
+        """The arrays of the arguments are overwritten during the update."""
         points, triangles = terrain(150)
         expected = vtkdgg.distance(points, triangles, 7)
         mesh = support.polydata(points, triangles)
@@ -132,7 +120,7 @@ class OtherThreads(unittest.TestCase):
             array[:] = keep
 
     def test_several_updates_at_once(self):
-        """Each waits while another one has its turn, wherever it is."""
+        """Each update waits while another one runs, in any function."""
         points, triangles = terrain(60)
         graph = vtkdgg.Graph(points, triangles, accuracy=0.05)
         work = [
@@ -163,7 +151,7 @@ class OtherThreads(unittest.TestCase):
 
 class Interrupted(unittest.TestCase):
     def interrupt(self, work, seconds):
-        """Do some work in which Ctrl-C comes after some seconds. How late it took effect."""
+        """Interrupts work by Ctrl-C after some seconds. Returns the seconds until it stops."""
         late = []
 
         def press():
@@ -193,37 +181,31 @@ class Interrupted(unittest.TestCase):
                 self.assertLess(late, PATIENCE)
                 self.assertEqual(signal.getsignal(signal.SIGINT), signal.default_int_handler)
                 output = vtkdgg.check(again)
-                kinds = range(7)
-                self.assertEqual(
-                    [output.GetNumberOfElements(kind) for kind in kinds],
-                    [expected.GetNumberOfElements(kind) for kind in kinds],
-                )
+                found, expected = ([data.GetNumberOfElements(kind) for kind in range(7)]
+                                   for data in (output, expected))  # fmt: skip
+                self.assertEqual(found, expected)
 
     def test_filters_of_others(self):
-        """What they have left does not count as done."""
+        """The incomplete output of an interrupted filter is not used."""
         chain = made(vtkTriangleFilter)
-        distance = vtkdgg.vtkExactGeodesicDistance()
-        distance.SetInputConnection(chain.GetOutputPort())
-        distance.AddSourceId(5)
+        distance = made("vtkExactGeodesicDistance", chain, SourceIds=[5])
         tag = chain.AddObserver("ProgressEvent", lambda *_: os.kill(os.getpid(), signal.SIGINT))
         with self.assertRaises(KeyboardInterrupt):
             vtkdgg.check(distance)
         chain.RemoveObserver(tag)
-        output = vtkdgg.check(distance)
-        found = support.point_array(output, "GeodesicDistance")
+        found = support.distances_of(distance)
         np.testing.assert_array_equal(found, vtkdgg.distance(SURFACE, 5))
 
     def test_graph(self):
         self.interrupt(lambda: vtkdgg.Graph(POINTS, TRIANGLES, accuracy=0.005), 0.3)
         graph = vtkdgg.Graph(*terrain(100), accuracy=0.05)
         expected = graph.matrix(np.arange(0, 10201, 3))
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+        with support.warnings_as("ignore"):
             self.interrupt(lambda: graph.matrix(np.arange(0, 10201, 3)), 0.1)
         np.testing.assert_array_equal(graph.matrix(np.arange(0, 10201, 3)), expected)
 
     def test_any_handler(self):
-        """A handler of the user is called as ever, and what it raises comes out."""
+        """Handlers of the user are called, and their exceptions are raised."""
 
         class TimeOut(Exception):
             pass
@@ -236,7 +218,7 @@ class Interrupted(unittest.TestCase):
             before = signal.signal(signal.SIGALRM, handler)
             try:
                 signal.setitimer(signal.ITIMER_REAL, 0.1)
-                algorithm = made(vtkdgg.vtkHeatGeodesicDistance, SourceIds=[5])
+                algorithm = made("vtkHeatGeodesicDistance", SourceIds=[5])
                 if raised:
                     with self.assertRaises(raised):
                         vtkdgg.check(algorithm)
@@ -247,29 +229,24 @@ class Interrupted(unittest.TestCase):
                 signal.signal(signal.SIGALRM, before)
         self.assertEqual(calls, [1])
 
-    def test_program_ends_as_ever(self):
-        script = (
-            "import os, signal, threading, sys\n"
-            f"sys.path.insert(0, {os.path.dirname(os.path.abspath(__file__))!r})\n"
+    def test_end_of_the_program(self):
+        result = support.python(
+            "import os, signal, threading\n"
             "import test_responsive as t, vtkdgg\n"
             "threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
             "vtkdgg.Graph(t.POINTS, t.TRIANGLES, accuracy=0.001)\n"
-        )
-        result = subprocess.run(
-            [sys.executable, "-c", script], capture_output=True, text=True, check=False
         )
         self.assertEqual(result.returncode, -signal.SIGINT, result.stderr)
         self.assertTrue(result.stderr.rstrip().endswith("KeyboardInterrupt"), result.stderr)
 
 
 class Bar(unittest.TestCase):
-    """What is said of the progress."""
+    """Texts about the progress."""
 
     def shown(self, is_terminal, modules="", on=True, seconds=0.0):
-        """Standard error of a graph that is built in a process of its own."""
+        """Returns the standard error of a graph that is built in a process of its own."""
         script = (
             "import io, sys, types\n"
-            f"sys.path.insert(0, {os.path.dirname(os.path.abspath(__file__))!r})\n"
             "class Terminal(io.StringIO):\n"
             f"    isatty = lambda self: {is_terminal}\n"
             "real, sys.stderr = sys.stderr, Terminal()\n"
@@ -282,13 +259,11 @@ class Bar(unittest.TestCase):
             "vtkdgg.Graph(*t.terrain(60), accuracy=0.05)\n"
             "real.write(sys.stderr.getvalue())\n"
         )
-        result = subprocess.run([sys.executable, "-c", script], capture_output=True, check=True)
-        return result.stderr.decode()
+        # Not as text, which would replace \r.
+        return support.python(script, text=False).stderr.decode()
 
     def test_terminal(self):
         self.assertRegex(self.shown(True), r"\A(\rvtk\w+: +\d+ %)+\r\x1b\[K\Z")
-
-    def test_nothing(self):
         self.assertEqual(self.shown(False), "")
         self.assertEqual(self.shown(True, on=False), "")
         self.assertEqual(self.shown(True, seconds=1000.0), "")
