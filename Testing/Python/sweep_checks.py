@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What must hold of the result of each filter, on any mesh.
+"""Properties of the result of each filter, on any mesh.
 
-A check takes a Trial, runs its filter by Trial.update() and reports what does not hold by
-Trial.expect(). What it returns is there for the checks after it, in Trial.results.
+A check takes a Trial, runs its filter by Trial.update() and reports violations by Trial.expect().
+Later checks find its return value in Trial.results.
 """
 
 import functools
@@ -19,8 +19,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 ACCURACY = 0.05  # of the graph
-CHORD = 2e-3  # how far pieces of isolines may be from their curves, relative to the mean edge
-SLOW = 1000  # points, for what takes much longer
+CHORD = 2e-3  # largest distance of isolines from their curves, relative to the mean edge
+SLOW = 1000  # largest number of points for slow checks
 LEVELS = np.linspace(0.05, 0.95, 10)
 
 
@@ -28,7 +28,7 @@ LEVELS = np.linspace(0.05, 0.95, 10)
 
 
 def distances_from(trial, algorithm, sources):
-    """One row for each source; infinity where it does not reach."""
+    """Returns one row of distances for each source; infinity for unreached points."""
     rows = []
     for source in sources:
         algorithm.SetSourceIds([int(source)])
@@ -48,7 +48,7 @@ def expect_not_below_straight(trial, rows, sources):
 
 
 def expect_shortest(trial, rows, sources):
-    """What holds of distances that are lengths of shortest ways."""
+    """Checks distances that are lengths of shortest paths."""
     surface = trial.surface
     a, b = np.concatenate([surface.triangles[surface.proper][:, [i, i - 1]] for i in range(3)]).T
     edge = np.linalg.norm(surface.points[a] - surface.points[b], axis=1)
@@ -70,23 +70,19 @@ def expect_symmetry(trial, matrix):
 
 
 def exact(trial):
-    algorithm = vtkdgg.vtkExactGeodesicDistance()
-    algorithm.SetInputData(trial.mesh)
     sources = trial.surface.sources
-    rows = distances_from(trial, algorithm, sources)
+    rows = distances_from(trial, trial.make("vtkExactGeodesicDistance"), sources)
     expect_shortest(trial, rows, sources)
     return rows
 
 
 def engines(trial):
-    """The slow way to propagate, on meshes for which it is not too slow, gives the same."""
+    """The reference engine gives the same, on meshes for which it is not too slow."""
     if len(trial.surface.points) > SLOW or "exact" not in trial.results:
         return
-    algorithm = vtkdgg.vtkExactGeodesicDistance()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetEngineToReference()
-    sources = trial.surface.sources
-    rows = distances_from(trial, algorithm, sources)
+    reference = vtkdgg.vtkExactGeodesicDistance.Reference
+    algorithm = trial.make("vtkExactGeodesicDistance", Engine=reference)
+    rows = distances_from(trial, algorithm, trial.surface.sources)
     true = trial.results["exact"]
     reached = np.isfinite(true)
     difference = np.abs(rows[reached] - true[reached])
@@ -94,13 +90,9 @@ def engines(trial):
 
 
 def graph(trial):
-    builder = vtkdgg.vtkDiscreteGeodesicGraph()
-    builder.SetInputData(trial.mesh)
-    builder.SetAccuracy(ACCURACY)
-    output = trial.update(builder)
-    writer = vtkXMLPolyDataWriter()
-    writer.SetInputData(output)
-    writer.SetFileName(os.path.join(trial.folder, "graph.vtp"))
+    output = trial.update(trial.make("vtkDiscreteGeodesicGraph", Accuracy=ACCURACY))
+    path = os.path.join(trial.folder, "graph.vtp")
+    writer = support.make(vtkXMLPolyDataWriter, output, FileName=path)
     writer.SetCompressorTypeToNone()
     writer.EncodeAppendedDataOff()
     vtkdgg.check(writer)
@@ -109,10 +101,8 @@ def graph(trial):
         array = output.GetFieldData().GetArray(i)
         copy = again.GetFieldData().GetArray(array.GetName())
         same = copy is not None and np.array_equal(vtk_to_numpy(array), vtk_to_numpy(copy))
-        trial.expect(same, f"{array.GetName()} is another one after a file")
-    algorithm = vtkdgg.vtkDGGDistance()
-    algorithm.SetInputData(again)
-    algorithm.CorrectionOff()
+        trial.expect(same, f"{array.GetName()} differs after a file")
+    algorithm = trial.make("vtkDGGDistance", again, Correction=False)
     sources = trial.surface.sources
     raw = distances_from(trial, algorithm, sources)
     trial.expect(algorithm.GetUsedInputGraph(), "the graph of the file is not used")
@@ -141,10 +131,9 @@ def expect_promise(trial, found, true):
 
 
 def matrix(trial):
-    algorithm = vtkdgg.vtkGeodesicDistanceMatrix()
-    algorithm.SetInputData(trial.graph())
     sources = trial.surface.sources
-    algorithm.SetRowIds(sources.tolist())
+    rows = sources.tolist()
+    algorithm = trial.make("vtkGeodesicDistanceMatrix", trial.graph(), RowIds=rows)
     trial.update(algorithm)
     found = np.array(vtk_to_numpy(algorithm.GetMatrix())).reshape(len(sources), len(sources))
     found = np.where(np.isnan(found), np.inf, found)
@@ -155,12 +144,10 @@ def matrix(trial):
 
 
 def local(trial):
-    """Sparse rows are the near part of dense ones, bounded distances that of unbounded ones."""
+    """Sparse rows are the near part of dense rows, and bounded distances of unbounded distances."""
     sources, count = trial.surface.sources, len(trial.surface.points)
-    algorithm = vtkdgg.vtkGeodesicDistanceMatrix()
-    algorithm.SetInputData(trial.graph())
-    algorithm.SetRowIds(sources.tolist())
-    algorithm.SetColumnIds(list(range(count)))
+    ids = {"RowIds": sources.tolist(), "ColumnIds": list(range(count))}
+    algorithm = trial.make("vtkGeodesicDistanceMatrix", trial.graph(), **ids)
     trial.update(algorithm)
     dense = np.array(vtk_to_numpy(algorithm.GetMatrix())).reshape(len(sources), count)
     # Between two distances, as rounding decides at the radius itself.
@@ -178,9 +165,7 @@ def local(trial):
     trial.expect(np.isfinite(found) == near, "sparse row is not the near part of the dense one")
     difference = np.abs(found[near] - dense[near])
     trial.expect_most(difference, trial.slack(dense[near]), "sparse distance is not the dense one")
-    search = vtkdgg.vtkDGGDistance()
-    search.SetInputData(trial.graph())
-    search.SetSourceIds([int(sources[0])])
+    search = trial.make("vtkDGGDistance", trial.graph(), SourceIds=[int(sources[0])])
     fields = []
     for limit in (np.inf, radius):
         search.SetMaximumDistance(limit)
@@ -238,11 +223,9 @@ def files(trial):
         trial.expect_most(difference, trial.slack(true[reached]), f"{extension}: other distances")
 
 
-def approximate(make):
+def approximate(kind):
     def check(trial):
-        algorithm = make()
-        algorithm.SetInputData(trial.mesh)
-        rows = distances_from(trial, algorithm, trial.surface.sources[:2])
+        rows = distances_from(trial, trial.make(kind), trial.surface.sources[:2])
         trial.expect(rows >= 0.0, "negative distance")
 
     return check
@@ -252,8 +235,8 @@ def approximate(make):
 
 
 def expect_on_surface(trial, lines, what):
-    """Both ends of each piece lie in its face, and what is between them with them: triangles are
-    convex. Returns pieces, lines, ends and faces."""
+    """Checks that both ends of each piece lie in its face, which is convex. Returns pieces, lines,
+    ends and faces."""
     pieces, line = pieces_of(lines)
     points = vtk_to_numpy(lines.GetPoints().GetData()) if len(pieces) else np.empty((0, 3))
     face = support.point_array(lines, "FaceId")[pieces[:, 0]] if len(pieces) else line
@@ -273,7 +256,7 @@ def expect_on_surface(trial, lines, what):
 
 
 def expect_lengths(trial, lines, what):
-    """The array of lengths is that of the polylines."""
+    """Checks that the array has the lengths of the polylines, and returns the array."""
     _, line, ends, face = expect_on_surface(trial, lines, what)
     lengths = vtk_to_numpy(lines.GetCellData().GetArray("Length")) if len(ends) else np.empty(0)
     step = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
@@ -291,9 +274,8 @@ def paths(method):
         surface = trial.surface
         sources = surface.sources
         targets = surface.rng.choice(np.unique(surface.triangles[surface.proper]), 3)
-        algorithm = vtkdgg.vtkDGGPath()
-        algorithm.SetMethod(method)
-        algorithm.SetInputData(trial.mesh if method else trial.graph())
+        mesh = trial.mesh if method else trial.graph()
+        algorithm = trial.make("vtkDGGPath", mesh, Method=method)
         pairs = [(i, j) for i in range(len(sources)) for j in np.append(sources, targets)]
         for i, j in pairs:
             algorithm.AddPair(int(sources[i]), int(j))
@@ -329,10 +311,8 @@ def paths(method):
 
 
 def loops(trial):
-    surface = trial.surface
-    algorithm = vtkdgg.vtkDGGLoop()
-    algorithm.SetInputData(trial.graph())
-    algorithm.SetPointIds([int(i) for i in surface.inner[:2]])
+    ids = trial.surface.inner[:2].tolist()
+    algorithm = trial.make("vtkDGGLoop", trial.graph(), PointIds=ids)
     for taut in (False, True):
         algorithm.SetTaut(taut)
         expect_lengths(trial, trial.update(algorithm), "loop")
@@ -341,7 +321,7 @@ def loops(trial):
 
 
 def isolines(make, accuracy):
-    """Isolines of what a distance filter gives, with an accuracy of 0 where it is exact."""
+    """Returns a check of isolines of a distance filter; an accuracy of 0 is an exact filter."""
 
     def check(trial):
         source = int(trial.surface.inner[0])
@@ -349,9 +329,7 @@ def isolines(make, accuracy):
         distance.SetSourceIds([source])
         field = trial.update(distance)
         values = support.point_array(field, "GeodesicDistance")
-        algorithm = vtkdgg.vtkApolloniusIsolines()
-        algorithm.SetInputData(field)
-        algorithm.GenerateBandsOn()
+        algorithm = trial.make("vtkApolloniusIsolines", field, GenerateBands=True)
         levels = LEVELS * np.nanmax(values)
         for i, level in enumerate(levels):
             algorithm.SetValue(i, level)
@@ -372,8 +350,9 @@ def isolines(make, accuracy):
 
 
 def expect_levels(trial, values, ends, face, level, accuracy):
-    """A value is that of each corner, up to the way from there; where it is not exact, it may also
-    lie between those of the corners, and that at an end on an edge is what the other face says."""
+    """Checks that values differ from the values of corners by at most the distance from there.
+    Values that are not exact may also lie between the values of the corners, and a value at an end
+    on an edge may be that of the other face."""
     corners = trial.surface.cells[face]
     way = np.linalg.norm(ends[:, :, None] - trial.surface.points[corners][:, None], axis=3)
     excess = (np.abs(values[corners] - level[:, None])[:, None] - way).max(axis=2)
@@ -386,8 +365,8 @@ def expect_levels(trial, values, ends, face, level, accuracy):
 
 
 def expect_exact_levels(trial, source, ends, face, level, fallbacks):
-    """The middles of some pieces, made points of the mesh, have the value as exact distance, but
-    for as many as the filter reports."""
+    """Checks that the middles of some pieces, inserted into the mesh, have the value as exact
+    distance, except for the number of pieces that the filter reports."""
     surface = trial.surface
     long = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) > 1e-3 * surface.mean_edge
     fat = surface.areas[face] > 1e-3 * surface.sides[face].max(axis=1) ** 2
@@ -403,16 +382,15 @@ def expect_exact_levels(trial, source, ends, face, level, fallbacks):
 
 
 def exact_inside(trial, source, places, faces):
-    """Exact distances of places inside of faces, one in each, which become points of the mesh."""
-    algorithm = vtkdgg.vtkExactGeodesicDistance()
-    algorithm.SetInputData(support.polydata(*with_points(trial.surface, places, faces)))
-    algorithm.SetSourceIds([source])
+    """Returns exact distances of positions inside faces, one in each, inserted into the mesh."""
+    mesh = support.polydata(*with_points(trial.surface, places, faces))
+    algorithm = trial.make("vtkExactGeodesicDistance", mesh, SourceIds=[source])
     found = support.point_array(trial.update(algorithm), "GeodesicDistance")
     return found[len(trial.surface.points) :]
 
 
 def probe(trial):
-    """Probes of windows inside of faces that no other face touches there."""
+    """Probes of windows inside faces, where no other face is near."""
     surface = trial.surface
     source = int(surface.inner[0])
     fat = surface.areas > 1e-3 * surface.sides.max(axis=1) ** 2
@@ -427,9 +405,8 @@ def probe(trial):
         return
     distance = with_windows(trial)
     distance.SetSourceIds([source])
-    algorithm = vtkdgg.vtkGeodesicProbe()
-    algorithm.SetInputData(trial.update(distance))
-    algorithm.SetProbeData(support.polydata(places[alone]))
+    data = {"ProbeData": support.polydata(places[alone])}
+    algorithm = trial.make("vtkGeodesicProbe", trial.update(distance), **data)
     found = support.point_array(trial.update(algorithm), "GeodesicDistance")
     true = exact_inside(trial, source, places[alone], faces[alone])
     trial.expect_most(np.abs(found - true), trial.slack(true), "probe is not the exact distance")
@@ -439,7 +416,7 @@ def probe(trial):
 
 
 def expect_parts(trial, polygons, wanted, what):
-    """Polygons fill the triangles that they are parts of; of the wanted ones, a copy of each."""
+    """Checks that polygons fill their triangles, and a copy of each wanted triangle."""
     surface = trial.surface
     face = []
     if polygons.GetNumberOfCells() > 0:
@@ -462,8 +439,8 @@ def expect_parts(trial, polygons, wanted, what):
 
 
 def lies_in_another(trial, face, there):
-    """Whether a triangle is a part of another one: once caps are split it may be a duplicate of what
-    they leave, and counts once."""
+    """Returns true if a triangle is a part of another one: after caps are split, it may be a
+    duplicate of the rest, and counts once."""
     surface = trial.surface
     shared = np.isin(surface.triangles, surface.triangles[face]).sum(axis=1)
     corners = surface.points[surface.cells[there & (shared >= 2)]]
@@ -475,9 +452,7 @@ def lies_in_another(trial, face, there):
 
 def voronoi(trial):
     surface, sites = trial.surface, trial.surface.sources
-    algorithm = vtkdgg.vtkGeodesicVoronoi()
-    algorithm.SetInputData(trial.graph())
-    algorithm.SetSiteIds(sites.tolist())
+    algorithm = trial.make("vtkGeodesicVoronoi", trial.graph(), SiteIds=sites.tolist())
     output = trial.update(algorithm)
     label = support.point_array(output, "GeodesicSource")
     reached = np.isin(surface.component, surface.component[sites])
@@ -501,10 +476,7 @@ def voronoi(trial):
 
 
 def sampler(trial):
-    algorithm = vtkdgg.vtkGeodesicSampler()
-    algorithm.SetInputData(trial.graph())
-    algorithm.SetNumberOfSamples(30)
-    output = trial.update(algorithm)
+    output = trial.update(trial.make("vtkGeodesicSampler", trial.graph(), NumberOfSamples=30))
     radius = support.point_array(output, "CoveringRadius")
     ids = support.point_array(output, "vtkOriginalPointIds")
     trial.expect(radius[1:] <= radius[:-1], "covering radius grows")
@@ -518,15 +490,16 @@ def sampler(trial):
 
 
 def patches(trial):
-    """The surface and a copy that is turned over."""
+    """The surface and a rotated copy."""
     surface = trial.surface
     landmarks = surface.inner[:3].tolist()
-    algorithm = vtkdgg.vtkGeodesicPatchBoundaries()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetSecondSurfaceData(support.polydata(surface.points[:, [1, 2, 0]], surface.cells))
-    algorithm.SetFirstLandmarkIds(landmarks)
-    algorithm.SetSecondLandmarkIds(landmarks)
-    algorithm.SetLayoutData(support.polyline(surface.points[landmarks]))
+    algorithm = trial.make(
+        "vtkGeodesicPatchBoundaries",
+        SecondSurfaceData=support.polydata(surface.points[:, [1, 2, 0]], surface.cells),
+        FirstLandmarkIds=landmarks,
+        SecondLandmarkIds=landmarks,
+        LayoutData=support.polyline(surface.points[landmarks]),
+    )
     curves = trial.update(algorithm)
     lengths = expect_lengths(trial, curves, "curve")
     trial.expect(np.isfinite(lengths), "not finite")
@@ -537,26 +510,18 @@ def patches(trial):
 
 
 def with_windows(trial):
-    algorithm = vtkdgg.vtkExactGeodesicDistance()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.GenerateWindowsOn()
-    return algorithm
+    return trial.make("vtkExactGeodesicDistance", GenerateWindows=True)
 
 
 def with_fit(trial):
-    algorithm = vtkdgg.vtkExactGeodesicDistance()
-    algorithm.SetInputData(trial.mesh)
-    return algorithm
+    return trial.make("vtkExactGeodesicDistance")
 
 
 def with_virtual_sources(trial):
-    algorithm = vtkdgg.vtkDGGDistance()
-    algorithm.SetInputData(trial.graph())
-    algorithm.GenerateVirtualSourceOn()
-    return algorithm
+    return trial.make("vtkDGGDistance", trial.graph(), GenerateVirtualSource=True)
 
 
-# In this order, as some need what earlier ones give. Those on all meshes come first.
+# In this order: some need the results of earlier checks. Checks on all meshes come first.
 CHECKS = {
     "exact": exact,
     "engines": engines,
@@ -575,9 +540,9 @@ CHECKS = {
     "files": files,
     "loop": loops,
     "patches": patches,
-    "heat": approximate(vtkdgg.vtkHeatGeodesicDistance),
-    "marching": approximate(vtkdgg.vtkDGGFastMarchingDistance),
-    "propagation": approximate(vtkdgg.vtkVirtualSourceGeodesicDistance),
+    "heat": approximate("vtkHeatGeodesicDistance"),
+    "marching": approximate("vtkDGGFastMarchingDistance"),
+    "propagation": approximate("vtkVirtualSourceGeodesicDistance"),
     "greens": greens("SingularitySubtraction"),
     "greens-linear": greens("Interpolated"),
     "biharmonic": biharmonic,
@@ -585,8 +550,8 @@ CHECKS = {
     "movers": movers,
     "graphics": graphics,
 }
-LARGE = ["exact", "graph", "path"]  # what runs on meshes of any size
-# Which others a filter needs before it: the graph, or something to compare with.
+LARGE = ["exact", "graph", "path"]  # checks on meshes of any size
+# Checks that run before a check: the graph, or results to compare with.
 NEEDS = {
     "engines": ["exact"],
     "graph": ["exact"],

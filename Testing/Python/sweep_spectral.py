@@ -4,9 +4,7 @@
 
 import numpy as np
 import support
-import vtkdgg
 from sweep_trial import ROUNDING
-from vtkmodules.util.numpy_support import numpy_to_vtk
 
 ZERO_MEAN = 2e-2  # largest mean of a Green's function, relative to its range
 SYMMETRY = {"Interpolated": 1e-3, "SingularitySubtraction": 3e-2}  # error, relative to the range
@@ -18,9 +16,7 @@ EIGENVALUES = 40
 def greens(method):
     def check(trial):
         surface, sources = trial.surface, trial.surface.inner
-        algorithm = vtkdgg.vtkDiscreteGreensFunction()
-        algorithm.SetInputData(trial.mesh)
-        algorithm.SetSourceIds(sources.tolist())
+        algorithm = trial.make("vtkDiscreteGreensFunction", SourceIds=sources.tolist())
         getattr(algorithm, f"SetMethodTo{method}")()
         values = support.point_array(trial.update(algorithm), "GreensFunction")
         values = values.reshape(len(surface.points), len(sources))
@@ -40,10 +36,8 @@ def greens(method):
 
 def biharmonic(trial):
     sources = trial.surface.inner
-    algorithm = vtkdgg.vtkBiharmonicDistance()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetSourceIds(sources.tolist())
-    algorithm.SetNumberOfEigenvalues(EIGENVALUES)
+    given = {"SourceIds": sources.tolist(), "NumberOfEigenvalues": EIGENVALUES}
+    algorithm = trial.make("vtkBiharmonicDistance", **given)
     values = support.point_array(trial.update(algorithm), "BiharmonicDistance")
     values = values.reshape(len(trial.surface.points), -1)
     own = trial.surface.component == trial.surface.component[sources[0]]
@@ -57,9 +51,7 @@ def biharmonic(trial):
 
 
 def splines(trial):
-    algorithm = vtkdgg.vtkHarmonicBSpline()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetNumberOfSites(10)
+    algorithm = trial.make("vtkHarmonicBSpline", NumberOfSites=10)
     values = support.point_array(trial.update(algorithm), "HarmonicBSpline")
     used = trial.surface.component >= 0
     sums = values.reshape(len(used), -1).sum(axis=1)[used]
@@ -69,16 +61,12 @@ def splines(trial):
 def movers(trial):
     surface = trial.surface
     start, end = surface.inner[:2]
-    algorithm = vtkdgg.vtkSurfaceEarthMoversDistance()
     mass = np.zeros((2, len(surface.points)))
     mass[0, start] = mass[1, end] = 1.0
     for name, values in zip(("From", "To"), mass):
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        trial.mesh.GetPointData().AddArray(array)
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetFromArrayName("From")
-    algorithm.SetToArrayName("To")
+        support.add_array(trial.mesh.GetPointData(), name, values)
+    names = {"FromArrayName": "From", "ToArrayName": "To"}
+    algorithm = trial.make("vtkSurfaceEarthMoversDistance", **names)
     algorithm.SetArrayMeaningToMass()
     trial.update(algorithm)
     cost, low = algorithm.GetDistance(), algorithm.GetLowerBound()
@@ -91,11 +79,7 @@ def graphics(trial):
     ends = surface.inner[:2]
     curve = support.polyline(surface.points[ends])
     for name, color in (("LeftColor", [1.0, 0.0, 0.0]), ("RightColor", [0.0, 0.0, 1.0])):
-        array = numpy_to_vtk(np.array([color]), deep=True)
-        array.SetName(name)
-        curve.GetCellData().AddArray(array)
-    algorithm = vtkdgg.vtkPoissonVectorGraphics()
-    algorithm.SetInputData(trial.mesh)
-    algorithm.SetCurveData(curve)
+        support.add_array(curve.GetCellData(), name, [color])
+    algorithm = trial.make("vtkPoissonVectorGraphics", CurveData=curve)
     colors = support.point_array(trial.update(algorithm), "Colors")
     trial.expect(np.isfinite(colors), "colours are not finite")

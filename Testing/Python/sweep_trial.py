@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What checks of filters on any mesh stand on: what is known of a mesh without a filter, filters
-that have to be ready in time, small geometry."""
+"""Tools of the checks of filters on any mesh: properties of a mesh without filters, filters with a
+time limit, and geometry."""
 
 import os
 
@@ -14,11 +14,11 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 ROUNDING = 1e-6  # relative error of lengths in the graph, beside its accuracy
 EXACT = 1e-9  # relative error of exact distances, lengths and areas
 LENGTH = 1e-15  # relative rounding error of the lengths of edges
-ON_SURFACE = 1e-9  # how far points may be from their triangle, relative to its longest side
+ON_SURFACE = 1e-9  # largest distance of points from their triangle, relative to its longest side
 
 
 class Surface:
-    """What is known of a mesh without any filter."""
+    """Properties of a mesh that need no filter."""
 
     def __init__(self, mesh):
         self.name, self.merge = mesh.name, mesh.merge
@@ -33,7 +33,7 @@ class Surface:
         self.triangles = first[mesh.triangles]
         a, b, c = self.triangles.T
         self.proper = (a != b) & (b != c) & (c != a)
-        # Of several triangles on the same three points, the first one.
+        # The first of several triangles on the same three points.
         _, index, inverse = np.unique(
             np.sort(self.triangles, axis=1), axis=0, return_index=True, return_inverse=True
         )
@@ -64,7 +64,7 @@ class Surface:
 
 
 def components(first, triangles):
-    """For each point the least point that triangles connect it with, -1 without a triangle."""
+    """Returns the smallest point id of the component of each point, -1 without a triangle."""
     label = first.copy()
     while True:
         before = label.copy()
@@ -93,8 +93,12 @@ class Trial:
         self.moved = 0.0
         self.mesh = support.polydata(surface.points, surface.cells)
 
+    def make(self, kind, data=None, **properties):
+        """Returns a filter of the mesh, or of other data."""
+        return support.make(kind, data or self.mesh, **properties)
+
     def update(self, algorithm):
-        """The output of a filter, which has to be ready in time."""
+        """Returns the output of a filter within the time limit."""
         if hasattr(algorithm, "SetMergeCoincidentPoints"):
             algorithm.SetMergeCoincidentPoints(self.surface.merge)
         with self.timer:
@@ -105,13 +109,13 @@ class Trial:
         return output
 
     def expect(self, holds, text):
-        """Report what does not hold everywhere."""
+        """Reports the number of violations of an array of conditions."""
         wrong = ~np.atleast_1d(np.asarray(holds, dtype=bool))
         if wrong.any():
             self.failures.append(f"{text} ({wrong.sum()} of {wrong.size})")
 
     def expect_most(self, values, bounds, text):
-        """Report values that exceed their bounds, and the worst of them."""
+        """Reports values that exceed their bounds, and the worst of them."""
         values, bounds = np.broadcast_arrays(np.atleast_1d(values), bounds)
         with np.errstate(invalid="ignore"):
             excess = np.where(values <= bounds, -np.inf, values - bounds)
@@ -120,21 +124,21 @@ class Trial:
             self.expect(excess == -np.inf, f"{text}: {values[i]:.10g} > {bounds[i]:.10g}")
 
     def slack(self, distance):
-        """What rounding, lengthened edges and triangles left out may do to an exact distance."""
+        """Returns the error of an exact distance by rounding and by changed or skipped triangles."""
         changed = 4 * self.lengthened + 2 * self.moved
         return EXACT * np.abs(distance) + self.surface.rounding + changed
 
     def gained(self, faces):
-        """By how much the heights of faces, of which filters know the lengths of edges only, may be
-        off: with an edge longer by next to nothing, the square of the height grows by that times
-        twice the length. Next to nothing as well but in long triangles."""
+        """Returns the error of the heights of faces that filters compute from lengths of edges: the
+        square of the height grows by the error of an edge times twice its length. The error is
+        small except in long triangles."""
         longest = self.surface.sides[faces].max(axis=1)
         height = 2 * self.surface.areas[faces] / np.where(longest > 0, longest, 1)
         longer = self.lengthened + LENGTH * longest
         return np.sqrt(height**2 + 2 * longer * longest) - height
 
     def graph(self):
-        """The surface with its graph, from the file."""
+        """Returns the surface with its graph, from the file."""
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(os.path.join(self.folder, "graph.vtp"))
         return vtkdgg.check(reader)
@@ -144,8 +148,8 @@ class Trial:
 
 
 def to_triangles(points, corners):
-    """Distance of each point from its triangle: that from a point of the triangle next to it, which
-    is good for triangles without area as well."""
+    """Returns the distance of each point from the closest point of its triangle, which may have no
+    area."""
     best = np.full(len(points), np.inf)
     for i in range(3):
         a, b = corners[:, i - 1], corners[:, i]
@@ -166,7 +170,7 @@ def to_triangles(points, corners):
 
 
 def pieces_of(lines):
-    """Of polylines: the two ends of each piece as point ids, and the line that it belongs to."""
+    """Returns the point ids of both ends of each piece of polylines, and the index of its line."""
     if lines.GetNumberOfLines() == 0:
         return np.empty((0, 2), dtype=int), np.empty(0, dtype=int)
     offsets = vtk_to_numpy(lines.GetLines().GetOffsetsArray())
@@ -177,7 +181,7 @@ def pieces_of(lines):
 
 
 def polygon_areas(polygons):
-    """Areas of planar polygons."""
+    """Returns the areas of planar polygons."""
     points = vtk_to_numpy(polygons.GetPoints().GetData())
     offsets = vtk_to_numpy(polygons.GetPolys().GetOffsetsArray())
     ids = vtk_to_numpy(polygons.GetPolys().GetConnectivityArray())
@@ -191,7 +195,7 @@ def polygon_areas(polygons):
 
 
 def with_points(surface, places, faces):
-    """The mesh with a point put in each of some faces and in what else is on its corners."""
+    """Returns the mesh with a point inserted into each of some faces and into its duplicates."""
     new = np.full(len(surface.triangles), -1)
     new[faces] = len(surface.points) + np.arange(len(faces))
     new = new[surface.first_copy]

@@ -86,6 +86,7 @@ MISTAKES = (
     ("matrix MESH --sources 0 --targets 642 --out m.csv", "--targets 642"),
     ("isolines MESH --source 0 --every 0", "--every: expected a positive number"),
     ("isolines MESH --source 0 --count -1", "--count: expected 1 to 10000"),
+    ("isolines MESH --source 0 --every 1e-9", "--every 1e-09 makes more than 10000 isolines"),
     ("isolines MESH --source 0 --values a,b", "--values"),
     ("isolines MESH --source 0 --count 10 --values 0.1", "--values: not .* with .*--count"),
     ("sample MESH --number 0", "error: --number: expected at least 1, got 0"),
@@ -104,8 +105,10 @@ class Command(support.Test):
         cls.mesh = vtkdgg.read(BUMPY).as_polydata()
         cls.exact = vtkdgg.distance(cls.mesh, 5)
 
-    def answer(self, *arguments):
-        """Returns the JSON of a command, whose keys are in its table as well."""
+    def answer(self, line, *more):
+        """Returns the JSON of a command, whose keys are in its table as well. MESH in the line
+        stands for the bumpy sphere."""
+        arguments = [BUMPY if word == "MESH" else word for word in line.split()] + list(more)
         result = command(*arguments, "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         found = json.loads(result.stdout)
@@ -192,12 +195,57 @@ class Command(support.Test):
         found = self.answer("distance", path, "--source", 0, "--cloud", "--method", "marching")
         self.assertGreater(found["largest"], 0.0)
 
-    def test_graph(self):
-        path = out("graph.vtp")
-        found = self.answer("graph", BUMPY, "--accuracy", 0.05, "--out", path)
-        graph = vtkdgg.Graph.from_polydata(vtkdgg.read(path).as_polydata())
-        self.assertEqual((found["edges"], found["accuracy"]), (len(graph.targets), 0.05))
-        self.assertTrue((np.abs(graph.distance(5) - self.exact) <= 0.0501 * self.exact).all())
+    def test_answers(self):
+        exact, tube = self.exact, out("tube.ply")
+        vtkdgg.write(tube, support.polydata(*support.prism(9, 6)))
+        first = "{},{},{}".format(*min(self.mesh.GetPoint(i) for i in range(642)))  # minus sign
+        listed = out("sources.txt")
+        with open(listed, "w", encoding="utf-8") as file:
+            place = "  {} {} {}".format(*self.mesh.GetPoint(100))
+            file.write(f"# id, coordinates, face\n5\n\n{place}\nface:3:0.2,0.3,0.5\n")
+        far = vtkdgg.distance(self.mesh, [5, 100, (3, (0.2, 0.3, 0.5)), 300]).max()
+        greens = vtkdgg.greens_function(self.mesh, [5, 7], method="Vertex").max(axis=0)
+        count = int(exact.max() / 0.5)
+        near = int((exact <= 1.0).sum())
+        for line, key, expected, tolerance in (
+            ("distance MESH --source 5", "largest", exact.max(), 1e-12),
+            ("distance MESH --source 5 --maximum 1 --method exact", "reached", near, 0),
+            *(
+                (f"distance MESH --source 5 --method {method}", "largest", exact.max(), 0.04)
+                for method in ("graph", "fast", "marching")
+            ),
+            (f"distance MESH --source-file {listed} --source 300", "largest", far, 1e-6),
+            ("graph MESH --accuracy 0.05", "accuracy", 0.05, 0),
+            ("path MESH 5 100", "length", exact[100], 1e-9),
+            ("path MESH 5 100 --accuracy 0.05", "length", exact[100], 0.05),
+            (f"path MESH {first} 5", "method", "exact", 0),
+            ("isolines MESH --source 5 --values 0.5,1", "values", [0.5, 1.0], 0),
+            ("isolines MESH --source 5 --values 0.5,1 --method exact", "values", [0.5, 1.0], 0),
+            ("isolines MESH --source 5 --every 0.5", "values", 0.5 * np.arange(1, count + 1), 1e-9),
+            (f"loop {tube}", "lengths", [9.0], 1e-6),
+            (f"loop {tube} --through 28 --through 31 --through 34 --rope", "lengths", [9.0], 1e-6),
+            ("sample MESH --number 12", "samples", 12, 0),
+            ("voronoi MESH --number 6 --iterations 5", "sites", 6, 0),
+            ("greens MESH --source 5 --source 7 --method Vertex", "largest", greens, 1e-9),
+        ):
+            with self.subTest(line):
+                found = self.answer(line)[key]
+                if isinstance(expected, str):
+                    self.assertEqual(found, expected)
+                else:
+                    np.testing.assert_allclose(found, expected, rtol=tolerance)
+        for line in ("isolines MESH --source 5", "isolines MESH --source 5 --method exact"):
+            self.assertEqual(len(self.answer(line)["values"]), 10)
+
+    def test_number_of_updates(self):
+        place = "{},{},{}".format(*self.mesh.GetPoint(5))
+        for module, line, count in (
+            (graph, "isolines MESH --source 5", 2),  # distances and isolines
+            (queries, f"voronoi MESH --site {place} --site 100", 1),
+        ):
+            with mock.patch.object(module, "run", wraps=module.run) as run:
+                command(*line.replace("MESH", BUMPY).split())
+            self.assertEqual(run.call_count, count)
 
     def test_matrix(self):
         expected = vtkdgg.Graph(self.mesh, accuracy=0.05).matrix([0, 5, 9], [7, 500])
@@ -227,25 +275,6 @@ class Command(support.Test):
             with open(older, "rb") as file:
                 self.assertEqual(file.read(), before)
         self.assertEqual([name for name in os.listdir(FOLDER) if ".part" in name], [])
-
-    def test_distance(self):
-        path = out("distance.vtp")
-        found = self.answer("distance", BUMPY, "--source", 5, "--out", path)
-        self.assertAlmostEqual(found["largest"], self.exact.max())
-        np.testing.assert_array_equal(array_of(path), self.exact)
-        near = self.answer("distance", BUMPY, "--source", 5, "--maximum", 1.0, "--accuracy", 0.01)
-        self.assertLess(near["reached"], 642)
-        for method in ("graph", "fast", "marching"):
-            rough = self.answer("distance", BUMPY, "--source", 5, "--method", method)
-            self.assertAlmostEqual(rough["largest"], self.exact.max(), delta=0.1)
-        listed = out("sources.txt")
-        with open(listed, "w", encoding="utf-8") as file:
-            file.write("# id, coordinates, face\n5\n\n  {} {} {}\nface:3:0.2,0.3,0.5\n".format(
-                *self.mesh.GetPoint(100)
-            ))  # fmt: skip
-        found = self.answer("distance", BUMPY, "--source-file", listed, "--source", 300)
-        expected = vtkdgg.distance(self.mesh, [5, 100, (3, (0.2, 0.3, 0.5)), 300]).max()
-        self.assertAlmostEqual(found["largest"], expected, delta=1e-6)
 
     def test_graph_of_the_file(self):
         path = out("fine.vtp")
@@ -302,63 +331,6 @@ class Command(support.Test):
         self.assertIn("DGG.Info", vtkdgg.read(again).field_data)
         np.testing.assert_array_equal(array_of(path), array_of(again))
 
-    def test_path(self):
-        path = out("path.vtk")
-        found = self.answer("path", BUMPY, 5, 100, "--out", path)
-        self.assertAlmostEqual(found["length"], self.exact[100])
-        self.assertEqual(vtkdgg.read(path).as_polydata().GetNumberOfLines(), 1)
-        near = self.answer("path", BUMPY, 5, 100, "--accuracy", 0.05)
-        self.assertLessEqual(near["length"], 1.05 * self.exact[100])
-        place = min((self.mesh.GetPoint(i) for i in range(642)))  # a minus sign first
-        self.assertGreater(self.answer("path", BUMPY, "{},{},{}".format(*place), 5)["length"], 0.0)
-
-    def test_lines(self):
-        found = self.answer(
-            "isolines", BUMPY, "--source", 5, "--values", "0.5,1", "--out", out("i.vtp")
-        )
-        self.assertEqual(found["values"], [0.5, 1.0])
-        self.assertEqual(len(self.answer("isolines", BUMPY, "--source", 5)["values"]), 10)
-        with mock.patch.object(graph, "run", wraps=graph.run) as run:
-            command("isolines", BUMPY, "--source", "5")
-        self.assertEqual(run.call_count, 2)  # distances and isolines
-        tube = out("tube.ply")
-        vtkdgg.write(tube, support.polydata(*support.prism(9, 6)))
-        found = self.answer("loop", tube, "--out", out("loop.vtp"))
-        np.testing.assert_allclose(found["lengths"], [9.0], atol=1e-5)
-        found = self.answer(
-            "loop", tube, "--through", 28, "--through", 31, "--through", 34, "--rope"
-        )
-        np.testing.assert_allclose(found["lengths"], [9.0], atol=1e-5)
-
-    def test_cells(self):
-        found = self.answer("sample", BUMPY, "--number", 12, "--out", out("samples.vtp"))
-        self.assertEqual(found["samples"], 12)
-        cells = out("cells.vtp")
-        found = self.answer("voronoi", BUMPY, "--site", 5, "--site", 100, "--out", cells)
-        self.assertEqual(len(found["areas"]), 2)
-        self.assertTrue(vtkdgg.read(cells).as_polydata().GetCellData().HasArray("SiteId"))
-        x, y, z = self.mesh.GetPoint(5)
-        with mock.patch.object(queries, "run", wraps=queries.run) as run:
-            command("voronoi", BUMPY, "--site", f"{x},{y},{z}", "--site", 100, "--out", cells)
-        self.assertEqual(run.call_count, 1)
-        even = self.answer("voronoi", BUMPY, "--number", 6, "--iterations", 5)
-        self.assertEqual(even["sites"], 6)
-
-    def test_isolines(self):
-        asked = "isolines", BUMPY, "--source", 5
-        exact = *asked, "--method", "exact"
-        found = self.answer(*exact, "--values", "0.5,1", "--out", out("exact.vtp"))
-        self.assertEqual((found["method"], found["values"]), ("exact", [0.5, 1.0]))
-        self.assertEqual(len(self.answer(*exact)["values"]), 10)
-        found = self.answer(*asked, "--every", 0.5)
-        count = int(self.exact.max() / 0.5)
-        np.testing.assert_allclose(found["values"], 0.5 * np.arange(1, count + 1))
-        result = command(*asked, "--every", 50)
-        self.assertEqual(result.returncode, 1)
-        self.assertRegex(result.stderr, "--every 50 is above the largest distance, 2")
-        result = command(*asked, "--every", 1e-9)
-        self.assertRegex(result.stderr, "--every 1e-09 makes more than 10000 isolines")
-
     def test_valid_json(self):
         def refuse(name):
             self.fail(f"{name} is not JSON")
@@ -378,11 +350,6 @@ class Command(support.Test):
         result = command()
         self.assertEqual((result.returncode, result.stderr), (2, ""))
         self.assertRegex(result.stdout, r"(?m)^    distance +Distances")
-
-    def test_greens(self):
-        found = self.answer("greens", BUMPY, "--source", 5, "--source", 7, "--method", "Vertex")
-        expected = vtkdgg.greens_function(self.mesh, [5, 7], method="Vertex")
-        np.testing.assert_allclose(found["largest"], expected.max(axis=0))
 
     def test_notes_name_options(self):
         points, triangles = support.grid(3, 3)
@@ -467,6 +434,9 @@ class Command(support.Test):
         self.answer("voronoi", BUMPY, "--site", 5, "--site", 100, "--out", npy)
         nearest = vtkdgg.Graph(self.mesh).voronoi([5, 100]).nearest
         np.testing.assert_array_equal(np.load(npy), nearest)
+        cells = out("cells.vtp")
+        self.answer("voronoi MESH --site 5 --site 100 --out", cells)
+        self.assertIn("SiteId", vtkdgg.read(cells).cell_data)
 
     def test_render(self):
         first, second = out("first.png"), out("second.png")
@@ -569,6 +539,7 @@ class Command(support.Test):
         for arguments, pattern in (
             (("path", two, 0, 5), "not connected"),
             (("loop", BUMPY), "every loop contracts"),
+            (("isolines", BUMPY, "--source", 5, "--every", 50), "--every 50 is above the largest"),
         ):
             result = command(*arguments)
             self.assertEqual((result.returncode, result.stdout), (1, ""))
