@@ -1,16 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A table of file formats and their dialects: what `vtkdgg.read` keeps of a file, whether it refuses
-truncated files, and what `vtkdgg.write` keeps.
+"""A table of file formats and their dialects: the data that `vtkdgg.read` keeps, whether it refuses
+truncated files, and the data that `vtkdgg.write` keeps.
 
 Usage: DGG_TEST_OUTPUT=FOLDER build/test/bin/vtkdgg-python Testing/Python/formats.py
 
-A small grid at UTM coordinates is written in each dialect. The columns: coordinates have all digits;
-ids and polygons are those of the file; values at points are kept; 20 files that are cut at random
-positions are refused; `vtkdgg.write` followed by `vtkdgg.read` returns the same mesh. A "-" marks a
-property that a format does not have. Formats without counts (.obj, .xyz) are complete after any line;
-a cut within a line has to cause a warning or an error.
-"""
+A small grid at UTM coordinates is written in each dialect. The columns: coordinates have all
+digits; ids and polygons are those of the file; values at points are kept; 20 files that are cut at
+random positions are refused; `vtkdgg.write` followed by `vtkdgg.read` returns the same mesh. A "-"
+marks a property that a format does not have. Formats without counts (.obj, .xyz) are complete after
+any line; a cut within a line has to cause a warning or an error."""
 
 import gzip
 import os
@@ -31,7 +30,8 @@ COLUMNS = ("digits", "ids", "polygons", "values", "truncation", "written")
 
 
 def surface(size=9):
-    """Points and triangles of a jittered grid at UTM coordinates, and values at the points."""
+    """Returns points and triangles of a jittered grid at UTM coordinates, and values at the points.
+    """
     points, triangles = support.grid(size - 1, size - 1)
     random = np.random.default_rng(1)
     points += 0.2 * random.random(points.shape)
@@ -40,12 +40,12 @@ def surface(size=9):
 
 
 def rows(values, form="%.17g", before=""):
-    """Lines of text."""
+    """Returns lines of text."""
     return "".join(before + " ".join(form % x for x in row) + "\n" for row in values)
 
 
 def obj(points, cells, textured=False, relative=False):
-    """An OBJ file. Textured ones have a corner of texture for each corner of a triangle."""
+    """Returns an OBJ file. Textured ones have a corner of texture for each corner of a triangle."""
     text = rows(points, "%.3f", "v ")
     if textured:
         text += rows(np.random.default_rng(2).random((cells.size, 2)), "%.6f", "vt ") + "vn 0 0 1\n"
@@ -58,7 +58,7 @@ def obj(points, cells, textured=False, relative=False):
 
 
 def ply(points, cells, values, mode, kind="double"):
-    """A PLY file."""
+    """Returns a PLY file."""
     header = f"ply\nformat {mode} 1.0\ncomment test\nelement vertex {len(points)}\n"
     header += "".join(f"property {kind} {axis}\n" for axis in "xyz") + "property double value\n"
     header += f"element face {len(cells)}\nproperty list uchar int vertex_indices\nend_header\n"
@@ -72,7 +72,7 @@ def ply(points, cells, values, mode, kind="double"):
 
 
 def stl(points, cells, is_binary):
-    """An STL file."""
+    """Returns an STL file."""
     corners = points[cells]
     if is_binary:
         body = [struct.pack("<12fH", 0, 0, 1, *c.ravel(), 0) for c in corners]
@@ -85,21 +85,21 @@ def stl(points, cells, is_binary):
 
 
 def off(points, cells, keyword="OFF\n", colours=""):
-    """An OFF file."""
+    """Returns an OFF file."""
     lines = rows(points).splitlines()
     text = f"{keyword}{len(points)} {len(cells)} 0\n" + "".join(f"{x}{colours}\n" for x in lines)
     return text + rows(cells, "%d", "3 ")
 
 
 def binary_off(points, cells):
-    """A binary OFF file, which has 32 bits for each number."""
+    """Returns a binary OFF file, which has 32 bits for each number."""
     body = struct.pack(">3i", len(points), len(cells), 0) + points.astype(">f4").tobytes()
     faces = np.column_stack([np.full(len(cells), 3), cells, np.zeros(len(cells))])
     return b"OFF BINARY\n" + body + faces.astype(">i4").tobytes()
 
 
 def pcd(points, values, mode):
-    """A PCD file."""
+    """Returns a PCD file."""
     header = "VERSION .7\nFIELDS x y z value\nSIZE 8 8 8 8\nTYPE F F F F\nCOUNT 1 1 1 1\n"
     header += f"WIDTH {len(points)}\nHEIGHT 1\nPOINTS {len(points)}\nDATA {mode}\n"
     data = np.column_stack([points, values])
@@ -176,7 +176,7 @@ def dialects():
 
 
 def save(path, contents):
-    """Write a file of text or bytes."""
+    """Writes a file of text or bytes."""
     with open(path, "wb") as file:
         file.write(contents if isinstance(contents, bytes) else contents.encode())
 
@@ -261,7 +261,7 @@ def table():
 
 
 def main():
-    """Print the table; the exit code is 1 if a cell is wrong."""
+    """Prints the table; the exit code is 1 if a cell is wrong."""
     words = {True: "yes", False: "WRONG", None: "-"}
     print("".join(f"{title:<16}" for title in ("format", "dialect", *COLUMNS)))
     is_right = True

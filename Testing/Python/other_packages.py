@@ -20,7 +20,7 @@ class Tensor:
         self._values = values
 
     def numpy(self):
-        """The values."""
+        """Returns the values."""
         return self._values
 
 
@@ -115,7 +115,8 @@ CLOUDS = {
 
 
 def make(table, *arrays):
-    """The objects of a table by name; without those that need a package and have no stand-in."""
+    """Returns the objects of a table by name, without those that need a package and have no
+    stand-in."""
     found = {}
     for name, (package, real, stand_in) in table.items():
         try:

@@ -57,7 +57,7 @@ ADDRESS = re.compile(r" ?\(?0x[0-9a-fA-F]+\)?")
 
 
 class Messages:
-    """Errors and warnings of an algorithm and of what it depends on."""
+    """Errors and warnings of an algorithm and of the algorithms upstream."""
 
     def __init__(self, *folders):
         self.texts = []
@@ -92,8 +92,8 @@ class Messages:
 
 
 def numbers_of(algorithm):
-    """What the Get methods return, those with an index for the first one, that is a number, a text,
-    or some of them."""
+    """Returns the results of the Get methods that are numbers or texts, or tuples of them; of
+    methods with an index the result for index 0."""
     found = {}
     for name in record_cases.own_methods(algorithm):
         if name.startswith("Get") and not FLEETING.search(name):
@@ -112,7 +112,7 @@ def numbers_of(algorithm):
 
 @functools.lru_cache(maxsize=None)
 def defaults_of(name):
-    """Numbers of a fresh object, none of an abstract class."""
+    """Returns the numbers of a new object, none of an abstract class."""
     try:
         return numbers_of(getattr(vtkdgg, name)())
     except TypeError:
@@ -120,7 +120,7 @@ def defaults_of(name):
 
 
 def arrays_in(data, place):
-    """All arrays of a data object with their names, as NumPy has them."""
+    """Yields names and arrays of a data object."""
     if data is None:
         return
     if data.IsA("vtkPointSet") and data.GetPoints():
@@ -153,13 +153,13 @@ def as_numpy(array):
 
 
 def digest(array):
-    """A name for what is in an array, with its type and shape."""
+    """Returns a hash of the contents, type and shape of an array."""
     content = np.ascontiguousarray(array)
     return f"{hashlib.sha256(content.tobytes()).hexdigest()} {array.dtype} {array.shape}"
 
 
 def summary(array):
-    """What is kept of an array to compare it with another one."""
+    """Returns the stored part of an array, for comparisons."""
     kept = {"dtype": str(array.dtype), "shape": list(array.shape)}
     flat = np.ascontiguousarray(array).reshape(-1)
     if array.dtype.kind in "biuf" and flat.size:
@@ -175,7 +175,8 @@ def summary(array):
 
 
 def answer(build, change, folders):
-    """What an algorithm answers, or a dict of results: messages, numbers and arrays."""
+    """Returns the messages and numbers of an algorithm, and its arrays. A function may also return
+    a dict of results."""
     messages = Messages(*folders)
     found = {"numbers": {}, "memory": {}}
     arrays = {}
@@ -212,7 +213,7 @@ def answer(build, change, folders):
 
 
 def kept(found, arrays, table):
-    """An answer as it is written, with what is in its arrays in a table."""
+    """Returns an answer as it is written; contents of arrays go into a table."""
     found["arrays"] = {name: digest(array) for name, array in arrays.items()}
     for name, array in arrays.items():
         if found["arrays"][name] not in table:
@@ -221,7 +222,7 @@ def kept(found, arrays, table):
 
 
 def use_threads(backend, threads):
-    """False when VTK has no such threads."""
+    """Returns false if VTK does not have this backend."""
     if not vtkSMPTools.SetBackend(backend):
         return False
     vtkSMPTools.Initialize(threads)
@@ -241,7 +242,7 @@ def resident():
 
 
 def run_case(function, scene, limit):
-    """The answer of a case for all kinds of threads, its peak memory and its time."""
+    """Returns the answer of a case for all kinds of threads, its peak memory and its time."""
     before, table, first, other = resident(), {}, None, []
 
     def of(found):
@@ -268,7 +269,8 @@ def run_case(function, scene, limit):
 
 
 def run_changes(function, changes, scene, only, limit):
-    """Answers to a case that is changed, in each way or, with a number, in that one only."""
+    """Returns the answers of a case with each of the changes, or with the change of index `only`.
+    """
     use_threads(*THREADS[0])
     os.chdir(scene.folder)
     table, answers = {}, {}
@@ -281,7 +283,7 @@ def run_changes(function, changes, scene, only, limit):
 
 
 def run_builds(builds, folder, limit):
-    """Answers of what some functions return, one after the other."""
+    """Returns the answers of the results of some functions."""
     use_threads(*THREADS[0])
     table = {}
     with sweep.Timer(limit):
@@ -305,7 +307,7 @@ def reader_builds(kind, folder):
 
 
 class Record:
-    """All that is found out."""
+    """All contents of a record."""
 
     def __init__(self, options):
         self.options = options
@@ -365,7 +367,7 @@ class Record:
                 print(f"{scene.name}/{name}: {len(outcome['answers'])} changes", flush=True)
 
     def record_others(self, folder):
-        """Functions of the package and damaged files."""
+        """Records functions of the package and damaged files."""
         builds = {"functions": call_builds}
         for kind in record_refusals.FORMATS:
             builds[kind] = functools.partial(reader_builds, kind, folder)
@@ -398,7 +400,7 @@ def values_of(summary_):
 
 
 def compare_arrays(old, new):
-    """In words, how the contents of two arrays differ."""
+    """Returns the difference of the contents of two arrays in words."""
     for name in ("dtype", "shape"):
         if old[name] != new[name]:
             return f"{name} {old[name]}, now {new[name]}"
@@ -421,7 +423,7 @@ def compare_arrays(old, new):
 
 
 def differences(key, old, new, tables):
-    """Lines about two answers, or parts of them, at the same place."""
+    """Yields lines about the differences of two answers, or of the same part of two answers."""
     if old is None or new is None:
         yield f"{key}: only in the {'new' if old is None else 'old'} record"
     elif isinstance(old, dict):
@@ -445,7 +447,7 @@ def differences(key, old, new, tables):
 
 
 def compare_memory(old, new):
-    """Print how memory has changed; the number of peaks that are too high."""
+    """Prints changes of memory, and returns the number of peaks that are too high."""
     high, ratios, reported = 0, [], []
     for key in set(old) & set(new):
         for a, b in zip(old[key].get("peaks", []), new[key].get("peaks", [])):
@@ -466,7 +468,7 @@ def compare_memory(old, new):
 
 
 def compare(old, new):
-    """Print all differences; whether there are any."""
+    """Prints all differences, and returns true if there are any."""
     tables = old["arrays"], new["arrays"]
     count = 0
     for part in ("classes", "answers", "refusals"):
@@ -484,7 +486,7 @@ def compare(old, new):
 
 
 def load(name, renamed=()):
-    """A record, with some words of it replaced by others."""
+    """Returns a record, with replaced words."""
     with open(name, encoding="utf-8") as file:
         text = file.read()
     for words in renamed:

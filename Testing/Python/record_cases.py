@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What record.py runs: all filters with all their methods and modes on surfaces and clouds.
+"""Cases of record.py: all filters with all their methods and modes on surfaces and clouds.
 
-A case takes a Scene and returns an algorithm that is ready to be updated, or a dict of results.
-"""
+A case takes a Scene and returns an algorithm that is ready to be updated, or a dict of results."""
 
 import os
 import pickle
@@ -59,23 +58,23 @@ class Scene:
         self.places = np.einsum("ij,ijk->ik", weights, self.points[surface.triangles[faces]])
 
     def copy(self):
-        """The input, to put arrays on."""
+        """Returns a shallow copy of the input, to which arrays can be added."""
         data = vtkPolyData()
         data.ShallowCopy(self.data)
         return data
 
     def path_of(self, kind):
-        """Where the graph of a construction or scheme is, or is to be."""
+        """Returns the path of the graph of a construction or scheme."""
         return os.path.join(self.graphs, f"{self.name.replace('/', '-')}-{kind}.vtp")
 
     def graph(self, kind=None):
-        """The surface or cloud with its graph, from the file."""
+        """Returns the surface or cloud with its graph, from the file."""
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(self.path_of(kind or ("C" if self.is_cloud else "Guaranteed")))
         return vtkdgg.check(reader)
 
     def write_graph(self, kind):
-        """Make the file of graph() unless there is one."""
+        """Writes the file of graph() unless it exists."""
         if not os.path.exists(self.path_of(kind)):
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
@@ -87,7 +86,7 @@ class Scene:
             vtkdgg.check(writer)
 
     def dots(self, count=3, **arrays):
-        """Some places as input, with arrays."""
+        """Returns some positions as input, with arrays."""
         dots = support.polydata(self.places[:count])
         for name, values in arrays.items():
             add_array(dots.GetPointData(), name, values)
@@ -95,7 +94,7 @@ class Scene:
 
 
 def own_methods(algorithm):
-    """Names of the methods that VTK's own algorithms do not have."""
+    """Returns the names of the methods that VTK's own algorithms do not have."""
     return sorted(set(dir(algorithm)) - set(dir(vtkPolyDataAlgorithm)) - set(dir(vtkWriter)))
 
 
@@ -105,7 +104,7 @@ CASES = {}  # name: (function, most points)
 
 
 def case(name, most=10**9):
-    """Decorator of a function that is a case, for scenes of not too many points."""
+    """Decorator of a case, for scenes with at most `most` points."""
 
     def add(function):
         CASES[name] = (function, most)
@@ -115,7 +114,8 @@ def case(name, most=10**9):
 
 
 def add_cases(kind, data, variants, most=10**9, **common):
-    """Cases of one filter; `data` is what gives its input, values may be functions of the scene."""
+    """Adds cases of one filter. `data` is a function of the scene that returns the input; values
+    may be functions of the scene."""
     for name, properties in variants.items():
 
         def build(scene, given=dict(common, **properties)):
@@ -261,7 +261,7 @@ add_cases("vtkDGGLoop", Scene.graph, {"loop-handles": {"Mode": 1, **TAPE}}, 330)
 
 
 def isolines(distance, **properties):
-    """Isolines of the result of another case."""
+    """Returns a case of isolines of the result of another case."""
 
     def build(scene):
         field = CASES[distance][0](scene)
@@ -408,7 +408,7 @@ add_cases(
 
 
 def graphics(closed, cells, **properties):
-    """A drawing with one curve with arrays on its line."""
+    """Returns a case of a drawing of one curve with arrays on its line."""
 
     def build(scene):
         ids = scene.inner[:3] + scene.inner[:1] * closed
@@ -433,7 +433,7 @@ for number in (1, 2, 3):  # Poisson curves, regions, sources
 
 @case("python", SMALL)
 def functions(scene):
-    """The functions of the package and the class Graph."""
+    """Returns results of the functions of the package and of the class Graph."""
     points, triangles, (a, b) = scene.points, scene.triangles, scene.inner[:2]
     graph = vtkdgg.Graph.from_polydata(scene.graph())
     again = pickle.loads(pickle.dumps(graph))
@@ -456,7 +456,7 @@ PATH = ["points", "faces", "point_ids", "length"]
 
 @case("off", SMALL)
 def off(scene):
-    """The OFF reader, on a file of the mesh."""
+    """Returns the OFF reader with a file of the mesh."""
     name = os.path.join(scene.folder, "mesh.off")
     with open(name, "w", encoding="ascii") as file:
         file.write(f"OFF\n{len(scene.points)} {len(scene.triangles)} 0\n")
@@ -477,7 +477,8 @@ def cloud_graph(scheme, **properties):
 
 
 def with_normals(scene):
-    """The cloud with directions from its middle as normals, which are good for a sphere."""
+    """Returns a graph of the cloud with directions from its center as normals, which are exact for
+    a sphere."""
     data = scene.copy()
     rays = scene.points - scene.points.mean(axis=0)
     add_array(data.GetPointData(), "Normals", rays / np.linalg.norm(rays, axis=1)[:, None])
@@ -494,7 +495,7 @@ def pcd_writer(mode):
 
 
 def pcd(mode):
-    """The reader of what the writer writes."""
+    """Returns a case of the reader of the file of a writer."""
 
     def build(scene):
         writer = pcd_writer(mode)(scene)
@@ -530,14 +531,14 @@ for mode in range(3):
 
 
 def cases_of(scene):
-    """Cases for a scene: name, function."""
+    """Returns the functions of the cases for a scene, by name."""
     number = len(scene.points)
     cases = CLOUD_CASES if scene.is_cloud else CASES
     return {name: function for name, (function, most) in cases.items() if number <= most}
 
 
 def graphs_of(scene):
-    """Kinds of the graphs that the cases of a scene want as files."""
+    """Returns the kinds of graphs that the cases of a scene read from files."""
     if scene.is_cloud:
         return ["C"] if "cloud-C" in CLOUD_CASES else []
     wanted = cases_of(scene)
@@ -545,7 +546,7 @@ def graphs_of(scene):
 
 
 def bumpy_cloud():
-    """Points all over a sphere with waves."""
+    """Returns points of a sphere with waves."""
     i = np.arange(800)
     z = 1.0 - (2.0 * i + 1.0) / 800
     angle = np.pi * (3.0 - np.sqrt(5.0)) * i
@@ -555,13 +556,13 @@ def bumpy_cloud():
 
 
 def thinned(cloud):
-    """Every third point."""
+    """Returns every third point."""
     points = vtk_to_numpy(cloud.GetPoints().GetData())
     return support.polydata(points[::3])
 
 
 def scenes(data_folder, folder, graphs, only=""):
-    """All scenes, made one after the other."""
+    """Yields all scenes."""
     for name in FILES if data_folder else []:
         if only in name:
             reader = vtkPLYReader()

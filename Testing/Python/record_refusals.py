@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What filters have to refuse, or to answer all the same: wrong properties, ids, inputs, arrays and
-files. Each is a case of record_cases.py that works, with one thing changed."""
+"""Wrong properties, ids, inputs, arrays and files, which filters refuse or accept. Each is a
+working case of record_cases.py with one change."""
 
 import os
 import struct
@@ -62,7 +62,7 @@ IDS = [[], [-1], [10**6], [0, 0], [0, 1, 2]]
 
 
 def moved(place, value):
-    """A terrain in which a point is elsewhere."""
+    """Returns a function for a terrain with a moved point."""
 
     def build():
         data = record_cases.terrain()
@@ -86,7 +86,7 @@ def of(points, *cells):
 
 
 def contradicting():
-    """Cells that end behind the last of the ids."""
+    """Returns cells whose offsets exceed the number of ids."""
     data = support.polydata(*support.grid(1, 1))
     offsets, ids = (
         numpy_to_vtk(np.array(values, dtype=np.int64), deep=True)
@@ -97,20 +97,20 @@ def contradicting():
 
 
 def apart():
-    """Two components, and a point in no triangle."""
+    """Returns two components, and a point without triangles."""
     points, triangles = support.grid(3, 3)
     everywhere = np.vstack([points, points + [9.0, 0.0, 0.0], [[0.5, 0.5, 0.0]]])
     return support.polydata(everywhere, np.vstack([triangles, triangles + len(points)]))
 
 
 def doubled():
-    """Every triangle twice."""
+    """Returns a surface with every triangle twice."""
     points, triangles = support.grid(5, 4)
     return support.polydata(points, np.vstack([triangles, triangles[:, ::-1]]))
 
 
 def lines():
-    """Points with lines and verts."""
+    """Returns points with lines and verts."""
     data = support.polyline(support.grid(2, 2)[0])
     data.SetVerts(data.GetLines())
     return data
@@ -143,7 +143,7 @@ DATA = {
 
 
 def properties_of(algorithm):
-    """Names and values of the properties that are ours."""
+    """Yields names and values of the properties of our classes."""
     for name in own_methods(algorithm):
         if name.startswith("Set") and hasattr(algorithm, f"Get{name[3:]}"):
             try:
@@ -157,7 +157,7 @@ def set_property(name, value):
 
 
 def wrong_properties(algorithm):
-    """All choices, and values that make no sense."""
+    """Yields changes of properties: all choices, and values out of range."""
     for name, value in properties_of(algorithm):
         if isinstance(value, bool):
             values = [not value]
@@ -200,7 +200,7 @@ def wrong_inputs(algorithm):
 
 
 def tamper(where, name, how):
-    """Change an array of a copy of the input."""
+    """Returns a change of an array of a copy of the input."""
 
     def change(algorithm):
         source = algorithm.GetInputAlgorithm(0, 0)
@@ -223,7 +223,7 @@ def tamper(where, name, how):
 
 
 def with_value(place, number):
-    """One value is another one, as it fits into the type."""
+    """Returns a change of one value, converted to the type of the array."""
 
     def change(values):
         flat = values.reshape(-1)
@@ -237,7 +237,7 @@ def with_value(place, number):
 
 
 def next_to(values):
-    """The middle value is the next one."""
+    """Replaces the middle value by the next representable one."""
     flat = values.reshape(-1)
     if flat.size:
         i = flat.size // 2
@@ -262,7 +262,7 @@ CHANGES = {
 
 
 def tampered(algorithm):
-    """Each array of the input, changed in each way."""
+    """Yields all changes of all arrays of the input."""
     if not algorithm.GetNumberOfInputPorts():
         return
     source = algorithm.GetInputAlgorithm(0, 0)
@@ -277,7 +277,7 @@ def tampered(algorithm):
 
 
 def refusals_of(scene):
-    """Cases that are changed, and what gives the changes: name, function, function."""
+    """Yields name, function and changes of the cases of a scene."""
     cases = record_cases.cases_of(scene)
 
     def changes(algorithm):
@@ -328,7 +328,7 @@ SWAPS = [
 
 
 def damaged(content):
-    """Contents with something wrong: cut, swapped, bytes at random."""
+    """Yields damaged contents: truncated, with replaced words, with random bytes."""
     yield "whole", content
     for length in range(0, len(content), 3):
         yield f"cut at {length}", content[:length]
@@ -352,7 +352,7 @@ FORMATS = {
 
 
 def readers_of(kind, folder):
-    """Readers of damaged files: name, reader."""
+    """Yields names and readers of damaged files."""
     name, content = FORMATS[kind]
     for what, damage in damaged(content):
         path = os.path.join(folder, "damaged")
@@ -367,7 +367,7 @@ def readers_of(kind, folder):
 
 
 def calls():
-    """Calls with wrong arguments: name, function."""
+    """Yields names and functions of calls with wrong arguments."""
     points, triangles = support.grid(2, 2)
     bad = points.copy()
     bad[4, 1] = np.nan

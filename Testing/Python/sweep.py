@@ -64,7 +64,7 @@ REFUSALS = [
 
 
 class Timer:
-    """Ends this process when what is inside of it has taken too long in all."""
+    """Context that ends this process if the code inside exceeds a total processor time."""
 
     def __init__(self, limit):
         self.limit = limit
@@ -85,7 +85,7 @@ class Timer:
 
 
 def attempt(name, surface, results, folder, limit):
-    """The outcome of one filter on a surface: a dictionary."""
+    """Returns the outcome of one filter on a surface, a dictionary."""
     timer = Timer(limit)
     outcome = {"status": "ok", "messages": [], "result": None}
     with warnings.catch_warnings():
@@ -105,7 +105,8 @@ def attempt(name, surface, results, folder, limit):
 
 
 def in_process(work, limit):
-    """What a function returns, in a process of its own, which may crash or be ended."""
+    """Returns the result of a function that runs in a process of its own, which may crash or be
+    ended."""
     sys.stdout.flush()
     sys.stderr.flush()
     receiver, sender = os.pipe()
@@ -136,7 +137,7 @@ def in_process(work, limit):
 
 
 class CleanTimes:
-    """Seconds that filters take on clean meshes, measured when they are needed."""
+    """Seconds that filters take on clean meshes, measured on demand."""
 
     def __init__(self, names, patience):
         self.names = names
@@ -154,11 +155,12 @@ class CleanTimes:
         return best
 
     def limit(self, number, name):
-        """How long a filter may take."""
+        """Returns the time limit of a filter, seconds."""
         return self.patience * max(LEAST, RATIO * self(number, name))
 
     def __call__(self, number, name):
-        """The time of a filter, linear in the logarithms between the rungs of the ladder."""
+        """Returns the time of a filter, linear in the logarithms between the sizes of the ladder.
+        """
         i = int(np.clip(np.searchsorted(LADDER, number), 1, len(LADDER) - 1))
         low, high = LADDER[i - 1 : i + 1]
         for rung in (low, high):
@@ -170,7 +172,7 @@ class CleanTimes:
 
 
 def run(surface, names, limit_of):
-    """The outcomes of filters on a surface, one after the other."""
+    """Yields the outcomes of filters on a surface."""
     results = {}
     with tempfile.TemporaryDirectory() as folder:
         for name in names:
@@ -186,8 +188,8 @@ def run(surface, names, limit_of):
 
 
 def read(path):
-    """The mesh of a file, None when it has no triangles. Readers use no threads, which a process
-    that forks must not have."""
+    """Returns the mesh of a file, or None if it has no triangles. Readers use no threads, which a
+    process that forks must not have."""
     triangles = vtkTriangleFilter()
     triangles.SetInputData(vtkdgg.read(path).as_polydata())
     triangles.PassVertsOff()
@@ -200,7 +202,7 @@ def read(path):
 
 
 def files_in(folders):
-    """Paths of the meshes in folders, small ones first."""
+    """Returns the paths of the meshes in folders, the smallest first."""
     found = []
     for folder in folders:
         for place, _, names in os.walk(folder):
@@ -213,7 +215,7 @@ def files_in(folders):
 
 
 def kept():
-    """Seeds, and names of files, and for each the filters that still fail on its mesh."""
+    """Returns the filters that still fail, by seed or name of a file."""
     with open(SEEDS, encoding="utf-8") as file:
         lines = [line.split("#")[0].split() for line in file]
     return {words[0]: words[1:] for words in lines if words}
@@ -224,7 +226,7 @@ def kept_seeds():
 
 
 def meshes(options):
-    """All meshes of a run: name, function that makes it, how to run it again."""
+    """Yields for each mesh of a run the command that repeats it, and a function that returns it."""
     script = os.path.relpath(os.path.abspath(__file__))
     if options.generate:
         seeds = [] if options.generate == 1 else kept_seeds()
@@ -239,7 +241,7 @@ def meshes(options):
 
 
 def sweep(options):
-    """Records of all runs, and of which meshes there was no time for."""
+    """Returns the records of all runs, and the meshes that exceed the time budget."""
     asked = options.filters.split(",") if options.filters else list(CHECKS)
     names = [name for name in CHECKS if any(name in [a, *NEEDS.get(a, [])] for a in asked)]
     clean = CleanTimes(names, options.patience)
@@ -272,7 +274,7 @@ def sweep(options):
 
 
 def summarize(records, left):
-    """Print what came out."""
+    """Prints a summary."""
     print("\nfilter            runs    ok refused known failed  slowest, times a clean mesh")
     for name in dict.fromkeys(r["filter"] for r in records):
         own = [r for r in records if r["filter"] == name]
@@ -298,7 +300,7 @@ def summarize(records, left):
 
 
 def keep(records):
-    """Add the seeds that failed to those that are always run."""
+    """Adds the seeds that failed to the file of seeds."""
     failed = {}
     for record in records:
         if record["status"] not in GOOD and record["seed"] is not None:

@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes made at random of what real ones are made of: parts with holes and no points inside of
-their faces, walls that are there twice, parts that share faces, slivers, many components.
+"""Random meshes with the defects of real ones: parts with holes and without points inside faces,
+duplicate walls, shared faces, slivers, many components.
 
-A mesh is that of its seed, whatever the other meshes of a run are.
-"""
+A mesh depends on its seed only."""
 
 from typing import NamedTuple
 
@@ -13,7 +12,7 @@ import support
 
 
 class Mesh(NamedTuple):
-    """A surface as arrays, and whether points in the same place are to be taken as one."""
+    """A surface as arrays, and true if coincident points are to be merged."""
 
     name: str
     points: np.ndarray
@@ -26,7 +25,7 @@ class Mesh(NamedTuple):
 
 
 def box_quads(low, high):
-    """The unit squares on the surface of a box with integer corners, counter-clockwise from
+    """Returns the unit squares on the surface of a box with integer corners, counterclockwise from
     outside: an array of shape (n, 4, 3)."""
     sides = []
     for axis in range(3):
@@ -43,13 +42,14 @@ def box_quads(low, high):
 
 
 def weld(quads):
-    """Points of squares with integer corners, each once, and the squares as ids of them."""
+    """Returns the distinct points of squares with integer corners, and the squares as ids of
+    points."""
     points, ids = np.unique(quads.reshape(-1, 3), axis=0, return_inverse=True)
     return points.astype(float), ids.reshape(-1, 4)
 
 
 def halves(quads, other_diagonal=False):
-    """Two triangles for each quad; `other_diagonal` says, for each, which diagonal is the edge."""
+    """Returns two triangles for each quad; `other_diagonal` chooses the diagonal of each."""
     quads = np.where(np.reshape(other_diagonal, (-1, 1)), np.roll(quads, 1, axis=1), quads)
     return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
 
@@ -64,7 +64,7 @@ def sphere(resolution):
 
 
 def clean(number):
-    """The surface whose time others are compared with, of about as many points."""
+    """Returns the reference surface for times, of about as many points."""
     return sphere(max(1, round(np.sqrt(max(number - 2, 6) / 6))))
 
 
@@ -105,7 +105,8 @@ def plate(rng, number):
 
 
 def extrude(outlines, height):
-    """A solid of a height over a region between outlines, counter-clockwise but for the holes."""
+    """Returns a solid of a height over a region between outlines, counterclockwise except for
+    holes."""
     flat = np.concatenate(outlines)
     first = np.cumsum([0] + [len(outline) for outline in outlines])
     rings = [np.arange(begin, end) for begin, end in zip(first[:-1], first[1:])]
@@ -121,7 +122,7 @@ def cross(u, v):
 
 
 def bridged(flat, rings):
-    """One ring of ids made of an outline and of its holes, which are joined to it one by one."""
+    """Returns one ring of ids of an outline and of its holes, which are joined one by one."""
     ring, holes = rings[0], sorted(rings[1:], key=lambda ids: -flat[ids, 0].max())
     while holes:
         hole = holes.pop(0)
@@ -133,7 +134,7 @@ def bridged(flat, rings):
 
 
 def bridge(flat, ring, hole, edges):
-    """Where a ring and a hole see each other, as indices of both."""
+    """Returns the indices of points of a ring and a hole that see each other."""
     _, once, times = np.unique(ring, return_index=True, return_counts=True)
     once = once[times == 1]  # the other ends of bridges see to one side only
     p, q = edges
@@ -149,7 +150,7 @@ def bridge(flat, ring, hole, edges):
 
 
 def clip_ears(flat, ring):
-    """Triangles of a simple polygon, each with a corner that can be cut off what is left."""
+    """Returns the triangles of a simple polygon by ear clipping."""
     triangles, i = [], 0
     while len(ring) > 2:
         for _ in range(len(ring)):
@@ -417,13 +418,13 @@ FAMILIES = [
 
 
 def rotated(face, corner):
-    """The two corners that follow one."""
+    """Returns the two corners after one."""
     i = face.index(corner)
     return face[(i + 1) % 3], face[(i + 2) % 3]
 
 
 def edges_apart(rng, triangles, count):
-    """Edges with two triangles, no triangle of two of them: (a, b, triangle, triangle)."""
+    """Returns edges with two triangles, no triangle twice: (a, b, triangle, triangle)."""
     faces_of = {}
     for face, (a, b, c) in enumerate(triangles.tolist()):
         for edge in ((a, b), (b, c), (c, a)):
@@ -439,7 +440,7 @@ def edges_apart(rng, triangles, count):
 
 
 def joined(pieces):
-    """Several meshes as one."""
+    """Returns several meshes as one."""
     first = np.cumsum([0] + [len(points) for points, _ in pieces])
     return (
         np.concatenate([points for points, _ in pieces]),
@@ -448,20 +449,20 @@ def joined(pieces):
 
 
 def used_only(points, triangles):
-    """Without the points that no triangle uses."""
+    """Returns the mesh without the points that no triangle uses."""
     used, ids = np.unique(triangles, return_inverse=True)
     return points[used], ids.reshape(-1, 3)
 
 
 def rotation(rng):
-    """Any rotation."""
+    """Returns a random rotation."""
     q, r = np.linalg.qr(rng.normal(size=(3, 3)))
     q = q * np.sign(np.diag(r))
     return q * np.linalg.det(q)
 
 
 def generate(seed):
-    """The mesh of a seed, of about 50 to 3000 points."""
+    """Returns the mesh of a seed, of about 50 to 3000 points."""
     rng = np.random.default_rng(seed)
     family = FAMILIES[seed % len(FAMILIES)]
     number = int(np.exp(rng.uniform(np.log(50), np.log(3000))))

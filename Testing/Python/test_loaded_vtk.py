@@ -16,8 +16,8 @@ PACKAGES = os.path.dirname(os.path.dirname(vtkdgg.__file__))
 
 
 def import_with(version, *libraries):
-    """The import in a process whose vtkmodules is a stand-in of this version; libraries are loaded
-    before."""
+    """Imports the package in a process whose vtkmodules is a stand-in of this version, after
+    loading libraries."""
     folder = support.output_folder("another_vtk")
     os.makedirs(os.path.join(folder, "vtkmodules"), exist_ok=True)
     major, minor = version.split(".")

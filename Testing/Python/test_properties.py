@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 
 def classes():
-    """All filters, readers and writers of the package that can be made."""
+    """Yields all filters, readers and writers of the package that are not abstract."""
     for name in sorted(dir(vtkdgg)):
         kind = getattr(vtkdgg, name)
         if name.startswith("vtk") and isinstance(kind, type) and issubclass(kind, vtkAlgorithm):
@@ -34,7 +34,7 @@ def another(value, largest):
 
 class Properties(unittest.TestCase):
     def check(self, algorithm, name):
-        """Sets one property twice; returns whether it is of a type that is tested."""
+        """Sets one property twice; returns true if the type of the property is tested."""
         set_value, get_value = getattr(algorithm, "Set" + name), getattr(algorithm, "Get" + name)
         largest = getattr(algorithm, f"Get{name}MaxValue", lambda: None)()
         try:

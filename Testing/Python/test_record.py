@@ -15,14 +15,14 @@ import support
 
 
 def recorded(cases, graphs=None):
-    """Answers and refusals of some cases on a small mesh, and whether threads matter."""
+    """Returns answers and refusals of some cases on a small mesh, and true if threads matter."""
     options = argparse.Namespace(folder="", graphs=graphs, meshes="terrain", cases=cases, verbose=0)
     result = record.Record(options)
     return result.content, result.run()
 
 
 def differences(old, new):
-    """What a comparison prints, when there is any difference."""
+    """Returns the text of a comparison, or an empty text if there are no differences."""
     with contextlib.redirect_stdout(io.StringIO()) as output:
         found = record.compare(old, new)
     return output.getvalue() if found else ""

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What type checkers see of the package is what is there."""
+"""Stubs for type checkers agree with the package."""
 
 import ast
 import inspect
@@ -33,7 +33,7 @@ FUNCTIONS += ["interpolate", "read", "show_progress", "write"]
 
 
 def stub_of(module):
-    """The classes of a stub, each with the names in it."""
+    """Returns the classes of a stub, each with its names."""
     with open(os.path.join(FOLDER, f"{module}.pyi"), encoding="utf-8") as file:
         tree = ast.parse(file.read())
     found = {}
@@ -66,7 +66,7 @@ class Stubs(unittest.TestCase):
         self.assertEqual(rest - modules, set(CLASSES + FUNCTIONS))
 
     def test_overloads(self):
-        """Arguments that choose what is returned have an overload each."""
+        """Arguments that choose the type of the result have an overload each."""
         fields = [
             "vtkPolyData",
             "Tuple[NDArray[np.float64], NDArray[np.intp]]",

@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Functions that the tests of the plugin share.
 
-DGG_WRITE_BASELINE=1 in the environment writes the baselines of pictures anew. Look at them before
-you keep them.
-"""
+DGG_WRITE_BASELINE=1 in the environment replaces the baselines of pictures. Inspect them before
+committing."""
 
 import os
 import pathlib
@@ -100,7 +99,7 @@ def changed(image, change):
 
 
 def check_picture(test, file):
-    """Check that a picture equals the baseline of its name, and differs from all others."""
+    """Checks that a picture equals the baseline of its name, and differs from all others."""
     baseline = BASELINE / file.name
     if os.environ.get("DGG_WRITE_BASELINE"):
         baseline.write_bytes(file.read_bytes())
@@ -111,6 +110,6 @@ def check_picture(test, file):
 
 
 def main():
-    """Run the tests of a script. sys.exit() after pictures have been drawn causes an X error."""
+    """Runs the tests of a script. sys.exit() after pictures have been drawn causes an X error."""
     if not unittest.main(verbosity=2, exit=False).result.wasSuccessful():
         sys.exit(1)

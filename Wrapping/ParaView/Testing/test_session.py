@@ -150,8 +150,7 @@ class Session(unittest.TestCase):
 
     def test_an_error_is_told_once(self):
         """An error is reported once, whatever the number of outputs; filters that depend on it are
-        empty.
-        """
+        empty."""
         graph = simple.GeodesicGraph(Input=support.bumpy(), Accuracy=0.9)
         distance = simple.GeodesicDistance(Input=graph)
         cells = simple.GeodesicVoronoiCells(Input=graph)
