@@ -265,6 +265,32 @@ class Functions(support.Test):
             self.refuse(cloud.distance, (((0, inside),), "a point cloud has no faces"))
 
 
+# Commands, with five surface points in braces. Render writes a picture, the others a table.
+COMMANDS = (
+    "distance --source {0} --source {1}",
+    "distance --source {0} --source {1} --accuracy 0.1 --maximum 2.5",
+    "distance --source {0} --source {1} --method fast",
+    "distance --source {0} --source {1} --method marching",
+    "matrix --source {0} --source {1} --source {2} --source {3} --source {4}",
+    "matrix --source {0} --source {1} --targets 3,1,4,1,5",
+    "path {0} {1}",
+    "path {0} {1} --accuracy 0.1",
+    "isolines --source {0} --source {1} --count 3",
+    "isolines --source {0} --source {1} --values 0.7,2 --method exact",
+    "loop --through {0} --through {1} --through {2} --rope",
+    "voronoi --site {2} --site {3} --site {4} --accuracy 0.1",
+    "greens --source {0} --source {1}",
+    "render --source {0} --source {1}",
+)
+
+
+def text_of(point):
+    """Returns a surface point as commands take it."""
+    if isinstance(point, tuple):
+        return "face:{}:{},{},{}".format(point[0], *point[1])
+    return ",".join(map(repr, point)) if np.ndim(point) else str(point)
+
+
 class Commands(support.Test):
     """Commands of the shell, on files of all formats."""
 
@@ -274,93 +300,49 @@ class Commands(support.Test):
         found = json.loads(result.stdout)
         return {key: found[key] for key in found if key not in ("seconds", "written", "warnings")}
 
-    def answers(self, path, words_of):
-        """Returns commands, their answers, and the numbers of the files that they write; the one
-        with --iterations is the last. `words_of` returns the options for some of five points."""
-        pair, rest, graph = slice(2), slice(2, 5), ("--accuracy", 0.1)
-        source = words_of("--source", pair)
+    def answers(self, path, points):
+        """Returns the answers of the commands, and the numbers of the files that they write."""
         found = []
-        for words in (
-            ("distance", *source),
-            ("distance", *source, *graph),
-            ("distance", *source, "--maximum", 2.5),
-            ("distance", *source, *graph, "--maximum", 2.5),
-            ("distance", *source, "--method", "fast"),
-            ("distance", *source, "--method", "marching"),
-            ("matrix", *words_of("--source", slice(5))),
-            ("matrix", *source, "--targets", "3,1,4,1,5"),
-            ("path", *words_of(None, pair)),
-            ("path", *words_of(None, pair), *graph),
-            ("isolines", *source, "--count", 3),
-            ("isolines", *source, "--values", "0.7,2", "--method", "exact"),
-            ("loop", *words_of("--through", slice(3)), "--rope"),
-            ("voronoi", *words_of("--site", rest), "--accuracy", 0.1),
-            ("greens", *source),
-            ("voronoi", *words_of("--site", slice(5)), "--iterations", 2),
-        ):
-            out = os.path.join(FOLDER, "answer.csv")
-            answer = self.answer(words[0], path, *words[1:], "--out", out)
-            with open(out, encoding="utf-8") as file:
-                has_header = file.readline()[0].isalpha()
-            numbers = np.loadtxt(out, delimiter=",", skiprows=int(has_header), ndmin=2)
-            if words[0] == "isolines":  # the points depend on all edges of the mesh
+        for line in COMMANDS:
+            name, *words = line.format(*map(text_of, points)).split()
+            out = os.path.join(FOLDER, "a.png" if name == "render" else "answer.csv")
+            answer = self.answer(name, path, *words, "--out", out)
+            numbers = np.empty(0)
+            if name != "render":
+                with open(out, encoding="utf-8") as file:
+                    has_header = file.readline()[0].isalpha()
+                numbers = np.loadtxt(out, delimiter=",", skiprows=int(has_header), ndmin=2)
+            if name == "isolines":  # the points depend on all edges of the mesh
                 curves = np.split(numbers[:, 1:4], np.flatnonzero(np.diff(numbers[:, 0])) + 1)
                 numbers = np.array(list(map(support.length_of, curves)))
-            elif words[0] in ("loop", "path"):  # points on edges have several faces
+            elif name in ("loop", "path"):  # points on edges have several faces
                 numbers = numbers[:, :4]
-            found.append((words, answer, numbers))
-        answer = self.answer("render", path, *source, "--out", os.path.join(FOLDER, "a.png"))
-        return [(["render", *source], answer, np.empty(0)), *found]
-
-    def agree(self, found, expected):
-        for (words, answer, numbers), (_, known, others) in zip(found, expected):
-            with self.subTest(command=words):
-                self.assertEqual(answer.keys(), known.keys())
-                for key, value in answer.items():
-                    if isinstance(value, (str, type(None))):
-                        self.assertEqual(value, known[key])
-                    else:
-                        np.testing.assert_allclose(value, known[key], rtol=0.0, atol=1e-6)
-                # Isolines move far where the distance has a small slope.
-                tolerance = 1e-4 if words[0] == "isolines" else 1e-6
-                np.testing.assert_allclose(numbers, others, rtol=0.0, atol=tolerance)
+            found.append((line, answer, numbers))
+        return found
 
     def test_same_answers(self):
         for seed in SEEDS:
             surface = Surface(seed)
             path = os.path.join(FOLDER, f"surface{FORMATS[seed // 3 % len(FORMATS)]}")
             first = surface.write(path)
-
-            def named(points):
-                """Returns a function for the options of some of the points."""
-                texts = [
-                    "face:{}:{},{},{}".format(p[0], *p[1]) if isinstance(p, tuple)
-                    else ",".join(map(repr, p)) if np.ndim(p) else str(p)
-                    for p in points
-                ]  # fmt: skip
-                return lambda option, part: [
-                    word for text in texts[part] for word in (option, text) if word
-                ]
-
-            def listed(option, part):
-                """Returns options of ids, which are in --sources and in a file where possible."""
-                if option != "--source":
-                    return named(surface.ids)(option, part)
-                name = os.path.join(FOLDER, f"sources_{part.stop}.txt")
-                with open(name, "w", encoding="utf-8") as file:
-                    file.write("# ids\n\n")
-                    file.writelines(f"  {i}\n" for i in surface.ids[part][1:])
-                return ["--sources", surface.ids[part][0], "--source-file", name]
-
             faces = shifted(surface.faces_of(surface.ids), first)
-            expected = self.answers(path, named(surface.ids))
-            for words_of in (named(faces), named(mixed(surface.ids, faces)), listed):
-                self.agree(self.answers(path, words_of), expected)
+            pairs = [(surface.ids, faces)]
             if seed % 4 < 2:  # where no other layer is in the same position
                 faces, positions = surface.points_in_faces()
-                both = positions.tolist(), shifted(faces, first)
-                # Steps of --iterations near the boundary depend on rounding errors.
-                self.agree(*(self.answers(path, named(points))[:-1] for points in both))
+                pairs.append((positions.tolist(), shifted(faces, first)))
+            for pair in pairs:
+                both = [self.answers(path, points) for points in pair]
+                for (line, answer, numbers), (_, known, others) in zip(*both):
+                    with self.subTest(line):
+                        self.assertEqual(answer.keys(), known.keys())
+                        for key, value in answer.items():
+                            if isinstance(value, (str, type(None))):
+                                self.assertEqual(value, known[key])
+                            else:
+                                np.testing.assert_allclose(value, known[key], rtol=0.0, atol=1e-6)
+                        # Isolines move far where the distance has a small slope.
+                        tolerance = 1e-4 if line.startswith("isolines") else 1e-6
+                        np.testing.assert_allclose(numbers, others, rtol=0.0, atol=tolerance)
 
     def test_slit(self):
         """The comparison and the explorer distinguish the sides of a slit."""
