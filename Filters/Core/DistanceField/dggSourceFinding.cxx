@@ -4,10 +4,10 @@
 
 #include "dggCornerModel.h"
 #include "dggEdges.h"
+#include "dggForest.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace dgg
 {
@@ -85,25 +85,6 @@ VirtualSource FindLastPiece(
     });
   }
   return start;
-}
-
-/// Returns the vertices of a forest, each after its parent.
-std::vector<Id> SortForest(const std::vector<Id>& parents)
-{
-  std::vector<Id> order;
-  order.reserve(parents.size());
-  std::vector<char> isSorted(parents.size(), 0);
-  for (std::size_t v = 0; v < parents.size(); ++v)
-  {
-    const std::size_t first = order.size();
-    for (Id u = static_cast<Id>(v); u != NoId && isSorted[u] == 0; u = parents[u])
-    {
-      isSorted[u] = 1;
-      order.push_back(u);
-    }
-    std::reverse(order.begin() + static_cast<std::ptrdiff_t>(first), order.end());
-  }
-  return order;
 }
 
 /// Replaces virtual sources by their predecessors where these are better.

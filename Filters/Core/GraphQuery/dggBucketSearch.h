@@ -1,16 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Label-correcting search in a graph, over fans of edges or over all edges. Internal.
+/// Searches in a graph: nearest first, or label-correcting over fans of edges or all edges.
+/// Internal.
 #ifndef dggBucketSearch_h
 #define dggBucketSearch_h
 
 #include "dggBucketQueue.h"  // for BucketQueue
 #include "dggGraphFans.h"    // for GraphFans
+#include "dggHeap.h"         // for MinimumHeap
 #include "dggSearchLabels.h" // for SearchLabels
 
 namespace dgg
 {
+/// Dijkstra's algorithm: computes final labels from labels initialized by SearchLabels::Start(),
+/// nearest first. Returns false if aborted.
+bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
+  const ProgressCallback& progress, MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort);
+
 /// Computes final labels from labels initialized by SearchLabels::Start(). With fans (or null for
 /// none), a path first continues only over the fan of the edge by which it arrived. This leaves a
 /// few labels too large; therefore all edges are then certified one after the other, and labels

@@ -4,7 +4,6 @@
 
 #include "dggBucketQueue.h"
 #include "dggBucketSearch.h"
-#include "dggGraphDijkstra.h"
 #include "dggGraphFans.h"
 #include "dggHeap.h"
 #include "dggInvalidInput.h"

@@ -21,15 +21,38 @@ inline GraphLink LinkOfVertex(Id vertex)
 
 /// Finds the links of a point, like GraphBuilder::Link(), which is called for points that are not
 /// vertices. Fails for these if `builder` is null.
-Status FindLinks(const GraphBuilder* builder, const SurfacePoint& point, double accuracy,
+inline Status FindLinks(const GraphBuilder* builder, const SurfacePoint& point, double accuracy,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
-  std::vector<double>& direct);
+  std::vector<double>& direct)
+{
+  if (IsVertex(point))
+  {
+    links = { LinkOfVertex(point.Vertex) };
+    direct.assign(targets.size(), Infinity);
+    return Status::Success();
+  }
+  return builder ? builder->Link(point, accuracy, targets, links, direct)
+                 : Status::Invalid("a point that is not a vertex needs a graph builder");
+}
 
 /// Appends the seeds of a source with these links and this initial distance.
-void AppendSeeds(const std::vector<GraphLink>& links, std::vector<GraphSeed>& seeds, Id source = 0,
-  double initialDistance = 0.0);
+inline void AppendSeeds(const std::vector<GraphLink>& links, std::vector<GraphSeed>& seeds,
+  Id source = 0, double initialDistance = 0.0)
+{
+  for (const GraphLink& link : links)
+  {
+    seeds.push_back(
+      { link.Vertex, initialDistance + link.Length, initialDistance, source, link.ArrivalAngle });
+  }
+}
+
 /// Returns the seeds of a search from the point that has these links.
-std::vector<GraphSeed> MakeSeeds(const std::vector<GraphLink>& links);
+inline std::vector<GraphSeed> MakeSeeds(const std::vector<GraphLink>& links)
+{
+  std::vector<GraphSeed> seeds;
+  AppendSeeds(links, seeds);
+  return seeds;
+}
 }
 
 #endif

@@ -81,9 +81,6 @@ public:
   {
   }
 
-  /// Number of visits to vertices, faces and half-edges.
-  std::size_t GetNumberOfSteps() const { return this->Steps; }
-
   /// Collects loops through the vertex `base`, and through points on these loops. Returns false if
   /// stopped.
   bool Collect(Id base, const ProgressCallback& progress)
@@ -131,7 +128,7 @@ private:
   {
     this->Bases.push_back(base);
     std::vector<EdgeLoop> basis;
-    if (!FindHomotopyBasis(this->Components, base, basis, this->Steps).IsOk())
+    if (!FindHomotopyBasis(this->Components, base, basis).IsOk())
     {
       return true;
     }
@@ -207,17 +204,14 @@ private:
   LoopShortener Shortener;
   std::vector<Candidate> Candidates;
   std::vector<Id> Bases;
-  std::size_t Steps = 0;
 };
 }
 
-Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress,
-  std::vector<FoundLoop>& loops, std::size_t* steps)
+Status FindHandleLoops(
+  const SurfaceMesh& mesh, const ProgressCallback& progress, std::vector<FoundLoop>& loops)
 {
   loops.clear();
   const SurfaceComponents components(mesh);
-  std::size_t count = static_cast<std::size_t>(mesh.GetNumberOfVertices()) +
-    static_cast<std::size_t>(mesh.GetNumberOfHalfEdges());
   std::vector<Id> bases;
   Status status = FindBasesOfLoops(components, bases);
   for (std::size_t i = 0; i < bases.size() && status.IsOk(); ++i)
@@ -226,7 +220,7 @@ Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress
       return !progress ||
         progress((static_cast<double>(i) + fraction) / static_cast<double>(bases.size()));
     };
-    const HomologySignatures signatures(components, bases[i], count);
+    const HomologySignatures signatures(components, bases[i]);
     status = signatures.Check();
     if (!status.IsOk())
     {
@@ -236,7 +230,6 @@ Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress
     std::vector<FoundLoop> shortest;
     const bool isDone =
       found.Collect(bases[i], part) && found.TakeShortest(part, shortest) && part(1.0);
-    count += found.GetNumberOfSteps();
     if (!isDone)
     {
       status = Status::Abort();
@@ -250,10 +243,6 @@ Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress
   if (!status.IsOk())
   {
     loops.clear();
-  }
-  if (steps)
-  {
-    *steps = count;
   }
   return status;
 }

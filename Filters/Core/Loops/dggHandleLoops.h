@@ -8,8 +8,7 @@
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggFoundLoop.h"  // for FoundLoop
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for the loops
+#include <vector> // for the loops
 
 namespace dgg
 {
@@ -20,11 +19,9 @@ namespace dgg
 /// through a vertex in which faces only touch, is represented by an empty loop after the others of
 /// its component.
 ///
-/// Fails if a component has a non-manifold edge. Returns no loops if stopped. `steps`, if given,
-/// receives the number of visits to vertices, faces and half-edges: for each component a multiple
-/// of its size.
-DGG_CORE_EXPORT Status FindHandleLoops(const SurfaceMesh& mesh, const ProgressCallback& progress,
-  std::vector<FoundLoop>& loops, std::size_t* steps = nullptr);
+/// Fails if a component has a non-manifold edge. Returns no loops if stopped.
+DGG_CORE_EXPORT Status FindHandleLoops(
+  const SurfaceMesh& mesh, const ProgressCallback& progress, std::vector<FoundLoop>& loops);
 }
 
 #endif

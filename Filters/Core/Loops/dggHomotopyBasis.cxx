@@ -13,6 +13,20 @@ namespace dgg
 {
 namespace
 {
+/// Returns the index of each element within its group; NoId for elements without a group.
+std::vector<Id> NumberMembers(const Groups& groups, Id numberOfElements)
+{
+  std::vector<Id> numbers(numberOfElements, NoId);
+  for (std::size_t g = 0; g + 1 < groups.Begins.size(); ++g)
+  {
+    for (Offset i = groups.Begins[g]; i < groups.Begins[g + 1]; ++i)
+    {
+      numbers[groups.Members[i]] = static_cast<Id>(i - groups.Begins[g]);
+    }
+  }
+  return numbers;
+}
+
 /// Shortest paths along mesh edges, in the component of the base.
 struct EdgeTree
 {
@@ -22,7 +36,7 @@ struct EdgeTree
   std::vector<Id> HalfEdges;     ///< the edge to its parent
   std::vector<Id> Parents;
 
-  EdgeTree(const SurfaceComponents& components, Id base, std::size_t& steps)
+  EdgeTree(const SurfaceComponents& components, Id base)
     : Components(components)
     , Component(components.GetComponent(base))
     , Distances(components.GetNumberOfVertices(Component), Infinity)
@@ -30,7 +44,6 @@ struct EdgeTree
     , Parents(components.GetNumberOfVertices(Component), NoId)
   {
     const SurfaceMesh& mesh = components.GetMesh();
-    steps += this->Distances.size();
     MinimumHeap heap;
     this->Distances[this->Number(base)] = 0.0;
     heap.Push(0.0, base);
@@ -41,7 +54,6 @@ struct EdgeTree
       {
         continue;
       }
-      steps += mesh.FanEnd(top.Index) - mesh.FanBegin(top.Index);
       for (const Id* g = mesh.FanBegin(top.Index); g != mesh.FanEnd(top.Index); ++g)
       {
         // Both edges of the face, because a boundary edge belongs to no other face of the vertex.
@@ -115,12 +127,11 @@ struct Decomposition
   std::vector<Id> Cotree;
   std::vector<Id> Rest; ///< remaining edges, those of the longest loops first
 
-  Decomposition(const SurfaceComponents& components, Id base, std::size_t& steps)
+  Decomposition(const SurfaceComponents& components, Id base)
     : Components(components)
     , Mesh(components.GetMesh())
-    , Tree(components, base, steps)
+    , Tree(components, base)
   {
-    steps += 3 * static_cast<std::size_t>(this->Outside());
   }
 
   /// Fails if there is a non-manifold edge.
@@ -197,6 +208,18 @@ Status Decomposition::Decompose()
 }
 }
 
+SurfaceComponents::SurfaceComponents(const SurfaceMesh& mesh)
+  : Mesh(mesh)
+{
+  Id count = 0;
+  this->Components = mesh.ComputeComponents(count);
+  this->Vertices = MakeGroups(this->Components, count);
+  this->Faces = MakeGroups(mesh.GetNumberOfFaces(), count,
+    [&](Id f) { return mesh.IsDropped(f) ? NoId : this->Components[mesh.Origin(3 * f)]; });
+  this->VertexNumbers = NumberMembers(this->Vertices, mesh.GetNumberOfVertices());
+  this->FaceNumbers = NumberMembers(this->Faces, mesh.GetNumberOfFaces());
+}
+
 /// A tree of edges has one edge less than there are vertices; each dual tree has one edge less than
 /// it has faces. The number of remaining edges is the number of loops.
 Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& bases)
@@ -240,11 +263,10 @@ Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& ba
   return Status::Success();
 }
 
-Status FindHomotopyBasis(
-  const SurfaceComponents& components, Id base, std::vector<EdgeLoop>& loops, std::size_t& steps)
+Status FindHomotopyBasis(const SurfaceComponents& components, Id base, std::vector<EdgeLoop>& loops)
 {
   loops.clear();
-  Decomposition parts(components, base, steps);
+  Decomposition parts(components, base);
   DGG_RETURN_IF_ERROR(parts.Decompose());
   for (auto h = parts.Rest.rbegin(); h != parts.Rest.rend(); ++h)
   {
@@ -255,11 +277,10 @@ Status FindHomotopyBasis(
 
 /// Each edge in neither tree closes a cycle of faces (a dual cycle). The signature of a loop lists
 /// the dual cycles that it crosses an odd number of times.
-HomologySignatures::HomologySignatures(
-  const SurfaceComponents& components, Id base, std::size_t& steps)
+HomologySignatures::HomologySignatures(const SurfaceComponents& components, Id base)
   : Components(components)
 {
-  Decomposition parts(components, base, steps);
+  Decomposition parts(components, base);
   this->TheStatus = parts.Decompose();
   if (!this->TheStatus.IsOk())
   {
@@ -314,7 +335,6 @@ HomologySignatures::HomologySignatures(
       Id& deeper = depth[a] >= depth[b] ? a : b;
       this->Cycles[components.NumberOfHalfEdge(up[deeper])].push_back(cycle);
       deeper = across(deeper, up[deeper]);
-      ++steps;
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "dggCentroidal.h"
 
 #include "dggCloudFrame.h"
+#include "dggForest.h"
 #include "dggGraphSeeds.h"
 #include "dggStraightWalk.h"
 
@@ -14,26 +15,6 @@ namespace dgg
 {
 namespace
 {
-/// Visits all vertices that a search has reached, each after its tail.
-template <typename Visitor>
-void VisitTailsFirst(const SearchResult& result, Visitor&& visit)
-{
-  std::vector<char> isVisited(result.Seeds.size(), 0);
-  std::vector<Id> climbed;
-  for (Id first = 0; first < static_cast<Id>(isVisited.size()); ++first)
-  {
-    for (Id v = first; v != NoId && !isVisited[v] && result.Seeds[v] != NoId; v = result.Tails[v])
-    {
-      climbed.push_back(v);
-    }
-    for (; !climbed.empty(); climbed.pop_back())
-    {
-      visit(climbed.back());
-      isVisited[climbed.back()] = 1;
-    }
-  }
-}
-
 /// Lloyd's iteration from a current state. `energies` receives the energy at the start and after
 /// each step that decreases it; after other steps, the step size is halved.
 template <typename Centers>
@@ -49,7 +30,7 @@ Status Iterate(Centers& centers, const CentroidalOptions& options, typename Cent
     return [&report, start](double part) { return report(start + 0.99 * part); };
   };
   Status status = centers.Look(current, within(0.0));
-  energies.assign(1, centers.ToModel(current.Energy));
+  energies.assign(1, current.Energy);
   double part = 1.0;
   int halvings = 0;
   for (int i = 1; status.IsOk() && i <= options.NumberOfIterations &&
@@ -64,7 +45,7 @@ Status Iterate(Centers& centers, const CentroidalOptions& options, typename Cent
     if (status.IsOk() && next.Energy < current.Energy)
     {
       std::swap(current, next);
-      energies.push_back(centers.ToModel(current.Energy));
+      energies.push_back(current.Energy);
       part = std::min(1.0, 2.0 * part);
       halvings = 0;
       ++i;
@@ -76,14 +57,6 @@ Status Iterate(Centers& centers, const CentroidalOptions& options, typename Cent
     }
   }
   return status;
-}
-
-/// Returns a unit of length: a power of two, so that scaling is exact. Energies are fourth powers
-/// of lengths, and so are intermediate results.
-double ChooseUnit(const SurfaceMesh& mesh)
-{
-  const double length = mesh.GetMeanEdgeLength();
-  return length > 0.0 ? std::ldexp(1.0, std::ilogb(length)) : 1.0;
 }
 
 /// Lloyd's iteration on a surface.
@@ -99,7 +72,7 @@ public:
     std::vector<SurfacePoint> Sites;
     std::vector<double> Angles;  ///< per site, direction to the mean of its cell
     std::vector<double> Lengths; ///< per site, distance to the mean of its cell
-    double Energy = Infinity;    ///< in powers of the unit
+    double Energy = Infinity;
   };
 
   SurfaceCenters(const GraphSearch& search, const SurfaceMesh& mesh, const GraphBuilder& builder,
@@ -108,7 +81,6 @@ public:
     , Mesh(mesh)
     , Builder(builder)
     , Accuracy(accuracy)
-    , Unit(ChooseUnit(mesh))
     , Areas(mesh.GetNumberOfVertices(), 0.0)
   {
     for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
@@ -116,8 +88,7 @@ public:
       const Id first = h - h % 3;
       if (!mesh.IsDropped(SurfaceMesh::Face(h)))
       {
-        this->Areas[mesh.Origin(h)] +=
-          (mesh.Length(first) / this->Unit) * (mesh.ApexY(first) / this->Unit) / 6.0;
+        this->Areas[mesh.Origin(h)] += mesh.Length(first) * mesh.ApexY(first) / 6.0;
       }
     }
   }
@@ -137,8 +108,13 @@ public:
     }
     // The direction in which the path to each vertex leaves its site.
     this->Directions.assign(this->Mesh.GetNumberOfVertices(), 0.0);
-    VisitTailsFirst(
-      this->Result, [&](Id v) { this->Directions[v] = this->FindDirection(v, linked); });
+    for (const Id v : SortForest(this->Result.Tails))
+    {
+      if (this->Result.Seeds[v] != NoId)
+      {
+        this->Directions[v] = this->FindDirection(v, linked);
+      }
+    }
     const std::size_t count = state.Sites.size();
     std::vector<Point2> sums(count);
     std::vector<double> weights(count, 0.0);
@@ -151,7 +127,7 @@ public:
         continue;
       }
       const Id site = linked.Seeds[seed].Source;
-      const double distance = this->Result.Corrected[v] / this->Unit;
+      const double distance = this->Result.Corrected[v];
       const double area = this->Areas[v];
       const double angle = UnrollFactor(this->Mesh, state.Sites[site]) * this->Directions[v];
       state.Energy += area * distance * distance;
@@ -165,19 +141,13 @@ public:
     {
       if (weights[i] > 0.0)
       {
-        state.Lengths[i] = this->Unit * (Norm(sums[i].X, sums[i].Y) / weights[i]);
+        // Divided first: squares of sums would exceed the range of numbers.
+        state.Lengths[i] = Norm(sums[i].X / weights[i], sums[i].Y / weights[i]);
         state.Angles[i] = DirectionAt(this->Mesh, state.Sites[i],
           std::atan2(sums[i].Y, sums[i].X) / UnrollFactor(this->Mesh, state.Sites[i]));
       }
     }
     return Status::Success();
-  }
-
-  /// Converts an energy to units of the mesh.
-  double ToModel(double energy) const
-  {
-    const double square = this->Unit * this->Unit;
-    return energy * square * square;
   }
 
   /// Returns true if no site would move far.
@@ -242,8 +212,7 @@ private:
   const SurfaceMesh& Mesh;
   const GraphBuilder& Builder;
   double Accuracy;
-  double Unit;
-  std::vector<double> Areas; ///< per vertex, in squares of the unit
+  std::vector<double> Areas; ///< per vertex
   SearchResult Result;
   std::vector<double> Directions; ///< per vertex, at its site
 };
@@ -350,6 +319,7 @@ public:
     return selected.Sites != from.Sites && selected.Sites != to.Sites;
   }
 
+  /// Converts an energy to model units.
   double ToModel(double energy) const { return energy * this->Unit * this->Unit; }
   bool IsSettled(const State& /*state*/, double /*tolerance*/) const { return false; }
 
@@ -388,12 +358,13 @@ private:
   {
     const std::vector<Id>& tails = state.Result.Tails;
     std::vector<Id> departures(tails.size(), NoId);
-    VisitTailsFirst(state.Result, [&](Id v) {
+    for (const Id v : SortForest(tails))
+    {
       if (tails[v] != NoId)
       {
         departures[v] = tails[tails[v]] == NoId ? v : departures[tails[v]];
       }
-    });
+    }
     return departures;
   }
 
@@ -487,6 +458,10 @@ Status MoveToCloudCenters(const GraphSearch& search, const double* positions,
   {
     energies.clear();
     return status;
+  }
+  for (double& energy : energies)
+  {
+    energy = centers.ToModel(energy);
   }
   std::transform(current.Sites.begin(), current.Sites.end(), sites.begin(), SurfacePoint::AtVertex);
   return status;
