@@ -104,62 +104,8 @@ Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
   return Status::Success();
 }
 
-// Each of the following functions checks one row without branches, for speed. FindDamage()
-// determines the error.
-
-bool AreTargetsValid(const GraphView& graph, Id row, Offset begin, Offset end)
-{
-  const auto n = static_cast<std::uint32_t>(graph.NumberOfVertices);
-  bool valid = true;
-  for (Offset e = begin; e < end; ++e)
-  {
-    valid &= static_cast<std::uint32_t>(graph.Targets[e]) < n;
-    valid &= graph.Targets[e] != row;
-  }
-  return valid;
-}
-
-template <typename T>
-bool AreLengthsValid(const T* lengths, Offset begin, Offset end)
-{
-  bool valid = true;
-  for (Offset e = begin; e < end; ++e)
-  {
-    valid &= lengths[e] > T(0);
-    valid &= lengths[e] <= std::numeric_limits<T>::max();
-  }
-  return valid;
-}
-
-bool AreAnglesValid(const GraphView& graph, Offset begin, Offset end)
-{
-  bool valid = begin == end || graph.Angles[begin] >= 0.0f;
-  for (Offset e = begin + 1; e < end; ++e)
-  {
-    valid &= graph.Angles[e - 1] <= graph.Angles[e];
-  }
-  for (Offset e = begin; e < end; ++e)
-  {
-    valid &= graph.Angles[e] <= std::numeric_limits<float>::max();
-    valid &= graph.ArrivalAngles[e] >= 0.0f;
-    valid &= graph.ArrivalAngles[e] <= std::numeric_limits<float>::max();
-  }
-  return valid;
-}
-
-bool IsRowValid(const GraphView& graph, Id row, Offset numberOfEdges)
-{
-  const Offset begin = graph.Offsets[row];
-  const Offset end = graph.Offsets[row + 1];
-  return begin >= 0 && begin <= end && end <= numberOfEdges &&
-    AreTargetsValid(graph, row, begin, end) &&
-    (graph.Lengths ? AreLengthsValid(graph.Lengths, begin, end)
-                   : AreLengthsValid(graph.WideLengths, begin, end)) &&
-    (!graph.Angles || AreAnglesValid(graph, begin, end));
-}
-
-/// Returns the error of a damaged row.
-Status FindDamage(const GraphView& graph, Id row, Offset numberOfEdges)
+/// Checks one row.
+Status CheckRow(const GraphView& graph, Id row, Offset numberOfEdges)
 {
   const Offset begin = graph.Offsets[row];
   const Offset end = graph.Offsets[row + 1];
@@ -244,7 +190,7 @@ Status CheckGraph(const GraphView& graph, Offset numberOfEdges, const ParallelFo
   ForRange(parallel, n, RowsPerTask, [&](Offset begin, Offset end) {
     for (auto row = static_cast<Id>(begin); row < static_cast<Id>(end); ++row)
     {
-      if (!IsRowValid(graph, row, numberOfEdges))
+      if (!CheckRow(graph, row, numberOfEdges).IsOk())
       {
         Id first = damaged;
         while (row < first && !damaged.compare_exchange_weak(first, row))
@@ -254,7 +200,7 @@ Status CheckGraph(const GraphView& graph, Offset numberOfEdges, const ParallelFo
       }
     }
   });
-  return damaged == n ? Status::Success() : FindDamage(graph, damaged, numberOfEdges);
+  return damaged == n ? Status::Success() : CheckRow(graph, damaged, numberOfEdges);
 }
 
 std::uint64_t ComputeChecksum(const GraphView& graph, const ParallelFor& parallel)
