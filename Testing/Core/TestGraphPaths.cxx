@@ -125,9 +125,8 @@ void ExpectShortest(SearchCase& c, const std::vector<std::pair<Seeds, Seeds>>& p
 dgg::Landmarks LandmarksOf(const SearchCase& c)
 {
   const dgg::GraphView graph = c.GetGraph();
-  const dgg::GraphFans fans(graph, c.GetMesh());
   dgg::Landmarks marks;
-  EXPECT_TRUE(marks.Choose(graph, &fans, dgg::ChooseBucketWidth(graph), nullptr).IsOk());
+  EXPECT_TRUE(marks.Choose(graph, &c.GetMesh(), nullptr).IsOk());
   for (std::size_t k = 0; k < marks.GetVertices().size(); ++k)
   {
     marks.SetDistances(k, ReferenceDistances(graph, { SeedAt(marks.GetVertices()[k]) }).data());

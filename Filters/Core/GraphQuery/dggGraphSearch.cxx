@@ -459,8 +459,8 @@ Status GraphSearch::PrepareLandmarks(const ParallelFor& parallel, const Progress
     return Status::Success();
   }
   const auto marks = std::make_shared<Landmarks>();
-  DGG_RETURN_IF_ERROR(marks->Choose(internals.Graph, internals.Fans.get(), internals.BucketWidth,
-    ProgressPart(progress, 0.0, ChoiceShare)));
+  DGG_RETURN_IF_ERROR(
+    marks->Choose(internals.Graph, internals.Mesh, ProgressPart(progress, 0.0, ChoiceShare)));
   std::vector<std::vector<GraphSeed>> sources;
   for (const Id v : marks->GetVertices())
   {

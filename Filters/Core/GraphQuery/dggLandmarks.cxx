@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLandmarks.h"
 
-#include "dggBucketSearch.h"
 #include "dggDisjointSets.h"
+#include "dggFarthestPoints.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -22,90 +22,20 @@ constexpr double SearchShare = 0.15;
 /// Components smaller than this fraction of the surface (inverse) are searched without landmarks.
 constexpr Id SmallestShare = 2 * Landmarks::Count;
 
-/// Distances from the nearest of incrementally added vertices.
-class GrowingField
-{
-public:
-  GrowingField(const GraphView& graph, const GraphFans* fans, double bucketWidth)
-    : Graph(graph)
-    , Fans(fans)
-    , BucketWidth(bucketWidth)
-    , Labels(this->Distances, this->Origins, this->Touched, std::numeric_limits<double>::max())
-  {
-  }
-
-  /// Starts with the given vertices only. Returns false if aborted.
-  bool Start(const std::vector<Id>& vertices, const ProgressCallback& progress)
-  {
-    std::vector<GraphSeed> seeds;
-    for (const Id v : vertices)
-    {
-      seeds.emplace_back();
-      seeds.back().Vertex = v;
-    }
-    this->Labels.Start(this->Graph.NumberOfVertices, seeds);
-    SearchEffort effort;
-    return RunBucketSearch(this->Graph, this->Fans, seeds, this->BucketWidth, progress, this->Queue,
-      this->Labels, effort);
-  }
-
-  /// Adds a vertex; only visits the region where it is nearest. Not certified.
-  void Add(Id v)
-  {
-    std::vector<GraphSeed> seeds(1);
-    seeds[0].Vertex = v;
-    this->Labels.Lower(seeds[0], 0);
-    if (this->Fans)
-    {
-      RunAlongFans(
-        this->Graph, *this->Fans, seeds, this->BucketWidth, this->Queue, this->Labels, this->Order);
-      return;
-    }
-    SearchEffort effort;
-    RunBucketSearch(
-      this->Graph, nullptr, seeds, this->BucketWidth, nullptr, this->Queue, this->Labels, effort);
-  }
-
-  /// Returns the distance of a vertex; 0 if unreached.
-  double GetDistance(Id v) const { return this->Labels.IsReached(v) ? this->Distances[v] : 0.0; }
-
-  Id FindFarthest() const
-  {
-    Id farthest = 0;
-    for (Id v = 1; v < this->Graph.NumberOfVertices; ++v)
-    {
-      farthest = this->GetDistance(v) > this->GetDistance(farthest) ? v : farthest;
-    }
-    return farthest;
-  }
-
-private:
-  const GraphView& Graph;
-  const GraphFans* Fans;
-  double BucketWidth;
-  std::vector<double> Distances;
-  std::vector<LabelOrigin> Origins;
-  std::vector<Id> Touched;
-  std::vector<Id> Order;
-  SearchLabels Labels;
-  BucketQueue Queue;
-};
-
 std::int16_t Clamp(double code)
 {
   return static_cast<std::int16_t>(std::max(0.0, std::min<double>(code, LargestCode)));
 }
 }
 
-Status Landmarks::Choose(const GraphView& graph, const GraphFans* fans, double bucketWidth,
-  const ProgressCallback& progress)
+Status Landmarks::Choose(
+  const GraphView& graph, const SurfaceMesh* mesh, const ProgressCallback& progress)
 {
-  const auto report = [&](double fraction) { return !progress || progress(fraction); };
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
   this->Codes.resize(graph.NumberOfVertices);
-  const bool isDone = report(0.0) &&
-    this->ChooseFrom(graph, fans, bucketWidth, this->ChooseComponents(graph), report) &&
-    report(1.0);
-  return isDone ? Status::Success() : Status::Abort();
+  FarthestPoints field(graph, mesh);
+  DGG_RETURN_IF_ERROR(this->ChooseFrom(field, graph, this->ChooseComponents(graph), progress));
+  return ReportTo(progress, 1.0);
 }
 
 /// Returns a vertex of each of the larger components, in order of decreasing size.
@@ -140,50 +70,61 @@ std::vector<Id> Landmarks::ChooseComponents(const GraphView& graph)
   return starts;
 }
 
-/// Chooses landmarks in the components of `starts`. Returns false if aborted.
-bool Landmarks::ChooseFrom(const GraphView& graph, const GraphFans* fans, double bucketWidth,
+/// Chooses landmarks in the components of `starts`.
+Status Landmarks::ChooseFrom(FarthestPoints& field, const GraphView& graph,
   const std::vector<Id>& starts, const ProgressCallback& progress)
 {
   if (starts.empty())
   {
-    return true;
+    return Status::Success();
   }
+  const auto startFrom = [&](const std::vector<Id>& vertices, double done) {
+    std::vector<GraphSeed> seeds;
+    for (const Id v : vertices)
+    {
+      seeds.push_back({ v });
+    }
+    field.Reset();
+    return field.Add(seeds, ProgressPart(progress, done, done + SearchShare));
+  };
+  // Components without a landmark are ignored.
+  const auto distanceOf = [&](Id v) {
+    const double distance = field.GetDistances()[v];
+    return distance < Infinity ? distance : 0.0;
+  };
+  const auto findFarthest = [&] {
+    Id farthest = 0;
+    for (Id v = 1; v < graph.NumberOfVertices; ++v)
+    {
+      farthest = distanceOf(v) > distanceOf(farthest) ? v : farthest;
+    }
+    return farthest;
+  };
   // The first landmark of a component is a tip: the vertex farthest from an arbitrary vertex.
-  GrowingField field(graph, fans, bucketWidth);
-  if (!field.Start(starts, ProgressPart(progress, 0.0, SearchShare)))
-  {
-    return false;
-  }
+  DGG_RETURN_IF_ERROR(startFrom(starts, 0.0));
   for (const Id start : starts)
   {
     Id tip = start;
     for (Id v = 0; v < graph.NumberOfVertices; ++v)
     {
-      const bool isFarther = field.GetDistance(v) > field.GetDistance(tip);
-      tip = isFarther && this->AreConnected(v, start) ? v : tip;
+      tip = distanceOf(v) > distanceOf(tip) && this->AreConnected(v, start) ? v : tip;
     }
     this->Vertices.push_back(tip);
   }
-  if (!field.Start(this->Vertices, ProgressPart(progress, SearchShare, 2.0 * SearchShare)))
-  {
-    return false;
-  }
-  Id farthest = field.FindFarthest();
+  DGG_RETURN_IF_ERROR(startFrom(this->Vertices, SearchShare));
+  Id farthest = findFarthest();
   // Distances larger than that between two tips are clamped; the difference of clamped distances is
   // still at most the distance between two vertices.
-  this->Step = field.GetDistance(farthest) / LargestCode;
-  while (this->Vertices.size() < Count && field.GetDistance(farthest) > 0.0)
+  this->Step = distanceOf(farthest) / LargestCode;
+  while (this->Vertices.size() < Count && distanceOf(farthest) > 0.0)
   {
     const double done = static_cast<double>(this->Vertices.size()) / Count;
-    if (!progress(2.0 * SearchShare + (1.0 - 2.0 * SearchShare) * done))
-    {
-      return false;
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(progress, 2.0 * SearchShare + (1.0 - 2.0 * SearchShare) * done));
     this->Vertices.push_back(farthest);
-    field.Add(farthest);
-    farthest = field.FindFarthest();
+    DGG_RETURN_IF_ERROR(field.Add({ { farthest } }, nullptr));
+    farthest = findFarthest();
   }
-  return true;
+  return Status::Success();
 }
 
 void Landmarks::SetDistances(std::size_t k, const double* distances)

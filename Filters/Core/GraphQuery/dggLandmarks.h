@@ -6,7 +6,6 @@
 #define dggLandmarks_h
 
 #include "dggGeodesicGraph.h" // for GraphView
-#include "dggGraphFans.h"     // for GraphFans
 #include "dggGraphSearch.h"   // for GraphSeed
 #include "dggPrefetch.h"      // for Prefetch
 
@@ -17,6 +16,8 @@
 
 namespace dgg
 {
+class FarthestPoints;
+
 /// By the triangle inequality the distance between two vertices is at least the difference between
 /// their distances from a landmark (Goldberg and Harrelson, "Computing the shortest path: A* search
 /// meets graph theory", 2005). Landmarks are vertices far from each other, at the tips of the
@@ -27,10 +28,10 @@ class Landmarks
 public:
   static constexpr int Count = 32;
 
-  /// Chooses landmarks by farthest-point sampling in the larger components. Must be called first;
+  /// Chooses landmarks by farthest-point sampling in the larger components. `mesh` is the mesh of
+  /// the graph, or null if the graph has no angles. Must be called first;
   /// after an abort the object must not be used.
-  Status Choose(const GraphView& graph, const GraphFans* fans, double bucketWidth,
-    const ProgressCallback& progress);
+  Status Choose(const GraphView& graph, const SurfaceMesh* mesh, const ProgressCallback& progress);
 
   /// Returns at most Count landmarks; none if the graph has no edges.
   const std::vector<Id>& GetVertices() const { return this->Vertices; }
@@ -77,8 +78,8 @@ private:
   };
 
   std::vector<Id> ChooseComponents(const GraphView& graph);
-  bool ChooseFrom(const GraphView& graph, const GraphFans* fans, double bucketWidth,
-    const std::vector<Id>& starts, const ProgressCallback& progress);
+  Status ChooseFrom(FarthestPoints& field, const GraphView& graph, const std::vector<Id>& starts,
+    const ProgressCallback& progress);
 
   std::vector<Id> Vertices;
   std::vector<Id> Components;     ///< per vertex
