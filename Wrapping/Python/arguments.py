@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .checks import check_ids, coordinates, numbers  # noqa: F401
-from .surface import add_array, cells_of, vtk_points
+from .surface import add_array, cells_of, configured, vtk_points
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -311,13 +311,10 @@ def number_of_bytes(value, name):
 
 def polyline(points):
     """Returns coordinates as points with one line through all of them."""
-    result = polydata(points)
-    result.SetLines(cells_of(np.array([0, len(points)]), np.arange(len(points))))
-    return result
+    line = cells_of(np.array([0, len(points)]), np.arange(len(points)))
+    return configured(polydata(points), Lines=line)
 
 
 def polydata(points):
     """Returns checked coordinates as points without cells."""
-    result = vtkPolyData()
-    result.SetPoints(vtk_points(points))
-    return result
+    return configured(vtkPolyData(), Points=vtk_points(points))

@@ -11,15 +11,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
-from vtkmodules.vtkRenderingCore import (
-    vtkCellPicker,
-    vtkPointPicker,
-)
+from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkPointPicker
 
 from . import pictures
 from .commands.cloud_pictures import make_bands
 from .commands.sizes import spacing_of
-from .surface import add_array
+from .surface import add_array, configured
 
 # Lightness of the cells of sources, alternating.
 LIGHTNESS = (0.95, 0.80)
@@ -35,7 +32,7 @@ class Skin:
         self._points = pictures.shaded(numbered)
         self._ids = np.array(vtk_to_numpy(self._points.GetPointData().GetArray("Id")))
         self.actor = pictures.actor_of(self._points, pictures.UNREACHED_DISTANCE)
-        pictures.configured(self.actor.GetProperty(), **pictures.GLOSSY).SetInterpolationToPhong()
+        configured(self.actor.GetProperty(), **pictures.GLOSSY).SetInterpolationToPhong()
         self._mapper = self.actor.GetMapper()
         # Lines are drawn in front of the surface.
         self._mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -59,8 +56,7 @@ class Skin:
             mapper.SetInputData(self._shaded_cells)
             mapper.SetScalarModeToUseCellData()
         if table:
-            mapper.SetLookupTable(table)
-            mapper.UseLookupTableScalarRangeOn()
+            configured(mapper, LookupTable=table, UseLookupTableScalarRange=True)
         mapper.SetInterpolateScalarsBeforeMapping(is_smooth and cells is None)
 
     def pick(self, x, y, renderer):
@@ -82,8 +78,8 @@ class CloudSkin:
         radii = np.full(self._count, pictures.DISC_RADIUS * self.spacing)
         self.actor = pictures.discs(cloud, radii, np.zeros(self._count), plain)
         self._plain = plain
-        dots = vtkVertexGlyphFilter()  # points without cells have no bounds for pickers
-        dots.SetInputData(cloud)
+        # Points without cells have no bounds for pickers.
+        dots = configured(vtkVertexGlyphFilter(), InputData=cloud)
         dots.Update()
         self._picker = _only(vtkPointPicker(), dots.GetOutput())
         self._picker.SetTolerance(0.01)
@@ -95,8 +91,7 @@ class CloudSkin:
         vtk_to_numpy(array)[:] = 0.0 if values is None else values
         array.Modified()
         table = table or self._plain
-        mapper.SetLookupTable(table)
-        mapper.SetScalarRange(*table.GetRange())
+        configured(mapper, LookupTable=table, ScalarRange=[*table.GetRange()])
         mapper.GetInput().Modified()
 
     def pick(self, x, y, renderer):
@@ -118,8 +113,7 @@ def lines_actor():
     mapper = actor.GetMapper()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-2.0, -60.0)
-    actor.GetProperty().SetLineWidth(1.5)
-    actor.GetProperty().LightingOff()
+    configured(actor.GetProperty(), LineWidth=1.5, Lighting=False)
     return actor
 
 
@@ -127,8 +121,7 @@ def table_of(scene):
     """Returns the colors of a scene."""
     low, high = scene.limits
     if scene.shown == "voronoi":
-        table = vtkLookupTable()
-        table.SetNumberOfTableValues(int(high) + 1)
+        table = configured(vtkLookupTable(), NumberOfTableValues=int(high) + 1)
         table.SetTableRange(low, high)
         for i in range(int(high) + 1):
             lightness = LIGHTNESS[i % len(LIGHTNESS)]

@@ -42,6 +42,7 @@ from . import writing
 from .surface import (
     area_vectors,
     cells_of,
+    configured,
     coordinates_of,
     locator_of,
     triangles_of,
@@ -102,13 +103,6 @@ LARGEST_RATIO = 2.5
 # Properties of vtkProperty for surfaces without and with highlights.
 MATTE = {"Ambient": 0.10, "Diffuse": 0.74, "Specular": 0.0, "SpecularPower": 25.0}
 GLOSSY = {**MATTE, "Diffuse": 0.90, "Specular": 0.12}
-
-
-def configured(target, **properties):
-    """Sets properties of a VTK object, and returns the object. A list is several arguments."""
-    for name, value in properties.items():
-        getattr(target, f"Set{name}")(*value if isinstance(value, list) else [value])
-    return target
 
 
 def nice_step(span, wanted=20):
@@ -243,9 +237,8 @@ def tubes(
     is_capped: bool = False,
 ) -> vtkActor:
     """Returns an actor of tubes around polylines, whose radius is in model units."""
-    tube = vtkTubeFilter()
-    configured(tube, InputData=lines, Radius=radius, NumberOfSides=sides, Capping=is_capped)
-    tube.Update()
+    tube = configured(vtkTubeFilter(), InputData=lines, Radius=radius)
+    configured(tube, NumberOfSides=sides, Capping=is_capped).Update()
     return actor_of(tube.GetOutput(), color)
 
 
@@ -270,13 +263,11 @@ def _isolines(mesh, array_name, step, radius):
     diagonal of the mesh."""
     reached = _reached_part(mesh, array_name)
     high = np.nanmax(np.append(vtk_to_numpy(mesh.GetPointData().GetArray(array_name)), 0.0))
-    contour = vtkContourFilter()
-    contour.SetInputData(reached)
+    contour = configured(vtkContourFilter(), InputData=reached)
     contour.SetInputArrayToProcess(0, 0, 0, 0, array_name)
     for i in range(1, int(high / step) + 1):
         contour.SetValue(i - 1, i * step)
-    stripper = vtkStripper()
-    stripper.SetInputConnection(contour.GetOutputPort())
+    stripper = configured(vtkStripper(), InputConnection=contour.GetOutputPort())
     stripper.Update()
     return tubes(stripper.GetOutput(), radius * mesh.GetLength())
 
@@ -447,13 +438,14 @@ def aim(renderer, mesh, source, direction=None, aspect=SIZE[0] / SIZE[1], room=0
     # The minimum shows the marker where all points have the same position.
     tangent = 0.5 * max(np.ptp(y) / 0.92, np.ptp(x) / ((0.95 - room) * aspect), 0.05)
 
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(*center)
-    camera.SetPosition(*(center + direction * away))
-    camera.SetViewUp(*up)
-    camera.SetViewAngle(2.0 * math.degrees(math.atan(tangent)))
-    camera.SetWindowCenter(
-        0.5 * (x.min() + x.max()) / (tangent * aspect) + room, 0.5 * (y.min() + y.max()) / tangent
+    middle = 0.5 * (x.min() + x.max()), 0.5 * (y.min() + y.max())
+    configured(
+        renderer.GetActiveCamera(),
+        FocalPoint=[*center],
+        Position=[*(center + direction * away)],
+        ViewUp=[*up],
+        ViewAngle=2.0 * math.degrees(math.atan(tangent)),
+        WindowCenter=[middle[0] / (tangent * aspect) + room, middle[1] / tangent],
     )
     renderer.ResetCameraClippingRange()
 

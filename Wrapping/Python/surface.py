@@ -44,14 +44,20 @@ _OF_ORDER = {
 }
 
 
+def configured(target, **properties):
+    """Sets properties of a VTK object, and returns the object. A list is several arguments."""
+    for name, value in properties.items():
+        getattr(target, f"Set{name}")(*value if isinstance(value, list) else [value])
+    return target
+
+
 def copy_surface(polydata):
     """Returns a copy of the surface with new points and cells. All other arrays are shared."""
     result = vtkPolyData()
     points = vtkPoints()
     if polydata.GetPoints():
-        points.SetDataType(
-            polydata.GetPoints().GetDataType()
-        )  # DeepCopy() does not change the type
+        # DeepCopy() does not change the type.
+        points.SetDataType(polydata.GetPoints().GetDataType())
         points.DeepCopy(polydata.GetPoints())
     result.SetPoints(points)
     for kind in CELLS:
@@ -65,9 +71,7 @@ def copy_surface(polydata):
 
 def vtk_points(values):
     """Returns a copy of coordinates as vtkPoints of the same precision."""
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(values), deep=True))
-    return points
+    return configured(vtkPoints(), Data=numpy_to_vtk(np.ascontiguousarray(values), deep=True))
 
 
 def shallow_copy(polydata):
@@ -104,8 +108,7 @@ def area_vectors(polydata):
 
 def locator_of(polydata):
     """Returns a locator of the cells."""
-    locator = vtkStaticCellLocator()
-    locator.SetDataSet(polydata)
+    locator = configured(vtkStaticCellLocator(), DataSet=polydata)
     locator.BuildLocator()
     return locator
 
@@ -143,8 +146,7 @@ def grid_of(data):
     if data.kind == "STRUCTURED_GRID":
         if np.prod(data.dimensions, dtype=object) != len(data.points):
             raise ValueError(f"dimensions {data.dimensions} contradict {len(data.points)} points")
-        grid = vtkStructuredGrid()
-        grid.SetDimensions(data.dimensions)
+        grid = configured(vtkStructuredGrid(), Dimensions=data.dimensions)
     else:
         grid = vtkUnstructuredGrid()
         _add_cells(grid, data)
@@ -155,15 +157,13 @@ def grid_of(data):
 
 def polydata_of(mesh):
     """Returns the Mesh as a new vtkPolyData. Without cells it gets verts, which renderers draw."""
-    result = vtkPolyData()
     values = mesh.points
     # Single precision for unchanged coordinates of a file that stores it.
     if mesh._is_single and np.array_equal(values.astype(np.float32), values, equal_nan=True):
         values = values.astype(np.float32)
-    result.SetPoints(vtk_points(values))
-    result.SetVerts(cells_of(*mesh.verts))
-    result.SetLines(cells_of(*mesh.lines))
-    result.SetPolys(cells_of(*mesh.polygons))
+    result = configured(vtkPolyData(), Points=vtk_points(values))
+    cells = {"Verts": mesh.verts, "Lines": mesh.lines, "Polys": mesh.polygons}
+    configured(result, **{kind: cells_of(*rows) for kind, rows in cells.items()})
     if result.GetNumberOfCells() == 0:
         ids = np.flatnonzero(np.isfinite(mesh.points).all(axis=1))
         result.SetVerts(cells_of(np.arange(len(ids) + 1), ids))
@@ -190,9 +190,7 @@ def surface_of(data, name):
     numbered.CopyStructure(data)
     add_array(numbered.GetPointData(), name_of_ids, np.arange(data.GetNumberOfPoints()))
     numbered.GetCellData().ShallowCopy(data.GetCellData())
-    extract = vtkDataSetSurfaceFilter()
-    extract.SetInputData(numbered)
-    found = check(extract)
+    found = check(configured(vtkDataSetSurfaceFilter(), InputData=numbered))
     if dimension == 3:
         faces = found.GetNumberOfPolys() + found.GetNumberOfStrips()
         warnings.warn(
@@ -200,8 +198,7 @@ def surface_of(data, name):
             RuntimeWarning,
             stacklevel=depth_of_package(),
         )
-    result = vtkPolyData()
-    result.SetPoints(data.GetPoints())
+    result = configured(vtkPolyData(), Points=data.GetPoints())
     ids = found.GetPointData().GetArray(name_of_ids)
     for kind in CELLS:
         offsets, corners = _ids_of(getattr(found, f"Get{kind}")())
@@ -247,8 +244,7 @@ def to_arrays(polydata):
 
 def from_arrays(arrays):
     """Returns the surface of a dict that to_arrays() returned. Arrays are copied."""
-    result = vtkPolyData()
-    result.SetPoints(vtk_points(arrays["Points"]))
+    result = configured(vtkPolyData(), Points=vtk_points(arrays["Points"]))
     for kind in CELLS:
         getattr(result, f"Set{kind}")(cells_of(*arrays[kind]))
     for kind in DATA:

@@ -18,7 +18,7 @@ from ..graph import MOST_VALUES, even_values, find_isolines
 from ..graph_info import CONSTRUCTIONS, GraphInfo, choose_method, has_graph, set_up
 from ..paths import NotConnectedError
 from ..results import voronoi_of
-from ..surface import named_arrays, with_arrays
+from ..surface import configured, named_arrays, with_arrays
 from . import files, places, sizes
 
 # Methods of distances on a mesh.
@@ -181,11 +181,9 @@ def info(options):
         found["lines"] = contents.GetNumberOfLines()
         warnings.warn("there is no surface; --cloud uses the points only", stacklevel=2)
     if kind == "surface":
-        look = vtkdgg.vtkExactGeodesicDistance()
-        look.SetInputData(contents)
+        look = configured(vtkdgg.vtkExactGeodesicDistance(), InputData=contents)
         look.SetSourceIds([0])
-        look.SetMaximumDistance(0.0)
-        vtkdgg.check(look)
+        vtkdgg.check(configured(look, MaximumDistance=0.0))
         found["area"] = sizes.area(files.triangles_of(contents, options.file))
         for line in look.GetMeshReport().splitlines():
             key, _, value = line.partition(": ")

@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
-from ..surface import coordinates_of
+from ..surface import configured, coordinates_of
 
 # Relative rounding error of sums of many lengths.
 TOLERANCE = 1e-9
@@ -21,11 +21,8 @@ def upper_bound(mesh, location, corners):
     """
     bound = np.full(mesh.GetNumberOfPoints(), np.inf)
     for corner in corners:
-        dijkstra = vtkDijkstraGraphGeodesicPath()
-        dijkstra.SetInputData(mesh)
-        dijkstra.SetStartVertex(corner)
-        dijkstra.SetEndVertex(corner)
-        dijkstra.StopWhenEndReachedOff()
+        dijkstra = configured(vtkDijkstraGraphGeodesicPath(), InputData=mesh)
+        configured(dijkstra, StartVertex=corner, EndVertex=corner, StopWhenEndReached=False)
         dijkstra.Update()
         weights = vtkDoubleArray()
         dijkstra.GetCumulativeWeights(weights)

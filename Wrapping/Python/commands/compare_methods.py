@@ -10,7 +10,7 @@ import vtkdgg
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from .. import pictures
-from ..surface import with_arrays
+from ..surface import configured, with_arrays
 from .measured import Errors
 from .methods import field, methods
 from .sizes import floor_of
@@ -87,10 +87,7 @@ def save(path, mesh, source, measured, part=1.0):
 
 
 def _viewport(bounds):
-    renderer = vtkRenderer()
-    renderer.SetViewport(*bounds)
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    return renderer
+    return configured(vtkRenderer(), Viewport=[*bounds], Background=[1.0, 1.0, 1.0])
 
 
 def _title(bounds, title, errors, part):
@@ -129,19 +126,15 @@ def _bars(bounds, heights, table, part):
     quads = vtkdgg.Mesh(points, corners, cell_data={"Error": errors}).as_polydata()
     quads.GetCellData().SetActiveScalars("Error")
     actor = pictures.actor_of(quads)
-    actor.GetMapper().SetLookupTable(table)
-    actor.GetMapper().UseLookupTableScalarRangeOn()
-    actor.GetProperty().LightingOff()
-    actor.GetProperty().EdgeVisibilityOn()
-    actor.GetProperty().SetEdgeColor(*pictures.INK)
+    configured(actor.GetMapper(), LookupTable=table, UseLookupTableScalarRange=True)
+    look = configured(actor.GetProperty(), Lighting=False, EdgeVisibility=True)
+    look.SetEdgeColor(*pictures.INK)
     actor.SetScale(CELL[0] / (BARS * CELL[1]), 1.0, 1.0)  # fills the width of the viewport
     renderer = _viewport(bounds)
     renderer.AddActor(actor)
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetPosition(0.5 * actor.GetScale()[0], 0.5, 1.0)
-    camera.SetFocalPoint(0.5 * actor.GetScale()[0], 0.5, 0.0)
-    camera.SetParallelScale(0.5)
+    middle = 0.5 * actor.GetScale()[0]
+    camera = configured(renderer.GetActiveCamera(), ParallelProjection=True, ParallelScale=0.5)
+    configured(camera, Position=[middle, 0.5, 1.0], FocalPoint=[middle, 0.5, 0.0])
     for decade in range(DECADES + 1):
         number = pictures.text(f"{10.0 ** (low + decade):g}", 0.0, 0.0, round(22 * part))
         number.GetTextProperty().SetJustificationToCentered()

@@ -11,16 +11,13 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from .. import arguments, writing
-from ..surface import coordinates_of
+from ..surface import configured, coordinates_of
 
 
 def triangles_of(contents, path):
     """Returns the triangles; polygons and strips are triangulated, lines and vertices removed."""
-    triangulate = vtkTriangleFilter()
-    triangulate.PassLinesOff()
-    triangulate.PassVertsOff()
-    triangulate.SetInputData(contents)
-    mesh = vtkdgg.check(triangulate)
+    triangulate = configured(vtkTriangleFilter(), InputData=contents, PassLines=False)
+    mesh = vtkdgg.check(configured(triangulate, PassVerts=False))
     if mesh.GetNumberOfPolys() == 0:
         raise ValueError(f"{path}: contains no surface")
     return mesh
@@ -50,8 +47,7 @@ def refuse_on_clouds(options, *names):
 
 def points_of(contents):
     """Returns the points alone, with their normals if there are any."""
-    cloud = vtkPolyData()
-    cloud.SetPoints(contents.GetPoints())
+    cloud = configured(vtkPolyData(), Points=contents.GetPoints())
     cloud.GetPointData().SetNormals(contents.GetPointData().GetNormals())
     return cloud
 
@@ -60,9 +56,7 @@ def make_graph(contents):
     """Returns the filter that builds the graph of these points."""
     if not hasattr(vtkdgg, "vtkPointCloudDGG"):
         raise ValueError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
-    graph = vtkdgg.vtkPointCloudDGG()
-    graph.SetInputData(contents)
-    return graph
+    return configured(vtkdgg.vtkPointCloudDGG(), InputData=contents)
 
 
 def finite_points(contents, path):

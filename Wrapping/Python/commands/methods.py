@@ -10,6 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .. import arguments
 from ..paths import set_pairs
+from ..surface import configured
 from .places import add_source
 
 NUMBER_OF_QUERIES = 9
@@ -38,8 +39,7 @@ class Direct:
         self.filter = make()
         if self.filter.GetNumberOfInputConnections(0) == 0:
             self.filter.SetInputData(mesh)
-        self.filter.SetMergeCoincidentPoints(merge)
-        self.filter.SetProjectionTolerance(tolerance)
+        configured(self.filter, MergeCoincidentPoints=merge, ProjectionTolerance=tolerance)
         add_source(self.filter, mesh, source)
         self.output, self.time = update(self.filter)
 
@@ -76,8 +76,8 @@ class Path:
     """The smoothed shortest path in the graph of a cloud from the source to a point."""
 
     def __init__(self, graph, source, point, tolerance):
-        self.filter = vtkdgg.vtkDGGPath()
-        self.filter.SetInputConnection(graph.filter.GetOutputPort())
+        port = graph.filter.GetOutputPort()
+        self.filter = configured(vtkdgg.vtkDGGPath(), InputConnection=port)
         self.filter.SetProjectionTolerance(tolerance)
         ends = (
             arguments.surface_point(end, "--source", graph.output, is_cloud=True)
@@ -90,56 +90,39 @@ class Path:
 
 def graph(accuracy, correction=True):
     """Returns a function that makes a vtkDGGDistance, which builds its own graph."""
-
-    def make():
-        distance = vtkdgg.vtkDGGDistance()
-        distance.SetAccuracy(accuracy)
-        distance.SetCorrection(correction)
-        return distance
-
-    return make
+    return lambda: configured(vtkdgg.vtkDGGDistance(), Accuracy=accuracy, Correction=correction)
 
 
 def propagation(quality):
     """Returns a function that makes a vtkVirtualSourceGeodesicDistance of this quality."""
-
-    def make():
-        distance = vtkdgg.vtkVirtualSourceGeodesicDistance()
-        distance.SetQuality(quality)
-        return distance
-
-    return make
+    return lambda: configured(vtkdgg.vtkVirtualSourceGeodesicDistance(), Quality=quality)
 
 
 def heat():
     """Returns the heat method on the triangles of the mesh, without intrinsic Delaunay flips."""
-    distance = vtkdgg.vtkHeatGeodesicDistance()
-    distance.IntrinsicDelaunayOff()
-    return distance
+    return configured(vtkdgg.vtkHeatGeodesicDistance(), IntrinsicDelaunay=False)
 
 
 def on_graph(graph_filter, correction=False, has_upper_bound=False):
     """Returns a function that makes a vtkDGGDistance on the graph of a filter."""
-
-    def make():
-        distance = vtkdgg.vtkDGGDistance()
-        distance.SetInputConnection(graph_filter.GetOutputPort())
-        distance.SetCorrection(correction)
-        distance.SetGenerateUpperBound(has_upper_bound)
-        return distance
-
-    return make
+    return lambda: configured(
+        vtkdgg.vtkDGGDistance(),
+        InputConnection=graph_filter.GetOutputPort(),
+        Correction=correction,
+        GenerateUpperBound=has_upper_bound,
+    )
 
 
 def builder(mesh, construction, accuracy=0.01, neighbors=30, merge=False):
     """Returns a vtkDiscreteGeodesicGraph of this construction before its update."""
-    graph_filter = vtkdgg.vtkDiscreteGeodesicGraph()
-    graph_filter.SetInputData(mesh)
-    graph_filter.SetConstruction(getattr(graph_filter, construction))
-    graph_filter.SetAccuracy(accuracy)
-    graph_filter.SetNumberOfNeighbors(neighbors)
-    graph_filter.SetMergeCoincidentPoints(merge)
-    return graph_filter
+    return configured(
+        vtkdgg.vtkDiscreteGeodesicGraph(),
+        InputData=mesh,
+        Construction=getattr(vtkdgg.vtkDiscreteGeodesicGraph, construction),
+        Accuracy=accuracy,
+        NumberOfNeighbors=neighbors,
+        MergeCoincidentPoints=merge,
+    )
 
 
 def methods(mesh, accuracy, merge=False, neighbors=30):

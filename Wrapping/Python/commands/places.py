@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
 from .. import arguments
-from ..surface import closest_cell, coordinates_of, locator_of, with_arrays
+from ..surface import closest_cell, configured, coordinates_of, locator_of, with_arrays
 
 #: Syntax of a surface point.
 POINT = "ID|X,Y,Z|face:ID:B0,B1,B2"
@@ -64,8 +64,8 @@ def add_source(algorithm, mesh, source):
 
 def far_point(mesh):
     """Returns the id of the point of the largest component that is farthest from the center."""
-    largest = vtkPolyDataConnectivityFilter()
-    largest.SetInputData(with_arrays(mesh, {"Id": np.arange(mesh.GetNumberOfPoints())}))
+    numbered = with_arrays(mesh, {"Id": np.arange(mesh.GetNumberOfPoints())})
+    largest = configured(vtkPolyDataConnectivityFilter(), InputData=numbered)
     largest.SetExtractionModeToLargestRegion()
     piece = vtkdgg.check(largest)
     used = np.unique(vtk_to_numpy(piece.GetPolys().GetConnectivityArray()))

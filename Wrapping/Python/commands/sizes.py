@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
 from vtkmodules.vtkFiltersPoints import vtkConnectedPointsFilter
 
-from ..surface import area_vectors, coordinates_of, triangles_of
+from ..surface import area_vectors, configured, coordinates_of, triangles_of
 
 # Fraction of the mean edge length. Shorter distances consist of rounding errors and of the length
 # that is added to triangles without area.
@@ -49,8 +49,7 @@ def notes(mesh):
 
 def spacing_of(cloud):
     """Returns the median distance of some points from their fourth neighbors."""
-    locator = vtkStaticPointLocator()
-    locator.SetDataSet(cloud)
+    locator = configured(vtkStaticPointLocator(), DataSet=cloud)
     locator.BuildLocator()
     count = cloud.GetNumberOfPoints()
     points = vtk_to_numpy(cloud.GetPoints().GetData())
@@ -66,9 +65,7 @@ def spacing_of(cloud):
 
 def components_of(cloud, spacing):
     """Returns the number of components of a cloud, which wide gaps separate."""
-    connect = vtkConnectedPointsFilter()
-    connect.SetInputData(cloud)
-    connect.SetRadius(GAP * spacing)
+    connect = configured(vtkConnectedPointsFilter(), InputData=cloud, Radius=GAP * spacing)
     connect.SetExtractionModeToAllRegions()
     connect.Update()
     return connect.GetNumberOfExtractedRegions()
