@@ -123,6 +123,13 @@ class Trial:
             i = np.unravel_index(np.argmax(np.nan_to_num(excess, nan=np.inf)), excess.shape)
             self.expect(excess == -np.inf, f"{text}: {values[i]:.10g} > {bounds[i]:.10g}")
 
+    def expect_close(self, found, true, text, relative=0.0):
+        """Reports finite distances that differ from the true ones by more than rounding errors, or
+        by more than a relative error."""
+        reached = np.isfinite(true)
+        found, true = found[reached], true[reached]
+        self.expect_most(np.abs(found - true), relative * true + self.slack(true), text)
+
     def slack(self, distance):
         """Returns the error of an exact distance by rounding and by changed or skipped triangles."""
         changed = 4 * self.lengthened + 2 * self.moved
