@@ -49,15 +49,6 @@ class Session(unittest.TestCase):
             simple.SaveScreenshot(str(file), view, ImageResolution=[320, 280])
             support.check_picture(self, file)
 
-    def test_numbers(self):
-        self.assertEqual(self.found["distance"].min(), self.found["distance"][np.argmin(
-            np.linalg.norm(support.points(self.pipeline["distance"]) - scenes.SOURCE, axis=1))])
-        values = support.array(self.pipeline["lines"], "IsoValue", cells=True)
-        self.assertLessEqual(set(values), set(scenes.STEPS))
-        length = support.array(self.pipeline["path"], "Length", cells=True)[0]
-        self.assertGreater(length, 2.0)
-        self.assertEqual(set(self.found["cells"]), set(range(12)))
-
     def test_ports_have_names(self):
         cells = self.pipeline["cells"]
         kinds = {name: support.fetch(cells, i) for i, name in enumerate(
