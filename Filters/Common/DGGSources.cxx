@@ -10,15 +10,43 @@
 #include "dggSourceCollection.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <limits>
 
 namespace
 {
+/// Returns an array with the given tuples of `from`. For indices that do not exist, it has
+/// `missing` if `from` has floating-point numbers, otherwise 0 or the empty string.
+vtkSmartPointer<vtkAbstractArray> PickTuples(
+  vtkAbstractArray* from, const std::vector<dgg::Offset>& tuples, double missing)
+{
+  const auto array =
+    vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(from->GetDataType()));
+  array->SetName(from->GetName());
+  array->SetNumberOfComponents(from->GetNumberOfComponents());
+  array->CopyComponentNames(from);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
+  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  {
+    const int type = numbers->GetDataType();
+    numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? missing : 0.0);
+  }
+  for (std::size_t i = 0; i < tuples.size(); ++i)
+  {
+    if (tuples[i] >= 0 && tuples[i] < from->GetNumberOfTuples())
+    {
+      array->SetTuple(static_cast<vtkIdType>(i), tuples[i], from);
+    }
+  }
+  return array;
+}
+
 /// Copies the tuples of the points of a set.
 std::vector<double> Gather(const DGGSourceSet& set, vtkDataArray* array)
 {
@@ -118,8 +146,9 @@ dgg::Status DGGLocate(const DGGContext& context, const DGGSourceSet& set, double
 {
   dgg::SourceCollection collection;
   DGG_RETURN_IF_ERROR(Read(set, collection));
-  const DGGSurfaceArrays cells(context.Input, false, !collection.Barycentric.empty());
-  DGG_RETURN_IF_ERROR(collection.Locate(cells.Get(), context.Surface, tolerance, sources));
+  const dgg::SurfaceArrays none;
+  const dgg::SurfaceArrays& cells = collection.Barycentric.empty() ? none : context.GetCells();
+  DGG_RETURN_IF_ERROR(collection.Locate(cells, context.Surface, tolerance, sources));
   const std::string warning =
     filter ? collection.DescribeIsolated(context.Surface, sources) : std::string();
   if (!warning.empty())
@@ -140,28 +169,26 @@ dgg::Status DGGLocate(const DGGContext& context, const DGGSourceSet& set, double
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkAbstractArray> DGGPickTuples(
-  vtkAbstractArray* from, const std::vector<vtkIdType>& tuples, double missing)
+void DGGPassLineArrays(vtkPolyData* data, const std::vector<dgg::Offset>& lines, vtkIdType first,
+  vtkDataSetAttributes* output)
 {
-  const auto array =
-    vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(from->GetDataType()));
-  array->SetName(from->GetName());
-  array->SetNumberOfComponents(from->GetNumberOfComponents());
-  array->CopyComponentNames(from);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
-  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  if (!data)
   {
-    const int type = numbers->GetDataType();
-    numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? missing : 0.0);
+    return;
   }
-  for (std::size_t i = 0; i < tuples.size(); ++i)
+  std::vector<dgg::Offset> tuples;
+  for (const dgg::Offset line : lines)
   {
-    if (tuples[i] >= 0 && tuples[i] < from->GetNumberOfTuples())
+    tuples.push_back(line < first ? -1 : data->GetNumberOfVerts() + line - first);
+  }
+  for (int a = 0; a < data->GetCellData()->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = data->GetCellData()->GetAbstractArray(a);
+    if (!array->GetName() || !output->HasArray(array->GetName()))
     {
-      array->SetTuple(static_cast<vtkIdType>(i), tuples[i], from);
+      output->AddArray(PickTuples(array, tuples, 0.0));
     }
   }
-  return array;
 }
 
 //------------------------------------------------------------------------------
@@ -173,7 +200,7 @@ void DGGPassArrays(
     return;
   }
   const auto first = static_cast<dgg::Id>(set.Ids.size());
-  std::vector<vtkIdType> tuples;
+  std::vector<dgg::Offset> tuples;
   for (const dgg::Id source : nearest)
   {
     tuples.push_back(source < first ? -1 : set.GetPointId(source - first));
@@ -188,7 +215,7 @@ void DGGPassArrays(
       name != "vtkOriginalPointIds" && name != "Barycentric" && !output->HasArray(name.c_str()) &&
       values->GetNumberOfTuples() == set.Points->GetNumberOfPoints())
     {
-      output->AddArray(DGGPickTuples(values, tuples, std::numeric_limits<double>::quiet_NaN()));
+      output->AddArray(PickTuples(values, tuples, std::numeric_limits<double>::quiet_NaN()));
     }
   }
 }

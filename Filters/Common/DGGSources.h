@@ -8,8 +8,7 @@
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
 #include "dggGeodesicSource.h"         // for GeodesicSource
 
-#include "vtkSmartPointer.h" // for arrays
-#include "vtkType.h"         // for vtkIdType
+#include "vtkType.h" // for vtkIdType
 
 #include <cstddef> // for std::size_t
 #include <string>  // for the names
@@ -55,10 +54,10 @@ VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGLocate(const DGGContext& context, cons
   double tolerance, std::vector<dgg::SurfacePoint>& points, vtkObject* filter = nullptr);
 ///@}
 
-/// Returns an array with the given tuples of `from`. For indices that do not exist, it has
-/// `missing` if `from` has floating-point numbers, otherwise 0 or the empty string.
-VTKDGGFILTERSCOMMON_EXPORT vtkSmartPointer<vtkAbstractArray> DGGPickTuples(
-  vtkAbstractArray* from, const std::vector<vtkIdType>& tuples, double missing);
+/// Adds the cell arrays of the lines of `data`, which may be null, to an output: its cell i has the
+/// values of line `lines[i] - first`, and zeros if there is none.
+VTKDGGFILTERSCOMMON_EXPORT void DGGPassLineArrays(vtkPolyData* data,
+  const std::vector<dgg::Offset>& lines, vtkIdType first, vtkDataSetAttributes* output);
 
 /// Adds the point arrays of the port to `output`; each tuple is that of the nearest source. If the
 /// nearest source is an id, or if there is none, the value is NaN, 0 or the empty string. Arrays of

@@ -13,6 +13,8 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 //------------------------------------------------------------------------------
 DGGSurfaceArrays::DGGSurfaceArrays(vtkPolyData* input, bool withPoints, bool withCells)
@@ -83,6 +85,19 @@ const dgg::Offset* DGGSurfaceArrays::ConvertIds(vtkDataArray* ids)
     copy[i] = static_cast<dgg::Offset>(ids->GetComponent(static_cast<vtkIdType>(i), 0));
   }
   return copy.data();
+}
+
+//------------------------------------------------------------------------------
+std::function<const dgg::SurfaceArrays&()> DGGConvertCells(vtkPolyData* input)
+{
+  const auto arrays = std::make_shared<std::optional<DGGSurfaceArrays>>();
+  return [input, arrays]() -> const dgg::SurfaceArrays& {
+    if (!arrays->has_value())
+    {
+      arrays->emplace(input, false, true);
+    }
+    return (*arrays)->Get();
+  };
 }
 
 //------------------------------------------------------------------------------

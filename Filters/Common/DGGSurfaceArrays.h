@@ -8,9 +8,10 @@
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
 #include "dggPreparedSurface.h"        // for SurfaceArrays
 
-#include <list>   // for the copies
-#include <string> // for messages
-#include <vector> // for the copies
+#include <functional> // for the cells
+#include <list>       // for the copies
+#include <string>     // for messages
+#include <vector>     // for the copies
 
 class vtkAbstractArray;
 class vtkCellArray;
@@ -22,19 +23,28 @@ class vtkPolyData;
 class VTKDGGFILTERSCOMMON_EXPORT DGGSurfaceArrays
 {
 public:
+  DGGSurfaceArrays() = default;
   DGGSurfaceArrays(vtkPolyData* input, bool withPoints, bool withCells);
+  DGGSurfaceArrays(const DGGSurfaceArrays&) = delete;
+  DGGSurfaceArrays& operator=(const DGGSurfaceArrays&) = delete;
 
   const dgg::SurfaceArrays& Get() const { return this->Arrays; }
 
+  /// Converts any cells, which may be null. Valid as long as this object and the cells exist.
+  dgg::CellArrays ConvertCells(vtkCellArray* cells);
+
 private:
   const double* ConvertPoints(vtkDataArray* points);
-  dgg::CellArrays ConvertCells(vtkCellArray* cells);
   const dgg::Offset* ConvertIds(vtkDataArray* ids);
 
   dgg::SurfaceArrays Arrays;
   std::vector<double> Points;
   std::list<std::vector<dgg::Offset>> Ids;
 };
+
+/// Returns a function that converts the polygons and strips of a vtkPolyData at its first call.
+VTKDGGFILTERSCOMMON_EXPORT std::function<const dgg::SurfaceArrays&()> DGGConvertCells(
+  vtkPolyData* input);
 
 /// Returns an error unless a point array is numeric, with this number of components (0 for any) and
 /// a tuple per point. `where` is the name of `data` in messages.

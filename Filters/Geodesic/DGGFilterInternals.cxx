@@ -5,8 +5,10 @@
 #include "DGGCompatibility.h"
 #include "DGGFreeMemory.h"
 #include "DGGMeshAdapter.h"
+#include "DGGOutput.h"
 #include "DGGPartedUpdate.h"
 #include "DGGProperties.h"
+#include "DGGSurfaceArrays.h"
 #include "DGGThreads.h"
 #include "vtkGeodesicAlgorithm.h"
 
@@ -283,7 +285,8 @@ DGGContext DGGFilterInternals::MakeContext(vtkPolyData* surface)
 {
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
   return { { this->Mesh->Get(), DGGMakeBudget(this->Filter->MemoryLimit),
-             vtkSMPTools::GetEstimatedNumberOfThreads(), progress, DGGMakeParallelFor(progress) },
+             vtkSMPTools::GetEstimatedNumberOfThreads(), progress, DGGMakeParallelFor(progress),
+             DGGConvertCells(surface) },
     surface };
 }
 
@@ -317,6 +320,24 @@ void DGGFilterInternals::WarnAboutGaps(const std::vector<bool>& isReached)
 }
 
 //------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::FillOutput(
+  const DGGContext& context, dgg::Output& output, vtkInformationVector* outputVector, int port)
+{
+  this->Warn(output.Warnings);
+  return DGGFillOutput(output, context.Input, this->Filter->OutputPointsPrecision,
+    vtkPolyData::GetData(outputVector, port));
+}
+
+//------------------------------------------------------------------------------
+void DGGFilterInternals::Warn(const std::vector<std::string>& warnings)
+{
+  for (const std::string& warning : warnings)
+  {
+    vtkWarningWithObjectMacro(this->Filter, << warning << ".");
+  }
+}
+
+//------------------------------------------------------------------------------
 bool DGGFilterInternals::WarnAboutQuality(const std::string& reason)
 {
   if (this->QualityTime != this->Mesh->GetBuildTime())
@@ -344,10 +365,7 @@ dgg::Status DGGFilterInternals::PrepareMesh(vtkPolyData* surface)
   const dgg::Status status = this->Mesh->Update(surface, this->GetDomain(surface));
   if (built != this->Mesh->GetBuildTime())
   {
-    for (const std::string& warning : this->Mesh->Get().GetWarnings())
-    {
-      vtkWarningWithObjectMacro(this->Filter, << warning << ".");
-    }
+    this->Warn(this->Mesh->Get().GetWarnings());
   }
   return status;
 }

@@ -28,6 +28,10 @@ class vtkGeodesicAlgorithm;
 class vtkInformation;
 class vtkInformationVector;
 class vtkPolyData;
+namespace dgg
+{
+struct Output;
+}
 
 /// The steps of an update, which each filter implements, and what all filters do around them. The
 /// constructor of a filter creates its own and assigns it to vtkGeodesicAlgorithm::Internals.
@@ -99,6 +103,13 @@ public:
 
   /// Reports a reason for inaccurate results once per mesh. Returns true if there is a reason.
   bool WarnAboutQuality(const std::string& reason);
+
+  /// Fills an output that is new geometry, and reports its warnings.
+  dgg::Status FillOutput(const DGGContext& context, dgg::Output& output,
+    vtkInformationVector* outputVector, int port = 0);
+
+  /// Reports warnings, which lack the final period.
+  void Warn(const std::vector<std::string>& warnings);
 
   /// Warns that the input lacks something.
   void WarnAboutEmptyInput(const char* lack);

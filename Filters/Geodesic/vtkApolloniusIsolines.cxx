@@ -5,10 +5,11 @@
 #include "DGGContext.h"
 #include "DGGFieldInput.h"
 #include "DGGFilterInternals.h"
-#include "DGGIsolineOutputs.h"
-#include "DGGNewGeometry.h"
 
+#include "dggFieldReader.h"
 #include "dggInvalidInput.h"
+#include "dggIsolineTask.h"
+#include "dggOutput.h"
 #include "dggProgressPart.h"
 
 #include "vtkContourValues.h"
@@ -27,23 +28,10 @@ namespace
 /// Progress weight of reading windows and virtual sources.
 constexpr double ReadingShare = 0.4;
 
-/// Progress weights of isolines, ridges and bands within the rest, if they are requested.
-constexpr double LineWork = 1.0;
-constexpr double RidgeWork = 1.0;
-constexpr double BandWork = 1.5;
-
 constexpr double RadiansPerDegree = dgg::Pi / 180.0;
 
 /// Smallest ChordTolerance: time and memory grow without bound as the tolerance decreases.
 constexpr double SmallestChordTolerance = 1e-6;
-
-/// Results of an update.
-struct Curves
-{
-  dgg::Isolines Lines;
-  dgg::Ridges Ridges;
-  dgg::Bands Bands;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -64,11 +52,12 @@ public:
 
 private:
   std::vector<double> CopyValues() const;
-  dgg::Status ReadField(const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input);
-  void WarnAbout(const DGGFieldInput& input, const DGGContext& context);
-  void WarnAboutNoLine(const std::vector<double>& distances, const dgg::Isolines& lines);
-  dgg::Status FindCurves(
-    const DGGContext& context, const dgg::DistanceField& field, Curves& curves);
+  dgg::IsolineTaskOptions MakeOptions(const dgg::DistanceField& field) const;
+  void WarnAbout(const dgg::FieldReader& reader);
+  void WarnAboutNoLine(const dgg::FieldReader& reader, const dgg::Isolines& lines);
+  dgg::Status FillOutputs(const DGGContext& context, const std::vector<double>& values,
+    const dgg::IsolineResult& result, const std::string& distances,
+    vtkInformationVector* outputVector);
 
   bool WasEmpty = false; // true if the last update had no line and no other output
 };
@@ -241,55 +230,74 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::Execute(const DGGContext& conte
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkDataArray* distances = nullptr;
-  DGGNewGeometry geometry;
-  DGGFieldInput input;
-  Curves curves;
-  DGG_RETURN_IF_ERROR(DGGFieldInput::FindDistances(
+  dgg::FieldReader reader(context.Surface);
+  dgg::IsolineResult result;
+  DGG_RETURN_IF_ERROR(DGGFindDistances(
     this->Self->Information, this->Self->DistanceArrayName, context.Input, distances));
-  DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
-  DGG_RETURN_IF_ERROR(this->ReadField(context, distances, input));
-  this->WarnAbout(input, context);
-  DGG_RETURN_IF_ERROR(this->FindCurves(context, input.GetField(), curves));
-  this->WarnAboutNoLine(input.GetDistances(), curves.Lines);
-  this->Self->UsedWindows = input.GetField().HasWindows();
-  this->Self->UsedVirtualSources = input.GetField().HasSources();
-  this->Self->NumberOfFallbacks = curves.Lines.Fallbacks + curves.Ridges.Fallbacks;
-  const DGGIsolineOutputs outputs(geometry, DGGFieldInput::GetName(distances));
-  outputs.WriteLines(curves.Lines, this->CopyValues(), vtkPolyData::GetData(outputVector, 0));
-  outputs.WriteRidges(curves.Ridges, vtkPolyData::GetData(outputVector, 1));
-  outputs.WriteBands(curves.Bands, vtkPolyData::GetData(outputVector, 2));
+  DGG_RETURN_IF_ERROR(DGGReadField(context, distances, this->Self->UnreachedValue,
+    this->Self->Method == Linear ? nullptr : this->Self->VirtualSourceArrayName.c_str(),
+    dgg::ProgressPart(context.Progress, 0.0, ReadingShare), reader));
+  this->WarnAbout(reader);
+  const dgg::DistanceField& field = reader.GetField();
+  const dgg::IsolineTaskOptions options = this->MakeOptions(field);
+  DGG_RETURN_IF_ERROR(dgg::FindIsolines(
+    context, field, options, dgg::ProgressPart(context.Progress, ReadingShare, 1.0), result));
+  this->WarnAboutNoLine(reader, result.Lines);
+  this->Self->UsedWindows = field.HasWindows();
+  this->Self->UsedVirtualSources = field.HasSources();
+  this->Self->NumberOfFallbacks = result.Lines.Fallbacks + result.Ridges.Fallbacks;
+  return this->FillOutputs(
+    context, options.Values, result, DGGGetDistanceName(distances), outputVector);
+}
+
+//------------------------------------------------------------------------------
+dgg::IsolineTaskOptions vtkApolloniusIsolines::vtkInternals::MakeOptions(
+  const dgg::DistanceField& field) const
+{
+  const bool isKnown = field.HasWindows() || field.HasSources(); // otherwise linear, with a warning
+  dgg::IsolineTaskOptions options;
+  options.Values = this->CopyValues();
+  options.Lines.ChordTolerance = this->Self->ChordTolerance * field.Mesh->GetMeanEdgeLength();
+  options.Lines.SteinerPoints = this->Self->SteinerPoints;
+  options.Lines.Method = isKnown && this->Self->Method == Apollonius
+    ? dgg::IsolineMethod::Apollonius
+    : dgg::IsolineMethod::LocalSources;
+  options.Ridges.MinimumAngle = this->Self->MinimumRidgeAngle * RadiansPerDegree;
+  options.Ridges.ChordTolerance = options.Lines.ChordTolerance;
+  options.WithRidges = this->Self->GenerateRidges;
+  options.WithBands = this->Self->GenerateBands;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkApolloniusIsolines::vtkInternals::FillOutputs(const DGGContext& context,
+  const std::vector<double>& values, const dgg::IsolineResult& result, const std::string& distances,
+  vtkInformationVector* outputVector)
+{
+  dgg::Output outputs[3];
+  dgg::WriteIsolines(context, result.Lines, values, outputs[0]);
+  dgg::WriteRidges(context, result.Ridges, outputs[1]);
+  dgg::WriteBands(context, result.Bands, distances, outputs[2]);
+  for (int port = 0; port < 3; ++port)
+  {
+    DGG_RETURN_IF_ERROR(this->FillOutput(context, outputs[port], outputVector, port));
+  }
   return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-/// Reads the distances and, unless Method is Linear, their windows or virtual sources.
-dgg::Status vtkApolloniusIsolines::vtkInternals::ReadField(
-  const DGGContext& context, vtkDataArray* distances, DGGFieldInput& input)
+void vtkApolloniusIsolines::vtkInternals::WarnAbout(const dgg::FieldReader& reader)
 {
-  input.SetUnreachedValue(this->Self->UnreachedValue);
-  return this->Self->Method == Linear
-    ? input.ReadDistances(context, distances)
-    : input.Read(context, distances, this->Self->VirtualSourceArrayName,
-        dgg::ProgressPart(context.Progress, 0.0, ReadingShare));
-}
-
-//------------------------------------------------------------------------------
-void vtkApolloniusIsolines::vtkInternals::WarnAbout(
-  const DGGFieldInput& input, const DGGContext& context)
-{
-  this->WarnAboutQuality(input.DescribeQuality(context.Surface));
-  if (!input.GetWarning().empty())
-  {
-    vtkWarningWithObjectMacro(this->Self, << input.GetWarning() << ".");
-  }
-  if (this->Self->GenerateRidges && !input.GetField().HasWindows() &&
-    !input.GetField().HasSources())
+  this->WarnAboutQuality(reader.DescribeQuality());
+  this->Warn(reader.GetWarnings());
+  if (this->Self->GenerateRidges && !reader.GetField().HasWindows() &&
+    !reader.GetField().HasSources())
   {
     vtkWarningWithObjectMacro(
       this->Self, << "there are no ridges in distances that are linear in each triangle: choose "
                      "another Method, and distances with windows or virtual sources.");
   }
-  else if (this->Self->GenerateRidges && input.HasFittedSources())
+  else if (this->Self->GenerateRidges && reader.HasFittedSources())
   {
     vtkWarningWithObjectMacro(
       this->Self, << "ridges of virtual sources that are fitted to distances alone are not "
@@ -302,19 +310,13 @@ void vtkApolloniusIsolines::vtkInternals::WarnAbout(
 /// Warns if only lines are requested and there are none, once for consecutive updates without
 /// lines: each move of a source changes the range.
 void vtkApolloniusIsolines::vtkInternals::WarnAboutNoLine(
-  const std::vector<double>& distances, const dgg::Isolines& lines)
+  const dgg::FieldReader& reader, const dgg::Isolines& lines)
 {
   const bool isEmpty =
     lines.Lines.empty() && !this->Self->GenerateRidges && !this->Self->GenerateBands;
   if (isEmpty && !this->WasEmpty)
   {
-    double smallest = dgg::Infinity;
-    double largest = -dgg::Infinity;
-    for (const double distance : distances)
-    {
-      smallest = std::min(smallest, distance);
-      largest = distance < dgg::Infinity ? std::max(largest, distance) : largest;
-    }
+    const auto [smallest, largest] = reader.FindRange();
     if (smallest > largest)
     {
       return; // no point is reached
@@ -324,39 +326,6 @@ void vtkApolloniusIsolines::vtkInternals::WarnAboutNoLine(
                   << " to " << largest << ", and none of the values yields a line.");
   }
   this->WasEmpty = isEmpty;
-}
-
-//------------------------------------------------------------------------------
-/// Finds lines and, if requested, ridges and bands.
-dgg::Status vtkApolloniusIsolines::vtkInternals::FindCurves(
-  const DGGContext& context, const dgg::DistanceField& field, Curves& curves)
-{
-  const bool isKnown = field.HasWindows() || field.HasSources(); // otherwise linear, with a warning
-  const std::vector<double> values = this->CopyValues();
-  dgg::IsolineOptions options;
-  options.ChordTolerance = this->Self->ChordTolerance * field.Mesh->GetMeanEdgeLength();
-  options.SteinerPoints = this->Self->SteinerPoints;
-  options.Method = isKnown && this->Self->Method == Apollonius ? dgg::IsolineMethod::Apollonius
-                                                               : dgg::IsolineMethod::LocalSources;
-  dgg::RidgeOptions ridgeOptions;
-  ridgeOptions.MinimumAngle = this->Self->MinimumRidgeAngle * RadiansPerDegree;
-  ridgeOptions.ChordTolerance = options.ChordTolerance;
-  const double work = LineWork + (this->Self->GenerateRidges ? RidgeWork : 0.0) +
-    (this->Self->GenerateBands ? BandWork : 0.0);
-  const double unit = (1.0 - ReadingShare) / work;
-  const double atRidges = ReadingShare + LineWork * unit;
-  const double atBands = atRidges + (this->Self->GenerateRidges ? RidgeWork * unit : 0.0);
-  const dgg::ProgressCallback& progress = context.Progress;
-  DGG_RETURN_IF_ERROR(dgg::TraceIsolines(field, values, options, context.Parallel,
-    dgg::ProgressPart(progress, ReadingShare, atRidges), curves.Lines));
-  if (this->Self->GenerateRidges && isKnown)
-  {
-    DGG_RETURN_IF_ERROR(dgg::FindRidges(field, ridgeOptions, context.Parallel,
-      dgg::ProgressPart(progress, atRidges, atBands), curves.Ridges));
-  }
-  return this->Self->GenerateBands ? dgg::MakeBands(field, values, curves.Lines,
-                                       dgg::ProgressPart(progress, atBands, 1.0), curves.Bands)
-                                   : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -375,11 +344,6 @@ vtkPolyData* vtkApolloniusIsolines::GetBands()
 void vtkApolloniusIsolines::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  DGGNewGeometry geometry;
-  geometry.Take(context, this->Self->GetOutputPointsPrecision());
-  const DGGIsolineOutputs outputs(
-    geometry, DGGFieldInput::GetName(this->Self->Information, this->Self->DistanceArrayName));
-  outputs.WriteLines(dgg::Isolines(), {}, vtkPolyData::GetData(outputVector, 0));
-  outputs.WriteRidges(dgg::Ridges(), vtkPolyData::GetData(outputVector, 1));
-  outputs.WriteBands(dgg::Bands(), vtkPolyData::GetData(outputVector, 2));
+  this->FillOutputs(context, {}, dgg::IsolineResult(),
+    DGGGetDistanceName(this->Self->Information, this->Self->DistanceArrayName), outputVector);
 }

@@ -42,7 +42,7 @@ public:
   using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
-  std::vector<DGGPointArray> DeclareArrays() const override;
+  std::vector<dgg::VertexArray> DeclareArrays() const override;
   std::string GetMemoryRemedy() const override
   {
     return "use a smaller mesh, a larger Accuracy or MaximumDistance";
@@ -81,7 +81,7 @@ const char* vtkDGGDistance::GetSearchAsString() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<DGGPointArray> vtkDGGDistance::vtkInternals::DeclareArrays() const
+std::vector<dgg::VertexArray> vtkDGGDistance::vtkInternals::DeclareArrays() const
 {
   if (!this->Self->GenerateUpperBound)
   {
@@ -130,7 +130,7 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task
     task.NearestSource = take(result.Seeds);
     ReplaceBySources(seeds, task.NearestSource);
   }
-  for (DGGPointArray& array : task.Arrays)
+  for (dgg::VertexArray& array : task.Arrays)
   {
     array.Components = { task.IsSparse ? Select(result.Distances, task.Vertices)
                                        : result.Distances };

@@ -4,8 +4,8 @@
 
 #include "DGGCloudMarching.h"
 #include "DGGDistanceInternals.h"
-#include "DGGMeshQuality.h"
 
+#include "dggMeshQuality.h"
 #include "dggFastMarching.h"
 #include "dggInvalidInput.h"
 #include "dggProgressPart.h"
@@ -166,7 +166,7 @@ dgg::Status vtkDGGFastMarchingDistance::vtkInternals::MarchOnMesh(DGGDistanceTas
       new Preparation{ mesh.GetBuildNumber(), std::move(solver), nullptr, 0.0, 0 });
   }
   this->Self->QualityWarning =
-    this->WarnAboutQuality(DGGDescribeLongTriangles(mesh, DGGLongTrianglesMislead));
+    this->WarnAboutQuality(dgg::DescribeLongTriangles(mesh, dgg::LongTrianglesMislead));
   dgg::MarchingResult result;
   const dgg::Status status = this->Prepared->Solver->Run(task.Sources, options, result);
   task.Distances = std::move(result.Distances);

@@ -3,22 +3,17 @@
 #include "vtkDGGPath.h"
 
 #include "DGGGraphUser.h"
-#include "DGGMakeArray.h"
-#include "DGGNewGeometry.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
+#include "DGGSurfaceArrays.h"
 
 #include "dggInvalidInput.h"
+#include "dggOutput.h"
 #include "dggPathSearch.h"
 #include "dggPreparedSurface.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -36,163 +31,31 @@ dgg::Status NoPair(bool isConnected)
         "1");
 }
 
-dgg::Status CheckLine(vtkIdType line, vtkIdType size, const vtkIdType* ids, vtkIdType points)
+/// Reads the data of input port 1, which may be null: two point ids for each line, its ends.
+/// Returns an error for points without lines, for an invalid line, and for an empty input if
+/// `isNeeded`.
+dgg::Status ReadEnds(vtkPolyData* data, bool isNeeded, std::vector<vtkIdType>& ends)
 {
-  if (size == 0)
+  if (!data || data->GetNumberOfPoints() + data->GetNumberOfLines() == 0)
   {
-    return dgg::InvalidInput("line ", line, " of input port 1 has no points: remove it");
+    return isNeeded ? NoPair(data != nullptr) : dgg::Status::Success();
   }
-  for (const vtkIdType id : { ids[0], ids[size - 1] })
+  if (data->GetNumberOfLines() == 0)
   {
-    if (id < 0 || id >= points)
-    {
-      return dgg::InvalidInput("line ", line, " of input port 1 names point ", id,
-        ", but there are ", points, ": repair the line");
-    }
+    return dgg::Status::Invalid(
+      "input port 1 has points but no lines: connect the points of each pair by a line");
   }
+  if (!data->GetLines()->IsValid())
+  {
+    return dgg::Status::Invalid("the offsets and the connectivity of the lines of input port 1 "
+                                "contradict each other: rebuild the cell array");
+  }
+  DGGSurfaceArrays arrays;
+  std::vector<dgg::Offset> ids;
+  DGG_RETURN_IF_ERROR(
+    dgg::ReadPathEnds(arrays.ConvertCells(data->GetLines()), data->GetNumberOfPoints(), ids));
+  ends.assign(ids.begin(), ids.end());
   return dgg::Status::Success();
-}
-
-/// The lines of a vtkPolyData; the pair of a line is its first and last point.
-struct PairLines
-{
-  std::vector<vtkIdType> Ends;  ///< point ids, two per line
-  std::vector<vtkIdType> Cells; ///< cell id per line
-
-  /// Reads the data of input port 1, which may be null. Returns an error for points without lines,
-  /// for an invalid line, and for an empty input if `isNeeded`.
-  dgg::Status Read(vtkPolyData* lines, bool isNeeded)
-  {
-    this->Ends.clear();
-    this->Cells.clear();
-    if (!lines || lines->GetNumberOfPoints() + lines->GetNumberOfLines() == 0)
-    {
-      return isNeeded ? NoPair(lines != nullptr) : dgg::Status::Success();
-    }
-    const vtkIdType count = lines->GetNumberOfLines();
-    if (count == 0)
-    {
-      return dgg::Status::Invalid(
-        "input port 1 has points but no lines: connect the points of each pair by a line");
-    }
-    if (!lines->GetLines()->IsValid())
-    {
-      return dgg::Status::Invalid("the offsets and the connectivity of the lines of input port 1 "
-                                  "contradict each other: rebuild the cell array");
-    }
-    const vtkIdType firstCell = lines->GetNumberOfVerts(); // cells are numbered verts first
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      lines->GetLines()->GetCellAtId(i, size, ids);
-      DGG_RETURN_IF_ERROR(CheckLine(i, size, ids, lines->GetNumberOfPoints()));
-      this->Ends.push_back(ids[0]);
-      this->Ends.push_back(ids[size - 1]);
-      this->Cells.push_back(firstCell + i);
-    }
-    return dgg::Status::Success();
-  }
-};
-
-/// Returns the ends of all pairs in succession: pairs by id, then lines.
-DGGSourceSet MakeSourceSet(
-  const std::vector<vtkIdType>& ids, vtkPolyData* lines, const PairLines& pairs)
-{
-  DGGSourceSet set{ ids, lines, 1, "path end", "call AddPair()", "" };
-  set.PointIds = &pairs.Ends;
-  return set;
-}
-
-dgg::PathSearch::Pairs MakePairs(const std::vector<dgg::SurfacePoint>& ends)
-{
-  dgg::PathSearch::Pairs pairs;
-  for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
-  {
-    pairs.push_back({ ends[i], ends[i + 1] });
-  }
-  return pairs;
-}
-
-/// The paths of the output and the cell data of their lines.
-struct PathSet
-{
-  const std::vector<dgg::FoundPath>& Paths;  ///< per pair
-  vtkDataSetAttributes* CellData;            ///< to be passed to the output; may be null
-  const std::vector<vtkIdType>& CellsOfLast; ///< tuples of CellData for the last pairs
-};
-
-/// Values of PathStatus.
-constexpr int HasPath = 0;
-constexpr int NotConnected = 1;
-
-void AddCellData(const PathSet& set, const std::vector<vtkIdType>& pairs, vtkCellData* output)
-{
-  const auto count = static_cast<vtkIdType>(pairs.size());
-  // Pairs by id come before those of lines, and have no tuple.
-  const auto firstLine = static_cast<vtkIdType>(set.Paths.size() - set.CellsOfLast.size());
-  std::vector<vtkIdType> tuples;
-  auto ids = DGGMakeArray<vtkIdTypeArray>("PairId", count);
-  auto lengths = DGGMakeArray<vtkDoubleArray>("Length", count);
-  auto graphLengths = DGGMakeArray<vtkDoubleArray>("GraphLength", count);
-  auto straightened = DGGMakeArray<vtkIntArray>("Straightened", count);
-  for (vtkIdType line = 0; line < count; ++line)
-  {
-    const vtkIdType pair = pairs[line];
-    const dgg::FoundPath& path = set.Paths[pair];
-    tuples.push_back(pair < firstLine ? -1 : set.CellsOfLast[pair - firstLine]);
-    ids->SetValue(line, pair);
-    lengths->SetValue(line, path.Path.Length);
-    graphLengths->SetValue(line, path.GraphLength);
-    straightened->SetValue(line, path.IsStraightened ? 1 : 0);
-  }
-  for (int a = 0; set.CellData && a < set.CellData->GetNumberOfArrays(); ++a)
-  {
-    output->AddArray(DGGPickTuples(set.CellData->GetAbstractArray(a), tuples, 0.0));
-  }
-  output->AddArray(lengths);
-  output->AddArray(graphLengths);
-  output->AddArray(straightened);
-  output->AddArray(ids);
-}
-
-std::vector<vtkIdType> FindUnconnected(const std::vector<dgg::FoundPath>& paths)
-{
-  std::vector<vtkIdType> unconnected;
-  for (std::size_t i = 0; i < paths.size(); ++i)
-  {
-    if (paths[i].Path.IsEmpty())
-    {
-      unconnected.push_back(static_cast<vtkIdType>(i));
-    }
-  }
-  return unconnected;
-}
-
-void WritePaths(const PathSet& set, const DGGNewGeometry& geometry, vtkPolyData* output)
-{
-  geometry.Begin(output);
-  const auto status =
-    DGGAddArray<vtkIntArray>(output->GetFieldData(), "PathStatus", set.Paths.size());
-  std::vector<vtkIdType> pairs;
-  vtkIdType size = 0;
-  for (std::size_t i = 0; i < set.Paths.size(); ++i)
-  {
-    const dgg::SurfacePath& path = set.Paths[i].Path;
-    status->SetValue(static_cast<vtkIdType>(i), path.IsEmpty() ? NotConnected : HasPath);
-    if (!path.IsEmpty())
-    {
-      pairs.push_back(static_cast<vtkIdType>(i));
-      size += static_cast<vtkIdType>(path.Points.size());
-    }
-  }
-  DGGPolylineWriter writer(geometry, size);
-  for (const vtkIdType pair : pairs)
-  {
-    writer.Add(set.Paths[pair].Path);
-  }
-  writer.AddTo(output);
-  AddCellData(set, pairs, output->GetCellData());
 }
 }
 
@@ -211,10 +74,6 @@ public:
   {
     return "use a smaller mesh, a larger Accuracy or fewer pairs at a time";
   }
-
-private:
-  void WarnAboutUnconnectedPairs(
-    const DGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count);
 };
 
 vtkDGGInternalsMacro(vtkDGGPath);
@@ -316,58 +175,37 @@ dgg::Status vtkDGGPath::vtkInternals::Execute(
   options.Detour = this->Self->Detour;
 
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  PairLines linePairs;
+  std::vector<vtkIdType> lineEnds;
   std::vector<dgg::SurfacePoint> ends;
-  DGG_RETURN_IF_ERROR(linePairs.Read(lines, this->Self->PairIds.empty()));
-  DGG_RETURN_IF_ERROR(DGGLocate(context, MakeSourceSet(this->Self->PairIds, lines, linePairs),
-    this->Self->ProjectionTolerance, ends));
-  DGGNewGeometry geometry;
-  DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
-  DGGGraphUser& graph = this->GraphUser;
+  DGG_RETURN_IF_ERROR(ReadEnds(lines, this->Self->PairIds.empty(), lineEnds));
+  DGGSourceSet set{ this->Self->PairIds, lines, 1, "path end", "call AddPair()", "" };
+  set.PointIds = &lineEnds;
+  DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->Self->ProjectionTolerance, ends));
   if (!isExact)
   {
-    DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
+    DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
   }
 
-  const dgg::PathSearch::Pairs pairs = MakePairs(ends);
+  const dgg::PathSearch::Pairs pairs = dgg::MakePairs(ends);
   const dgg::PathSearch search(context, pairs);
   dgg::PathSearch::Paths paths;
-  DGG_RETURN_IF_ERROR(mesh.IsCloud() ? search.RunOnCloud(graph, options.Straighten, paths)
+  DGG_RETURN_IF_ERROR(mesh.IsCloud() ? search.RunOnCloud(this->GraphUser, options.Straighten, paths)
       : isExact                      ? search.RunExact(paths)
-                                     : search.RunInGraph(graph, options, paths));
-  for (const dgg::FoundPath& path : paths)
-  {
-    this->Self->NumberOfFallbacks += path.NumberOfFallbacks;
-  }
-  WritePaths({ paths, lines ? lines->GetCellData() : nullptr, linePairs.Cells }, geometry,
-    vtkPolyData::GetData(outputVector));
-  this->WarnAboutUnconnectedPairs(context, FindUnconnected(paths), paths.size());
+                                     : search.RunInGraph(this->GraphUser, options, paths));
+  this->Self->NumberOfFallbacks = dgg::CountFallbacks(paths);
+  dgg::Output output;
+  const std::vector<dgg::Offset> written = dgg::WritePaths(context, paths, output);
+  DGG_RETURN_IF_ERROR(this->FillOutput(context, output, outputVector));
+  DGGPassLineArrays(lines, written, this->Self->GetNumberOfPairs(),
+    vtkPolyData::GetData(outputVector)->GetCellData());
   return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-void vtkDGGPath::vtkInternals::WarnAboutUnconnectedPairs(
-  const DGGContext& context, const std::vector<vtkIdType>& pairs, std::size_t count)
-{
-  if (!pairs.empty())
-  {
-    const bool isOne = pairs.size() == 1;
-    vtkWarningWithObjectMacro(
-      this->Self, << pairs.size() << " of " << count << (count == 1 ? " pair" : " pairs")
-                  << " of points, " << (isOne ? "" : "the first of them ") << "pair " << pairs[0]
-                  << (isOne ? ", is" : ", are") << " not connected by the "
-                  << (context.Surface.IsCloud() ? "graph of the cloud: " : "surface: ")
-                  << (isOne ? "it has" : "they have") << " no polyline, and 1 in the "
-                  << "field array PathStatus.");
-  }
 }
 
 //------------------------------------------------------------------------------
 void vtkDGGPath::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  DGGNewGeometry geometry;
-  geometry.Take(context, this->Self->GetOutputPointsPrecision());
-  const dgg::PathSearch::Paths none;
-  WritePaths({ none, nullptr, {} }, geometry, vtkPolyData::GetData(outputVector));
+  dgg::Output output;
+  dgg::WritePaths(context, {}, output);
+  this->FillOutput(context, output, outputVector);
 }

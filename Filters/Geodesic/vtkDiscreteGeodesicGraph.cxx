@@ -5,14 +5,14 @@
 #include "DGGContext.h"
 #include "DGGFilterInternals.h"
 #include "DGGGraphArrays.h"
+#include "DGGOutput.h"
 
 #include "dggGraphBuildTask.h"
+#include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -308,36 +308,11 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Build(const DGGContext& cont
 dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::AddLines(
   const DGGContext& context, const DGGGraphArrays& arrays, vtkPolyData* lines)
 {
-  const dgg::Id rowsInBlock = 4096; // rows between two reports of progress
-  const vtkIdType count = arrays.GetView().GetNumberOfEdges() / 2;
-  const double perLine = 3.0 * sizeof(vtkIdType) + sizeof(double);
-  DGG_RETURN_IF_ERROR(context.Memory.Check("the edges of the graph as lines",
-    static_cast<double>(count) * perLine, "turn GenerateGraphLines off"));
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(count, 2 * count);
-  vtkNew<vtkDoubleArray> lengths;
-  lengths->SetName("Length");
-  lengths->Allocate(count);
-  const dgg::GraphView& graph = arrays.GetView();
-  for (dgg::Id v = 0; v < graph.NumberOfVertices; ++v)
-  {
-    if (v % rowsInBlock == 0 &&
-      !context.Progress(BuildShare + (1.0 - BuildShare) * v / graph.NumberOfVertices))
-    {
-      return dgg::Status::Abort();
-    }
-    for (dgg::Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
-    {
-      const vtkIdType ends[2] = { v, graph.Targets[e] };
-      if (ends[0] < ends[1])
-      {
-        cells->InsertNextCell(2, ends);
-        lengths->InsertNextValue(graph.Length(e));
-      }
-    }
-  }
+  dgg::Output output;
+  DGG_RETURN_IF_ERROR(dgg::WriteGraphLines(
+    context, arrays.GetView(), dgg::ProgressPart(context.Progress, BuildShare, 1.0), output));
   lines->SetPoints(context.Input->GetPoints());
-  lines->SetLines(cells);
-  lines->GetCellData()->SetScalars(lengths);
+  lines->SetLines(DGGMakeCells(output.Lines));
+  DGGAddArrays(output, lines);
   return dgg::Status::Success();
 }

@@ -64,26 +64,6 @@ vtkSmartPointer<vtkDoubleArray> MakeMatrix(std::size_t rows, std::size_t columns
   return MakeArray(rows, columns, "GeodesicDistance");
 }
 
-/// Returns DistanceRowsOptions::NextPoints for the merged points of a surface.
-std::vector<dgg::Id> FindNextPoints(const dgg::PreparedSurface& surface, vtkIdType numberOfPoints)
-{
-  std::vector<dgg::Id> next;
-  if (surface.GetNumberOfMergedPoints() > 0)
-  {
-    next.assign(static_cast<std::size_t>(numberOfPoints), dgg::NoId);
-    for (vtkIdType p = numberOfPoints - 1; p >= 0; --p)
-    {
-      const dgg::Id vertex = surface.GetVertex(p);
-      if (vertex != p)
-      {
-        next[p] = next[vertex];
-        next[vertex] = static_cast<dgg::Id>(p);
-      }
-    }
-  }
-  return next;
-}
-
 using Columns = std::vector<vtkSmartPointer<vtkDoubleArray>>;
 
 Columns MakeColumns(std::size_t rows, std::size_t columns)
@@ -331,7 +311,7 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::FillCompressedRows(
   options.SearchRadius =
     options.Correct ? graph.WidenLimit(options.MaximumDistance, rows) : options.MaximumDistance;
   options.MemoryLimit = context.Memory.GetBytes();
-  options.NextPoints = FindNextPoints(context.Surface, context.Input->GetNumberOfPoints());
+  options.NextPoints = dgg::FindNextPoints(context.Surface);
   dgg::DistanceRows found;
   DGG_RETURN_IF_ERROR(dgg::FindDistanceRows(graph.GetSearch(), seeds, options, context.Parallel,
     graph.GetRemainingProgress(context), found));

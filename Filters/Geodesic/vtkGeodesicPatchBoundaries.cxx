@@ -4,25 +4,18 @@
 
 #include "DGGContext.h"
 #include "DGGFilterInternals.h"
-#include "DGGMakeArray.h"
 #include "DGGMeshAdapter.h"
-#include "DGGNewGeometry.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
+#include "DGGSurfaceArrays.h"
 
-#include "dggPatchBoundaries.h"
+#include "dggOutput.h"
+#include "dggPatchOutput.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <limits>
 #include <string>
 
 vtkStandardNewMacro(vtkGeodesicPatchBoundaries);
@@ -33,97 +26,11 @@ vtkDGGDefineInputMacro(vtkGeodesicPatchBoundaries, Layout, 4);
 
 namespace
 {
-/// Returns the landmark indices of a cell. Indices beyond the range of the kernel's ids remain out
-/// of range.
-std::vector<dgg::Id> ReadCell(vtkIdType size, const vtkIdType* ids)
-{
-  std::vector<dgg::Id> landmarks;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const bool fits = ids[i] >= 0 && ids[i] <= std::numeric_limits<dgg::Id>::max();
-    landmarks.push_back(fits ? static_cast<dgg::Id>(ids[i]) : dgg::NoId);
-  }
-  return landmarks;
-}
-
-template <typename Visitor>
-void ForEachCell(vtkCellArray* cells, Visitor&& visit)
-{
-  auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(size, ids);
-    visit(ReadCell(size, ids));
-  }
-}
-
 /// Returns the cells that refer to landmarks; null if there are none.
 vtkPolyData* GetLayout(vtkInformationVector** inputVector)
 {
   vtkPolyData* layout = vtkPolyData::GetData(inputVector[4]);
   return layout ? layout : vtkPolyData::GetData(inputVector[2]);
-}
-
-dgg::PatchLayout ReadLayout(vtkPolyData* cells)
-{
-  dgg::PatchLayout layout;
-  ForEachCell(
-    cells->GetPolys(), [&](const std::vector<dgg::Id>& patch) { layout.Patches.push_back(patch); });
-  ForEachCell(cells->GetLines(), [&](const std::vector<dgg::Id>& line) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    {
-      layout.Edges.push_back({ { line[i], line[i + 1] } });
-    }
-  });
-  return layout;
-}
-
-/// Adds a point array with the fraction of the curve before each point.
-void AddFractions(vtkPolyData* output)
-{
-  vtkDataArray* lengths = output->GetPointData()->GetArray("ArcLength");
-  const auto fractions =
-    DGGAddArray<vtkDoubleArray>(output->GetPointData(), "ArcFraction", output->GetNumberOfPoints());
-  for (vtkIdType c = 0; c < output->GetNumberOfLines(); ++c)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    output->GetLines()->GetCellAtId(c, size, ids);
-    const vtkIdType last = ids[size - 1];
-    const double whole = lengths->GetComponent(last, 0);
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      fractions->SetValue(ids[i], ids[i] == last ? 1.0 : lengths->GetComponent(ids[i], 0) / whole);
-    }
-  }
-}
-
-void FillOutput(const dgg::PatchBoundaries& boundaries, int side, const DGGNewGeometry& geometry,
-  vtkPolyData* output)
-{
-  const std::vector<dgg::SurfacePath>& curves = boundaries.Curves[side];
-  vtkIdType size = 0;
-  for (const dgg::SurfacePath& curve : curves)
-  {
-    size += DGGPolylineWriter::CountPoints(curve, false);
-  }
-  geometry.Begin(output);
-  DGGPolylineWriter writer(geometry, size);
-  vtkCellData* data = output->GetCellData();
-  const auto edges = DGGAddArray<vtkIdTypeArray>(data, "LayoutEdge", curves.size(), 2);
-  const auto lengths = DGGAddArray<vtkDoubleArray>(data, "Length", curves.size());
-  for (std::size_t i = 0; i < curves.size(); ++i)
-  {
-    writer.Add(curves[i]);
-    const auto c = static_cast<vtkIdType>(i);
-    edges->SetTypedComponent(c, 0, boundaries.Edges[i][0]);
-    edges->SetTypedComponent(c, 1, boundaries.Edges[i][1]);
-    lengths->SetValue(c, curves[i].Length);
-  }
-  writer.AddTo(output);
-  AddFractions(output);
 }
 }
 
@@ -142,6 +49,8 @@ public:
 private:
   DGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
   dgg::Status PrepareSecondMesh(vtkPolyData* surface);
+  dgg::Status FillOutputs(const DGGContext (&contexts)[2], const dgg::PatchBoundaries& boundaries,
+    vtkInformationVector* outputVector);
 
   DGGMeshAdapter SecondMesh;
 };
@@ -233,24 +142,33 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::Execute(
   DGG_RETURN_IF_ERROR(this->PrepareSecondMesh(secondInput));
   const DGGContext contexts[2] = { context,
     { { this->SecondMesh.Get(), context.Memory, context.NumberOfThreads, context.Progress,
-        context.Parallel },
+        context.Parallel, DGGConvertCells(secondInput) },
       secondInput } };
   std::vector<dgg::SurfacePoint> landmarks[2];
-  DGGNewGeometry geometries[2];
   for (int side = 0; side < 2; ++side)
   {
     DGG_RETURN_IF_ERROR(DGGLocate(contexts[side], this->GetLandmarks(side, inputVector),
       this->Self->ProjectionTolerance, landmarks[side]));
-    DGG_RETURN_IF_ERROR(
-      geometries[side].Take(contexts[side], this->Self->GetOutputPointsPrecision()));
   }
+  DGGSurfaceArrays cells;
   dgg::PatchBoundaries boundaries;
   DGG_RETURN_IF_ERROR(dgg::TracePatchBoundaries({ contexts[0].Surface.GetMesh(), landmarks[0] },
-    { contexts[1].Surface.GetMesh(), landmarks[1] }, ReadLayout(layout), context.Progress,
-    boundaries));
+    { contexts[1].Surface.GetMesh(), landmarks[1] },
+    dgg::ReadPatchLayout(
+      cells.ConvertCells(layout->GetPolys()), cells.ConvertCells(layout->GetLines())),
+    context.Progress, boundaries));
+  return this->FillOutputs(contexts, boundaries, outputVector);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::FillOutputs(const DGGContext (&contexts)[2],
+  const dgg::PatchBoundaries& boundaries, vtkInformationVector* outputVector)
+{
   for (int side = 0; side < 2; ++side)
   {
-    FillOutput(boundaries, side, geometries[side], vtkPolyData::GetData(outputVector, side));
+    dgg::Output output;
+    dgg::WritePatchBoundaries(contexts[side], boundaries, side, output);
+    DGG_RETURN_IF_ERROR(this->FillOutput(contexts[side], output, outputVector, side));
   }
   return dgg::Status::Success();
 }
@@ -260,10 +178,5 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::Execute(
 void vtkGeodesicPatchBoundaries::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  DGGNewGeometry geometry;
-  geometry.Take(context, this->Self->GetOutputPointsPrecision());
-  for (int side = 0; side < 2; ++side)
-  {
-    FillOutput({}, side, geometry, vtkPolyData::GetData(outputVector, side));
-  }
+  this->FillOutputs({ context, context }, dgg::PatchBoundaries(), outputVector);
 }

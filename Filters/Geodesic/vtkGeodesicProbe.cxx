@@ -9,10 +9,8 @@
 #include "DGGProperties.h"
 #include "DGGSources.h"
 #include "DGGUnreachedArray.h"
-#include "DGGWindowArrays.h"
 
-#include "dggBlockLoop.h"
-#include "dggFaceProfile.h"
+#include "dggFieldReader.h"
 #include "dggProgressPart.h"
 #include "dggSurfacePoint.h"
 
@@ -21,8 +19,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <string>
 
@@ -31,8 +27,6 @@ vtkDGGDefineInputMacro(vtkGeodesicProbe, Probe, 1);
 
 namespace
 {
-/// Number of points that a thread processes as a block.
-constexpr std::size_t BlockSize = 1024;
 /// Progress after reading distances, which may fit virtual sources.
 constexpr double ReadDone = 0.5;
 
@@ -41,30 +35,6 @@ DGGSourceSet GetProbes(vtkInformationVector** inputVector)
   static const std::vector<vtkIdType> none;
   return { none, vtkPolyData::GetData(inputVector[1]), 1, "probe point", "call SetProbeData()",
     "" };
-}
-
-/// Returns the distance at a surface point; NaN if unreached. On an edge this is the smallest
-/// distance of its reached faces, as for isolines: a shortest path may come through any of them.
-double Probe(
-  const dgg::DistanceField& field, const dgg::SurfacePoint& place, dgg::FaceProfile& profile)
-{
-  double distance = dgg::Infinity;
-  if (place.On == dgg::SurfacePoint::Support::Vertex)
-  {
-    distance = field.Distances[place.Vertex];
-  }
-  else
-  {
-    dgg::ForEachFaceAround(
-      *field.Mesh, place, [&](dgg::Id f, const std::array<double, 3>& barycentric) {
-        if (field.IsReached(f))
-        {
-          profile.Enter(f);
-          distance = std::min(distance, profile.At(profile.PlaceOf(barycentric)));
-        }
-      });
-  }
-  return distance < dgg::Infinity ? distance : std::numeric_limits<double>::quiet_NaN();
 }
 }
 
@@ -114,37 +84,23 @@ dgg::Status vtkGeodesicProbe::vtkInternals::Execute(
   const DGGSourceSet probes = GetProbes(inputVector);
   std::vector<dgg::SurfacePoint> places;
   vtkDataArray* distances = nullptr;
-  DGGFieldInput input;
+  dgg::FieldReader reader(context.Surface);
   DGG_RETURN_IF_ERROR(DGGLocate(context, probes, this->Self->ProjectionTolerance, places));
-  DGG_RETURN_IF_ERROR(DGGFieldInput::FindDistances(
+  DGG_RETURN_IF_ERROR(DGGFindDistances(
     this->Self->Information, this->Self->DistanceArrayName, context.Input, distances));
-  const std::string name = DGGFieldInput::GetName(distances);
-  input.SetUnreachedValue(this->Self->UnreachedValue);
-  DGG_RETURN_IF_ERROR(input.Read(context, distances, this->Self->VirtualSourceArrayName,
-    dgg::ProgressPart(context.Progress, 0.0, ReadDone)));
-  if (!input.GetWarning().empty())
-  {
-    vtkWarningWithObjectMacro(this->Self, << input.GetWarning() << ".");
-  }
-  this->WarnAboutQuality(input.DescribeQuality(context.Surface));
+  DGG_RETURN_IF_ERROR(DGGReadField(context, distances, this->Self->UnreachedValue,
+    this->Self->VirtualSourceArrayName.c_str(), dgg::ProgressPart(context.Progress, 0.0, ReadDone),
+    reader));
+  this->Warn(reader.GetWarnings());
+  this->WarnAboutQuality(reader.DescribeQuality());
+  const std::string name = DGGGetDistanceName(distances);
   const auto found = DGGMakeArray<vtkDoubleArray>(name, places.size());
-  double* values = found->GetPointer(0);
-  DGG_RETURN_IF_ERROR(dgg::ForEach((places.size() + BlockSize - 1) / BlockSize, 1, context.Parallel,
-    dgg::ProgressPart(context.Progress, ReadDone, 1.0),
-    [&](std::size_t block, const dgg::ProgressCallback&) {
-      dgg::FaceProfile profile(input.GetField());
-      const std::size_t end = std::min(places.size(), (block + 1) * BlockSize);
-      for (std::size_t i = block * BlockSize; i < end; ++i)
-      {
-        values[i] = Probe(input.GetField(), places[i], profile);
-      }
-      return dgg::Status::Success();
-    }));
+  DGG_RETURN_IF_ERROR(dgg::ProbeField(context, reader.GetField(), places,
+    dgg::ProgressPart(context.Progress, ReadDone, 1.0), found->GetPointer(0)));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(probes.Points);
   // Arrays that belong to an array of this name of the probe points are removed with it.
-  DGGWindowArrays::RemoveFrom(output->GetFieldData(), name);
-  DGGUnreachedArray::RemoveFrom(output->GetPointData(), name);
+  DGGRemoveDistances(output, name);
   output->GetPointData()->AddArray(found);
   output->GetPointData()->SetActiveScalars(found->GetName());
   return dgg::Status::Success();
@@ -157,5 +113,5 @@ void vtkGeodesicProbe::vtkInternals::MakeEmptyOutput(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
   DGGAddArray<vtkDoubleArray>(output->GetPointData(),
-    DGGFieldInput::GetName(this->Self->Information, this->Self->DistanceArrayName), 0);
+    DGGGetDistanceName(this->Self->Information, this->Self->DistanceArrayName), 0);
 }

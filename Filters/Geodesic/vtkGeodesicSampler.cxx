@@ -3,18 +3,15 @@
 #include "vtkGeodesicSampler.h"
 
 #include "DGGGraphUser.h"
-#include "DGGMakeArray.h"
-#include "DGGNewGeometry.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
 #include "dggInvalidInput.h"
+#include "dggOutput.h"
 #include "dggPreparedSurface.h"
-#include "dggSurfaceSampler.h"
+#include "dggSampleSearch.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -27,23 +24,6 @@ vtkDGGDefineInputMacro(vtkGeodesicSampler, Start, 1);
 namespace
 {
 const std::vector<vtkIdType> NoIds;
-
-void FillOutput(const std::vector<dgg::SurfaceSample>& samples, const DGGNewGeometry& geometry,
-  vtkPolyData* output)
-{
-  std::vector<dgg::SurfacePoint> places;
-  for (const dgg::SurfaceSample& sample : samples)
-  {
-    places.push_back(sample.Point);
-  }
-  DGGFillSurfacePoints(places, geometry, output);
-  const auto radii =
-    DGGAddArray<vtkDoubleArray>(output->GetPointData(), "CoveringRadius", samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    radii->SetValue(static_cast<vtkIdType>(i), samples[i].CoveringRadius);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -62,8 +42,6 @@ private:
   DGGSourceSet GetStart(vtkInformationVector** inputVector) const;
   dgg::Status MakeOptions(
     const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
-  void WarnAboutNumber(
-    const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples);
 };
 
 vtkDGGInternalsMacro(vtkGeodesicSampler);
@@ -143,55 +121,26 @@ dgg::Status vtkGeodesicSampler::vtkInternals::MakeOptions(
 }
 
 //------------------------------------------------------------------------------
-void vtkGeodesicSampler::vtkInternals::WarnAboutNumber(
-  const dgg::SamplerOptions& options, const dgg::SurfaceSample* last, vtkIdType numberOfSamples)
-{
-  if (numberOfSamples < options.NumberOfSamples && (!last || !(last->CoveringRadius > 0.0)))
-  {
-    vtkWarningWithObjectMacro(this->Self,
-      << "NumberOfSamples is " << options.NumberOfSamples << ", but after " << numberOfSamples
-      << " samples no point of the surface is left. Reduce it, "
-      << "or subdivide the surface" << (options.InFaces ? "." : ", or turn InFaces on."));
-  }
-  if (last && !(last->CoveringRadius < dgg::Infinity))
-  {
-    vtkWarningWithObjectMacro(
-      this->Self, << "The surface has more components than there are samples (" << numberOfSamples
-                  << "): some have no sample, and the covering radius is infinite. "
-                  << "Raise NumberOfSamples.");
-  }
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicSampler::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const dgg::PreparedSurface& mesh = context.Surface;
   dgg::SamplerOptions options;
-  DGG_RETURN_IF_ERROR(this->MakeOptions(context, inputVector, options));
-  DGGNewGeometry geometry;
-  DGG_RETURN_IF_ERROR(geometry.Take(context, this->Self->GetOutputPointsPrecision()));
-  DGGGraphUser& graph = this->GraphUser;
-  DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
-  const bool needsLinks =
-    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), dgg::IsVertex);
-  DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, needsLinks));
-  options.Progress = graph.GetRemainingProgress(context);
   std::vector<dgg::SurfaceSample> samples;
-  DGG_RETURN_IF_ERROR(
-    dgg::SampleSurface(graph.GetSearch().GetGraph(), mesh.IsCloud() ? nullptr : &mesh.GetMesh(),
-      needsLinks ? &graph.GetBuilder() : nullptr, graph.GetLinkAccuracy(), options, samples));
-  this->WarnAboutNumber(
-    options, samples.empty() ? nullptr : &samples.back(), static_cast<vtkIdType>(samples.size()));
-  FillOutput(samples, geometry, vtkPolyData::GetData(outputVector));
-  return dgg::Status::Success();
+  dgg::Output output;
+  DGG_RETURN_IF_ERROR(this->MakeOptions(context, inputVector, options));
+  DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
+  DGG_RETURN_IF_ERROR(dgg::FindSamples(context, this->GraphUser, options, samples));
+  dgg::WriteSamples(context, options, samples, output);
+  return this->FillOutput(context, output, outputVector);
 }
 
 //------------------------------------------------------------------------------
 void vtkGeodesicSampler::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  DGGNewGeometry geometry;
-  geometry.Take(context, this->Self->GetOutputPointsPrecision());
-  FillOutput({}, geometry, vtkPolyData::GetData(outputVector));
+  dgg::SamplerOptions options;
+  options.NumberOfSamples = 0;
+  dgg::Output output;
+  dgg::WriteSamples(context, options, {}, output);
+  this->FillOutput(context, output, outputVector);
 }

@@ -3,8 +3,8 @@
 #include "vtkHeatGeodesicDistance.h"
 
 #include "DGGDistanceInternals.h"
-#include "DGGMeshQuality.h"
 
+#include "dggMeshQuality.h"
 #include "dggHeatMethod.h"
 #include "dggInvalidInput.h"
 #include "dggProgressPart.h"
@@ -25,7 +25,7 @@ constexpr double FactorizedAt = 0.9;
 /// Returns the reasons why distances may be far off; empty if there are none.
 std::string DescribeQuality(const dgg::PreparedSurface& surface, double factor, dgg::Id triangles)
 {
-  return DGGJoinReasons({ DGGDescribeLongTriangles(surface, DGGLongTrianglesMislead),
+  return dgg::JoinReasons({ dgg::DescribeLongTriangles(surface, dgg::LongTrianglesMislead),
     triangles < dgg::FewestUsefulTriangles
       ? dgg::JoinText("A source is on a component of ", triangles, " triangles, fewer than ",
           dgg::FewestUsefulTriangles,

@@ -3,8 +3,9 @@
 #include "vtkVirtualSourceGeodesicDistance.h"
 
 #include "DGGDistanceInternals.h"
-#include "DGGMeshQuality.h"
-#include "DGGPropagation.h"
+
+#include "dggMeshQuality.h"
+#include "dggPropagationSession.h"
 
 #include "vtkObjectFactory.h"
 
@@ -27,7 +28,7 @@ public:
   }
 
 private:
-  DGGPropagation Propagation;
+  dgg::PropagationSession Propagation;
 };
 
 //------------------------------------------------------------------------------
@@ -57,17 +58,18 @@ const char* vtkVirtualSourceGeodesicDistance::GetQualityAsString() const
 dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
   dgg::PropagationOptions options;
-  options.Quality = this->Self->Quality == Automatic ? DGGPropagation::Choose(task.Context.Surface)
-    : this->Self->Quality == High                    ? dgg::PropagationQuality::High
-                                                     : dgg::PropagationQuality::Fast;
+  options.Quality = this->Self->Quality == Automatic
+    ? dgg::PropagationSession::Choose(task.Context.Surface)
+    : this->Self->Quality == High ? dgg::PropagationQuality::High
+                                  : dgg::PropagationQuality::Fast;
   options.MaximumDistance = task.MaximumDistance;
   options.WantNearestSource = task.WantNearestSource;
   options.WantVirtualSource = task.WantVirtualSource;
   dgg::PropagationResult result;
   DGG_RETURN_IF_ERROR(this->Propagation.Run(task.Context, task.Sources, options, result));
   this->Self->QualityWarning = this->WarnAboutQuality(
-    DGGJoinReasons({ DGGDescribeLongTriangles(task.Context.Surface, DGGLongTrianglesMislead),
-      result.IsSettled ? "" : DGGUnsettledDistances }));
+    dgg::JoinReasons({ dgg::DescribeLongTriangles(task.Context.Surface, dgg::LongTrianglesMislead),
+      result.IsSettled ? "" : dgg::UnsettledDistances }));
   task.Distances = std::move(result.Distances);
   task.NearestSource = std::move(result.NearestSource);
   task.VirtualSource = std::move(result.Virtual);

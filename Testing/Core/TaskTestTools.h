@@ -16,24 +16,45 @@
 
 namespace dggtest
 {
+/// Arrays of a test mesh, which must outlive them.
+struct MeshArrays
+{
+  explicit MeshArrays(const TestMesh& mesh)
+    : Ids(mesh.Triangles.begin(), mesh.Triangles.end())
+  {
+    for (Id f = 0; f <= mesh.GetNumberOfFaces(); ++f)
+    {
+      this->Offsets.push_back(3 * static_cast<dgg::Offset>(f));
+    }
+    this->Arrays.Points = mesh.Points.data();
+    this->Arrays.NumberOfPoints = mesh.GetNumberOfVertices();
+    this->Arrays.Polygons = { mesh.GetNumberOfFaces(), this->Offsets.data(), this->Ids.data(),
+      this->Offsets.back() };
+  }
+  MeshArrays(const MeshArrays&) = delete;
+  MeshArrays& operator=(const MeshArrays&) = delete;
+
+  std::vector<dgg::Offset> Offsets;
+  std::vector<dgg::Offset> Ids;
+  dgg::SurfaceArrays Arrays;
+};
+
 /// Prepares a test mesh, or only its points for a cloud.
 inline dgg::PreparedSurface::Pointer Prepare(
   const TestMesh& mesh, const dgg::Domain& domain = dgg::Domain())
 {
-  const std::vector<dgg::Offset> ids(mesh.Triangles.begin(), mesh.Triangles.end());
-  std::vector<dgg::Offset> offsets;
-  for (Id f = 0; f <= mesh.GetNumberOfFaces(); ++f)
-  {
-    offsets.push_back(3 * static_cast<dgg::Offset>(f));
-  }
-  dgg::SurfaceArrays arrays;
-  arrays.Points = mesh.Points.data();
-  arrays.NumberOfPoints = mesh.GetNumberOfVertices();
-  arrays.Polygons = { mesh.GetNumberOfFaces(), offsets.data(), ids.data(), offsets.back() };
-  const auto print = dgg::PreparedSurface::ComputeFingerprint(arrays, domain);
+  const MeshArrays arrays(mesh);
+  const auto print = dgg::PreparedSurface::ComputeFingerprint(arrays.Arrays, domain);
   dgg::PreparedSurface::Pointer prepared;
-  EXPECT_TRUE(Ok(dgg::PreparedSurface::Make(arrays, domain, print, prepared)));
+  EXPECT_TRUE(Ok(dgg::PreparedSurface::Make(arrays.Arrays, domain, print, prepared)));
   return prepared;
+}
+
+/// Returns the context of a task on a surface that was made from these arrays.
+inline dgg::TaskContext MakeContext(const dgg::PreparedSurface& surface, const MeshArrays& arrays)
+{
+  return { surface, { 0, nullptr }, 2, nullptr, WithThreads(2),
+    [&arrays]() -> const dgg::SurfaceArrays& { return arrays.Arrays; } };
 }
 
 /// Returns the graph of a cloud with edges of length 1 between successive points.
@@ -83,7 +104,7 @@ struct GraphWorld
   dgg::StoredGraph Store() const { return { this->Graph.View(), { 0.25, this->Radii.data() } }; }
   dgg::TaskContext MakeContext(std::uint64_t memoryLimit = 0) const
   {
-    return { *this->Surface, { memoryLimit, nullptr }, 2, nullptr, WithThreads(2) };
+    return { *this->Surface, { memoryLimit, nullptr }, 2, nullptr, WithThreads(2), nullptr };
   }
 
   dgg::PreparedSurface::Pointer Surface;

@@ -3,6 +3,7 @@
 #include "dggDistanceRows.h"
 
 #include "dggMemoryLimit.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -84,5 +85,25 @@ Status FindDistanceRows(const GraphSearch& search,
   DGG_RETURN_IF_ERROR(status);
   Compress(found, count, rows);
   return status;
+}
+
+std::vector<Id> FindNextPoints(const PreparedSurface& surface)
+{
+  std::vector<Id> next;
+  if (surface.GetNumberOfMergedPoints() > 0)
+  {
+    const Id size = surface.GetMesh().GetNumberOfVertices();
+    next.assign(size, NoId);
+    for (Id p = size - 1; p >= 0; --p)
+    {
+      const Id vertex = surface.GetVertex(p);
+      if (vertex != p)
+      {
+        next[p] = next[vertex];
+        next[vertex] = p;
+      }
+    }
+  }
+  return next;
 }
 }

@@ -13,6 +13,8 @@
 
 namespace dgg
 {
+class PreparedSurface;
+
 /// Distances from some sources to the points around each of them, as compressed rows.
 struct DistanceRows
 {
@@ -31,6 +33,9 @@ struct DistanceRowsOptions
   /// point has the id of the vertex. Empty if no points are merged.
   std::vector<Id> NextPoints;
 };
+
+/// Returns DistanceRowsOptions::NextPoints of a surface.
+DGG_CORE_EXPORT std::vector<Id> FindNextPoints(const PreparedSurface& surface);
 
 /// Computes one row per source. The cost is proportional to the number of entries if most of the
 /// surface is outside the radius. The rows do not depend on the number of threads.

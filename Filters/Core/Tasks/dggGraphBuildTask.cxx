@@ -3,7 +3,9 @@
 #include "dggGraphBuildTask.h"
 
 #include "dggInvalidInput.h"
+#include "dggOutput.h"
 #include "dggPreparedSurface.h"
+#include "dggProgressPart.h"
 #include "dggTaskContext.h"
 #include "dggUnfoldingTable.h"
 
@@ -55,5 +57,39 @@ std::size_t EstimateBuilder(const PreparedSurface& surface)
   const std::size_t perVertex = 2 * sizeof(double) + 2 * sizeof(Id);
   return static_cast<std::size_t>(report.Faces) * (3 * copies * perHalfEdge + sizeof(Id)) +
     static_cast<std::size_t>(report.Vertices) * perVertex;
+}
+
+Status WriteGraphLines(const TaskContext& context, const GraphView& graph,
+  const ProgressCallback& progress, Output& output)
+{
+  constexpr Id rowsInBlock = 4096; // rows between two reports of progress
+  const auto count = static_cast<std::size_t>(graph.GetNumberOfEdges() / 2);
+  DGG_RETURN_IF_ERROR(context.Memory.Check("the edges of the graph as lines",
+    static_cast<double>(count) * (3.0 * sizeof(Offset) + sizeof(double)),
+    "turn GenerateGraphLines off"));
+  output.Lines.Offsets = Buffer<Offset>(count + 1);
+  output.Lines.Points = Buffer<Offset>(2 * count);
+  double* const lengths = output.CellData.Add<double>("Length", count);
+  output.CellScalars = "Length";
+  std::size_t line = 0;
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    if (v % rowsInBlock == 0)
+    {
+      DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(v) / graph.NumberOfVertices));
+    }
+    for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
+    {
+      if (v < graph.Targets[e])
+      {
+        output.Lines.Offsets[line] = static_cast<Offset>(2 * line);
+        output.Lines.Points[2 * line] = v;
+        output.Lines.Points[2 * line + 1] = graph.Targets[e];
+        lengths[line++] = graph.Length(e);
+      }
+    }
+  }
+  output.Lines.Offsets[count] = static_cast<Offset>(2 * count);
+  return Status::Success();
 }
 }

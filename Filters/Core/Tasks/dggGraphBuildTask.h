@@ -13,6 +13,7 @@
 namespace dgg
 {
 class PreparedSurface;
+struct Output;
 struct TaskContext;
 
 /// Sets the options that depend on the threads of the context.
@@ -25,6 +26,11 @@ DGG_CORE_EXPORT Status BuildGraph(const TaskContext& context, const GraphBuilder
 
 /// Returns an estimate of the bytes that a builder takes.
 std::size_t EstimateBuilder(const PreparedSurface& surface);
+
+/// Writes each edge once, as a line between two points of the surface, with the cell array `Length`
+/// as scalars. Fails if the lines would exceed the memory limit.
+DGG_CORE_EXPORT Status WriteGraphLines(const TaskContext& context, const GraphView& graph,
+  const ProgressCallback& progress, Output& output);
 }
 
 #endif

@@ -8,12 +8,16 @@
 #include "dggGraphSeeds.h"
 #include "dggGraphSession.h"
 #include "dggInvalidInput.h"
+#include "dggOutput.h"
 #include "dggPoint3.h"
+#include "dggPreparedSurface.h"
+#include "dggSurfaceOutput.h"
 #include "dggSurfacePath.h"
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
@@ -231,5 +235,96 @@ Status PathSearch::RunExact(Paths& paths) const
                      : status;
   };
   return ForEach(groups.size(), 1, this->Context.Parallel, this->Context.Progress, step);
+}
+
+//------------------------------------------------------------------------------
+Status ReadPathEnds(const CellArrays& lines, Offset numberOfPoints, std::vector<Offset>& ends)
+{
+  for (Offset i = 0; i < lines.NumberOfCells; ++i)
+  {
+    const Offset begin = lines.Offsets[i];
+    const Offset end = lines.Offsets[i + 1];
+    if (begin == end)
+    {
+      return InvalidInput("line ", i, " of input port 1 has no points: remove it");
+    }
+    for (const Offset id : { lines.Ids[begin], lines.Ids[end - 1] })
+    {
+      if (id < 0 || id >= numberOfPoints)
+      {
+        return InvalidInput("line ", i, " of input port 1 names point ", id, ", but there are ",
+          numberOfPoints, ": repair the line");
+      }
+      ends.push_back(id);
+    }
+  }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+PathSearch::Pairs MakePairs(const std::vector<SurfacePoint>& ends)
+{
+  PathSearch::Pairs pairs;
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+  {
+    pairs.push_back({ ends[i], ends[i + 1] });
+  }
+  return pairs;
+}
+
+//------------------------------------------------------------------------------
+Offset CountFallbacks(const PathSearch::Paths& paths)
+{
+  Offset count = 0;
+  for (const FoundPath& path : paths)
+  {
+    count += path.NumberOfFallbacks;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Offset> WritePaths(
+  const TaskContext& context, const PathSearch::Paths& paths, Output& output)
+{
+  std::int32_t* const status = output.FieldData.Add<std::int32_t>("PathStatus", paths.size());
+  std::vector<Offset> pairs; // connected ones
+  std::vector<OutputCurve> curves;
+  std::size_t firstUnconnected = paths.size();
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    const SurfacePath& path = paths[i].Path;
+    status[i] = path.IsEmpty() ? 1 : 0;
+    if (path.IsEmpty())
+    {
+      firstUnconnected = std::min(firstUnconnected, i);
+      continue;
+    }
+    pairs.push_back(static_cast<Offset>(i));
+    curves.push_back({ &path });
+  }
+  WriteCurves(context, curves, output);
+  double* const lengths = output.CellData.Add<double>("Length", pairs.size());
+  double* const graphLengths = output.CellData.Add<double>("GraphLength", pairs.size());
+  std::int32_t* const straightened =
+    output.CellData.Add<std::int32_t>("Straightened", pairs.size());
+  Offset* const ids = output.CellData.Add<Offset>("PairId", pairs.size());
+  for (std::size_t line = 0; line < pairs.size(); ++line)
+  {
+    const FoundPath& path = paths[pairs[line]];
+    lengths[line] = path.Path.Length;
+    graphLengths[line] = path.GraphLength;
+    straightened[line] = path.IsStraightened ? 1 : 0;
+    ids[line] = pairs[line];
+  }
+  if (firstUnconnected < paths.size())
+  {
+    output.Warnings.push_back(JoinText("No path ",
+      context.Surface.IsCloud() ? "in the graph of the cloud" : "on the surface", " connects ",
+      paths.size() - pairs.size(), " of ", paths.size(), " pairs of points (the first is pair ",
+      firstUnconnected,
+      "). Unconnected pairs have no polyline, and the value 1 in the field array PathStatus"));
+  }
+  return pairs;
 }
 }

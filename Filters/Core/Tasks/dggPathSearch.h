@@ -14,6 +14,8 @@
 namespace dgg
 {
 class GraphSession;
+struct CellArrays;
+struct Output;
 struct TaskContext;
 
 /// Ends of a path.
@@ -50,6 +52,23 @@ private:
   const TaskContext& Context;
   const Pairs& PointPairs;
 };
+
+/// Appends the first and the last point id of each line to `ends`. Fails for a line without points
+/// and for an id that is out of range.
+DGG_CORE_EXPORT Status ReadPathEnds(
+  const CellArrays& lines, Offset numberOfPoints, std::vector<Offset>& ends);
+
+///@{
+/// Returns the pairs of successive points, and the total number of fallbacks of paths.
+DGG_CORE_EXPORT PathSearch::Pairs MakePairs(const std::vector<SurfacePoint>& ends);
+DGG_CORE_EXPORT Offset CountFallbacks(const PathSearch::Paths& paths);
+///@}
+
+/// Writes the lines of the paths that exist, with the cell arrays `Length`, `GraphLength`,
+/// `Straightened` and `PairId`, and the field array `PathStatus` with a value per pair: 0, or 1 and
+/// a warning if there is no path. Returns the index of the pair of each line.
+DGG_CORE_EXPORT std::vector<Offset> WritePaths(
+  const TaskContext& context, const PathSearch::Paths& paths, Output& output);
 }
 
 #endif

@@ -9,9 +9,12 @@
 #include "dggParallel.h"    // for ParallelFor
 #include "dggTypes.h"       // for ProgressCallback
 
+#include <functional> // for the cells
+
 namespace dgg
 {
 class PreparedSurface;
+struct SurfaceArrays;
 
 /// Made once at the start of an update and passed to all of its steps, which do not change it.
 struct TaskContext
@@ -21,6 +24,9 @@ struct TaskContext
   int NumberOfThreads = 1;   ///< of Parallel
   ProgressCallback Progress; ///< callable from any thread; returns false to abort
   ParallelFor Parallel;
+  /// Returns the polygons and strips of the input, without its points. They are converted at the
+  /// first call.
+  std::function<const SurfaceArrays&()> GetCells;
 };
 }
 

@@ -7,45 +7,24 @@
 
 #include "DGGFilterInternals.h" // for the base
 
-#include "dggExactGeodesics.h" // for GeodesicSource
-#include "dggVirtualSources.h" // for VirtualSources
+#include "dggDistanceOutput.h" // for DistanceResults
+#include "dggGeodesicSource.h" // for GeodesicSource
 
-#include <string> // for the names
 #include <vector> // for the results
 
 struct DGGSourceSet;
 class vtkGeodesicDistanceAlgorithm;
 
-/// A point array of doubles besides the distances.
-struct DGGPointArray
-{
-  std::string Name;
-  std::string Property; ///< property with the name of the array, for messages
-  std::vector<std::vector<double>> Components; ///< each per vertex of the mesh
-};
-
-/// Arguments, all checked, and results of DGGDistanceInternals::ComputeDistances().
-struct DGGDistanceTask
+/// Arguments, all checked, and results of DGGDistanceInternals::ComputeDistances(). `Arrays` are
+/// those of DGGDistanceInternals::DeclareArrays(), whose components are to be filled. Vertices
+/// farther than MaximumDistance may be left unreached.
+struct DGGDistanceTask : public dgg::DistanceResults
 {
   const DGGContext& Context;
   const std::vector<dgg::GeodesicSource>& Sources; ///< at least one
-  /// Vertices farther than this may be left unreached; dgg::Infinity without a limit.
-  double MaximumDistance;
-  bool WantNearestSource; ///< true if NearestSource is requested
-  bool WantVirtualSource; ///< true if VirtualSource is requested
-
-  std::vector<double> Distances;      ///< per vertex of the mesh; dgg::Infinity where unreached
-  std::vector<dgg::Id> NearestSource; ///< per vertex, index into Sources; dgg::NoId if unreached
-  dgg::VirtualSources VirtualSource;
-  dgg::EdgeWindows Windows; ///< may stay empty
-  /// Arrays of DGGDistanceInternals::DeclareArrays(), whose components are to be filled.
-  std::vector<DGGPointArray> Arrays;
-
-  /// True if results may be sparse, which requires that points and vertices coincide.
-  bool MayBeSparse = false;
-  /// True if the arrays above have one value per entry of Vertices instead of one per vertex.
-  bool IsSparse = false;
-  std::vector<dgg::Id> Vertices{}; ///< each once; all other vertices are unreached
+  bool WantNearestSource = false;                  ///< true if NearestSource is requested
+  bool WantVirtualSource = false;                  ///< true if VirtualSource is requested
+  bool MayBeSparse = false;                        ///< true if IsSparse is allowed
 };
 
 /// The steps of an update of a vtkGeodesicDistanceAlgorithm, except the computation of distances.
@@ -68,12 +47,12 @@ public:
 
   /// Returns the point arrays that ComputeDistances() fills besides distances and nearest sources.
   /// Default none.
-  virtual std::vector<DGGPointArray> DeclareArrays() const { return {}; }
+  virtual std::vector<dgg::VertexArray> DeclareArrays() const { return {}; }
 
 private:
   DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
   void AddResults(
-    const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output);
+    const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output) const;
 
   vtkGeodesicDistanceAlgorithm* Filter;
 };

@@ -2,47 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGUnreachedArray.h"
 
-#include "DGGMakeArray.h"
+#include "DGGWindowArrays.h"
+
+#include "dggDistanceOutput.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkPolyData.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
-namespace
+//------------------------------------------------------------------------------
+void DGGRemoveDistances(vtkPolyData* surface, const std::string& distances)
 {
-std::string NameOf(const std::string& distances)
-{
-  return distances + ".Unreached";
-}
+  surface->GetPointData()->RemoveArray(dgg::GetUnreachedName(distances).c_str());
+  DGGWindowArrays::RemoveFrom(surface->GetFieldData(), distances);
 }
 
 //------------------------------------------------------------------------------
-void DGGUnreachedArray::AddTo(vtkPointData* data, const std::string& distances,
-  double unreachedValue, const std::vector<bool>& isReached)
-{
-  const bool isPlain =
-    std::isnan(unreachedValue) || unreachedValue == std::numeric_limits<double>::infinity();
-  if (isPlain || std::find(isReached.begin(), isReached.end(), false) == isReached.end())
-  {
-    return;
-  }
-  const auto array = DGGAddArray<vtkUnsignedCharArray>(data, NameOf(distances), isReached.size());
-  std::transform(isReached.begin(), isReached.end(), array->GetPointer(0),
-    [](bool reached) { return static_cast<unsigned char>(reached ? 0 : 1); });
-}
-
-//------------------------------------------------------------------------------
-void DGGUnreachedArray::RemoveFrom(vtkPointData* data, const std::string& distances)
-{
-  data->RemoveArray(NameOf(distances).c_str());
-}
-
-//------------------------------------------------------------------------------
-std::vector<bool> DGGUnreachedArray::Find(
+std::vector<bool> DGGFindUnreached(
   vtkPointData* data, vtkDataArray* distances, double unreachedValue)
 {
   const vtkIdType n = distances->GetNumberOfTuples();
@@ -60,7 +38,7 @@ std::vector<bool> DGGUnreachedArray::Find(
     return isUnreached;
   }
   const char* name = distances->GetName();
-  vtkDataArray* mask = name ? data->GetArray(NameOf(name).c_str()) : nullptr;
+  vtkDataArray* mask = name ? data->GetArray(dgg::GetUnreachedName(name).c_str()) : nullptr;
   if (!mask || mask->GetNumberOfComponents() != 1 || mask->GetNumberOfTuples() != n)
   {
     return {};

@@ -10,25 +10,16 @@
 
 class vtkDataArray;
 class vtkPointData;
+class vtkPolyData;
 
-/// Marks unreached points. Their distance may be any number, the UnreachedValue of a distance
-/// filter. NaN and plus infinity are unambiguous; any other number could be a distance. Therefore,
-/// for distances named D, the point array `D.Unreached` (unsigned char) is 1 at unreached points
-/// and 0 elsewhere.
-class DGGUnreachedArray
-{
-public:
-  /// Adds the array unless all points are reached or the value is NaN or infinity. `isReached` is
-  /// per point.
-  static void AddTo(vtkPointData* data, const std::string& distances, double unreachedValue,
-    const std::vector<bool>& isReached);
+/// Removes the arrays that belong to distances from a surface: marks of unreached points
+/// (dgg::AddDistances()) and windows (DGGWindowArrays).
+void DGGRemoveDistances(vtkPolyData* surface, const std::string& distances);
 
-  static void RemoveFrom(vtkPointData* data, const std::string& distances);
-
-  /// Returns, per point, true if it is not reached: if its distance is `unreachedValue` or, when
-  /// `unreachedValue` is NaN, if the array `D.Unreached` marks it. Empty if `unreachedValue` is NaN
-  /// and there is no such array. NaN and infinity among the distances are not interpreted.
-  static std::vector<bool> Find(vtkPointData* data, vtkDataArray* distances, double unreachedValue);
-};
+/// Returns, per point, true if it is not reached: if its distance is `unreachedValue` or, when
+/// `unreachedValue` is NaN, if an array marks it. Empty if `unreachedValue` is NaN and there is no
+/// such array. NaN and infinity among the distances are not interpreted.
+std::vector<bool> DGGFindUnreached(
+  vtkPointData* data, vtkDataArray* distances, double unreachedValue);
 
 #endif

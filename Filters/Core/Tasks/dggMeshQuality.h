@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Criteria for meshes on which approximate distances are far off. Internal.
-#ifndef DGGMeshQuality_h
-#define DGGMeshQuality_h
+#ifndef dggMeshQuality_h
+#define dggMeshQuality_h
 
 #include "dggPreparedSurface.h" // for the mesh
 
@@ -12,45 +12,47 @@
 #include <initializer_list> // for reasons
 #include <string>           // for reasons
 
+namespace dgg
+{
 /// Largest mean anisotropy, weighted by areas, without a warning. Measured on 16 scans and
 /// mechanical parts and on 120 generated CAD models. Scans and parts are below 1.9, except one with
 /// fine long triangles. Of the models whose distances are off by 10 % of the largest distance, all
 /// but two are above 2.
-constexpr double DGGMostAnisotropy = 2.0;
+constexpr double LargestAnisotropy = 2.0;
 
-inline bool DGGHasLongTriangles(const dgg::PreparedSurface& surface)
+inline bool HasLongTriangles(const PreparedSurface& surface)
 {
-  return surface.GetAnisotropy().Mean > DGGMostAnisotropy;
+  return surface.GetAnisotropy().Mean > LargestAnisotropy;
 }
 
 /// Returns a warning with the consequence and the remedy if much of the surface is covered by long
 /// triangles, otherwise an empty text.
-inline std::string DGGDescribeLongTriangles(
-  const dgg::PreparedSurface& surface, const std::string& consequence)
+inline std::string DescribeLongTriangles(
+  const PreparedSurface& surface, const std::string& consequence)
 {
-  return DGGHasLongTriangles(surface)
-    ? dgg::JoinText("Much of the surface is covered by long triangles (GetMeanAnisotropy() is ",
-        surface.GetAnisotropy().Mean, ", more than ", DGGMostAnisotropy, "): ", consequence)
+  return HasLongTriangles(surface)
+    ? JoinText("Much of the surface is covered by long triangles (GetMeanAnisotropy() is ",
+        surface.GetAnisotropy().Mean, ", more than ", LargestAnisotropy, "): ", consequence)
     : std::string();
 }
 
 /// Consequences, with their remedies.
 /// @{
-constexpr const char* DGGLongTrianglesMislead =
+constexpr const char* LongTrianglesMislead =
   "distances may be far off. Use vtkExactGeodesicDistance or vtkDGGDistance, or remesh the surface";
-constexpr const char* DGGLongTrianglesHideSources =
+constexpr const char* LongTrianglesHideSources =
   "inside them, distances from virtual sources may be off by more than half of the largest "
   "distance. Use vtkExactGeodesicDistance with GenerateWindowsOn(), or remesh the surface";
 /// @}
 
 /// Warning for results that did not converge (PropagationResult::IsSettled).
-constexpr const char* DGGUnsettledDistances =
+constexpr const char* UnsettledDistances =
   "Virtual sources did not settle on triangles this irregular: distances are the shortest ones "
   "found so far, and may be too long. Use vtkExactGeodesicDistance or vtkDGGDistance, or remesh "
   "the surface";
 
 /// Returns all reasons as one text; empty reasons are skipped.
-inline std::string DGGJoinReasons(std::initializer_list<std::string> reasons)
+inline std::string JoinReasons(std::initializer_list<std::string> reasons)
 {
   std::string text;
   for (const std::string& reason : reasons)
@@ -58,6 +60,7 @@ inline std::string DGGJoinReasons(std::initializer_list<std::string> reasons)
     text += (text.empty() || reason.empty() ? "" : ". ") + reason;
   }
   return text;
+}
 }
 
 #endif

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggDistanceOutput.h"
+
+#include "dggOutput.h"
+#include "dggPreparedSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace dgg
+{
+namespace
+{
+/// Adds marks of unreached points, unless all are reached or the value is unambiguous.
+void AddMarks(const std::string& name, double unreachedValue, const std::vector<bool>& isReached,
+  OutputArrays& arrays)
+{
+  const bool isPlain = std::isnan(unreachedValue) || unreachedValue == Infinity;
+  if (!isPlain && std::find(isReached.begin(), isReached.end(), false) != isReached.end())
+  {
+    std::transform(isReached.begin(), isReached.end(),
+      arrays.Add<std::uint8_t>(GetUnreachedName(name), isReached.size()),
+      [](bool reached) { return reached ? 0 : 1; });
+  }
+}
+
+/// Adds point arrays with the values of vertices.
+struct PointArrayWriter
+{
+  const PreparedSurface& Surface;
+  const DistanceResults& Results;
+  const std::vector<bool>& IsReached; ///< per vertex
+  OutputArrays& Arrays;
+
+  /// `valueOf(i, k)` returns component k of the result at index i.
+  template <typename ValueType, typename ValueOf>
+  void Add(const std::string& name, int components, ValueType unreached, const ValueOf& valueOf)
+  {
+    const std::size_t size = this->IsReached.size();
+    const auto count = static_cast<std::size_t>(components);
+    ValueType* const values = this->Arrays.Add<ValueType>(name, size, components);
+    if (this->Results.IsSparse)
+    {
+      std::fill_n(values, size * count, unreached);
+      for (std::size_t i = 0; i < this->Results.Vertices.size(); ++i)
+      {
+        const auto vertex = static_cast<std::size_t>(this->Results.Vertices[i]);
+        for (std::size_t k = 0; k < count && this->IsReached[vertex]; ++k)
+        {
+          values[vertex * count + k] = valueOf(i, k);
+        }
+      }
+      return;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const Id vertex = this->Surface.GetVertex(static_cast<Offset>(i));
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        values[i * count + k] = this->IsReached[vertex] ? valueOf(vertex, k) : unreached;
+      }
+    }
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<bool> FindReached(const PreparedSurface& surface, const DistanceResults& results)
+{
+  std::vector<bool> isReached(
+    static_cast<std::size_t>(surface.GetMeshWithoutAngles().GetNumberOfVertices()));
+  for (std::size_t i = 0; i < results.Distances.size(); ++i)
+  {
+    const double distance = results.Distances[i];
+    isReached[results.IsSparse ? results.Vertices[i] : i] =
+      distance <= results.MaximumDistance && distance < Infinity;
+  }
+  return isReached;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Id> GetNearestSources(const PreparedSurface& surface, const DistanceResults& results,
+  const std::vector<bool>& isReached)
+{
+  std::vector<Id> nearest(isReached.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+  {
+    const Id vertex = surface.GetVertex(static_cast<Offset>(i));
+    nearest[i] = isReached[vertex] ? results.NearestSource[vertex] : NoId;
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+void WriteDistances(const PreparedSurface& surface, const DistanceResults& results,
+  const std::vector<bool>& isReached, const DistanceNames& names, double unreachedValue,
+  OutputArrays& arrays)
+{
+  PointArrayWriter writer{ surface, results, isReached, arrays };
+  std::vector<bool> isPointReached = isReached;
+  for (std::size_t i = 0; surface.GetNumberOfMergedPoints() > 0 && i < isReached.size(); ++i)
+  {
+    isPointReached[i] = isReached[surface.GetVertex(static_cast<Offset>(i))];
+  }
+  writer.Add(names.Distance, 1, unreachedValue,
+    [&](std::size_t i, std::size_t) { return results.Distances[i]; });
+  AddMarks(names.Distance, unreachedValue, isPointReached, arrays);
+  if (!names.Source.empty())
+  {
+    writer.Add<std::int32_t>(
+      names.Source, 1, NoId, [&](std::size_t i, std::size_t) { return results.NearestSource[i]; });
+  }
+  if (!names.VirtualSource.empty())
+  {
+    writer.Add(names.VirtualSource, 3, unreachedValue, [&](std::size_t i, std::size_t k) {
+      const VirtualSource& source = results.VirtualSource[i];
+      return k == 0 ? source.Offset : k == 1 ? source.Length : source.Angle;
+    });
+  }
+  for (const VertexArray& array : results.Arrays)
+  {
+    writer.Add(array.Name, static_cast<int>(array.Components.size()), unreachedValue,
+      [&](std::size_t i, std::size_t k) { return array.Components[k][i]; });
+    if (array.Components.size() == 1) // can be read as distances
+    {
+      AddMarks(array.Name, unreachedValue, isPointReached, arrays);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string GetUnreachedName(const std::string& distances)
+{
+  return distances + ".Unreached";
+}
+
+//------------------------------------------------------------------------------
+void AddDistances(const std::string& name, const std::vector<double>& distances,
+  double unreachedValue, OutputArrays& arrays)
+{
+  std::vector<bool> isReached(distances.size());
+  std::transform(distances.begin(), distances.end(), isReached.begin(),
+    [](double distance) { return distance < Infinity; });
+  std::transform(distances.begin(), distances.end(), arrays.Add<double>(name, distances.size()),
+    [=](double distance) { return distance < Infinity ? distance : unreachedValue; });
+  AddMarks(name, unreachedValue, isReached, arrays);
+}
+}

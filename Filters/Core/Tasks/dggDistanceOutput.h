@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Arrays of distances in outputs. Internal.
+#ifndef dggDistanceOutput_h
+#define dggDistanceOutput_h
+
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
+#include "dggEdgeWindows.h"    // for EdgeWindows
+#include "dggVirtualSources.h" // for VirtualSources
+
+#include <string> // for names
+#include <vector> // for distances
+
+namespace dgg
+{
+class OutputArrays;
+class PreparedSurface;
+
+/// An array of vectors with a value per vertex, each component by itself.
+struct VertexArray
+{
+  std::string Name;
+  std::string Property; ///< property with the name of the array, for messages
+  std::vector<std::vector<double>> Components;
+};
+
+/// Distances from sources, and arrays that belong to them, per vertex of the mesh.
+struct DistanceResults
+{
+  /// Farther vertices count as unreached; Infinity without a limit.
+  double MaximumDistance = Infinity;
+  std::vector<double> Distances; ///< Infinity where unreached
+  std::vector<Id> NearestSource; ///< index of the source; NoId if unreached; may be empty
+  VirtualSources VirtualSource;  ///< may be empty
+  EdgeWindows Windows;           ///< may be empty
+  std::vector<VertexArray> Arrays;
+
+  /// True if the arrays above have one value per entry of Vertices instead of one per vertex.
+  /// Requires that points and vertices of the surface coincide.
+  bool IsSparse = false;
+  std::vector<Id> Vertices; ///< each once; all other vertices are unreached
+};
+
+struct DistanceNames
+{
+  std::string Distance;
+  std::string Source;        ///< of the nearest sources; empty for none
+  std::string VirtualSource; ///< empty for none
+};
+
+/// Returns true for each vertex that is reached.
+DGG_CORE_EXPORT std::vector<bool> FindReached(
+  const PreparedSurface& surface, const DistanceResults& results);
+
+/// Returns the nearest source of each point of the input; NoId if unreached. For results that are
+/// not sparse.
+DGG_CORE_EXPORT std::vector<Id> GetNearestSources(const PreparedSurface& surface,
+  const DistanceResults& results, const std::vector<bool>& isReached);
+
+/// Adds the results as point arrays of the surface, with `unreachedValue` (-1 for nearest sources)
+/// at unreached points, and marks of unreached points as AddDistances().
+DGG_CORE_EXPORT void WriteDistances(const PreparedSurface& surface, const DistanceResults& results,
+  const std::vector<bool>& isReached, const DistanceNames& names, double unreachedValue,
+  OutputArrays& arrays);
+
+/// Returns the name of the array that marks the unreached points of distances.
+DGG_CORE_EXPORT std::string GetUnreachedName(const std::string& distances);
+
+/// Adds an array of distances, with `unreachedValue` in place of Infinity. Any other number than
+/// NaN and plus infinity could be a distance, therefore the array of GetUnreachedName()
+/// (std::uint8_t: 1 at unreached points, else 0) is added if there are such values.
+DGG_CORE_EXPORT void AddDistances(const std::string& name, const std::vector<double>& distances,
+  double unreachedValue, OutputArrays& arrays);
+}
+
+#endif

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggIsolineTask.h"
+
+#include "dggOutput.h"
+#include "dggPreparedSurface.h"
+#include "dggProgressPart.h"
+#include "dggSurfaceOutput.h"
+#include "dggTaskContext.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+namespace dgg
+{
+namespace
+{
+///@{
+/// Progress weights, if the parts are requested.
+constexpr double LineWork = 1.0;
+constexpr double RidgeWork = 1.0;
+constexpr double BandWork = 1.5;
+///@}
+
+constexpr double DegreesPerRadian = 180.0 / Pi;
+
+/// Writes polylines with a cell array, which becomes the active scalars.
+void WriteLines(const TaskContext& context, const std::vector<SurfacePath>& lines,
+  const std::vector<bool>& isClosed, const char* name, const std::vector<double>& values,
+  Output& output)
+{
+  std::vector<OutputCurve> curves;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    curves.push_back({ &lines[i], isClosed[i] });
+  }
+  WriteCurves(context, curves, output);
+  std::copy(values.begin(), values.end(), output.CellData.Add<double>(name, values.size()));
+  output.CellScalars = name;
+}
+
+/// Returns the limits of the bands; the first and the last limit are the extreme distances.
+std::vector<double> FindLimits(const Bands& bands, const std::vector<Id>& used)
+{
+  std::vector<double> limits = bands.Levels;
+  if (used.empty())
+  {
+    return limits;
+  }
+  double least = Infinity;
+  double largest = -Infinity;
+  for (const Id v : used)
+  {
+    least = std::min(least, bands.Distances[v]);
+    largest = std::max(largest, bands.Distances[v]);
+  }
+  limits.insert(limits.begin(), bands.Levels.empty() ? least : std::min(least, bands.Levels[0]));
+  limits.push_back(std::max(largest, limits.back()));
+  return limits;
+}
+}
+
+//------------------------------------------------------------------------------
+Status FindIsolines(const TaskContext& context, const DistanceField& field,
+  const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result)
+{
+  const double ridgeWork = options.WithRidges ? RidgeWork : 0.0;
+  const double work = LineWork + ridgeWork + (options.WithBands ? BandWork : 0.0);
+  const double atRidges = LineWork / work;
+  const double atBands = (LineWork + ridgeWork) / work;
+  DGG_RETURN_IF_ERROR(TraceIsolines(field, options.Values, options.Lines, context.Parallel,
+    ProgressPart(progress, 0.0, atRidges), result.Lines));
+  if (options.WithRidges && (field.HasWindows() || field.HasSources()))
+  {
+    DGG_RETURN_IF_ERROR(FindRidges(field, options.Ridges, context.Parallel,
+      ProgressPart(progress, atRidges, atBands), result.Ridges));
+  }
+  return options.WithBands ? MakeBands(field, options.Values, result.Lines,
+                               ProgressPart(progress, atBands, 1.0), result.Bands)
+                           : Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void WriteIsolines(const TaskContext& context, const Isolines& lines,
+  const std::vector<double>& values, Output& output)
+{
+  std::vector<double> numbers;
+  for (const Id level : lines.Levels)
+  {
+    numbers.push_back(values[level]);
+  }
+  WriteLines(context, lines.Lines, lines.IsClosed, "IsoValue", numbers, output);
+}
+
+//------------------------------------------------------------------------------
+void WriteRidges(const TaskContext& context, const Ridges& ridges, Output& output)
+{
+  std::vector<double> numbers;
+  for (const double angle : ridges.Angles)
+  {
+    numbers.push_back(angle * DegreesPerRadian);
+  }
+  const std::vector<bool> isClosed(ridges.Lines.size(), false);
+  WriteLines(context, ridges.Lines, isClosed, "RidgeAngle", numbers, output);
+}
+
+//------------------------------------------------------------------------------
+void WriteBands(
+  const TaskContext& context, const Bands& bands, const std::string& distances, Output& output)
+{
+  const SubMesh& surface = bands.Surface;
+  std::vector<Id> faces;
+  std::vector<Id> used; // vertices of the output
+  std::vector<SurfacePoint> places;
+  std::vector<Id> pointOf(surface.Points.size(), NoId);
+  for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
+  {
+    if (bands.BandOf[f] == NoId)
+    {
+      continue;
+    }
+    faces.push_back(f);
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      const Id vertex = surface.Triangles[h];
+      if (pointOf[vertex] == NoId)
+      {
+        pointOf[vertex] = static_cast<Id>(used.size());
+        used.push_back(vertex);
+        places.push_back(surface.Points[vertex]);
+      }
+    }
+  }
+  WritePositions(context.Surface, places, output);
+  double* const values = output.PointData.Add<double>(distances, used.size());
+  Offset* const ids = output.PointData.Add<Offset>("vtkOriginalPointIds", used.size());
+  output.PointScalars = distances;
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    values[i] = bands.Distances[used[i]];
+    ids[i] = GetOriginalPoint(places[i]);
+  }
+
+  std::int32_t* const numbers = output.CellData.Add<std::int32_t>("Band", faces.size());
+  double* const lower = output.CellData.Add<double>("BandMinimum", faces.size());
+  double* const upper = output.CellData.Add<double>("BandMaximum", faces.size());
+  Offset* const cells = output.CellData.Add<Offset>("FaceId", faces.size());
+  output.CellScalars = "Band";
+  output.Polygons.Offsets = Buffer<Offset>(faces.size() + 1);
+  output.Polygons.Points = Buffer<Offset>(3 * faces.size());
+  output.Polygons.Offsets[0] = 0;
+  const std::vector<double> limits = FindLimits(bands, used);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const Id f = faces[i];
+    Offset* const corners = output.Polygons.Points.Data() + 3 * i;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = pointOf[surface.Triangles[3 * f + k]];
+    }
+    if (context.Surface.GetMesh().IsFlipped(surface.Faces[f]))
+    {
+      std::swap(corners[1], corners[2]); // same orientation as in the input
+    }
+    output.Polygons.Offsets[i + 1] = static_cast<Offset>(3 * (i + 1));
+    numbers[i] = bands.BandOf[f];
+    lower[i] = limits[bands.BandOf[f]];
+    upper[i] = limits[bands.BandOf[f] + 1];
+    cells[i] = GetOriginalCell(context.Surface, surface.Faces[f]);
+  }
+}
+}

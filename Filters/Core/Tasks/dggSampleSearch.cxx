@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSampleSearch.h"
+
+#include "dggGraphSession.h"
+#include "dggInvalidInput.h"
+#include "dggOutput.h"
+#include "dggPreparedSurface.h"
+#include "dggSurfaceOutput.h"
+
+#include <algorithm>
+
+namespace dgg
+{
+//------------------------------------------------------------------------------
+Status FindSamples(const TaskContext& context, GraphSession& graph, SamplerOptions options,
+  std::vector<SurfaceSample>& samples)
+{
+  const PreparedSurface& surface = context.Surface;
+  const bool needsLinks =
+    options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), IsVertex);
+  DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, needsLinks));
+  options.Progress = graph.GetRemainingProgress(context);
+  return SampleSurface(graph.GetSearch().GetGraph(),
+    surface.IsCloud() ? nullptr : &surface.GetMesh(), needsLinks ? &graph.GetBuilder() : nullptr,
+    graph.GetLinkAccuracy(), options, samples);
+}
+
+//------------------------------------------------------------------------------
+void WriteSamples(const TaskContext& context, const SamplerOptions& options,
+  const std::vector<SurfaceSample>& samples, Output& output)
+{
+  std::vector<SurfacePoint> points;
+  for (const SurfaceSample& sample : samples)
+  {
+    points.push_back(sample.Point);
+  }
+  WriteSurfacePoints(context, points, output);
+  double* const radii = output.PointData.Add<double>("CoveringRadius", samples.size());
+  std::transform(samples.begin(), samples.end(), radii,
+    [](const SurfaceSample& sample) { return sample.CoveringRadius; });
+
+  const double radius = samples.empty() ? 0.0 : samples.back().CoveringRadius;
+  if (static_cast<Offset>(samples.size()) < options.NumberOfSamples && !(radius > 0.0))
+  {
+    output.Warnings.push_back(
+      JoinText("NumberOfSamples is ", options.NumberOfSamples, ", but after ", samples.size(),
+        " samples no point of the surface is left. Reduce it, or subdivide the surface",
+        options.InFaces ? "" : ", or turn InFaces on"));
+  }
+  if (!(radius < Infinity))
+  {
+    output.Warnings.push_back(
+      JoinText("The surface has more components than there are samples (", samples.size(),
+        "): some have no sample, and the covering radius is infinite. Raise NumberOfSamples"));
+  }
+}
+}

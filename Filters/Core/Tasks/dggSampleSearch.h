@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Farthest point samples of a surface or a cloud as an output. Internal.
+#ifndef dggSampleSearch_h
+#define dggSampleSearch_h
+
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
+#include "dggSurfaceSampler.h" // for SamplerOptions
+
+namespace dgg
+{
+class GraphSession;
+struct Output;
+struct TaskContext;
+
+/// Samples the surface. `graph` is up to date. The progress of `options` is set here.
+DGG_CORE_EXPORT Status FindSamples(const TaskContext& context, GraphSession& graph,
+  SamplerOptions options, std::vector<SurfaceSample>& samples);
+
+/// Writes the samples with the point array `CoveringRadius`. Warns if there are fewer than
+/// requested, or fewer than components.
+DGG_CORE_EXPORT void WriteSamples(const TaskContext& context, const SamplerOptions& options,
+  const std::vector<SurfaceSample>& samples, Output& output);
+}
+
+#endif

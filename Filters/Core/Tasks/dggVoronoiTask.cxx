@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggVoronoiTask.h"
+
+#include "dggDistanceOutput.h"
+#include "dggGraphSession.h"
+#include "dggOutput.h"
+#include "dggPreparedSurface.h"
+#include "dggProgressPart.h"
+#include "dggSourceCollection.h"
+#include "dggSurfaceOutput.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+namespace dgg
+{
+namespace
+{
+/// Progress weight of moving the sites, after the graph.
+constexpr double MovingShare = 0.9;
+
+/// Moves the sites to the centers of their cells.
+Status MoveSites(const TaskContext& context, GraphSession& graph, const VoronoiOptions& options,
+  const ProgressCallback& progress, VoronoiResult& result)
+{
+  const PreparedSurface& surface = context.Surface;
+  std::vector<SurfacePoint> places = GetPoints(result.Sites);
+  CentroidalOptions moving = options.Moving;
+  moving.Progress = progress;
+  DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context));
+  DGG_RETURN_IF_ERROR(surface.IsCloud()
+      ? MoveToCloudCenters(
+          graph.GetSearch(), surface.GetPositions(), moving, places, result.Energies)
+      : MoveToCenters(graph.GetSearch(), surface.GetMesh(), graph.GetBuilder(),
+          graph.GetLinkAccuracy(), moving, places, result.Energies));
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    result.Sites[i].Point = places[i];
+  }
+  return Status::Success();
+}
+
+/// Makes the outputs of a diagram.
+class VoronoiWriter
+{
+public:
+  VoronoiWriter(
+    const TaskContext& context, const VoronoiOptions& options, const VoronoiResult& result)
+    : Context(context)
+    , Options(options)
+    , Result(result)
+    , Diagram(result.Diagram)
+    , NumberOfVertices(static_cast<Id>(result.Diagram.Distances.size()))
+  {
+  }
+
+  /// Adds the arrays of labels, distances and energies.
+  void WriteSurface(Output& output) const
+  {
+    const std::vector<Id> nearest = GetNearestSites(this->Context, this->Result);
+    std::vector<Id> points(nearest.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      points[i] = this->Context.Surface.GetVertex(static_cast<Offset>(i));
+    }
+    this->WriteDistances(points, output);
+    std::int32_t* const sites =
+      output.PointData.Add<std::int32_t>(this->Options.SourceName, nearest.size());
+    std::copy(nearest.begin(), nearest.end(), sites);
+    output.PointScalars = this->Options.SourceName;
+    if (!this->Result.Energies.empty())
+    {
+      double* const energies = output.FieldData.Add<double>("Energy", this->Result.Energies.size());
+      std::copy(this->Result.Energies.begin(), this->Result.Energies.end(), energies);
+    }
+  }
+
+  void WriteBorders(Output& output) const
+  {
+    // Only points of curves are written, in ascending order.
+    std::vector<Id> used = this->Diagram.CurvePoints;
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    this->WritePoints(used, output);
+    const std::size_t count = this->Diagram.GetNumberOfCurves();
+    output.Lines.Offsets = Buffer<Offset>(count + 1);
+    output.Lines.Points = Buffer<Offset>(this->Diagram.CurvePoints.size());
+    output.Lines.Offsets[0] = 0;
+    std::copy(this->Diagram.CurveOffsets.begin(), this->Diagram.CurveOffsets.end(),
+      output.Lines.Offsets.begin());
+    std::transform(this->Diagram.CurvePoints.begin(), this->Diagram.CurvePoints.end(),
+      output.Lines.Points.begin(), [&used](Id point) {
+        return std::lower_bound(used.begin(), used.end(), point) - used.begin();
+      });
+    std::int32_t* const sites = output.CellData.Add<std::int32_t>("SiteId", count, 2);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      sites[2 * k] = this->Diagram.CurveSites[k][0];
+      sites[2 * k + 1] = this->Diagram.CurveSites[k][1];
+    }
+  }
+
+  void WriteCells(Output& output) const
+  {
+    std::vector<Id> points(this->Diagram.Distances.size() + this->Diagram.BorderPoints.size());
+    std::iota(points.begin(), points.end(), 0);
+    this->WritePoints(points, output);
+    const std::vector<double> areas = this->SumAreas();
+    const std::size_t count = this->Diagram.GetNumberOfPolygons();
+    output.Polygons.Offsets = Buffer<Offset>(count + 1);
+    output.Polygons.Points = Buffer<Offset>(this->Diagram.PolygonPoints.size());
+    output.Polygons.Offsets[0] = 0;
+    std::int32_t* const sites = output.CellData.Add<std::int32_t>("SiteId", count);
+    double* const cellAreas = output.CellData.Add<double>("CellArea", count);
+    Offset* const faces = output.CellData.Add<Offset>("FaceId", count);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const Id* const begin = this->Diagram.PolygonPoints.data() + this->Diagram.PolygonOffsets[k];
+      const Id* const end =
+        this->Diagram.PolygonPoints.data() + this->Diagram.PolygonOffsets[k + 1];
+      Offset* const corners = output.Polygons.Points.Data() + this->Diagram.PolygonOffsets[k];
+      const Id face = this->Diagram.PolygonFaces[k];
+      if (this->Context.Surface.GetMesh().IsFlipped(face))
+      {
+        std::reverse_copy(begin, end, corners); // same orientation as in the input
+      }
+      else
+      {
+        std::copy(begin, end, corners);
+      }
+      output.Polygons.Offsets[k + 1] = this->Diagram.PolygonOffsets[k + 1];
+      sites[k] = this->Diagram.PolygonSites[k];
+      cellAreas[k] = sites[k] == NoId ? areas.back() : areas[sites[k]];
+      faces[k] = GetOriginalCell(this->Context.Surface, face);
+    }
+    output.CellScalars = "SiteId";
+  }
+
+  void WriteSites(Output& output) const
+  {
+    WriteSurfacePoints(this->Context, GetPoints(this->Result.Sites), output);
+    const std::size_t count = this->Result.Sites.size();
+    std::int32_t* const ids = output.PointData.Add<std::int32_t>("SiteId", count);
+    std::iota(ids, ids + count, 0);
+    if (!this->Options.LabelsOnly)
+    {
+      const std::vector<double> areas = this->SumAreas();
+      std::copy_n(areas.begin(), count, output.PointData.Add<double>("CellArea", count));
+    }
+  }
+
+private:
+  SurfacePoint GetPlace(Id point) const
+  {
+    return point < this->NumberOfVertices
+      ? SurfacePoint::AtVertex(point)
+      : this->Diagram.BorderPoints[point - this->NumberOfVertices];
+  }
+
+  /// Returns the area of the cell of each site, and at the end the unreached area.
+  std::vector<double> SumAreas() const
+  {
+    std::vector<double> areas(this->Result.Sites.size() + 1, 0.0);
+    for (std::size_t i = 0; i < this->Diagram.GetNumberOfPolygons(); ++i)
+    {
+      const Id site = this->Diagram.PolygonSites[i];
+      (site == NoId ? areas.back() : areas[site]) += this->Diagram.PolygonAreas[i];
+    }
+    return areas;
+  }
+
+  /// Writes positions and distances of points of the diagram.
+  void WritePoints(const std::vector<Id>& points, Output& output) const
+  {
+    std::vector<SurfacePoint> places;
+    for (const Id point : points)
+    {
+      places.push_back(this->GetPlace(point));
+    }
+    WritePositions(this->Context.Surface, places, output);
+    this->WriteDistances(points, output);
+  }
+
+  void WriteDistances(const std::vector<Id>& points, Output& output) const
+  {
+    std::vector<double> distances;
+    for (const Id point : points)
+    {
+      distances.push_back(point < this->NumberOfVertices
+          ? this->Diagram.Distances[point]
+          : this->Diagram.BorderDistances[point - this->NumberOfVertices]);
+    }
+    AddDistances(
+      this->Options.DistanceName, distances, this->Options.UnreachedValue, output.PointData);
+  }
+
+  const TaskContext& Context;
+  const VoronoiOptions& Options;
+  const VoronoiResult& Result;
+  const VoronoiDiagram& Diagram;
+  Id NumberOfVertices;
+};
+}
+
+//------------------------------------------------------------------------------
+Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
+  const VoronoiOptions& options, VoronoiResult& result)
+{
+  const ProgressCallback progress = graph.GetRemainingProgress(context);
+  if (options.IsCentroidal)
+  {
+    DGG_RETURN_IF_ERROR(
+      MoveSites(context, graph, options, ProgressPart(progress, 0.0, MovingShare), result));
+  }
+  VoronoiInput input;
+  input.LabelsOnly = options.LabelsOnly;
+  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, result.Sites, input.Seeds));
+  if (options.IsRefined)
+  {
+    DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context));
+    input.Builder = &graph.GetBuilder();
+    input.Accuracy = graph.GetLinkAccuracy();
+  }
+  input.Places = GetPoints(result.Sites);
+  return ComputeVoronoi(graph.GetSearch(), context.Surface.GetMesh(), input,
+    ProgressPart(progress, options.IsCentroidal ? MovingShare : 0.0, 1.0), result.Diagram);
+}
+
+//------------------------------------------------------------------------------
+std::vector<Id> GetNearestSites(const TaskContext& context, const VoronoiResult& result)
+{
+  std::vector<Id> nearest(result.Diagram.NearestSites.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+  {
+    nearest[i] = result.Diagram.NearestSites[context.Surface.GetVertex(static_cast<Offset>(i))];
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+void WriteVoronoi(const TaskContext& context, const VoronoiOptions& options,
+  const VoronoiResult& result, Output& surface, Output& borders, Output& cells, Output& sites)
+{
+  const VoronoiWriter writer(context, options, result);
+  writer.WriteSurface(surface);
+  if (!options.LabelsOnly)
+  {
+    writer.WriteBorders(borders);
+    writer.WriteCells(cells);
+  }
+  writer.WriteSites(sites);
+}
+}

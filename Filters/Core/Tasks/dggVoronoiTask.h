@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Voronoi cells of sites, which may be moved to the centers of their cells, as outputs. Internal.
+#ifndef dggVoronoiTask_h
+#define dggVoronoiTask_h
+
+#include "dggCentroidal.h"     // for CentroidalOptions
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
+#include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggVoronoi.h"        // for VoronoiDiagram
+
+#include <string> // for names
+#include <vector> // for sites
+
+namespace dgg
+{
+class GraphSession;
+struct Output;
+struct OutputArrays;
+struct TaskContext;
+
+struct VoronoiOptions
+{
+  bool IsCentroidal = false; ///< move the sites before
+  bool IsRefined = false;    ///< refine borders
+  bool LabelsOnly = false;   ///< make neither cells nor borders
+  CentroidalOptions Moving;
+  ///@{
+  /// Names of point arrays.
+  std::string DistanceName;
+  std::string SourceName;
+  ///@}
+  double UnreachedValue = 0.0; ///< distance of unreached points
+};
+
+struct VoronoiResult
+{
+  std::vector<GeodesicSource> Sites;
+  VoronoiDiagram Diagram;
+  std::vector<double> Energies; ///< one per iteration; empty unless sites are moved
+};
+
+/// Computes the diagram of the sites in `result` and moves these if requested. `graph` is up to
+/// date.
+DGG_CORE_EXPORT Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
+  const VoronoiOptions& options, VoronoiResult& result);
+
+/// Returns the nearest site of each point of the input; NoId if unreached.
+DGG_CORE_EXPORT std::vector<Id> GetNearestSites(
+  const TaskContext& context, const VoronoiResult& result);
+
+/// Writes the diagram to four outputs:
+/// - `surface`: point arrays of distances (with marks of unreached points) and nearest sites, and
+///   the field array `Energy`, for the points of the input;
+/// - `borders`: lines with the cell array `SiteId` (two sites) and the point array of distances;
+/// - `cells`: polygons with the cell arrays `SiteId`, `CellArea` and `FaceId` and the point
+///   array of distances;
+/// - `sites`: points with the arrays `SiteId` and, unless there are only labels, `CellArea`.
+DGG_CORE_EXPORT void WriteVoronoi(const TaskContext& context, const VoronoiOptions& options,
+  const VoronoiResult& result, Output& surface, Output& borders, Output& cells, Output& sites);
+}
+
+#endif
