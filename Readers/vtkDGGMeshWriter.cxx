@@ -124,7 +124,7 @@ void vtkDGGMeshWriter::WriteData()
     if (found < 0)
     {
       return { dgg::FileStatus::Code::Unrecognized,
-        "the extension is unknown, expected .obj, .off, .pcd, .ply, .stl or .xyz" };
+        "the extension is unknown. Expected .obj, .off, .pcd, .ply, .stl or .xyz." };
     }
     const auto format = static_cast<dgg::FileFormat>(found);
     vtkPolyData* input = this->GetInput();

@@ -108,7 +108,7 @@ dgg_add_consumer_test(TerrainPath 0
   "${consumer_dir}/TerrainPath" "terrain.png")
 set_tests_properties("Install.TerrainPath" PROPERTIES
   ENVIRONMENT "${dgg_leaking_environment}")
-dgg_add_consumer_test(GraphPipeline.WrongSource 1 "source id 642"
+dgg_add_consumer_test(GraphPipeline.WrongSource 1 "Source id 642"
   "${consumer_dir}/GraphPipeline" "mesh.ply" 0 642 "wrong.png")
 dgg_add_consumer_test(Isolines 0 "[0-9]+ lines, [0-9]+ ridges, [0-9]+ triangles in bands"
   "${consumer_dir}/Isolines" "mesh.ply" 8 "isolines.png")
@@ -119,7 +119,7 @@ dgg_add_consumer_test(Isolines.WrongNumber 1 "not a number of lines"
 dgg_add_consumer_test(GreensPipeline 0
   "Green's function from -[0-9.]+ to [0-9.]+, biharmonic distance up to [0-9.]+"
   "${consumer_dir}/GreensPipeline" "mesh.ply" 3 "greens.vtp")
-dgg_add_consumer_test(GreensPipeline.WrongPoint 1 "source id 642"
+dgg_add_consumer_test(GreensPipeline.WrongPoint 1 "Source id 642"
   "${consumer_dir}/GreensPipeline" "mesh.ply" 642 "wrong.vtp")
 dgg_add_consumer_test(VoronoiCells 0 "20 cells, areas from [0-9.]+.*iterations [0-9.]+"
   "${consumer_dir}/VoronoiCells" "mesh.ply" 20 "cells.png")
@@ -132,7 +132,7 @@ dgg_add_consumer_test(Loops 0
   "${consumer_dir}/Loops" "mesh.ply" 76 0.2 "loops.png")
 set_tests_properties("Install.Loops" PROPERTIES
   ENVIRONMENT "${dgg_leaking_environment}")
-dgg_add_consumer_test(Loops.WrongPoint 1 "loop point id 642"
+dgg_add_consumer_test(Loops.WrongPoint 1 "Loop point id 642"
   "${consumer_dir}/Loops" "mesh.ply" 642 0.2 "wrong.png")
 dgg_add_consumer_test(PatchBoundaries 0
   "landmarks +first surface +second surface.*0 to 1 +0.7004[0-9]* +0.7004[0-9]*.*5 to 4 "
@@ -170,7 +170,7 @@ if (DGG_WITH_PCL)
   dgg_add_consumer_test(CloudPath 0
     "642 points, [0-9]+ edges, 1 components.*farthest is point [0-9]+: [23][.][0-9]+ away"
     "${consumer_dir}/CloudPath" "mesh.ply" 0 "path.vtp")
-  dgg_add_consumer_test(CloudPath.WrongSource 1 "source id 642"
+  dgg_add_consumer_test(CloudPath.WrongSource 1 "Source id 642"
     "${consumer_dir}/CloudPath" "mesh.ply" 642 "wrong.vtp")
   dgg_add_consumer_test(CloudPath.NoNumber 1 "abc: not the number of a point"
     "${consumer_dir}/CloudPath" "mesh.ply" abc "wrong.vtp")

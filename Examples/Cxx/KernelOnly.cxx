@@ -25,7 +25,7 @@ int main()
   }
   if (!status.IsOk())
   {
-    std::cerr << "error: " << status.GetMessage() << "\n";
+    std::cerr << "error: " << dgg::Render(status.GetMessage()) << "\n";
     return EXIT_FAILURE;
   }
   std::cout << "boundary loops: " << dgg::InspectMesh(mesh).BoundaryLoops << "\n"

@@ -209,7 +209,7 @@ bool DGGGraphArrays::Find(
     const dgg::Status status = this->Graph.Read(arrays, mesh, context.Parallel);
     this->IsGraph = status.IsOk();
     this->Time.Modified();
-    complaint = this->IsGraph ? "" : "the graph on the input " + status.GetMessage();
+    complaint = status.GetProblem();
   }
   this->Mesh = mesh.GetBuildNumber(); // last, so that an exception leaves the arrays unchecked
   return this->IsGraph;

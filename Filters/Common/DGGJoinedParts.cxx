@@ -5,7 +5,7 @@
 #include "DGGPartRims.h"
 
 #include "dggDisjointSets.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
@@ -133,10 +133,10 @@ dgg::Status JoinGlobalIds(
     parts[std::get<2>(other)].Data->GetPoint(std::get<3>(other), b);
     if (std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > IdTolerance * box.GetDiagonalLength())
     {
-      return dgg::InvalidInput("two points have the global id ", std::get<1>(one), ", one at (",
-        a[0], ", ", a[1], ", ", a[2], ") and one at (", b[0], ", ", b[1], ", ", b[2],
-        "): number the points of all parts anew, or remove the global ids, so that parts are "
-        "joined by coordinates");
+      return dgg::InvalidInput("Two points have the global id ", std::get<1>(one), ", one at (",
+        a[0], ", ", a[1], ", ", a[2], ") and one at (", b[0], ", ", b[1], ", ", b[2], ")")
+        .Fix("Renumber the points of all pieces, or remove the global ids to join the pieces by "
+             "coordinates");
     }
   }
   return dgg::Status::Success();
@@ -325,8 +325,9 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
   }
   if (size > std::numeric_limits<dgg::Id>::max())
   {
-    return dgg::InvalidInput("the parts of the input have ", size, " points, of which ",
-      std::numeric_limits<dgg::Id>::max(), " are possible: make them fewer");
+    return dgg::InvalidInput("The pieces of the input have ", size, " points, more than ",
+      std::numeric_limits<dgg::Id>::max())
+      .Fix("Use fewer points");
   }
   if (used.size() <= 1)
   {

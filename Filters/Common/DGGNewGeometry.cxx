@@ -9,7 +9,7 @@
 #include "DGGWindowArrays.h"
 
 #include "dggCellCoordinates.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 #include "dggSurfacePath.h"
 
@@ -52,8 +52,10 @@ dgg::Status CheckRange(const double* begin, const double* end)
   {
     return dgg::Status::Success();
   }
-  return dgg::InvalidInput("OutputPointsPrecision is single, but coordinates of up to ", largest,
-    " are out of the range of floats: call SetOutputPointsPrecision() with DOUBLE_PRECISION");
+  return dgg::InvalidInput("{OutputPointsPrecision} is single, but coordinates of up to ", largest,
+    " are out of the range of floats")
+    .At("OutputPointsPrecision")
+    .Fix("Set {OutputPointsPrecision} to double");
 }
 }
 

@@ -8,7 +8,7 @@
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
 #include "dggSurfacePath.h"            // for SurfacePath
 #include "dggSurfacePoint.h"           // for SurfacePoint
-#include "dggTypes.h"                  // for Status
+#include "dggStatus.h"                 // for Status
 
 #include "vtkCellArray.h"    // for polylines
 #include "vtkDoubleArray.h"  // for ArcLength

@@ -6,7 +6,7 @@
 #include "DGGMakeArray.h"
 #include "DGGWindowArrays.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -66,8 +66,10 @@ dgg::Status CheckRange(const dgg::Buffer<double>& coordinates)
   {
     return dgg::Status::Success();
   }
-  return dgg::InvalidInput("OutputPointsPrecision is single, but coordinates of up to ", largest,
-    " are out of the range of floats: call SetOutputPointsPrecision() with DOUBLE_PRECISION");
+  return dgg::InvalidInput("{OutputPointsPrecision} is single, but coordinates of up to ", largest,
+    " are out of the range of floats")
+    .At("OutputPointsPrecision")
+    .Fix("Set {OutputPointsPrecision} to double");
 }
 
 /// Returns true if points of an output are floats. New points are not integers, even if the points

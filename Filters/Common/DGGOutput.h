@@ -7,6 +7,7 @@
 
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
 #include "dggOutput.h"                 // for Output
+#include "dggStatus.h"                 // for Status
 
 #include "vtkSmartPointer.h" // for cells
 

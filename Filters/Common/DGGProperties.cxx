@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGProperties.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
+
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 vtkIdType DGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i)
@@ -29,7 +31,29 @@ dgg::Status DGGCheckLengths(std::initializer_list<std::pair<const char*, double>
   {
     if (!(value >= 0.0)) // also true for NaN
     {
-      return dgg::InvalidInput(name, " is ", value, ": it must not be negative or NaN");
+      return dgg::InvalidValue(name, value).Fix("Use a number of at least 0");
+    }
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGCheckNames(const std::vector<std::pair<std::string, std::string>>& names)
+{
+  for (auto name = names.begin(); name != names.end(); ++name)
+  {
+    if (name->second.empty())
+    {
+      return dgg::InvalidValue(name->first, "empty").Fix("Use a name");
+    }
+    const auto same = std::find_if(
+      names.begin(), name, [&](const auto& other) { return other.second == name->second; });
+    if (same != name)
+    {
+      return dgg::InvalidInput(
+        "{", same->first, "} and {", name->first, "} are both '", name->second, "'")
+        .At(name->first)
+        .Fix("Use different names");
     }
   }
   return dgg::Status::Success();

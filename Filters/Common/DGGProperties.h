@@ -6,7 +6,7 @@
 #define DGGProperties_h
 
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
-#include "dggTypes.h"                  // for Status
+#include "dggStatus.h"                 // for Status
 
 #include "vtkIndent.h" // for printing
 #include "vtkType.h"   // for vtkIdType
@@ -38,5 +38,10 @@ VTKDGGFILTERSCOMMON_EXPORT void DGGPrintIds(
 /// Returns an error if a property is negative or NaN. Infinity is allowed.
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckLengths(
   std::initializer_list<std::pair<const char*, double>> properties);
+
+/// Returns an error if the name of an array is empty or used twice. Pairs consist of a property and
+/// its value.
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckNames(
+  const std::vector<std::pair<std::string, std::string>>& names);
 
 #endif

@@ -5,7 +5,7 @@
 #include "DGGContext.h"
 #include "DGGSurfaceArrays.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 #include "dggSourceCollection.h"
 
@@ -95,9 +95,9 @@ dgg::Status ReadPoints(const DGGSourceSet& set, dgg::SourceCollection& sources)
   if (sources.OriginalIds.empty() && data->HasArray("FaceId") && data->HasArray("Barycentric") &&
     (sources.Cells.empty() || sources.Barycentric.empty()))
   {
-    return dgg::InvalidInput("the point arrays FaceId and Barycentric of input port ", set.Port,
-      " must be numeric, with 1 and 3 components and one tuple per point. Correct the arrays or "
-      "remove Barycentric.");
+    return dgg::InvalidInput("The point arrays FaceId and Barycentric of input port ", set.Port,
+      " are not numeric with 1 and 3 components and one tuple per point")
+      .Fix("Correct the arrays, or remove Barycentric");
   }
   return set.InitialDistanceArray.empty() ? dgg::Status::Success()
                                           : ReadInitialDistances(set, sources.InitialDistances);
@@ -106,7 +106,8 @@ dgg::Status ReadPoints(const DGGSourceSet& set, dgg::SourceCollection& sources)
 dgg::Status Read(const DGGSourceSet& set, dgg::SourceCollection& sources)
 {
   sources.Role = set.Role;
-  sources.Remedy = set.Remedy;
+  sources.Property = set.Property;
+  sources.ArePairs = set.ArePairs;
   sources.Port = set.Port;
   sources.Surface = set.Surface;
   sources.Ids.assign(set.Ids.begin(), set.Ids.end());
@@ -153,7 +154,7 @@ dgg::Status DGGLocate(const DGGContext& context, const DGGSourceSet& set, double
     filter ? collection.DescribeIsolated(context.Surface, sources) : std::string();
   if (!warning.empty())
   {
-    vtkWarningWithObjectMacro(filter, << warning);
+    vtkWarningWithObjectMacro(filter, << dgg::Render(warning) << ".");
   }
   return dgg::Status::Success();
 }

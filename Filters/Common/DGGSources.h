@@ -29,12 +29,14 @@ struct VTKDGGFILTERSCOMMON_EXPORT DGGSourceSet
   vtkPolyData* Points;              ///< may be null
   int Port;                         ///< input port of Points
   std::string Role;                 ///< name of a point in messages
-  std::string Remedy;               ///< how to give ids
+  std::string Property;             ///< property of ids; empty if there is none
   std::string InitialDistanceArray; ///< of Points; empty for no initial distances
   /// Per id; null for zeros.
   const std::vector<double>* InitialDistances = nullptr;
   /// Ids of the points of the port that are used, in this order; null for all.
   const std::vector<vtkIdType>* PointIds = nullptr;
+  /// True if the points are starts and ends of pairs in turn.
+  bool ArePairs = false;
   /// Name of the surface in messages, if there are several.
   std::string Surface = "input";
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGSurfaceArrays.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -111,8 +111,9 @@ dgg::Status DGGCheckPointArray(vtkAbstractArray* array, vtkPolyData* data, const
   {
     return dgg::Status::Success();
   }
-  return dgg::InvalidInput("the point array '", array->GetName() ? array->GetName() : "(no name)",
+  return dgg::InvalidInput("The point array '", array->GetName() ? array->GetName() : "(no name)",
     "' of ", where, " has ", found, " components and ", array->GetNumberOfTuples(),
-    " tuples of type ", array->GetDataTypeAsString(), " for ", n, " points: ",
-    components == 1 ? "expected one number per point" : "expected numbers for each point");
+    " tuples of type ", array->GetDataTypeAsString(), " for ", n, " points")
+    .Fix(components == 1 ? "Use an array with one number per point"
+                         : "Use an array with numbers for each point");
 }

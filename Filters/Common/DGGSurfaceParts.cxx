@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGSurfaceParts.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -245,8 +245,9 @@ dgg::Status DGGCheckCells(vtkPolyData* part)
     vtkCellArray* cells = DGGGetCells(part, kind);
     if (!cells->IsValid())
     {
-      return dgg::Status::Invalid("the offsets and the connectivity of the cells of a part of the "
-                                  "input contradict each other: rebuild its cell arrays");
+      return dgg::InvalidInput("The offsets and the connectivity of the cells of a piece of the "
+                               "input contradict each other")
+        .Fix("Rebuild its cell arrays");
     }
     for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
     {
@@ -257,8 +258,9 @@ dgg::Status DGGCheckCells(vtkPolyData* part)
       {
         if (ids[k] < 0 || ids[k] >= part->GetNumberOfPoints())
         {
-          return dgg::InvalidInput("a cell of a part of the input names point ", ids[k],
-            ", but the part has ", part->GetNumberOfPoints(), ": repair the cell");
+          return dgg::InvalidInput("A cell of a piece of the input refers to point ", ids[k],
+            ", but the piece has ", part->GetNumberOfPoints(), " points")
+            .Fix("Repair the cell");
         }
       }
     }

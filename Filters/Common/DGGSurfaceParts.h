@@ -6,7 +6,7 @@
 #define DGGSurfaceParts_h
 
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
-#include "dggTypes.h"                  // for Status
+#include "dggStatus.h"                 // for Status
 
 #include "vtkPolyData.h"     // for the parts
 #include "vtkSmartPointer.h" // for the parts

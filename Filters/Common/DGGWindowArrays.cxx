@@ -217,19 +217,19 @@ bool DGGWindowArrays::Find(vtkFieldData* data, vtkDataArray* distances,
   {
     return false;
   }
-  const std::string whose = "the windows of '" + name + "' in the field data ";
+  const std::string whose = "The windows of '" + name + "' in the field data ";
   auto* values = vtkDoubleArray::SafeDownCast(distances);
   if (!values)
   {
-    complaint = whose + "are not of these distances, which are of type " +
-      distances->GetDataTypeAsString() + ", not a vtkDoubleArray";
+    complaint = whose + "belong to a vtkDoubleArray, but the distances have the type " +
+      distances->GetDataTypeAsString();
     return false;
   }
   const Integers info = FindIntegers(find(Info));
   if (info.Begin && *info.Begin != FormatVersion)
   {
     complaint = whose + "have the format version " + std::to_string(*info.Begin) +
-      ", but this version of vtkDGG knows " + std::to_string(FormatVersion) + " only";
+      ", but this version of vtkDGG reads version " + std::to_string(FormatVersion);
     return false;
   }
   const Tables tables = { FindIntegers(find(Offsets)), FindTable(find(Windows)),
@@ -237,18 +237,18 @@ bool DGGWindowArrays::Find(vtkFieldData* data, vtkDataArray* distances,
   if (!tables.Offsets.Begin || !tables.Windows || !tables.Sources ||
     info.End - info.Begin != InfoSize)
   {
-    complaint = whose + "are damaged: an array is missing or of another type";
+    complaint = whose + "are damaged: an array is missing or has another type";
     return false;
   }
   const std::array<std::int64_t, InfoSize> wanted = MakeInfo(values, mesh, tables);
   if (!std::equal(wanted.begin(), wanted.begin() + TableHash, info.Begin))
   {
-    complaint = whose + "are not of these distances on this surface";
+    complaint = whose + "do not belong to these distances on this surface";
     return false;
   }
   if (wanted[TableHash] != info.Begin[TableHash])
   {
-    complaint = whose + "are damaged: they are not those that were written";
+    complaint = whose + "are damaged: they have changed since they were written";
     return false;
   }
   ReadTables(tables, windows);
@@ -256,7 +256,7 @@ bool DGGWindowArrays::Find(vtkFieldData* data, vtkDataArray* distances,
   if (!status.IsOk())
   {
     windows = dgg::EdgeWindows();
-    complaint = whose + "are damaged: " + status.GetMessage();
+    complaint = status.Of(whose + "are damaged").GetProblem();
     return false;
   }
   return true;

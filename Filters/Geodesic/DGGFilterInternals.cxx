@@ -12,7 +12,7 @@
 #include "DGGThreads.h"
 #include "vtkGeodesicAlgorithm.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCompositeDataSet.h"
@@ -67,10 +67,10 @@ dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* contro
   {
     return dgg::Status::Success();
   }
-  return dgg::InvalidInput("one of ", pieces,
-    " pieces is requested, but distances need the whole surface: call SetController() with a "
-    "controller of as many processes, each of which updates its piece, or gather the surface on "
-    "one process and update this filter there, with one piece");
+  return dgg::InvalidInput(
+    "One of ", pieces, " pieces is requested, but distances need the whole surface")
+    .Fix("Set {Controller} to a controller with one process per piece, or gather the surface in "
+         "one process");
 }
 
 /// Empties the outputs. Outputs that are marked as not generated are computed again in the next
@@ -137,7 +137,7 @@ dgg::Status DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step
     {
       this->Filter->ErrorCode = vtkErrorCode::UserError;
     }
-    vtkErrorWithObjectMacro(this->Filter, << status.GetMessage());
+    vtkErrorWithObjectMacro(this->Filter, << dgg::Render(status.GetMessage()));
   }
   return status;
 }
@@ -154,17 +154,18 @@ dgg::Status DGGFilterInternals::Try(const std::function<dgg::Status()>& step)
   catch (const std::bad_alloc&)
   {
     this->Filter->ErrorCode = vtkErrorCode::UnknownError;
-    return dgg::Status::Invalid("memory is exhausted: " + this->GetMemoryRemedy());
+    return dgg::Status(dgg::Status::Code::OutOfMemory, "Memory is exhausted")
+      .Fix(this->GetMemoryRemedy());
   }
   catch (const std::exception& exception)
   {
     this->Filter->ErrorCode = vtkErrorCode::UnknownError;
-    return dgg::Status::Invalid(std::string("unexpected failure: ") + exception.what());
+    return dgg::InvalidInput("Unexpected failure: ", exception.what()).Fix("Report this as a bug");
   }
   catch (...)
   {
     this->Filter->ErrorCode = vtkErrorCode::UnknownError;
-    return dgg::Status::Invalid("unexpected failure");
+    return dgg::InvalidInput("Unexpected failure").Fix("Report this as a bug");
   }
 }
 
@@ -213,10 +214,9 @@ dgg::Status DGGFilterInternals::Follow(
       ports, outputVector, this->PassesSurface(), compute);
   if (status.IsOk() && this->Parts->GetNumberOfOthers() > 0)
   {
-    vtkWarningWithObjectMacro(
-      this->Filter, << this->Parts->GetNumberOfOthers()
-                    << " blocks of the input are not vtkPolyData and are ignored. Extract their "
-                       "surfaces first.");
+    this->Warn(dgg::JoinText(this->Parts->GetNumberOfOthers(),
+      " blocks of the input are not vtkPolyData and are ignored. Extract their "
+      "surfaces first"));
   }
   return status;
 }
@@ -258,10 +258,24 @@ dgg::Status DGGFilterInternals::Compute(
 }
 
 //------------------------------------------------------------------------------
+void DGGFilterInternals::Warn(const std::string& text) const
+{
+  vtkWarningWithObjectMacro(this->Filter, << dgg::Render(text) << ".");
+}
+
+//------------------------------------------------------------------------------
+void DGGFilterInternals::Warn(const std::vector<std::string>& texts) const
+{
+  for (const std::string& text : texts)
+  {
+    this->Warn(text);
+  }
+}
+
+//------------------------------------------------------------------------------
 void DGGFilterInternals::WarnAboutEmptyInput(const char* lack)
 {
-  vtkWarningWithObjectMacro(
-    this->Filter, "The input is empty: it has " << lack << ". The output is empty, too.");
+  this->Warn(dgg::JoinText("The input is empty: it has ", lack, ". The output is empty, too"));
 }
 
 //------------------------------------------------------------------------------
@@ -315,7 +329,7 @@ void DGGFilterInternals::WarnAboutGaps(const std::vector<bool>& isReached)
   const std::string warning = this->Mesh->Get().DescribeGaps(isReached);
   if (!warning.empty())
   {
-    vtkWarningWithObjectMacro(this->Filter, << warning << ".");
+    this->Warn(warning);
   }
 }
 
@@ -323,18 +337,10 @@ void DGGFilterInternals::WarnAboutGaps(const std::vector<bool>& isReached)
 dgg::Status DGGFilterInternals::FillOutput(
   const DGGContext& context, dgg::Output& output, vtkInformationVector* outputVector, int port)
 {
-  this->Warn(output.Warnings);
-  return DGGFillOutput(output, context.Input, this->Filter->OutputPointsPrecision,
-    vtkPolyData::GetData(outputVector, port));
-}
-
-//------------------------------------------------------------------------------
-void DGGFilterInternals::Warn(const std::vector<std::string>& warnings)
-{
-  for (const std::string& warning : warnings)
-  {
-    vtkWarningWithObjectMacro(this->Filter, << warning << ".");
-  }
+  DGG_RETURN_IF_ERROR(DGGFillOutput(output, context.Input, this->Filter->OutputPointsPrecision,
+    vtkPolyData::GetData(outputVector, port)));
+  this->Warn(output.Warnings); // observers may read the output
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -347,7 +353,7 @@ bool DGGFilterInternals::WarnAboutQuality(const std::string& reason)
   }
   if (!reason.empty() && this->QualityReasons.insert(reason).second)
   {
-    vtkWarningWithObjectMacro(this->Filter, << reason << ".");
+    this->Warn(reason);
   }
   return !reason.empty();
 }
@@ -358,8 +364,7 @@ dgg::Status DGGFilterInternals::PrepareMesh(vtkPolyData* surface)
   if (!surface)
   {
     this->Mesh->Clear(); // the report must not describe another surface
-    return dgg::Status::Invalid(
-      "there is no input: call SetInputConnection() or SetInputData() with a surface");
+    return dgg::InvalidInput("There is no input").Fix("Connect a surface to input port 0");
   }
   const vtkMTimeType built = this->Mesh->GetBuildTime();
   const dgg::Status status = this->Mesh->Update(surface, this->GetDomain(surface));

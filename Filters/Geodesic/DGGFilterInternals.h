@@ -66,7 +66,7 @@ public:
   /// false; filters that search a graph return true for an input with the graph of a cloud.
   virtual bool IsCloud(vtkPolyData* vtkNotUsed(input)) const { return false; }
   /// Returns advice for the error message when memory is exhausted.
-  virtual std::string GetMemoryRemedy() const { return "use a smaller mesh"; }
+  virtual std::string GetMemoryRemedy() const { return "Use a smaller mesh"; }
 
   /// Runs an update: gathers pieces and blocks, and runs the steps. The outputs are empty after an
   /// error, which is reported, or an abort.
@@ -97,6 +97,12 @@ public:
   /// The mesh that is kept between updates, which is empty before the first.
   const DGGMeshAdapter& GetMesh() const { return *this->Mesh; }
 
+  ///@{
+  /// Reports warnings, which have no final period and name properties in braces (dggStatus.h).
+  void Warn(const std::string& text) const;
+  void Warn(const std::vector<std::string>& texts) const;
+  ///@}
+
   /// Warns once per mesh if most of the surface is not connected to the reached vertices although
   /// its components nearly touch. For use after a distance.
   void WarnAboutGaps(const std::vector<bool>& isReached);
@@ -107,9 +113,6 @@ public:
   /// Fills an output that is new geometry, and reports its warnings.
   dgg::Status FillOutput(const DGGContext& context, dgg::Output& output,
     vtkInformationVector* outputVector, int port = 0);
-
-  /// Reports warnings, which lack the final period.
-  void Warn(const std::vector<std::string>& warnings);
 
   /// Warns that the input lacks something.
   void WarnAboutEmptyInput(const char* lack);

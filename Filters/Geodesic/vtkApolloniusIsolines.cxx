@@ -7,10 +7,10 @@
 #include "DGGFilterInternals.h"
 
 #include "dggFieldReader.h"
-#include "dggInvalidInput.h"
 #include "dggIsolineTask.h"
 #include "dggOutput.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
@@ -47,7 +47,7 @@ public:
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh, fewer values or a larger ChordTolerance";
+    return "Use a smaller mesh, fewer values or a larger {ChordTolerance}";
   }
 
 private:
@@ -192,26 +192,27 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::CheckProperties() const
 {
   if (this->Self->SteinerPoints < 0 || this->Self->SteinerPoints > dgg::MaximumSteinerPoints)
   {
-    return dgg::InvalidInput("SteinerPoints is ", this->Self->SteinerPoints,
-      ": call SetSteinerPoints() with a number from 0 to ", dgg::MaximumSteinerPoints);
+    return dgg::InvalidValue("SteinerPoints", this->Self->SteinerPoints)
+      .Fix("Use a number from 0 to ", dgg::MaximumSteinerPoints);
   }
   if (!(this->Self->ChordTolerance >= SmallestChordTolerance))
   {
-    return dgg::InvalidInput("ChordTolerance is ", this->Self->ChordTolerance,
-      ": call SetChordTolerance() with a number of at least ", SmallestChordTolerance);
+    return dgg::InvalidValue("ChordTolerance", this->Self->ChordTolerance)
+      .Fix("Use a number of at least ", SmallestChordTolerance);
   }
   if (!(this->Self->MinimumRidgeAngle >= 0.0 && this->Self->MinimumRidgeAngle <= 180.0))
   {
-    return dgg::InvalidInput("MinimumRidgeAngle is ", this->Self->MinimumRidgeAngle,
-      ": call SetMinimumRidgeAngle() with degrees from 0 to 180");
+    return dgg::InvalidValue("MinimumRidgeAngle", this->Self->MinimumRidgeAngle)
+      .Fix("Use degrees from 0 to 180");
   }
   const std::vector<double> values = this->CopyValues();
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     if (!std::isfinite(values[i]))
     {
-      return dgg::InvalidInput("value ", i, " is ", values[i],
-        ": call SetValue() with a finite number, or GenerateValues()");
+      return dgg::InvalidInput("Value ", i, " is ", values[i])
+        .At("Values", static_cast<dgg::Offset>(i))
+        .Fix("Use a finite number");
     }
   }
   return dgg::Status::Success();
@@ -293,16 +294,13 @@ void vtkApolloniusIsolines::vtkInternals::WarnAbout(const dgg::FieldReader& read
   if (this->Self->GenerateRidges && !reader.GetField().HasWindows() &&
     !reader.GetField().HasSources())
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << "there are no ridges in distances that are linear in each triangle: choose "
-                     "another Method, and distances with windows or virtual sources.");
+    this->Warn("There are no ridges in distances that are linear in each triangle. Use another "
+               "{Method}, and distances with windows or virtual sources");
   }
   else if (this->Self->GenerateRidges && reader.HasFittedSources())
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << "ridges of virtual sources that are fitted to distances alone are not "
-                     "reliable: call GenerateWindowsOn() of vtkExactGeodesicDistance, or "
-                     "GenerateVirtualSourceOn() of it or of vtkDGGDistance.");
+    this->Warn("Ridges of virtual sources that are fitted to distances alone are not reliable. "
+               "Turn on {GenerateWindows} or {GenerateVirtualSource} of the distance filter");
   }
 }
 
@@ -321,9 +319,8 @@ void vtkApolloniusIsolines::vtkInternals::WarnAboutNoLine(
     {
       return; // no point is reached
     }
-    vtkWarningWithObjectMacro(
-      this->Self, << "there are no isolines: the distances of the points are from " << smallest
-                  << " to " << largest << ", and none of the values yields a line.");
+    this->Warn(dgg::JoinText("There are no isolines: the distances of the points are from ",
+      smallest, " to ", largest, ", and none of the values yields a line"));
   }
   this->WasEmpty = isEmpty;
 }

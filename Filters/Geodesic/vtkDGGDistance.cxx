@@ -45,7 +45,7 @@ public:
   std::vector<dgg::VertexArray> DeclareArrays() const override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh, a larger Accuracy or MaximumDistance";
+    return "Use a smaller mesh, a larger {Accuracy} or a {MaximumDistance}";
   }
 };
 

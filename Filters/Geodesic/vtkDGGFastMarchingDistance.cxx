@@ -7,7 +7,7 @@
 
 #include "dggMeshQuality.h"
 #include "dggFastMarching.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 
 #include "vtkObjectFactory.h"
@@ -121,14 +121,14 @@ dgg::Status vtkDGGFastMarchingDistance::vtkInternals::CheckProperties() const
   const double radius = this->Self->BandRadius;
   if (radius != 0.0 && !(radius >= LeastRadius && radius <= LargestRadius))
   {
-    return dgg::InvalidInput("BandRadius is ", radius, ": call SetBandRadius() with voxels in [",
-      LeastRadius, ", ", LargestRadius, "], or with 0 for an automatic one");
+    return dgg::InvalidValue("BandRadius", radius)
+      .Fix("Use a number of voxels from ", LeastRadius, " to ", LargestRadius,
+        ", or 0 for an automatic one");
   }
   if (this->Self->Resolution < 0 || this->Self->Resolution > dgg::LargestResolution)
   {
-    return dgg::InvalidInput("Resolution is ", this->Self->Resolution,
-      ": call SetResolution() with at most ", dgg::LargestResolution,
-      ", or with 0 for an automatic one");
+    return dgg::InvalidValue("Resolution", this->Self->Resolution)
+      .Fix("Use a number of at most ", dgg::LargestResolution, ", or 0 for an automatic one");
   }
   return DGGDistanceInternals::CheckProperties();
 }

@@ -30,7 +30,7 @@ public:
   bool IsCloud(vtkPolyData* vtkNotUsed(input)) const override { return false; }
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh, a larger Accuracy or fewer points at a time";
+    return "Use a smaller mesh, a larger {Accuracy} or fewer points at a time";
   }
 
 private:
@@ -92,15 +92,15 @@ dgg::Status vtkDGGLoop::vtkInternals::CheckProperties() const
   DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
     { "TapeWidth", this->Self->TapeWidth } }));
   return std::isinf(this->Self->TapeWidth)
-    ? dgg::Status::Invalid("TapeWidth is infinite: call SetTapeWidth() with a finite width")
+    ? dgg::InvalidValue("TapeWidth", this->Self->TapeWidth).Fix("Set {TapeWidth} to a finite width")
     : DGGGraphInternalsOf::CheckProperties();
 }
 
 //------------------------------------------------------------------------------
 DGGSourceSet vtkDGGLoop::vtkInternals::GetPointSet(vtkInformationVector** inputVector) const
 {
-  return { this->Self->PointIds, vtkPolyData::GetData(inputVector[1]), 1, "loop point",
-    "call AddPointId() or SetPointIds()", "" };
+  return { this->Self->PointIds, vtkPolyData::GetData(inputVector[1]), 1, "loop point", "PointIds",
+    "" };
 }
 
 //------------------------------------------------------------------------------

@@ -7,10 +7,10 @@
 #include "DGGSources.h"
 #include "DGGSurfaceArrays.h"
 
-#include "dggInvalidInput.h"
 #include "dggOutput.h"
 #include "dggPathSearch.h"
 #include "dggPreparedSurface.h"
+#include "dggStatus.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -24,11 +24,9 @@ namespace
 {
 dgg::Status NoPair(bool isConnected)
 {
-  return dgg::Status::Invalid(isConnected
-      ? "there is no pair of points: input port 1 is empty. Add a line for each pair, or call "
-        "AddPair()"
-      : "there is no pair of points: call AddPair(), or connect a line for each pair to input port "
-        "1");
+  return dgg::InvalidInput(
+    "There is no pair of points", isConnected ? ": input port 1 is empty" : "")
+    .Fix("Add pairs, or connect a line for each pair to input port 1");
 }
 
 /// Reads the data of input port 1, which may be null: two point ids for each line, its ends.
@@ -42,13 +40,14 @@ dgg::Status ReadEnds(vtkPolyData* data, bool isNeeded, std::vector<vtkIdType>& e
   }
   if (data->GetNumberOfLines() == 0)
   {
-    return dgg::Status::Invalid(
-      "input port 1 has points but no lines: connect the points of each pair by a line");
+    return dgg::InvalidInput("Input port 1 has points but no lines")
+      .Fix("Connect the points of each pair by a line");
   }
   if (!data->GetLines()->IsValid())
   {
-    return dgg::Status::Invalid("the offsets and the connectivity of the lines of input port 1 "
-                                "contradict each other: rebuild the cell array");
+    return dgg::InvalidInput(
+      "The offsets and the connectivity of the lines of input port 1 contradict each other")
+      .Fix("Rebuild the cell array");
   }
   DGGSurfaceArrays arrays;
   std::vector<dgg::Offset> ids;
@@ -72,7 +71,7 @@ public:
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh, a larger Accuracy or fewer pairs at a time";
+    return "Use a smaller mesh, a larger {Accuracy} or fewer pairs at a time";
   }
 };
 
@@ -167,7 +166,9 @@ dgg::Status vtkDGGPath::vtkInternals::Execute(
   const dgg::PreparedSurface& mesh = context.Surface;
   if (mesh.IsCloud() && this->Self->Method == Exact)
   {
-    return dgg::Status::Invalid("there is no exact path on a point cloud: call SetMethodToGraph()");
+    return dgg::InvalidInput("There is no exact path on a point cloud")
+      .At("Method")
+      .Fix("Set {Method} to Graph");
   }
   const bool isExact = this->Self->Method == Exact;
   dgg::PathOptions options;
@@ -178,7 +179,8 @@ dgg::Status vtkDGGPath::vtkInternals::Execute(
   std::vector<vtkIdType> lineEnds;
   std::vector<dgg::SurfacePoint> ends;
   DGG_RETURN_IF_ERROR(ReadEnds(lines, this->Self->PairIds.empty(), lineEnds));
-  DGGSourceSet set{ this->Self->PairIds, lines, 1, "path end", "call AddPair()", "" };
+  DGGSourceSet set{ this->Self->PairIds, lines, 1, "path end", "", "" };
+  set.ArePairs = true;
   set.PointIds = &lineEnds;
   DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->Self->ProjectionTolerance, ends));
   if (!isExact)

@@ -216,8 +216,8 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::CheckProperties() const
 std::string vtkDiscreteGeodesicGraph::vtkInternals::GetMemoryRemedy() const
 {
   return this->Self->Construction == SaddleVertexGraph
-    ? "use a smaller mesh or a smaller NumberOfNeighbors"
-    : "use a smaller mesh or a larger Accuracy";
+    ? "Use a smaller mesh or a smaller {NumberOfNeighbors}"
+    : "Use a smaller mesh or a larger {Accuracy}";
 }
 
 //------------------------------------------------------------------------------
@@ -275,7 +275,7 @@ bool vtkDiscreteGeodesicGraph::vtkInternals::FindOnInput(const DGGContext& conte
   this->InputGraphDamage = graph.GetDamage();
   if (!complaint.empty())
   {
-    vtkWarningWithObjectMacro(this->Self, << complaint << ". A new one takes its place.");
+    this->Warn(complaint + ". A new graph replaces it");
   }
   return found && IsMadeBy(graph.GetView().Info, this->MakeOptions());
 }

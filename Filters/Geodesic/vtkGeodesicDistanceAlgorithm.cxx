@@ -19,6 +19,8 @@
 
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 vtkDGGDefineInputMacro(vtkGeodesicDistanceAlgorithm, Source, 1);
 
@@ -91,8 +93,8 @@ void vtkGeodesicDistanceAlgorithm::SetSourceIds(
 {
   if (ids.size() != initialDistances.size())
   {
-    vtkErrorMacro(<< initialDistances.size() << " initial distances for " << ids.size()
-                  << " source ids: expected one per id. The sources are unchanged.");
+    vtkErrorMacro(<< "There are " << initialDistances.size() << " initial distances for "
+                  << ids.size() << " source ids. Pass one per id; the sources are unchanged.");
     return;
   }
   if (this->SourceIds != ids || this->SourceOffsets != initialDistances)
@@ -152,43 +154,28 @@ dgg::Status DGGDistanceInternals::CheckProperties() const
 {
   DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MaximumDistance", this->Filter->MaximumDistance },
     { "ProjectionTolerance", this->Filter->ProjectionTolerance } }));
-  std::vector<dgg::VertexArray> arrays = this->DeclareArrays();
-  if (this->Filter->GenerateVirtualSource)
-  {
-    arrays.insert(
-      arrays.begin(), { this->Filter->VirtualSourceArrayName, "VirtualSourceArrayName", {} });
-  }
+  std::vector<std::pair<std::string, std::string>> names = { { "DistanceArrayName",
+    this->Filter->DistanceArrayName } };
   if (this->Filter->GenerateNearestSource)
   {
-    arrays.insert(arrays.begin(), { this->Filter->SourceArrayName, "SourceArrayName", {} });
+    names.emplace_back("SourceArrayName", this->Filter->SourceArrayName);
   }
-  arrays.insert(arrays.begin(), { this->Filter->DistanceArrayName, "DistanceArrayName", {} });
-  for (std::size_t i = 0; i < arrays.size(); ++i)
+  if (this->Filter->GenerateVirtualSource)
   {
-    const dgg::VertexArray& array = arrays[i];
-    if (array.Name.empty())
-    {
-      return dgg::Status::Invalid(
-        array.Property + " is empty: call Set" + array.Property + "() with a name");
-    }
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      if (arrays[j].Name == array.Name)
-      {
-        return dgg::Status::Invalid(array.Property + " and " + arrays[j].Property + " are both '" +
-          array.Name + "': call Set" + array.Property + "() with another name");
-      }
-    }
+    names.emplace_back("VirtualSourceArrayName", this->Filter->VirtualSourceArrayName);
   }
-  return dgg::Status::Success();
+  for (const dgg::VertexArray& array : this->DeclareArrays())
+  {
+    names.emplace_back(array.Property, array.Name);
+  }
+  return DGGCheckNames(names);
 }
 
 //------------------------------------------------------------------------------
 DGGSourceSet DGGDistanceInternals::GetSources(vtkInformationVector** inputVector) const
 {
-  return { this->Filter->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
-    "call AddSourceId() or SetSourceIds()", this->Filter->InitialDistanceArrayName,
-    &this->Filter->SourceOffsets };
+  return { this->Filter->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source", "SourceIds",
+    this->Filter->InitialDistanceArrayName, &this->Filter->SourceOffsets };
 }
 
 //------------------------------------------------------------------------------
@@ -197,8 +184,10 @@ dgg::Status DGGDistanceInternals::Execute(
 {
   if (context.Surface.IsCloud() && this->Filter->GenerateVirtualSource)
   {
-    return dgg::Status::Invalid("virtual sources are directions on a surface and do not exist on a "
-                                "point cloud: turn GenerateVirtualSource off");
+    return dgg::InvalidInput(
+      "Virtual sources are directions on a surface and do not exist on a point cloud")
+      .At("GenerateVirtualSource")
+      .Fix("Turn off {GenerateVirtualSource}");
   }
   std::vector<dgg::GeodesicSource> sources;
   const DGGSourceSet set = this->GetSources(inputVector);

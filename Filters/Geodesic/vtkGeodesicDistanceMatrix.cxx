@@ -44,10 +44,10 @@ dgg::Status CheckMemory(
     std::to_string(rows) + " rows and " + std::to_string(columns) + " columns";
   if (withTable)
   {
-    return memory.Check("a matrix of " + size + " and its table", 2.0 * bytes,
-      "use fewer points at a time, turn GenerateTable off");
+    return memory.Check("A matrix of " + size + " with its table", 2.0 * bytes,
+      "Use fewer points at a time, turn off {GenerateTable}");
   }
-  return memory.Check("a matrix of " + size, bytes, "use fewer points at a time");
+  return memory.Check("A matrix of " + size, bytes, "Use fewer points at a time");
 }
 
 /// Returns an array of infinities. Writing them commits the memory.
@@ -115,7 +115,7 @@ public:
     vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh, a larger Accuracy or fewer points at a time";
+    return "Use a smaller mesh, a larger {Accuracy} or fewer points at a time";
   }
 
   vtkSmartPointer<vtkDoubleArray> Matrix = MakeMatrix(0, 1); // never null
@@ -208,16 +208,15 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::CheckProperties() const
 DGGSourceSet vtkGeodesicDistanceMatrix::vtkInternals::GetRows(
   vtkInformationVector** inputVector) const
 {
-  return { this->Self->RowIds, vtkPolyData::GetData(inputVector[1]), 1, "row", "call SetRowIds()",
-    "" };
+  return { this->Self->RowIds, vtkPolyData::GetData(inputVector[1]), 1, "row", "RowIds", "" };
 }
 
 //------------------------------------------------------------------------------
 DGGSourceSet vtkGeodesicDistanceMatrix::vtkInternals::GetColumns(
   vtkInformationVector** inputVector) const
 {
-  return { this->Self->ColumnIds, vtkPolyData::GetData(inputVector[2]), 2, "column",
-    "call SetColumnIds()", "" };
+  return { this->Self->ColumnIds, vtkPolyData::GetData(inputVector[2]), 2, "column", "ColumnIds",
+    "" };
 }
 
 //------------------------------------------------------------------------------
@@ -225,11 +224,9 @@ bool vtkGeodesicDistanceMatrix::vtkInternals::WantsTable(std::size_t columns) co
 {
   if (this->Self->GenerateTable && columns > MaximumNumberOfTableColumns)
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << "a table would have " << columns << " columns, more than "
-                  << MaximumNumberOfTableColumns << ", too many for filters downstream. "
-                  << "The output is empty: use GetMatrix(), and call GenerateTableOff() to avoid "
-                  << "this warning.");
+    this->Warn(dgg::JoinText("The table would have ", columns, " columns, more than ",
+      MaximumNumberOfTableColumns,
+      ", so the output is empty. Use GetMatrix(), and turn off {GenerateTable}"));
     return false;
   }
   return this->Self->GenerateTable;
@@ -243,8 +240,9 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
   const bool symmetric = columnSet.Ids.empty() && !columnSet.Points;
   if (this->Self->CompressedRows && !symmetric)
   {
-    return dgg::Status::Invalid("CompressedRows is on, but columns are chosen. Remove the columns "
-                                "or turn CompressedRows off.");
+    return dgg::InvalidInput("{CompressedRows} is on, but columns are chosen")
+      .At("CompressedRows")
+      .Fix("Remove the columns, or turn off {CompressedRows}");
   }
   std::vector<dgg::GeodesicSource> sources;
   DGG_RETURN_IF_ERROR(DGGLocate(

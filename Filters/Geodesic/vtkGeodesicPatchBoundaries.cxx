@@ -44,7 +44,7 @@ public:
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override { return "use smaller meshes"; }
+  std::string GetMemoryRemedy() const override { return "Use smaller meshes"; }
 
 private:
   DGGSourceSet GetLandmarks(int surface, vtkInformationVector** inputVector) const;
@@ -95,9 +95,7 @@ DGGSourceSet vtkGeodesicPatchBoundaries::vtkInternals::GetLandmarks(
   DGGSourceSet set{ surface == 0 ? this->Self->FirstLandmarkIds : this->Self->SecondLandmarkIds,
     vtkPolyData::GetData(inputVector[2 + surface]), 2 + surface,
     surface == 0 ? "first landmark" : "second landmark",
-    surface == 0 ? "call AddFirstLandmarkId() or SetFirstLandmarkIds()"
-                 : "call AddSecondLandmarkId() or SetSecondLandmarkIds()",
-    "" };
+    surface == 0 ? "FirstLandmarkIds" : "SecondLandmarkIds", "" };
   set.Surface = surface == 0 ? "first surface" : "second surface";
   return set;
 }
@@ -112,10 +110,10 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::PrepareSecondMesh(vtkPolyD
   {
     for (const std::string& warning : mesh.Get().GetWarnings())
     {
-      vtkWarningWithObjectMacro(this->Self, << "Second surface: " << warning << ".");
+      this->Warn("Second surface: " + warning);
     }
   }
-  return status.Of("second surface");
+  return status.Of("Second surface");
 }
 
 //------------------------------------------------------------------------------
@@ -125,19 +123,21 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::Execute(
   vtkPolyData* secondInput = vtkPolyData::GetData(inputVector[1]);
   if (!secondInput)
   {
-    return dgg::Status::Invalid("there is no second surface: call SetSecondSurfaceConnection() or "
-                                "SetSecondSurfaceData()");
+    return dgg::InvalidInput("There is no second surface")
+      .Fix("Connect a surface to the second input port");
   }
   vtkPolyData* layout = GetLayout(inputVector);
   if (!layout)
   {
-    return dgg::Status::Invalid("there is no layout: connect polygons or lines that name landmarks "
-                                "to input port 4, or landmarks with cells to input port 2");
+    return dgg::InvalidInput("There is no layout")
+      .Fix("Connect polygons or lines that refer to landmarks to input port 4, or landmarks with "
+           "cells to input port 2");
   }
   if (!layout->GetPolys()->IsValid() || !layout->GetLines()->IsValid())
   {
-    return dgg::Status::Invalid("the offsets and the connectivity of the polygons or lines of the "
-                                "layout contradict each other: rebuild the cell array");
+    return dgg::InvalidInput("The offsets and the connectivity of the polygons or lines of the "
+                             "layout contradict each other")
+      .Fix("Rebuild the cell array");
   }
   DGG_RETURN_IF_ERROR(this->PrepareSecondMesh(secondInput));
   const DGGContext contexts[2] = { context,

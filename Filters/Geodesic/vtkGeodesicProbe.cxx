@@ -33,8 +33,7 @@ constexpr double ReadDone = 0.5;
 DGGSourceSet GetProbes(vtkInformationVector** inputVector)
 {
   static const std::vector<vtkIdType> none;
-  return { none, vtkPolyData::GetData(inputVector[1]), 1, "probe point", "call SetProbeData()",
-    "" };
+  return { none, vtkPolyData::GetData(inputVector[1]), 1, "probe point", "", "" };
 }
 }
 

@@ -6,10 +6,10 @@
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
-#include "dggInvalidInput.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggSampleSearch.h"
+#include "dggStatus.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -36,7 +36,10 @@ public:
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override { return "use a smaller mesh or a larger Accuracy"; }
+  std::string GetMemoryRemedy() const override
+  {
+    return "Use a smaller mesh or a larger {Accuracy}";
+  }
 
 private:
   DGGSourceSet GetStart(vtkInformationVector** inputVector) const;
@@ -76,8 +79,8 @@ dgg::Status vtkGeodesicSampler::vtkInternals::CheckProperties() const
 {
   if (this->Self->NumberOfSamples < 1)
   {
-    return dgg::Status::Invalid("NumberOfSamples is " +
-      std::to_string(this->Self->NumberOfSamples) + ": call SetNumberOfSamples() with at least 1");
+    return dgg::InvalidValue("NumberOfSamples", this->Self->NumberOfSamples)
+      .Fix("Use a number of at least 1");
   }
   DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "CoveringRadius", this->Self->CoveringRadius },
     { "ProjectionTolerance", this->Self->ProjectionTolerance } }));
@@ -87,7 +90,7 @@ dgg::Status vtkGeodesicSampler::vtkInternals::CheckProperties() const
 //------------------------------------------------------------------------------
 DGGSourceSet vtkGeodesicSampler::vtkInternals::GetStart(vtkInformationVector** inputVector) const
 {
-  return { NoIds, vtkPolyData::GetData(inputVector[1]), 1, "start", "disconnect input port 1", "" };
+  return { NoIds, vtkPolyData::GetData(inputVector[1]), 1, "start", "", "" };
 }
 
 //------------------------------------------------------------------------------
@@ -104,8 +107,10 @@ dgg::Status vtkGeodesicSampler::vtkInternals::MakeOptions(
     const vtkIdType n = context.Input->GetNumberOfPoints();
     if (this->Self->FirstSample < -1 || this->Self->FirstSample >= n)
     {
-      return dgg::InvalidInput("FirstSample ", this->Self->FirstSample,
-        " is out of range: the input has ", n, " points, so it must be in [0, ", n - 1, "], or -1");
+      return dgg::InvalidInput(
+        "{FirstSample} ", this->Self->FirstSample, " is out of range: the input has ", n, " points")
+        .At("FirstSample", this->Self->FirstSample)
+        .Fix("Use an id from 0 to ", n - 1, ", or -1");
     }
     options.FirstVertex =
       this->Self->FirstSample < 0 ? dgg::NoId : mesh.GetVertex(this->Self->FirstSample);

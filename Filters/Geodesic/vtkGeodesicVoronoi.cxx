@@ -40,7 +40,7 @@ public:
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh, a larger Accuracy or fewer sites";
+    return "Use a smaller mesh, a larger {Accuracy} or fewer sites";
   }
 
 private:
@@ -126,30 +126,16 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::CheckProperties() const
     { "Tolerance", this->Self->Tolerance } }));
   if (this->Self->NumberOfIterations < 0)
   {
-    return dgg::Status::Invalid("NumberOfIterations is " +
-      std::to_string(this->Self->NumberOfIterations) +
-      ": call SetNumberOfIterations() with at least 0");
+    return dgg::InvalidValue("NumberOfIterations", this->Self->NumberOfIterations)
+      .Fix("Use a number of at least 0");
   }
-  const std::pair<const char*, const std::string*> names[] = {
-    { "DistanceArrayName", &this->Self->DistanceArrayName },
-    { "SourceArrayName", &this->Self->SourceArrayName },
-  };
-  for (const auto& name : names)
-  {
-    if (name.second->empty())
-    {
-      return dgg::Status::Invalid(
-        std::string(name.first) + " is empty: call Set" + name.first + "() with a name");
-    }
-  }
-  if (this->Self->DistanceArrayName == this->Self->SourceArrayName)
-  {
-    return dgg::Status::Invalid("DistanceArrayName and SourceArrayName are both '" +
-      this->Self->SourceArrayName + "': call SetSourceArrayName() with another name");
-  }
+  DGG_RETURN_IF_ERROR(DGGCheckNames({ { "DistanceArrayName", this->Self->DistanceArrayName },
+    { "SourceArrayName", this->Self->SourceArrayName } }));
   if (this->Self->Preview && this->Self->Centroidal)
   {
-    return dgg::Status::Invalid("Preview does not move sites: turn Preview or Centroidal off");
+    return dgg::InvalidInput("{Preview} does not move sites")
+      .At("Preview")
+      .Fix("Turn off {Preview} or {Centroidal}");
   }
   return DGGGraphInternalsOf::CheckProperties();
 }
@@ -157,8 +143,7 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::CheckProperties() const
 //------------------------------------------------------------------------------
 DGGSourceSet vtkGeodesicVoronoi::vtkInternals::GetSiteSet(vtkInformationVector** inputVector) const
 {
-  return { this->Self->SiteIds, vtkPolyData::GetData(inputVector[1]), 1, "site",
-    "call AddSiteId() or SetSiteIds()", "" };
+  return { this->Self->SiteIds, vtkPolyData::GetData(inputVector[1]), 1, "site", "SiteIds", "" };
 }
 
 //------------------------------------------------------------------------------
@@ -168,7 +153,9 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::ComputePreview(
 {
   if (context.Surface.IsCloud())
   {
-    return dgg::Status::Invalid("Preview needs a surface, not a point cloud: turn Preview off");
+    return dgg::InvalidInput("{Preview} needs a surface, but the input is a point cloud")
+      .At("Preview")
+      .Fix("Turn off {Preview}");
   }
   dgg::PropagationOptions options;
   options.Quality = dgg::PropagationSession::Choose(context.Surface);
@@ -176,12 +163,12 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::ComputePreview(
   dgg::PropagationResult found;
   DGG_RETURN_IF_ERROR(this->PreviewSolver.Run(context, result.Sites, options, found)
                         .Of("Preview, which can be turned off"));
-  this->WarnAboutQuality(
-    dgg::JoinReasons({ dgg::DescribeLongTriangles(context.Surface,
-                         "cells of Preview may be wrong. Turn Preview off, or remesh the surface"),
+  this->WarnAboutQuality(dgg::JoinReasons(
+    { dgg::DescribeLongTriangles(context.Surface,
+        "cells of {Preview} may be wrong. Turn off {Preview}, or remesh the surface"),
       found.IsSettled ? ""
-                      : "Preview: distances did not settle on triangles this irregular, so cells "
-                        "may be wrong. Turn Preview off" }));
+                      : "Distances of {Preview} did not settle on triangles this irregular, so "
+                        "cells may be wrong. Turn off {Preview}" }));
   result.Diagram.NearestSites = std::move(found.NearestSource);
   result.Diagram.Distances = std::move(found.Distances);
   return dgg::Status::Success();

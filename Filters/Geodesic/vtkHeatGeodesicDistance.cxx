@@ -6,7 +6,7 @@
 
 #include "dggMeshQuality.h"
 #include "dggHeatMethod.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 
 #include "vtkObjectFactory.h"
@@ -29,13 +29,12 @@ std::string DescribeQuality(const dgg::PreparedSurface& surface, double factor, 
     triangles < dgg::FewestUsefulTriangles
       ? dgg::JoinText("A source is on a component of ", triangles, " triangles, fewer than ",
           dgg::FewestUsefulTriangles,
-          ": mean errors are 10 % or more. Use vtkExactGeodesicDistance, or subdivide the "
-          "triangles")
+          ", where mean errors are 10 % or more. Use exact distances, or subdivide the triangles")
       : "",
     factor < dgg::SmallestUsefulFactor || factor > dgg::LargestUsefulFactor
-      ? dgg::JoinText("TimeStepFactor is ", factor, ", outside ", dgg::SmallestUsefulFactor, " to ",
-          dgg::LargestUsefulFactor,
-          ": mean errors are 10 % or more. Call SetTimeStepFactor() with a number around 1")
+      ? dgg::JoinText("{TimeStepFactor} is ", factor, ", outside of ", dgg::SmallestUsefulFactor,
+          " to ", dgg::LargestUsefulFactor,
+          ", where mean errors are below 10 %. Use a number around 1")
       : "" });
 }
 }
@@ -52,7 +51,7 @@ public:
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh or vtkDGGFastMarchingDistance";
+    return "Use a smaller mesh or vtkDGGFastMarchingDistance";
   }
 
   /// Factorizations, kept until the mesh changes.
@@ -122,9 +121,9 @@ dgg::Status vtkHeatGeodesicDistance::vtkInternals::CheckProperties() const
   if (!(this->Self->TimeStepFactor >= dgg::SmallestTimeStepFactor &&
         this->Self->TimeStepFactor <= dgg::LargestTimeStepFactor))
   {
-    return dgg::InvalidInput("TimeStepFactor is ", this->Self->TimeStepFactor,
-      ": call SetTimeStepFactor() with a number from ", dgg::SmallestTimeStepFactor, " to ",
-      dgg::LargestTimeStepFactor, ", such as 1");
+    return dgg::InvalidValue("TimeStepFactor", this->Self->TimeStepFactor)
+      .Fix("Use a number from ", dgg::SmallestTimeStepFactor, " to ", dgg::LargestTimeStepFactor,
+        ", such as 1");
   }
   return DGGDistanceInternals::CheckProperties();
 }
@@ -150,8 +149,8 @@ dgg::Status vtkHeatGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceT
   bool isTooMuch = false;
   dgg::Status status = method.Prepare(
     options, dgg::ProgressPart(task.Context.Progress, 0.0, FactorizedAt), [&](double bytes) {
-      const dgg::Status check = task.Context.Memory.Check(
-        "the factorizations of the heat method", bytes, this->GetMemoryRemedy());
+      const dgg::Status check =
+        task.Context.Memory.Check("The heat method", bytes, this->GetMemoryRemedy());
       isTooMuch = !check.IsOk();
       return check;
     });

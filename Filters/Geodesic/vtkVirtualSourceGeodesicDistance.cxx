@@ -24,7 +24,7 @@ public:
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh, or SetQualityToFast()";
+    return "Use a smaller mesh or the {Quality} Fast";
   }
 
 private:

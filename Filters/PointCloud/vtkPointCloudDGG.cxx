@@ -6,10 +6,11 @@
 
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
+#include "DGGProperties.h"
 #include "DGGSurfaceParts.h"
 
 #include "dggCloudGraphBuilder.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -36,8 +37,7 @@ dgg::Status CheckNumber(const char* name, double value)
   {
     return dgg::Status::Success();
   }
-  return dgg::InvalidInput(name, " is ", value, ": call Set", name,
-    "() with a positive number, or with 0 for an automatic one");
+  return dgg::InvalidValue(name, value).Fix("Use a positive number, or 0 for an automatic one");
 }
 
 /// Adds one vertex cell with all points.
@@ -111,15 +111,10 @@ dgg::Status vtkPointCloudDGG::vtkInternals::CheckProperties() const
   DGG_RETURN_IF_ERROR(CheckNumber("Alpha", this->Self->Alpha));
   if (this->Self->NumberOfNeighbors < FewestNeighbors)
   {
-    return dgg::Status::Invalid("NumberOfNeighbors is " +
-      std::to_string(this->Self->NumberOfNeighbors) +
-      ": call SetNumberOfNeighbors() with at least " + std::to_string(FewestNeighbors));
+    return dgg::InvalidValue("NumberOfNeighbors", this->Self->NumberOfNeighbors)
+      .Fix("Use a number of at least ", FewestNeighbors);
   }
-  if (this->Self->ComponentArrayName.empty())
-  {
-    return dgg::Status::Invalid(
-      "ComponentArrayName is empty: call SetComponentArrayName() with a name");
-  }
+  DGG_RETURN_IF_ERROR(DGGCheckNames({ { "ComponentArrayName", this->Self->ComponentArrayName } }));
   return dgg::CloudGraphBuilder::Check(this->MakeOptions());
 }
 
@@ -140,9 +135,11 @@ dgg::Status vtkPointCloudDGG::vtkInternals::CheckInputNormals(vtkPolyData* cloud
   {
     return dgg::Status::Success();
   }
-  return dgg::InvalidInput("the point normals of the input have ", normals->GetNumberOfComponents(),
+  return dgg::InvalidInput("The point normals of the input have ", normals->GetNumberOfComponents(),
     " components and ", normals->GetNumberOfTuples(), " tuples for ", cloud->GetNumberOfPoints(),
-    " points: expected three numbers per point. Repair them, or turn UseInputNormals off");
+    " points")
+    .At("UseInputNormals")
+    .Fix("Use three numbers per point, or turn off {UseInputNormals}");
 }
 
 //------------------------------------------------------------------------------
@@ -179,10 +176,9 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Execute(const DGGContext& context,
   }
   if (this->Self->OrientedNormals && !source.Given)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "OrientedNormals is on, but the input has no point normals that are used: it "
-      "has no effect, and layers back to back may be connected. Give the input "
-      "normals, or turn UseInputNormals on or OrientedNormals off.");
+    this->Warn("{OrientedNormals} is on, but no point normals of the input are used. It has no "
+               "effect, and opposite layers may be connected. Add normals to the input, turn on "
+               "{UseInputNormals}, or turn off {OrientedNormals}");
   }
   return dgg::Status::Success();
 }

@@ -5,7 +5,7 @@
 #include "DGGContext.h"
 #include "DGGSpectralInternals.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 #include "dggSpectralDistance.h"
@@ -130,17 +130,19 @@ dgg::Status vtkBiharmonicDistance::vtkInternals::CheckProperties() const
 {
   if (this->Self->Kind == Diffusion && this->Self->Method == Exact)
   {
-    return dgg::Status::Invalid("diffusion distances need eigenvalues: call SetMethodToSpectrum()");
+    return dgg::InvalidInput("Diffusion distances need eigenvalues")
+      .At("Method")
+      .Fix("Set {Method} to Spectrum");
   }
   if (!(this->Self->DiffusionTime >= 0.0) || !std::isfinite(this->Self->DiffusionTime))
   {
-    return dgg::InvalidInput("DiffusionTime is ", this->Self->DiffusionTime,
-      ": call SetDiffusionTime() with a positive number, or 0 for the default");
+    return dgg::InvalidValue("DiffusionTime", this->Self->DiffusionTime)
+      .Fix("Use a positive number, or 0 for the default");
   }
   if (this->Self->NumberOfEigenvalues < 1)
   {
-    return dgg::InvalidInput("NumberOfEigenvalues is ", this->Self->NumberOfEigenvalues,
-      ": call SetNumberOfEigenvalues() with a positive number, such as 150");
+    return dgg::InvalidValue("NumberOfEigenvalues", this->Self->NumberOfEigenvalues)
+      .Fix("Use a positive number, such as 150");
   }
   return DGGSpectralInternals::CheckProperties();
 }
@@ -180,7 +182,7 @@ dgg::Status vtkBiharmonicDistance::vtkInternals::ComputeValues(DGGSpectralTask& 
   DGG_RETURN_IF_ERROR(
     CheckAll(distance, &dgg::SpectralDistance::CheckSource, task.Sources, "source "));
   DGG_RETURN_IF_ERROR(
-    CheckAll(distance, &dgg::SpectralDistance::CheckPlace, task.Targets, "evaluation point "));
+    CheckAll(distance, &dgg::SpectralDistance::CheckPlace, task.Targets, "Evaluation point "));
   const dgg::ParallelFor& parallel = task.Context.Parallel;
   DGG_RETURN_IF_ERROR(distance.Prepare(
     options, parallel, dgg::ProgressPart(task.Progress, 0.0, SpectrumDone), task.Sources));

@@ -8,7 +8,7 @@
 #include "dggBlockLoop.h"
 #include "dggGreensFunction.h"
 #include "dggGreensInterpolation.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
@@ -33,17 +33,15 @@ struct NamedRemark
 };
 
 /// Reasons why another method than the requested one was used.
-const NamedRemark Remarks[] = {
-  { dgg::GreensRemark::TooCoarse,
-    "the mesh is too coarse around them for the method, or Radius too "
-    "small, Interpolated was used: refine the mesh there, or set "
-    "Radius" },
+const NamedRemark Remarks[] = { { dgg::GreensRemark::TooCoarse,
+                                  "the mesh is too coarse around them for the method, so "
+                                  "Interpolated was used. Refine the mesh there" },
   { dgg::GreensRemark::NoTriangle,
-    "they were not found on the flipped mesh, Interpolated was used: turn IntrinsicDelaunay off" },
+    "they were not found on the flipped mesh, so Interpolated was used. Turn off "
+    "{IntrinsicDelaunay}" },
   { dgg::GreensRemark::NotLocalized,
-    "the boundary or long triangles are too close to them for the method, Interpolated was "
-    "used" }
-};
+    "the boundary or long triangles are too close to them for the method, so Interpolated was "
+    "used" } };
 
 /// Method that was used for a source.
 struct UsedMethod
@@ -85,7 +83,7 @@ public:
     for (std::size_t k = 0; k < this->Task.Sources.size(); ++k)
     {
       DGG_RETURN_IF_ERROR(
-        this->Task.Solver.CheckPole(this->Task.Sources[k]).Of("source " + std::to_string(k)));
+        this->Task.Solver.CheckPole(this->Task.Sources[k]).Of(dgg::JoinText("Source ", k)));
     }
     return dgg::Status::Success();
   }
@@ -268,8 +266,8 @@ dgg::Status vtkDiscreteGreensFunction::vtkInternals::CheckProperties() const
 {
   if (!(this->Self->Radius >= 0.0) || !std::isfinite(this->Self->Radius))
   {
-    return dgg::InvalidInput("Radius is ", this->Self->Radius,
-      ": call SetRadius() with a positive number, or 0 for the default");
+    return dgg::InvalidValue("Radius", this->Self->Radius)
+      .Fix("Use a positive number, or 0 for the default");
   }
   return DGGSpectralInternals::CheckProperties();
 }
@@ -347,9 +345,8 @@ void vtkDiscreteGreensFunction::vtkInternals::WarnAboutRemarks() const
     if (count > 0)
     {
       const auto first = std::find_if(used.begin(), used.end(), has) - used.begin();
-      vtkWarningWithObjectMacro(this->Self, << count << " of the " << used.size()
-                                            << " sources, the first of them " << first << ": "
-                                            << remark.Text << ".");
+      this->Warn(dgg::JoinText(
+        count, " of the ", used.size(), " sources, the first of them ", first, ": ", remark.Text));
     }
   }
 }

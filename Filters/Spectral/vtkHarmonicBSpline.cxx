@@ -8,7 +8,7 @@
 #include "DGGSpectralInternals.h"
 #include "DGGSplineRun.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 #include "dggSplineSites.h"
 
@@ -135,27 +135,10 @@ vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const
 dgg::Status vtkHarmonicBSpline::vtkInternals::CheckProperties() const
 {
   DGG_RETURN_IF_ERROR(DGGSpectralInternals::CheckProperties());
-  std::vector<std::pair<const char*, std::string>> names = { { "ResultArrayName",
-                                                               this->Self->GetResultArrayName() },
+  return DGGCheckNames({ { "ResultArrayName", this->Self->GetResultArrayName() },
     { "CellArrayName", this->Self->CellArrayName },
     { "SolutionArrayName", this->Self->SolutionArrayName },
-    { "InterpolationArrayName", this->Self->InterpolationArrayName } };
-  for (auto name = names.begin(); name != names.end(); ++name)
-  {
-    if (name->second.empty())
-    {
-      return dgg::InvalidInput(name->first, " is empty: call Set", name->first, "() with a name");
-    }
-    for (auto other = names.begin(); other != name; ++other)
-    {
-      if (other->second == name->second)
-      {
-        return dgg::InvalidInput(other->first, " and ", name->first, " are both '", name->second,
-          "' and must be different: change one of them");
-      }
-    }
-  }
-  return dgg::Status::Success();
+    { "InterpolationArrayName", this->Self->InterpolationArrayName } });
 }
 
 //------------------------------------------------------------------------------
@@ -270,8 +253,9 @@ dgg::Status vtkHarmonicBSpline::vtkInternals::ComputeValues(DGGSpectralTask& tas
 {
   if (task.Sources.empty())
   {
-    return dgg::Status::Invalid("values are prescribed at all points, so that no point can be a "
-                                "site: use Neumann conditions");
+    return dgg::InvalidInput("Values are prescribed at all points, so no point can be a site")
+      .At("Boundary")
+      .Fix("Set {Boundary} to Neumann");
   }
   std::vector<vtkIdType> sites;
   for (const dgg::SurfacePoint& source : task.Sources)
@@ -315,19 +299,18 @@ dgg::Status vtkHarmonicBSpline::vtkInternals::ComputeValues(DGGSpectralTask& tas
   }
   if (imbalance > (isDensity ? DensityTolerance : IntegralTolerance))
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << "the sources in a component of the surface sum to a fraction of " << imbalance
-                  << " of their absolute values, and no boundary absorbs the sum: they were "
-                     "balanced in proportion to area. Make their sum 0.");
+    this->Warn(
+      dgg::JoinText("The sources in a component of the surface sum to a fraction of ", imbalance,
+        " of their absolute values, and no boundary absorbs the sum, so they were balanced in "
+        "proportion to area. Make their sum 0"));
   }
   const auto components = static_cast<std::size_t>(dgg::CountSplineComponents(task.Solver));
   if (components > 1 && sites.size() == components &&
     task.Solver.GetOptions().Boundary == dgg::PoissonBoundary::Neumann)
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << "the surface has " << components
-                  << " components, each with a single site, whose function is 1 everywhere: use "
-                     "more sites (SetNumberOfSites()), or one component (vtkConnectivityFilter).");
+    this->Warn(dgg::JoinText("The surface has ", components,
+      " components, each with a single site, whose function is 1 everywhere. Use more sites, or a "
+      "single component"));
   }
   DGG_RETURN_IF_ERROR(dgg::ReportTo(task.Progress, 1.0));
   this->UsedSites.swap(sites);

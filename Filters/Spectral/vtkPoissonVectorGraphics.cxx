@@ -11,7 +11,7 @@
 
 #include "dggGraphicsFragments.h"
 #include "dggGraphicsRefinement.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
@@ -94,7 +94,7 @@ public:
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh or a lower RefinementLevel, or refine NearCurves only";
+    return "Use a smaller mesh or a lower {RefinementLevel}, or refine near curves only";
   }
 
   dgg::VectorGraphics Graphics;
@@ -278,14 +278,13 @@ vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
 //------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::vtkInternals::CheckProperties() const
 {
-  if (this->Self->ResultArrayName.empty())
-  {
-    return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
-  }
+  DGG_RETURN_IF_ERROR(DGGCheckNames({ { "ResultArrayName", this->Self->ResultArrayName } }));
   if (DGGGraphicsOutput::IsTaken(this->Self->ResultArrayName))
   {
-    return dgg::Status::Invalid("ResultArrayName is '" + this->Self->ResultArrayName +
-      "', which another array of the output has: call SetResultArrayName() with another name");
+    return dgg::InvalidInput("{ResultArrayName} is '", this->Self->ResultArrayName,
+      "', the name of another array of the output")
+      .At("ResultArrayName")
+      .Fix("Use another name");
   }
   return DGGCheckLengths(
     { { "Width", this->Self->Width }, { "ProjectionTolerance", this->Self->ProjectionTolerance } });
@@ -308,8 +307,8 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
   if (curves.empty() && names.Region.empty())
   {
-    return dgg::Status::Invalid("there is nothing to draw: connect lines to input port 1 with "
-                                "SetCurveData(), or call SetRegionArrayName()");
+    return dgg::InvalidInput("There is nothing to draw")
+      .Fix("Connect lines to input port 1, or set {RegionArrayName}");
   }
   Drawing drawing;
   drawing.MeshBuild = prepared.GetBuildNumber();
@@ -318,7 +317,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   static const std::vector<vtkIdType> none;
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
-    DGGSourceSet set{ none, lines, 1, "curve point", "call SetCurveData()", "" };
+    DGGSourceSet set{ none, lines, 1, "curve point", "", "" };
     set.PointIds = &input.GetPointIds()[k];
     DGG_RETURN_IF_ERROR(
       DGGLocate(context, set, this->Self->ProjectionTolerance, drawing.Places[k]));
@@ -343,14 +342,15 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   if (!std::all_of(options.Background.begin(), options.Background.end(),
         [](double x) { return std::isfinite(x); }))
   {
-    return dgg::Status::Invalid(
-      "BackgroundColor is not finite: call SetBackgroundColor() with finite numbers");
+    return dgg::InvalidInput("{BackgroundColor} is not finite")
+      .At("BackgroundColor")
+      .Fix("Use finite numbers");
   }
   options.IntrinsicDelaunay = this->Self->IntrinsicDelaunay;
   options.CheckMemory = [&](double bytes, double missing) {
     const double points = static_cast<double>(this->Graphics.GetSurface().Points.size());
     const double own = !context.Memory.IsExplicit() ? missing : bytes;
-    return context.Memory.Check("the factorization and the colors",
+    return context.Memory.Check("The factorization with the colors",
       own + points * output.GetBytesPerPoint(options.NumberOfChannels), this->GetMemoryRemedy());
   };
   const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(prepared);
@@ -372,8 +372,8 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
     const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
     const double count = static_cast<double>(this->RefinedFaces.size()) *
       std::pow(static_cast<double>(this->Self->FragmentDivision), 2);
-    DGG_RETURN_IF_ERROR(context.Memory.Check(
-      "fragments", count * bytes, "use a smaller FragmentDivision, or refine NearCurves only"));
+    DGG_RETURN_IF_ERROR(context.Memory.Check("The output of fragments", count * bytes,
+      "Use a smaller {FragmentDivision}, or refine near curves only"));
   }
   output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
   if (this->Self->GenerateFragments)

@@ -124,10 +124,7 @@ DGGSpectralInternals::DGGSpectralInternals(vtkSpectralAlgorithm* filter)
 //------------------------------------------------------------------------------
 dgg::Status DGGSpectralInternals::CheckProperties() const
 {
-  if (this->Filter->ResultArrayName.empty())
-  {
-    return dgg::Status::Invalid("ResultArrayName is empty: call SetResultArrayName() with a name");
-  }
+  DGG_RETURN_IF_ERROR(DGGCheckNames({ { "ResultArrayName", this->Filter->ResultArrayName } }));
   return DGGCheckLengths({ { "ProjectionTolerance", this->Filter->ProjectionTolerance } });
 }
 
@@ -145,16 +142,15 @@ dgg::PoissonOptions DGGSpectralInternals::GetPoissonOptions() const
 //------------------------------------------------------------------------------
 DGGSourceSet DGGSpectralInternals::GetSources(vtkInformationVector** inputVector) const
 {
-  return { this->Filter->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source",
-    "call AddSourceId() or SetSourceIds()", "" };
+  return { this->Filter->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source", "SourceIds",
+    "" };
 }
 
 //------------------------------------------------------------------------------
 DGGSourceSet DGGSpectralInternals::GetTargets(vtkInformationVector** inputVector)
 {
   static const std::vector<vtkIdType> none;
-  return { none, vtkPolyData::GetData(inputVector[2]), 2, "evaluation point",
-    "call SetEvaluationData()", "" };
+  return { none, vtkPolyData::GetData(inputVector[2]), 2, "evaluation point", "", "" };
 }
 
 //------------------------------------------------------------------------------

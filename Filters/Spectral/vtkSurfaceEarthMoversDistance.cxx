@@ -234,9 +234,9 @@ DGGMassOrigin vtkSurfaceEarthMoversDistance::vtkInternals::GetOrigin(
   int which, vtkInformationVector** inputVector) const
 {
   vtkPolyData* points = vtkPolyData::GetData(inputVector[1 + which]);
-  return which == 0 ? DGGMassOrigin{ "from", this->Self->FromArrayName, "SetFromArrayName()",
-    points, 1, this->Self->MassArrayName }
-                    : DGGMassOrigin{ "to", this->Self->ToArrayName, "SetToArrayName()", points, 2,
+  return which == 0 ? DGGMassOrigin{ "from", this->Self->FromArrayName, "FromArrayName", points, 1,
+    this->Self->MassArrayName }
+                    : DGGMassOrigin{ "to", this->Self->ToArrayName, "ToArrayName", points, 2,
                         this->Self->MassArrayName };
 }
 
@@ -283,12 +283,9 @@ dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::Execute(
   if (options.MostIterations > 0 &&
     result.GetGap() > std::max(options.Tolerance, dgg::LeastEarthMoversGap))
   {
-    vtkWarningWithObjectMacro(this->Self,
-      "The distance is between " << this->Self->LowerBound << " and " << this->Self->Distance
-                                 << ", a gap of " << 100.0 * this->Self->Gap << " %, after "
-                                 << result.Iterations
-                                 << " iterations: raise MaximumNumberOfIterations or "
-                                 << "Tolerance, or improve the triangles.");
+    this->Warn(dgg::JoinText("The distance is between ", this->Self->LowerBound, " and ",
+      this->Self->Distance, ", a gap of ", 100.0 * this->Self->Gap, " %, after ", result.Iterations,
+      " iterations. Raise {MaximumNumberOfIterations} or {Tolerance}, or improve the triangles"));
   }
   return dgg::Status::Success();
 }

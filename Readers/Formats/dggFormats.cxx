@@ -44,11 +44,11 @@ dgg::FileStatus Run(const Work& work)
   }
   catch (const dgg::FileError& error)
   {
-    return { error.Code, error.what() };
+    return { error.Code, std::string(error.what()) + "." };
   }
   catch (const std::exception&) // std::bad_alloc or std::length_error
   {
-    return { FileCode::OutOfMemory, "not enough memory" };
+    return { FileCode::OutOfMemory, "not enough memory." };
   }
 }
 }
@@ -72,7 +72,7 @@ dgg::FileStatus dgg::ReadMesh(
   }
   if (status.Kind == FileCode::Premature)
   {
-    status.Message += ". The file may be truncated: copy or export it again.";
+    status.Message += " The file may be truncated. Copy or export it again.";
   }
   return status;
 }
@@ -84,7 +84,8 @@ dgg::FileStatus dgg::WriteMesh(
     const Format& writer = Formats[static_cast<int>(format)];
     if (mesh.Lines.GetCount() > 0 && !writer.HasLines)
     {
-      Fail(FileCode::Malformed, "the format cannot store lines. Remove them or write an OBJ file.");
+      Fail(FileCode::Malformed,
+        "the format cannot store lines. Remove the lines or write an OBJ file");
     }
     FileSink sink(fileName);
     writer.Write(mesh, ProgressReport(progress), sink);
@@ -106,7 +107,7 @@ void dgg::WarnOfOpenLine(std::string_view file, MeshData& mesh)
 {
   if (file.back() != '\n' && file.back() != '\r')
   {
-    mesh.Warnings.emplace_back("The last line has no line end: the file may be truncated.");
+    mesh.Warnings.emplace_back("The last line has no line end. The file may be truncated.");
   }
 }
 
@@ -185,7 +186,7 @@ void dgg::FileSink::Flush()
   this->Buffer.clear();
   if (!this->Stream)
   {
-    Fail(FileCode::DiskFull, "the data cannot be written, is the disk full?");
+    Fail(FileCode::DiskFull, "the data cannot be written. Check that the disk has enough space");
   }
 }
 
@@ -200,7 +201,7 @@ void dgg::FileSink::Close()
   }
   if (!this->Stream || code)
   {
-    Fail(FileCode::DiskFull, "the data cannot be written, is the disk full?");
+    Fail(FileCode::DiskFull, "the data cannot be written. Check that the disk has enough space");
   }
   this->IsClosed = true;
 }

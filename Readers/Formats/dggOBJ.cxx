@@ -171,7 +171,7 @@ private:
     if (count < 3 || count == 5)
     {
       this->Fail("point ", this->GetNumberOfPoints(), " has ", count,
-        " numbers, expected 3 coordinates, which a weight or a color may follow");
+        " numbers. Expected 3 coordinates, optionally followed by a weight or a color");
     }
     this->Mesh.Points.insert(
       this->Mesh.Points.end(), this->Numbers.begin(), this->Numbers.begin() + 3);
@@ -188,7 +188,7 @@ private:
     if (count < least)
     {
       this->Fail("the ", vectors.Name, " ", vectors.GetCount() + 1, " has ", count,
-        " numbers, expected ", least);
+        " numbers. Expected ", least);
     }
     vectors.Values.insert(vectors.Values.end(), this->Numbers.begin(),
       this->Numbers.begin() + static_cast<std::ptrdiff_t>(vectors.Components));
@@ -203,7 +203,7 @@ private:
     }
     if (corners < least)
     {
-      this->Fail("the ", name, " has ", corners, " points, expected at least ", least);
+      this->Fail("the ", name, " has ", corners, " points. Expected at least ", least);
     }
     cells.EndCell();
   }
@@ -232,7 +232,7 @@ private:
       std::int64_t number = 0;
       if (kind == 3 || ((kind == 0 || !word.empty()) && dgg::ParseNumber(word, number)))
       {
-        this->Fail(Quote(corner), " is not a corner: expected v, v/vt, v//vn or v/vt/vn");
+        this->Fail(Quote(corner), " is not a corner. Expected v, v/vt, v//vn or v/vt/vn");
       }
       if (!word.empty())
       {

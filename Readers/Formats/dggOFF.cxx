@@ -125,12 +125,12 @@ public:
     if (keyword.substr(length) != "OFF" || prefix.find_first_not_of(' ') != std::string::npos)
     {
       this->Fail(FileCode::Unrecognized, dgg::Quote(word),
-        " is not the keyword of an OFF file: OFF, or OFF with the prefixes ST, C, N");
+        " is not the keyword of an OFF file. Expected OFF, optionally with the prefixes ST, C, N");
     }
     if (isHomogeneous || isOfAnyDimension)
     {
       this->Fail(FileCode::Unrecognized, dgg::Quote(word),
-        " declares points of a dimension other than three. Convert the file to OFF.");
+        " declares points of a dimension other than three. Convert the file to OFF");
     }
     if (keyword.size() < word.size())
     {
@@ -192,7 +192,8 @@ private:
       this->ReadInteger();
       if (!this->IsBinary && this->Text.FindOnLine())
       {
-        this->Fail(Malformed, "more than the three counts of vertices, faces and edges");
+        this->Fail(
+          Malformed, "the header has more than the three counts of vertices, faces and edges");
       }
     }
     else
@@ -207,8 +208,8 @@ private:
     }
     if (vertices < 0 || faces < 0)
     {
-      this->Fail(Malformed, "the counts must not be negative, but are ", vertices, " vertices and ",
-        faces, " faces");
+      this->Fail(Malformed, "the header declares ", vertices, " vertices and ", faces,
+        " faces. Expected non-negative numbers");
     }
     // Nothing is allocated before the counts are compared with the fewest bytes: in text a digit
     // and a blank or line end for each number, and the last line may lack its end.
@@ -221,7 +222,7 @@ private:
     const auto f = static_cast<std::size_t>(faces);
     if (v > room / perVertex || f > room / perFace || v * perVertex + f * perFace > room)
     {
-      this->Fail(Premature, "the file promises ", v, " vertices and ", f, " faces, but only ",
+      this->Fail(Premature, "the header declares ", v, " vertices and ", f, " faces, but only ",
         room - 1, " bytes follow");
     }
     this->NumberOfVertices = v;
@@ -250,7 +251,7 @@ private:
     {
       this->Fail(rest == 0 && this->Text.GetBytesLeft() == 0 ? Premature : Malformed, "vertex ",
         vertex, " has ", rest, " numbers after its coordinates",
-        this->HasNormals ? " and normal" : "", ", expected ",
+        this->HasNormals ? " and normal" : "", ". Expected ",
         this->HasColors ? "3 or 4 of a color" : "none of a color",
         this->HasTCoords ? " and 2 texture coordinates" : "");
     }
@@ -271,11 +272,11 @@ private:
     const long long corners = this->ReadInteger();
     if (corners < 1)
     {
-      this->Fail(Malformed, "face ", face, " has ", corners, " vertices. Expected at least 1.");
+      this->Fail(Malformed, "face ", face, " has ", corners, " vertices. Expected at least 1");
     }
     if (static_cast<std::size_t>(corners) > (this->Text.GetBytesLeft() + 1) / this->GetLeastBytes())
     {
-      this->Fail(Premature, "face ", face, " promises ", corners, " vertices, but only ",
+      this->Fail(Premature, "face ", face, " declares ", corners, " vertices, but only ",
         this->Text.GetBytesLeft(), " bytes follow");
     }
     this->Corners.clear();
@@ -284,7 +285,7 @@ private:
       const long long vertex = this->ReadInteger();
       if (vertex < 0 || vertex >= static_cast<long long>(this->NumberOfVertices))
       {
-        this->Fail(Malformed, "face ", face, " names vertex ", vertex, ", but the file has ",
+        this->Fail(Malformed, "face ", face, " refers to vertex ", vertex, ", but the file has ",
           this->NumberOfVertices, " vertices, numbered from 0");
       }
       this->Corners.push_back(vertex);
@@ -300,7 +301,7 @@ private:
     if (count < 0 || count == 2 || count > 4)
     {
       this->Fail(Malformed, "face ", face, " has ", count,
-        " numbers after its vertices, expected none, 1 (an index of a color) or 3 or 4 (a "
+        " numbers after its vertices. Expected none, 1 (an index of a color) or 3 or 4 (a "
         "color)");
     }
     if (this->IsBinary && count == 1)
@@ -320,14 +321,14 @@ private:
     if (!this->IsBinary && this->Text.FindAnywhere())
     {
       this->Fail(Malformed, dgg::Quote(this->Text.TakeWord()),
-        " follows the last face. Correct the counts of the header.");
+        " follows the last face. Correct the counts of the header");
     }
     const std::size_t rest = this->Text.GetRest().find_first_not_of(" \t\n\v\f\r");
     if (rest != std::string_view::npos)
     {
       this->Text.Skip(rest);
       this->Fail(Malformed, this->Text.GetBytesLeft(),
-        " bytes follow the last face. Correct the counts of the header.");
+        " bytes follow the last face. Correct the counts of the header");
     }
     for (const Colors* colors : { &this->PointColors, &this->FaceColors })
     {
@@ -369,8 +370,8 @@ private:
       if (!(value >= 0.0 && value <= (this->Rest[i].IsFraction ? 1.0 : 255.0)))
       {
         this->Fail(Malformed, "the color component ", value,
-          " is out of range: fractions must be in [0, 1], integers in [0, 255]. If these "
-          "numbers are normals, the keyword must be NOFF.");
+          " is out of range. Use fractions from 0 to 1 or integers from 0 to 255, or the keyword "
+          "NOFF if these numbers are normals");
       }
     }
     colors.Add(this->Rest, count, this->GetLocation());
@@ -575,7 +576,7 @@ void dgg::WriteOFF(MeshData& mesh, const ProgressReport& progress, FileSink& sin
       if (list == &mesh.Lines && size > 2)
       {
         Fail(Malformed,
-          "an OFF file cannot store polylines of more than two points. Write an OBJ file.");
+          "an OFF file cannot store polylines of more than two points. Write an OBJ file");
       }
       const std::int64_t perFace = list == &mesh.Verts ? 1 : size;
       for (std::int64_t k = list->Offsets[i]; k < list->Offsets[i + 1]; k += perFace, ++face)

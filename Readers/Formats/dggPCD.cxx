@@ -98,7 +98,7 @@ private:
       if (point == this->Count)
       {
         this->FailAtLine(Malformed, this->Text.GetLine(), "data follow the last of ", point,
-          " points. Increase POINTS, WIDTH or HEIGHT.");
+          " points. Increase POINTS, WIDTH or HEIGHT");
       }
       this->ReadPoint(point, types, numbers, out);
       this->Progress.At(point + 1, this->Text.GetFraction());
@@ -122,7 +122,7 @@ private:
         if (!this->Text.FindOnLine())
         {
           this->FailAtLine(this->Text.GetBytesLeft() == 0 ? Premature : Malformed,
-            this->Text.GetLine(), "point ", point, " has ", read, " values, expected ", numbers);
+            this->Text.GetLine(), "point ", point, " has ", read, " values. Expected ", numbers);
         }
         const std::string_view word = this->Text.TakeWord();
         const char* trouble = nullptr;
@@ -161,7 +161,7 @@ private:
     const std::size_t uncompressed = ReadSize(body.substr(4));
     if (compressed > body.size() - 8)
     {
-      this->FailAtByte(Premature, 0, compressed, " bytes of compressed data are promised, but ",
+      this->FailAtByte(Premature, 0, compressed, " bytes of compressed data are declared, but ",
         body.size() - 8, " follow");
     }
     // PCL excludes padding from compressed data; other programs may include it.
@@ -176,7 +176,7 @@ private:
     const bool hasPadding = fits(this->PointBytes);
     if (!hasPadding && !fits(packed))
     {
-      this->FailAtByte(Malformed, 0, "the compressed data promise ", uncompressed,
+      this->FailAtByte(Malformed, 0, "the compressed data declare ", uncompressed,
         " bytes, which are not ", this->Count, " points of ", packed, " bytes");
     }
     this->Progress(0.1);
@@ -232,7 +232,7 @@ private:
     if (this->Count > room / leastBytes)
     {
       this->FailAtLine(Premature, this->Header.CountLine, this->Count, " points of at least ",
-        leastBytes, " bytes are promised, but only ", this->Text.GetBytesLeft(),
+        leastBytes, " bytes are declared, but only ", this->Text.GetBytesLeft(),
         " bytes follow the header");
     }
   }
@@ -245,7 +245,7 @@ private:
     if (trouble != std::string_view::npos)
     {
       this->FailAtByte(Malformed, trouble, "data follow the last of ", this->Count,
-        " points. Increase POINTS, WIDTH or HEIGHT.");
+        " points. Increase POINTS, WIDTH or HEIGHT");
     }
   }
 
@@ -296,15 +296,14 @@ public:
     this->PointBytes = this->Header.GetPointBytes();
     if (this->Header.Fields.size() > dgg::PCDHeader::MaximumFields)
     {
-      dgg::Fail(Malformed, "there would be ", this->Header.Fields.size(),
-        " fields, but a file has ", dgg::PCDHeader::MaximumFields, " at most: remove point arrays");
+      dgg::Fail(Malformed, "the file would have ", this->Header.Fields.size(),
+        " fields, more than ", dgg::PCDHeader::MaximumFields, ". Remove point arrays");
     }
     // Compressed data may be longer by one byte in 32.
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 33 * 32;
     if (mode == dgg::PCDData::BinaryCompressed && this->Count > most / this->PointBytes)
     {
-      dgg::Fail(
-        Malformed, "compressed data cannot be larger than 4 GB: set the data mode to binary");
+      dgg::Fail(Malformed, "the compressed data exceed 4 GB. Set the data mode to binary");
     }
   }
 

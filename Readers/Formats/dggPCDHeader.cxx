@@ -95,7 +95,7 @@ public:
       }
       if (this->Lines.count(entry.Keyword) > 0)
       {
-        entry.Fail("a second ", entry.Keyword);
+        entry.Fail("the header has a second ", entry.Keyword);
       }
       words.erase(words.begin());
       entry.Values = std::move(words);
@@ -116,7 +116,7 @@ public:
     const Entry* entry = this->Find(keyword);
     if (entry && entry->Values.size() != count)
     {
-      entry->Fail(keyword, " has ", entry->Values.size(), " values, expected ", count);
+      entry->Fail(keyword, " has ", entry->Values.size(), " values. Expected ", count);
     }
     return entry;
   }
@@ -146,24 +146,25 @@ void ReadFields(const Entries& entries, dgg::PCDHeader& header)
   const Entry* names = entries.Find("FIELDS");
   if (names && columns)
   {
-    columns->Fail("both FIELDS and COLUMNS");
+    columns->Fail("the header has both FIELDS and COLUMNS");
   }
   names = names ? names : columns;
   if (!names || names->Values.empty())
   {
-    (names ? *names : entries.Get("DATA")).Fail("no FIELDS before the data");
+    (names ? *names : entries.Get("DATA")).Fail("the header has no FIELDS");
   }
   const std::size_t count = names->Values.size();
   if (count > dgg::PCDHeader::MaximumFields)
   {
-    names->Fail("more than ", dgg::PCDHeader::MaximumFields, " fields");
+    names->Fail("the header has more than ", dgg::PCDHeader::MaximumFields, " fields");
   }
   const Entry* sizes = entries.Find("SIZE", count);
   const Entry* types = entries.Find("TYPE", count);
   const Entry* counts = entries.Find("COUNT", count);
   if (!sizes != !types)
   {
-    (sizes ? sizes : types)->Fail(sizes ? "SIZE without TYPE" : "TYPE without SIZE");
+    (sizes ? sizes : types)
+      ->Fail(sizes ? "SIZE is given without TYPE" : "TYPE is given without SIZE");
   }
   header.FieldsLine = names->Line;
   std::size_t bytes = 0;
@@ -178,7 +179,7 @@ void ReadFields(const Entries& entries, dgg::PCDHeader& header)
         !dgg::IsFieldType(field.Kind, field.Size))
       {
         sizes->FailAt(i, " of the field ", Quote(field.Name), " is not one of TYPE ", Quote(type),
-          ": F has 4 or 8, I and U have 1, 2, 4 or 8");
+          ". Expected 4 or 8 for F, and 1, 2, 4 or 8 for I and U");
       }
     }
     if (counts && (dgg::ParseNumber(counts->Values[i], field.Count) || field.Count < 1))
@@ -201,11 +202,11 @@ void ReadCounts(const Entries& entries, dgg::PCDHeader& header)
   const std::int64_t points = entries.GetCount("POINTS", header.CountLine);
   if (header.Layout.Width < 0 && points < 0)
   {
-    entries.Get("DATA").Fail("neither WIDTH nor POINTS before the data");
+    entries.Get("DATA").Fail("the header has neither WIDTH nor POINTS");
   }
   if (header.Layout.Width < 0 && header.Layout.Height > 1)
   {
-    entries.Get("HEIGHT").Fail("HEIGHT without WIDTH");
+    entries.Get("HEIGHT").Fail("HEIGHT is given without WIDTH");
   }
   // Old files have only POINTS, or WIDTH 0 and HEIGHT 0 in addition.
   if (header.Layout.Width < 0 || (header.Layout.Width == 0 && header.Layout.Height == 0))
@@ -257,7 +258,7 @@ void dgg::PCDHeader::Parse(dgg::TextCursor& text)
     data.Values.size() == 1 ? data.Values[0] : std::string_view());
   if (name == std::end(DataNames))
   {
-    data.Fail("DATA must be one of ascii, binary and binary_compressed");
+    data.Fail("the value of DATA is unknown. Expected ascii, binary or binary_compressed");
   }
   this->Data = static_cast<PCDData>(name - std::begin(DataNames));
 }

@@ -107,7 +107,8 @@ private:
   {
     if (this->TakeWord() != "ply")
     {
-      dgg::Fail(FileCode::Unrecognized, "line 1: a PLY file begins with a line of the word ply");
+      dgg::Fail(
+        FileCode::Unrecognized, "line 1: the file does not begin with a line of the word ply");
     }
     std::string_view format;
     std::string_view keyword = "ply";
@@ -137,7 +138,7 @@ private:
     if (!isText && !this->IsBigEndian && format != "binary_little_endian")
     {
       this->Fail("the format ", Quote(format),
-        " is unknown, expected ascii, binary_little_endian or binary_big_endian");
+        " is unknown. Expected ascii, binary_little_endian or binary_big_endian");
     }
     this->Text.SkipLine();
     this->IsBinary = !isText;
@@ -157,7 +158,7 @@ private:
     {
       if (other.Name == element.Name)
       {
-        this->Fail("a second element ", Quote(element.Name));
+        this->Fail("the header has a second element ", Quote(element.Name));
       }
     }
     this->Elements.push_back(std::move(element));
@@ -168,7 +169,7 @@ private:
   {
     if (this->Elements.empty())
     {
-      this->Fail("a property before the first element");
+      this->Fail("a property precedes the first element");
     }
     Property property;
     std::string_view type = this->TakeWord();
@@ -194,7 +195,7 @@ private:
     property.Type = this->FindType(type, property.Use != ListUse::Skipped);
     if (this->Elements.back().Find(property.Name))
     {
-      this->Fail("a second property ", Quote(property.Name));
+      this->Fail("the element has a second property ", Quote(property.Name));
     }
     this->Elements.back().Properties.push_back(property);
     this->CountEntry();
@@ -237,7 +238,7 @@ private:
       }
       else if (element.Count > room / bytes)
       {
-        dgg::Fail(FileCode::Premature, "line ", element.Line, ": the header promises ",
+        dgg::Fail(FileCode::Premature, "line ", element.Line, ": the header declares ",
           element.Count, " records of the element ", Quote(element.Name), " with at least ", bytes,
           " bytes each, but only ", room, " bytes follow for them");
       }
@@ -462,7 +463,7 @@ private:
     {
       this->Text.FindAnywhere();
       this->FailWith(FileCode::Malformed, this->Text.GetBytesLeft(),
-        " bytes follow the last record. Correct the counts of the header.");
+        " bytes follow the last record. Correct the counts of the header");
     }
   }
 

@@ -132,7 +132,7 @@ void dgg::WritePLY(MeshData& mesh, const ProgressReport& progress, FileSink& sin
   const std::size_t faces = polygons.GetCount();
   if (points > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
-    Fail(FileCode::Malformed, "there are ", points, " points, more than the ids of a PLY file");
+    Fail(FileCode::Malformed, "there are ", points, " points, more than a PLY file can index");
   }
   Table pointTable({ "x", "y", "z" });
   pointTable.Add(mesh.PointArrays);

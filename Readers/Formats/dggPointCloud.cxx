@@ -185,7 +185,7 @@ std::string dgg::CheckPointFields(const PointCloudView& cloud)
     }
     if (field.Name != PaddingName && !table.Views.emplace(field.Name, &view).second)
     {
-      return "two fields '" + field.Name + "'";
+      return "there are two fields '" + field.Name + "'";
     }
   }
   for (const std::string name : { "x", "y", "z" })
@@ -193,12 +193,12 @@ std::string dgg::CheckPointFields(const PointCloudView& cloud)
     const PointFieldView* view = table.Find(name);
     if (!view)
     {
-      return "no field '" + name + "': a point cloud needs the fields x, y and z";
+      return "there is no field '" + name + "'. Add the fields x, y and z";
     }
     if (view->Field.Count != 1)
     {
       return "the field '" + name + "' has " + std::to_string(view->Field.Count) +
-        " values per point, expected one";
+        " values per point. Expected one";
     }
   }
   // Arrays with equal names would replace each other.

@@ -129,7 +129,7 @@ void ParseBinary(std::string_view file, const dgg::ProgressReport& progress, dgg
   if (file.size() != expected)
   {
     dgg::Fail(file.size() < expected ? FileCode::Premature : FileCode::Malformed,
-      "byte 80: the header promises ", facets, " triangles, which take ", expected,
+      "byte 80: the header declares ", facets, " triangles, which take ", expected,
       " bytes, but the file has ", file.size(), " bytes");
   }
   mesh.HasFloatPoints = true;
@@ -273,8 +273,7 @@ void dgg::WriteSTL(MeshData& mesh, const ProgressReport& progress, FileSink& sin
   const std::size_t count = mesh.Polygons.GetCount();
   if (count == 0 || count > UINT32_MAX)
   {
-    Fail(FileCode::Malformed, "there are ", count,
-      " triangles, and an STL file holds at least one and at most ", UINT32_MAX);
+    Fail(FileCode::Malformed, "there are ", count, " triangles. Expected 1 to ", UINT32_MAX);
   }
   const auto isFloat = [](double value) {
     return !(static_cast<double>(static_cast<float>(value)) != value); // also true for NaN

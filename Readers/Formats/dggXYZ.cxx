@@ -74,13 +74,14 @@ double Parse(
     {
       dgg::Fail(text.GetBytesLeft() == 0 ? FileCode::Premature : FileCode::Malformed, "line ",
         text.GetLine(), ": ",
-        wrong.empty() ? std::to_string(words) + " numbers" : dgg::Quote(wrong) + " is not a number",
-        ", expected the coordinates x, y and z");
+        wrong.empty() ? "the line has " + std::to_string(words) + " numbers"
+                      : dgg::Quote(wrong) + " is not a number",
+        ". Expected the coordinates x, y and z");
     }
     if (!isHeader && HasAmbiguousCommas(line))
     {
       dgg::Fail(FileCode::Malformed, "line ", text.GetLine(),
-        ": ',' may separate numbers or be a decimal point. Use decimal points.");
+        ": ',' may separate numbers or be a decimal point. Use decimal points");
     }
     if (!isHeader)
     {
@@ -120,8 +121,8 @@ void dgg::ParseXYZ(std::string_view file, const ProgressReport& progress, MeshDa
   const auto points = static_cast<double>(mesh.GetNumberOfPoints());
   if (count >= 0.0 && count != points)
   {
-    Fail(points < count ? FileCode::Premature : FileCode::Malformed, "the file announces ", count,
-      " points and has ", points);
+    Fail(points < count ? FileCode::Premature : FileCode::Malformed, "the file declares ", count,
+      " points, but has ", points);
   }
   if (mesh.Points.empty())
   {

@@ -212,7 +212,7 @@ dgg::FileStatus ReadArrays(vtkDataSetAttributes* data, const char* kind, vtkIdTy
       return { dgg::FileStatus::Code::Malformed,
         std::string("the ") + kind + " array " + (array->GetName() ? array->GetName() : "") +
           " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-          std::to_string(count) + " " + kind + "s" };
+          std::to_string(count) + " " + kind + "s." };
     }
     result.push_back(ReadArray(array));
     result.back().Role = role;
@@ -241,7 +241,7 @@ unsigned long vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const
 {
   if (!fileName || !fileName[0])
   {
-    vtkErrorWithObjectMacro(algorithm, "There is no file name: call SetFileName() first.");
+    vtkErrorWithObjectMacro(algorithm, "There is no file name. Set FileName.");
     return vtkErrorCode::NoFileNameError;
   }
   algorithm->SetAbortExecute(0); // some versions of VTK keep the flag of an earlier run
@@ -255,7 +255,7 @@ unsigned long vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const
   }
   catch (const std::bad_alloc&) // from VTK's containers
   {
-    status = { dgg::FileStatus::Code::OutOfMemory, "not enough memory" };
+    status = { dgg::FileStatus::Code::OutOfMemory, "not enough memory." };
   }
   constexpr unsigned long codes[] = { vtkErrorCode::NoError, vtkErrorCode::FileNotFoundError,
     vtkErrorCode::CannotOpenFileError, vtkErrorCode::UnrecognizedFileTypeError,
@@ -291,7 +291,7 @@ dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
   {
     return { dgg::FileStatus::Code::Malformed,
       "a cell has a point id that is out of range: there are " + std::to_string(count) +
-        " points" };
+        " points." };
   }
   dgg::FileStatus status = ReadArrays(input->GetPointData(), "point", count, mesh.PointArrays);
   if (status.IsOk() && strips->GetNumberOfCells() == 0)

@@ -40,7 +40,7 @@ void ExpectShortest(
       const dgg::Status status = finder.Find(source, to, nullptr, unused);
       if (!status.IsOk())
       {
-        EXPECT_TRUE(Says(status, "cannot be traced back"));
+        EXPECT_TRUE(Says(status, "cannot be traced"));
         EXPECT_TRUE(unused.empty());
         ++*failures;
         continue;

@@ -261,27 +261,27 @@ TEST(GraphBuilderLimits, RefusalsNameTheRemedy)
   std::vector<Id> unused;
   const SurfaceMesh pages = ManyPages();
   const SurfaceMesh sphere = Build(NoisySphere(3, 0.2, 1));
-  const std::string accuracy = "larger accuracy (it is 0.004)";
-  const std::string neighbors = "smaller number of neighbours (it is 77)";
+  const std::string accuracy = "larger Accuracy (now 0.004)";
+  const std::string neighbors = "smaller NumberOfNeighbors (now 77)";
   for (const Refusal& refusal : {
          Refusal{ pages, 40, GraphConstruction::Guaranteed, { "vertex", "non-manifold", accuracy },
-           { "neighbours" } },
+           { "NumberOfNeighbors" } },
          Refusal{ pages, 40, GraphConstruction::OneRelay, { "vertex", "non-manifold", accuracy },
-           { "neighbours" } },
+           { "NumberOfNeighbors" } },
          Refusal{ pages, 40, GraphConstruction::Indirect, { "vertex", "non-manifold", accuracy },
-           { "neighbours" } },
+           { "NumberOfNeighbors" } },
          Refusal{ pages, 40, GraphConstruction::SaddleVertexGraph,
-           { "vertex", "non-manifold", neighbors }, { "accuracy" } },
+           { "vertex", "non-manifold", neighbors }, { "Accuracy" } },
          Refusal{ sphere, 100, GraphConstruction::Guaranteed, { "vertex", accuracy },
-           { "manifold", "neighbours" } },
+           { "manifold", "NumberOfNeighbors" } },
          Refusal{ sphere, 100, GraphConstruction::SaddleVertexGraph, { "vertex", neighbors },
-           { "manifold", "accuracy" } },
+           { "manifold", "Accuracy" } },
          // Windows turn around the spine, or run along such long triangles, so often that no rule
          // helps.
          Refusal{ Build(Book(800, 3, unused)), Unlimited, GraphConstruction::Guaranteed,
            { "non-manifold edges", "twenty times", "inner walls", accuracy }, {} },
          Refusal{ Build(TallPrism(8000, 8000)), Unlimited, GraphConstruction::Guaranteed,
-           { "long triangles", "twenty times", "split", accuracy }, { "manifold" } },
+           { "long triangles", "twenty times", "Split", accuracy }, { "manifold" } },
        })
   {
     dgg::GraphOptions options;
@@ -351,7 +351,7 @@ TEST(GraphBuilderLimits, LinksAreCompleteOrRefused)
         ++refused;
         EXPECT_TRUE(links.empty());
         EXPECT_TRUE(direct.empty());
-        ExpectMessage(status, { "surface point", "larger accuracy" }, { "neighbours" });
+        ExpectMessage(status, { "surface point", "larger Accuracy" }, { "NumberOfNeighbors" });
         EXPECT_NE(bool(Says(status, "manifold")), isManifold);
       }
     }

@@ -102,7 +102,7 @@ TEST(GraphSession, SeedsOfVerticesAndLinks)
     EXPECT_EQ(seeds[i].Source, 1);
     EXPECT_GE(seeds[i].ArrivalAngle, 0.0);
   }
-  EXPECT_TRUE(Says(session.PrepareBuilder(world.MakeContext(1)), "use vertices only"));
+  EXPECT_TRUE(Says(session.PrepareBuilder(world.MakeContext(1)), "Use vertices only"));
   EXPECT_TRUE(Ok(session.PrepareBuilder(world.MakeContext(1), false)));
 }
 
@@ -178,9 +178,9 @@ TEST(PathSearch, RefusesAndStops)
   EXPECT_TRUE(PathSearch(context, pairs).RunExact(paths).IsAborted());
   context.Progress = nullptr;
   pairs[1].To = SurfacePoint::AtVertex(34);
-  EXPECT_TRUE(Says(PathSearch(context, pairs).RunInGraph(session, {}, paths), "pair 1"));
+  EXPECT_TRUE(Says(PathSearch(context, pairs).RunInGraph(session, {}, paths), "Pair 1"));
   pairs[1].From = SurfacePoint::AtVertex(5);
-  EXPECT_TRUE(Says(PathSearch(context, pairs).RunExact(paths), "pair 1 has no exact path: "));
+  EXPECT_TRUE(Says(PathSearch(context, pairs).RunExact(paths), "Pair 1 has no exact path: "));
 }
 
 TEST(PathSearch, PolylinesOnClouds)

@@ -233,7 +233,7 @@ TEST(HeatMethod, Boundaries)
   const dgg::Status status =
     dirichlet.Method.Run({ VertexSource(middle), VertexSource(3) }, {}, result);
   EXPECT_FALSE(status.IsOk());
-  EXPECT_TRUE(Says(status, "source 1 lies on the boundary"));
+  EXPECT_TRUE(Says(status, "Source 1 lies on the boundary"));
   EXPECT_LT(MeanError(average.Run({ VertexSource(3) }).Distances,
               DistancesFrom(mesh, dgg::ExactEngine::Triangle, 3)),
     0.12);

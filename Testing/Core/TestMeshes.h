@@ -6,7 +6,7 @@
 #define TestMeshes_h
 
 #include "dggSurfaceMesh.h"
-#include "dggTypes.h"
+#include "dggStatus.h"
 
 #include <gtest/gtest.h>
 
@@ -77,12 +77,13 @@ inline testing::AssertionResult Ok(const dgg::Status& status)
   return (status.IsOk() ? testing::AssertionSuccess() : testing::AssertionFailure())
     << status.GetMessage();
 }
-/// Succeeds if the message of the status contains the text.
+/// Succeeds if the message of the status contains the text. Properties have no braces there.
 inline testing::AssertionResult Says(const dgg::Status& status, const std::string& text)
 {
-  const bool isSaid = status.GetMessage().find(text) != std::string::npos;
+  const std::string message = dgg::Render(status.GetMessage());
+  const bool isSaid = message.find(text) != std::string::npos;
   return (isSaid ? testing::AssertionSuccess() : testing::AssertionFailure())
-    << '"' << text << "\" in: " << status.GetMessage();
+    << '"' << text << "\" in: " << message;
 }
 
 /// Checks that progress rises within [0, 1], and records its values. Pass it by std::ref.

@@ -73,7 +73,7 @@ dgg::SourceCollection At(const Numbers& positions)
 {
   dgg::SourceCollection sources;
   sources.Role = "source";
-  sources.Remedy = "call AddSourceId()";
+  sources.Property = "SourceIds";
   sources.IsConnected = true;
   sources.Positions = positions;
   return sources;
@@ -121,17 +121,17 @@ TEST(SourceCollection, WrongNumbersAreRefused)
     std::string Message;
   } const cases[] = {
     { [](auto& s) { s.Positions.clear(); },
-      "there is no source: input port 1 has no points. Give it points, or call AddSourceId()" },
-    { [](auto& s) { s = dgg::SourceCollection(); }, "connect points to input port 1" },
+      "There is no source: input port 1 has no points. Set SourceIds, or add points to input port "
+      "1." },
+    { [](auto& s) { s = dgg::SourceCollection(); }, "Connect points to input port 1" },
     { [](auto& s) {
        s.Ids = { 0, 5 };
      },
-      "source id 5 (number 1 of the source ids) is out of range" },
-    { [](auto& s) { s.Ids = { -1 }; }, "the input has 5 points, so ids must be in [0, 4]" },
-    { [](auto& s) { s.Positions[1] = NaN; }, "point 7 of input port 1, at (0, nan, 0), has coord" },
+      "Source id 5 is out of range" },
+    { [](auto& s) { s.Ids = { -1 }; }, "the input has 5 points. Use ids from 0 to 4." },
+    { [](auto& s) { s.Positions[1] = NaN; }, "Source 7, at (0, nan, 0), has coord" },
     { [](auto& s) { s.InitialDistances = { NaN }; }, "has the initial distance nan" },
-    { [](auto& s) { s.InitialDistances = { dgg::Infinity }; },
-      "source point 7 of input port 1 has" },
+    { [](auto& s) { s.InitialDistances = { dgg::Infinity }; }, "Source 7 has" },
     { [](auto& s) { s.Positions[2] = 0.1; },
       "is 0.1 away from the surface, farther than 0.0141421" },
   };
@@ -166,7 +166,7 @@ TEST(SourceCollection, CloudsReachBetweenTheirPoints)
     EXPECT_TRUE(Says(input.Locate(At({ 0.9 * off, 0, -off })), "away from the cloud"));
     ASSERT_TRUE(Ok(input.Locate(At({ 0.5, 0.5, 0.3, -off, 0.5 * off, off }), 1e300)));
     EXPECT_LT(input.Found[1].Point.Vertex, 400); // far from all points
-    EXPECT_TRUE(Says(input.Locate(InCell(0, { { 1, 0, 0 } })), "the input is a point cloud"));
+    EXPECT_TRUE(Says(input.Locate(InCell(0, { { 1, 0, 0 } })), "do not apply to a point cloud"));
   }
 }
 
@@ -220,14 +220,14 @@ TEST(SourceCollection, WrongCellsAreRefused)
     Coordinates Barycentric;
     std::string Message;
   } const cases[] = {
-    { 3, { { 1, 0, 0 } }, "FaceId 3, which is out of range: the input has 3 cells" },
-    { -1, { { 1, 0, 0 } }, "FaceId -1, which is out of range" },
-    { NaN, { { 1, 0, 0 } }, "FaceId nan, which is not an integer" },
-    { 0, { { 1, 0, 0 } }, "FaceId 0, which is not a triangle" },
-    { 1, { { 1, 0, 0 } }, "FaceId 1, which is not a triangle" },
-    { 2, { { 1.1, -0.1, 0 } }, "not negative, and sum to 1" },
-    { 2, { { 0.5, 0.5, 0.5 } }, "not negative, and sum to 1" },
-    { 2, { { NaN, 0.5, 0.5 } }, "must be finite" },
+    { 3, { { 1, 0, 0 } }, "FaceId 3 is out of range: the input has 3 cells" },
+    { -1, { { 1, 0, 0 } }, "FaceId -1 is out of range" },
+    { NaN, { { 1, 0, 0 } }, "FaceId nan is not an integer" },
+    { 0, { { 1, 0, 0 } }, "FaceId 0 is not a triangle" },
+    { 1, { { 1, 0, 0 } }, "FaceId 1 is not a triangle" },
+    { 2, { { 1.1, -0.1, 0 } }, "Use non-negative numbers with the sum 1" },
+    { 2, { { 0.5, 0.5, 0.5 } }, "Use non-negative numbers with the sum 1" },
+    { 2, { { NaN, 0.5, 0.5 } }, "Barycentric are (nan" },
   };
   for (const auto& wrong : cases)
   {
@@ -272,8 +272,8 @@ TEST(SourceCollection, OriginalIdsCountWhereThePointIs)
     EXPECT_EQ(input.Surface->GetMesh().GetNumberOfFaces(), 2);
     EXPECT_EQ(sources.DescribeIsolated(*input.Surface, input.Found),
       id != 6 ? ""
-              : "source point 0 of input port 1 is a point that no polygon uses. Such points reach "
-                "no other point. Choose points of polygons.");
+              : "Source 0 is a point that no polygon uses. Such points reach "
+                "no other point. Choose points of polygons");
     sources.Positions[0] += 0.1; // an offset within the precision of floats
     ASSERT_TRUE(Ok(input.Locate(sources)));
     EXPECT_EQ(input.Found[0].Point.On, dgg::SurfacePoint::Support::Edge);
@@ -290,7 +290,7 @@ TEST(SourceCollection, IsolatedPointsAreCounted)
   sources.Ids = { 0, 4, 4 };
   ASSERT_TRUE(Ok(input.Locate(sources)));
   EXPECT_EQ(sources.DescribeIsolated(*input.Surface, input.Found),
-    "source id 4 and 1 more are points that no polygon uses. Such points reach no other point. "
-    "Choose points of polygons.");
+    "Source id 4 and 1 more are points that no polygon uses. Such points reach no other point. "
+    "Choose points of polygons");
 }
 }

@@ -149,7 +149,7 @@ TEST(StoredGraph, RefusesMissingShortAndMistypedArrays)
         refuse([](StoredArray& array) { array = StoredArray(); },
           "the field array " + name + " is missing");
         refuse([](StoredArray& array) { array.Type = StoredArray::Other; },
-          name + " is of type a type, not of ");
+          name + " has the type a type ");
       }
       // A missing target makes the other arrays too long. The number of points follows from the
       // offsets.
@@ -211,8 +211,8 @@ TEST(StoredGraph, RefusesOtherSurfaces)
     ExpectRefused(world, *Prepare(other, domain), unchanged, text, false);
   };
   refuse(Plane(4, 4, 0.2, 8), {}, "is out of date: points or cells have changed");
-  refuse(Plane(4, 3), {}, "does not fit: DGG.Offsets has 26 values, not one more than the 20");
-  refuse(mesh, { dgg::Domain::Cloud, 0.0 }, "is that of a mesh, not of a point cloud");
+  refuse(Plane(4, 3), {}, "does not fit: DGG.Offsets has 26 values, but 20 points need 21");
+  refuse(mesh, { dgg::Domain::Cloud, 0.0 }, "is that of a mesh");
 
   // Two triangles with a seam whose points merge.
   TestMesh seam;
@@ -241,12 +241,12 @@ TEST(StoredGraph, RefusesBandsOfClouds)
     GraphWorld world = CornerWorld();
     world.Radii[1] = radius; // before the checksum is computed
     ExpectRefused(
-      world, *world.Surface, [](Arrays&) {}, "DGG.Radii gives point 1 the radius ");
+      world, *world.Surface, [](Arrays&) {}, "the radius of point 1 in DGG.Radii is ");
   }
   const GraphWorld world = CornerWorld();
   ExpectRefused(
     world, *world.Surface, [](Arrays& arrays) { arrays.Radii[3] = 2.0; }, "checksum");
   ExpectRefused(
-    world, *Prepare(Plane(1, 1)), [](Arrays&) {}, "is that of a point cloud, not of a mesh", false);
+    world, *Prepare(Plane(1, 1)), [](Arrays&) {}, "is that of a point cloud", false);
 }
 }

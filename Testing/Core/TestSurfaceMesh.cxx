@@ -449,7 +449,7 @@ TEST(SurfaceMeshErrors, NameTheBadLength)
   {
     TestMesh input = good;
     input.Lengths[7] = bad;
-    ExpectRefused(input, "lengths must be finite, not negative");
+    ExpectRefused(input, "Use lengths that are finite, not negative");
   }
   TestMesh input = good;
   input.Lengths[7] *= 1.0 + 1e-8; // its twin has a different length
@@ -464,7 +464,7 @@ TEST(SurfaceMeshErrors, NameTheFaceThatIsNoTriangle)
   input.AddTriangle(0, 2, 3);
   input.Lengths = { 1.0, 1.0, 1.5, 1.5, 1.0, 100.0 };
   SurfaceMesh mesh;
-  ExpectRefused(input, "face 1");
+  ExpectRefused(input, "Face 1");
   input.Lengths = { 1.0, 1.0, 2.0, 2.0, 1.0, 1.0 }; // degenerate: mollified, not refused
   ASSERT_TRUE(Try(input, mesh).IsOk());
   EXPECT_EQ(mesh.GetNumberOfDegenerateFaces(), 2);
@@ -477,11 +477,11 @@ TEST(SurfaceMeshErrors, RefuseBadGluing)
   {
     TestMesh input = good;
     input.Twins[0] = bad;
-    ExpectRefused(input, "half-edge 0 cannot be glued to");
+    ExpectRefused(input, "Half-edge 0 cannot be the twin of half-edge");
   }
   TestMesh input = good;
   input.Twins[0] = NoId;
-  ExpectRefused(input, "is glued in one direction only");
+  ExpectRefused(input, "has a twin in one direction only");
   input = good;
   // Two half-edges with the same twin.
   for (Id h = 1; h < 24; ++h)
@@ -492,7 +492,7 @@ TEST(SurfaceMeshErrors, RefuseBadGluing)
       input.Twins[h] = input.Twins[0];
     }
   }
-  ExpectRefused(input, "cannot be glued");
+  ExpectRefused(input, "cannot be the twin of");
 }
 
 /// A small face cut out of a large one has the rounding errors of the large face.
@@ -507,6 +507,6 @@ TEST(SurfaceMeshLengths, RoundingOfSmallFaces)
   EXPECT_TRUE(mesh.IsDegenerate(1));
   EXPECT_GT(mesh.GetMollification(), 0.0);
   input.Lengths.back() = 2.1e-10 + 2e-12;
-  ExpectRefused(input, "none may be longer");
+  ExpectRefused(input, "violate the triangle inequality");
 }
 }

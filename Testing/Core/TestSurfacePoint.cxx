@@ -169,7 +169,7 @@ TEST(SurfacePoint, PlacesNearPointsOfACloud)
   const std::array<double, 3> expected{ { 2.5, 3.0, 3.0 } };
   EXPECT_EQ(dgg::PositionOf(mesh, near, cloud.data()), expected);
   EXPECT_EQ(dgg::FindFaceOf(mesh, near), NoId);
-  ExpectBad(near, mesh, "only clouds");
+  ExpectBad(near, mesh, "clouds only");
 }
 
 TEST(SurfacePoint, TangentPlanesOfInteriorVerticesAreUnrolled)

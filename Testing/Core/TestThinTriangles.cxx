@@ -213,7 +213,7 @@ TEST(ThinTriangles, WhatSolvesRefusesSourcesInThinParts)
   ASSERT_TRUE(
     distance.Between({ good }, { good, bad }, dgg::ParallelFor(), nullptr, between).IsOk());
   EXPECT_EQ(between, (std::vector<double>{ 0.0, dgg::Infinity }));
-  ExpectThin(distance.Between({ bad }, { good }, dgg::ParallelFor(), nullptr, between), "point 0");
+  ExpectThin(distance.Between({ bad }, { good }, dgg::ParallelFor(), nullptr, between), "Point 0");
 }
 
 TEST(ThinTriangles, SplinesHaveOneSiteInThinParts)
@@ -224,7 +224,7 @@ TEST(ThinTriangles, SplinesHaveOneSiteInThinParts)
   ASSERT_TRUE(solver.Prepare({}, nullptr).IsOk());
   // One site is allowed in any component.
   EXPECT_TRUE(dgg::CheckSplineSites(solver, { 3, 20, n + 3 }).IsOk());
-  ExpectThin(dgg::CheckSplineSites(solver, { 3, n + 20, n + 3 }), "site 2");
+  ExpectThin(dgg::CheckSplineSites(solver, { 3, n + 20, n + 3 }), "Site 2");
   std::vector<Id> sites;
   ASSERT_TRUE(dgg::ChooseSplineSites(solver, 10, nullptr, sites).IsOk());
   EXPECT_EQ(sites.size(), 10u);

@@ -125,13 +125,13 @@ std::vector<Refusal> RefuseCloudGraph()
   const double nan = std::nan("");
   return RefuseValues(&F::SetOffsetInVoxels, { -1.0 }, { "OffsetInVoxels", "-1" }) +
     RefuseValues(&F::SetOffsetInVoxels, { nan }, { "OffsetInVoxels", "nan" }) +
-    RefuseValues(&F::SetOffsetInVoxels, { 1000.5 }, { "offset is 1000.5 voxels", "at most 1000" }) +
-    RefuseValues(&F::SetOffsetInVoxels, { 1e-300 }, { "offset is 1e-300 voxels", "at least 0.5" }) +
+    RefuseValues(&F::SetOffsetInVoxels, { 1000.5 }, { "OffsetInVoxels is 1000.5", "to 1000" }) +
+    RefuseValues(&F::SetOffsetInVoxels, { 1e-300 }, { "OffsetInVoxels is 1e-300", "from 0.5" }) +
     RefuseValues(&F::SetResolution, { -5 }, { "Resolution", "-5" }) +
     RefuseValues(&F::SetResolution, { 2000000 }, { "esolution", "2000000" }) +
     RefuseValues(&F::SetAlpha, { -0.5 }, { "Alpha", "-0.5" }) +
-    RefuseValues(&F::SetAlpha, { 2e6 }, { "alpha is 2e+06", "at most 1e6" }) +
-    RefuseValues(&F::SetAlpha, { 1e-300 }, { "alpha is 1e-300", "at least 1e-3" }) +
+    RefuseValues(&F::SetAlpha, { 2e6 }, { "Alpha is 2e+06", "to 1e6" }) +
+    RefuseValues(&F::SetAlpha, { 1e-300 }, { "Alpha is 1e-300", "from 1e-3" }) +
     RefuseValues(&F::SetNumberOfNeighbors, { 2 }, { "NumberOfNeighbors", "2" }) +
     RefuseValues(&F::SetComponentArrayName, { nullptr }, { "ComponentArrayName is empty" }) +
     RefuseValues(&F::SetAccuracy, { -0.1, 1e-7, 0.6, nan }, { "ccuracy" }) +
@@ -173,10 +173,10 @@ std::vector<FilterCase> GetAllFilters()
       PointSetter<vtkDGGDistance>([](auto* f, vtkPolyData* points) { f->SetSourceData(points); }),
       {},
       { Refuse<vtkDGGDistance>([](auto* f) { f->GenerateVirtualSourceOn(); },
-        { "point cloud", "turn GenerateVirtualSource off" }) } },
+        { "point cloud", "Turn off GenerateVirtualSource" }) } },
     { "CloudPath", MakePath, nullptr, {},
       { Refuse<vtkDGGPath>([](auto* f) { f->SetMethodToExact(); },
-        { "no exact path on a point cloud", "SetMethodToGraph" }) } },
+        { "no exact path on a point cloud", "Set Method to Graph" }) } },
     { "CloudMatrix", MakeMatrix,
       PointSetter<vtkGeodesicDistanceMatrix>(
         [](auto* f, vtkPolyData* points) { f->SetRowData(points); }) },

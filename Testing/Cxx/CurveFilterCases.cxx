@@ -144,8 +144,8 @@ std::vector<Refusal> RefusePath()
     RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
     RefuseValues(&F::SetDetour, { NaN }, { "Detour" }) +
     std::vector<Refusal>{
-      Refuse<F>([](F* f) { f->RemoveAllPairs(); }, { "no pair", "AddPair()" }),
-      Refuse<F>([](F* f) { f->AddPair(3, 81); }, { "id 81 ", "number 5", "[0, 80]" }),
+      Refuse<F>([](F* f) { f->RemoveAllPairs(); }, { "no pair", "Add pairs" }),
+      Refuse<F>([](F* f) { f->AddPair(3, 81); }, { "id 81 ", "from 0 to 80" }),
       Refuse<F>([](F* f) { f->AddPair(-1, 3); }, { "id -1 " }),
       Refuse<F>([lines](F* f) { f->SetPairData(lines({})); }, { "port 1", "no lines" }),
       Refuse<F>(
@@ -175,8 +175,8 @@ std::vector<Refusal> RefuseLoop()
     RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
     RefuseValues(&F::SetTapeWidth, { -0.1, NaN, Infinity }, { "TapeWidth" }) +
     std::vector<Refusal>{
-      Refuse<F>([](F* f) { f->SetPointIds({}); }, { "no loop point", "AddPointId()" }),
-      Refuse<F>([](F* f) { f->AddPointId(81); }, { "id 81 ", "number 4", "[0, 80]" }),
+      Refuse<F>([](F* f) { f->SetPointIds({}); }, { "no loop point", "PointIds" }),
+      Refuse<F>([](F* f) { f->AddPointId(81); }, { "id 81 ", "from 0 to 80" }),
       Refuse<F>([](F* f) { f->AddPointId(-1); }, { "id -1 " }),
     };
 }
@@ -188,7 +188,7 @@ std::vector<Refusal> RefuseIsolines()
     RefuseValues(&F::SetChordTolerance, { 0.0, 0.99e-6, NaN }, { "ChordTolerance", "1e-06" }) +
     RefuseValues(&F::SetDistanceArrayName, { "none" }, { "none" }) +
     std::vector<Refusal>{
-      Refuse<F>([](F* f) { f->SetValue(2, NaN); }, { "value 2", "nan", "SetValue" }),
+      Refuse<F>([](F* f) { f->SetValue(2, NaN); }, { "value 2", "nan" }),
       Refuse<F>([](F* f) { f->SetValue(2, Infinity); }, { "value 2", "inf" }),
       Refuse<F>(
         [](F* f) {
@@ -226,7 +226,7 @@ std::vector<Refusal> RefuseVoronoi()
     RefuseValues(&F::SetDistanceArrayName, { "" }, { "DistanceArrayName" }) +
     RefuseValues(&F::SetDistanceArrayName, { "GeodesicSource" }, { "SourceArrayName" }) +
     std::vector<Refusal>{
-      Refuse<F>([](F* f) { f->RemoveAllSites(); }, { "no site", "AddSiteId()" }),
+      Refuse<F>([](F* f) { f->RemoveAllSites(); }, { "no site", "SiteIds" }),
       Refuse<F>(
         [](F* f) {
           f->SetSiteIds({ 3, 81 });

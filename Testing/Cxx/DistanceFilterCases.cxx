@@ -108,19 +108,19 @@ std::vector<Refusal> RefuseDistance()
   };
   return RefuseValues(&F::SetProjectionTolerance, { -1e-9, NaN }, { "ProjectionTolerance" }) +
     RefuseValues(&F::SetMaximumDistance, { -1.0, NaN }, { "MaximumDistance" }) +
-    RefuseValues(&F::SetDistanceArrayName, { "" }, { "SetDistanceArrayName()" }) +
-    RefuseValues(&F::SetSourceArrayName, { nullptr }, { "SetSourceArrayName()" }) +
-    RefuseValues(&F::SetSourceArrayName, { "GeodesicDistance" },
-      { "'GeodesicDistance'", "SetSourceArrayName()" }) +
+    RefuseValues(&F::SetDistanceArrayName, { "" }, { "DistanceArrayName" }) +
+    RefuseValues(&F::SetSourceArrayName, { nullptr }, { "SourceArrayName" }) +
+    RefuseValues(
+      &F::SetSourceArrayName, { "GeodesicDistance" }, { "'GeodesicDistance'", "SourceArrayName" }) +
     std::vector<Refusal>{ Refuse<F>([](F* f) { f->RemoveAllSources(); },
-                            { "no source", "AddSourceId()", "port 1" }),
+                            { "no source", "SourceIds", "port 1" }),
       Refuse<F>(
         [](F* f) {
           f->RemoveAllSources();
           f->SetSourceData(MakeSourcePoints({}));
         },
         { "no source", "port 1 has no points" }),
-      Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "number 2 of", "[0, 80]" }),
+      Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "from 0 to 80" }),
       initial(3, 1, "3 tuples"), initial(2, 3, "3 components"),
       Refuse<F>(
         [](F* f) {
@@ -159,14 +159,14 @@ std::vector<Refusal> RefuseGraphDistance()
   };
   return RefuseDistance() + RefuseGraph<F>() +
     std::vector<Refusal>{
-      Refuse<F>(upperBound(""), { "SetUpperBoundArrayName()" }),
+      Refuse<F>(upperBound(""), { "UpperBoundArrayName" }),
       Refuse<F>(upperBound("GeodesicDistance"), { "'GeodesicDistance'", "UpperBoundArrayName" }),
       Refuse<F>(
         [](F* f) {
           f->GenerateVirtualSourceOn();
           f->SetVirtualSourceArrayName(nullptr);
         },
-        { "SetVirtualSourceArrayName()" }),
+        { "VirtualSourceArrayName" }),
     };
 }
 
@@ -214,13 +214,13 @@ std::vector<Refusal> RefuseMatrix()
       parts);
   };
   return RefuseGraph<F>() +
-    std::vector<Refusal>{ Refuse<F>([](F* f) { f->SetRowIds(nullptr); },
-                            { "no row", "SetRowIds()", "port 1" }),
+    std::vector<Refusal>{ Refuse<F>(
+                            [](F* f) { f->SetRowIds(nullptr); }, { "no row", "RowIds", "port 1" }),
       Refuse<F>(
         [](F* f) {
           f->SetRowIds({ 0, 81 });
         },
-        { "row id 81 ", "number 1 of", "[0, 80]" }),
+        { "row id 81 ", "from 0 to 80" }),
       columns({}, { "no column", "port 2 has no points" }) } +
     RefuseValues(&F::SetProjectionTolerance, { -1.0 }, { "ProjectionTolerance" });
 }
@@ -230,8 +230,8 @@ std::vector<Refusal> RefuseProbe()
   using F = vtkGeodesicProbe;
   return RefuseValues(&F::SetProjectionTolerance, { -1.0 }, { "ProjectionTolerance" }) +
     RefuseValues(&F::SetDistanceArrayName, { "nothing" }, { "'nothing'", "'GeodesicDistance'" }) +
-    std::vector<Refusal>{ Refuse<F>([](F* f) { f->SetProbeData(nullptr); },
-                            { "probe point", "SetProbeData()" }),
+    std::vector<Refusal>{ Refuse<F>(
+                            [](F* f) { f->SetProbeData(nullptr); }, { "probe point", "port 1" }),
       Refuse<F>(
         [](F* f) {
           vtkPolyData::SafeDownCast(f->GetInput())

@@ -41,7 +41,7 @@ std::vector<Refusal> RefusePoints(const FilterCase& filter, const std::string& w
       points[0] = point;
       set(f, MakeSourcePoints(points));
     };
-    return Refusal{ spoil, { "point 0", part } };
+    return Refusal{ spoil, { "0, at (", part } };
   };
   return { refuse({ { 0.5, std::nan(""), 0.0 } }, "not finite"), refuse(FarFromRelief, words) };
 }

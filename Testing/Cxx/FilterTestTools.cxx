@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -312,7 +314,11 @@ void ExpectParts(const std::string& text, const std::vector<std::string>& parts)
 {
   for (const std::string& part : parts)
   {
-    EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is missing in: " << text;
+    const auto isSame = [](unsigned char a, unsigned char b) {
+      return std::tolower(a) == std::tolower(b);
+    };
+    EXPECT_NE(std::search(text.begin(), text.end(), part.begin(), part.end(), isSame), text.end())
+      << "'" << part << "' is missing in: " << text;
   }
 }
 }

@@ -170,9 +170,9 @@ protected:
       ExpectError(this->Reader, { name.empty() ? trouble : "Cannot read " + name + ": ", trouble });
       EXPECT_EQ(this->Reader->GetErrorCode(), code);
     };
-    ExpectError(this->Reader, { "SetFileName" });
+    ExpectError(this->Reader, { "FileName" });
     EXPECT_EQ(this->Reader->GetErrorCode(), vtkErrorCode::NoFileNameError);
-    expect("", vtkErrorCode::NoFileNameError, "SetFileName");
+    expect("", vtkErrorCode::NoFileNameError, "Set FileName");
     expect(this->GetPath("none"), vtkErrorCode::FileNotFoundError, "does not exist");
     expect(this->Folder.string(), vtkErrorCode::CannotOpenFileError, "it is a folder");
     expect("/dev/null", vtkErrorCode::CannotOpenFileError, "not an ordinary file");

@@ -131,21 +131,19 @@ std::vector<Refusal> RefuseSources()
   return RefuseValues(&F::SetProjectionTolerance, { NaN }, { "ProjectionTolerance" }) +
     std::vector<Refusal>{ RefuseMemoryLimit(1000),
       Refuse<F>([](F* f) { f->AddSourceId(81); }, { "source id 81 ", "out of range" }),
-      Refuse<F>(evaluation(FarFromRelief),
-        { "evaluation point 1 of input port 2", "ProjectionTolerance" }) };
+      Refuse<F>(evaluation(FarFromRelief), { "evaluation point 1, at (", "ProjectionTolerance" }) };
 }
 
 Refusal RefuseNoSource()
 {
   using F = vtkSpectralAlgorithm;
-  return Refuse<F>([](F* f) { f->RemoveAllSources(); }, { "no source", "AddSourceId()" });
+  return Refuse<F>([](F* f) { f->RemoveAllSources(); }, { "no source", "SourceIds" });
 }
 
 std::vector<Refusal> RefuseGreens()
 {
   using F = vtkDiscreteGreensFunction;
-  return RefuseSources() +
-    RefuseValues(&F::SetRadius, { -1.0, NaN, Infinity }, { "Radius", "SetRadius()" }) +
+  return RefuseSources() + RefuseValues(&F::SetRadius, { -1.0, NaN, Infinity }, { "Radius" }) +
     RefuseValues(&F::SetResultArrayName, { nullptr }, { "ResultArrayName" }) +
     std::vector<Refusal>{ RefuseNoSource(),
       Refuse<F>(
@@ -180,7 +178,7 @@ std::vector<Refusal> RefuseBiharmonic()
           f->SetKindToDiffusion();
           f->SetMethodToExact();
         },
-        { "diffusion", "SetMethodToSpectrum()" }),
+        { "diffusion", "Set Method to Spectrum" }),
       Refuse<F>(time(-1.0), { "DiffusionTime" }), Refuse<F>(time(NaN), { "DiffusionTime" }) } +
     RefuseValues(&F::SetNumberOfEigenvalues, { 0 }, { "NumberOfEigenvalues" });
 }
@@ -206,7 +204,7 @@ std::vector<Refusal> RefuseSplines()
     std::vector<Refusal>{ Refuse<F>(
                             [](F* f) { f->AddSourceId(20); }, { "site 3 (vertex 20)", "site 0" }),
       Refuse<F>([](F* f) { f->SetRightHandSideArrayName("missing"); },
-        { "no point array 'missing'", "SetRightHandSideArrayName()" }),
+        { "no point array 'missing'", "RightHandSideArrayName" }),
       side([](vtkIdType i) { return i == 7 ? NaN : 0.0; }, 1, { "'f'", "point 7", "finite" }),
       side(
         [](vtkIdType i) { return i < 40 ? 1.7e308 : -1.7e308; }, 1, { "right-hand side", "1e290" }),
@@ -277,12 +275,12 @@ std::vector<Refusal> RefuseBiharmonicSplines()
       parts);
   };
   return { Refuse<F>([](F* f) { f->SetSiteValuesArrayName("missing"); },
-             { "no point array 'missing'", "SetSiteValuesArrayName()" }),
+             { "no point array 'missing'", "SiteValuesArrayName" }),
     value([](vtkIdType i) { return i == 24 ? NaN : 1.0; }, { "'v'", "point 24", "site" }),
     value([](vtkIdType i) { return i == 24 ? Infinity : 1.0; }, { "'v'", "point 24", "site" }),
     value([](vtkIdType i) { return i < 22 ? 1.7e308 : -1.7e308; }, { "too large" }), array(words),
     array(few), places(1, false, { "input port 1", "'v'" }),
-    places(2, true, { "site 4 is in the same place as site 3" }),
+    places(2, true, { "site 4 has the same position as site 3" }),
     Refuse<F>([](F* f) { f->AddSourceId(24); }, { "site 3 (vertex 24)", "site 1" }),
     Refuse<F>([](F* f) { f->SetInterpolationArrayName("Cell"); },
       { "InterpolationArrayName", "'Cell'", "different" }),
@@ -311,10 +309,10 @@ std::vector<Refusal> RefuseMovers()
   return RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
     RefuseValues(&F::SetTolerance, { -1.0, NaN }, { "Tolerance" }) +
     RefuseValues(&F::SetFromArrayName, { nullptr },
-      { "nothing to move from", "SetFromArrayName()", "input port 1" }) +
+      { "nothing to move from", "FromArrayName", "input port 1" }) +
     RefuseValues(
-      &F::SetToArrayName, { "" }, { "nothing to move to", "SetToArrayName()", "input port 2" }) +
-    RefuseValues(&F::SetToArrayName, { "else" }, { "no point array 'else'", "SetToArrayName()" }) +
+      &F::SetToArrayName, { "" }, { "nothing to move to", "ToArrayName", "input port 2" }) +
+    RefuseValues(&F::SetToArrayName, { "else" }, { "no point array 'else'", "ToArrayName" }) +
     std::vector<Refusal>{ RefuseMemoryLimit(1000),
       to([](vtkIdType i) { return i == 37 ? -1.0 : 1.0; }, 1, { "'to'", "point 37" }),
       to([](vtkIdType i) { return i == 37 ? NaN : 1.0; }, 1, { "'to'", "point 37" }),

@@ -153,7 +153,7 @@ TEST_F(ApolloniusIsolines, ValuesThatAreTooSteepForDistancesAreLinear)
   };
   scale(5.0);
   this->Isolines->GenerateValues(6, 2.75, 17.75);
-  ExpectWarning(this->Isolines, { "by more than their length", "linear" });
+  ExpectWarning(this->Isolines, { "by more than the length of the edge", "linear" });
   EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
   EXPECT_EQ(this->Isolines->GetOutput()->GetNumberOfLines(), 6);
   this->Isolines->SetMethodToLinear();
@@ -262,7 +262,7 @@ TEST_F(ApolloniusIsolines, WarnOfSourcesInLongTriangles)
   this->Distance->SetSourceIds({ 4 });
   this->Distance->GenerateVirtualSourceOn();
   this->Isolines->GenerateValues(6, 0.1, 2.0);
-  ExpectWarning(this->Isolines, { "covered by long triangles", "GenerateWindowsOn()" });
+  ExpectWarning(this->Isolines, { "covered by long triangles", "exact distances with windows" });
   this->Isolines->GenerateValues(3, 0.1, 2.0); // warned once for each mesh
   ExpectSuccess(this->Isolines);
   this->Distance->GenerateWindowsOn();

@@ -390,7 +390,7 @@ TEST_F(Blocks, WrongBlocks)
   const Listener listener(filter);
   filter->Update();
   ASSERT_EQ(listener.Errors.size(), 1u);
-  EXPECT_NE(listener.Errors[0].find("names point 100000"), std::string::npos);
+  EXPECT_NE(listener.Errors[0].find("refers to point 100000"), std::string::npos);
   EXPECT_EQ(GetBlock(filter, 0), nullptr);
   EXPECT_NE(filter->GetErrorCode(), 0u);
 }

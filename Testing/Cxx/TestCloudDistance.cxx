@@ -173,6 +173,6 @@ TEST_F(CloudDistance, VirtualSourcesNeedASurface)
   this->Connect(distance);
   distance->SetSourceIds({ 0 });
   distance->GenerateVirtualSourceOn();
-  ExpectError(distance, { "point cloud", "turn GenerateVirtualSource off" });
+  ExpectError(distance, { "point cloud", "Turn off GenerateVirtualSource" });
 }
 }

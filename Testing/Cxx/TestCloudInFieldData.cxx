@@ -105,7 +105,8 @@ TEST_F(CloudInFieldData, PointsThatMoved)
   EXPECT_EQ(this->Measure(this->Cloud)[0], 0.0);
   this->Cloud->GetPoints()->SetPoint(9, 0.5, 0.5, 0.0);
   this->Cloud->GetPoints()->Modified();
-  ExpectError(this->Distance, { "is out of date", "Run vtkPointCloudDGG on these points" });
+  ExpectError(this->Distance,
+    { "is out of date", "Compute the graph of these points with vtkPointCloudDGG" });
 }
 
 TEST_F(CloudInFieldData, CellsDoNotMatter)
@@ -165,7 +166,7 @@ TEST_F(CloudInFieldData, DamagedArrays)
       wrong->Fill(0.1);
       c->GetFieldData()->AddArray(wrong);
     },
-    { "DGG.Radii is of type float" });
+    { "DGG.Radii has the type float" });
   this->ExpectRefused([](vtkPolyData* c) { Get(c, "DGG.Radii")->SetNumberOfTuples(255); },
     { "DGG.Radii has 255 values" });
   // A surface is not used in place of the cloud, because its distances differ.

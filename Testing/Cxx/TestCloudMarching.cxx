@@ -116,7 +116,7 @@ TEST_F(CloudMarching, SourcesBesideTheCloud)
   // A source off the band: its distance from the closest point is added.
   const std::array<double, 3> high{ { 0.0, 0.0, 0.5 } };
   this->Filter->SetSourceData(MakeSourcePoints({ high }));
-  ExpectError(this->Filter, { "source point 0", "away from the cloud", "ProjectionTolerance" });
+  ExpectError(this->Filter, { "source 0, at (", "away from the cloud", "ProjectionTolerance" });
   this->Filter->SetProjectionTolerance(0.5);
   values = this->March();
   EXPECT_EQ(values[0], 0.5);
@@ -186,7 +186,7 @@ TEST_F(CloudMarching, FewPoints)
   EXPECT_NEAR(two[1], 1.0, 0.1);
   const Points part = MakeFlatPoints(20);
   this->Use(Join(part, Move(part, { { 1e10, 0.0, 0.0 } })));
-  ExpectError(this->Filter, { "too far apart", "each part on its own" });
+  ExpectError(this->Filter, { "too far apart", "process each part separately" });
 }
 
 TEST_F(CloudMarching, FromCloudToMeshAndBack)

@@ -192,7 +192,7 @@ TEST_F(CloudPath, PathsThatDoNotExist)
   this->Connect(path);
   path->AddPair(0, 200);
   path->AddPair(0, 100);
-  ExpectWarning(path, { "not connected by the graph of the cloud" });
+  ExpectWarning(path, { "No path in the graph of the cloud" });
   EXPECT_EQ(path->GetOutput()->GetNumberOfLines(), 1);
 }
 }

@@ -315,7 +315,7 @@ TEST_F(DGGDistance, InitialDistancesOfSourceIds)
   EXPECT_NE(os.str().find("SourceIds: 40 500 (from -0.25)\n"), std::string::npos) << os.str();
 
   this->Filter->SetSourceIds({ 40, 500 }, { 0.0, std::nan("") });
-  ExpectError(this->Filter, { "source id 500 (number 1", "initial distance nan", "finite" });
+  ExpectError(this->Filter, { "source id 500", "initial distance nan", "finite" });
   {
     const Listener listener(this->Filter);
     this->Filter->SetSourceIds({ 40, 500 }, { 0.0 });

@@ -247,7 +247,7 @@ TEST_F(DiscreteGeodesicGraph, AGraphOnTheInputIsPassedOn)
   // An outdated graph is replaced with a warning.
   surface->GetPoints()->SetPoint(0, 0.0, 0.0, 0.01);
   surface->GetPoints()->Modified();
-  ExpectWarning(this->Filter, { "the graph on the input is out of date", "new one" });
+  ExpectWarning(this->Filter, { "the graph on the input is out of date", "new graph" });
   this->Filter->Modified();
   ExpectSuccess(this->Filter); // reported only once
   EXPECT_EQ(
@@ -287,7 +287,7 @@ TEST_F(DiscreteGeodesicGraph, EstimatesReportWhatIsWrong)
   const Listener listener(this->Filter);
   EXPECT_EQ(this->Filter->EstimateMemory(), 0u);
   ASSERT_EQ(listener.Errors.size(), 1u);
-  EXPECT_NE(listener.Errors[0].find("there is no input"), std::string::npos);
+  EXPECT_NE(listener.Errors[0].find("There is no input"), std::string::npos);
 }
 
 TEST_F(DiscreteGeodesicGraph, APieceOfTheLinesIsRefusedAsWell)
@@ -305,7 +305,7 @@ TEST_F(DiscreteGeodesicGraph, APieceOfTheLinesIsRefusedAsWell)
     const Listener mute(tube);
     tube->UpdatePiece(0, 4, 0);
     ASSERT_EQ(listener.Errors.size(), 1u);
-    EXPECT_NE(listener.Errors[0].find("one of 4 pieces"), std::string::npos);
+    EXPECT_NE(listener.Errors[0].find("One of 4 pieces"), std::string::npos);
     EXPECT_NE(graph->GetErrorCode(), 0u);
     ExpectEmptyOutput(graph);
   }
@@ -340,7 +340,8 @@ TEST_F(DiscreteGeodesicGraph, LinesKeepToTheMemoryLimitAndCanBeStopped)
   ExpectSuccess(this->Filter);
   this->Filter->GenerateGraphLinesOn();
   this->Filter->SetMemoryLimit(1000);
-  ExpectError(this->Filter, { "as lines", "1000 bytes", "GenerateGraphLines off", "MemoryLimit" });
+  ExpectError(
+    this->Filter, { "as lines", "1000 bytes", "turn off GenerateGraphLines", "MemoryLimit" });
   this->Filter->SetMemoryLimit(0);
   ProgressWatch watch(this->Filter);
   watch.StopAt = 0.93; // the graph is kept; only the lines are generated

@@ -125,7 +125,7 @@ TYPED_TEST(DistanceArrays, AreThoseThatAreNamed)
   filter->SetInputData(surface);
 
   // The active scalars or other arrays are not used instead.
-  ExpectError(filter, { "'GeodesicDistance'", "'mine'", "'other'", "SetDistanceArrayName()" });
+  ExpectError(filter, { "'GeodesicDistance'", "'mine'", "'other'", "DistanceArrayName" });
   filter->SetDistanceArrayName("Mine");
   ExpectError(filter, { "'Mine'", "'mine'", "'other'" });
   filter->SetDistanceArrayName("mine");
@@ -165,7 +165,7 @@ TYPED_TEST(DistanceArrays, MayBeSetToBeProcessed)
   }
   // No other array is used instead.
   filter->SetInputArrayToProcess(0, 0, 0, points, "Mine");
-  ExpectError(filter, { "'Mine'", "'mine'", "'GeodesicDistance'", "SetInputArrayToProcess()" });
+  ExpectError(filter, { "'Mine'", "'mine'", "'GeodesicDistance'", "DistanceArrayName" });
 
   data->SetActiveScalars("mine");
   surface->Modified();

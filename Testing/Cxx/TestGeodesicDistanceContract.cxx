@@ -120,8 +120,7 @@ public:
     Memory,
     Exception,
     Other,
-    Status,
-    Size
+    Status
   };
   Fault Do = Fault::None;
 
@@ -146,8 +145,6 @@ private:
           throw 5;
         case Fault::Status:
           return dgg::Status::Invalid("the status says no");
-        case Fault::Size:
-          return dgg::Status::Success();
         case Fault::None:
           break;
       }
@@ -167,7 +164,7 @@ TEST(GeodesicDistanceContract, NothingIsThrownAcrossVTK)
   filter->AddSourceId(0);
   const std::vector<std::pair<Fault, const char*>> cases = { { Fault::Memory, "memory" },
     { Fault::Exception, "the engine stalled" }, { Fault::Other, "unexpected" },
-    { Fault::Status, "the status says no" }, { Fault::Size, "do not match" } };
+    { Fault::Status, "the status says no" } };
   for (const auto& faultAndText : cases)
   {
     filter->Do = faultAndText.first;

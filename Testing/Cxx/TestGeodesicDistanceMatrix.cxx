@@ -264,7 +264,7 @@ TEST_F(GeodesicDistanceMatrix, TheTableIsOptional)
   const std::vector<vtkIdType> many(10001, 3);
   this->Filter->SetRowIds({ 5 });
   this->Filter->SetColumnIds(many);
-  ExpectWarning(this->Filter, { "10001 columns", "GetMatrix()", "GenerateTableOff()" });
+  ExpectWarning(this->Filter, { "10001 columns", "GetMatrix()", "turn off GenerateTable" });
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfColumns(), 0);
   EXPECT_EQ(this->Filter->GetMatrix()->GetNumberOfComponents(), 10001);
   EXPECT_GT(this->Filter->GetMatrix()->GetComponent(0, 10000), 0.0);
@@ -339,7 +339,7 @@ TEST_F(GeodesicDistanceMatrix, CompressedRowsAreThePairsWithinTheDistance)
   }
   this->Filter->SetMaximumDistance(VTK_DOUBLE_MAX);
   this->Filter->SetMemoryLimit(20000);
-  ExpectError(this->Filter, { "the rows found so far", "fewer rows", "MemoryLimit" });
+  ExpectError(this->Filter, { "The matrix so far", "fewer rows", "MemoryLimit" });
 }
 
 TEST_F(GeodesicDistanceMatrix, MemoryLimitCountsTheTable)
@@ -349,7 +349,7 @@ TEST_F(GeodesicDistanceMatrix, MemoryLimitCountsTheTable)
   this->Filter->SetMemoryLimit(10000); // the graph exists
   this->Filter->SetRowIds(std::vector<vtkIdType>(40, 7));
   ExpectError(this->Filter,
-    { "40 rows and 40 columns and its table", "25 KiB", "9.766 KiB", "GenerateTable off",
+    { "40 rows and 40 columns with its table", "25 KiB", "9.766 KiB", "turn off GenerateTable",
       "MemoryLimit" });
   this->Filter->GenerateTableOff();
   ExpectError(this->Filter, { "40 rows and 40 columns", "12.5 KiB", "9.766 KiB", "MemoryLimit" });

@@ -180,7 +180,7 @@ TEST_F(GeodesicPatchBoundaries, LandmarksAsPoints)
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetOutput(1)->GetNumberOfLines(), 12);
   this->Filter->SetProjectionTolerance(1e-3);
-  ExpectError(this->Filter, { "first landmark point 0 of input port 2", "ProjectionTolerance" });
+  ExpectError(this->Filter, { "first landmark 0, at (", "ProjectionTolerance" });
 }
 
 TEST_F(GeodesicPatchBoundaries, LinesAndPatches)

@@ -138,7 +138,7 @@ TEST_F(GeodesicVoronoi, LabelsAlone)
   }
   this->Filter->SetInputData(MakePlateWithHole());
   this->Filter->SetSiteIds({ 0, 4 });
-  ExpectWarning(this->Filter, { "long triangles", "Turn Preview off" });
+  ExpectWarning(this->Filter, { "long triangles", "Turn off Preview" });
   this->Filter->CentroidalOn();
   ExpectError(this->Filter, { "Preview", "Centroidal" });
 }

@@ -58,8 +58,7 @@ protected:
     filter->SetAccuracy(Accuracy);
     filter->AddSourceId(40);
     filter->SetInputData(surface);
-    std::vector<std::string> all = { "the graph on the input", "It is not used",
-      "graph with Accuracy 0.05" };
+    std::vector<std::string> all = { "graph on the input", "graph with Accuracy 0.05 replaces it" };
     all.insert(all.end(), parts.begin(), parts.end());
     ExpectWarning(filter, all);
     EXPECT_FALSE(filter->GetUsedInputGraph());
@@ -309,7 +308,7 @@ TEST_F(GraphInFieldData, ArraysOfOtherTypes)
         array->SetName(name);
         data->AddArray(array);
       },
-      nameAndType.first + " is of type ");
+      nameAndType.first + " has the type ");
   }
   for (const std::string& name : GetGraphArrayNames())
   {
@@ -320,7 +319,7 @@ TEST_F(GraphInFieldData, ArraysOfOtherTypes)
         words->SetNumberOfValues(data->GetArray(name.c_str())->GetNumberOfTuples());
         data->AddArray(words);
       },
-      name + " is of type ");
+      name + " has the type ");
   }
   this->ExpectNoticed(
     [](vtkFieldData* data) {
@@ -329,7 +328,7 @@ TEST_F(GraphInFieldData, ArraysOfOtherTypes)
       array->SetNumberOfComponents(2);
       array->SetNumberOfTuples(size);
     },
-    "DGG.Angles is of type float with 2 components");
+    "DGG.Angles has the type float with 2 components");
   this->ExpectNoticed(
     [](vtkFieldData* data) {
       vtkNew<vtkSOADataArrayTemplate<float>> array; // not contiguous
@@ -337,7 +336,7 @@ TEST_F(GraphInFieldData, ArraysOfOtherTypes)
       array->SetName("DGG.Lengths");
       data->AddArray(array);
     },
-    "DGG.Lengths is ");
+    "DGG.Lengths has the type");
 }
 
 TEST_F(GraphInFieldData, AlteredValues)

@@ -114,9 +114,8 @@ TEST_F(IsolineOutputs, RidgesOfFittedSourcesAreNotReliedOn)
   this->Distance->SetSourceIds({ 4 * 9 + 2, 4 * 9 + 5 });
   this->Distance->GenerateWindowsOff();
   this->Isolines->GenerateRidgesOn();
-  ExpectWarning(this->Isolines,
-    { "ridges", "fitted", "GenerateWindowsOn() of vtkExactGeodesicDistance",
-      "GenerateVirtualSourceOn() of it or of vtkDGGDistance" });
+  ExpectWarning(
+    this->Isolines, { "ridges", "fitted", "Turn on GenerateWindows", "GenerateVirtualSource" });
   EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
   this->Isolines->GenerateRidgesOff();
   ExpectSuccess(this->Isolines);

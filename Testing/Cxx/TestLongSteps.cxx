@@ -94,7 +94,7 @@ TEST(LongSteps, TheFirstErrorCounts)
         return step < 7 ? dgg::Status::Success()
                         : dgg::Status::Invalid("step " + std::to_string(step));
       });
-    EXPECT_EQ(status.GetMessage(), "step 7");
+    EXPECT_EQ(status.GetProblem(), "step 7");
     EXPECT_THROW(dgg::ForEach(50, 1, DGGMakeParallelFor(goOn), goOn,
                    [](std::size_t step, const dgg::ProgressCallback&) -> dgg::Status {
                      if (step == 9)

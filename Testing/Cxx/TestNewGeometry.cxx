@@ -180,7 +180,7 @@ TEST_P(NewGeometry, OutOfTheRangeOfFloats)
     }
     this->Run(filter, VTK_DOUBLE);
     filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
-    ExpectError(filter, { "OutputPointsPrecision is single", "DOUBLE_PRECISION" });
+    ExpectError(filter, { "OutputPointsPrecision is single", "to double" });
     filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
     this->Run(filter, VTK_DOUBLE);
   }

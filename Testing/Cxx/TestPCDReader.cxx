@@ -166,7 +166,7 @@ const FileCase Cases[] = {
   { "text", TextHeader + "0 0 0x1\n0 0 0\n", "line 12: *'z' of point 0: '0x1'" },
   { "text", TextHeader + "0 0 1,5\n0 0 0\n", "line 12: *'1,5' is not a number" },
   { "text", TextHeader + "0 0 1e39\n0 0 0\n", "line 12: *'1e39' is out of range" },
-  { "text", TextHeader + "0.5 0\n0 0 0\n", "line 12: point 0 has 2 values, expected 3" },
+  { "text", TextHeader + "0.5 0\n0 0 0\n", "line 12: point 0 has 2 values. Expected 3" },
   { "text", TextHeader + "0 0 0 0\n0 0 0\n", "line 12: point 0 has more than 3 values" },
   { "text", TextHeader + "0 0 0 0 0 0\n", "line 12: point 0 has more than 3 values" },
   { "text", TextHeader + "0 0 0\n\n0.25 0.25", "line 14: point 1 has 2 values", Premature },
@@ -180,10 +180,10 @@ const FileCase Cases[] = {
   { "text", WithByte + "0 0 0 nan\n", "'nan' is not an integer" },
   { "text", WithSignedByte + "0 0 0 128\n", "'128' is out of" },
   { "height alone", PCDLines{ "x y z", "4 4 4", "F F F", "1 1 1", "", "2" }.Format() + TwoLines,
-    "HEIGHT without WIDTH" },
+    "HEIGHT is given without WIDTH" },
   { "no number of points", "FIELDS x y z\nDATA ascii\n" + TwoLines, "neither WIDTH nor POINTS" },
   { "line twice", "FIELDS x y z\nFIELDS x y z\nPOINTS 2\nDATA ascii\n" + TwoLines,
-    "line 2: a second FIELDS" },
+    "line 2: the header has a second FIELDS" },
   { "columns and fields", "FIELDS x y z\nCOLUMNS x y z\nPOINTS 2\nDATA ascii\n" + TwoLines,
     "both FIELDS and COLUMNS" },
   { "unknown keyword", "VERSION 0.7\nFIELDS x y z\nUNITS m\nPOINTS 2\nDATA ascii\n" + TwoLines,
@@ -203,8 +203,8 @@ const FileCase Cases[] = {
   { "compressed", CompressedHeader + Sizes(4294967295u, 24) + "12345678",
     CompressedAt + "4294967295 bytes*but 8 follow", Premature },
   { "compressed", CompressedHeader + Sizes(8, 25) + "12345678",
-    CompressedAt + "the compressed data promise 25 bytes, which are not 2 points of 12 bytes" },
-  { "compressed", CompressedHeader + Sizes(8, 0) + "12345678", "promise 0 bytes" },
+    CompressedAt + "the compressed data declare 25 bytes, which are not 2 points of 12 bytes" },
+  { "compressed", CompressedHeader + Sizes(8, 0) + "12345678", "declare 0 bytes" },
   { "literal too long", CompressedHeader + Sizes(3, 24) + "\x1F" + "ab", Damaged },
   { "no past", CompressedHeader + Sizes(2, 24) + std::string("\x20\x00", 2), Damaged },
   { "no distance", CompressedHeader + Sizes(1, 24) + "\x20", Damaged },
@@ -227,22 +227,22 @@ const struct
 } HeaderCases[] = {
   { &PCDLines::Fields, "x y a", "line 3: *no field 'z'" },
   { &PCDLines::Fields, "a b c", "line 3: *no field 'x'" },
-  { &PCDLines::Fields, "x y x", "line 3: two fields 'x'" },
+  { &PCDLines::Fields, "x y x", "line 3: there are two fields 'x'" },
   { &PCDLines::Fields, "", "no FIELDS" },
-  { &PCDLines::Fields, " ", "line 3: no FIELDS" },
-  { &PCDLines::Fields, "x y z i", "line 4: SIZE has 3 values, expected 4" },
-  { &PCDLines::Size, "4 4", "line 4: SIZE has 2 values, expected 3" },
+  { &PCDLines::Fields, " ", "line 3: the header has no FIELDS" },
+  { &PCDLines::Fields, "x y z i", "line 4: SIZE has 3 values. Expected 4" },
+  { &PCDLines::Size, "4 4", "line 4: SIZE has 2 values. Expected 3" },
   { &PCDLines::Size, "4 4 2", "line 4: SIZE '2' of the field 'z' is not one of TYPE 'F'*4 or 8" },
   { &PCDLines::Size, "4 -4 4", "line 4: SIZE '-4'*'y'" },
   { &PCDLines::Size, "4 4 0", "line 4: SIZE '0'" },
   { &PCDLines::Size, "4 4 4.0", "line 4: SIZE '4.0'" },
   { &PCDLines::Size, "4 4 99999999999999999999", "line 4: SIZE '999" },
-  { &PCDLines::Size, "", "TYPE without SIZE" },
-  { &PCDLines::Type, "", "SIZE without TYPE" },
-  { &PCDLines::Type, "F F", "line 5: TYPE has 2 values, expected 3" },
+  { &PCDLines::Size, "", "TYPE is given without SIZE" },
+  { &PCDLines::Type, "", "SIZE is given without TYPE" },
+  { &PCDLines::Type, "F F", "line 5: TYPE has 2 values. Expected 3" },
   { &PCDLines::Type, "F F D", "line 4: SIZE '4' of the field 'z' is not one of TYPE 'D'" },
   { &PCDLines::Type, "F F FF", "is not one of TYPE 'FF'" },
-  { &PCDLines::Count, "1 1", "line 6: COUNT has 2 values, expected 3" },
+  { &PCDLines::Count, "1 1", "line 6: COUNT has 2 values. Expected 3" },
   { &PCDLines::Count, "1 1 0", "line 6: COUNT '0' of the field 'z' is not a positive number" },
   { &PCDLines::Count, "1 1 -1", "line 6: COUNT '-1'" },
   { &PCDLines::Count, "1 1 2", "line 3: *'z' has 2 values per point" },
@@ -250,20 +250,20 @@ const struct
   { &PCDLines::Width, "3", "line 10: POINTS 2*WIDTH 3" },
   { &PCDLines::Width, "-2", "line 7: WIDTH '-2'" },
   { &PCDLines::Width, "two", "line 7: WIDTH 'two' is not a number of points" },
-  { &PCDLines::Width, "2 2", "line 7: WIDTH has 2 values, expected 1" },
+  { &PCDLines::Width, "2 2", "line 7: WIDTH has 2 values. Expected 1" },
   { &PCDLines::Width, " ", "line 7: WIDTH*0 values" },
   { &PCDLines::Width, "99999999999999999999", "line 7: WIDTH '999" },
   { &PCDLines::Height, "2", "line 10: POINTS 2*HEIGHT 2" },
   { &PCDLines::Height, "9223372036854775807", "line 7: *too large" },
   { &PCDLines::Points, "5", "line 10: POINTS 5" },
   { &PCDLines::Points, "-1", "line 10: POINTS '-1'" },
-  { &PCDLines::Viewpoint, "0 0 0", "line 9: VIEWPOINT has 3 values, expected 7" },
+  { &PCDLines::Viewpoint, "0 0 0", "line 9: VIEWPOINT has 3 values. Expected 7" },
   { &PCDLines::Viewpoint, "0 0 0 1 0 0 up", "line 9: VIEWPOINT 'up' is not a finite number" },
   { &PCDLines::Viewpoint, "0 0 nan 1 0 0 0", "line 9: VIEWPOINT 'nan'" },
-  { &PCDLines::Data, "text", "line 11: DATA" },
-  { &PCDLines::Data, "ascii binary", "line 11: DATA" },
-  { &PCDLines::Data, " ", "line 11: DATA" },
-  { &PCDLines::Data, "binary_compress", "line 11: DATA" },
+  { &PCDLines::Data, "text", "line 11: the value of DATA" },
+  { &PCDLines::Data, "ascii binary", "line 11: the value of DATA" },
+  { &PCDLines::Data, " ", "line 11: the value of DATA" },
+  { &PCDLines::Data, "binary_compress", "line 11: the value of DATA" },
 };
 
 TEST_F(PCDReader, ReadsOrRefuses)
@@ -345,8 +345,9 @@ TEST_F(PCDReader, RefusesHeadersOfManyFields)
   [[maybe_unused]] const long before = GetPeak();
   const auto code = vtkErrorCode::FileFormatError;
   const std::string end = "\nPOINTS 0\nDATA ascii\n";
-  this->ExpectRefused("FIELDS x y z" + many + end, code, { "line 1: more than 10000 fields" });
-  this->ExpectRefused(endless + end, code, { "line 1: more than 10000" });
+  this->ExpectRefused(
+    "FIELDS x y z" + many + end, code, { "line 1: the header has more than 10000 fields" });
+  this->ExpectRefused(endless + end, code, { "line 1: the header has more than 10000" });
   this->ExpectRefused(endless, Premature, { "before the line DATA" });
 #ifndef __SANITIZE_ADDRESS__ // it retains released memory
   EXPECT_LT(GetPeak() - before, 5 * static_cast<long>(endless.size() / 1024));
@@ -376,7 +377,7 @@ TEST_F(PCDReader, AllocatesNothingForEmptyPromises)
   // Few points, but huge ones.
   this->ExpectRefused(
     Fields("x y z h", "4 4 4 8", "F F F F", "1 1 1 100000000", "ascii") + "0 0 0\n", Premature,
-    { "promised" });
+    { "declared" });
   EXPECT_LT(GetPeak() - before, 30000);
 }
 

@@ -82,7 +82,7 @@ TEST_F(PointCloudDGG, NoPointIsFinite)
     path->SetStraighten(smooth);
     path->AddPair(0, 1);
     path->AddPair(2, 2); // not connected to itself either
-    ExpectWarning(path, { "2 of 2 pairs", "not connected by the graph of the cloud" });
+    ExpectWarning(path, { "2 of 2 pairs", "No path in the graph of the cloud" });
     EXPECT_EQ(path->GetOutput()->GetNumberOfLines(), 0);
     vtkDataArray* status = path->GetOutput()->GetFieldData()->GetArray("PathStatus");
     ASSERT_NE(status, nullptr);
@@ -104,7 +104,7 @@ TEST_F(PointCloudDGG, Outliers)
     ExpectSuccess(path);
     const double length = GetLength(path);
     this->Use(Join(clean, { { { 1e6, 0.5e6, -1e6 } } }));
-    ExpectWarning(this->Filter, { "1 point that is more than 1000 times as far off" });
+    ExpectWarning(this->Filter, { "1 point that is more than 1000 times as far away" });
     EXPECT_EQ(this->Filter->GetNumberOfOutliers(), 1);
     EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
     EXPECT_EQ(GetComponents(this->GetOutput())[600], 1);
@@ -117,7 +117,7 @@ TEST_F(PointCloudDGG, WarnsOfPointsOnNoSurface)
 {
   this->Use(MakeVolumePoints(1500));
   ExpectWarning(this->Filter,
-    { "% of the points do not lie on a surface", "times their spacing", "Thin the cloud out" });
+    { "% of the points do not lie on a surface", "times their spacing", "Thin the cloud" });
   EXPECT_GT(this->Filter->GetOffSurfaceShare(), 0.5);
   EXPECT_GT(this->Filter->GetScatter(), 1.0);
 }
@@ -133,8 +133,8 @@ TEST_F(PointCloudDGG, WarnsOfNoiseThatIsLargeBesideTheShape)
   }
   this->Use(points);
   ExpectWarning(this->Filter,
-    { "the noise of the points", "of the radius at which the surface typically bends",
-      "distances may be wrong by 1 % or more", "less noisy" });
+    { "the noise of the points", "of the typical radius of curvature",
+      "distances may be off by 1 % or more", "less noise" });
   EXPECT_GT(this->Filter->GetNoiseByRadius(), 0.07);
 }
 
@@ -168,10 +168,11 @@ TEST_F(PointCloudDGG, ExtentsOutOfRange)
     for (const double scale : { 1e-320, 1e-200, 1e200, 1e308 })
     {
       this->Use(Scale(part, scale));
-      ExpectError(this->Filter, { "scale them" });
+      ExpectError(this->Filter, { "Scale" });
     }
     this->Use(Join(part, Move(part, { { 1e9, 0.0, 0.0 } })));
-    ExpectError(this->Filter, { "too far apart", "1e+09 from the middle", "each part on its own" });
+    ExpectError(
+      this->Filter, { "too far apart", "1e+09 from the center", "process each part separately" });
   }
 }
 }

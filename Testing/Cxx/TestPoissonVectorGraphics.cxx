@@ -132,7 +132,7 @@ TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
   // Only the last column is refined: triangles of other columns are not smaller than before.
   drawing.Filter->SetRefinementLevel(1);
   drawing.Filter->SetRefinementRegionToCells();
-  ExpectError(drawing.Filter, { "'Refine'", "SetRefinementArrayName()" });
+  ExpectError(drawing.Filter, { "'Refine'", "RefinementArrayName" });
   for (double& cell : cells)
   {
     cell = cell == 5.0 ? 1.0 : 0.0;

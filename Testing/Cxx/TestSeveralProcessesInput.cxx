@@ -206,14 +206,14 @@ TEST_F(SeveralProcesses, ErrorsOfOneProcess)
       bad->GetPoints()->SetPoint(0, std::nan(""), 0.0, 0.0);
     }
     filter->SetInputData(bad);
-    expectError(isMissing ? "names point 1000000" : "not finite");
+    expectError(isMissing ? "refers to point 1000000" : "not finite");
   }
   filter->SetInputData(part);
   filter->SetGatherLimit(100);
-  expectError("GatherLimit is 100");
+  expectError("GatherLimit of 100");
   filter->SetGatherLimit(1000000);
   filter->SetMemoryLimit(1000);
-  expectError("gathering the pieces");
+  expectError("Gathering the pieces");
   filter->SetMemoryLimit(0);
   filter->SetProjectionTolerance(-1.0);
   expectError("ProjectionTolerance");

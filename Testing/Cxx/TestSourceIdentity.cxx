@@ -288,7 +288,7 @@ TEST(SourceFaces, ThreeCoordinatesAreNeeded)
   filter->SetInputData(surface);
   filter->SetSourceData(points);
   ExpectError(
-    filter, { "FaceId and Barycentric of input port 1 must be numeric, with 1 and 3 components" });
+    filter, { "FaceId and Barycentric of input port 1 are not numeric with 1 and 3 components" });
 }
 
 TEST(SourceFaces, OutputsIdentifyTheirPoints)

@@ -174,7 +174,7 @@ TEST_P(SurfaceContract, RecoversFromErrors)
     const Listener listener(filter);
     filter->UpdatePiece(0, 2, 0);
     ASSERT_EQ(listener.Errors.size(), 1u);
-    EXPECT_NE(listener.Errors[0].find("one of 2 pieces"), std::string::npos);
+    EXPECT_NE(listener.Errors[0].find("One of 2 pieces"), std::string::npos);
     ExpectEmptyOutput(filter);
     filter->UpdatePiece(0, 1, 0);
     EXPECT_EQ(listener.Errors.size(), 1u);
@@ -294,7 +294,7 @@ TYPED_TEST(GraphFilters, TakeTheGraphOnTheirInputOrBuildOne)
   EXPECT_TRUE(this->Filter->GetUsedInputGraph());
   EXPECT_EQ(DescribeOutputs(this->Filter, false), expected);
   this->Filter->SetAccuracy(0.01);
-  ExpectWarning(this->Filter, { "Accuracy 0.01 is asked for" });
+  ExpectWarning(this->Filter, { "Accuracy is 0.01" });
   this->Filter->AcceptCoarserGraphOn();
   this->Filter->SetAccuracy(0.02);
   ExpectSuccess(this->Filter);

@@ -113,7 +113,7 @@ dgg::CloudGraphEstimate Predict(const Cloud& cloud, const dgg::CloudGraphOptions
 std::string GetRefusal(const Cloud& cloud, const dgg::CloudGraphOptions& options)
 {
   dgg::CloudGraph graph;
-  return MakeBuilder(cloud).Build(options, graph).GetMessage();
+  return dgg::Render(MakeBuilder(cloud).Build(options, graph).GetMessage());
 }
 
 dgg::CloudGraph BuildGraph(const Cloud& cloud,

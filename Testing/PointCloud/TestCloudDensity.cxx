@@ -179,15 +179,14 @@ TEST(CloudDensity, RefusedBandsAreReportedInNumbers)
     return GetRefusal(cloud, options);
   };
   const std::string given = build(4000, 50U << 20);
-  for (const char* text : { "4000 along the longest side as Resolution says", "of size 0.000",
-         "GiB, more than the limit of 50 MiB", "use a Resolution below 4000",
-         "set a higher MemoryLimit" })
+  for (const char* text : { "4000 voxels along the longest side", "of size 0.000",
+         "GiB, more than the limit of 50 MiB", "Use a Resolution below 4000", "raise MemoryLimit" })
   {
     EXPECT_NE(given.find(text), std::string::npos) << text << " in: " << given;
   }
   const std::string automatic = build(0, 400U << 10);
-  for (const char* text : { "as Resolution is automatic", "more than the limit of 400 KiB",
-         "set a Resolution below ", "from each other" })
+  for (const char* text :
+    { "40 (automatic) voxels", "more than the limit of 400 KiB", "Use a Resolution below " })
   {
     EXPECT_NE(automatic.find(text), std::string::npos) << text << " in: " << automatic;
   }

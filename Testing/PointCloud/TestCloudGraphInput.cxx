@@ -311,7 +311,7 @@ TEST(CloudGraphInput, PartsThatAreFarApartHaveTheirDigits)
     CloudGraph refused;
     const dgg::Status status = MakeBuilder(cloud).Build(options, refused);
     EXPECT_FALSE(status.IsOk()) << off;
-    EXPECT_NE(status.GetMessage().find("too far apart for the digits"), std::string::npos);
+    EXPECT_NE(status.GetMessage().find("too far apart for the precision"), std::string::npos);
     EXPECT_EQ(status.GetMessage().find("esolution"), std::string::npos) << status.GetMessage();
   }
 }

@@ -88,7 +88,7 @@ TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
     options.MemoryLimit = limit;
     return GetRefusal(cloud, options);
   };
-  const std::string before = "what has to be known";
+  const std::string before = "The preparation of the points";
   std::size_t low = 1;
   std::size_t high = 1000000;
   ASSERT_NE(refusal(low).find(before), std::string::npos);
@@ -100,9 +100,9 @@ TEST(CloudGraph, LimitsMayLeaveNextToNothingForTheBand)
   for (std::size_t limit = high; limit < high + 5; ++limit)
   {
     const std::string message = refusal(limit);
-    EXPECT_NE(message.find("the band of voxels"), std::string::npos) << message;
+    EXPECT_NE(message.find("with a band of"), std::string::npos) << message;
     // The suggested remedy is possible.
-    EXPECT_NE(message.find("set a Resolution below "), std::string::npos) << message;
+    EXPECT_NE(message.find("Use a Resolution below "), std::string::npos) << message;
   }
 }
 
@@ -157,10 +157,10 @@ TEST(CloudGraph, RefusesRowsThatDoNotFit)
   CloudGraphOptions options;
   options.Alpha = 1e6;
   options.MemoryLimit = 200000;
-  ASSERT_NE(GetRefusal(cloud, options).find("what has to be known"), std::string::npos);
+  ASSERT_NE(GetRefusal(cloud, options).find("The preparation of the points"), std::string::npos);
   const auto isBefore = [](const std::string& message) {
-    return message.find("what has to be known") != std::string::npos ||
-      message.find("the band of voxels") != std::string::npos;
+    return message.find("The preparation of the points") != std::string::npos ||
+      message.find("with a band of") != std::string::npos;
   };
   while (isBefore(GetRefusal(cloud, options)))
   {
@@ -168,6 +168,6 @@ TEST(CloudGraph, RefusesRowsThatDoNotFit)
   }
   const MemoryProbe probe;
   const std::string message = GetRefusal(cloud, options);
-  EXPECT_NE(message.find("building the graph of the cloud"), std::string::npos) << message;
+  EXPECT_NE(message.find("Building the graph of the cloud"), std::string::npos) << message;
   EXPECT_LE(probe.GetHeapPeak(), options.MemoryLimit);
 }

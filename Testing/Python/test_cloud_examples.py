@@ -140,7 +140,7 @@ class DemoOnClouds(unittest.TestCase):
             ((empty,), "empty.xyz: the file has no points"),
             ((unfinite,), "none of its points is finite"),
             ((bad,), "line 2: 'x' is not a number"),
-            ((short,), "line 3: 2 numbers, expected"),
+            ((short,), "line 3: the line has 2 numbers"),
             ((garbage,), "garbage.pcd: line 1: "),
             ((good, "--source", "9,9,9"), "or raise --tolerance"),
             ((good, "--accuracy", "0.01"), "--accuracy applies to meshes"),

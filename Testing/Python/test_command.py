@@ -56,8 +56,8 @@ MISTAKES = (
     ("distance MESH --sources 0,5,", "--sources '': expected a point id"),
     ("info", "file"),
     ("info missing.ply", "missing.ply: no such file"),
-    ("info CUT", "error: .*cut.ply: line 4: the header promises 642 records"),
-    ("info PROGRAM", "test_command.py: unknown extension '.py'; known are .gii .obj"),
+    ("info CUT", "error: .*cut.ply: line 4: the header declares 642 records"),
+    ("info PROGRAM", "test_command.py: unknown extension '.py'; expected one of .gii .obj"),
     ("info FOLDER", "expected a file, got a folder"),
     ("info DEVICE", "expected a file, got a device"),
     ("distance MESH", "--source"),
@@ -78,9 +78,9 @@ MISTAKES = (
     ("graph MESH --accuracy 2", "--accuracy: expected a number in .* got 2"),
     ("graph MESH --cloud --merge", "--merge applies to meshes"),
     ("path MESH 0 3 --accuracy 2", "--accuracy: expected a number"),
-    ("path MESH 9,9,9 3", r"error: start, at \(9, 9, 9\), is 14"),
-    ("path MESH 3 9,9,9", r"error: end, at \(9, 9, 9\), is 14"),
-    ("loop MESH --through 9,9,9", r"error: loop point 0, at \(9, 9, 9\), is 14"),
+    ("path MESH 9,9,9 3", r"error: Start of pair 0, at \(9, 9, 9\), is 14"),
+    ("path MESH 3 9,9,9", r"error: End of pair 0, at \(9, 9, 9\), is 14"),
+    ("loop MESH --through 9,9,9", r"error: Loop point 0, at \(9, 9, 9\), is 14"),
     ("loop MESH --rope", "--through"),
     ("matrix MESH --source 0 --targets face:3:1,0,0 --out m.csv", "--targets face:3:1: expected a"),
     ("matrix MESH --sources 0 --targets 642 --out m.csv", "--targets 642"),
@@ -344,7 +344,7 @@ class Command(support.Test):
             found = json.loads(result.stdout, parse_constant=refuse)
             if asked[0] == "sample":
                 self.assertIsNone(found["covering radius"])
-                self.assertIn("Raise --number", found["warnings"][-1])
+                self.assertIn("larger --number", found["warnings"][-1])
 
     def test_without_arguments(self):
         result = command()
@@ -354,12 +354,12 @@ class Command(support.Test):
     def test_notes_name_options(self):
         points, triangles = support.grid(3, 3)
         for name, mesh, asked, pattern in (
-            ("seam", [points, points + [3, 0, 0]], "distance --source 0", "slit, add --merge"),
-            ("parts", [points, points + [9, 0, 0]], "sample --number 1", "Raise --number"),
+            ("seam", [points, points + [3, 0, 0]], "distance --source 0", "Turn on --merge if"),
+            ("parts", [points, points + [9, 0, 0]], "sample --number 1", "larger --number"),
             ("one", [points], "sample --number 99", "subdivide the surface."),
-            ("one", [points], "greens --source 5", "refine the mesh there"),
-            ("long", [points * [1, 20, 1]], "isolines --source 5", "Use --method exact, or remesh"),
-            ("long", [points * [1, 20, 1]], "distance --source 5 --method fast", "exact or --m"),
+            ("one", [points], "greens --source 5", "Refine the mesh there"),
+            ("long", [points * [1, 20, 1]], "isolines --source 5", "exact distances with wind"),
+            ("long", [points * [1, 20, 1]], "distance --source 5 --method fast", "distances or a graph"),
         ):
             path = out(f"{name}.off")
             cells = np.vstack([triangles + 16 * i for i in range(len(mesh))])

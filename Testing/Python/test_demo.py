@@ -140,7 +140,7 @@ class Demo(unittest.TestCase):
         self.assertGreater(arrays["ExactDistance"][4], 0.0)
         self.assertRegex(table(result)["too"], r"near +1 point within \S+e-07 of the source")
         self.assertIn("2 triangles without area, 2 coincident points", table(result)["defects"])
-        self.assertIn("add --merge", result.stdout)
+        self.assertIn("Turn on --merge", result.stdout)
 
     def test_unreached_points(self):
         # Two triangles without a common point.
@@ -162,7 +162,7 @@ class Demo(unittest.TestCase):
         vtkdgg.write(path, support.polydata(*support.two_squares([1.0, 0.0, 0.0])))
         result, arrays = self.demo("seam", path, "--source", 0)
         self.assertEqual(np.isnan(arrays["GeodesicDistance"]).sum(), 4)
-        self.assertEqual(result.stdout.count("add --merge"), 1)
+        self.assertEqual(result.stdout.count("Turn on --merge"), 1)
         result, arrays = self.demo("merged", path, "--source", 0, "--merge")
         np.testing.assert_allclose(arrays["GeodesicDistance"][7], np.sqrt(5.0), rtol=0.01)
         np.testing.assert_allclose(arrays["ExactDistance"][7], np.sqrt(5.0), rtol=1e-12)

@@ -69,7 +69,7 @@ class Distance(support.Test):
         self.assertTrue(np.isnan(self.distance(0, maximum_distance=2.5)[-1]))
         self.check_equal(self.distance(0, maximum_distance=np.inf), expected)
         above = [[2.0, 1.0, 0.5]]
-        pattern = "projection_tolerance 0.01 .* or raise projection_tolerance"
+        pattern = "`projection_tolerance` 0.01 .* or raise `projection_tolerance`"
         for accuracy in (None, 0.01):
             options = {"accuracy": accuracy}
             self.refuse(
@@ -98,7 +98,7 @@ class Distance(support.Test):
 
     def test_seams_and_gaps(self):
         points, triangles = support.two_squares([1.0, 0.0, 0.0])
-        with self.assertWarnsRegex(RuntimeWarning, "set merge_coincident_points=True"):
+        with self.assertWarnsRegex(RuntimeWarning, "Turn on `merge_coincident_points`"):
             self.assertTrue(np.isnan(vtkdgg.distance(points, triangles, 0)[7]))
         merged = {"merge_coincident_points": True}
         for accuracy in (None, 0.01):
@@ -107,7 +107,7 @@ class Distance(support.Test):
         points, triangles = support.grid(1, 1)
         points = np.vstack([points, points + [1.0 + 1e-7, 0.0, 0.0], points + [2.0, 1e-7, 0.0]])
         triangles = np.vstack([triangles, triangles + 4, triangles + 8])
-        pattern = "4 of 12 points .* merge_coincident_points=True, and a merge_tolerance of 1e-06"
+        pattern = "4 of 12 points .* Turn on `merge_coincident_points` with a `merge_tolerance` of 1e-06"
         with self.assertWarnsRegex(RuntimeWarning, pattern):
             self.assertTrue(np.isnan(vtkdgg.distance(points, triangles, 0)[4]))
         merged["merge_tolerance"] = 1e-6

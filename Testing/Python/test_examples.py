@@ -226,7 +226,7 @@ MISTAKES = {
         (("missing.ply", "."), "missing.ply"),
         ((BUMPY, ".", "other"), "'other' is none of the pictures"),
     ),
-    "graph_csr.py": (((BUMPY, 642), "source id 642"),),
+    "graph_csr.py": (((BUMPY, 642), "Source id 642"),),
     "graph_pipeline.py": (
         ((), "Usage"),
         (("missing.ply", 0, 1, "x.png"), "missing.ply"),

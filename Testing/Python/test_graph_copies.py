@@ -117,7 +117,7 @@ class FromPolydata(support.Test):
 
         damaged, other = "graph on the mesh is damaged: .*", "DGG.Info of another version, or is d"
         for damage, pattern in (
-            (put("DGG.Lengths", 100, 0.5), damaged + "checksum is wrong.*a text file that rounds"),
+            (put("DGG.Lengths", 100, 0.5), damaged + "checksum is wrong.*A text file that rounds"),
             (put("DGG.Targets", 100, -1), damaged + "leads to vertex -1"),
             (lambda fields: fields.RemoveArray("DGG.Angles"), damaged + "DGG.Angles is missing"),
             (put("DGG.Info", 1, 2), damaged + "its kind is 2"),

@@ -125,7 +125,7 @@ class Meshes(support.Test):
                 wrong = (file,), "file.ply: no such file"
                 self.refuse(call, wrong, error=FileNotFoundError)
         self.refuse(vtkdgg.path, ((MESHES["trimesh"], 0), "end: missing"))
-        wrong = (Mesh(points=POINTS), 0), r"vtkPointCloudDGG makes \(vtkdgg.CloudGraph"
+        wrong = (Mesh(points=POINTS), 0), r"Python: vtkdgg.CloudGraph"
         self.refuse(vtkdgg.distance, wrong, error=vtkdgg.VTKError)
 
     def test_scenes(self):

@@ -119,7 +119,7 @@ class OnABumpySphere(support.Test):
             ((642,), "rows: point id 642"),
             ((0, []), "columns: expected at least one"),
         )
-        far = (0, [[0.0, 0.0, 5.0]]), "column point 0"
+        far = (0, [[0.0, 0.0, 5.0]]), "Column 0"
         self.refuse(self.graph.matrix, far, error=vtkdgg.VTKError)
         graph = vtkdgg.Graph(*support.grid(9, 7), accuracy=0.5, memory_limit=2**20)
         many = np.zeros(1000, dtype=int)
@@ -252,7 +252,7 @@ class OnABumpySphere(support.Test):
             ((5, "x"), "values"),
             ((5, [np.nan]), "values"),
             ((5, None), "values"),
-            ((5, -3), "values: expected a number of isolines, got -3"),
+            ((5, -3), "values: expected a non-negative number of isolines, got -3"),
             ((5, []), "values: expected at least one, got none"),
             ((5, 10**9), "values: expected at most 10000, got 1000000000"),
         )
@@ -292,7 +292,7 @@ class Ends(support.Test):
         ends += (([0.5, 0.5, 0.0], 8),)  # a position on the surface, but not connected with it
         for find in (lambda *ends: vtkdgg.path(*mesh, *ends), graph.path):
             self.refuse(find, *((pair, "not connected by the surface") for pair in ends))
-        with self.assertWarnsRegex(RuntimeWarning, "not connected"):
+        with self.assertWarnsRegex(RuntimeWarning, "No path on the surface"):
             found = graph.paths([0, 0, 4], [3, 5, 7])
         self.assertIsNone(found[1])
         np.testing.assert_allclose([found[0].length, found[2].length], np.sqrt(2.0))
@@ -306,7 +306,7 @@ class Ends(support.Test):
         self.assertAlmostEqual(path.length, np.sqrt(5.0), delta=1e-12)
         path = vtkdgg.path(*mesh, 4, [0.0, 0.0, 0.0], merge_coincident_points=True)
         self.assertEqual(path.point_ids[0], 1)  # the first of both
-        pattern = "not connected .* merge_coincident_points"
+        pattern = "not connected .*merge_coincident_points"
         self.refuse(vtkdgg.path, ((*mesh, 0, 7), pattern))
 
     def test_mistakes(self):
@@ -327,9 +327,9 @@ class Ends(support.Test):
                 ((0, [0, 0, np.nan]), "end: row 0 is not finite"),
             )
         far = [1.0, 1.0, 1.0]
-        wrong = ([[0.0, 0.0, 0.0], far], 0), "start 1, at .*projection_tolerance"
+        wrong = ([[0.0, 0.0, 0.0], far], 0), "Start of pair 1, at .*projection_tolerance"
         self.refuse(graph.paths, wrong, error=vtkdgg.VTKError)
-        wrong = (0, far), "end, at .*projection_tolerance"
+        wrong = (0, far), "End of pair 0, at .*projection_tolerance"
         self.refuse(graph.path, wrong, error=vtkdgg.VTKError)
         self.assertEqual(graph.path(0, far, projection_tolerance=1).points[-1, 2], 0.0)
         given = {"start": 0, "end": 1}

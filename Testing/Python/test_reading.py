@@ -341,7 +341,7 @@ class Formats(support.Test):
             ("late.vtp", "<VTKFile></VTKFile>x", "late.vtp: text follows </VTKFile>"),
             ("utf.vtp", "<VTKFile></VTKFile>".encode("utf-16"), "utf.vtp: .* got UTF-16"),
             ("lfs.ply", "version https://git-lfs.github.com/spec/v1\n", "lfs.ply: .*Git LFS"),
-            ("mesh.abc", "v 0 0 0\n", r"mesh.abc: unknown extension '.abc'; known are .gii .obj"),
+            ("mesh.abc", "v 0 0 0\n", r"mesh.abc: unknown extension '.abc'; expected one of .gii"),
         )
         self.refuse(
             lambda name, contents: vtkdgg.read(path_of(name, contents)),

@@ -222,8 +222,8 @@ def _check_faces(points, name, surface, is_cloud):
             abs(weights.sum() - 1.0) <= _BARYCENTRIC_TOLERANCE
         ):
             raise ValueError(
-                f"{entry} has the barycentric coordinates {weights}; expected numbers that are "
-                "not negative and have the sum 1"
+                f"{entry} has the barycentric coordinates {weights}; expected non-negative "
+                "numbers with the sum 1"
             )
 
 

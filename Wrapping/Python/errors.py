@@ -24,26 +24,26 @@ _PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 _ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
 # Name of the class that reports.
 _REPORTER = re.compile(r"\A\w+: ")
-# Words in messages of filters, and their replacements in messages of functions.
-_IN_ARGUMENTS = {
-    " of input port 1, at": ", at",
-    "Use vtkExactGeodesicDistance or vtkDGGDistance": 'Use method="exact" or "graph"',
-    "vtkPointCloudDGG makes,": "vtkPointCloudDGG makes (vtkdgg.CloudGraph),",
-    "build it so by vtkDiscreteGeodesicGraph, remove it, or turn AcceptCoarserGraph on": "build it "
-    'so by vtkdgg.Graph(mesh, accuracy=...), or choose method="exact"',
-    "turn MergeCoincidentPoints on, with a MergeTolerance": "set merge_coincident_points=True, and "
-    "a merge_tolerance",
-    "turn MergeCoincidentPoints on": "set merge_coincident_points=True",
-    "Accuracy 0": "accuracy 0",
-    "larger Accuracy": "larger accuracy",
+# Properties of filters that are arguments of functions.
+_ARGUMENTS = {
+    "Accuracy": "accuracy",
+    "Alpha": "alpha",
+    "Boundary": "boundary",
+    "Construction": "construction",
     "FirstSample": "first",
+    "MaximumDistance": "maximum_distance",
+    "MemoryLimit": "memory_limit",
+    "MergeCoincidentPoints": "merge_coincident_points",
+    "MergeTolerance": "merge_tolerance",
+    "Method": "method",
+    "NumberOfIterations": "iterations",
+    "NumberOfNeighbors": "number_of_neighbors",
+    "NumberOfSamples": "number_of_samples",
+    "ProjectionTolerance": "projection_tolerance",
+    "Resolution": "resolution",
+    "SourceIds": "sources",
 }
-# Properties that are arguments of the same name.
-_PROPERTIES = re.compile(
-    r"(Maximum|Memory|Merge|NumberOf|Projection)(Distance|Limit|Neighbors|Samples|Tolerance)"
-)
-# End of a path of a function. The port of its filter has starts and ends alternately.
-_END = re.compile(r"path end point (\d+) of input port 1")
+_PROPERTY = re.compile(rf"\b({'|'.join(_ARGUMENTS)})\b")
 # Messages by which an executive reports a failure without its reason.
 _NO_REASON = re.compile(r"returned failure for request|No update piece number has been set")
 
@@ -103,16 +103,8 @@ def check(algorithm: vtkAlgorithm) -> Any:
 
 
 def in_arguments(text):
-    """Returns a message of a filter in terms of the arguments of functions."""
-
-    def end_of(match):
-        pair, is_end = divmod(int(match[1]), 2)
-        return ("end" if is_end else "start") + (f" {pair}" if pair else "")
-
-    text = _END.sub(end_of, text)
-    for words, ours in _IN_ARGUMENTS.items():
-        text = text.replace(words, ours)
-    return _PROPERTIES.sub(lambda match: re.sub(r"(?<!^)(?=[A-Z])", "_", match[0]).lower(), text)
+    """Returns a message of a filter with arguments, in backticks, in place of properties."""
+    return _PROPERTY.sub(lambda match: f"`{_ARGUMENTS[match[1]]}`", text)
 
 
 def run(algorithm, issued=None, refused=None, bar=Bar, words=in_arguments):

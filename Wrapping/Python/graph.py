@@ -201,7 +201,7 @@ class Graph(Queries):
         array = arguments.numbers(values, "values")
         is_number = array.ndim == 0 and array.dtype.kind in "iu"
         if is_number and array < 0:
-            raise ValueError(f"values: expected a number of isolines, got {array}")
+            raise ValueError(f"values: expected a non-negative number of isolines, got {array}")
         if array.size == 0:
             raise ValueError("values: expected at least one, got none")
         count = int(array) if is_number else array.size

@@ -20,7 +20,7 @@ _SIZE = 12
 def damaged(what):
     """Returns the error for a graph that has been altered."""
     return ValueError(
-        f"the graph on the mesh is damaged: {what}; give an accuracy to build another one"
+        f"the graph on the mesh is damaged: {what}; give an `accuracy` to build another one"
     )
 
 
@@ -110,7 +110,7 @@ def choose_method(method, accuracy, surface, methods):
     if not isinstance(method, str) or method not in methods:
         raise ValueError(f"method: expected one of {', '.join(map(repr, methods))}, got {method!r}")
     if accuracy is not None and method != "graph":
-        raise ValueError(f"accuracy: applies to the method 'graph' only, not to {method!r}")
+        raise ValueError(f"accuracy: applies to `method` 'graph' only, got {method!r}")
     if accuracy is not None and info is not None and info.is_cloud:
         raise ValueError(
             "accuracy: applies to meshes, not to point clouds; vtkdgg.CloudGraph(points, "

@@ -123,7 +123,7 @@ def find(finder, starts, ends, issued=None):
             raise
         raise NotConnectedError(
             "start and end are not connected by the surface; if its components "
-            "have points with equal coordinates, merge_coincident_points may join them"
+            "have points with equal coordinates, `merge_coincident_points` may join them"
         ) from None
     found = [None] * len(starts)
     if output.GetNumberOfLines() > 0:

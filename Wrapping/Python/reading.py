@@ -151,7 +151,7 @@ def _read_by_nibabel(path, extension, name):
         if extension != ".gii" and file.read(len(_FREESURFER)) != _FREESURFER:
             known = " ".join(EXTENSIONS)
             raise ValueError(
-                f"unknown extension '{extension}'; known are {known}, and .gz after these"
+                f"unknown extension '{extension}'; expected one of {known}, optionally with .gz"
             )
     try:
         import nibabel

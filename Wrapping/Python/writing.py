@@ -83,7 +83,7 @@ def write(file: Any, mesh: Any) -> None:
     extension = extension_of(path)
     known = (*WRITERS, *TABLES)
     if extension not in known:
-        raise ValueError(f"{path}: unknown extension '{extension}'; known are {' '.join(known)}")
+        raise ValueError(f"{path}: unknown extension '{extension}'; expected one of {' '.join(known)}")
     lost = left_out(path, data)
     if lost:
         warnings.warn(

@@ -272,7 +272,8 @@ Status BandPathShortener::Shorten(const std::vector<Id>& vertices, const Point3*
   {
     if (v < 0 || v >= this->Graph.NumberOfVertices)
     {
-      return Status::Invalid("point " + std::to_string(v) + " of the path does not exist");
+      return InvalidInput("Point ", v, " of the path does not exist: the graph has ",
+        this->Graph.NumberOfVertices, " vertices");
     }
   }
   Relaxation relaxation(*this);

@@ -8,7 +8,7 @@
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggGeodesicGraph.h" // for GraphView
 #include "dggPoint3.h"        // for Point3
-#include "dggTypes.h"         // for Id, Status
+#include "dggStatus.h"        // for Status
 
 #include <vector> // for the path
 

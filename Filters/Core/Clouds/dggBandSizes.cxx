@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBandSizes.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggQuantile.h"
 
 #include <algorithm>
@@ -78,10 +78,10 @@ Status TooFarApart(
   const auto farthest =
     static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
   const double toPoints = 1.0 / nodes.Scale;
-  return InvalidInput("parts of the cloud are too far apart for ", limit, ": its points are ",
-    toPoints * spacing, " from each other, but point ", nodes.Originals[farthest], " is ",
-    toPoints * values[farthest],
-    " from the middle. Leave out points that are wrong, or take each part on its own");
+  return InvalidInput("Parts of the cloud are too far apart for ", limit,
+    ": the spacing of points is ", toPoints * spacing, ", but point ", nodes.Originals[farthest],
+    " is ", toPoints * values[farthest], " from the center")
+    .Fix("Remove outliers, or process each part separately");
 }
 }
 
@@ -109,7 +109,7 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
   const double dense = Quantile(sorted, SpacingQuantile);
   if (nodes.Extent > MostSpacings * dense)
   {
-    return TooFarApart(nodes, places, median, "the digits of coordinates");
+    return TooFarApart(nodes, places, median, "the precision of coordinates");
   }
   std::vector<double>& radii = sizes.Radii;
   radii.resize(places.size());
@@ -129,7 +129,7 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
       : std::clamp(std::cbrt(volume / VoxelsPerBall), dense / VoxelsPerSpacing, factor * dense);
     if (nodes.Extent > LargestAutomaticResolution * size)
     {
-      return TooFarApart(nodes, places, median, "one band of voxels");
+      return TooFarApart(nodes, places, median, "a single band of voxels");
     }
     // The voxels may then be too large for the balls of the densest points.
     size = h > 0.0 ? size : std::max(size, std::cbrt(volume / MostVoxelsPerBall));

@@ -8,7 +8,7 @@
 #include "dggCloudNodes.h" // for CloudNodes
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggPoint3.h"     // for Point3
-#include "dggTypes.h"      // for Id, Status
+#include "dggStatus.h"     // for Status
 
 #include <cstddef> // for std::size_t
 #include <vector>  // for radii

@@ -5,9 +5,9 @@
 #ifndef dggCloudFrame_h
 #define dggCloudFrame_h
 
-#include "dggInvalidInput.h" // for InvalidInput
-#include "dggPoint3.h"       // for Point3
-#include "dggTypes.h"        // for Id, Status
+#include "dggStatus.h"
+#include "dggPoint3.h" // for Point3
+#include "dggStatus.h" // for Status
 
 #include <algorithm> // for std::min
 #include <cmath>     // for std::frexp
@@ -62,8 +62,9 @@ public:
     {
       return Status::Success();
     }
-    return InvalidInput("the points are spread over ", half,
-      " units to each side, out of the range of the arithmetic: scale them");
+    return InvalidInput("The points extend over ", half,
+      " units to each side, which is out of the range of floating-point numbers")
+      .Fix("Scale the points");
   }
   /// Half the length of the longest side of the box.
   double GetHalfExtent() const { return std::max({ this->Half.X, this->Half.Y, this->Half.Z }); }

@@ -7,7 +7,7 @@
 
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggPoint3.h"     // for Point3
-#include "dggTypes.h"      // for Id, Status
+#include "dggStatus.h"     // for Status
 
 #include <utility> // for std::pair
 #include <vector>  // for nodes

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggVoxelBand.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggMemoryLimit.h"
 #include "dggProgressPart.h"
 #include "dggSegmentWalk.h"
@@ -81,9 +81,8 @@ Status CheckBricks(double bricks, double memoryLimit, const std::string& remedy)
     return Status::Success();
   }
   return bytes > memoryLimit
-    ? CheckMemory(
-        "a part of the band of voxels around the points alone", bytes, memoryLimit, remedy)
-    : Status::Invalid("the band would have more than 2^31 bricks of voxels: " + remedy);
+    ? CheckMemory("Part of the band of voxels", bytes, memoryLimit, remedy)
+    : InvalidInput("The band of voxels has more than 2^31 bricks").Fix(remedy);
 }
 }
 
@@ -152,8 +151,9 @@ Status VoxelBand::ChooseBox(
   const double resolution = std::ceil(extent / this->VoxelSize) + 5.0;
   if (!(resolution <= MaximumResolution))
   {
-    return InvalidInput("the band would have ", resolution,
-      " voxels along its longest side, more than ", MaximumResolution, ": ", remedy);
+    return InvalidInput(
+      "The band has ", resolution, " voxels along its longest side, more than ", MaximumResolution)
+      .Fix(remedy);
   }
   this->Resolution = static_cast<std::int32_t>(resolution);
   return Status::Success();

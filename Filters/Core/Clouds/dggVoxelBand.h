@@ -8,7 +8,7 @@
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggParallel.h"   // for ParallelFor
 #include "dggPoint3.h"     // for Point3
-#include "dggTypes.h"      // for Id, Status
+#include "dggStatus.h"     // for Status
 
 #include <array>   // for voxels
 #include <atomic>  // for words that several threads mark
@@ -46,7 +46,7 @@ public:
   /// `progress` returns false. `remedy` is the advice in messages about too many voxels.
   Status Build(const std::vector<Point3>& points, const std::vector<double>& radii,
     double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
-    const ProgressCallback& progress = {}, const std::string& remedy = "use larger voxels");
+    const ProgressCallback& progress = {}, const std::string& remedy = "Use larger voxels");
 
   /// Returns true if Build() failed because of `memoryLimit`.
   bool IsTooLarge() const { return this->TooLarge; }

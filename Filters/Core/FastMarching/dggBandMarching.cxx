@@ -3,7 +3,7 @@
 #include "dggBandMarching.h"
 
 #include "dggHeap.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -320,22 +320,25 @@ Status BandMarching::Run(const std::vector<BandSource>& sources, const std::vect
   result = BandMarchingResult();
   if (sources.empty())
   {
-    return Status::Invalid("there are no sources: give at least one");
+    return InvalidInput("There is no source").Fix("Add at least one source");
   }
   if (!CanMarchIn(this->Band))
   {
-    return Status::Invalid("the band has too many voxels to march in: use a smaller resolution");
+    return InvalidInput("The band has too many voxels for a march")
+      .Fix("Use a smaller {Resolution}");
   }
   double shift = Infinity;
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
     if (!IsFinite(sources[k].Place) || !std::isfinite(sources[k].InitialDistance))
     {
-      return InvalidInput("source ", k, " is not finite");
+      return InvalidInput("Source ", k, " has a position or an initial distance that is not finite")
+        .Fix("Move or remove the source");
     }
     if (!this->IsNear(sources[k].Place))
     {
-      return InvalidInput("source ", k, " is not in the band: move it closer to the points");
+      return InvalidInput("Source ", k, " is outside of the band of voxels")
+        .Fix("Move the source closer to the points");
     }
     shift = std::min(shift, sources[k].InitialDistance);
   }

@@ -438,7 +438,7 @@ Status FastMarching::Run(const std::vector<GeodesicSource>& sources, const March
   DGG_RETURN_IF_ERROR(CheckSources(this->Mesh, sources));
   if (std::isnan(options.MaximumDistance))
   {
-    return Status::Invalid("the maximum distance is not a number");
+    return InvalidValue("MaximumDistance", options.MaximumDistance).Fix("Use a number or infinity");
   }
   // Distances are measured relative to the smallest initial one, so that large initial distances do
   // not cause rounding errors.

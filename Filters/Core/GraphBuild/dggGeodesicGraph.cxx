@@ -3,7 +3,7 @@
 #include "dggGeodesicGraph.h"
 
 #include "dggBitHash.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <atomic>
@@ -44,12 +44,12 @@ void AddBlocks(const T* values, std::size_t count, std::vector<ByteRange>& block
 template <typename... Parts>
 Status Damaged(const Parts&... what)
 {
-  return InvalidInput("not a valid graph: ", what..., "; build the graph again");
+  return Status(Status::Code::DamagedGraph, JoinText(what...)).Fix("Build the graph again");
 }
 
 Status DamagedEdge(Id row, Offset edge, const std::string& what)
 {
-  return Damaged("edge ", edge, " (of vertex ", row, ") ", what);
+  return Damaged("Edge ", edge, " of vertex ", row, " ", what);
 }
 
 /// Returns true if a value is positive and finite.
@@ -69,16 +69,17 @@ Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
 {
   if (graph.NumberOfVertices < 0 || numberOfEdges < 0)
   {
-    return Damaged("negative sizes");
+    return Damaged("The size of an array is negative");
   }
   if (!graph.Offsets)
   {
-    return graph.NumberOfVertices == 0 && numberOfEdges == 0 ? Status::Success()
-                                                             : Damaged("no offsets");
+    return graph.NumberOfVertices == 0 && numberOfEdges == 0
+      ? Status::Success()
+      : Damaged("The array of offsets is missing");
   }
   if (graph.Offsets[0] != 0 || graph.Offsets[graph.NumberOfVertices] != numberOfEdges)
   {
-    return Damaged("offsets go from ", graph.Offsets[0], " to ",
+    return Damaged("Offsets range from ", graph.Offsets[0], " to ",
       graph.Offsets[graph.NumberOfVertices], ", but there are ", numberOfEdges, " edges");
   }
   if (numberOfEdges == 0)
@@ -87,19 +88,20 @@ Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
   }
   if (!graph.Targets)
   {
-    return Damaged("no targets");
+    return Damaged("The array of targets is missing");
   }
   if ((graph.Lengths != nullptr) == (graph.WideLengths != nullptr))
   {
-    return Damaged(graph.Lengths ? "lengths in two precisions" : "no lengths");
+    return Damaged(
+      graph.Lengths ? "Lengths are given in two precisions" : "The array of lengths is missing");
   }
   if ((graph.Angles != nullptr) != (graph.ArrivalAngles != nullptr))
   {
-    return Damaged("only one of the two arrays of angles");
+    return Damaged("One of the two arrays of angles is missing");
   }
   if (graph.Info.Kind == GraphKind::Mesh && !graph.Angles)
   {
-    return Damaged("no angles, as the graph of a mesh has them");
+    return Damaged("The arrays of angles are missing");
   }
   return Status::Success();
 }
@@ -111,8 +113,7 @@ Status CheckRow(const GraphView& graph, Id row, Offset numberOfEdges)
   const Offset end = graph.Offsets[row + 1];
   if (begin < 0 || end < begin || end > numberOfEdges)
   {
-    return Damaged("the offsets of vertex " + std::to_string(row) + " are " +
-      std::to_string(begin) + " and " + std::to_string(end));
+    return Damaged("The offsets of vertex ", row, " are ", begin, " and ", end);
   }
   float last = 0.0f;
   for (Offset e = begin; e < end; ++e)
@@ -120,9 +121,8 @@ Status CheckRow(const GraphView& graph, Id row, Offset numberOfEdges)
     const Id target = graph.Targets[e];
     if (target < 0 || target >= graph.NumberOfVertices)
     {
-      return DamagedEdge(row, e,
-        "leads to vertex " + std::to_string(target) + " of " +
-          std::to_string(graph.NumberOfVertices));
+      return DamagedEdge(
+        row, e, JoinText("leads to vertex ", target, " of ", graph.NumberOfVertices));
     }
     if (target == row)
     {
@@ -130,7 +130,7 @@ Status CheckRow(const GraphView& graph, Id row, Offset numberOfEdges)
     }
     if (graph.Lengths ? !IsLength(graph.Lengths[e]) : !IsLength(graph.WideLengths[e]))
     {
-      return DamagedEdge(row, e, "has length " + std::to_string(graph.Length(e)));
+      return DamagedEdge(row, e, JoinText("has the length ", graph.Length(e)));
     }
     if (!graph.Angles)
     {
@@ -138,9 +138,8 @@ Status CheckRow(const GraphView& graph, Id row, Offset numberOfEdges)
     }
     if (!IsAngle(graph.Angles[e]) || !IsAngle(graph.ArrivalAngles[e]))
     {
-      return DamagedEdge(row, e,
-        "has angles " + std::to_string(graph.Angles[e]) + " and " +
-          std::to_string(graph.ArrivalAngles[e]));
+      return DamagedEdge(
+        row, e, JoinText("has the angles ", graph.Angles[e], " and ", graph.ArrivalAngles[e]));
     }
     if (graph.Angles[e] < last)
     {

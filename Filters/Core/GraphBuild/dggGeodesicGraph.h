@@ -9,7 +9,7 @@
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggBuffer.h"     // for the arrays
 #include "dggParallel.h"   // for ParallelFor
-#include "dggTypes.h"      // for Id, Offset, Status
+#include "dggStatus.h"     // for Status
 
 #include <array>   // for Signature
 #include <cstdint> // for fixed-width words

@@ -8,7 +8,7 @@
 #include "dggGraphPruning.h"
 #include "dggGraphRules.h"
 #include "dggGraphWindowTracer.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 #include "dggRowStore.h"
 #include "dggSurfaceOrder.h"
@@ -100,15 +100,17 @@ double UnitedShare(GraphConstruction construction)
 /// Returns the error of an exceeded limit; `source` describes the origin of the windows.
 Status LimitExceeded(const std::string& source, bool canMultiply, const GraphOptions& options)
 {
-  return InvalidInput("the windows of ", source,
+  const bool isLimited = options.Construction == GraphConstruction::SaddleVertexGraph;
+  const std::string property = isLimited ? "NumberOfNeighbors" : "Accuracy";
+  return InvalidInput("The windows of ", source,
     canMultiply ? " multiply among non-manifold edges or triangles without area"
                 : " reach too far over long triangles",
-    ", beyond some twenty times the work on a clean mesh of this size: ",
-    canMultiply ? "remove inner walls, doubled sheets and such triangles" : "split these",
-    ", use exact distances, or ",
-    options.Construction == GraphConstruction::SaddleVertexGraph
-      ? JoinText("a smaller number of neighbours (it is ", options.NumberOfNeighbors, ")")
-      : JoinText("a larger accuracy (it is ", options.Accuracy, ")"));
+    ", which takes more than twenty times the work on a clean mesh of this size")
+    .At(property)
+    .Fix(canMultiply ? "Remove inner walls, duplicate faces and triangles without area"
+                     : "Split these triangles",
+      ", use exact distances, or use a ", isLimited ? "smaller" : "larger", " {", property,
+      "} (now ", isLimited ? JoinText(options.NumberOfNeighbors) : JoinText(options.Accuracy), ")");
 }
 
 /// Sample of the number of edges found per vertex.
@@ -259,20 +261,22 @@ Status GraphBuilder::Check(const GraphOptions& options)
 {
   if (options.Construction > GraphConstruction::SaddleVertexGraph)
   {
-    return Status::Invalid("the construction is one for point clouds, not for meshes");
+    return InvalidInput("{Construction} is a construction of point clouds")
+      .At("Construction")
+      .Fix("Choose a construction of meshes");
   }
   if (options.Construction == GraphConstruction::SaddleVertexGraph)
   {
     if (options.NumberOfNeighbors < 1)
     {
-      return InvalidInput(
-        "the number of neighbours is ", options.NumberOfNeighbors, ": it has to be at least 1");
+      return InvalidValue("NumberOfNeighbors", options.NumberOfNeighbors)
+        .Fix("Use a number of at least 1");
     }
   }
   else if (!(options.Accuracy >= MinimumAccuracy && options.Accuracy <= MaximumAccuracy))
   {
-    return InvalidInput("the accuracy is ", options.Accuracy, ": it has to be in [",
-      MinimumAccuracy, ", ", MaximumAccuracy, "]");
+    return InvalidValue("Accuracy", options.Accuracy)
+      .Fix("Use a number from ", MinimumAccuracy, " to ", MaximumAccuracy);
   }
   return Status::Success();
 }

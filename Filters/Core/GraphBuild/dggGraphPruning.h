@@ -7,7 +7,7 @@
 
 #include "dggParallel.h" // for ParallelFor
 #include "dggRowStore.h" // for RowStore
-#include "dggTypes.h"    // for Status
+#include "dggStatus.h"   // for Status
 
 namespace dgg
 {

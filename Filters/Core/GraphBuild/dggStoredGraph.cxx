@@ -3,7 +3,7 @@
 #include "dggStoredGraph.h"
 
 #include "dggBitHash.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 
 #include <algorithm>
@@ -123,7 +123,7 @@ template <typename... Parts>
 Status StoredGraph::Damaged(const Parts&... parts)
 {
   this->Damage = JoinText(parts...);
-  return Status::Invalid("is damaged: " + this->Damage);
+  return Status(Status::Code::DamagedGraph, "The graph on the input is damaged: " + this->Damage);
 }
 
 Status StoredGraph::Read(
@@ -180,8 +180,8 @@ Status StoredGraph::CheckTypes(const Arrays& arrays)
     }
     return array.Type == StoredArray::Missing
       ? this->Damaged("the field array ", GetName(role), " is missing")
-      : this->Damaged("the field array ", GetName(role), " is of type ", array.Description,
-          ", not of ", expected[role].Text);
+      : this->Damaged("the field array ", GetName(role), " has the type ", array.Description,
+          " (expected ", expected[role].Text, ")");
   }
   return Status::Success();
 }
@@ -191,12 +191,13 @@ Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
   const auto* info = GetValues<std::int64_t>(array);
   if (array.Size >= 1 && info[Version] != FormatVersion)
   {
-    return InvalidInput("has the format version ", info[Version],
-      ", but this version of vtkDGG reads version ", FormatVersion, " only");
+    return InvalidInput("The graph on the input has the format version ", info[Version],
+      ", but this version of vtkDGG reads version ", FormatVersion);
   }
   if (array.Size != InfoSize)
   {
-    return this->Damaged("DGG.Info has ", array.Size, " values, not ", static_cast<int>(InfoSize));
+    return this->Damaged(
+      "DGG.Info has ", array.Size, " values (expected ", static_cast<int>(InfoSize), ")");
   }
   GraphInfo& graph = this->View.Info;
   graph.Accuracy = CopyBits<double>(info[Accuracy]);
@@ -209,8 +210,7 @@ Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
   }
   if (graph.Kind != (isCloud ? GraphKind::Cloud : GraphKind::Mesh))
   {
-    return Status::Invalid(isCloud ? "is that of a mesh, not of a point cloud"
-                                   : "is that of a point cloud, not of a mesh");
+    return InvalidInput("The graph on the input is that of ", isCloud ? "a mesh" : "a point cloud");
   }
   if (!IsConstructionOf(info[Construction], graph.Kind))
   {
@@ -233,8 +233,8 @@ Status StoredGraph::ReadSizes(const Arrays& arrays, Offset numberOfPoints)
   }
   if (arrays[Offsets].Size != numberOfPoints + 1)
   {
-    return InvalidInput("does not fit: DGG.Offsets has ", arrays[Offsets].Size,
-      " values, not one more than the ", numberOfPoints, " points");
+    return InvalidInput("The graph on the input does not fit: DGG.Offsets has ",
+      arrays[Offsets].Size, " values, but ", numberOfPoints, " points need ", numberOfPoints + 1);
   }
   if (this->HasRole(Radii) && arrays[Radii].Size != numberOfPoints)
   {
@@ -278,17 +278,19 @@ Status StoredGraph::CheckSurface(const std::int64_t* info, const PreparedSurface
   const bool wasMerged = info[Merged] != 0;
   if (wasMerged != IsMerged(surface))
   {
-    return InvalidInput("was built with MergeCoincidentPoints ",
-      wasMerged ? "on, but it is off here" : "off, but it is on here");
+    return InvalidInput("The graph on the input was built with {MergeCoincidentPoints} ",
+      wasMerged ? "on, but it is off here" : "off, but it is on here")
+      .At("MergeCoincidentPoints");
   }
   const double tolerance = CopyBits<double>(info[MergeTolerance]);
   if (tolerance != surface.GetDomain().MergeTolerance)
   {
-    return InvalidInput("was built with a MergeTolerance of ", tolerance, ", but it is ",
-      surface.GetDomain().MergeTolerance, " here");
+    return InvalidInput("The graph on the input was built with a {MergeTolerance} of ", tolerance,
+      ", but it is ", surface.GetDomain().MergeTolerance, " here")
+      .At("MergeTolerance");
   }
-  return InvalidInput("is out of date: ", surface.IsCloud() ? "points" : "points or cells",
-    " have changed since it was built");
+  return InvalidInput("The graph on the input is out of date: ",
+    surface.IsCloud() ? "points" : "points or cells", " have changed since it was built");
 }
 
 Status StoredGraph::CheckContents(
@@ -297,13 +299,13 @@ Status StoredGraph::CheckContents(
   const Status status = CheckGraph(this->View, edges, parallel);
   if (!status.IsOk())
   {
-    this->Damage = status.GetMessage();
-    return Status::Invalid("is " + status.GetMessage());
+    this->Damage = status.GetProblem();
+    return status.Of("The graph on the input is damaged");
   }
   if (info[Checksum] != this->ComputeChecksum(info, parallel))
   {
     return this->Damaged(
-      "its checksum is wrong, so values have been altered, as by a text file that rounds them");
+      "its checksum is wrong. A text file that rounds values may have altered them");
   }
   return this->View.Info.Kind == GraphKind::Cloud ? this->CheckBand() : Status::Success();
 }
@@ -331,7 +333,7 @@ Status StoredGraph::CheckBand()
     const double radius = this->Band.Radii[v];
     if (!(radius >= 0.0 && radius < Infinity))
     {
-      return this->Damaged("DGG.Radii gives point ", v, " the radius ", radius);
+      return this->Damaged("the radius of point ", v, " in DGG.Radii is ", radius);
     }
     hasBalls = hasBalls || radius > 0.0;
   }
@@ -339,7 +341,7 @@ Status StoredGraph::CheckBand()
   const double size = this->Band.VoxelSize;
   if (!(size > 0.0 && size < Infinity) && (hasBalls || size != 0.0))
   {
-    return this->Damaged("its voxels have the size ", size);
+    return this->Damaged("the size of its voxels is ", size);
   }
   return Status::Success();
 }

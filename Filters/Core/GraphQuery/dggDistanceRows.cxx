@@ -80,8 +80,8 @@ Status FindDistanceRows(const GraphSearch& search,
       FillRow(distances, reached, options, found[source]);
       count += found[source].size();
     });
-  DGG_RETURN_IF_ERROR(CheckMemory("the rows found so far", bytes(), options.MemoryLimit,
-    "use fewer rows at a time or a smaller maximum distance"));
+  DGG_RETURN_IF_ERROR(CheckMemory("The matrix so far", bytes(), options.MemoryLimit,
+    "Use fewer rows at a time or a smaller {MaximumDistance}"));
   DGG_RETURN_IF_ERROR(status);
   Compress(found, count, rows);
   return status;

@@ -6,7 +6,7 @@
 #include "dggBucketSearch.h"
 #include "dggGraphFans.h"
 #include "dggHeap.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggLabelCorrection.h"
 #include "dggLandmarks.h"
 #include "dggManySources.h"
@@ -32,25 +32,26 @@ Status CheckSeed(const GraphSeed& seed, Id numberOfVertices)
   DGG_RETURN_IF_ERROR(CheckVertex(seed.Vertex, numberOfVertices));
   if (!std::isfinite(seed.Distance) || !std::isfinite(seed.InitialDistance))
   {
-    return InvalidInput("the distances ", seed.Distance, " and ", seed.InitialDistance,
-      " that it starts with are not finite");
+    return InvalidInput(
+      "Its distances ", seed.Distance, " and ", seed.InitialDistance, " are not both finite");
   }
   if (!std::isfinite(seed.ArrivalAngle))
   {
-    return Status::Invalid("its arrival angle is not finite");
+    return InvalidInput("Its arrival angle is ", seed.ArrivalAngle).Fix("Use a finite angle");
   }
   if (seed.ArrivalAngle >= 0.0 && seed.Distance < seed.InitialDistance)
   {
-    return InvalidInput("it starts with the distance ", seed.Distance,
-      ", which is below its initial distance ", seed.InitialDistance);
+    return InvalidInput(
+      "Its distance ", seed.Distance, " is below its initial distance ", seed.InitialDistance);
   }
   return Status::Success();
 }
 
 Status CheckRadius(double maximumDistance)
 {
-  return std::isnan(maximumDistance) ? Status::Invalid("the maximum distance is not a number")
-                                     : Status::Success();
+  return std::isnan(maximumDistance)
+    ? InvalidValue("MaximumDistance", maximumDistance).Fix("Use a number or infinity")
+    : Status::Success();
 }
 
 /// Mean number of edges per vertex from which on fans are worthwhile.
@@ -181,19 +182,19 @@ Status CheckVertex(Id vertex, Id numberOfVertices)
   {
     return Status::Success();
   }
-  return Status::Invalid("vertex " + std::to_string(vertex) + " does not exist, there are " +
-    std::to_string(numberOfVertices) + " vertices");
+  return InvalidInput("Vertex ", vertex, " does not exist")
+    .Fix("Use ids from 0 to ", numberOfVertices - 1);
 }
 
 Status CheckSeeds(const std::vector<GraphSeed>& seeds, Id numberOfVertices)
 {
   if (seeds.empty())
   {
-    return Status::Invalid("there is no source: give at least one");
+    return InvalidInput("There is no source").Fix("Add at least one source");
   }
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
-    DGG_RETURN_IF_ERROR(CheckSeed(seeds[i], numberOfVertices).Of("source " + std::to_string(i)));
+    DGG_RETURN_IF_ERROR(CheckSeed(seeds[i], numberOfVertices).Of(JoinText("Source ", i)));
   }
   return Status::Success();
 }
@@ -494,7 +495,7 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     DGG_RETURN_IF_ERROR(CheckSeeds(sources[i], internals.Graph.NumberOfVertices)
-                          .Of("set " + std::to_string(i) + " of sources"));
+                          .Of(JoinText("Set ", i, " of sources")));
     vertices.push_back(NearestOf(sources[i]).Vertex);
   }
   const std::size_t reach = internals.FindReach(sources, options);

@@ -131,15 +131,15 @@ Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query)
 {
   if (!solver.IsReady())
   {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+    return InvalidInput("The solver has not been prepared").Fix("Call Prepare() first");
   }
   if (!(query.Radius >= 0.0) || !(query.Radius < Infinity))
   {
-    return Status::Invalid("the radius of the logarithm must not be negative, and finite");
+    return InvalidValue("Radius", query.Radius).Fix("Use a finite number of at least 0");
   }
   for (std::size_t k = 0; k < query.Targets.size(); ++k)
   {
-    DGG_RETURN_IF_ERROR(query.Targets[k].Check(solver.GetMesh()).Of("target " + std::to_string(k)));
+    DGG_RETURN_IF_ERROR(query.Targets[k].Check(solver.GetMesh()).Of(JoinText("Target ", k)));
   }
   return Status::Success();
 }

@@ -54,7 +54,7 @@ Status GreensFunction::Run(const std::vector<SurfacePoint>& poles, const GreensQ
   DGG_RETURN_IF_ERROR(CheckGreensQuery(this->Solver, query));
   for (std::size_t k = 0; k < poles.size(); ++k)
   {
-    DGG_RETURN_IF_ERROR(this->Solver.CheckPole(poles[k]).Of("pole " + std::to_string(k)));
+    DGG_RETURN_IF_ERROR(this->Solver.CheckPole(poles[k]).Of(JoinText("Pole ", k)));
   }
   Status status;
   results.resize(poles.size());

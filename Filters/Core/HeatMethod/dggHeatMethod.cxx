@@ -59,9 +59,10 @@ Status CheckCorners(
   const auto lost = std::find(isHeated.begin(), isHeated.end(), false);
   return lost == isHeated.end()
     ? Status::Success()
-    : Status::Invalid("source " + std::to_string(lost - isHeated.begin()) +
-        " lies on the boundary, where a Dirichlet condition takes its heat away: use Neumann or "
-        "Average");
+    : InvalidInput("Source ", lost - isHeated.begin(),
+        " lies on the boundary, where the Dirichlet condition removes its heat")
+        .At("Boundary", lost - isHeated.begin())
+        .Fix("Set {Boundary} to Neumann or Average");
 }
 
 /// Returns the smallest initial distance in each component; Infinity without a source.
@@ -385,11 +386,11 @@ Status HeatMethod::Check(const std::vector<GeodesicSource>& sources, const HeatQ
   DGG_RETURN_IF_ERROR(CheckSources(this->Mesh, sources));
   if (std::isnan(query.MaximumDistance))
   {
-    return Status::Invalid("the maximum distance is not a number");
+    return InvalidValue("MaximumDistance", query.MaximumDistance).Fix("Use a number or infinity");
   }
   return this->System->IsReady()
     ? Status::Success()
-    : Status::Invalid("the systems have not been factorized: call Prepare() first");
+    : InvalidInput("The systems have not been factorized").Fix("Call Prepare() first");
 }
 
 Status HeatMethod::Run(

@@ -72,7 +72,8 @@ Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& p
   if (!(options.TimeStepFactor >= SmallestTimeStepFactor &&
         options.TimeStepFactor <= LargestTimeStepFactor))
   {
-    return Status::Invalid("the time step factor must be a number from 1e-6 to 1e6");
+    return InvalidValue("TimeStepFactor", options.TimeStepFactor)
+      .Fix("Use a number from ", SmallestTimeStepFactor, " to ", LargestTimeStepFactor);
   }
   if (this->IsAnalyzed && this->Options.IntrinsicDelaunay == options.IntrinsicDelaunay)
   {

@@ -29,14 +29,13 @@ Status CheckArguments(
 {
   if (!field.Mesh || !field.Distances)
   {
-    return Status::Invalid("there is no distance: set Mesh and Distances of the field");
+    return InvalidInput("There is no distance").Fix("Set Mesh and Distances of the field");
   }
   for (std::size_t i = 0; i < levels.size(); ++i)
   {
     if (!std::isfinite(levels[i]))
     {
-      return Status::Invalid(
-        "value " + std::to_string(i) + " of the bands is not finite: give a number");
+      return InvalidInput("Value ", i, " of the bands is ", levels[i]).Fix("Use a finite number");
     }
   }
   const bool haveLevels = lines.Levels.size() == lines.Lines.size() &&
@@ -44,7 +43,8 @@ Status CheckArguments(
       [&](Id level) { return level >= 0 && level < static_cast<Id>(levels.size()); });
   if (!haveLevels)
   {
-    return Status::Invalid("the isolines are not those of these values: trace them again");
+    return InvalidInput("The isolines were traced for other values")
+      .Fix("Trace the isolines again");
   }
   return Status::Success();
 }

@@ -74,8 +74,8 @@ Status CollectPieces(Offset size, Offset blockSize, const ParallelFor& parallel,
   }
   if (count > static_cast<std::size_t>(std::numeric_limits<Id>::max()))
   {
-    return Status::Invalid("there are more than 2^31 - 1 points where levels cross edges, or "
-                           "pieces of isolines: use fewer levels");
+    return InvalidInput("The isolines have more than 2^31 - 1 points or pieces")
+      .Fix("Use fewer values");
   }
   pieces.reserve(count);
   for (std::vector<Piece>& block : blocks)

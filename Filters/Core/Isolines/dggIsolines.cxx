@@ -29,27 +29,25 @@ Status CheckArguments(
 {
   if (!field.Mesh || !field.Distances)
   {
-    return Status::Invalid("there is no distance: set Mesh and Distances of the field");
+    return InvalidInput("There is no distance").Fix("Set Mesh and Distances of the field");
   }
   for (std::size_t i = 0; i < levels.size(); ++i)
   {
     if (!std::isfinite(levels[i]))
     {
-      return Status::Invalid(
-        "value " + std::to_string(i) + " of the isolines is not finite: give a number");
+      return InvalidInput("Value ", i, " of the isolines is ", levels[i])
+        .Fix("Use a finite number");
     }
   }
   if (!(options.ChordTolerance >= 0.0))
   {
-    return Status::Invalid("the chord tolerance is " + std::to_string(options.ChordTolerance) +
-      ": it must not be negative");
+    return InvalidValue("ChordTolerance", options.ChordTolerance).Fix("Use a number of at least 0");
   }
   if (options.Method == IsolineMethod::Apollonius &&
     (options.SteinerPoints < 0 || options.SteinerPoints > MaximumSteinerPoints))
   {
-    return Status::Invalid("the number of Steiner points per edge is " +
-      std::to_string(options.SteinerPoints) + ": it must be 0 to " +
-      std::to_string(MaximumSteinerPoints));
+    return InvalidValue("SteinerPoints", options.SteinerPoints)
+      .Fix("Use a number from 0 to ", MaximumSteinerPoints);
   }
   return CheckCorners(*field.Mesh);
 }

@@ -30,22 +30,22 @@ Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
 {
   if (!field.Mesh || !field.Distances)
   {
-    return Status::Invalid("there is no distance: set Mesh and Distances of the field");
+    return InvalidInput("There is no distance").Fix("Set Mesh and Distances of the field");
   }
   if (!field.HasWindows() && !field.HasSources())
   {
-    return Status::Invalid("distances at vertices alone do not show ridges: give the windows of "
-                           "exact distances, or virtual sources");
+    return InvalidInput("Distances at vertices alone do not determine ridges")
+      .Fix("Pass the windows of exact distances, or virtual sources");
   }
   if (!(options.MinimumAngle >= 0.0 && options.MinimumAngle <= Pi))
   {
-    return Status::Invalid("the minimum angle of ridges is " +
-      std::to_string(options.MinimumAngle) + ": it must be in [0, pi]");
+    return InvalidInput("The minimum angle of ridges is ", options.MinimumAngle)
+      .At("MinimumRidgeAngle")
+      .Fix("Use an angle from 0 to pi");
   }
   if (!(options.ChordTolerance >= 0.0))
   {
-    return Status::Invalid("the chord tolerance is " + std::to_string(options.ChordTolerance) +
-      ": it must not be negative");
+    return InvalidValue("ChordTolerance", options.ChordTolerance).Fix("Use a number of at least 0");
   }
   return CheckCorners(*field.Mesh);
 }

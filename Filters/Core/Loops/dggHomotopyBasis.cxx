@@ -156,9 +156,9 @@ Status CheckManifold(const SurfaceMesh& mesh, Id h)
   const Id twin = mesh.Twin(h);
   return twin == NoId || mesh.Twin(twin) == h
     ? Status::Success()
-    : Status::Invalid("the edge between vertices " + std::to_string(mesh.Origin(h)) + " and " +
-        std::to_string(mesh.Destination(h)) +
-        " has more than two triangles: loops around handles need a manifold");
+    : InvalidInput("The edge between vertices ", mesh.Origin(h), " and ", mesh.Destination(h),
+        " has more than two triangles")
+        .Fix("Make the surface a manifold: loops around handles exist on manifolds only");
 }
 
 /// Collects the edges of the component that are not in the tree.

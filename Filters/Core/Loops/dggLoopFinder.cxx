@@ -102,7 +102,8 @@ Status LoopFinder::Implementation::Grow(Tree& tree) const
   DGG_RETURN_IF_ERROR(tree.Point.Check(this->Mesh));
   if (!this->Search.GetGraph().Angles)
   {
-    return Status::Invalid("loops are traced on meshes: this graph has no directions");
+    return InvalidInput("The graph has no directions, which loops need")
+      .Fix("Use the graph of a mesh");
   }
   std::vector<GraphLink> links;
   std::vector<double> none;
@@ -253,7 +254,7 @@ Status LoopFinder::Rope(const std::vector<SurfacePoint>& points, bool taut, Foun
   isConnected = true;
   if (points.empty())
   {
-    return Status::Invalid("a rope needs points to go through");
+    return InvalidInput("The rope has no points").Fix("Add points");
   }
   PathOptions options;
   options.LinkAccuracy = this->Internals->LinkAccuracy;

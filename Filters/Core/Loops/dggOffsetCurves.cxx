@@ -4,7 +4,7 @@
 
 #include "dggEdgeSplitting.h"
 #include "dggExactGeodesics.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggIsolines.h"
 #include "dggProgressPart.h"
 #include "dggSurfaceRefinement.h"
@@ -221,12 +221,16 @@ Status MakeOffsetCurves(const SurfaceMesh& mesh, const SurfacePath& path, double
   rims.clear();
   if (!(width > 0.0 && std::isfinite(width)))
   {
-    return InvalidInput("the width of the tape is ", width, ": a positive number is needed");
+    return InvalidInput("The width of the tape is ", width)
+      .At("TapeWidth")
+      .Fix("Use a finite positive number");
   }
   if (width < GetSmallestOffsetWidth(path))
   {
-    return InvalidInput("the width of the tape is ", width, ", too small for the length ",
-      path.Length, " of the curve: at least ", GetSmallestOffsetWidth(path), " is needed");
+    return InvalidInput("The width of the tape is ", width, ", too small for the length ",
+      path.Length, " of the curve")
+      .At("TapeWidth")
+      .Fix("Use a width of at least ", GetSmallestOffsetWidth(path));
   }
   Status status = OffsetCurveMaker(mesh, 0.5 * width, progress).Run(path, rims);
   if (!status.IsOk())

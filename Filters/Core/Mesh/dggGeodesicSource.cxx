@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGeodesicSource.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <cmath>
 #include <string>
@@ -13,15 +13,16 @@ Status CheckSources(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& 
 {
   if (sources.empty())
   {
-    return Status::Invalid("there is no source: give at least one");
+    return InvalidInput("There is no source").Fix("Add at least one source");
   }
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
-    DGG_RETURN_IF_ERROR(sources[k].Point.Check(mesh).Of("source " + std::to_string(k)));
+    DGG_RETURN_IF_ERROR(sources[k].Point.Check(mesh).Of(JoinText("Source ", k)));
     if (!std::isfinite(sources[k].InitialDistance))
     {
-      return InvalidInput(
-        "source ", k, ": the initial distance ", sources[k].InitialDistance, " is not finite");
+      return InvalidInput("Source ", k, " has the initial distance ", sources[k].InitialDistance)
+        .At("InitialDistance", static_cast<Offset>(k))
+        .Fix("Use a finite number");
     }
   }
   return Status::Success();

@@ -6,7 +6,7 @@
 #define dggSurfaceMesh_h
 
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
-#include "dggTypes.h"      // for Id, Offset, Status
+#include "dggStatus.h"     // for Status
 
 #include <array>   // for Triangle
 #include <cstdint> // for VertexKind

@@ -5,7 +5,7 @@
 #include "dggCapSplitting.h"
 #include "dggEdges.h"
 #include "dggGroups.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -51,16 +51,17 @@ Status SurfaceMeshBuilder::TakeTriangles(
   if (numberOfVertices < 0 || numberOfTriangles < 0 || numberOfVertices > limit ||
     numberOfTriangles > limit / 3)
   {
-    return InvalidInput("a mesh of ", numberOfVertices, " points and ", numberOfTriangles,
-      " triangles is too large: at most ", limit, " points and ", limit / 3,
-      " triangles are supported");
+    return InvalidInput(
+      "A mesh of ", numberOfVertices, " points and ", numberOfTriangles, " triangles is too large")
+      .Fix("Use at most ", limit, " points and ", limit / 3, " triangles");
   }
   for (Offset i = 0; i < 3 * numberOfTriangles; ++i)
   {
     if (triangles[i] < 0 || triangles[i] >= numberOfVertices)
     {
-      return InvalidInput("triangle ", i / 3, " names point ", triangles[i],
-        ", which does not exist: ids must be in [0, ", numberOfVertices - 1, "]");
+      return InvalidInput(
+        "Triangle ", i / 3, " refers to point ", triangles[i], ", which does not exist")
+        .Fix("Use ids from 0 to ", numberOfVertices - 1);
     }
   }
   const auto n = static_cast<std::size_t>(numberOfVertices);
@@ -171,15 +172,15 @@ Status SurfaceMeshBuilder::GlueByTwins(const Id* twins)
         (mesh.Origin(t) == mesh.Origin(h) && mesh.Destination(t) == mesh.Destination(h)));
     if (!joins || ++entries[t] > 1)
     {
-      return InvalidInput("half-edge ", h, " cannot be glued to half-edge ", t,
-        ": twins must be other half-edges between the same vertices, in closed lists");
+      return InvalidInput("Half-edge ", h, " cannot be the twin of half-edge ", t)
+        .Fix("Use other half-edges between the same vertices, in closed lists");
     }
   }
   for (Id h = 0; h < halfEdges; ++h)
   {
     if ((twins[h] == NoId) != (entries[h] == 0))
     {
-      return InvalidInput("half-edge ", h, " is glued in one direction only");
+      return InvalidInput("Half-edge ", h, " has a twin in one direction only");
     }
   }
   this->Mesh.Twins.assign(twins, twins + halfEdges);
@@ -190,8 +191,10 @@ Status SurfaceMeshBuilder::CheckExtent(double extent, const char* what) const
 {
   return extent >= SmallestExtent && extent <= LargestExtent
     ? Status::Success()
-    : InvalidInput(what, " is ", extent, ", outside [", SmallestExtent, ", ", LargestExtent,
-        "]: ", extent == 0.0 ? "all triangles are single points" : "scale the mesh first");
+    : InvalidInput(what, " is ", extent, extent == 0.0 ? ": all triangles are single points" : "")
+        .Fix(extent == 0.0 ? "Correct the points"
+                           : JoinText("Scale the mesh so that it is between ", SmallestExtent,
+                               " and ", LargestExtent));
 }
 
 Status SurfaceMeshBuilder::MeasureLengths(const double* points)
@@ -216,8 +219,9 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
       {
         if (!std::isfinite(p[axis]))
         {
-          return InvalidInput("point ", triangle[k], ", used by triangle ", f,
-            ", has a coordinate that is not finite: remove the triangle or repair the point");
+          return InvalidInput(
+            "Point ", triangle[k], " of triangle ", f, " has a coordinate that is not finite")
+            .Fix("Correct the point or remove the triangle");
         }
         low[axis] = std::min(low[axis], p[axis]);
         high[axis] = std::max(high[axis], p[axis]);
@@ -232,9 +236,9 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
     return Status::Success(); // all faces are dropped
   }
   const double extent = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
-  DGG_RETURN_IF_ERROR(this->CheckExtent(extent, "the largest extent of the mesh"));
+  DGG_RETURN_IF_ERROR(this->CheckExtent(extent, "The largest extent of the mesh"));
   // Triangles that degenerate to points may be far from each other.
-  return this->CheckExtent(longest, "the longest edge");
+  return this->CheckExtent(longest, "The longest edge");
 }
 
 Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
@@ -256,15 +260,15 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
     if (!std::isfinite(lengths[h]) || lengths[h] < 0.0 ||
       length - shortest > LengthAgreement * length)
     {
-      return InvalidInput("half-edge ", h, " has length ", lengths[h],
-        ": lengths must be finite, not negative, and equal on all halves of an edge");
+      return InvalidInput("Half-edge ", h, " has the length ", lengths[h])
+        .Fix("Use lengths that are finite, not negative, and equal on all halves of an edge");
     }
     mesh.Lengths[h] = length;
     longest = std::max(longest, length);
   }
   const bool isEmpty = std::all_of(mesh.FaceFlags.begin(), mesh.FaceFlags.end(),
     [](std::uint8_t flags) { return (flags & SurfaceMesh::DroppedFlag) != 0; });
-  return isEmpty ? Status::Success() : this->CheckExtent(longest, "the longest edge");
+  return isEmpty ? Status::Success() : this->CheckExtent(longest, "The longest edge");
 }
 
 Status SurfaceMeshBuilder::CheckTriangleInequalities() const
@@ -283,8 +287,9 @@ Status SurfaceMeshBuilder::CheckTriangleInequalities() const
     if (!this->Mesh.IsDropped(f) &&
       2.0 * longest - (a + b + c) > std::max(LengthAgreement * longest, rounding))
     {
-      return InvalidInput("face ", f, " has edges of lengths ", a, ", ", b, " and ", c,
-        ": none may be longer than the other two together");
+      return InvalidInput("Face ", f, " has edges of the lengths ", a, ", ", b, " and ", c,
+        ", which violate the triangle inequality")
+        .Fix("Correct the lengths");
     }
   }
   return Status::Success();

@@ -3,7 +3,7 @@
 #include "dggSurfacePoint.h"
 
 #include "dggBarycentric.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <utility>
@@ -117,23 +117,25 @@ Status SurfacePoint::Check(const SurfaceMesh& mesh) const
     {
       return Status::Success();
     }
-    return InvalidInput("vertex ", this->Vertex, " does not exist: ids must be in [0, ",
-      mesh.GetNumberOfVertices() - 1, "]");
+    return InvalidInput("Vertex ", this->Vertex, " does not exist")
+      .Fix("Use ids from 0 to ", mesh.GetNumberOfVertices() - 1);
   }
   if (this->On == Support::Near)
   {
-    return InvalidInput(
-      "the point near vertex ", this->Vertex, " is not on the mesh: only clouds have such points");
+    return InvalidInput("The point near vertex ", this->Vertex, " is not on the mesh")
+      .Fix("Use such points on clouds only");
   }
   if (this->Face < 0 || this->Face >= mesh.GetNumberOfFaces() || mesh.IsDropped(this->Face))
   {
-    return InvalidInput("face ", this->Face, " does not exist or has no area");
+    return InvalidInput("Face ", this->Face, " does not exist or has no area")
+      .Fix("Use another face");
   }
   if (!AreBarycentric(this->Barycentric))
   {
-    return InvalidInput("the barycentric coordinates (", this->Barycentric[0], ", ",
+    return InvalidInput("The barycentric coordinates (", this->Barycentric[0], ", ",
       this->Barycentric[1], ", ", this->Barycentric[2], ") in face ", this->Face,
-      " are not within the face: they must not be negative and add up to 1");
+      " are outside of the face")
+      .Fix("Use non-negative numbers with the sum 1");
   }
   const std::array<double, 3>& b = this->Barycentric;
   const bool snapped = this->On == Support::Edge ? this->HalfEdge >= 3 * this->Face &&
@@ -141,8 +143,9 @@ Status SurfacePoint::Check(const SurfaceMesh& mesh) const
                                                  : b[0] > 0.0 && b[1] > 0.0 && b[2] > 0.0;
   if (!snapped)
   {
-    return InvalidInput("the point in face ", this->Face,
-      " does not lie on its vertex, edge or face: use SurfacePoint::InFace() or OnEdge()");
+    return InvalidInput(
+      "The point in face ", this->Face, " does not lie on its vertex, edge or face")
+      .Fix("Make the point with SurfacePoint::InFace() or OnEdge()");
   }
   return Status::Success();
 }

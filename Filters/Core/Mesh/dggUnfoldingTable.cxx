@@ -3,7 +3,7 @@
 #include "dggUnfoldingTable.h"
 
 #include "dggEdges.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,13 +77,12 @@ Status UnfoldingTable::CheckSize(const Extent& count)
   {
     return Status::Success();
   }
-  return InvalidInput("the mesh has ", count.HalfEdges / 3, " triangles",
+  return InvalidInput("The mesh has ", count.HalfEdges / 3, " triangles",
     count.BranchHalfEdges > 0
       ? JoinText(" and non-manifold edges of ", count.BranchHalfEdges, " triangles in all")
       : "",
-    ", too many for a graph: ",
-    count.NeedsMirrors ? "make it manifold and orient its triangles alike, or simplify it"
-                       : "simplify it");
+    ", too many for a graph")
+    .Fix(count.NeedsMirrors ? "Make it an oriented manifold, or simplify it" : "Simplify it");
 }
 
 void UnfoldingTable::FillAngles()

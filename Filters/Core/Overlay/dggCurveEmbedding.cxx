@@ -3,7 +3,7 @@
 #include "dggCurveEmbedding.h"
 
 #include "dggEdgeSplitting.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
@@ -101,8 +101,9 @@ Status EmbedCurves(const SurfaceMesh& mesh, const std::vector<SurfaceCurve>& cur
   {
     if (curves[c].Parameters.size() != curves[c].Path.Points.size())
     {
-      return InvalidInput("curve ", c, " has ", curves[c].Path.Points.size(), " points, but ",
-        curves[c].Parameters.size(), " parameters");
+      return InvalidInput("Curve ", c, " has ", curves[c].Path.Points.size(), " points, but ",
+        curves[c].Parameters.size(), " parameters")
+        .Fix("Give one parameter per point");
     }
     paths.push_back(curves[c].Path);
   }

@@ -3,7 +3,7 @@
 #include "dggFaceRefinement.h"
 
 #include "dggEdgeSplitting.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <limits>
@@ -46,8 +46,8 @@ Status LevelRefiner::Choose(const std::vector<Id>& faces)
   {
     if (face < 0 || face >= this->Surface.GetNumberOfFaces())
     {
-      return InvalidInput("face ", face, " does not exist: ids must be in [0, ",
-        this->Surface.GetNumberOfFaces() - 1, "]");
+      return InvalidInput("Face ", face, " does not exist")
+        .Fix("Use ids from 0 to ", this->Surface.GetNumberOfFaces() - 1);
     }
     this->IsChosen[face] = 1;
   }
@@ -95,8 +95,8 @@ Status LevelRefiner::SplitOnce(int rings, Offset mostFaces)
   mostFaces = std::min<Offset>(mostFaces, std::numeric_limits<Id>::max() / 3);
   if (faces > mostFaces)
   {
-    return InvalidInput("refinement would make ", faces, " faces, more than ", mostFaces,
-      ": choose fewer faces or levels");
+    return InvalidInput("Refinement needs ", faces, " faces, more than ", mostFaces)
+      .Fix("Refine fewer faces or use fewer levels");
   }
   std::vector<Id> parts;
   SplitEdges(this->Mesh, isSplit, this->Surface, &parts);
@@ -121,7 +121,7 @@ Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces, int le
   parents.clear();
   if (levels < 0)
   {
-    return Status::Invalid("the number of levels must not be negative");
+    return InvalidInput("The number of levels is ", levels).Fix("Use a number of at least 0");
   }
   SubMesh refined = surface;
   std::vector<Id> refinedParents;

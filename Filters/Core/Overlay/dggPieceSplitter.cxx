@@ -3,7 +3,7 @@
 #include "dggPieceSplitter.h"
 
 #include "dggFaceTriangulation.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -277,7 +277,7 @@ public:
       }
       begin = middle + share;
     }
-    return InvalidInput("the crossings of paths in face ", this->Face, " are too close together");
+    return InvalidInput("The crossings of paths in face ", this->Face, " are too close together");
   }
 
 private:
@@ -426,7 +426,7 @@ private:
         }
         if (!this->InsertCrossings)
         {
-          return InvalidInput("paths ", this->Pieces[this->Segments[i].Piece].Path, " and ",
+          return InvalidInput("Paths ", this->Pieces[this->Segments[i].Piece].Path, " and ",
             this->Pieces[this->Segments[*j].Piece].Path, " cross in face ", this->Face);
         }
         const Id node = this->Nodes.AddCrossing(Intersection(p, q), this->Face);

@@ -3,7 +3,7 @@
 #include "dggSurfaceCurve.h"
 
 #include "dggExactPath.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -84,7 +84,7 @@ Status CurveBuilder::CheckPoints() const
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
     DGG_RETURN_IF_ERROR(
-      this->Points[i].Check(this->Mesh).Of(JoinText("point ", i, " of the curve")));
+      this->Points[i].Check(this->Mesh).Of(JoinText("Point ", i, " of the curve")));
   }
   return Status::Success();
 }
@@ -113,12 +113,12 @@ Status CurveBuilder::FindLeg(std::size_t from, std::size_t to, const ProgressCal
     this->Finder = std::make_unique<ExactPathFinder>(this->Mesh);
   }
   std::vector<SurfacePath> paths;
-  const std::string name = JoinText("points ", from, " and ", to, " of the curve");
+  const std::string name = JoinText("Points ", from, " and ", to, " of the curve");
   DGG_RETURN_IF_ERROR(this->Finder->Find(start, { end }, progress, paths).Of(name));
   if (paths[0].Faces.empty())
   {
-    return Status::Invalid(
-      name + " are not connected: no path on the surface joins them. Make two curves of it");
+    return Status(Status::Code::NotConnected, name + " are not connected by the surface")
+      .Fix("Split the curve in two");
   }
   this->Leg = std::move(paths[0]);
   this->Leg.Points.front() = start;

@@ -3,7 +3,7 @@
 #include "dggSurfaceCut.h"
 
 #include "dggDisjointSets.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPathEdges.h"
 
 #include <cstddef>
@@ -115,11 +115,11 @@ Status PathCutter::CheckSides() const
   {
     return Status::Success();
   }
-  return InvalidInput("curves have no sides where they meet ", this->CountDefects(Defect::Crowded),
+  return InvalidInput("Curves have no sides where they meet ", this->CountDefects(Defect::Crowded),
     " edges of more than two faces and ", this->CountDefects(Defect::Twisted),
-    " edges of two faces that are oriented differently. Remove sheets that stand on"
-    " others, orient the faces alike, and do not draw curves across the seam"
-    " of a one-sided surface");
+    " edges of two faces with opposite orientations")
+    .Fix("Make the surface an oriented manifold, and draw no curves across the seam of a one-sided "
+         "surface");
 }
 
 Status PathCutter::Run(PinchedVertices pinched, SubMesh& cut) const
@@ -150,7 +150,7 @@ Status PathCutter::OpenEdges(SubMesh& cut) const
       if (halfEdges.empty())
       {
         return InvalidInput(
-          "vertices ", path[i], " and ", path[i + 1], " of a chain are not neighbours");
+          "Vertices ", path[i], " and ", path[i + 1], " of a chain are not neighbours");
       }
       for (const Id h : halfEdges)
       {

@@ -4,7 +4,7 @@
 
 #include "dggEdges.h"
 #include "dggFaceTriangulation.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPieceSplitter.h"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ Status Refiner::CheckPaths() const
   for (std::size_t p = 0; p < this->Paths.size(); ++p)
   {
     const SurfacePath& path = this->Paths[p];
-    const std::string name = "path " + std::to_string(p);
+    const std::string name = JoinText("Path ", p);
     for (const SurfacePoint& point : path.Points)
     {
       DGG_RETURN_IF_ERROR(point.Check(this->Mesh).Of(name));
@@ -233,7 +233,7 @@ Status Refiner::Triangulate(Id f, std::size_t work)
       }
       if (!triangulation.AddSegment(segments[i].From, segments[i].To))
       {
-        return InvalidInput("face ", f, " cannot be split along path ", segments[i].Path);
+        return InvalidInput("Face ", f, " cannot be split along path ", segments[i].Path);
       }
     }
   }

@@ -4,7 +4,7 @@
 
 #include "dggCurveMargin.h"
 #include "dggDisjointSets.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPathEdges.h"
 
 #include <algorithm>
@@ -41,8 +41,9 @@ Status LayoutDrawing::Begin()
     const auto added = landmarkAt.emplace(this->Surface.Refined.Paths[l][0], l);
     if (!added.second)
     {
-      return InvalidInput("landmarks ", added.first->second, " and ", l, " of ", this->Name,
-        " have the same position");
+      return InvalidInput("Landmarks ", added.first->second, " and ", l, " of ", this->Name,
+        " have the same position")
+        .Fix("Move or remove one of them");
     }
   }
   return this->Cut();
@@ -55,11 +56,11 @@ Status LayoutDrawing::CheckSurface() const
     const Id t = this->Mesh.IsDropped(SurfaceMesh::Face(h)) ? NoId : this->Mesh.Twin(h);
     if (t != NoId && (this->Mesh.Twin(t) != h || this->Mesh.Origin(t) != this->Mesh.Destination(h)))
     {
-      return InvalidInput("the edge between points ", this->Mesh.Origin(h), " and ",
+      return InvalidInput("The edge between points ", this->Mesh.Origin(h), " and ",
         this->Mesh.Destination(h), " of ", this->Name,
-        (this->Mesh.Twin(t) != h ? " has more than two faces"
-                                 : " shows that the surface cannot be oriented"),
-        ": patches need a surface with two sides");
+        this->Mesh.Twin(t) != h ? " has more than two faces"
+                                : " shows that the surface cannot be oriented")
+        .Fix("Use an orientable manifold: patches need a surface with two sides");
     }
   }
   return Status::Success();
@@ -70,10 +71,11 @@ Status LayoutDrawing::CheckLandmarks() const
   for (std::size_t l = 0; l < this->Landmarks.size(); ++l)
   {
     DGG_RETURN_IF_ERROR(
-      this->Landmarks[l].Check(this->Mesh).Of(JoinText("landmark ", l, " of ", this->Name)));
+      this->Landmarks[l].Check(this->Mesh).Of(JoinText("Landmark ", l, " of ", this->Name)));
     if (FindFaceOf(this->Mesh, this->Landmarks[l]) == NoId)
     {
-      return InvalidInput("landmark ", l, " of ", this->Name, " is a point that no face uses");
+      return InvalidInput("Landmark ", l, " of ", this->Name, " is a point that no face uses")
+        .Fix("Move the landmark to a face");
     }
   }
   return Status::Success();
@@ -175,7 +177,7 @@ Status LayoutDrawing::FindPathsFrom(ExactPathFinder& finder, Id landmark,
   {
     if (found[i].IsEmpty())
     {
-      return this->Refuse(leaving[i], "they are not connected");
+      return this->Refuse(leaving[i], "the landmarks are not connected");
     }
     paths[leaving[i]] = std::move(found[i]);
   }
@@ -234,18 +236,15 @@ Status LayoutDrawing::Draw(
   if (from.empty() || to.empty())
   {
     return this->Refuse(edge,
-      "the order of the edges around landmark " + std::to_string(from.empty() ? a : b) +
-        " leaves no room for it");
+      JoinText("the order of the edges around landmark ", from.empty() ? a : b, " leaves no room"));
   }
   Connection connection;
   DGG_RETURN_IF_ERROR(this->Connect(from, to, progress, connection));
   if (connection.Path.IsEmpty())
   {
     return this->Refuse(edge,
-      this->Surface.DrawnEdges.empty()
-        ? "they are not connected"
-        : "the other edges separate them. Check that the landmarks correspond, or turn patches "
-          "the other way");
+      this->Surface.DrawnEdges.empty() ? "the landmarks are not connected"
+                                       : "other edges separate the landmarks");
   }
   SubMesh refined;
   DGG_RETURN_IF_ERROR(this->KeepClear(edge, progress, connection, refined));
@@ -290,7 +289,7 @@ Status LayoutDrawing::KeepClear(
   DGG_RETURN_IF_ERROR(this->TraceClear(connection.From, connection.To, progress, clear));
   if (clear.IsEmpty() || !this->Refine(&clear, refined).IsOk() || !this->KeepsClear(refined))
   {
-    return this->Refuse(edge, "there is no room between the other edges: refine the mesh");
+    return this->Refuse(edge, "there is no room between the other edges");
   }
   connection.Path = std::move(clear);
   return Status::Success();
@@ -418,7 +417,8 @@ void LayoutDrawing::FindParts(
 
 Status LayoutDrawing::Refuse(Id edge, const std::string& reason) const
 {
-  return InvalidInput("the layout edge between landmarks ", this->Edges[edge][0], " and ",
-    this->Edges[edge][1], " cannot be drawn on ", this->Name, ": ", reason);
+  return InvalidInput("The layout edge between landmarks ", this->Edges[edge][0], " and ",
+    this->Edges[edge][1], " cannot be drawn on ", this->Name, ": ", reason)
+    .Fix("Check that the landmarks correspond, reverse patches, or refine the mesh");
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLayoutOrder.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,8 +20,8 @@ Status CheckLandmark(Id landmark, Id count, const std::string& where)
   {
     return Status::Success();
   }
-  return InvalidInput(where, " names landmark ", landmark, ", but there are ", count,
-    ": landmarks must be in [0, ", count - 1, "]");
+  return InvalidInput(where, " refers to landmark ", landmark, ", but there are ", count)
+    .Fix("Use landmarks from 0 to ", count - 1);
 }
 
 std::string Name(const std::string& what, std::size_t index)
@@ -45,7 +45,7 @@ Status LayoutOrder::Read(const PatchLayout& layout, Id numberOfLandmarks)
   DGG_RETURN_IF_ERROR(this->AddEdges(layout, numberOfLandmarks));
   if (this->Edges.empty())
   {
-    return Status::Invalid("the layout is empty: give it patches, or edges between landmarks");
+    return InvalidInput("The layout is empty").Fix("Add patches, or edges between landmarks");
   }
   this->FindOrders(layout, numberOfLandmarks);
   return Status::Success();
@@ -57,10 +57,11 @@ Status LayoutOrder::ReadPatches(const PatchLayout& layout, Id numberOfLandmarks)
   for (std::size_t p = 0; p < layout.Patches.size(); ++p)
   {
     const std::vector<Id>& patch = layout.Patches[p];
-    const std::string name = Name("patch", p);
+    const std::string name = Name("Patch", p);
     if (patch.size() < 3)
     {
-      return Status::Invalid(name + " has fewer than three landmarks");
+      return InvalidInput(name, " has fewer than three landmarks")
+        .Fix("Add landmarks, or remove the patch");
     }
     for (std::size_t i = 0; i < patch.size(); ++i)
     {
@@ -69,14 +70,16 @@ Status LayoutOrder::ReadPatches(const PatchLayout& layout, Id numberOfLandmarks)
       DGG_RETURN_IF_ERROR(CheckLandmark(a, numberOfLandmarks, name));
       if (a == b)
       {
-        return InvalidInput(name, " has landmark ", a, " twice in a row");
+        return InvalidInput(name, " has landmark ", a, " twice in succession")
+          .Fix("Remove one of the two");
       }
       const auto added = sides.emplace(std::make_pair(a, b), p);
       if (!added.second)
       {
-        return InvalidInput("patches ", added.first->second, " and ", p,
-          " of the layout both go from landmark ", a, " to ", b,
-          ": an edge has at most two patches, which pass it in opposite directions");
+        return InvalidInput("Patches ", added.first->second, " and ", p,
+          " of the layout both pass from landmark ", a, " to ", b)
+          .Fix("Reverse one of them: an edge has at most two patches, which pass it in opposite "
+               "directions");
       }
       if (sides.find({ b, a }) == sides.end())
       {
@@ -101,16 +104,18 @@ Status LayoutOrder::AddEdges(const PatchLayout& layout, Id numberOfLandmarks)
     const std::array<Id, 2>& edge = layout.Edges[e];
     for (const Id landmark : edge)
     {
-      DGG_RETURN_IF_ERROR(CheckLandmark(landmark, numberOfLandmarks, Name("edge", e)));
+      DGG_RETURN_IF_ERROR(CheckLandmark(landmark, numberOfLandmarks, Name("Edge", e)));
     }
     if (edge[0] == edge[1])
     {
-      return InvalidInput(Name("edge", e), " joins landmark ", edge[0], " with itself");
+      return InvalidInput(Name("Edge", e), " joins landmark ", edge[0], " to itself")
+        .Fix("Remove the edge");
     }
     if (!added.insert(key(edge[0], edge[1])).second)
     {
       return InvalidInput(
-        Name("edge", e), ", between landmarks ", edge[0], " and ", edge[1], ", occurs twice");
+        Name("Edge", e), ", between landmarks ", edge[0], " and ", edge[1], ", occurs twice")
+        .Fix("Remove one of the two");
     }
     if (known.insert(key(edge[0], edge[1])).second)
     {

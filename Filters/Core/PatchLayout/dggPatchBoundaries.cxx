@@ -3,7 +3,7 @@
 #include "dggPatchBoundaries.h"
 
 #include "dggDisjointSets.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggLayoutDrawing.h"
 #include "dggLayoutOrder.h"
 #include "dggProgressPart.h"
@@ -109,8 +109,9 @@ Status BoundaryTracer::Prepare()
   const std::size_t others = this->Surfaces[1]->Landmarks.size();
   if (this->Surfaces[0]->Landmarks.size() != others)
   {
-    return InvalidInput("there are ", this->NumberOfLandmarks,
-      " landmarks on the first surface and ", others, " on the second one: they must correspond");
+    return InvalidInput("There are ", this->NumberOfLandmarks,
+      " landmarks on the first surface and ", others, " on the second one")
+      .Fix("Give both surfaces the same number of landmarks");
   }
   DGG_RETURN_IF_ERROR(this->Order.Read(this->Layout, this->NumberOfLandmarks));
   return this->BeginDrawings();
@@ -286,12 +287,13 @@ Status BoundaryTracer::CheckPatches(int side) const
   {
     corners[sector.Part] += sector.Begin != NoId || sector.End != NoId ? 1 : 0;
   }
+  constexpr const char* remedy = "Correct the patch, or add landmarks around holes and handles";
   std::vector<char> isTaken(characteristics.size(), 0);
   for (std::size_t p = 0; p < this->Layout.Patches.size(); ++p)
   {
     const std::vector<Id>& patch = this->Layout.Patches[p];
-    const std::string isNoDisk = "patch " + std::to_string(p) + " of the layout is not a disk on " +
-      this->Drawings[side].GetName() + ": ";
+    const std::string isNoDisk = JoinText(
+      "Patch ", p, " of the layout is not a disk on ", this->Drawings[side].GetName(), ": ");
     Id part = NoId;
     for (std::size_t i = 0; i < patch.size(); ++i)
     {
@@ -306,21 +308,23 @@ Status BoundaryTracer::CheckPatches(int side) const
       });
       if (sector == sectors.end())
       {
-        return InvalidInput(
-          isNoDisk, "its sides are not next to each other at landmark ", patch[i]);
+        return InvalidInput(isNoDisk, "its sides are not adjacent at landmark ", patch[i])
+          .Fix(remedy);
       }
       part = i == 0 ? sector->Part : part;
       if (sector->Part != part)
       {
         return InvalidInput(isNoDisk, "its corners at landmarks ", patch[0], " and ", patch[i],
-          " are in different parts of the surface");
+          " are in different parts of the surface")
+          .Fix(remedy);
       }
     }
     if (characteristics[part] != 1 || corners[part] != patch.size() || isTaken[part])
     {
       return InvalidInput(isNoDisk,
         characteristics[part] != 1 ? "there is a hole or a handle in it"
-                                   : "it is connected with another patch");
+                                   : "it is connected with another patch")
+        .Fix(remedy);
     }
     isTaken[part] = 1;
   }
@@ -364,10 +368,10 @@ Status BoundaryTracer::CompareParts() const
     if (image != other->second || origin != corner.second ||
       characteristics[0][corner.second] != characteristics[1][other->second])
     {
-      return InvalidInput("the curves divide the two surfaces differently at landmark ",
-        corner.first[0],
-        ": check that the landmarks correspond, and add more of them where the surface ",
-        "has handles");
+      return InvalidInput(
+        "The curves divide the two surfaces differently at landmark ", corner.first[0])
+        .Fix(
+          "Check that the landmarks correspond, and add landmarks where the surface has handles");
     }
   }
   return Status::Success();

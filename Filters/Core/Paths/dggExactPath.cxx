@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggExactPath.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -480,8 +480,9 @@ Status ExactPathFinder::Find(const SurfacePoint& from, const std::vector<Surface
       !tracer.Trace(to[t], distance, result.TargetPredecessors[t], paths[t]))
     {
       paths.clear();
-      return InvalidInput("the path to target ", t, ", at distance ", distance,
-        ", cannot be traced back: the faces that it crosses are too narrow");
+      return InvalidInput("The path to target ", t, ", at distance ", distance,
+        ", cannot be traced: the faces that it crosses are too narrow")
+        .Fix("Improve these faces");
     }
   }
   return Status::Success();

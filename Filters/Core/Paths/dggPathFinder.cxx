@@ -88,7 +88,8 @@ Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
   DGG_RETURN_IF_ERROR(this->Usable);
   if (!this->Search.GetGraph().Angles)
   {
-    return Status::Invalid("paths are traced on meshes: this graph has no directions");
+    return InvalidInput("The graph has no directions, which paths need")
+      .Fix("Use the graph of a mesh");
   }
   const double linkAccuracy =
     options.LinkAccuracy > 0.0 ? options.LinkAccuracy : this->Search.GetGraph().Info.Accuracy;

@@ -238,8 +238,10 @@ Status PathTracer::Append(const GraphEdge& edge, bool isBackwards)
     if (!this->FindExactly(isBackwards ? strip.End : strip.Start,
           isBackwards ? strip.Start : strip.End, edge.Length, path))
     {
-      return Status::Invalid("an edge of the graph, from vertex " + std::to_string(edge.Tail) +
-        ", cannot be traced on the surface: the graph is not that of the mesh");
+      return Status(Status::Code::DamagedGraph,
+        JoinText(
+          "An edge of the graph, from vertex ", edge.Tail, ", cannot be traced on the surface"))
+        .Fix("Build the graph again for this mesh");
     }
     this->Chain.Append(path);
     return Status::Success();
@@ -272,7 +274,7 @@ Status PathTracer::Append(const SurfacePoint& from, const SurfacePoint& to, doub
   }
   else if (!this->FindExactly(from, to, length, path))
   {
-    return Status::Invalid("the straight line between two points cannot be traced");
+    return InvalidInput("The straight line between two points cannot be traced");
   }
   this->Chain.Append(path);
   return Status::Success();

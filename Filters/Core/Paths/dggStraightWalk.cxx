@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggStraightWalk.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <array>
@@ -249,8 +249,8 @@ Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start, double a
   DGG_RETURN_IF_ERROR(start.Check(mesh));
   if (!std::isfinite(angle) || !(length >= 0.0 && length < Infinity))
   {
-    return InvalidInput("cannot walk in the direction ", angle, " for a length of ", length,
-      ": a finite angle and a length that is finite and not negative are needed");
+    return InvalidInput("The walk has the direction ", angle, " and the length ", length)
+      .Fix("Use a finite angle and a finite length of at least 0");
   }
   Walk(mesh, length, path).Start(start, angle);
   return Status::Success();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfacePath.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <cmath>
 #include <limits>
@@ -89,7 +89,8 @@ Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path)
   if (path.Faces.size() != pieces)
   {
     return InvalidInput(
-      "a path of ", path.Points.size(), " points has faces for ", path.Faces.size(), " pieces");
+      "A path of ", path.Points.size(), " points has ", path.Faces.size(), " faces")
+      .Fix("Give one face per piece");
   }
   double sum = 0.0;
   for (std::size_t i = 0; i < pieces; ++i)
@@ -97,13 +98,14 @@ Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path)
     const double length = MeasurePiece(mesh, path, i);
     if (!std::isfinite(length))
     {
-      return InvalidInput("piece ", i, " of the path does not lie in face ", path.Faces[i]);
+      return InvalidInput("Piece ", i, " of the path does not lie in face ", path.Faces[i]);
     }
     sum += length;
   }
   if (!(std::abs(sum - path.Length) <= LengthTolerance * sum))
   {
-    return InvalidInput("the length of the path is ", path.Length, ", but its pieces have ", sum);
+    return InvalidInput(
+      "The length of the path is ", path.Length, ", but its pieces have the length ", sum);
   }
   return Status::Success();
 }
@@ -116,8 +118,9 @@ Status CheckCorners(const SurfaceMesh& mesh)
     if (!mesh.IsDropped(f) &&
       (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]))
     {
-      return InvalidInput("face ", f, " has vertices ", corners[0], ", ", corners[1], " and ",
-        corners[2], ": for paths they must be distinct. Split its edges");
+      return InvalidInput("Face ", f, " has the vertices ", corners[0], ", ", corners[1], " and ",
+        corners[2], ", which are not distinct")
+        .Fix("Split its edges");
     }
   }
   return Status::Success();

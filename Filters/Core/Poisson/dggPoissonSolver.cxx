@@ -61,18 +61,19 @@ Status PoissonSolver::CheckNumbers(const std::vector<double>& values) const
   const PoissonSystem& system = *this->System;
   if (!system.IsReady())
   {
-    return Status::Invalid("the system has not been factorized: call Prepare() first");
+    return InvalidInput("The system has not been factorized").Fix("Call Prepare() first");
   }
   if (values.size() != static_cast<std::size_t>(system.GetNumberOfVertices()))
   {
-    return Status::Invalid("there are " + std::to_string(values.size()) + " values for " +
-      std::to_string(system.GetNumberOfVertices()) + " vertices: give one for each");
+    return InvalidInput(
+      "There are ", values.size(), " values for ", system.GetNumberOfVertices(), " vertices")
+      .Fix("Give one value per vertex");
   }
   for (std::size_t v = 0; v < values.size(); ++v)
   {
     if (!std::isfinite(values[v]))
     {
-      return Status::Invalid("the value of vertex " + std::to_string(v) + " is not finite");
+      return InvalidInput("The value of vertex ", v, " is ", values[v]).Fix("Use finite values");
     }
   }
   return Status::Success();
@@ -141,7 +142,8 @@ Status PoissonSolver::CheckPlace(const SurfacePoint& point) const
   const SurfaceMesh& mesh = this->GetMesh();
   DGG_RETURN_IF_ERROR(point.Check(mesh));
   return IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex)
-    ? Status::Invalid(NameOf(point) + " has no face: nothing is defined there")
+    ? InvalidInput("Nothing is defined at ", NameOf(point), ", which has no face")
+        .Fix("Use a point of the surface")
     : Status::Success();
 }
 
@@ -151,12 +153,12 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
   const SurfaceMesh& mesh = this->GetMesh();
   const bool isVertex = IsVertex(point);
   const Id v = isVertex ? point.Vertex : mesh.Origin(3 * point.Face);
-  const std::string where = NameOf(point);
+  const std::string where = "The pole (" + NameOf(point) + ")";
   DGG_RETURN_IF_ERROR(CheckThinPlace(*this->System, this->System->GetComponent(v), where));
   if (isVertex && this->GetOptions().Boundary == PoissonBoundary::Neumann &&
     this->System->IsFixed(v))
   {
-    return Status::Invalid(where + " has a given value: move the pole elsewhere");
+    return InvalidInput(where, " has a given value").Fix("Move the pole");
   }
   if (this->GetOptions().Boundary != PoissonBoundary::Dirichlet)
   {
@@ -164,14 +166,16 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
   }
   if (!this->System->HasBoundary(this->System->GetComponent(v)))
   {
-    return Status::Invalid(
-      where + " lies in a part of the surface without a boundary: use Neumann conditions");
+    return InvalidInput(where, " lies in a part of the surface without a boundary")
+      .At("Boundary", v)
+      .Fix("Set {Boundary} to Neumann");
   }
   const bool isOnRim = point.On == SurfacePoint::Support::Edge && mesh.Twin(point.HalfEdge) == NoId;
   if ((isVertex && this->System->IsFixed(v)) || isOnRim)
   {
-    return Status::Invalid(where +
-      " lies on the boundary, where values are given: move it inside, or use Neumann conditions");
+    return InvalidInput(where, " lies on the boundary, where values are given")
+      .At("Boundary", v)
+      .Fix("Move the point inside, or set {Boundary} to Neumann");
   }
   return Status::Success();
 }

@@ -143,8 +143,8 @@ Status PoissonSystem::CheckDirichletVertices(const std::vector<Id>& vertices) co
   {
     if (v < 0 || v >= n)
     {
-      return Status::Invalid("a value is given at vertex " + std::to_string(v) +
-        ", which does not exist: ids must be in [0, " + std::to_string(n - 1) + "]");
+      return InvalidInput("A value is given at vertex ", v, ", which does not exist")
+        .Fix("Use ids from 0 to ", n - 1);
     }
   }
   return Status::Success();
@@ -208,7 +208,7 @@ Status PoissonSystem::Factorize(const ProgressCallback& progress)
 {
   if (!this->IsAnalyzed)
   {
-    return Status::Invalid("the system has not been analyzed: call Analyze() first");
+    return InvalidInput("The system has not been analyzed").Fix("Call Analyze() first");
   }
   if (this->Factor.IsComputed())
   {

@@ -215,8 +215,8 @@ Status SparseFactor::Factorize(
     this->Diagonal[k] = pivot;
     if (pivot == 0.0)
     {
-      return Status::Invalid(
-        "a linear system could not be factorized: remove triangles that have next to no area");
+      return InvalidInput("A linear system could not be factorized")
+        .Fix("Remove triangles with almost no area");
     }
     if (work > WorkPerReport)
     {

@@ -5,7 +5,7 @@
 #ifndef dggSparseFactor_h
 #define dggSparseFactor_h
 
-#include "dggTypes.h" // for Offset
+#include "dggStatus.h" // for Status
 
 #include <Eigen/SparseCore> // for matrices
 

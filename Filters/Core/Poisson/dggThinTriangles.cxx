@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggThinTriangles.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPoissonSystem.h"
 
 #include <algorithm>
@@ -159,17 +159,18 @@ Status CheckThinTriangles(const PoissonSystem& system, std::vector<std::uint8_t>
   {
     return Status::Success();
   }
-  return InvalidInput("the triangles are too thin: about ", std::lround(100.0 * mean),
-    " % of a solution would be lost. Make a surface of better triangles, less than some 100 000 "
-    "times as long as high, or scale it by the same factor in all directions");
+  return InvalidInput("The triangles are too thin: about ", std::lround(100.0 * mean),
+    " % of a solution would be lost")
+    .Fix("Use triangles with an aspect ratio below 100 000, or scale the surface equally in all "
+         "directions");
 }
 
 Status CheckThinPlace(const PoissonSystem& system, Id component, const std::string& where)
 {
   return system.IsThin(component)
-    ? Status::Invalid(where +
-        " lies in a part of the surface whose triangles are too thin to solve equations there: "
-        "make better ones, or leave that part out")
+    ? InvalidInput(
+        where, " lies in a part of the surface whose triangles are too thin to solve equations")
+        .Fix("Improve or exclude that part")
     : Status::Success();
 }
 
@@ -196,9 +197,8 @@ Status CheckThinSources(
       largest = largest == NoId || size > std::abs(sources[largest]) ? v : largest;
     }
   }
-  return thin > LargestThinSources * all
-    ? CheckThinPlace(system, system.GetComponent(largest),
-        "the " + noun + " at vertex " + std::to_string(largest))
-    : Status::Success();
+  return thin > LargestThinSources * all ? CheckThinPlace(system, system.GetComponent(largest),
+                                             JoinText("The ", noun, " at vertex ", largest))
+                                         : Status::Success();
 }
 }

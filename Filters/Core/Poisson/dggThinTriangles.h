@@ -5,7 +5,7 @@
 #ifndef dggThinTriangles_h
 #define dggThinTriangles_h
 
-#include "dggTypes.h" // for Status
+#include "dggStatus.h" // for Status
 
 #include <cstdint> // for flags
 #include <string>  // for messages

@@ -40,10 +40,11 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   {
     if ((sources[k].InitialDistance - shift) / faces.GetUnit() > LargestOffset)
     {
-      return Status::Invalid("source " + std::to_string(k) +
-        " starts with a distance that is more than 1e30 mean edges above the smallest one: too "
-        "much "
-        "for virtual sources, which are in single precision");
+      return InvalidInput("Source ", k,
+        " has an initial distance of more than 1e30 mean edges above the smallest one, which "
+        "exceeds single precision")
+        .At("InitialDistance", static_cast<Offset>(k))
+        .Fix("Use smaller initial distances, or exact distances");
     }
   }
   const double radius = (options.MaximumDistance - shift) / faces.GetUnit();
@@ -110,7 +111,7 @@ Status SourcePropagation::Run(const std::vector<GeodesicSource>& sources,
   DGG_RETURN_IF_ERROR(CheckSources(this->Mesh, sources));
   if (std::isnan(options.MaximumDistance))
   {
-    return Status::Invalid("the maximum distance is not a number");
+    return InvalidValue("MaximumDistance", options.MaximumDistance).Fix("Use a number or infinity");
   }
   return options.Quality == PropagationQuality::High
     ? RunPropagation<true>(this->Mesh, *this->Faces, sources, options, result)

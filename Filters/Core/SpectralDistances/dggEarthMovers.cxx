@@ -3,7 +3,7 @@
 #include "dggEarthMovers.h"
 
 #include "dggGeodesicSource.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 #include "dggSparseFactor.h"
@@ -267,8 +267,9 @@ Status ScaleToOne(std::vector<double>& masses, double& total)
   {
     if (!(masses[v] >= 0.0) || !std::isfinite(masses[v]))
     {
-      return InvalidInput(
-        "the mass of vertex ", v, " is ", masses[v], ": masses are finite and not negative");
+      return InvalidInput("The mass of vertex ", v, " is ", masses[v])
+        .At("Masses", static_cast<Offset>(v))
+        .Fix("Use finite masses of at least 0");
     }
     largest = std::max(largest, masses[v]);
   }
@@ -283,8 +284,9 @@ Status ScaleToOne(std::vector<double>& masses, double& total)
     mass = largest > 0.0 ? mass / sum : 0.0;
   }
   total = largest * sum;
-  return std::isfinite(total) ? Status::Success()
-                              : Status::Invalid("the sum of the masses is not finite: scale them");
+  return std::isfinite(total)
+    ? Status::Success()
+    : InvalidInput("The sum of the masses is not finite").At("Masses").Fix("Scale the masses");
 }
 
 /// Subtracts differences within the tolerance from the second distribution.
@@ -306,10 +308,10 @@ Status BalanceComponents(
     const double b = toSums[components[v]];
     if (std::abs(a - b) > MassTolerance)
     {
-      return InvalidInput("in the part of the surface with vertex ", v, " there is a fraction of ",
-        a, " of the first distribution and ", b,
-        " of the second one: nothing can get there from other parts, so give both the same mass in "
-        "each part");
+      return InvalidInput("The part of the surface with vertex ", v, " contains a fraction of ", a,
+        " of the first distribution and ", b, " of the second one")
+        .At("Masses", static_cast<Offset>(v))
+        .Fix("Give both distributions the same mass in each part: mass cannot move between parts");
     }
     const double ratio = a / b;
     from[v] = b > 0.0 && std::isfinite(ratio) ? from[v] : 0.0;
@@ -325,7 +327,9 @@ Status AddPointMass(
   DGG_RETURN_IF_ERROR(point.Check(mesh));
   if (masses.size() != static_cast<std::size_t>(mesh.GetNumberOfVertices()))
   {
-    return Status::Invalid("there must be one mass for each vertex");
+    return InvalidInput(
+      "There are ", masses.size(), " masses for ", mesh.GetNumberOfVertices(), " vertices")
+      .Fix("Give one mass per vertex");
   }
   ForEachCornerAround(
     mesh, point, [&](Id v, double weight, double) { masses[v] += mass * weight; });
@@ -338,13 +342,15 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   result = EarthMoversResult();
   if (!this->Solver.IsReady())
   {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+    return InvalidInput("The solver has not been prepared").Fix("Call Prepare() first");
   }
   const PoissonSystem& system = this->Solver.GetSystem();
   if (system.GetOptions().Boundary != PoissonBoundary::Neumann ||
     !system.GetOptions().DirichletVertices.empty())
   {
-    return Status::Invalid("mass must not leave through boundaries: use Neumann conditions");
+    return InvalidInput("Mass must not leave through boundaries")
+      .At("Boundary")
+      .Fix("Set {Boundary} to Neumann");
   }
   const std::size_t n = from.size();
   // Required weak divergence of flows; mass flows towards smaller potentials.
@@ -398,7 +404,9 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
   keepFlow();
   if (!std::isfinite(result.Distance))
   {
-    return Status::Invalid("the cost of moving the masses is too large for a number: scale them");
+    return InvalidInput("The cost of moving the masses is too large for a floating-point number")
+      .At("Masses")
+      .Fix("Scale the masses");
   }
   result.Potential.assign(n, 0.0);
   keepPotential(potential);
@@ -498,21 +506,27 @@ Status BalanceMasses(const SurfaceMesh& mesh, bool normalize, std::vector<double
   const auto n = static_cast<std::size_t>(mesh.GetNumberOfVertices());
   if (from.size() != n || to.size() != n)
   {
-    return Status::Invalid("both distributions need one mass for each vertex");
+    return InvalidInput(
+      "The distributions have ", from.size(), " and ", to.size(), " masses for ", n, " vertices")
+      .Fix("Give one mass per vertex");
   }
   double totals[2] = { 0.0, 0.0 };
   DGG_RETURN_IF_ERROR(ScaleToOne(from, totals[0]));
   DGG_RETURN_IF_ERROR(ScaleToOne(to, totals[1]));
   if (normalize && !(std::min(totals[0], totals[1]) > 0.0))
   {
-    return InvalidInput("the ", totals[0] > 0.0 ? "second" : "first",
-      " distribution has no mass: it cannot be normalized");
+    return InvalidInput("The ", totals[0] > 0.0 ? "second" : "first",
+      " distribution has no mass, so it cannot be normalized")
+      .At("Masses")
+      .Fix("Give it a positive mass");
   }
   if (!normalize &&
     std::abs(totals[0] - totals[1]) > MassTolerance * std::max(totals[0], totals[1]))
   {
-    return InvalidInput("the first distribution has the mass ", totals[0], " and the second one ",
-      totals[1], ": give both the same, or have them normalized");
+    return InvalidInput(
+      "The first distribution has the mass ", totals[0], " and the second one ", totals[1])
+      .At("Masses")
+      .Fix("Give both the same mass, or turn on {Normalize}");
   }
   total = normalize ? 1.0 : totals[0];
   return BalanceComponents(mesh, from, to);

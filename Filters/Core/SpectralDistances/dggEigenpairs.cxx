@@ -257,7 +257,7 @@ Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressC
   }
   catch (const std::exception&)
   {
-    return Status::Invalid("the eigenvalues could not be found: make better triangles");
+    return InvalidInput("The eigenvalues could not be computed").Fix("Improve the triangles");
   }
   // Merged with the known ones, in order.
   const Eigen::Index known = values.size();
@@ -351,11 +351,11 @@ Status FindEigenpairs(const PoissonSolver& solver, Id count, const ProgressCallb
   pairs.clear();
   if (!solver.IsReady())
   {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+    return InvalidInput("The solver has not been prepared").Fix("Call Prepare() first");
   }
   if (count < 1)
   {
-    return Status::Invalid("the number of eigenvalues must be positive");
+    return InvalidValue("NumberOfEigenvalues", count).Fix("Use a number of at least 1");
   }
   const PoissonSystem& system = solver.GetSystem();
   const SurfaceMesh& mesh = system.GetMesh();

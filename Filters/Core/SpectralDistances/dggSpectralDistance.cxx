@@ -50,16 +50,18 @@ Status SpectralDistance::Prepare(const SpectralOptions& options, const ParallelF
 {
   if (!this->Solver.IsReady())
   {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+    return InvalidInput("The solver has not been prepared").Fix("Call Prepare() first");
   }
   if (!(options.Time >= 0.0) || !(options.Time < Infinity))
   {
-    return Status::Invalid("the time of diffusion must not be negative, and finite");
+    return InvalidValue("DiffusionTime", options.Time).Fix("Use a finite number of at least 0");
   }
   const bool isExact = options.Method == SpectralMethod::Exact;
   if (options.Kind == SpectralKind::Diffusion && isExact)
   {
-    return Status::Invalid("diffusion distances need eigenvalues: use the method Spectrum");
+    return InvalidInput("Diffusion distances need eigenvalues")
+      .At("Method")
+      .Fix("Set {Method} to Spectrum");
   }
   const std::uint64_t revision = this->Solver.GetSystem().GetRevision();
   const bool isSameSystem = this->IsPrepared && this->Revision == revision;
@@ -148,12 +150,12 @@ Status SpectralDistance::CheckPrepared() const
 {
   if (!this->IsPrepared)
   {
-    return Status::Invalid("the distance has not been prepared: call Prepare() first");
+    return InvalidInput("The distance has not been prepared").Fix("Call Prepare() first");
   }
   if (this->Revision != this->Solver.GetSystem().GetRevision() || !this->Solver.IsReady())
   {
-    return Status::Invalid(
-      "the solver has been prepared with other options since: call Prepare() again");
+    return InvalidInput("The solver has since been prepared with other options")
+      .Fix("Call Prepare() again");
   }
   return Status::Success();
 }
@@ -162,7 +164,7 @@ Status SpectralDistance::CheckPlace(const SurfacePoint& point) const
 {
   if (!this->Solver.IsReady())
   {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+    return InvalidInput("The solver has not been prepared").Fix("Call Prepare() first");
   }
   return this->Solver.CheckPlace(point);
 }
@@ -180,8 +182,8 @@ Status SpectralDistance::CheckPreparedSource(const SurfacePoint& point) const
   const bool isReady = this->Options.Method == SpectralMethod::Exact ||
     !this->Pairs[this->Solver.GetSystem().GetComponent(point)].Vertices.empty();
   return isReady ? Status::Success()
-                 : Status::Invalid("the component of " + NameOf(point) +
-                     " has no eigenpairs: call Prepare() with this source");
+                 : InvalidInput("The component of ", NameOf(point), " has no eigenpairs")
+                     .Fix("Call Prepare() with this source");
 }
 
 /// Returns a unit load at a point, 0 at given values.
@@ -356,7 +358,7 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
       // In a thin component distances are unknown, but distances to other components are Infinity.
       DGG_RETURN_IF_ERROR(
         (points == &first ? this->CheckPreparedSource(point) : this->CheckPlace(point))
-          .Of("point " + std::to_string(k)));
+          .Of(JoinText("Point ", k)));
     }
   }
   // Vectors whose Euclidean distances are the spectral distances: potentials, weighted by areas, or

@@ -5,7 +5,7 @@
 #include "dggBlockLoop.h"
 #include "dggGeodesicSource.h"
 #include "dggGreensColumn.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPoissonSystem.h"
 #include "dggSiteEquations.h"
 #include "dggSplineSites.h"
@@ -117,8 +117,8 @@ public:
         const double self = greens(i, i) + greens(j, j);
         if (self > 0.0 && !(self - greens(i, j) - greens(j, i) > SamePlace * self))
         {
-          return InvalidInput(
-            "site ", j, " is in the same place as site ", i, ": leave one of them out");
+          return InvalidInput("Site ", j, " has the same position as site ", i)
+            .Fix("Remove one of them");
         }
       }
     }

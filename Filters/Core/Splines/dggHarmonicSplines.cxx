@@ -49,7 +49,7 @@ Status FindGreensFunctions(const PoissonSolver& solver, const GreensFunction& fu
   std::vector<std::size_t> free; // points that have a Green's function
   for (std::size_t k = 0; k < points.size(); ++k)
   {
-    const std::string name = "point " + std::to_string(k);
+    const std::string name = JoinText("Point ", k);
     DGG_RETURN_IF_ERROR(points[k].Check(system.GetMesh()).Of(name));
     if (system.IsFixed(points[k]) || IsInThinPart(system, points[k]))
     {
@@ -262,8 +262,8 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
     if (site < 0 || site >= count || coefficients.size() != static_cast<std::size_t>(count) ||
       !std::isfinite(coefficients[site]))
     {
-      return Status::Invalid("there is no finite value for the given site " + std::to_string(site) +
-        " of " + std::to_string(count));
+      return InvalidInput("The given site ", site, " of ", count, " has no finite value")
+        .Fix("Give a finite value");
     }
   }
   std::vector<double> solution = coefficients;
@@ -271,9 +271,10 @@ Status HarmonicSplines::Solve(const std::vector<double>& rightHandSide,
   {
     const bool isHuge = std::any_of(rightHandSide.begin(), rightHandSide.end(),
       [](double f) { return std::abs(f) > LargestSource; });
-    return Status::Invalid(std::string("the equations of the sites could not be solved: ") +
-      (isHuge ? "the right-hand side has values above 1e290, divide it by a number"
-              : "some cells do not conduct, choose other sites or flip edges (IntrinsicDelaunay)"));
+    return InvalidInput("The equations of the sites could not be solved")
+      .Fix(isHuge
+          ? "Divide the values of the right-hand side, some of which exceed 1e290, by a number"
+          : "Choose other sites or turn on {IntrinsicDelaunay}: some cells do not conduct");
   }
   coefficients.swap(solution);
   return Status::Success();
@@ -291,8 +292,9 @@ Status HarmonicSplines::Combine(const std::vector<double>& coefficients,
     givenValues.empty() ? Status::Success() : internals.Solver.CheckNumbers(givenValues));
   if (coefficients.size() != internals.Sites.size())
   {
-    return Status::Invalid("there are " + std::to_string(coefficients.size()) +
-      " coefficients for " + std::to_string(internals.Sites.size()) + " sites: give one for each");
+    return InvalidInput(
+      "There are ", coefficients.size(), " coefficients for ", internals.Sites.size(), " sites")
+      .Fix("Give one coefficient per site");
   }
   std::vector<double> means(system.GetNumberOfComponents(), 0.0);
   std::vector<double> charges(coefficients.size(), 0.0);
@@ -334,8 +336,9 @@ Status HarmonicSplines::Interpolate(const std::vector<double>& atSites,
   const std::size_t count = internals.Sites.size();
   if (atSites.size() != count * count)
   {
-    return Status::Invalid("there are " + std::to_string(atSites.size()) + " values of " +
-      std::to_string(count) + " functions at as many sites");
+    return InvalidInput(
+      "There are ", atSites.size(), " values of ", count, " functions at the same number of sites")
+      .Fix("Give one value per function and site");
   }
   std::vector<SurfacePoint> places;
   for (const Id site : internals.Sites)

@@ -4,7 +4,7 @@
 
 #include "dggBlockLoop.h"
 #include "dggGreensColumn.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,11 @@ constexpr double LeastCondition = 1e-14;
 constexpr double LargestError = 1e-9;
 constexpr double GoodError = 1e-13;
 constexpr int MostSteps = 4;
-constexpr const char* TooLarge = "the values of the sites are too large: divide them by a number";
+
+Status TooLarge()
+{
+  return InvalidInput("The values of the sites are too large").Fix("Divide the values by a number");
+}
 }
 
 Status SiteEquations::Prepare(
@@ -36,9 +40,8 @@ Status SiteEquations::Prepare(
   }
   return isKnown && this->Factor.rcond() > LeastCondition
     ? Status::Success()
-    : Status::Invalid("values at the sites depend on each other: leave out some that are close to "
-                      "each other, as more sites than corners of the triangles that hold them, or "
-                      "refine the mesh there");
+    : InvalidInput("The values at the sites are linearly dependent")
+        .Fix("Remove sites that are close to each other, or refine the mesh around them");
 }
 
 Status SiteEquations::CheckValues(const std::vector<std::vector<double>>& siteValues) const
@@ -47,14 +50,14 @@ Status SiteEquations::CheckValues(const std::vector<std::vector<double>>& siteVa
   {
     if (values.size() != this->Sites.size())
     {
-      return InvalidInput("there are ", values.size(), " values for ", this->Sites.size(),
-        " sites: give one for each");
+      return InvalidInput("There are ", values.size(), " values for ", this->Sites.size(), " sites")
+        .Fix("Give one value per site");
     }
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       if (!std::isfinite(values[i]))
       {
-        return InvalidInput("the value of site ", i, " is not finite");
+        return InvalidInput("The value of site ", i, " is ", values[i]).Fix("Use finite values");
       }
     }
   }
@@ -113,7 +116,7 @@ Status SiteEquations::SolveBlock(Offset begin, const std::vector<std::vector<dou
     const double size = wanted.col(c).cwiseAbs().maxCoeff();
     if (!std::isfinite(size))
     {
-      return Status::Invalid(TooLarge);
+      return TooLarge();
     }
     sizes[c] = size > 0.0 ? size : 1.0;
     wanted.col(c) /= sizes[c];
@@ -151,8 +154,8 @@ Status SiteEquations::SolveBlock(Offset begin, const std::vector<std::vector<dou
   }
   if (!(error <= LargestError))
   {
-    return Status::Invalid("the values at the sites could not be met to 1e-9: leave out some that "
-                           "are close to each other, or refine the mesh there");
+    return InvalidInput("The values at the sites could not be met to 1e-9")
+      .Fix("Remove sites that are close to each other, or refine the mesh around them");
   }
   for (Eigen::Index c = 0; c < width; ++c)
   {
@@ -162,7 +165,7 @@ Status SiteEquations::SolveBlock(Offset begin, const std::vector<std::vector<dou
       found[c][v] = found[c][v] * sizes[c] + constants[c][component];
       if (!std::isfinite(found[c][v])) // may exceed the range of site values
       {
-        return Status::Invalid(TooLarge);
+        return TooLarge();
       }
     }
   }

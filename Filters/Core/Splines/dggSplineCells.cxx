@@ -146,7 +146,7 @@ Status FindPartition(const PoissonSystem& system, const std::vector<Id>& sites,
     }
     else if (cells[v] == NoId)
     {
-      return Status::Invalid("no site reaches vertex " + std::to_string(v) + ": add one there");
+      return InvalidInput("No site reaches vertex ", v).Fix("Add a site there");
     }
   }
   return Status::Success();

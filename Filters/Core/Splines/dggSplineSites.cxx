@@ -133,7 +133,7 @@ Status ChooseSplineSites(
   sites.clear();
   if (!solver.IsReady())
   {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+    return InvalidInput("The solver has not been prepared").Fix("Call Prepare() first");
   }
   const PoissonSystem& system = solver.GetSystem();
   const EdgeRows rows(system.GetTriangulation(), system.GetNumberOfVertices());
@@ -185,11 +185,11 @@ Status CheckSplinePlaces(const PoissonSolver& solver, const std::vector<SurfaceP
 {
   if (!solver.IsReady())
   {
-    return Status::Invalid("the solver has not been prepared: call Prepare() first");
+    return InvalidInput("The solver has not been prepared").Fix("Call Prepare() first");
   }
   if (sites.empty())
   {
-    return Status::Invalid("there is no site: give one at least");
+    return InvalidInput("There is no site").Fix("Add at least one site");
   }
   const PoissonSystem& system = solver.GetSystem();
   std::vector<std::uint8_t> needed = FindSplineComponents(system);
@@ -197,20 +197,20 @@ Status CheckSplinePlaces(const PoissonSolver& solver, const std::vector<SurfaceP
   for (std::size_t k = 0; k < sites.size(); ++k)
   {
     const SurfacePoint& site = sites[k];
-    const std::string what = "site " + std::to_string(k) + " (" + NameOf(site) + ")";
-    DGG_RETURN_IF_ERROR(solver.CheckPlace(site).Of("site " + std::to_string(k)));
+    const std::string what = JoinText("Site ", k, " (", NameOf(site), ")");
+    DGG_RETURN_IF_ERROR(solver.CheckPlace(site).Of(JoinText("Site ", k)));
     if (system.IsFixed(site))
     {
-      return Status::Invalid(what +
-        " lies on the boundary, where values are given: move it inside, or use Neumann conditions");
+      return InvalidInput(what, " lies on the boundary, where values are given")
+        .At("Boundary", static_cast<Offset>(k))
+        .Fix("Move the point inside, or set {Boundary} to Neumann");
     }
     if (IsVertex(site))
     {
       Id& number = numbers[site.Vertex];
       if (number != NoId)
       {
-        return Status::Invalid(
-          what + " is the same as site " + std::to_string(number) + ": leave one of them out");
+        return InvalidInput(what, " is the same as site ", number).Fix("Remove one of them");
       }
       number = static_cast<Id>(k);
     }
@@ -225,8 +225,8 @@ Status CheckSplinePlaces(const PoissonSolver& solver, const std::vector<SurfaceP
   {
     if (needed[system.GetComponent(v)] != 0 && HasFace(system.GetMesh(), v) && !system.IsFixed(v))
     {
-      return Status::Invalid("the part of the surface with vertex " + std::to_string(v) +
-        " has no site: add one for each part that is not connected with others");
+      return InvalidInput("The part of the surface with vertex ", v, " has no site")
+        .Fix("Add a site to each component");
     }
   }
   return Status::Success();
@@ -237,10 +237,10 @@ Status CheckPreparedSites(
 {
   if (numberOfSites == 0)
   {
-    return Status::Invalid("there are no sites: call Prepare() first");
+    return InvalidInput("There are no sites").Fix("Call Prepare() first");
   }
   return revision == system.GetRevision()
     ? Status::Success()
-    : Status::Invalid("the solver has changed since Prepare(). Call Prepare() again.");
+    : InvalidInput("The solver has changed since Prepare()").Fix("Call Prepare() again");
 }
 }

@@ -25,9 +25,11 @@ std::string FormatBytes(double bytes)
 Status CheckMemory(const std::string& what, double bytes, double limit, const std::string& remedy)
 {
   return bytes <= limit ? Status::Success()
-                        : Status::Invalid(what + " would take about " + FormatBytes(bytes) +
-                            ", more than the limit of " + FormatBytes(limit) + ": " + remedy +
-                            ", or set a higher MemoryLimit");
+                        : Status(Status::Code::OutOfMemory,
+                            what + " needs about " + FormatBytes(bytes) +
+                              ", more than the limit of " + FormatBytes(limit))
+                            .At("MemoryLimit")
+                            .Fix(remedy, ", or raise {MemoryLimit}");
 }
 
 double MemoryBudget::GetBytes() const

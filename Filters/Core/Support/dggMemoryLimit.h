@@ -6,7 +6,7 @@
 #define dggMemoryLimit_h
 
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
-#include "dggTypes.h"      // for Status
+#include "dggStatus.h"     // for Status
 
 #include <cstdint> // for bytes
 #include <string>  // for messages
@@ -16,8 +16,8 @@ namespace dgg
 /// Returns text such as "1.53 GiB".
 DGG_CORE_EXPORT std::string FormatBytes(double bytes);
 
-/// Fails if `bytes` exceed the limit, which users know as the property MemoryLimit. `what` would
-/// take them; `remedy` is what to do besides raising it.
+/// Fails if `bytes`, which `what` needs, exceed the limit, the property MemoryLimit of filters.
+/// `remedy` is the action besides raising the limit.
 DGG_CORE_EXPORT Status CheckMemory(
   const std::string& what, double bytes, double limit, const std::string& remedy);
 

@@ -5,7 +5,7 @@
 #ifndef dggProgressPart_h
 #define dggProgressPart_h
 
-#include "dggTypes.h" // for ProgressCallback
+#include "dggStatus.h" // for Status
 
 namespace dgg
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCellCoordinates.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggSurfacePath.h"
 
 #include <algorithm>
@@ -23,36 +23,38 @@ bool CellCoordinates::AreAllTriangles(const SurfaceArrays& input)
 }
 
 //------------------------------------------------------------------------------
-std::string CellCoordinates::Check(double cell, const Coordinates& coordinates) const
+Status CellCoordinates::Check(double cell, const Coordinates& coordinates) const
 {
   if (this->Surface.IsCloud())
   {
-    return "has FaceId and Barycentric, but the input is a point cloud. Remove these arrays.";
+    return InvalidInput("FaceId and Barycentric do not apply to a point cloud")
+      .Fix("Remove these arrays");
   }
   const Offset polygons = this->Input.Polygons.NumberOfCells;
   const Offset count = this->Input.FirstCell + polygons + this->Input.Strips.NumberOfCells;
   if (cell != std::floor(cell))
   {
-    return JoinText("has FaceId ", cell, ", which is not an integer. Correct the array FaceId.");
+    return InvalidInput("FaceId ", cell, " is not an integer").Fix("Correct the array FaceId");
   }
   if (!(cell >= 0.0 && cell < static_cast<double>(count)))
   {
-    return JoinText(
-      "has FaceId ", cell, ", which is out of range: the input has ", count, " cells.");
+    return InvalidInput("FaceId ", cell, " is out of range: the input has ", count, " cells")
+      .Fix("Correct the array FaceId");
   }
   const Offset polygon = static_cast<Offset>(cell) - this->Input.FirstCell;
   const Offset* offsets = this->Input.Polygons.Offsets;
   if (polygon < 0 || polygon >= polygons || offsets[polygon + 1] - offsets[polygon] != 3)
   {
-    return JoinText("has FaceId ", cell,
-      ", which is not a triangle. Triangulate the surface, or remove the array Barycentric.");
+    return InvalidInput("FaceId ", cell, " is not a triangle")
+      .Fix("Triangulate the surface, or remove the array Barycentric");
   }
   if (!AreBarycentric(coordinates))
   {
-    return JoinText("has the Barycentric coordinates (", coordinates[0], ", ", coordinates[1], ", ",
-      coordinates[2], "): they must be finite, not negative, and sum to 1");
+    return InvalidInput("The coordinates Barycentric are (", coordinates[0], ", ", coordinates[1],
+      ", ", coordinates[2], ")")
+      .Fix("Use non-negative numbers with the sum 1");
   }
-  return {};
+  return Status::Success();
 }
 
 //------------------------------------------------------------------------------

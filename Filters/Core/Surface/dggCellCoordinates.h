@@ -33,9 +33,8 @@ public:
   /// Returns true if all polygons of the input are triangles and there are no strips.
   static bool AreAllTriangles(const SurfaceArrays& input);
 
-  /// Returns a predicate that completes "<point> ..." and describes the error; empty if the pair is
-  /// valid.
-  std::string Check(double cell, const Coordinates& coordinates) const;
+  /// Checks a pair of a cell id and coordinates in the cell.
+  Status Check(double cell, const Coordinates& coordinates) const;
 
   /// Position in space of a pair that Check() accepts.
   Coordinates GetPosition(Offset cell, const Coordinates& coordinates) const;

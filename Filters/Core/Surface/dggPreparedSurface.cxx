@@ -5,7 +5,7 @@
 #include "dggBitHash.h"
 #include "dggBoxTree.h"
 #include "dggCoincidentPoints.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggLocator.h"
 #include "dggPoint3.h"
 #include "dggPolygonTriangulator.h"
@@ -66,8 +66,9 @@ Status CheckOffsets(const CellArrays& cells)
     isValid = isValid && cells.Offsets[i] <= cells.Offsets[i + 1];
   }
   return isValid ? Status::Success()
-                 : Status::Invalid("the offsets and the connectivity of the input's polygons or "
-                                   "strips contradict each other: rebuild the cell array");
+                 : InvalidInput("The offsets and the connectivity of the polygons or strips of the "
+                                "input contradict each other")
+                     .Fix("Rebuild the cell array");
 }
 
 void AddCells(BitHash& hash, const CellArrays& cells)
@@ -130,8 +131,8 @@ Status PreparedSurface::Build(const SurfaceArrays& input)
   const Offset n = input.NumberOfPoints;
   if (n > std::numeric_limits<Id>::max())
   {
-    return InvalidInput("the input has ", n, " points; at most ", std::numeric_limits<Id>::max(),
-      " are supported: decimate or split it");
+    return InvalidInput("The input has ", n, " points, more than ", std::numeric_limits<Id>::max())
+      .Fix("Decimate or split the input");
   }
   this->Positions.assign(input.Points, input.Points + 3 * n);
   const double* points = this->Positions.data();
@@ -186,14 +187,16 @@ Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell) co
       const Offset id = cells.Ids[k];
       if (id < 0 || id >= n)
       {
-        return InvalidInput("cell ", firstCell + i, " names point ", id, ", but the input has ", n,
-          n == 1 ? " point" : " points", ": repair the cell");
+        return InvalidInput("Cell ", firstCell + i, " refers to point ", id, ", but the input has ",
+          n, n == 1 ? " point" : " points")
+          .Fix("Repair the cell");
       }
       const Point3 p = PointAt(this->Positions.data(), static_cast<Id>(id));
       if (!IsFinite(p))
       {
-        return InvalidInput("point ", id, " of cell ", firstCell + i, " has the coordinates (", p.X,
-          ", ", p.Y, ", ", p.Z, "), which are not finite: repair the point or remove the cell");
+        return InvalidInput("Point ", id, " of cell ", firstCell + i, " has the coordinates (", p.X,
+          ", ", p.Y, ", ", p.Z, "), which are not finite")
+          .Fix("Repair the point or remove the cell");
       }
     }
   }
@@ -214,12 +217,15 @@ Status PreparedSurface::Triangulate(const SurfaceArrays& input, std::vector<Id>&
   }
   if (this->InputDomain.MergeTolerance > 0.0 && this->NumberOfMergedPoints > 0)
   {
-    return InvalidInput("no polygon is left with three distinct points: MergeTolerance is ",
-      this->InputDomain.MergeTolerance, ", which has merged ", this->NumberOfMergedPoints,
-      " points with others; make it smaller");
+    return InvalidInput("No polygon has three distinct points after a {MergeTolerance} of ",
+      this->InputDomain.MergeTolerance, " merged ", this->NumberOfMergedPoints,
+      " points with others")
+      .At("MergeTolerance")
+      .Fix("Use a smaller {MergeTolerance}");
   }
-  return InvalidInput("none of the ", this->NumberOfDroppedCells,
-    " polygons and strips of the input has three distinct points: connect a surface mesh");
+  return InvalidInput("None of the ", this->NumberOfDroppedCells,
+    " polygons and strips of the input has three distinct points")
+    .Fix("Connect a surface mesh");
 }
 
 //------------------------------------------------------------------------------
@@ -333,13 +339,11 @@ void PreparedSurface::CheckPrecision()
   const double edge = this->Mesh.GetMeanEdgeLength();
   if (spacing > LargestFloatSpacing * edge)
   {
-    this->Warnings.push_back(JoinText("coordinates are stored in single precision, where "
-                                      "numbers around ",
-      largest, " are ", spacing, " apart, more than ", LargestFloatSpacing,
-      " of the mean edge length, which is ", edge,
-      ". Translate the mesh to the origin before it is "
-      "written, or read it with a reader that keeps doubles, such as vtkDGGPLYReader or "
-      "vtkdgg.read"));
+    this->Warnings.push_back(JoinText(
+      "Coordinates are stored in single precision, where numbers around ", largest, " are ",
+      spacing, " apart, more than ", LargestFloatSpacing, " of the mean edge length ", edge,
+      ". Translate the mesh to the origin before writing it, or use a reader that keeps doubles, "
+      "such as vtkDGGPLYReader or vtkdgg.read"));
   }
 }
 
@@ -373,31 +377,32 @@ void PreparedSurface::CollectWarnings()
   auto warn = [this](Offset count, const std::string& what) {
     if (count > 0)
     {
-      this->Warnings.push_back("the mesh has " + std::to_string(count) + " " + what);
+      this->Warnings.push_back(JoinText("The mesh has ", count, " ", what));
     }
   };
   warn(report.NonManifoldEdges,
-    "edges with more than two triangles, each of which is connected with every other one there");
-  warn(report.NonManifoldVertices, "points where separate sheets touch, which are connected there");
+    "edges with more than two triangles. Paths may pass between any two of these triangles");
+  warn(report.NonManifoldVertices,
+    "points where separate layers touch. Paths may pass between these layers");
   warn(report.InconsistentEdges,
-    "edges across which no choice of orientation is consistent, as on a Moebius strip. Distances "
-    "do not depend on orientation");
+    "edges across which no orientation is consistent, as on a Moebius strip. Distances do not "
+    "depend on orientation");
   warn(this->NumberOfDroppedCells,
-    "polygons with fewer than three distinct points, which are left out");
+    "polygons with fewer than three distinct points, which are ignored");
   warn(this->NumberOfFans,
-    "polygons that cross or touch themselves. They are cut into fans around their first points, "
-    "which need not be what they are meant to be: triangulate them first");
+    "polygons that cross or touch themselves, which are split into fans around their first points. "
+    "Triangulate these polygons first if another shape is meant");
   warn(report.DuplicateFaces,
-    "triangles on the same three points as an earlier one, which are left out");
+    "triangles on the same three points as an earlier one, which are ignored");
   warn(this->Caps.NumberOfCaps,
     JoinText("triangles without area, no higher than ", this->Caps.LargestHeight,
-      ", that are left out: their neighbours are split where they meet"));
+      ", that are ignored: their neighbours are split where they meet"));
   warn(this->Mesh.GetNumberOfDegenerateFaces(),
-    JoinText("triangles without area, whose edges are taken to be longer by ",
-      this->Mesh.GetMollification()));
+    JoinText(
+      "triangles without area, whose edges are lengthened by ", this->Mesh.GetMollification()));
   warn(this->NumberOfCoincidentBoundaryPoints,
-    "points of the boundary with the same coordinates as another one. If they are the two sides of "
-    "a seam rather than of a slit, turn MergeCoincidentPoints on");
+    "points of the boundary with the same coordinates as another one. Turn on "
+    "{MergeCoincidentPoints} if they are the two sides of a seam rather than of a slit");
 }
 
 //------------------------------------------------------------------------------
@@ -511,12 +516,12 @@ std::string PreparedSurface::DescribeGaps(const std::vector<bool>& isReached) co
   {
     return std::string();
   }
-  return JoinText("only ", connected, " of ", used, " points are connected with a source, but ",
+  return JoinText("Only ", connected, " of ", used, " points are connected to a source, but ",
     numberOfPoints, " points of the boundary are no more than ", gap,
-    " away from one of another part of the surface. If the parts belong together, ",
+    " away from a point of another component. ",
     this->InputDomain.Kind == Domain::MergedSurface
-      ? "raise MergeTolerance to "
-      : "turn MergeCoincidentPoints on, with a MergeTolerance of ",
-    SuspectGap);
+      ? "Raise {MergeTolerance} to "
+      : "Turn on {MergeCoincidentPoints} with a {MergeTolerance} of ",
+    SuspectGap, " if the components belong together");
 }
 }

@@ -3,11 +3,12 @@
 #include "dggSourceCollection.h"
 
 #include "dggCellCoordinates.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggLocator.h"
 #include "dggPoint3.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,13 @@ namespace
 constexpr double RoundingOfDoubles = 8.0 * std::numeric_limits<double>::epsilon();
 constexpr double RoundingOfFloats = std::numeric_limits<float>::epsilon();
 
+std::string Capitalize(std::string text)
+{
+  std::transform(text.begin(), text.begin() + (text.empty() ? 0 : 1), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
 double GetInitialDistance(const std::vector<double>& distances, std::size_t i)
 {
   return distances.empty() ? 0.0 : distances[i];
@@ -27,7 +35,9 @@ double GetInitialDistance(const std::vector<double>& distances, std::size_t i)
 
 Status RefuseInitialDistance(const std::string& point, double distance)
 {
-  return InvalidInput(point, " has the initial distance ", distance, ". Set a finite number.");
+  return InvalidInput(point, " has the initial distance ", distance)
+    .At("InitialDistance")
+    .Fix("Use a finite number");
 }
 
 /// Returns the point that an array names if it is at a position, otherwise NoId.
@@ -55,17 +65,17 @@ SourceCollection::Position SourceCollection::GetPosition(std::size_t i) const
 }
 
 //------------------------------------------------------------------------------
-/// "source point 3 of input port 1"
+/// "Source 3", or "End of pair 1"
 std::string SourceCollection::Describe(std::size_t i) const
 {
-  const bool isPoint = this->Role.find("point") != std::string::npos;
-  return JoinText(this->Role, isPoint ? " " : " point ",
-    this->Indices.empty() ? static_cast<Offset>(i) : this->Indices[i], " of input port ",
-    this->Port);
+  const std::size_t end = this->Ids.size() + i;
+  return this->ArePairs ? JoinText(end % 2 == 0 ? "Start" : "End", " of pair ", end / 2)
+                        : JoinText(Capitalize(this->Role), " ",
+                            this->Indices.empty() ? static_cast<Offset>(i) : this->Indices[i]);
 }
 
 //------------------------------------------------------------------------------
-/// "source point 3 of input port 1, at (x, y, z),"
+/// "Source 3, at (x, y, z),"
 std::string SourceCollection::DescribeWithPosition(std::size_t i) const
 {
   const Position p = this->GetPosition(i);
@@ -77,10 +87,13 @@ Status SourceCollection::Check(Offset numberOfPoints) const
 {
   if (this->Ids.empty() && this->Positions.empty())
   {
-    return this->IsConnected ? InvalidInput("there is no ", this->Role, ": input port ", this->Port,
-                                 " has no points. Give it points, or ", this->Remedy)
-                             : InvalidInput("there is no ", this->Role, ": ", this->Remedy,
-                                 ", or connect points to input port ", this->Port);
+    const bool hasIds = !this->Property.empty();
+    return InvalidInput("There is no ", this->Role,
+      this->IsConnected ? JoinText(": input port ", this->Port, " has no points") : "")
+      .At(this->Property)
+      .Fix(hasIds ? "Set {" + this->Property + "}, or " : "",
+        this->IsConnected ? (hasIds ? "add" : "Add") : (hasIds ? "connect" : "Connect"),
+        " points to input port ", this->Port);
   }
   for (std::size_t i = 0; i < this->Ids.size(); ++i)
   {
@@ -91,20 +104,21 @@ Status SourceCollection::Check(Offset numberOfPoints) const
     {
       continue;
     }
-    const std::string name =
-      JoinText(this->Role, " id ", id, " (number ", i, " of the ", this->Role, " ids)");
-    return isInRange
-      ? RefuseInitialDistance(name, distance)
-      : InvalidInput(name, " is out of range: the ", this->Surface, " has ", numberOfPoints,
-          " points, so ids must be in [0, ", numberOfPoints - 1, "]");
+    const std::string name = JoinText(Capitalize(this->Role), " id ", id);
+    return isInRange ? RefuseInitialDistance(name, distance)
+                     : InvalidInput(name, " is out of range: the ", this->Surface, " has ",
+                         numberOfPoints, " points")
+                         .At(this->Property, id)
+                         .Fix("Use ids from 0 to ", numberOfPoints - 1);
   }
   for (std::size_t i = 0; i < this->GetNumberOfPositions(); ++i)
   {
     const double distance = GetInitialDistance(this->InitialDistances, i);
     if (!IsFinite(PointAt(this->Positions.data(), static_cast<Id>(i))))
     {
-      return InvalidInput(
-        this->DescribeWithPosition(i), " has coordinates that are not finite: move or remove it");
+      return InvalidInput(this->DescribeWithPosition(i), " has coordinates that are not finite")
+        .At(this->Property, static_cast<Offset>(i))
+        .Fix("Move or remove the point");
     }
     if (!std::isfinite(distance))
     {
@@ -151,13 +165,13 @@ Status SourceCollection::Identify(std::size_t i, const CellCoordinates& cells,
   {
     const Position weights = { { this->Barycentric[3 * i], this->Barycentric[3 * i + 1],
       this->Barycentric[3 * i + 2] } };
-    const std::string problem = cells.Check(this->Cells[i], weights);
-    if (!hasIds && !problem.empty())
+    const Status status = cells.Check(this->Cells[i], weights);
+    if (!hasIds && !status.IsOk())
     {
-      return Status::Invalid(this->DescribeWithPosition(i) + " " + problem);
+      return status.Of(this->Describe(i));
     }
-    const auto cell = static_cast<Offset>(problem.empty() ? this->Cells[i] : 0.0);
-    if (problem.empty() && (!hasIds || cells.IsAt(cell, weights, position, rounding)))
+    const auto cell = static_cast<Offset>(status.IsOk() ? this->Cells[i] : 0.0);
+    if (status.IsOk() && (!hasIds || cells.IsAt(cell, weights, position, rounding)))
     {
       isFound = cells.FindPoint(cell, weights, point);
       position = cells.GetPosition(cell, weights);
@@ -190,8 +204,10 @@ Status SourceCollection::FindClosest(std::size_t i, const PreparedSurface& surfa
     surface.IsCloud()            ? "cloud"
       : this->Surface == "input" ? "surface"
                                  : this->Surface,
-    ", farther than ", farthest, " (ProjectionTolerance ", tolerance, " times the diagonal ",
-    locator.GetDiagonal(), "): move it there, or raise ProjectionTolerance");
+    ", farther than ", farthest, " ({ProjectionTolerance} ", tolerance, " times the diagonal ",
+    locator.GetDiagonal(), ")")
+    .At(this->Property, static_cast<Offset>(i))
+    .Fix("Move the point, or raise {ProjectionTolerance}");
 }
 
 //------------------------------------------------------------------------------
@@ -210,7 +226,8 @@ std::string SourceCollection::DescribeIsolated(
     if (isIsolated && ++count == 1)
     {
       const std::size_t ids = this->Ids.size();
-      points = i < ids ? JoinText(this->Role, " id ", this->Ids[i]) : this->Describe(i - ids);
+      points =
+        i < ids ? JoinText(Capitalize(this->Role), " id ", this->Ids[i]) : this->Describe(i - ids);
     }
   }
   if (count == 0)
@@ -219,10 +236,11 @@ std::string SourceCollection::DescribeIsolated(
   }
   points += count == 1 ? " is a point" : JoinText(" and ", count - 1, " more are points");
   return points +
-    (surface.IsCloud() ? " with coordinates that are not finite. Such points reach no other "
-                         "point. Choose points with finite coordinates."
-                       : " that no polygon uses. Such points reach no other point. Choose points "
-                         "of polygons.");
+    (surface.IsCloud()
+        ? " with coordinates that are not finite. Such points reach no other point. Choose "
+          "points with finite coordinates"
+        : " that no polygon uses. Such points reach no other point. Choose points "
+          "of polygons");
 }
 
 //------------------------------------------------------------------------------

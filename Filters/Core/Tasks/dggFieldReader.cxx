@@ -4,10 +4,10 @@
 
 #include "dggBlockLoop.h"
 #include "dggFaceProfile.h"
-#include "dggInvalidInput.h"
 #include "dggMeshQuality.h"
 #include "dggPreparedSurface.h"
 #include "dggSourceFinding.h"
+#include "dggStatus.h"
 #include "dggSurfacePoint.h"
 #include "dggTaskContext.h"
 
@@ -50,16 +50,15 @@ std::string FindFault(const SurfaceMesh& mesh, const std::vector<double>& values
   }
   if (known == 0)
   {
-    return "The field is not known at any two neighbouring points: pass finite values.";
+    return "The field is not known at any two neighbouring points. Pass finite values";
   }
   const double share = static_cast<double>(steep) / known;
   if (share <= LargestShareOfSteepEdges)
   {
     return "";
   }
-  return JoinText("The field is hardly a distance: along ", std::lround(100.0 * share),
-    " % of the edges it changes by more than their length. Pass the distance itself, in the units "
-    "of the points.");
+  return JoinText("The field changes by more than the length of the edge along ",
+    std::lround(100.0 * share), " % of the edges. Pass distances in the units of the points");
 }
 
 /// Returns the distance at a surface point; NaN if unreached. On an edge this is the smallest
@@ -99,9 +98,9 @@ Status FieldReader::SetDistances(const std::vector<double>& distances)
   {
     if (distances[i] == -Infinity)
     {
-      return InvalidInput("the distance of point ", i,
-        " is minus infinity: points that are not reached have NaN, plus infinity or the "
-        "UnreachedValue");
+      return InvalidInput("The distance of point ", i, " is minus infinity")
+        .At("DistanceArrayName", static_cast<Offset>(i))
+        .Fix("Use NaN, infinity or the {UnreachedValue} for unreached points");
     }
     // The first of several points at a vertex has the id of the vertex.
     if (!std::isnan(distances[i]) &&
@@ -125,7 +124,7 @@ void FieldReader::SetSources(const std::vector<double>& values, const std::strin
   if (!this->HasSourcesOfDistances())
   {
     this->Sources.clear();
-    this->Warn("the virtual sources in the point array '" + name +
+    this->Warn("The virtual sources in the point array '" + name +
       "' are not those of the distances on this surface. They are ignored");
   }
 }
@@ -141,7 +140,7 @@ Status FieldReader::Complete(const TaskContext& context, const ProgressCallback&
   const std::string fault = FindFault(mesh, this->Distances);
   if (!fault.empty())
   {
-    this->Warn(fault + " It is taken as linear in each triangle");
+    this->Warn(fault + ". The field is interpolated linearly in each triangle");
     return Status::Success();
   }
   this->IsFitted = true;

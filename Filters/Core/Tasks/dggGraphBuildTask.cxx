@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphBuildTask.h"
 
-#include "dggInvalidInput.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 #include "dggTaskContext.h"
 #include "dggUnfoldingTable.h"
 
@@ -17,13 +17,15 @@ namespace
 {
 Status TooMuchMemory(const GraphOptions& options, const GraphEstimate& estimate, double limit)
 {
-  return InvalidInput("the graph would take about ", FormatBytes(estimate.Memory), ", and ",
-    FormatBytes(estimate.Peak), " while it is built, more than the limit of ", FormatBytes(limit),
-    ": ",
-    options.Construction == GraphConstruction::SaddleVertexGraph
-      ? JoinText("use a smaller NumberOfNeighbors (it is ", options.NumberOfNeighbors, ")")
-      : JoinText("use a larger Accuracy (it is ", options.Accuracy, ")"),
-    ", or a higher MemoryLimit");
+  return Status(Status::Code::OutOfMemory,
+    JoinText("The graph needs about ", FormatBytes(estimate.Memory), ", and ",
+      FormatBytes(estimate.Peak), " while it is built, more than the limit of ",
+      FormatBytes(limit)))
+    .At("MemoryLimit")
+    .Fix(options.Construction == GraphConstruction::SaddleVertexGraph
+        ? JoinText("Use a smaller {NumberOfNeighbors} (now ", options.NumberOfNeighbors, ")")
+        : JoinText("Use a larger {Accuracy} (now ", options.Accuracy, ")"),
+      ", or raise {MemoryLimit}");
 }
 }
 
@@ -64,9 +66,9 @@ Status WriteGraphLines(const TaskContext& context, const GraphView& graph,
 {
   constexpr Id rowsInBlock = 4096; // rows between two reports of progress
   const auto count = static_cast<std::size_t>(graph.GetNumberOfEdges() / 2);
-  DGG_RETURN_IF_ERROR(context.Memory.Check("the edges of the graph as lines",
+  DGG_RETURN_IF_ERROR(context.Memory.Check("The output of the edges as lines",
     static_cast<double>(count) * (3.0 * sizeof(Offset) + sizeof(double)),
-    "turn GenerateGraphLines off"));
+    "Turn off {GenerateGraphLines}"));
   output.Lines.Offsets = Buffer<Offset>(count + 1);
   output.Lines.Points = Buffer<Offset>(2 * count);
   double* const lengths = output.CellData.Add<double>("Length", count);

@@ -137,7 +137,7 @@ Status GraphSession::PrepareBuilder(const TaskContext& context, bool isNeeded)
   if (!builder || isLimited) // free memory is not needed for a builder that exists
   {
     DGG_RETURN_IF_ERROR(context.Memory.Check(
-      "linking points that are not vertices", static_cast<double>(size), "use vertices only"));
+      "Linking points that are not vertices", static_cast<double>(size), "Use vertices only"));
   }
   if (!builder)
   {

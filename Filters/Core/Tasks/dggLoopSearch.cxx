@@ -5,12 +5,12 @@
 #include "dggBlockLoop.h"
 #include "dggGraphSession.h"
 #include "dggHandleLoops.h"
-#include "dggInvalidInput.h"
 #include "dggLoopFinder.h"
 #include "dggOffsetCurves.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 #include "dggSurfaceOutput.h"
 
 #include <algorithm>
@@ -137,9 +137,9 @@ Status CheckLoopOptions(const LoopOptions& options)
 {
   if (options.Kind == LoopOptions::Rope && options.Points.size() < FewestPointsOfRope)
   {
-    return InvalidInput("a rope through ", options.Points.size(),
-      options.Points.size() == 1 ? " point" : " points",
-      " runs back along itself: specify three points or more");
+    return InvalidInput("A rope through ", options.Points.size(),
+      options.Points.size() == 1 ? " point" : " points", " runs back along itself")
+      .Fix("Specify three points or more");
   }
   return Status::Success();
 }
@@ -227,15 +227,15 @@ void WriteOffsetCurves(
   AddLengths(curves, ids, output);
   if (tooLong > 0)
   {
-    output.Warnings.push_back(JoinText("TapeWidth is ", options.TapeWidth,
+    output.Warnings.push_back(JoinText("{TapeWidth} is ", options.TapeWidth,
       ", which is too small for the length of ", tooLong, " of ", loops.Loops.size(),
-      " loops: they have no tape. Set it to at least ", RoundUp(smallestWidth), " for all loops"));
+      " loops. These loops have no tape. Set {TapeWidth} to at least ", RoundUp(smallestWidth)));
   }
   if (noRoom > 0)
   {
-    output.Warnings.push_back(JoinText("TapeWidth is ", options.TapeWidth,
+    output.Warnings.push_back(JoinText("{TapeWidth} is ", options.TapeWidth,
       ", and no point is at half of that distance from ", noRoom, " of ", loops.Loops.size(),
-      " loops: they have no tape. Reduce TapeWidth"));
+      " loops. These loops have no tape. Use a smaller {TapeWidth}"));
   }
 }
 }

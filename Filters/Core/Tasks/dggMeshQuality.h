@@ -7,7 +7,7 @@
 
 #include "dggPreparedSurface.h" // for the mesh
 
-#include "dggInvalidInput.h" // for JoinText
+#include "dggStatus.h"
 
 #include <initializer_list> // for reasons
 #include <string>           // for reasons
@@ -31,7 +31,7 @@ inline std::string DescribeLongTriangles(
   const PreparedSurface& surface, const std::string& consequence)
 {
   return HasLongTriangles(surface)
-    ? JoinText("Much of the surface is covered by long triangles (GetMeanAnisotropy() is ",
+    ? JoinText("Much of the surface is covered by long triangles (mean anisotropy ",
         surface.GetAnisotropy().Mean, ", more than ", LargestAnisotropy, "): ", consequence)
     : std::string();
 }
@@ -39,17 +39,16 @@ inline std::string DescribeLongTriangles(
 /// Consequences, with their remedies.
 /// @{
 constexpr const char* LongTrianglesMislead =
-  "distances may be far off. Use vtkExactGeodesicDistance or vtkDGGDistance, or remesh the surface";
+  "distances may be far off. Use exact distances or a graph, or remesh the surface";
 constexpr const char* LongTrianglesHideSources =
   "inside them, distances from virtual sources may be off by more than half of the largest "
-  "distance. Use vtkExactGeodesicDistance with GenerateWindowsOn(), or remesh the surface";
+  "distance. Use exact distances with windows, or remesh the surface";
 /// @}
 
 /// Warning for results that did not converge (PropagationResult::IsSettled).
 constexpr const char* UnsettledDistances =
   "Virtual sources did not settle on triangles this irregular: distances are the shortest ones "
-  "found so far, and may be too long. Use vtkExactGeodesicDistance or vtkDGGDistance, or remesh "
-  "the surface";
+  "found so far, and may be too long. Use exact distances or a graph, or remesh the surface";
 
 /// Returns all reasons as one text; empty reasons are skipped.
 inline std::string JoinReasons(std::initializer_list<std::string> reasons)

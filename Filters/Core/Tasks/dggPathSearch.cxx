@@ -7,10 +7,10 @@
 #include "dggExactPath.h"
 #include "dggGraphSeeds.h"
 #include "dggGraphSession.h"
-#include "dggInvalidInput.h"
 #include "dggOutput.h"
 #include "dggPoint3.h"
 #include "dggPreparedSurface.h"
+#include "dggStatus.h"
 #include "dggSurfaceOutput.h"
 #include "dggSurfacePath.h"
 #include "dggWorkspacePool.h"
@@ -133,7 +133,7 @@ Status PathSearch::RunInGraph(GraphSession& graph, PathOptions options, Paths& p
   paths.assign(this->PointPairs.size(), FoundPath());
   const auto find = [&](std::size_t i, const ProgressCallback&) {
     return finder.Find(this->PointPairs[i].From, this->PointPairs[i].To, options, paths[i])
-      .Of("pair " + std::to_string(i));
+      .Of(JoinText("Pair ", i));
   };
   return ForEach(
     paths.size(), 1, this->Context.Parallel, graph.GetRemainingProgress(this->Context), find);
@@ -145,7 +145,7 @@ Status PathSearch::RunOnCloud(GraphSession& graph, bool smooth, Paths& paths) co
   paths.assign(this->PointPairs.size(), FoundPath());
   const auto find = [&](std::size_t i, const ProgressCallback& within) {
     return this->FindOnCloud(graph, this->PointPairs[i], smooth, within, paths[i])
-      .Of("pair " + std::to_string(i));
+      .Of(JoinText("Pair ", i));
   };
   return ForEach(
     paths.size(), 1, this->Context.Parallel, graph.GetRemainingProgress(this->Context), find);
@@ -230,9 +230,9 @@ Status PathSearch::RunExact(Paths& paths) const
       path.IsStraightened = !path.Path.IsEmpty();
     }
     const bool isInvalid = !status.IsOk() && !status.IsAborted();
-    return isInvalid ? InvalidInput("pair ", group[0], " has no exact path: ", status.GetMessage(),
-                         ". Set Method to Graph.")
-                     : status;
+    return isInvalid
+      ? status.Of(JoinText("Pair ", group[0], " has no exact path")).Fix("Set {Method} to Graph")
+      : status;
   };
   return ForEach(groups.size(), 1, this->Context.Parallel, this->Context.Progress, step);
 }
@@ -246,14 +246,15 @@ Status ReadPathEnds(const CellArrays& lines, Offset numberOfPoints, std::vector<
     const Offset end = lines.Offsets[i + 1];
     if (begin == end)
     {
-      return InvalidInput("line ", i, " of input port 1 has no points: remove it");
+      return InvalidInput("Line ", i, " of input port 1 has no points").Fix("Remove the line");
     }
     for (const Offset id : { lines.Ids[begin], lines.Ids[end - 1] })
     {
       if (id < 0 || id >= numberOfPoints)
       {
-        return InvalidInput("line ", i, " of input port 1 names point ", id, ", but there are ",
-          numberOfPoints, ": repair the line");
+        return InvalidInput("Line ", i, " of input port 1 refers to point ", id, ", but there are ",
+          numberOfPoints, " points")
+          .Fix("Repair the line");
       }
       ends.push_back(id);
     }

@@ -3,9 +3,9 @@
 #include "dggSampleSearch.h"
 
 #include "dggGraphSession.h"
-#include "dggInvalidInput.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
+#include "dggStatus.h"
 #include "dggSurfaceOutput.h"
 
 #include <algorithm>
@@ -43,16 +43,16 @@ void WriteSamples(const TaskContext& context, const SamplerOptions& options,
   const double radius = samples.empty() ? 0.0 : samples.back().CoveringRadius;
   if (static_cast<Offset>(samples.size()) < options.NumberOfSamples && !(radius > 0.0))
   {
-    output.Warnings.push_back(
-      JoinText("NumberOfSamples is ", options.NumberOfSamples, ", but after ", samples.size(),
-        " samples no point of the surface is left. Reduce it, or subdivide the surface",
-        options.InFaces ? "" : ", or turn InFaces on"));
+    output.Warnings.push_back(JoinText("No point of the surface is left after ", samples.size(),
+      " samples, but {NumberOfSamples} is ", options.NumberOfSamples,
+      ". Reduce {NumberOfSamples}, or subdivide the surface"));
   }
   if (!(radius < Infinity))
   {
     output.Warnings.push_back(
       JoinText("The surface has more components than there are samples (", samples.size(),
-        "): some have no sample, and the covering radius is infinite. Raise NumberOfSamples"));
+        "). Some components have no sample, and the covering radius is infinite. Use a larger "
+        "{NumberOfSamples}"));
   }
 }
 }

@@ -56,7 +56,7 @@ void ForEachGiven(const GraphicsDomain& domain, const std::vector<CurveChain>& c
 
 std::string NameOf(const GraphicsCurve& curve, std::size_t number)
 {
-  return curve.Name.empty() ? "curve " + std::to_string(number) : curve.Name;
+  return curve.Name.empty() ? "Curve " + std::to_string(number) : curve.Name;
 }
 
 Status CutForGraphics(const SurfaceMesh& mesh, const SubMesh& surface,
@@ -69,8 +69,8 @@ Status CutForGraphics(const SurfaceMesh& mesh, const SubMesh& surface,
   {
     if (chains[k].Vertices.size() < 2)
     {
-      return Status::Invalid(
-        NameOf(curves[k], k) + " has no length: give it two points in different places");
+      return InvalidInput(NameOf(curves[k], k), " has no length")
+        .Fix("Give it two points at different positions");
     }
     hasPoisson = hasPoisson || curves[k].Type == GraphicsCurveType::Poisson;
   }

@@ -80,9 +80,8 @@ Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refi
     (partsPerFace - 1.0) * static_cast<double>(faces.size());
   if (count > static_cast<double>(refinement.MostFaces))
   {
-    return Status::Invalid("refinement would make " +
-      std::to_string(static_cast<Offset>(std::min(count, 1e18))) + " faces or more, and at most " +
-      std::to_string(refinement.MostFaces) + " are wanted");
+    return InvalidInput("Refinement needs at least ", static_cast<Offset>(std::min(count, 1e18)),
+      " faces, more than ", refinement.MostFaces);
   }
   std::vector<Id> parents;
   Status status = RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface, parents,

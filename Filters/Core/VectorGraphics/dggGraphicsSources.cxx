@@ -26,8 +26,9 @@ Status LeftFaces::FindSides(const CurveChain& chain, ChainSides& sides) const
     const auto isOnLeft = [&](Id h) { return this->Surface.Triangles[h] == from; };
     if (halves.size() > 2 || (halves.size() == 2 && isOnLeft(halves[0]) == isOnLeft(halves[1])))
     {
-      return Status::Invalid("it has no sides where it runs along an edge of more than two faces, "
-                             "or of two that are oriented differently");
+      return InvalidInput("It has no sides where it passes along an edge of more than two faces, "
+                          "or of two with opposite orientations")
+        .Fix("Make the surface an oriented manifold, or move the curve");
     }
     for (const Id h : halves)
     {
@@ -68,8 +69,9 @@ Status LeftFaces::Spread(const ChainSides& sides, std::vector<Id>& faces)
   {
     if (this->IsFound[SurfaceMesh::Face(h)])
     {
-      return Status::Invalid("it does not separate its left from its right, so that there is no "
-                             "region on its left: close it around one, without crossing itself");
+      return InvalidInput(
+        "The left and the right side of the curve are connected, so it bounds no region")
+        .Fix("Draw a closed curve without self-intersections");
     }
   }
   return Status::Success();
@@ -80,8 +82,9 @@ Status LeftFaces::Find(const CurveChain& chain, bool isClosed, std::vector<Id>& 
   faces.clear();
   if (!isClosed)
   {
-    return Status::Invalid("it is open, but a region needs a closed one: let the line end with the "
-                           "id of its first point; a point at the same place is another one");
+    return InvalidInput("It is open, but a region needs a closed curve")
+      .Fix("End the line with the id of its first point; a point at the same position is a "
+           "different one");
   }
   ChainSides sides;
   DGG_RETURN_IF_ERROR(this->FindSides(chain, sides));

@@ -107,9 +107,9 @@ public:
       values[i] = std::ldexp(values[i], this->Exponents[channel]);
       if (!std::isfinite(values[i]))
       {
-        return Status::Invalid(what + " of channel " + std::to_string(channel) +
-          " are beyond the largest number, 1.8e308: divide its colours, strengths and background "
-          "by a number");
+        return InvalidInput(
+          what, " of channel ", channel, " exceed 1.8e308, the largest floating-point number")
+          .Fix("Divide colours, strengths and background by a number");
       }
     }
     return Status::Success();
@@ -250,7 +250,7 @@ Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
   const Implementation& held = *this->Internals;
   if (!held.Solver || !held.Solver->IsReady() || curves.size() != held.Chains.size())
   {
-    return Status::Invalid("the surface is not prepared for these curves: call Prepare() first");
+    return InvalidInput("The surface is not prepared for these curves").Fix("Call Prepare() first");
   }
   if (options.CheckMemory)
   {
@@ -295,8 +295,8 @@ Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
       bands[channels * d + c] += columns[c][v] + (isFree ? background[c] : 0.0);
     }
   }
-  DGG_RETURN_IF_ERROR(scale.Undo(bands, "colours"));
-  DGG_RETURN_IF_ERROR(scale.Undo(netSources, "net sources"));
+  DGG_RETURN_IF_ERROR(scale.Undo(bands, "Colours"));
+  DGG_RETURN_IF_ERROR(scale.Undo(netSources, "Net sources"));
   result = { std::move(bands), std::move(netSources), std::move(components) };
   return Status::Success();
 }

@@ -104,7 +104,8 @@ public:
     DGG_RETURN_IF_ERROR(this->Search.Run(linked.Seeds, options, this->Result));
     if (this->Result.Corrected.empty())
     {
-      return Status::Invalid("sites cannot be moved over a graph without directions");
+      return InvalidInput("The graph has no directions, which moving sites needs")
+        .Fix("Use the graph of a mesh");
     }
     // The direction in which the path to each vertex leaves its site.
     this->Directions.assign(this->Mesh.GetNumberOfVertices(), 0.0);

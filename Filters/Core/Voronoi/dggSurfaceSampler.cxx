@@ -534,7 +534,7 @@ Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh, const Grap
   samples.clear();
   if (std::isnan(options.CoveringRadius))
   {
-    return Status::Invalid("the covering radius is not a number");
+    return InvalidValue("CoveringRadius", options.CoveringRadius).Fix("Use a number");
   }
   Status status = Sampler(graph, mesh, builder, accuracy, options, samples).Run();
   if (!status.IsOk())

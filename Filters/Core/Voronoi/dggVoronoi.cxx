@@ -29,13 +29,13 @@ Status CheckSites(const VoronoiInput& input)
     if (seeds[i].Source < 0 || seeds[i].InitialDistance != 0.0 || seeds[i].Distance < 0.0 ||
       (seeds[i].ArrivalAngle < 0.0 && seeds[i].Distance != 0.0))
     {
-      return Status::Invalid("source " + std::to_string(i) +
-        " has no site index, or has an initial distance, which sites must not have");
+      return InvalidInput("Source ", i, " has no site index, or has an initial distance")
+        .Fix("Give it a site and no initial distance");
     }
     if (input.Builder && seeds[i].Source >= static_cast<Offset>(input.Places.size()))
     {
-      return Status::Invalid("source " + std::to_string(i) +
-        " belongs to a site without a position: pass the positions of all sites");
+      return InvalidInput("Source ", i, " belongs to a site without a position")
+        .Fix("Pass the positions of all sites");
     }
   }
   return Status::Success();
@@ -69,9 +69,9 @@ Status CheckNeighbors(const SurfaceMesh& mesh, const SiteDistances& distances)
     if (!mesh.IsDropped(SurfaceMesh::Face(h)) &&
       (distances.Nearest(a) == nullptr) != (distances.Nearest(b) == nullptr))
     {
-      return Status::Invalid("the graph does not connect the neighbouring vertices " +
-        std::to_string(a) + " and " + std::to_string(b) +
-        ": it has too few edges for cells. Use the Guaranteed construction or more neighbours");
+      return InvalidInput("The graph does not connect the adjacent vertices ", a, " and ", b,
+        ": it has too few edges for cells")
+        .Fix("Set {Construction} to Guaranteed, or use a larger {NumberOfNeighbors}");
     }
   }
   return Status::Success();

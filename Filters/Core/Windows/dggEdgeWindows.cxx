@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggEdgeWindows.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include <cmath>
 
@@ -46,13 +46,13 @@ Status EdgeWindows::Check(const SurfaceMesh& mesh) const
     this->Offsets.back() != static_cast<Offset>(this->Windows.size()))
   {
     return InvalidInput(this->Offsets.size(), " offsets and ", this->Windows.size(),
-      " windows are not those of a mesh of ", halfEdges, " half-edges");
+      " windows do not fit a mesh of ", halfEdges, " half-edges");
   }
   for (std::size_t h = 0; h < halfEdges; ++h)
   {
     if (this->Offsets[h] > this->Offsets[h + 1])
     {
-      return InvalidInput("the offsets of half-edge ", h, " decrease");
+      return InvalidInput("The offsets of half-edge ", h, " decrease");
     }
   }
   for (std::size_t h = 0; h < halfEdges; ++h)
@@ -63,7 +63,7 @@ Status EdgeWindows::Check(const SurfaceMesh& mesh) const
     {
       if (!IsValid(*w, mesh.Length(id)) || w->Begin < last)
       {
-        return InvalidInput("window ", w - this->Windows.data(), " is not one of half-edge ", h);
+        return InvalidInput("Window ", w - this->Windows.data(), " does not lie on half-edge ", h);
       }
       last = w->Begin;
     }
@@ -73,7 +73,7 @@ Status EdgeWindows::Check(const SurfaceMesh& mesh) const
   {
     if (!IsValid(this->Sources[s], mesh) || this->Sources[s].Face < face)
     {
-      return InvalidInput("source ", s, " is not in a face of the mesh");
+      return InvalidInput("Source ", s, " does not lie in a face of the mesh");
     }
     face = this->Sources[s].Face;
   }

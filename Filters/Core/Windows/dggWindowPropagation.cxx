@@ -100,15 +100,16 @@ Status CheckOptions(const SurfaceMesh& mesh, const ExactOptions& options)
 {
   if (std::isnan(options.MaximumDistance))
   {
-    return Status::Invalid("the maximum distance is not a number");
+    return InvalidValue("MaximumDistance", options.MaximumDistance).Fix("Use a number or infinity");
   }
   if (options.KeepWindows && options.StopAtTargets)
   {
-    return Status::Invalid("windows cannot be kept when the run stops at targets: choose one");
+    return InvalidInput("Windows cannot be kept if the run stops at targets")
+      .Fix("Turn off KeepWindows or StopAtTargets");
   }
   for (std::size_t t = 0; t < options.Targets.size(); ++t)
   {
-    DGG_RETURN_IF_ERROR(options.Targets[t].Check(mesh).Of("target " + std::to_string(t)));
+    DGG_RETURN_IF_ERROR(options.Targets[t].Check(mesh).Of(JoinText("Target ", t)));
   }
   return Status::Success();
 }
@@ -191,15 +192,18 @@ Status WindowPropagation::Run(const std::vector<GeodesicSource>& sources,
     if (this->IsOutOfMemory)
     {
       this->Release();
-      return Status::Invalid("the propagation of windows takes more memory than MemoryLimit, " +
-        std::to_string(options.MemoryLimit) +
-        " bytes: use a mesh of fewer points, set a smaller MaximumDistance, keep no windows (turn "
-        "GenerateWindows off), or raise the limit");
+      return Status(Status::Code::OutOfMemory,
+        JoinText("The propagation of windows needs more memory than the limit of ",
+          options.MemoryLimit, " bytes"))
+        .At("MemoryLimit")
+        .Fix("Use fewer points, set a smaller {MaximumDistance}, turn off {GenerateWindows}, or "
+             "raise {MemoryLimit}");
     }
     return this->HasExceededLimit
-      ? Status::Invalid("the windows multiply among non-manifold edges or long triangles of little "
-                        "area, far beyond those of a clean mesh of this size: remove inner walls, "
-                        "doubled sheets and such triangles, or set a smaller MaximumDistance")
+      ? InvalidInput("The windows multiply among non-manifold edges or long triangles of little "
+                     "area, far beyond those of a clean mesh of this size")
+          .Fix("Remove inner walls, duplicate faces and such triangles, or set a smaller "
+               "{MaximumDistance}")
       : Status::Abort();
   }
   this->KnowsReached = isAgain;

@@ -5,7 +5,7 @@
 #include "DGGDistanceInternals.h"
 
 #include "dggBlockLoop.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 
 #include "vtkIdList.h"
@@ -125,8 +125,7 @@ dgg::Status DGGCloudMarching::Prepare(
   const dgg::PreparedSurface& cloud = context.Surface;
   const Id n = cloud.GetMeshWithoutAngles().GetNumberOfVertices();
   const double bytes = BytesPerPoint * n;
-  DGG_RETURN_IF_ERROR(
-    context.Memory.Check("the march's data on points", bytes, "use fewer points"));
+  DGG_RETURN_IF_ERROR(context.Memory.Check("Fast marching on points", bytes, "Use fewer points"));
   DGG_RETURN_IF_ERROR(dgg::FindNodes(cloud.GetPositions(), n, this->Nodes, this->Places));
   this->NumberPlaces(n);
   DGG_RETURN_IF_ERROR(dgg::ReportTo(progress, EndOfNodes));
@@ -146,19 +145,20 @@ dgg::Status DGGCloudMarching::Prepare(
   const auto limit = context.Memory.GetBytes();
   const dgg::Status status = this->Band.Build(this->Places, sizes.Radii, sizes.VoxelSize,
     static_cast<std::size_t>(std::max(1.0, share * (limit - bytes))), context.Parallel,
-    dgg::ProgressPart(progress, EndOfSpacings, 1.0), "use a smaller Resolution or BandRadius");
+    dgg::ProgressPart(progress, EndOfSpacings, 1.0), "Use a smaller {Resolution} or {BandRadius}");
   if (this->Band.IsTooLarge())
   {
-    return dgg::InvalidInput("marching in a band of voxels, each of size ",
-      sizes.VoxelSize / this->Nodes.Scale, ", would take more than the limit of ",
-      dgg::FormatBytes(limit),
-      ": use a smaller Resolution or BandRadius, or set a higher MemoryLimit");
+    return dgg::Status(dgg::Status::Code::OutOfMemory,
+      dgg::JoinText("A band of voxels of size ", sizes.VoxelSize / this->Nodes.Scale,
+        " needs more memory than the limit of ", dgg::FormatBytes(limit)))
+      .At("MemoryLimit")
+      .Fix("Use a smaller {Resolution} or {BandRadius}, or raise {MemoryLimit}");
   }
   DGG_RETURN_IF_ERROR(status);
   if (!dgg::BandMarching::CanMarchIn(this->Band))
   {
-    return dgg::Status::Invalid(
-      "the band has more voxels than a march can number: use a smaller Resolution or BandRadius");
+    return dgg::InvalidInput("The band has too many voxels for a march")
+      .Fix("Use a smaller {Resolution} or {BandRadius}");
   }
   this->Marching = std::make_unique<dgg::BandMarching>(this->Band);
   this->BandRadius = sizes.MedianRadius;
@@ -188,9 +188,9 @@ void DGGCloudMarching::NumberPlaces(Id numberOfPoints)
 dgg::Status DGGCloudMarching::Run(
   DGGDistanceTask& task, const dgg::ProgressCallback& progress) const
 {
-  DGG_RETURN_IF_ERROR(task.Context.Memory.Check("the march",
+  DGG_RETURN_IF_ERROR(task.Context.Memory.Check("Fast marching",
     dgg::BandMarching::PredictMemory(static_cast<double>(this->Band.GetNumberOfBricks())),
-    "use a smaller Resolution or BandRadius"));
+    "Use a smaller {Resolution} or {BandRadius}"));
   const double scale = this->Nodes.Scale;
   std::vector<dgg::BandSource> sources;
   std::vector<Id> numbers; // index per source of the band: its source of the task

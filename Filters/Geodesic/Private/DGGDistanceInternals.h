@@ -38,7 +38,10 @@ public:
     vtkInformationVector* outputVector) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
-  std::string GetMemoryRemedy() const override { return "use a smaller mesh or MaximumDistance"; }
+  std::string GetMemoryRemedy() const override
+  {
+    return "Use a smaller mesh or a {MaximumDistance}";
+  }
 
   /// Fills the results of the task. Called with a mesh and at least one source, both checked.
   /// Returns an error, which is reported, or the status of an abort by the progress of the

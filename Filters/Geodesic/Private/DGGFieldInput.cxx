@@ -8,7 +8,7 @@
 #include "DGGWindowArrays.h"
 
 #include "dggFieldReader.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -63,19 +63,19 @@ dgg::Status CheckRequest(vtkInformation* request)
   if (where != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     where != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
   {
-    return dgg::Status::Invalid("the array to process is not one of points: call "
-                                "SetInputArrayToProcess() with FIELD_ASSOCIATION_POINTS");
+    return dgg::InvalidInput("The array to process is not a point array")
+      .Fix("Call SetInputArrayToProcess() with FIELD_ASSOCIATION_POINTS");
   }
   if (request->Has(vtkAlgorithm::INPUT_PORT()) && request->Get(vtkAlgorithm::INPUT_PORT()) != 0)
   {
-    return dgg::Status::Invalid("the array to process is not one of the surface: call "
-                                "SetInputArrayToProcess() with the port 0");
+    return dgg::InvalidInput("The array to process is not an array of the surface")
+      .Fix("Call SetInputArrayToProcess() with port 0");
   }
   if (request->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) &&
     request->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) != vtkDataSetAttributes::SCALARS)
   {
-    return dgg::Status::Invalid("the array to process is not one of scalars: call "
-                                "SetInputArrayToProcess() with a name or SCALARS");
+    return dgg::InvalidInput("The array to process is not an array of scalars")
+      .Fix("Call SetInputArrayToProcess() with a name or SCALARS");
   }
   return dgg::Status::Success();
 }
@@ -108,11 +108,11 @@ dgg::Status DGGFindDistances(vtkInformation* filter, const std::string& property
     name.empty() ? data->GetScalars() : data->GetAbstractArray(name.c_str());
   if (!found)
   {
-    return dgg::InvalidInput(name.empty() ? std::string("there are no active point scalars")
-                                          : "there is no point array '" + name + "'",
-      " with distances. ", ListArrays(data),
-      ": call SetDistanceArrayName() or SetInputArrayToProcess() with one of them, or connect a "
-      "distance filter");
+    return dgg::InvalidInput(name.empty() ? std::string("There are no active point scalars")
+                                          : "There is no point array '" + name + "'",
+      " with distances. ", ListArrays(data))
+      .At("DistanceArrayName")
+      .Fix("Set {DistanceArrayName} to one of them, or connect a distance filter");
   }
   return DGGCheckPointArray(found, surface, "the surface", 1, distances);
 }
@@ -149,7 +149,7 @@ dgg::Status DGGReadField(const DGGContext& context, vtkDataArray* distances, dou
     (array->GetNumberOfComponents() != 3 ||
       array->GetNumberOfTuples() != surface->GetNumberOfPoints()))
   {
-    reader.Warn(dgg::JoinText("the virtual sources in the point array '", virtualSources,
+    reader.Warn(dgg::JoinText("The virtual sources in the point array '", virtualSources,
       "' do not have 3 components per point. They are ignored"));
   }
   else if (array)

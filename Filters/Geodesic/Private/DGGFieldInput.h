@@ -5,7 +5,7 @@
 #ifndef DGGFieldInput_h
 #define DGGFieldInput_h
 
-#include "dggTypes.h" // for Status
+#include "dggStatus.h" // for Status
 
 #include <string> // for names
 

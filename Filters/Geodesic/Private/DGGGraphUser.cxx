@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGGraphUser.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkObject.h"
 
@@ -82,8 +82,8 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   const bool found = this->InputGraph.Find(data, context, complaint);
   if (!complaint.empty() && !isCloud)
   {
-    vtkWarningWithObjectMacro(filter, << complaint << ". It is not used; a graph with Accuracy "
-                                      << this->Accuracy << " takes its place.");
+    vtkWarningWithObjectMacro(filter,
+      << dgg::Render(complaint) << ". A graph with Accuracy " << this->Accuracy << " replaces it.");
   }
   dgg::Status status;
   if (found)
@@ -92,8 +92,8 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   }
   else if (isCloud)
   {
-    status = dgg::Status::Invalid(
-      complaint + ". Run vtkPointCloudDGG on these points, or have this filter follow it");
+    status =
+      dgg::InvalidInput(complaint).Fix("Compute the graph of these points with vtkPointCloudDGG");
   }
   else
   {
@@ -148,12 +148,11 @@ void DGGGraphUser::WarnAboutAccuracy(vtkObject* filter)
     return;
   }
   this->WarnedAccuracy = this->Accuracy;
-  const std::string reason = info.IsGuaranteed() ? dgg::JoinText("its accuracy is ", info.Accuracy)
-                                                 : "its construction guarantees no accuracy";
+  const std::string reason = info.IsGuaranteed() ? dgg::JoinText("has the accuracy ", info.Accuracy)
+                                                 : "guarantees no accuracy";
   vtkWarningWithObjectMacro(filter,
-    << "the graph on the input is used, although " << reason << " and Accuracy " << this->Accuracy
-    << " is asked for: build it so by vtkDiscreteGeodesicGraph, remove it, or turn "
-       "AcceptCoarserGraph on.");
+    << "The graph on the input " << reason << ", but Accuracy is " << this->Accuracy
+    << ". Build a graph with this Accuracy, remove the graph, or turn on AcceptCoarserGraph.");
 }
 
 //------------------------------------------------------------------------------

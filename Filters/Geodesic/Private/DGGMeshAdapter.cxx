@@ -4,7 +4,7 @@
 
 #include "DGGSurfaceArrays.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -62,10 +62,10 @@ dgg::Status DGGMeshAdapter::CheckSurface(vtkPolyData* input)
     return dgg::Status::Success();
   }
   const vtkIdType n = input->GetNumberOfPoints();
-  return dgg::InvalidInput("the input has ", n, n == 1 ? " point" : " points",
-    " but no polygons or triangle strips: connect a surface mesh. Distances on a point cloud need "
-    "the graph that vtkPointCloudDGG makes, and a filter that searches it, as vtkDGGDistance or "
-    "vtkDGGPath; vtkDGGFastMarchingDistance gives rough ones without");
+  return dgg::InvalidInput(
+    "The input has ", n, n == 1 ? " point" : " points", " but no polygons or triangle strips")
+    .Fix("Connect a surface mesh. For a point cloud, compute its graph with vtkPointCloudDGG (in "
+         "Python: vtkdgg.CloudGraph)");
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 
 #include "DGGFreeMemory.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -32,8 +32,9 @@ dgg::Status Guard(const std::function<dgg::Status()>& step)
   }
   catch (const std::bad_alloc&)
   {
-    return dgg::Status::Invalid(
-      "memory is exhausted while the parts of the input are joined: use a smaller surface");
+    return dgg::Status(dgg::Status::Code::OutOfMemory,
+      "Memory is exhausted while the pieces of the input are joined")
+      .Fix("Use a smaller surface");
   }
 }
 
@@ -157,10 +158,10 @@ dgg::Status DGGPartedUpdate::FindParts(const DGGProcesses& processes, vtkIdType 
   const vtkIdType sum = processes.Sum(numberOfPoints);
   if (sum > limit)
   {
-    return dgg::InvalidInput("the pieces of all processes have ", sum,
-      " points together, and GatherLimit is ", limit,
-      ": call SetGatherLimit() with a larger number if the first process has the memory, or make "
-      "the surface smaller");
+    return dgg::InvalidInput("The pieces of all processes have ", sum,
+      " points together, more than the {GatherLimit} of ", limit)
+      .At("GatherLimit")
+      .Fix("Raise {GatherLimit} if the first process has the memory, or use a smaller surface");
   }
   isSame = processes.AndAll(isSame);
   DGG_RETURN_IF_ERROR(this->CheckMemory(processes, memory, isSame));
@@ -204,8 +205,8 @@ dgg::Status DGGPartedUpdate::CheckMemory(
   const vtkIdType others = processes.Sum(here) - here;
   const double bytes = 2.0 * 1024.0 * static_cast<double>(processes.IsFirst() ? others : here);
   return processes.Agree(bytes > 0.0
-      ? DGGMakeBudget(limit).Check("gathering the pieces of all processes", bytes,
-          "run them where there is more memory, make the surface smaller")
+      ? DGGMakeBudget(limit).Check("Gathering the pieces of all processes", bytes,
+          "Use a smaller surface or a machine with more memory")
       : dgg::Status::Success());
 }
 

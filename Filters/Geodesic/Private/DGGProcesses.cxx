@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGProcesses.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
@@ -181,13 +181,14 @@ dgg::Status DGGProcesses::Agree(const dgg::Status& status) const
   {
     return dgg::Status::Success();
   }
-  int isAborted = status.IsAborted() ? 1 : 0;
-  std::string message = status.GetMessage();
+  int code = static_cast<int>(status.GetCode());
+  std::string problem = status.GetProblem();
+  std::string action = status.GetAction();
   vtkMultiProcessStream stream;
-  stream << isAborted << message;
+  stream << code << problem << action;
   this->Controller->Broadcast(stream, failed);
-  stream >> isAborted >> message;
-  return isAborted ? dgg::Status::Abort() : dgg::Status::Invalid(message);
+  stream >> code >> problem >> action;
+  return dgg::Status(static_cast<dgg::Status::Code>(code), problem).Fix(action);
 }
 
 //------------------------------------------------------------------------------
@@ -257,9 +258,10 @@ dgg::Status DGGProcesses::Gather(
       }
       if (part.Data->GetNumberOfPoints() != points || part.Data->GetNumberOfCells() != cells)
       {
-        status = dgg::InvalidInput("of ", points, " points and ", cells, " cells that process ",
-          process, " has sent, ", part.Data->GetNumberOfPoints(), " and ",
-          part.Data->GetNumberOfCells(), " have arrived: repair the piece, or make it smaller");
+        status = dgg::InvalidInput("Process ", process, " has sent ", points, " points and ", cells,
+          " cells, but ", part.Data->GetNumberOfPoints(), " and ", part.Data->GetNumberOfCells(),
+          " have arrived")
+                   .Fix("Repair the piece, or use a smaller piece");
       }
       parts.push_back(part);
     }

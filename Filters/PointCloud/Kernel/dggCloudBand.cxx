@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBandSizes.h"
 #include "dggCloudSetup.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggMemoryLimit.h"
 #include "dggSetupLoop.h"
 
@@ -124,10 +124,8 @@ private:
   /// Returns the advice for messages about too many voxels.
   std::string RemedyOfBand() const
   {
-    const std::string below =
-      " below " + std::to_string(std::min(this->Statistics.Resolution, LargestResolution));
-    return this->Options.Resolution > 0 ? "use a Resolution" + below
-                                        : "set a Resolution" + below + ", that of now";
+    return JoinText(
+      "Use a {Resolution} below ", std::min(this->Statistics.Resolution, LargestResolution));
   }
 
   /// Predicts the memory in bytes of the band and of the nearest points of its voxels. The
@@ -153,11 +151,11 @@ private:
     const auto limit = static_cast<double>(this->Options.MemoryLimit);
     const double needed = static_cast<double>(this->Setup.GetMemorySize()) + this->PredictMemory();
     return CheckMemory(
-      JoinText("with the band of voxels, ", resolution, " along the longest side as Resolution ",
-        isAutomatic ? "is automatic" : "says", ", each of size ", this->Statistics.VoxelSize,
-        " where points are ", this->Statistics.Spacing, " from each other, building the graph"),
+      JoinText("Building the graph with a band of ", resolution,
+        isAutomatic ? " (automatic) voxels" : " voxels", " along the longest side, of size ",
+        this->Statistics.VoxelSize, " at a point spacing of ", this->Statistics.Spacing, ","),
       std::max(needed, LeastExcess * limit), limit,
-      JoinText(isAutomatic ? "set" : "use", " a Resolution below ", resolution));
+      JoinText("Use a {Resolution} below ", resolution));
   }
 
   const CloudGraphOptions& Options;

@@ -5,7 +5,7 @@
 #include "dggCloudAssembly.h"
 #include "dggCloudRows.h"
 #include "dggCloudSetup.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -138,28 +138,30 @@ Status CloudGraphBuilder::Check(const CloudGraphOptions& options)
         (options.OffsetInVoxels >= 0.5 && options.OffsetInVoxels <= 1000.0)))
   {
     // Smaller balls may contain no voxel center.
-    return InvalidInput("the offset is ", options.OffsetInVoxels,
-      " voxels, but has to be 0 (automatic), or at least 0.5 and at most 1000");
+    return InvalidValue("OffsetInVoxels", options.OffsetInVoxels)
+      .Fix("Use a number from 0.5 to 1000, or 0 for an automatic one");
   }
   if (options.Resolution < 0 || options.Resolution > LargestResolution)
   {
-    return InvalidInput("the resolution is ", options.Resolution,
-      ", but has to be 0 (automatic) or at most ", LargestResolution);
+    return InvalidValue("Resolution", options.Resolution)
+      .Fix("Use a number of at most ", LargestResolution, ", or 0 for an automatic one");
   }
   if (!(options.Alpha == 0.0 || (options.Alpha >= 1e-3 && options.Alpha <= 1e6)))
   {
-    return InvalidInput("alpha is ", options.Alpha,
-      ", but has to be 0 (automatic), or at least 1e-3 and at most 1e6");
+    return InvalidValue("Alpha", options.Alpha)
+      .Fix("Use a number from 1e-3 to 1e6, or 0 for an automatic one");
   }
   if (!(options.Accuracy == 0.0 ||
         (options.Accuracy >= 1e-6 && options.Accuracy <= LargestAccuracy)))
   {
-    return InvalidInput("the accuracy is ", options.Accuracy,
-      ", but has to be 0 (all edges) or between 1e-6 and ", LargestAccuracy);
+    return InvalidValue("Accuracy", options.Accuracy)
+      .Fix("Use a number from 1e-6 to ", LargestAccuracy, ", or 0 for all edges");
   }
   if (options.HasOrientedNormals && !options.Normals)
   {
-    return Status::Invalid("there are no normals that could be oriented");
+    return InvalidInput("There are no normals, which {OrientedNormals} needs")
+      .At("OrientedNormals")
+      .Fix("Pass normals");
   }
   return Status::Success();
 }

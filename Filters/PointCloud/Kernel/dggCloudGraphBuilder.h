@@ -7,7 +7,7 @@
 
 #include "dggGeodesicGraph.h" // for GeodesicGraph
 #include "dggParallel.h"      // for ParallelFor
-#include "dggTypes.h"         // for Id, Status
+#include "dggStatus.h"        // for Status
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for std::uint8_t

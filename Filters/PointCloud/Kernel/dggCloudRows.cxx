@@ -85,8 +85,8 @@ double RowSample::GetThreadMemory() const
 Status CheckRowMemory(double bytes, std::size_t limit)
 {
   return limit == 0 ? Status::Success()
-                    : CheckMemory("building the graph of the cloud", bytes,
-                        static_cast<double>(limit), "use a larger Accuracy or a smaller Alpha");
+                    : CheckMemory("Building the graph of the cloud", bytes,
+                        static_cast<double>(limit), "Use a larger {Accuracy} or a smaller {Alpha}");
 }
 
 Status SampleRows(const CloudSetup& setup, const CloudGraphOptions& options,

@@ -162,8 +162,8 @@ std::size_t CloudSetup::GetMemoryBefore(Id numberOfPoints) const
 Status CheckSetupMemory(std::size_t bytes, const CloudGraphOptions& options)
 {
   return options.MemoryLimit > 0
-    ? CheckMemory("what has to be known of the points of the cloud", static_cast<double>(bytes),
-        static_cast<double>(options.MemoryLimit), "use fewer points")
+    ? CheckMemory("The preparation of the points", static_cast<double>(bytes),
+        static_cast<double>(options.MemoryLimit), "Use fewer points")
     : Status::Success();
 }
 

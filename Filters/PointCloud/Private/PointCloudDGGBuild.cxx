@@ -125,7 +125,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
   if (vtkDataArray* given = source.Given)
   {
     DGG_RETURN_IF_ERROR(context.Memory.Check(
-      "a copy of the normals", 3.0 * sizeof(double) * points, "use fewer points"));
+      "A copy of the normals", 3.0 * sizeof(double) * points, "Use fewer points"));
     auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(points));
     for (vtkIdType i = 0; i < points; ++i)
     {
@@ -142,8 +142,8 @@ dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
     this->NormalsMesh == mesh.GetBuildNumber();
   if (!isKept)
   {
-    DGG_RETURN_IF_ERROR(context.Memory.Check(
-      "finding normals", BytesPerNormal * points, "use fewer points, or turn EstimateNormals off"));
+    DGG_RETURN_IF_ERROR(context.Memory.Check("Estimating normals", BytesPerNormal * points,
+      "Use fewer points, or turn off {EstimateNormals}"));
     auto found = std::make_shared<std::vector<double>>();
     DGG_RETURN_IF_ERROR(DGGEstimateNormals(context, source.NumberOfNeighbors,
       dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found));

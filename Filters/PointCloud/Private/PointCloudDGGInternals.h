@@ -34,7 +34,7 @@ public:
   bool IsCloud(vtkPolyData* vtkNotUsed(input)) const override { return true; }
   std::string GetMemoryRemedy() const override
   {
-    return "use fewer points, a larger Accuracy, a smaller Alpha or a smaller Resolution";
+    return "Use fewer points, a larger {Accuracy}, a smaller {Alpha} or a smaller {Resolution}";
   }
 
   /// Predicts the memory of the graph without building it.

@@ -139,38 +139,34 @@ void vtkPointCloudDGG::vtkInternals::WarnAboutPoints()
   if (unused > 0)
   {
     const bool isOne = unused == 1;
-    vtkWarningWithObjectMacro(this->Self,
-      << "the cloud has " << unused << (isOne ? " point that is" : " points that are")
-      << " not finite. " << (isOne ? "It is" : "They are") << " kept, and connected to nothing.");
+    this->Warn(
+      dgg::JoinText("The cloud has ", unused, isOne ? " point that is" : " points that are",
+        " not finite. ", isOne ? "It is" : "They are", " kept, and connected to nothing"));
   }
   const dgg::Id outliers = this->Current.Statistics.Outliers;
   if (outliers > 0)
   {
     const bool isOne = outliers == 1;
-    vtkWarningWithObjectMacro(this->Self,
-      << "the cloud has " << outliers << (isOne ? " point that is" : " points that are")
-      << " more than 1000 times as far off as all others. " << (isOne ? "It is" : "They are")
-      << " kept, and connected to nothing but points in the same place.");
+    this->Warn(
+      dgg::JoinText("The cloud has ", outliers, isOne ? " point that is" : " points that are",
+        " more than 1000 times as far away as all others. ", isOne ? "It is" : "They are",
+        " kept, and connected to points at the same position only"));
   }
   const dgg::CloudGraphStatistics& statistics = this->Current.Statistics;
   if (statistics.Scatter > 0.0)
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << "the neighbours of " << 100.0 * statistics.OffSurface
-                  << " % of the points do not lie on a surface: points typically scatter by "
-                  << statistics.Scatter
-                  << " times their spacing. That much is not all taken off: distances may be "
-                     "wrong by far. Thin the cloud out, to every tenth point for example or to "
-                     "averages of points, until points scatter by less than their spacing.");
+    this->Warn(dgg::JoinText("The neighbours of ", 100.0 * statistics.OffSurface,
+      " % of the points do not lie on a surface: points typically scatter by ", statistics.Scatter,
+      " times their spacing. Such noise is removed in part only, so distances may be far off. Thin "
+      "the cloud, for example to every tenth point or to averages of points, until points scatter "
+      "by less than their spacing"));
   }
   else if (statistics.NoiseByRadius > LargestNoiseByRadius)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      << "the noise of the points, " << statistics.Noise << ", is " << statistics.NoiseByRadius
-      << " of the radius at which the surface typically bends. It has been taken "
-         "off, but what is left is not quite the surface: distances may be wrong by 1 % "
-         "or more, mostly too short. Use points that are less noisy if that "
-         "matters.");
+    this->Warn(dgg::JoinText("The noise of the points, ", statistics.Noise, ", is ",
+      statistics.NoiseByRadius,
+      " of the typical radius of curvature. After its removal distances may be off by 1 % or more, "
+      "mostly too short. Use points with less noise if that matters"));
   }
 }
 
@@ -182,17 +178,16 @@ void vtkPointCloudDGG::vtkInternals::WarnAboutVoxels(const dgg::CloudGraphOption
   if (used.Spacing > 0.0 && used.VoxelSize > used.Spacing)
   {
     const bool isGiven = options.OffsetInVoxels > 0.0;
-    vtkWarningWithObjectMacro(this->Self,
-      << "the voxels of the band, of size " << used.VoxelSize << " (Resolution " << used.Resolution
-      << (options.Resolution > 0 ? "" : ", automatic")
-      << "), are larger than the spacing of the points, which is " << used.Spacing << ". "
-      << (isGiven ? "The graph bridges gaps and holes, and may connect or tear apart "
-                    "what it should not"
-                  : "Building is slower")
-      << ". "
-      << (options.Resolution > 0 || isGiven
-             ? "Use a larger Resolution."
-             : "Parts of the cloud are very much sparser than others: leave them out, "
-               "or build graphs of their own, if that matters."));
+    this->Warn(dgg::JoinText("The voxels of the band, of size ", used.VoxelSize, " ({Resolution} ",
+      used.Resolution, options.Resolution > 0 ? "" : ", automatic",
+      "), are larger than the spacing of the points, which is ", used.Spacing, ". ",
+      isGiven
+        ? "The graph bridges gaps and holes, and may connect separate or split connected parts"
+        : "Building is slower",
+      ". ",
+      options.Resolution > 0 || isGiven
+        ? "Use a larger {Resolution}"
+        : "Parts of the cloud are much sparser than others. Exclude these parts, or build separate "
+          "graphs, if that matters"));
   }
 }

@@ -6,7 +6,7 @@
 #include "DGGSurfaceArrays.h"
 
 #include "dggEarthMovers.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 
 #include "vtkDataArray.h"
@@ -21,22 +21,22 @@ namespace
 DGGSourceSet GetSet(const DGGMassOrigin& origin)
 {
   static const std::vector<vtkIdType> none;
-  return { none, origin.Points, origin.Port, "'" + origin.Name + "' point", "call " + origin.Setter,
-    "" };
+  return { none, origin.Points, origin.Port, "'" + origin.Name + "'", "", "" };
 }
 }
 
 //------------------------------------------------------------------------------
 dgg::Status DGGReadNumbers(vtkPolyData* data, const std::string& name, const std::string& where,
-  const std::string& setter, bool areMasses, std::vector<double>& values)
+  const std::string& property, bool areMasses, std::vector<double>& values)
 {
   vtkAbstractArray* found = data->GetPointData()->GetAbstractArray(name.c_str());
   vtkDataArray* array = nullptr;
   values.clear();
   if (!found)
   {
-    return dgg::InvalidInput(
-      where, " has no point array '", name, "': call ", setter, " with the name of one");
+    return dgg::InvalidInput("There is no point array '", name, "' on ", where)
+      .At(property)
+      .Fix("Set {", property, "} to the name of a point array");
   }
   DGG_RETURN_IF_ERROR(DGGCheckPointArray(found, data, where, 1, array));
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
@@ -44,9 +44,10 @@ dgg::Status DGGReadNumbers(vtkPolyData* data, const std::string& name, const std
     values.push_back(array->GetComponent(i, 0));
     if (!std::isfinite(values.back()) || (areMasses && values.back() < 0.0))
     {
-      return dgg::InvalidInput("the point array '", name, "' of ", where, " has the value ",
-        values.back(), " at point ", i,
-        areMasses ? ": mass must be finite and not negative" : ": sources must be finite");
+      return dgg::InvalidInput("The point array '", name, "' of ", where, " has the value ",
+        values.back(), " at point ", i)
+        .At(property, i)
+        .Fix(areMasses ? "Use finite masses of at least 0" : "Use finite sources");
     }
   }
   return dgg::Status::Success();
@@ -60,14 +61,15 @@ dgg::Status DGGDistribution::Read(
   const std::string port = "input port " + std::to_string(origin.Port);
   if (origin.Array.empty() && points.IsEmpty())
   {
-    return dgg::Status::Invalid("there is nothing to move " + origin.Name + ": call " +
-      origin.Setter + " with the name of a point array, or connect points to " + port);
+    return dgg::InvalidInput("There is nothing to move ", origin.Name)
+      .At(origin.Property)
+      .Fix("Set {", origin.Property, "} to the name of a point array, or connect points to ", port);
   }
   *this = DGGDistribution();
   if (!origin.Array.empty())
   {
     DGG_RETURN_IF_ERROR(DGGReadNumbers(
-      context.Input, origin.Array, "the surface", origin.Setter, true, this->Values));
+      context.Input, origin.Array, "the surface", origin.Property, true, this->Values));
   }
   if (points.IsEmpty())
   {

@@ -17,16 +17,16 @@ class PreparedSurface;
 class vtkPolyData;
 
 /// Reads a point array with one finite number per point; masses must not be negative. `where` is
-/// the name of the data in messages, `setter` the function that names the array.
+/// the name of the data in messages, `property` the property with the name of the array.
 dgg::Status DGGReadNumbers(vtkPolyData* data, const std::string& name, const std::string& where,
-  const std::string& setter, bool areMasses, std::vector<double>& values);
+  const std::string& property, bool areMasses, std::vector<double>& values);
 
 /// Inputs of a distribution; empty names and null mean none.
 struct DGGMassOrigin
 {
   std::string Name;      ///< "from" or "to"
   std::string Array;     ///< array of the surface
-  std::string Setter;    ///< function that sets Array
+  std::string Property;  ///< property with the name of Array
   vtkPolyData* Points;   ///< may be null
   int Port;              ///< input port of Points
   std::string MassArray; ///< array of Points

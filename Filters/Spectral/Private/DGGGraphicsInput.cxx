@@ -4,7 +4,7 @@
 
 #include "dggPreparedSurface.h"
 
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -28,20 +28,7 @@ constexpr std::size_t NoRegion = std::numeric_limits<std::size_t>::max();
 constexpr dgg::GraphicsCurveType Types[] = { dgg::GraphicsCurveType::Diffusion,
   dgg::GraphicsCurveType::Poisson, dgg::GraphicsCurveType::Region, dgg::GraphicsCurveType::Source };
 
-/// Exception for invalid input. Caught within this file.
-struct Refusal
-{
-  std::string Message;
-};
-
-/// Throws a Refusal with the text of all parts.
-template <typename... Parts>
-[[noreturn]] void Refuse(const Parts&... parts)
-{
-  throw Refusal{ dgg::JoinText(parts...) };
-}
-
-/// Runs a function and converts a Refusal to an error.
+/// Runs a function and returns the error that it throws.
 template <typename Function>
 dgg::Status Try(Function&& function)
 {
@@ -49,9 +36,9 @@ dgg::Status Try(Function&& function)
   {
     function();
   }
-  catch (const Refusal& refusal)
+  catch (const dgg::Status& status)
   {
-    return dgg::Status::Invalid(refusal.Message);
+    return status;
   }
   return dgg::Status::Success();
 }
@@ -64,8 +51,9 @@ vtkDataArray* FindNumbers(vtkDataSetAttributes* data, const char* kind, const st
   vtkDataArray* numbers = data->GetArray(name.c_str());
   if (!numbers && array)
   {
-    Refuse("the ", kind, " array '", name, "' is of type ", array->GetDataTypeAsString(),
-      " where numbers are needed");
+    throw dgg::InvalidInput(
+      "The ", kind, " array '", name, "' has the type ", array->GetDataTypeAsString())
+      .Fix("Use an array of numbers");
   }
   return numbers;
 }
@@ -89,15 +77,16 @@ struct FoundArray
   bool IsOfPoints;
 };
 
-/// Returns a cell array with one number per cell. `setter` is for messages.
-vtkDataArray* GetCellNumbers(vtkPolyData* surface, const std::string& name, const char* setter)
+/// Returns a cell array with one number per cell. `property` contains its name.
+vtkDataArray* GetCellNumbers(vtkPolyData* surface, const std::string& name, const char* property)
 {
   vtkDataArray* array = FindNumbers(surface->GetCellData(), "cell", name);
   if (!array || array->GetNumberOfComponents() != 1 ||
     array->GetNumberOfTuples() != surface->GetNumberOfCells())
   {
-    Refuse("the surface has no cell array '", name, "' with one number per cell: call ", setter,
-      " with the name of one");
+    throw dgg::InvalidInput("The surface has no cell array '", name, "' with one number per cell")
+      .At(property)
+      .Fix("Set {", property, "} to the name of one");
   }
   return array;
 }
@@ -107,7 +96,8 @@ double GetNumber(vtkDataArray* array, vtkIdType cell, const char* remedy)
   const double number = array->GetComponent(cell, 0);
   if (std::isnan(number))
   {
-    Refuse("the cell array '", array->GetName(), "' has no number at cell ", cell, ": ", remedy);
+    throw dgg::InvalidInput("The cell array '", array->GetName(), "' has no number at cell ", cell)
+      .Fix(remedy);
   }
   return number;
 }
@@ -138,7 +128,7 @@ void SortUnique(std::vector<dgg::Id>& ids)
 
 std::string Name(vtkIdType cell)
 {
-  return "line " + std::to_string(cell) + " of input port 1";
+  return "Line " + std::to_string(cell) + " of input port 1";
 }
 }
 
@@ -183,12 +173,14 @@ void DGGGraphicsInput::CollectLines(vtkPolyData* curves)
     {
       if (id < 0 || id >= curves->GetNumberOfPoints())
       {
-        Refuse(Name(cell), " has the point ", id, ", which does not exist");
+        throw dgg::InvalidInput(Name(cell), " refers to point ", id, ", which does not exist")
+          .Fix("Repair the line");
       }
     }
     if (points.size() < 2 || HasNoLength(curves, points))
     {
-      Refuse(Name(cell), " has no length: give it two points in different places");
+      throw dgg::InvalidInput(Name(cell), " has no length")
+        .Fix("Give it two points at different positions");
     }
     this->Curves.push_back(curve);
     this->PointIds.push_back(points);
@@ -221,8 +213,9 @@ void DGGGraphicsInput::ChooseChannels(
     }
     if (channels > 0 && count != channels)
     {
-      Refuse("the array '", first, "' of input port 1 has ", channels, " components and '", name,
-        "' has ", count, ": give both as many as there are channels");
+      throw dgg::InvalidInput("The array '", first, "' of input port 1 has ", channels,
+        " components, but '", name, "' has ", count)
+        .Fix("Use one component per channel in both");
     }
     channels = count;
     first = name;
@@ -249,16 +242,18 @@ void DGGGraphicsInput::ReadType(vtkPolyData* curves, const DGGGraphicsNames& nam
   }
   if (array->GetNumberOfComponents() != 1)
   {
-    Refuse("the cell array '", names.CurveType, "' of input port 1 has ",
-      array->GetNumberOfComponents(), " components where 1 is needed");
+    throw dgg::InvalidInput("The cell array '", names.CurveType, "' of input port 1 has ",
+      array->GetNumberOfComponents(), " components")
+      .Fix("Use an array with one component");
   }
   const double value = this->Cells[k] < array->GetNumberOfTuples()
     ? array->GetComponent(this->Cells[k], 0)
     : std::numeric_limits<double>::quiet_NaN();
   if (!(value == 0.0 || value == 1.0 || value == 2.0 || value == 3.0))
   {
-    Refuse(Name(this->Cells[k]), " has the type ", value, " in the cell array '", names.CurveType,
-      "': use 0 (Diffusion), 1 (Poisson), 2 (Region) or 3 (Source)");
+    throw dgg::InvalidInput(
+      Name(this->Cells[k]), " has the type ", value, " in the cell array '", names.CurveType, "'")
+      .Fix("Use 0 (Diffusion), 1 (Poisson), 2 (Region) or 3 (Source)");
   }
   this->Curves[k].Type = Types[static_cast<int>(value)];
 }
@@ -275,19 +270,22 @@ std::vector<double> DGGGraphicsInput::ReadTuples(
     found.IsOfPoints ? curves->GetNumberOfPoints() : curves->GetNumberOfCells();
   if (!array)
   {
-    Refuse(Name(this->Cells[k]), " needs a point or cell array '", name,
-      "': add it, or set the name of another one");
+    throw dgg::InvalidInput(Name(this->Cells[k]), " needs a point or cell array '", name, "'")
+      .Fix("Add the array, or set the name of another one");
   }
   if (array->GetNumberOfTuples() != tuples)
   {
-    Refuse("the array '", name, "' of input port 1 has ", array->GetNumberOfTuples(),
-      " tuples where ", tuples, " are needed");
+    throw dgg::InvalidInput(
+      "The array '", name, "' of input port 1 has ", array->GetNumberOfTuples(), " tuples")
+      .Fix("Use an array with ", tuples, " tuples");
   }
   const int components = array->GetNumberOfComponents();
   if (components != channels && !(mayBeSingle && components == 1))
   {
-    Refuse("the array '", name, "' of input port 1 has ", components, " components where ",
-      channels, mayBeSingle && channels > 1 ? " or 1 are needed" : " are needed");
+    throw dgg::InvalidInput(
+      "The array '", name, "' of input port 1 has ", components, " components")
+      .Fix("Use an array with ", channels,
+        mayBeSingle && channels > 1 ? " components or 1" : " components");
   }
   std::vector<double> values;
   for (const vtkIdType id : this->PointIds[k])
@@ -298,8 +296,9 @@ std::vector<double> DGGGraphicsInput::ReadTuples(
       const double value = array->GetComponent(tuple, components == 1 ? 0 : c);
       if (!std::isfinite(value))
       {
-        Refuse("the array '", name, "' of input port 1 has the value ", value, " at ",
-          found.IsOfPoints ? "point " : "cell ", tuple, ": numbers must be finite");
+        throw dgg::InvalidInput("The array '", name, "' of input port 1 has the value ", value,
+          " at ", found.IsOfPoints ? "point " : "cell ", tuple)
+          .Fix("Use finite numbers");
       }
       values.push_back(ScaleOf(array) * value);
     }
@@ -343,8 +342,9 @@ void DGGGraphicsInput::ReadCurve(vtkPolyData* curves, const DGGGraphicsNames& na
   }
   if (!(curve.Width > 0.0) || !std::isfinite(curve.Width))
   {
-    Refuse(Name(this->Cells[k]), " has the width ", curve.Width,
-      ": a Poisson curve needs a positive, finite one");
+    throw dgg::InvalidInput(Name(this->Cells[k]), " has the width ", curve.Width)
+      .At("Width")
+      .Fix("Use a finite positive width");
   }
 }
 
@@ -354,21 +354,22 @@ void DGGGraphicsInput::ReadRegions(vtkPolyData* surface, const DGGGraphicsNames&
   vtkCellData* data = surface->GetCellData();
   FindNumbers(data, "cell", names.Region);
   vtkDataArray* strength = FindNumbers(data, "cell", names.RegionStrength);
-  vtkDataArray* regions = GetCellNumbers(surface, names.Region, "SetRegionArrayName()");
+  vtkDataArray* regions = GetCellNumbers(surface, names.Region, "RegionArrayName");
   const vtkIdType cells = surface->GetNumberOfCells();
   const int components = strength ? strength->GetNumberOfComponents() : 0;
   if (!strength || strength->GetNumberOfTuples() != cells ||
     (components != 1 && components != this->NumberOfChannels))
   {
-    Refuse("the surface has no cell array '", names.RegionStrength, "' with 1 or ",
-      this->NumberOfChannels,
-      " components: call SetRegionStrengthArrayName() with the name of one");
+    throw dgg::InvalidInput("The surface has no cell array '", names.RegionStrength, "' with 1 or ",
+      this->NumberOfChannels, " components")
+      .At("RegionStrengthArrayName")
+      .Fix("Set {RegionStrengthArrayName} to the name of one");
   }
   std::unordered_map<double, std::size_t> found;
   this->RegionOfCell.assign(static_cast<std::size_t>(cells), NoRegion);
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    const double id = GetNumber(regions, cell, "use 0 for cells without a region");
+    const double id = GetNumber(regions, cell, "Use 0 for cells without a region");
     if (id == 0.0)
     {
       continue;
@@ -384,7 +385,9 @@ void DGGGraphicsInput::ReadRegions(vtkPolyData* surface, const DGGGraphicsNames&
       }
       if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
       {
-        Refuse("the cell array '", names.RegionStrength, "' is not finite at cell ", cell);
+        throw dgg::InvalidInput(
+          "The cell array '", names.RegionStrength, "' is not finite at cell ", cell)
+          .Fix("Use finite numbers");
       }
       this->RegionStrengths.push_back(values);
     }
@@ -430,11 +433,11 @@ dgg::Status DGGGraphicsInput::FindRefinedFaces(vtkPolyData* surface, const DGGGr
 {
   faces.clear();
   return Try([&] {
-    vtkDataArray* array = GetCellNumbers(surface, names.Refinement, "SetRefinementArrayName()");
+    vtkDataArray* array = GetCellNumbers(surface, names.Refinement, "RefinementArrayName");
     for (dgg::Id f = 0; f < mesh.GetMesh().GetNumberOfFaces(); ++f)
     {
       const vtkIdType cell = mesh.GetCell(f);
-      if (GetNumber(array, cell, "use 0, or another number for cells to refine") != 0.0)
+      if (GetNumber(array, cell, "Use 0, or another number for cells to refine") != 0.0)
       {
         faces.push_back(mesh.GetMesh().GetOriginal(f));
       }

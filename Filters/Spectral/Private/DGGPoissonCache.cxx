@@ -41,6 +41,6 @@ dgg::Status DGGPoissonCache::Prepare(const DGGContext& context, const dgg::Poiss
     // the free memory.
     const double own = !context.Memory.IsExplicit() ? missing : bytes;
     return context.Memory.Check(
-      "the factorization and the results", own + others(*this->Solver), remedy);
+      "The factorization with the results", own + others(*this->Solver), remedy);
   });
 }

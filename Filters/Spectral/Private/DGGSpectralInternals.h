@@ -47,7 +47,7 @@ public:
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
-    return "use a smaller mesh or fewer sources at a time";
+    return "Use a smaller mesh or fewer sources at a time";
   }
 
   /// Returns the options of the system to factorize.

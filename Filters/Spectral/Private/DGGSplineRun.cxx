@@ -7,7 +7,7 @@
 #include "DGGSurfaceArrays.h"
 
 #include "dggGeodesicSource.h"
-#include "dggInvalidInput.h"
+#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 #include "dggSplineSites.h"
@@ -84,15 +84,18 @@ dgg::Status AppendValues(const std::string& name, vtkPolyData* data, const std::
   vtkDataArray* array = nullptr;
   if (!found)
   {
-    return dgg::InvalidInput(where, " has no point array '", name,
-      "': call SetSiteValuesArrayName() with the name of one");
+    return dgg::InvalidInput("There is no point array '", name, "' on ", where)
+      .At("SiteValuesArrayName")
+      .Fix("Set {SiteValuesArrayName} to the name of a point array");
   }
   DGG_RETURN_IF_ERROR(DGGCheckPointArray(found, data, where, 0, array));
   const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
   if (!values.empty() && values.size() != components)
   {
-    return dgg::InvalidInput("the point array '", name, "' of ", where, " has ", components,
-      " components, that of the surface ", values.size(), ": make them the same");
+    return dgg::InvalidInput("The point array '", name, "' of ", where, " has ", components,
+      " components, but that of the surface has ", values.size())
+      .At("SiteValuesArrayName")
+      .Fix("Use the same number of components");
   }
   values.resize(components);
   for (const vtkIdType id : ids)
@@ -102,8 +105,10 @@ dgg::Status AppendValues(const std::string& name, vtkPolyData* data, const std::
       const double value = array->GetComponent(id, static_cast<int>(c));
       if (!std::isfinite(value))
       {
-        return dgg::InvalidInput("the point array '", name, "' of ", where, " has the value ",
-          value, " at point ", id, ", which is a site: values of sites must be finite");
+        return dgg::InvalidInput("The point array '", name, "' of ", where, " has the value ",
+          value, " at point ", id, ", which is a site")
+          .At("SiteValuesArrayName", id)
+          .Fix("Use finite values at sites");
       }
       values[c].push_back(value);
     }
@@ -135,7 +140,7 @@ dgg::Id DGGFindNearestCorner(const dgg::PoissonSolver& solver, const dgg::Surfac
 dgg::Status DGGReadRightHandSide(
   vtkPolyData* surface, const std::string& name, std::vector<double>& values)
 {
-  return DGGReadNumbers(surface, name, "the surface", "SetRightHandSideArrayName()", false, values);
+  return DGGReadNumbers(surface, name, "the surface", "RightHandSideArrayName", false, values);
 }
 
 //------------------------------------------------------------------------------

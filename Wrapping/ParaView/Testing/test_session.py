@@ -153,7 +153,7 @@ class Session(unittest.TestCase):
             simple.Show(port, view)
         simple.Render(view)
         self.assertEqual(len(listener.errors), 1, listener.errors)
-        self.assertIn("accuracy is 0.9", listener.errors[0])
+        self.assertIn("Accuracy is 0.9", listener.errors[0])
         self.assertEqual(others.errors, [])
         graph.Accuracy = 0.8
         simple.Render(view)

@@ -323,6 +323,8 @@ def path(options):
 def loop(options):
     """Closed geodesics."""
     contents = surface_of(options)
+    if options.rope and not options.through:
+        raise ValueError("--through: expected points for a rope, got none")
     points = several(options.through, contents, "--through") if options.through else None
     made = graph_of(options, contents)
     output = made.loop(

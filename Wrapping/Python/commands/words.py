@@ -28,46 +28,28 @@ def counted(count, one, many=None):
     return f"{count} {one if count == 1 else many or one + 's'}"
 
 
-# Patterns of words in messages of filters and functions, and their replacements in the shell.
-IN_OPTIONS = {
-    r"\bvtk(?!dgg)\w+: ": "",
-    r"\Apoints: expected points for a rope": "--through: expected points for a rope",
-    r"\bset merge_coincident_points=True(?:, and a merge_tolerance of [\d.e-]*\d)?": "add --merge",
-    r"\bmerge_coincident_points may join them": "--merge may join them",
-    r"\bgive an accuracy\b": "give an --accuracy",
-    r", or turn InFaces on": "",
-    r'method="exact" or "graph"': "--method exact or --method graph",
-    r"\bGetMeanAnisotropy\(\)": "the mean anisotropy",
-    r"Use vtkExactGeodesicDistance with GenerateWindowsOn\(\)": "Use --method exact",
-    r", or Radius too small": "",
-    r", or set Radius": "",
-    r"\buse Neumann conditions": "use --boundary Neumann",
-    r"\bthe method 'graph'": "--method graph",
-    r", or (?:set )?a higher memory_limit": "",
-    r"\b(larger|and) accuracy\b": r"\1 --accuracy",
-    r"\bcall Set(\w+)\(\) with": r"set \1 to",
-}
-# Properties of filters and arguments of functions, and the options that set them.
+# Arguments of functions, and the options that set them.
 OPTIONS = {
-    "Accuracy": "--accuracy",
-    "MergeCoincidentPoints": "--merge",
-    "NumberOfIterations": "--iterations",
+    "accuracy": "--accuracy",
+    "boundary": "--boundary",
+    "first": "--first",
+    "iterations": "--iterations",
     "maximum_distance": "--maximum",
+    "merge_coincident_points": "--merge",
+    "method": "--method",
     "number_of_samples": "--number",
     "projection_tolerance": "--tolerance",
+    "values": "--values",
 }
-# Options and arguments of the same name that are also common words: replaced in front only.
-FIRST_WORDS = ("accuracy", "first", "iterations", "values")
 
 
 def in_options(text):
-    """Returns a message of a filter or a function in terms of the options of the shell."""
-    text = in_arguments(text)
-    for pattern, words in IN_OPTIONS.items():
-        text = re.sub(pattern, words, text)
-    text = re.sub(rf"\b({'|'.join(OPTIONS)})\b", lambda match: OPTIONS[match[1]], text)
+    """Returns a message of a filter or a function with options in place of arguments, which are in
+    backticks or in front. The name of the filter is removed."""
+    text = re.sub(r"\bvtk(?!dgg)\w+: ", "", in_arguments(text))
+    text = re.sub(r"`(\w+)`", lambda match: OPTIONS.get(match[1], match[1].replace("_", " ")), text)
     first, colon, rest = text.partition(": ")
-    return ("--" if first in FIRST_WORDS else "") + first + colon + rest
+    return OPTIONS.get(first, first) + colon + rest
 
 
 def notes_of(caught):
