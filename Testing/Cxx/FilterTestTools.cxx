@@ -317,8 +317,9 @@ void ExpectParts(const std::string& text, const std::vector<std::string>& parts)
     const auto isSame = [](unsigned char a, unsigned char b) {
       return std::tolower(a) == std::tolower(b);
     };
-    EXPECT_NE(std::search(text.begin(), text.end(), part.begin(), part.end(), isSame), text.end())
-      << "'" << part << "' is missing in: " << text;
+    const bool isFound =
+      std::search(text.begin(), text.end(), part.begin(), part.end(), isSame) != text.end();
+    EXPECT_TRUE(isFound) << "'" << part << "' is missing in: " << text;
   }
 }
 }

@@ -242,8 +242,9 @@ TEST_F(GraphInFieldData, OtherTreatmentOfCoincidentPoints)
     filter->Update();
     EXPECT_EQ(listener.Errors, std::vector<std::string>());
     ASSERT_FALSE(listener.Warnings.empty());
-    EXPECT_NE(listener.Warnings.back().find(merge ? "MergeCoincidentPoints on, but it is off here"
-                                                  : "MergeCoincidentPoints off, but it is on here"),
+    EXPECT_NE(
+      listener.Warnings.back().find(merge ? "MergeCoincidentPoints on, but the filter has it off"
+                                          : "MergeCoincidentPoints off, but the filter has it on"),
       std::string::npos)
       << listener.Warnings.back();
     EXPECT_FALSE(filter->GetUsedInputGraph());

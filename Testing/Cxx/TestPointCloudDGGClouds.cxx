@@ -47,7 +47,7 @@ TEST_F(PointCloudDGG, PointsThatAreNotFinite)
   points[7][1] = NaN;
   points[100][0] = std::numeric_limits<double>::infinity();
   this->Use(points);
-  ExpectWarning(this->Filter, { "2 points that are not finite" });
+  ExpectWarning(this->Filter, { "2 points with a coordinate that is not finite" });
   EXPECT_EQ(this->Filter->GetNumberOfUnusedPoints(), 2);
   EXPECT_EQ(this->Filter->GetNumberOfComponents(), 1);
   vtkNew<vtkDGGDistance> distance;
@@ -72,7 +72,7 @@ TEST_F(PointCloudDGG, PointsThatAreNotFinite)
 TEST_F(PointCloudDGG, NoPointIsFinite)
 {
   this->Use(Points(5, { { NaN, 0.0, NaN } }));
-  ExpectWarning(this->Filter, { "5 points that are not finite" });
+  ExpectWarning(this->Filter, { "5 points with a coordinate that is not finite" });
   EXPECT_EQ(this->Filter->GetNumberOfComponents(), 0);
   EXPECT_EQ(GetComponents(this->GetOutput()), std::vector<int>(5, -1));
   for (const bool smooth : { false, true })
@@ -104,7 +104,7 @@ TEST_F(PointCloudDGG, Outliers)
     ExpectSuccess(path);
     const double length = GetLength(path);
     this->Use(Join(clean, { { { 1e6, 0.5e6, -1e6 } } }));
-    ExpectWarning(this->Filter, { "1 point that is more than 1000 times as far away" });
+    ExpectWarning(this->Filter, { "1 point more than 1000 times as far away" });
     EXPECT_EQ(this->Filter->GetNumberOfOutliers(), 1);
     EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
     EXPECT_EQ(GetComponents(this->GetOutput())[600], 1);

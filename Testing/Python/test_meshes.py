@@ -101,7 +101,7 @@ class Meshes(support.Test):
 
     def test_wrong_meshes(self):
         known = "without .*vertices and faces; .*points and cells"
-        cloud = "triangles: .* see vtkdgg.CloudGraph"
+        cloud = "triangles: .* use vtkdgg.CloudGraph"
         self.refuse(
             vtkdgg.distance,
             ((vtkImageData(), 0), "got a vtkImageData; vtkDataSetSurfaceFilter extracts one"),

@@ -298,7 +298,7 @@ class Formats(support.Test):
             cells += f"CELL_DATA {count}\nSCALARS id int\nLOOKUP_TABLE default\n{values}\n"
             with self.subTest(cells):
                 path = path_of("degenerate.vtk", start + cells)
-                with self.assertWarnsRegex(RuntimeWarning, "degenerate.vtk: cells .* left out: "):
+                with self.assertWarnsRegex(RuntimeWarning, "degenerate.vtk: cells .* are ignored: "):
                     mesh = vtkdgg.read(path)
                 self.assertEqual(mesh.cell_data["id"].tolist(), [count - 1])
         mesh = support.polydata(support.grid(1, 1)[0], Strips=[[0, 1]])
@@ -475,7 +475,7 @@ class Meshes(support.Test):
             ({"triangles": [[0, 1, 9]]}, "triangles: point id 9"),
             ({"polygons": ([0, 2], [0, 1])}, "polygons: a polygon has 2 corners"),
             ({"lines": ([0, 1], [0])}, "lines: a line has 1 corners"),
-            ({"polygons": ([0, 3], [0, 1])}, "polygons: offsets must rise from 0 .* 2"),
+            ({"polygons": ([0, 3], [0, 1])}, "polygons: expected offsets that rise from 0 .* 2"),
             ({"point_data": {"a": [1]}}, r"point_data\['a'\]: expected 4 rows, got shape \(1,\)"),
             ({"cell_data": {"a": [1]}}, r"cell_data\['a'\]: expected 0 rows"),
             ({"point_data": {"a": ["x"] * 4}}, r"point_data\['a'\]: expected numbers"),

@@ -188,7 +188,7 @@ class LegacyFile:
         offsets = self._ids(first, self._keyword("offsets").split()[1])
         corners = self._ids(second, self._keyword("connectivity").split()[1])
         if offsets[0] != 0 or offsets[-1] != second or (np.diff(offsets) < 0).any():
-            raise ValueError(f"offsets must rise from 0 to {second}")
+            raise ValueError(f"expected offsets that rise from 0 to {second}")
         return offsets, corners
 
     def _split_polyhedra(self):
@@ -243,7 +243,7 @@ class LegacyFile:
             return self._values(count, b"unsigned_char")
         values = self._values(count, b"float")
         if not ((values >= 0.0) & (values <= 1.0)).all():
-            raise ValueError("colors must lie between 0 and 1")
+            raise ValueError("expected colors from 0 to 1")
         return (255.0 * values.astype(np.float64) + 0.5).astype(np.uint8)
 
     def _skip_texts(self, count, kind):

@@ -130,7 +130,7 @@ def checked_cells(pair, name, number_of_points, least=0):
     ends = offsets[[0, -1]].tolist() if offsets.size else []
     if offsets.ndim != 1 or ends != [0, len(corners)] or (sizes < 0).any():
         raise ValueError(
-            f"{name}: offsets must rise from 0 to the number of corners, which is {len(corners)}"
+            f"{name}: expected offsets that rise from 0 to the number of corners, {len(corners)}"
         )
     if len(sizes) and sizes.min() < least:
         kind = "polygon" if name == "triangles" else name[:-1]

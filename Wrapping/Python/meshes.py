@@ -73,7 +73,7 @@ def take(mesh, cells=None, **named):
             if cells is not None and all(other is not None for other in others):
                 raise
             raise ValueError(
-                f"{error}; points without triangles are a cloud: see vtkdgg.CloudGraph"
+                f"{error}; use vtkdgg.CloudGraph for points without triangles"
             ) from None
     else:
         if cells is not None:

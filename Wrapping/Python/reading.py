@@ -90,7 +90,7 @@ def read(file: Any) -> Mesh:
         raise OSError(f"{path}: expected a file, got a device or pipe")
     with open(path, "rb") as head:
         if head.read(len(_LFS)) == _LFS:
-            raise ValueError(f"{path}: a pointer of Git LFS, not the file itself; run git lfs pull")
+            raise ValueError(f"{path}: the file is a pointer of Git LFS; run git lfs pull")
     try:
         if extension in OWN:
             reader = OWN[extension]()
@@ -122,7 +122,7 @@ def _read_vtk(path, extension):
     removed = data.remove_degenerate() if is_surface else 0
     notes = {
         f"arrays of strings are skipped: {', '.join(dict.fromkeys(data.texts))}": data.texts,
-        f"cells with too few corners are left out: {removed}": removed,
+        f"cells with too few corners are ignored: {removed}": removed,
         "the last line has no end; the file may be truncated": data.may_be_cut,
     }
     for note in (text for text, applies in notes.items() if applies):

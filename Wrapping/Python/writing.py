@@ -83,7 +83,8 @@ def write(file: Any, mesh: Any) -> None:
     extension = extension_of(path)
     known = (*WRITERS, *TABLES)
     if extension not in known:
-        raise ValueError(f"{path}: unknown extension '{extension}'; expected one of {' '.join(known)}")
+        names = " ".join(known)
+        raise ValueError(f"{path}: unknown extension '{extension}'; expected one of {names}")
     lost = left_out(path, data)
     if lost:
         warnings.warn(

@@ -89,7 +89,7 @@ class XMLFile:
         if count or piece.find("Points/DataArray") is not None:
             result.points = self._values(_child(piece, "Points/DataArray"), count, "Points")
         if count and result.points.shape != (count, 3):
-            raise ValueError("points: expected 3 components")
+            raise ValueError(f"points: expected the shape ({count}, 3), got {result.points.shape}")
         for tag, name in _CELLS[self._type].items():
             number = _count(piece, f"NumberOf{tag}")
             if number or piece.find(f"{tag}/DataArray") is not None:

@@ -279,14 +279,14 @@ Status StoredGraph::CheckSurface(const std::int64_t* info, const PreparedSurface
   if (wasMerged != IsMerged(surface))
   {
     return InvalidInput("The graph on the input was built with {MergeCoincidentPoints} ",
-      wasMerged ? "on, but it is off here" : "off, but it is on here")
+      wasMerged ? "on, but the filter has it off" : "off, but the filter has it on")
       .At("MergeCoincidentPoints");
   }
   const double tolerance = CopyBits<double>(info[MergeTolerance]);
   if (tolerance != surface.GetDomain().MergeTolerance)
   {
     return InvalidInput("The graph on the input was built with a {MergeTolerance} of ", tolerance,
-      ", but it is ", surface.GetDomain().MergeTolerance, " here")
+      ", but the filter has ", surface.GetDomain().MergeTolerance)
       .At("MergeTolerance");
   }
   return InvalidInput("The graph on the input is out of date: ",

@@ -7,6 +7,7 @@
 
 #include "dggGraphBuilder.h" // for GraphLink
 #include "dggGraphSearch.h"  // for GraphSeed
+#include "dggStatus.h"       // for Status
 
 #include <vector> // for links and seeds
 
@@ -32,7 +33,7 @@ inline Status FindLinks(const GraphBuilder* builder, const SurfacePoint& point, 
     return Status::Success();
   }
   return builder ? builder->Link(point, accuracy, targets, links, direct)
-                 : Status::Invalid("a point that is not a vertex needs a graph builder");
+                 : InvalidInput("A point that is not a vertex needs a graph builder");
 }
 
 /// Appends the seeds of a source with these links and this initial distance.

@@ -274,7 +274,9 @@ Status PathTracer::Append(const SurfacePoint& from, const SurfacePoint& to, doub
   }
   else if (!this->FindExactly(from, to, length, path))
   {
-    return InvalidInput("The straight line between two points cannot be traced");
+    return InvalidInput(
+      "The straight line of length ", length, " between two surface points cannot be traced")
+      .Fix("Build the graph again for this mesh");
   }
   this->Chain.Append(path);
   return Status::Success();

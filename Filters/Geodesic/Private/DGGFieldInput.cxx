@@ -149,8 +149,10 @@ dgg::Status DGGReadField(const DGGContext& context, vtkDataArray* distances, dou
     (array->GetNumberOfComponents() != 3 ||
       array->GetNumberOfTuples() != surface->GetNumberOfPoints()))
   {
-    reader.Warn(dgg::JoinText("The virtual sources in the point array '", virtualSources,
-      "' do not have 3 components per point. They are ignored"));
+    reader.Warn(dgg::JoinText("The point array '", virtualSources, "' has ",
+      array->GetNumberOfComponents(), " components and ", array->GetNumberOfTuples(),
+      " tuples, but virtual sources need 3 components and ", surface->GetNumberOfPoints(),
+      " tuples. The array is ignored"));
   }
   else if (array)
   {

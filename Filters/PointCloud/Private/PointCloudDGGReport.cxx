@@ -138,19 +138,15 @@ void vtkPointCloudDGG::vtkInternals::WarnAboutPoints()
   const dgg::Id unused = this->Current.Statistics.UnusedPoints;
   if (unused > 0)
   {
-    const bool isOne = unused == 1;
-    this->Warn(
-      dgg::JoinText("The cloud has ", unused, isOne ? " point that is" : " points that are",
-        " not finite. ", isOne ? "It is" : "They are", " kept, and connected to nothing"));
+    this->Warn(dgg::JoinText("The cloud has ", unused, unused == 1 ? " point" : " points",
+      " with a coordinate that is not finite. Such points have no edges in the graph"));
   }
   const dgg::Id outliers = this->Current.Statistics.Outliers;
   if (outliers > 0)
   {
-    const bool isOne = outliers == 1;
-    this->Warn(
-      dgg::JoinText("The cloud has ", outliers, isOne ? " point that is" : " points that are",
-        " more than 1000 times as far away as all others. ", isOne ? "It is" : "They are",
-        " kept, and connected to points at the same position only"));
+    this->Warn(dgg::JoinText("The cloud has ", outliers, outliers == 1 ? " point" : " points",
+      " more than 1000 times as far away as all others. The graph connects such points only to "
+      "points at the same position"));
   }
   const dgg::CloudGraphStatistics& statistics = this->Current.Statistics;
   if (statistics.Scatter > 0.0)
