@@ -35,7 +35,7 @@ struct NamedRemark
 /// Reasons why another method than the requested one was used.
 const NamedRemark Remarks[] = { { dgg::GreensRemark::TooCoarse,
                                   "the mesh is too coarse around them for the method, so "
-                                  "Interpolated was used. Refine the mesh there" },
+                                  "Interpolated was used. Refine the mesh there, or set {Radius}" },
   { dgg::GreensRemark::NoTriangle,
     "they were not found on the flipped mesh, so Interpolated was used. Turn off "
     "{IntrinsicDelaunay}" },

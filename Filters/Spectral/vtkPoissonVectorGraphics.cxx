@@ -124,7 +124,7 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& conte
   const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
   const std::size_t count = drawing.Curves.size();
   DGG_RETURN_IF_ERROR(
-    context.Memory.Check("the refined mesh", EstimateMesh(mesh, drawing), this->GetMemoryRemedy()));
+    context.Memory.Check("The refined mesh", EstimateMesh(mesh, drawing), this->GetMemoryRemedy()));
   std::vector<dgg::SurfaceCurve> joined(count);
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -145,10 +145,9 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& conte
   const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
   if (!status.IsOk())
   {
-    return status.IsAborted()
-      ? status
-      : dgg::InvalidInput(status.GetMessage(), ", for memory to suffice: raise MemoryLimit, or ",
-          this->GetMemoryRemedy());
+    return status.GetCode() == dgg::Status::Code::OutOfMemory
+      ? status.Fix(this->GetMemoryRemedy(), ", or raise {MemoryLimit}")
+      : status;
   }
   std::vector<dgg::CurveChain> chains;
   for (std::size_t k = 0; k < count; ++k)

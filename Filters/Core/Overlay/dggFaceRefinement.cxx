@@ -95,7 +95,8 @@ Status LevelRefiner::SplitOnce(int rings, Offset mostFaces)
   mostFaces = std::min<Offset>(mostFaces, std::numeric_limits<Id>::max() / 3);
   if (faces > mostFaces)
   {
-    return InvalidInput("Refinement needs ", faces, " faces, more than ", mostFaces)
+    return Status(Status::Code::OutOfMemory,
+      JoinText("Refinement needs ", faces, " faces, more than the limit of ", mostFaces))
       .Fix("Refine fewer faces or use fewer levels");
   }
   std::vector<Id> parts;

@@ -65,7 +65,12 @@ Status WriteGraphLines(const TaskContext& context, const GraphView& graph,
   const ProgressCallback& progress, Output& output)
 {
   constexpr Id rowsInBlock = 4096; // rows between two reports of progress
-  const auto count = static_cast<std::size_t>(graph.GetNumberOfEdges() / 2);
+  std::size_t count = 0;           // not half of the edges if the graph was altered
+  for (Id v = 0; v < graph.NumberOfVertices; ++v)
+  {
+    count += std::count_if(graph.Targets + graph.Offsets[v], graph.Targets + graph.Offsets[v + 1],
+      [v](Id target) { return v < target; });
+  }
   DGG_RETURN_IF_ERROR(context.Memory.Check("The output of the edges as lines",
     static_cast<double>(count) * (3.0 * sizeof(Offset) + sizeof(double)),
     "Turn off {GenerateGraphLines}"));

@@ -45,7 +45,8 @@ void WriteSamples(const TaskContext& context, const SamplerOptions& options,
   {
     output.Warnings.push_back(JoinText("No point of the surface is left after ", samples.size(),
       " samples, but {NumberOfSamples} is ", options.NumberOfSamples,
-      ". Reduce {NumberOfSamples}, or subdivide the surface"));
+      ". Reduce {NumberOfSamples}, ", options.InFaces ? "" : "turn on {InFaces}, ",
+      "or subdivide the surface"));
   }
   if (!(radius < Infinity))
   {

@@ -28,18 +28,26 @@ void Copy(const Triple& from, double* to)
 class PointWriter
 {
 public:
-  PointWriter(const TaskContext& context, std::size_t size, Output& output)
+  /// `areIdsFirst` chooses the order of the arrays.
+  PointWriter(const TaskContext& context, std::size_t size, bool areIdsFirst, Output& output)
     : Surface(context.Surface)
   {
     output.Points = Buffer<double>(3 * size);
     this->Positions = output.Points.Data();
+    if (areIdsFirst)
+    {
+      this->Points = output.PointData.Add<Offset>("vtkOriginalPointIds", size);
+    }
     this->Cells = output.PointData.Add<Offset>("FaceId", size);
     if (!this->Surface.IsCloud() && CellCoordinates::AreAllTriangles(context.GetCells()))
     {
       this->Coordinates.emplace(context.GetCells(), this->Surface);
       this->Barycentric = output.PointData.Add<double>("Barycentric", size, 3);
     }
-    this->Points = output.PointData.Add<Offset>("vtkOriginalPointIds", size);
+    if (!areIdsFirst)
+    {
+      this->Points = output.PointData.Add<Offset>("vtkOriginalPointIds", size);
+    }
   }
 
   /// Writes point i of the output, which is in or around `face`.
@@ -61,7 +69,7 @@ private:
   const PreparedSurface& Surface;
   std::optional<CellCoordinates> Coordinates;
   double* Positions;
-  Offset* Points;
+  Offset* Points = nullptr;
   Offset* Cells;
   double* Barycentric = nullptr;
 };
@@ -131,7 +139,7 @@ void WriteSurfacePoints(
   output.Verts.Points = Buffer<Offset>(points.size());
   std::iota(output.Verts.Offsets.begin(), output.Verts.Offsets.end(), 0);
   std::iota(output.Verts.Points.begin(), output.Verts.Points.end(), 0);
-  PointWriter writer(context, points.size(), output);
+  PointWriter writer(context, points.size(), true, output);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     writer.Write(i, points[i], FindFaceOf(context.Surface.GetMesh(), points[i]));
@@ -151,7 +159,7 @@ const double* WriteCurves(
   }
   output.Lines.Offsets = Buffer<Offset>(curves.size() + 1);
   output.Lines.Points = Buffer<Offset>(numberOfIds);
-  PointWriter writer(context, numberOfPoints, output);
+  PointWriter writer(context, numberOfPoints, false, output);
   double* const arcLengths = output.PointData.Add<double>("ArcLength", numberOfPoints);
 
   std::size_t first = 0; // of the points of the curve

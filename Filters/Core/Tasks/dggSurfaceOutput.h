@@ -24,14 +24,15 @@ struct OutputCurve
   bool IsClosed = false;   ///< true if the last point repeats the first
 };
 
-/// Writes the points, with verts and the point arrays `FaceId`, `Barycentric` (if all polygons of
-/// the input are triangles) and `vtkOriginalPointIds`.
+/// Writes the points, with verts and the point arrays `vtkOriginalPointIds`, `FaceId` and
+/// `Barycentric` (if all polygons of the input are triangles).
 DGG_CORE_EXPORT void WriteSurfacePoints(
   const TaskContext& context, const std::vector<SurfacePoint>& points, Output& output);
 
-/// Writes the curves as lines, with the same point arrays and `ArcLength`. A closed curve begins
-/// and ends with the same point of the output. A curve of one point becomes a line from that point
-/// to itself, because a polyline needs two ends. Returns `ArcLength`.
+/// Writes the curves as lines, with the point arrays `FaceId`, `Barycentric`, `vtkOriginalPointIds`
+/// and `ArcLength`. A closed curve begins and ends with the same point of the output. A curve of
+/// one point becomes a line from that point to itself, because a polyline needs two ends. Returns
+/// `ArcLength`.
 DGG_CORE_EXPORT const double* WriteCurves(
   const TaskContext& context, const std::vector<OutputCurve>& curves, Output& output);
 

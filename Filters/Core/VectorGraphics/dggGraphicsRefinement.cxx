@@ -80,8 +80,9 @@ Status RefineForGraphics(const SurfaceMesh& mesh, const GraphicsRefinement& refi
     (partsPerFace - 1.0) * static_cast<double>(faces.size());
   if (count > static_cast<double>(refinement.MostFaces))
   {
-    return InvalidInput("Refinement needs at least ", static_cast<Offset>(std::min(count, 1e18)),
-      " faces, more than ", refinement.MostFaces);
+    return Status(Status::Code::OutOfMemory,
+      JoinText("Refinement needs at least ", static_cast<Offset>(std::min(count, 1e18)),
+        " faces, more than the limit of ", refinement.MostFaces));
   }
   std::vector<Id> parents;
   Status status = RefineFaces(mesh, faces, refinement.Levels, refinement.Progress, surface, parents,
