@@ -364,7 +364,7 @@ class PassRate(unittest.TestCase):
         self.assertEqual(lines[0], "2 of 2 graphs are within the bound.")
         row = cells_of(lines, "bumpy-2.ply", "mesh")
         self.assertEqual((row["vertices"], row["kept"]), ("162", "yes"))
-        self.assertIn("line 1: a PLY file begins", cells_of(lines, "broken.ply", "refused")["why"])
+        self.assertIn("line 1: the file does not begin", cells_of(lines, "broken.ply", "refused")["why"])
 
     def test_broken_promise(self):
         row = {"mesh": "ball", "vertices": 9, "tau": 1.0, "degree": 4.0, "accuracy": 0.01}
