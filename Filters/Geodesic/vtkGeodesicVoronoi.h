@@ -27,9 +27,9 @@
  * those that pass a point within 1e-5 of an edge pass through it. If triangles are as large as
  * cells, subdivide the surface first.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no site; an id out of range; a site that is not
- * finite or beyond ProjectionTolerance; an array name that is empty or used twice; a graph beyond
- * MemoryLimit. The module page is Filters/Geodesic/Curves.md.
+ * <b>Errors</b>. The errors of vtkGeodesicAlgorithm; no site; an id out of range; a site that is
+ * not finite or beyond ProjectionTolerance; an array name that is empty or used twice; a graph
+ * beyond MemoryLimit. The module page is Filters/Geodesic/Curves.md.
  * @sa vtkGeodesicSampler vtkDGGDistance
  */
 
@@ -105,7 +105,7 @@ public:
   /**
    * If on, make cells and borders. If off, outputs 1 and 2 are empty, there is no CellArea, and
    * labels come from a single search before distances are corrected. This is many times faster, but
-   * a point at nearly the same distance from two sites may get the other one. Default on.
+   * a point at nearly the same distance from two sites may get the other site. Default on.
    */
   vtkSetMacro(GenerateCells, bool);
   vtkGetMacro(GenerateCells, bool);
@@ -116,8 +116,8 @@ public:
   /**
    * If on, points are labeled immediately and without a graph by vtkVirtualSourceGeodesicDistance.
    * Errors of distances have no bound, and a point at nearly the same distance from two sites may
-   * get the other one. As with GenerateCellsOff(), outputs 1 and 2 are empty. An error with
-   * Centroidal and on clouds. Default off.
+   * get the other site. As with GenerateCellsOff(), outputs 1 and 2 are empty. The update fails
+   * with Centroidal and on clouds. Default off.
    */
   vtkSetMacro(Preview, bool);
   vtkGetMacro(Preview, bool);
@@ -126,9 +126,9 @@ public:
 
   ///@{
   /**
-   * If on, border points that the triangles around them do not determine accurately are linked to
-   * the graph and moved, with limited work. Takes longer the larger triangles are relative to
-   * cells. Default on.
+   * If on, refine inaccurate border points. Border points that the surrounding triangles do not
+   * determine accurately are linked to the graph and moved, with limited work. The update takes
+   * longer the larger the triangles are relative to the cells. Default on.
    */
   vtkSetMacro(RefineBoundaries, bool);
   vtkGetMacro(RefineBoundaries, bool);

@@ -27,17 +27,16 @@ class DGG_CORE_EXPORT GraphSession
 public:
   using Points = std::vector<SurfacePoint>;
 
-  /// Starts an update. Releases what belongs to another surface, but keeps the graph if it is that
-  /// of an equal surface.
+  /// Starts an update. Releases the data of another surface, but keeps a graph of an equal surface.
   void Start(const PreparedSurface& surface);
 
   ///@{
-  /// Sets or releases the graph to search. It must be that of the surface.
+  /// Sets or releases the graph to search. The graph must belong to the surface.
   void Use(PreparedGraph::Pointer graph);
   void Release();
   ///@}
   bool HasGraph() const { return this->Graph != nullptr; }
-  /// Numbers of the graph; all zero if there is none.
+  /// Returns the summary of the graph; all values are zero without a graph.
   const GraphSummary& GetSummary() const;
 
   /// Builds a graph of the surface.
@@ -47,46 +46,50 @@ public:
   ProgressCallback GetRemainingProgress(const TaskContext& context) const;
 
   const GraphSearch& GetSearch() const { return *this->Search; }
-  /// Kept after local searches, so that the next search resets only reached vertices.
+  /// Returns the result buffer of searches. The buffer is kept after local searches, so that the
+  /// next search resets only reached vertices.
   SearchResult& GetResult() { return this->Result; }
 
   ///@{
-  /// Accuracy of links: that of the graph. Graphs without an accuracy use `accuracy`.
+  /// Sets or returns the accuracy of links: the accuracy of the graph, or `accuracy` for a graph
+  /// without one.
   void SetLinkAccuracy(double accuracy) { this->DefaultAccuracy = accuracy; }
   double GetLinkAccuracy() const;
   ///@}
   /// Returns the search radius at which every point closer than `maximum` is reached.
   double WidenLimit(double maximum, const std::vector<GeodesicSource>& sources) const;
 
-  /// Announces searches for `count` pairs of points. After many of them, distances from landmarks
-  /// are computed, which speed up all later searches.
+  /// Announces searches for `count` pairs of points. After many pairs, computes distances from
+  /// landmarks, which speed up all later searches.
   Status PrepareForPairs(const TaskContext& context, std::size_t count);
 
-  /// Makes the seeds of a search from sources: one for each vertex, and one for each link of the
-  /// others. Links are kept while surface, accuracy and points are the same.
+  /// Makes the seeds of a search from sources: one seed for each vertex, and one for each link of
+  /// the other sources. Links are kept while surface, accuracy and points are the same.
   Status MakeSeeds(const TaskContext& context, const std::vector<GeodesicSource>& sources,
     std::vector<GraphSeed>& seeds);
   /// Prepares the builder that links points that are not vertices. All users of the surface share
-  /// it. Fails if it would exceed the memory limit; clouds have none. A builder that is not needed
-  /// now is kept for later updates unless it exceeds the memory limit.
+  /// the builder; clouds have none. Fails if the builder would exceed the memory limit. A builder
+  /// that is not needed now is kept for later updates unless it exceeds the memory limit.
   Status PrepareBuilder(const TaskContext& context, bool isNeeded = true);
   const GraphBuilder& GetBuilder() const { return *this->Builder; }
   /// Finds the links of a point, and its distance from each of `aims` along a straight path outside
-  /// the graph; infinity if there is none. Needs PrepareBuilder() for points that are not vertices.
+  /// the graph; infinity without such a path. Needs PrepareBuilder() for points that are not
+  /// vertices.
   Status Link(const SurfacePoint& place, const Points& aims, std::vector<GraphLink>& links,
     std::vector<double>& direct) const;
 
-  /// Returns the finder of paths in the graph, with links if there is a builder. Its memory is
-  /// proportional to the size of the mesh; it is kept while graph and builder are the same.
+  /// Returns the finder of paths in the graph, with links if a builder exists. The memory of the
+  /// finder is proportional to the size of the mesh. The finder is kept while graph and builder are
+  /// the same.
   const PathFinder& GetPathFinder();
-  /// Returns the shortener of paths on a cloud. It refers to the graph.
+  /// Returns the shortener of paths on a cloud, which refers to the graph.
   BandPathShortener MakeShortener() const;
 
-  /// Returns an estimate of the bytes of the graph, shared or not, and of what searches keep.
+  /// Returns an estimate of the bytes of the graph, shared or not, and of the buffers of searches.
   std::size_t GetMemorySize() const;
 
 private:
-  /// Links of points, and what they depend on.
+  /// Links of points, with the accuracy and the points for which they are valid.
   struct LinkStore
   {
     double Accuracy = 0.0;
@@ -100,7 +103,7 @@ private:
 
   std::uint64_t Surface = 0; // build number
   PreparedGraph::Pointer Graph;
-  std::optional<GraphSearch> Search; // that of Graph, with landmarks after many pairs
+  std::optional<GraphSearch> Search; // searches Graph, with landmarks after many pairs
   std::size_t NumberOfPairs = 0;     // announced for Graph
   SearchResult Result;
   std::shared_ptr<const GraphBuilder> Builder;

@@ -81,8 +81,8 @@ Status MatrixSearch::Run(bool symmetric, double radius)
   }
   else
   {
-    // Straight paths again, from the other end: they need not be among its windows, and the result
-    // must not depend on the direction.
+    // Find straight paths from the targets too: the windows from one end may lack a path that the
+    // windows from the other end contain, and distances must not depend on the direction.
     DGG_RETURN_IF_ERROR(
       this->LinkPoints(this->Targets, this->Sources, TargetsLinked, this->TargetLinks,
         [this](std::size_t j, std::size_t i) -> double& { return this->Distances(i, j); }));

@@ -14,6 +14,29 @@
 #include <string>
 #include <utility>
 
+// Poisson curves; notation of the class documentation:
+//
+// If l and r vary along the curve, they are extended into the band as harmonic functions with these
+// values on both sides of the curve and natural conditions elsewhere. The values of the nearest
+// curve point would jump where two curve points are equally near. The extension requires one more
+// small system per such curve, solved whenever colors are computed. If the triangles of the band
+// are too thin for that system, although those of the surface are not, the strengths of the nearest
+// curve point are used instead, so that a small defect of the surface does not prevent the drawing.
+//
+// B and its slope vanish at the width. Therefore the sources on each side sum to 0, not only the
+// sources of both sides together, and their first moment vanishes as well. By contrast, a layer of
+// sources h on one side and -h on the other, the obvious model of a shadow beside a highlight, is a
+// layer of dipoles, whose colors extend far beyond any width. With B, colors beyond the width do
+// not change, up to rounding, unless a diffusion curve runs through the band. In that case the
+// colors on the diffusion curve are unchanged, and the contribution of B is missing around the
+// diffusion curve, nowhere by more than the largest B on it. With r = -l, a highlight appears on
+// one side and a shadow on the other; with r = l, a glow appears.
+//
+// Discretely, B is linear in the faces of the mesh, and u = v + B with a function v that Poisson
+// curves do not cut. The equation for v has the other sources and, on diffusion curves, the given
+// colors minus B. This equation is equivalent to the equation for u with the Laplacian of B as
+// source, whose integrals against hat functions sum to 0 up to rounding.
+
 namespace dgg
 {
 namespace
@@ -24,8 +47,7 @@ constexpr double MeasuredDone = 0.3;
 constexpr double BandsDone = 0.6;
 constexpr double SourcesDone = 0.8;
 
-/// Bytes per face of a surface, two cuts and one mesh; and of the second mesh, which Poisson curves
-/// need.
+/// Bytes per face of a surface, two cuts and one mesh, and of the second mesh for Poisson curves.
 constexpr double HeldPerFace = 370.0;
 constexpr double MorePerFace = 140.0;
 /// Workspace in bytes for computing colors (distances or blocks of solutions), and for a band with
@@ -36,7 +58,8 @@ constexpr double BandPerFace = 180.0;
 /// Numbers from 2^-100 to 2^100 can be squared and multiplied by mesh quantities.
 constexpr int UsualExponent = 100;
 
-/// Unused values are not checked.
+/// Updates the largest magnitude of each channel. Skips values that are not finite: unused values
+/// are not checked.
 void FindLargest(const std::vector<double>& values, std::vector<double>& largest)
 {
   for (std::size_t i = 0; i < values.size(); ++i)

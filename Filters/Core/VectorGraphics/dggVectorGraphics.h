@@ -94,10 +94,11 @@ struct GraphicsResult
   std::vector<Id> Components;
 };
 
-/// Poisson vector graphics on a surface (Hou, Sun, Fang, Liu, Hu, Qin, Hao, He, "Poisson vector
-/// graphics", IEEE TVCG 26(2), 2020; diffusion curves: Orzan et al. 2008): -Laplace u = f, one
-/// equation per color channel, with natural conditions on the boundary of the surface, solved by
-/// linear finite elements on a mesh in which the curves are chains of edges.
+/// Poisson vector graphics on a surface.
+///
+/// Solves -Laplace u = f, one equation per color channel, with natural boundary conditions, by
+/// linear finite elements on a mesh in which the curves are chains of edges (Hou et al., "Poisson
+/// vector graphics", IEEE TVCG 26(2), 2020; diffusion curves: Orzan et al. 2008).
 ///
 /// Diffusion curves cut the surface open; the colors on both sides are given. At the ends of open
 /// curves, which have no sides, and where curves meet, a vertex gets the mean of the colors given
@@ -110,26 +111,7 @@ struct GraphicsResult
 /// to the right-hand side, where d_l and d_r are the geodesic distances from its left and its right
 /// side on the surface cut open along all diffusion and Poisson curves, and b is 0 from the width w
 /// on. Thus B jumps from r to l across the curve, fades within the width, and is continuous
-/// everywhere else, also around ends, where d_l and d_r are equal. If l and r vary along the curve,
-/// they are extended into the band as harmonic functions with these values on both sides of the
-/// curve (and natural conditions elsewhere); the values of the nearest curve point would jump where
-/// two curve points are equally near. This requires one more small system per such curve, solved
-/// whenever colors are computed. If the triangles of the band as a whole are too thin for that
-/// system, though those of the surface are not, the strengths of the nearest curve point are used
-/// instead, so that a small defect of the surface does not prevent the drawing. Since B and its
-/// slope vanish at the width, the sources on each side sum to 0, not only those of both sides
-/// together, and their first moment vanishes as well. By contrast, a layer of sources h on one side
-/// and -h on the other, the obvious model of a shadow beside a highlight, is a layer of dipoles,
-/// whose colors extend far beyond any width. Here nothing changes beyond the width, up to rounding,
-/// unless a diffusion curve runs through the band. In that case the colors on the diffusion curve
-/// are unchanged, and the contribution of B is missing around it, nowhere by more than the largest
-/// B on it. With r = -l, there is a highlight on one side and a shadow on the other; with r = l, a
-/// glow.
-///
-/// Discretely, B is linear in the faces of the mesh, and u = v + B with a function v that Poisson
-/// curves do not cut. The equation for v has the other sources and, on diffusion curves, the given
-/// colors minus B: this is equivalent to the equation for u with the Laplacian of B as source,
-/// whose integrals against hat functions sum to 0 up to rounding.
+/// everywhere else, also around ends, where d_l and d_r are equal.
 class DGG_CORE_EXPORT VectorGraphics
 {
 public:

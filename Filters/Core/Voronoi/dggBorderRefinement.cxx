@@ -11,27 +11,27 @@ namespace dgg
 {
 namespace
 {
-/// Maximum difference between predictions of a distance, relative, in units of the accuracy.
+/// Maximum relative difference between predictions of a distance, in units of the accuracy.
 constexpr double PredictionTolerance = 0.6;
-/// Final tolerance between the distances from two sites, relative, in units of the accuracy.
+/// Final relative tolerance between the distances from two sites, in units of the accuracy.
 constexpr double BalanceTolerance = 0.05;
 /// Maximum number of steps for a point on an edge, and inside a face.
 constexpr int MostEdgeSteps = 12;
 constexpr int MostFaceSteps = 6;
-/// Minimum distance of points on edges from the ends of their ranges, so that they are not merged
-/// (SamePlace).
+/// Minimum distance of a point on an edge from the ends of its range, as an edge parameter. Closer
+/// points would be merged with the ends (SamePlace).
 constexpr double Margin = 2e-5;
 /// Step of finite differences, in barycentric coordinates.
 constexpr double DifferenceStep = 1e-3;
 
-/// Maximum work of links per face: about twenty times that of a diagram of a clean mesh.
+/// Maximum work of links per face: about twenty times the work on a clean mesh.
 constexpr std::size_t MostWorkOfFace = 3000;
 constexpr std::size_t SmallestMesh = 2500; // minimum number of faces for the limit
 
 /// Maximum step, as a fraction of the distance to a side of the face.
 constexpr double LargestPart = 0.9;
 
-/// Returns the result of a step that does not leave the face.
+/// Returns the location after a step in barycentric coordinates, shortened to stay in the face.
 std::array<double, 3> Step(
   const std::array<double, 3>& place, const std::array<double, 3>& direction)
 {
